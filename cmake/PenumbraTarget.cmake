@@ -1,0 +1,43 @@
+# penumbra_room(NAME SOURCES ... USES ... PUBLIC_LIBRARIES ... PRIVATE_LIBRARIES ...)
+#
+# Declares the static library penumbra_NAME (alias penumbra::NAME) of one folder under tools/.
+# USES lists the rooms it may include; tests/architecture checks them against the one-way order.
+function(penumbra_warnings target)
+  if(MSVC)
+    target_compile_options(${target} PRIVATE /W4 /WX /permissive-)
+  else()
+    target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+                                             -Wno-sign-conversion -Werror)
+  endif()
+endfunction()
+
+function(penumbra_room name)
+  cmake_parse_arguments(ROOM "" "" "SOURCES;USES;PUBLIC_LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
+  add_library(penumbra_${name} STATIC ${ROOM_SOURCES})
+  add_library(penumbra::${name} ALIAS penumbra_${name})
+  penumbra_warnings(penumbra_${name})
+  target_include_directories(penumbra_${name} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/tools>
+    $<INSTALL_INTERFACE:include/penumbra>)
+  foreach(used IN LISTS ROOM_USES)
+    target_link_libraries(penumbra_${name} PUBLIC penumbra::${used})
+  endforeach()
+  target_link_libraries(penumbra_${name} PUBLIC ${ROOM_PUBLIC_LIBRARIES} PRIVATE ${ROOM_PRIVATE_LIBRARIES})
+endfunction()
+
+# penumbra_test(NAME SOURCES ... LIBRARIES ... [LABELS ...] [TIMEOUT s])
+#
+# One GoogleTest program whose cases CTest lists one by one.
+function(penumbra_test name)
+  cmake_parse_arguments(TEST "" "TIMEOUT" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+  if(NOT TEST_TIMEOUT)
+    set(TEST_TIMEOUT 120)
+  endif()
+  add_executable(${name} ${TEST_SOURCES})
+  penumbra_warnings(${name})
+  target_link_libraries(${name} PRIVATE ${TEST_LIBRARIES} GTest::gtest GTest::gmock GTest::gtest_main)
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  target_compile_definitions(${name} PRIVATE PENUMBRA_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST
+    PROPERTIES TIMEOUT ${TEST_TIMEOUT} LABELS "${TEST_LABELS}")
+endfunction()

@@ -1,0 +1,62 @@
+// JSON whose values know the line and column they were read from, so that "unknown key" points at the key.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace penumbra {
+
+class LocatedJson {
+ public:
+  using Pointer = nlohmann::json::json_pointer;
+
+  // Throws InputError: unreadable, empty, not JSON (with line and column), duplicate key.
+  static LocatedJson read(const std::filesystem::path& file);
+  static LocatedJson parse(std::string_view text, const std::string& name);
+
+  const nlohmann::json& value() const { return value_; }
+  const nlohmann::json& at(const Pointer& pointer) const { return value_.at(pointer); }
+  std::string where(const Pointer& pointer) const;  // "name:line:column" of the value (of its key in objects)
+
+ private:
+  nlohmann::json value_;
+  std::string name_;
+  std::map<std::string, std::pair<int, int>> places_;  // JSON pointer text -> line, column
+};
+
+// One object of a LocatedJson, read field by field. Every accessor throws InputError at the value's own place
+// when the type is wrong; finish() throws for keys nobody asked for, naming the nearest that was.
+class JsonObject {
+ public:
+  explicit JsonObject(const LocatedJson& document, LocatedJson::Pointer at = {});
+
+  bool has(const std::string& key);
+  double number(const std::string& key, double fallback);
+  int integer(const std::string& key, int fallback);
+  bool boolean(const std::string& key, bool fallback);
+  std::string text(const std::string& key, const std::string& fallback);
+  std::vector<double> numbers(const std::string& key, std::size_t count);  // exactly count finite numbers
+  std::vector<std::string> texts(const std::string& key);                  // array of strings; absent: empty
+  JsonObject object(const std::string& key);                               // absent: an empty object
+  std::vector<JsonObject> objects(const std::string& key);                 // array of objects; absent: empty
+  std::vector<std::string> keys() const;                                   // all keys, in file order not kept
+  void finish() const;
+
+  std::string where(const std::string& key) const;
+  [[noreturn]] void fail(const std::string& key, const std::string& problem,
+                         const std::string& way_out = {}) const;
+
+ private:
+  const nlohmann::json* find(const std::string& key);
+
+  const LocatedJson* document_;
+  LocatedJson::Pointer at_;
+  bool present_ = true;
+  std::vector<std::string> asked_;
+};
+
+}  // namespace penumbra

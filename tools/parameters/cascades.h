@@ -1,0 +1,96 @@
+// Cascaded shadow maps of a directional light: splits, fit, matrices and the scales soft shadows need.
+//
+// Spaces: world space in metres, +Y up by habit but not by need. View space looks down -Z, as Unity's view
+// matrices do. Matrices act on column vectors; GLM stores them column by column, emitters write row-major.
+// All mathematics here is double precision; verify() compares every figure that is emitted as a float with
+// the same derivation in long double and reports the difference in ULP of that float.
+#pragma once
+
+#include <array>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace penumbra::parameters {
+
+// Depth range of a device's clip space: Direct3D, Vulkan and Metal use [0, 1], OpenGL [-1, 1].
+enum class ClipDepth { zero_to_one, minus_one_to_one };
+
+struct Camera {
+  glm::dvec3 position{0.0, 1.7, 0.0};
+  glm::dvec3 forward{0.0, 0.0, 1.0};
+  glm::dvec3 up{0.0, 1.0, 0.0};
+  double fov_y_degrees = 60.0;
+  double aspect = 16.0 / 9.0;
+  double near_plane = 0.3;
+  double far_plane = 1000.0;
+};
+
+struct Light {
+  glm::dvec3 direction{0.3, -0.8, 0.5};     // the way the light travels; any length but zero
+  double angular_diameter_degrees = 0.53;  // full angle of the disc, 0 (point) .. 30; the sun's is 0.53
+};
+
+struct Bounds {
+  glm::dvec3 minimum;
+  glm::dvec3 maximum;
+};
+
+enum class SoftQuality { off, low, medium, high };
+
+struct ShadowSettings {
+  double distance_metres = 50.0;
+  int cascades = 1;                       // 1 .. 4
+  std::array<double, 3> splits{0.0667, 0.2, 0.4667};  // fractions of the distance where cascades 0..2 end
+  int resolution = 2048;                  // width of the atlas in texels; the tile follows as in URP
+  double depth_bias = 1.0;                // URP's unitless settings
+  double normal_bias = 1.0;
+  SoftQuality soft_quality = SoftQuality::medium;
+  bool reversed_z = true;
+  ClipDepth clip_depth = ClipDepth::zero_to_one;  // convention of the projection matrices that are emitted
+  std::optional<double> depth_range_metres;       // extent of each light frustum along the light
+  std::optional<Bounds> caster_bounds;            // world box of all casters: fixes the near plane, and the
+                                                  // custom fit tightens to it when fit_to_bounds is set
+  bool fit_to_bounds = false;
+  double near_plane_offset_metres = 0.2;  // Unity's Light.shadowNearPlane stand-in, added before the sphere
+};
+
+// One tile of the atlas. Matrices of URP's meaning: world_to_shadow maps world space to atlas UV (x, y) and
+// to the depth the map stores (z, already reversed when reversed_z), in [0, 1].
+struct Cascade {
+  int index = 0;
+  glm::dmat4 view{1.0};
+  glm::dmat4 projection{1.0};       // in the set's clip_depth, not reversed (as Unity's CPU-side matrices)
+  glm::dmat4 world_to_shadow{1.0};
+  glm::dvec4 offset_scale{0.0, 0.0, 1.0, 1.0};  // tile rectangle in atlas UV: x, y, width, height
+  glm::dvec4 split_sphere{0.0};     // world centre, radius in metres
+  double uv_per_metre = 0.0;        // tile UV per metre across the light: |row0.xyz| / offset_scale.z
+  double depth_per_metre = 0.0;     // stored depth per metre along the light: |row2.xyz|
+  double depth_to_radial = 0.0;     // penumbra RADIUS in tile UV per unit of stored depth gap (geometric)
+  std::optional<double> radial_to_depth;  // inverse; absent at angular diameter 0
+  double depth_to_radial_hdrp = 0.0;      // HDRP's m00/m22 form: twice the geometric value
+  double texel_size_metres = 0.0;
+  double max_penumbra_texels = 0.0;  // radius for the whole depth range of the tile
+  double depth_bias_metres = 0.0;    // URP's _ShadowBias.x and .y, both <= 0
+  double normal_bias_metres = 0.0;
+};
+
+struct CascadeSet {
+  bool reversed_z = true;
+  ClipDepth clip_depth = ClipDepth::zero_to_one;
+  double angular_diameter_degrees = 0.53;
+  glm::dvec3 light_direction{0.0, -1.0, 0.0};  // unit, the way the light travels
+  int atlas_width = 0;
+  int atlas_height = 0;  // half the width with two cascades, as URP allocates it
+  int tile_resolution = 0;
+  std::string depth_range_source;  // says which input fixed the depth range
+  std::vector<Cascade> cascades;
+};
+
+// Fits all cascades. Throws InputError (input_error.h) when a setting is out of range.
+CascadeSet fit_cascades(const Camera& camera, const Light& light, const ShadowSettings& settings);
+
+}  // namespace penumbra::parameters

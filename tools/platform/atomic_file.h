@@ -1,0 +1,15 @@
+// Files that are either whole or not there: written beside their place, flushed, then renamed over it.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string_view>
+
+namespace penumbra::platform {
+
+// Throws penumbra::InputError naming the file and the system's reason (full disk, no permission, no such
+// folder); the old content, if any, stays, and the temporary file is removed.
+void write_file_atomically(const std::filesystem::path& file, std::string_view content);
+void write_file_atomically(const std::filesystem::path& file, std::span<const std::byte> content);
+
+}  // namespace penumbra::platform

@@ -1,0 +1,13 @@
+// Who is reading: a person at a terminal, or a file.
+#pragma once
+
+#include <filesystem>
+
+namespace penumbra::platform {
+
+bool stderr_is_terminal();
+bool colour_wanted();                       // a terminal, and NO_COLOR unset or empty
+std::filesystem::path program_directory();  // folder of the running executable
+std::filesystem::path cache_directory();    // $PENUMBRA_CACHE, else $XDG_CACHE_HOME or ~/.cache, /penumbra
+
+}  // namespace penumbra::platform

@@ -1,0 +1,25 @@
+// A message about a source text, at the place a person would mend.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace penumbra::shaders {
+
+enum class Severity { note, warning, error };
+
+struct Diagnostic {
+  std::string file;
+  int line = 0;    // 1-based; 0 when the message has no line
+  int column = 0;  // 1-based; 0 when unknown
+  Severity severity = Severity::error;
+  std::string message;
+  std::string source_line;  // the text of that line, for the caret
+};
+
+// "file:line:column: error: message", the source line, and a caret under the column.
+std::string format(const Diagnostic& diagnostic);
+
+bool has_errors(const std::vector<Diagnostic>& diagnostics);
+
+}  // namespace penumbra::shaders

@@ -1,0 +1,74 @@
+// ShaderLibrary/techniques.json: which techniques there are, how their functions are called, what they need.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace penumbra::shaders {
+
+// One field of a parameter struct; `unit` and `doc` go into the emitted HLSL.
+struct ParameterField {
+  std::string name;
+  std::string type;  // float, float2, float4 or int
+  std::string unit;
+  std::string doc;
+};
+
+struct ParameterStruct {
+  std::string name;
+  std::string doc;
+  std::vector<ParameterField> fields;
+};
+
+// One pass of a technique's chain. For "resolve" the function's arguments are the resources in order, then
+// ShadowReceiver, ShadowTile and, when `parameters` is not empty, that struct.
+struct TechniquePass {
+  std::string kind;                    // "resolve"; preparation and screen kinds join it later
+  std::string file;                    // relative to ShaderLibrary/
+  std::string function;
+  std::vector<std::string> resources;  // of: shadowMap+compare ("shadowMap"), "pointSampler"
+  std::string parameters;              // struct name, may be empty
+};
+
+struct Technique {
+  std::string name;   // for example pcss-angular-24-16
+  std::string title;  // for tables
+  std::string family; // techniques of one family differ in parameters alone
+  std::string source; // paper, year
+  std::vector<TechniquePass> chain;
+  std::map<std::string, std::vector<double>> values;            // parameter values by field
+  std::vector<std::string> keywords;                            // that this technique switches on
+  std::vector<std::vector<std::string>> keyword_sets;           // every set validate compiles
+  std::map<std::string, std::string> unlimited;                 // fields to override for T3 -> value
+  std::map<std::string, std::string> targets_absent;            // target -> reason
+};
+
+struct TechniqueList {
+  std::filesystem::path file;
+  std::vector<ParameterStruct> structs;
+  std::vector<Technique> techniques;
+
+  const Technique& find(const std::string& name) const;  // throws InputError with the nearest name
+  const ParameterStruct* find_struct(const std::string& name) const;
+};
+
+// Reads and checks the list; throws InputError with file:line:column.
+TechniqueList read_technique_list(const std::filesystem::path& file);
+
+// The checked-in copy of the parameter structs, ShaderLibrary/Core/TechniqueParameters.hlsl.
+std::string emit_parameter_structs_hlsl(const TechniqueList& list);
+
+// The expression that calls the technique's resolve function, given expressions for receiver and tile and a
+// prefix for the uniforms that hold its parameters; and the declarations of those uniforms.
+struct TechniqueCall {
+  std::string includes;      // #include lines
+  std::string declarations;  // uniforms, one per field: <prefix><Struct>_<field>
+  std::string function;      // defines: float ResolveTechnique(ShadowReceiver receiver, ShadowTile tile)
+};
+TechniqueCall emit_technique_call(const TechniqueList& list, const Technique& technique,
+                                  const std::string& uniform_prefix);
+
+}  // namespace penumbra::shaders
