@@ -32,7 +32,7 @@ class LocatedJson {
 // when the type is wrong; finish() throws for keys nobody asked for, naming the nearest that was.
 class JsonObject {
  public:
-  explicit JsonObject(const LocatedJson& document, LocatedJson::Pointer at = {});
+  explicit JsonObject(const LocatedJson& document, LocatedJson::Pointer at = LocatedJson::Pointer());
 
   bool has(const std::string& key);
   double number(const std::string& key, double fallback);

@@ -10,7 +10,7 @@ class Interrupted : public std::exception {
   const char* what() const noexcept override { return "interrupted"; }
 };
 
-void watch_interrupts();      // SIGINT and SIGTERM set the flag; a second one ends the program at once
+void watch_interrupts();  // SIGINT and SIGTERM set the flag; a second one ends the program at once
 bool interrupted();
 void throw_if_interrupted();  // throws Interrupted
 

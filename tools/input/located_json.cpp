@@ -1,0 +1,190 @@
+#include "input/located_json.h"
+
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <system_error>
+
+#include "input/input_error.h"
+
+namespace penumbra {
+namespace {
+
+using nlohmann::json;
+
+// How far the parser has read, shared by every copy of the iterator it reads through.
+struct Place {
+  int line = 1;
+  int column = 0;
+
+  std::string after(const std::string& name) const {
+    return name + ":" + std::to_string(line) + ":" + std::to_string(std::max(column, 1));
+  }
+};
+
+class CountingIterator {
+ public:
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  CountingIterator(const char* at, Place* place) : at_(at), place_(place) {}
+
+  reference operator*() const { return *at_; }
+  CountingIterator& operator++() {
+    if (*at_ == '\n') {
+      ++place_->line;
+      place_->column = 0;
+    } else {
+      ++place_->column;
+    }
+    ++at_;
+    return *this;
+  }
+  CountingIterator operator++(int) {
+    CountingIterator before = *this;
+    ++*this;
+    return before;
+  }
+  bool operator==(const CountingIterator& other) const { return at_ == other.at_; }
+  bool operator!=(const CountingIterator& other) const { return at_ != other.at_; }
+
+ private:
+  const char* at_;
+  Place* place_;
+};
+
+// Builds the document and notes, for every value, where it (or its key) ends.
+class LocatingParser : public json::json_sax_t {
+ public:
+  LocatingParser(const std::string& name, const Place& place) : name_(name), place_(place) {}
+
+  json document;
+  std::map<std::string, std::pair<int, int>> places;
+
+  bool null() override { return value(nullptr); }
+  bool boolean(bool v) override { return value(v); }
+  bool number_integer(number_integer_t v) override { return value(v); }
+  bool number_unsigned(number_unsigned_t v) override { return value(v); }
+  bool number_float(number_float_t v, const string_t&) override { return value(v); }
+  bool string(string_t& v) override { return value(v); }
+  bool binary(binary_t&) override { return false; }
+
+  bool start_object(std::size_t) override { return open(json::object()); }
+  bool start_array(std::size_t) override { return open(json::array()); }
+  bool end_object() override { return close(); }
+  bool end_array() override { return close(); }
+
+  bool key(string_t& name) override {
+    key_ = name;
+    key_place_ = {place_.line, std::max(1, place_.column - static_cast<int>(name.size()) - 1)};
+    if (levels_.back()->contains(name)) {
+      throw InputError(
+          name_ + ":" + std::to_string(key_place_.first) + ":" + std::to_string(key_place_.second),
+          "the key '" + name + "' stands twice in one object", "remove one of them");
+    }
+    return true;
+  }
+
+  bool parse_error(std::size_t, const std::string& token, const json::exception& error) override {
+    std::string reason = error.what();
+    const std::size_t colon = reason.find(": ");
+    if (colon != std::string::npos) reason = reason.substr(colon + 2);
+    const std::size_t detail = reason.find(" - ");
+    if (detail != std::string::npos) reason = reason.substr(detail + 3);
+    const std::size_t last_read = reason.find("; last read");
+    if (last_read != std::string::npos) reason = reason.substr(0, last_read);
+    std::string shown = token.size() > 40 ? token.substr(token.size() - 40) : token;
+    for (char& c : shown) {
+      if (static_cast<unsigned char>(c) < 0x20) c = ' ';
+    }
+    throw InputError(place_.after(name_),
+                     "not valid JSON: " + reason + (shown.empty() ? "" : " at '" + shown + "'"));
+  }
+
+ private:
+  bool value(json v) {
+    insert(std::move(v));
+    return true;
+  }
+
+  bool open(json empty) {
+    levels_.push_back(insert(std::move(empty)));
+    if (levels_.size() > 200) throw InputError(place_.after(name_), "nested deeper than 200 levels");
+    return true;
+  }
+
+  bool close() {
+    levels_.pop_back();
+    paths_.pop_back();
+    return true;
+  }
+
+  json* insert(json v) {
+    const bool container = v.is_structured();
+    json* stored = nullptr;
+    json::json_pointer path;
+    std::pair<int, int> place{place_.line, std::max(1, place_.column)};
+    if (levels_.empty()) {
+      document = std::move(v);
+      stored = &document;
+    } else if (levels_.back()->is_object()) {
+      stored = &((*levels_.back())[key_] = std::move(v));
+      path = paths_.back() / key_;
+      place = key_place_;
+    } else {
+      levels_.back()->push_back(std::move(v));
+      stored = &levels_.back()->back();
+      path = paths_.back() / (levels_.back()->size() - 1);
+    }
+    places[path.to_string()] = place;
+    if (container) paths_.push_back(path);
+    return stored;
+  }
+
+  std::string name_;
+  const Place& place_;
+  std::vector<json*> levels_;
+  std::vector<json::json_pointer> paths_;
+  std::string key_;
+  std::pair<int, int> key_place_;
+};
+
+}  // namespace
+
+LocatedJson LocatedJson::read(const std::filesystem::path& file) {
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error)) throw InputError(file.string(), "is a folder, not a file");
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw InputError(file.string(), "cannot be opened", "check the path and its permissions");
+  std::ostringstream text;
+  text << stream.rdbuf();
+  if (stream.bad()) throw InputError(file.string(), "cannot be read");
+  return parse(text.str(), file.string());
+}
+
+LocatedJson LocatedJson::parse(std::string_view text, const std::string& name) {
+  if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
+    throw InputError(name, "is empty", "the smallest valid content is {}");
+  }
+  Place place;
+  LocatingParser parser(name, place);
+  json::sax_parse(CountingIterator(text.data(), &place), CountingIterator(text.data() + text.size(), &place),
+                  &parser);
+  LocatedJson result;
+  result.value_ = std::move(parser.document);
+  result.name_ = name;
+  result.places_ = std::move(parser.places);
+  return result;
+}
+
+std::string LocatedJson::where(const Pointer& pointer) const {
+  const auto found = places_.find(pointer.to_string());
+  if (found == places_.end()) return name_;
+  return name_ + ":" + std::to_string(found->second.first) + ":" + std::to_string(found->second.second);
+}
+
+}  // namespace penumbra

@@ -1,0 +1,72 @@
+#include "platform/atomic_file.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <string>
+
+#include "input/input_error.h"
+
+#ifdef _WIN32
+#include <io.h>
+#include <process.h>
+#else
+#include <fcntl.h>
+#include <unistd.h>
+#endif
+
+namespace penumbra::platform {
+namespace {
+
+#ifdef _WIN32
+int process_id() {
+  return _getpid();
+}
+bool flush_to_disk(std::FILE* stream) {
+  return std::fflush(stream) == 0 && _commit(_fileno(stream)) == 0;
+}
+#else
+int process_id() {
+  return static_cast<int>(::getpid());
+}
+bool flush_to_disk(std::FILE* stream) {
+  return std::fflush(stream) == 0 && ::fsync(fileno(stream)) == 0;
+}
+#endif
+
+[[noreturn]] void fail(const std::filesystem::path& file, const std::filesystem::path& temporary,
+                       int reason) {
+  std::error_code ignored;
+  std::filesystem::remove(temporary, ignored);
+  const bool full = reason == ENOSPC;
+  throw InputError(file.string(), std::string("cannot be written: ") + std::strerror(reason),
+                   full ? "free some space or name another folder; nothing was changed"
+                        : "check the folder and its permissions; nothing was changed");
+}
+
+}  // namespace
+
+void write_file_atomically(const std::filesystem::path& file, std::string_view content) {
+  const std::filesystem::path temporary =
+      file.parent_path() / ("." + file.filename().string() + "." + std::to_string(process_id()) + ".part");
+  std::error_code status;
+  if (std::filesystem::is_directory(file, status)) fail(file, temporary, EISDIR);
+  std::FILE* stream = std::fopen(temporary.string().c_str(), "wb");
+  if (stream == nullptr) fail(file, temporary, errno);
+  errno = 0;
+  const bool written =
+      std::fwrite(content.data(), 1, content.size(), stream) == content.size() && flush_to_disk(stream);
+  const int reason = errno;
+  const bool closed = std::fclose(stream) == 0;
+  if (!written || !closed) fail(file, temporary, reason != 0 ? reason : errno);
+  std::error_code error;
+  std::filesystem::rename(temporary, file, error);
+  if (error) fail(file, temporary, error.value());
+}
+
+void write_file_atomically(const std::filesystem::path& file, std::span<const std::byte> content) {
+  write_file_atomically(file,
+                        std::string_view(reinterpret_cast<const char*>(content.data()), content.size()));
+}
+
+}  // namespace penumbra::platform

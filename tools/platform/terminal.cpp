@@ -1,0 +1,61 @@
+#include "platform/terminal.h"
+
+#include <cstdlib>
+#include <string>
+
+#ifdef _WIN32
+#include <io.h>
+#include <windows.h>
+#else
+#include <unistd.h>
+#endif
+
+namespace penumbra::platform {
+namespace {
+
+std::string environment(const char* name) {
+  const char* value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe)
+  return value == nullptr ? std::string() : std::string(value);
+}
+
+}  // namespace
+
+bool stderr_is_terminal() {
+#ifdef _WIN32
+  return _isatty(2) != 0;
+#else
+  return ::isatty(STDERR_FILENO) != 0;
+#endif
+}
+
+bool colour_wanted() {
+  return stderr_is_terminal() && environment("NO_COLOR").empty();
+}
+
+std::filesystem::path program_directory() {
+#ifdef _WIN32
+  wchar_t buffer[MAX_PATH];
+  const DWORD length = GetModuleFileNameW(nullptr, buffer, MAX_PATH);
+  return std::filesystem::path(std::wstring(buffer, length)).parent_path();
+#else
+  std::error_code error;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
+  return error ? std::filesystem::current_path() : program.parent_path();
+#endif
+}
+
+std::filesystem::path cache_directory() {
+  if (const std::string given = environment("PENUMBRA_CACHE"); !given.empty()) return given;
+  if (const std::string xdg = environment("XDG_CACHE_HOME"); !xdg.empty()) {
+    return std::filesystem::path(xdg) / "penumbra";
+  }
+#ifdef _WIN32
+  const std::string home = environment("LOCALAPPDATA");
+#else
+  const std::string home = environment("HOME");
+#endif
+  if (home.empty()) return std::filesystem::temp_directory_path() / "penumbra-cache";
+  return std::filesystem::path(home) / ".cache" / "penumbra";
+}
+
+}  // namespace penumbra::platform
