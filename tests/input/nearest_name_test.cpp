@@ -1,0 +1,33 @@
+#include "input/nearest_name.h"
+
+#include <gmock/gmock.h>
+
+namespace penumbra {
+namespace {
+
+using testing::HasSubstr;
+
+const std::vector<std::string> kKeys{"distance_metres", "cascades", "resolution", "depth_bias"};
+
+TEST(NearestName, FindsOneTypingError) {
+  EXPECT_EQ(nearest_name("cascade", kKeys), "cascades");
+  EXPECT_EQ(nearest_name("resoltuion", kKeys), "resolution");  // neighbours swapped: one edit
+  EXPECT_EQ(nearest_name("Depth_Bias", kKeys), "depth_bias");  // case does not count
+}
+
+TEST(NearestName, SwappedNeighboursAreOneEditNotTwo) {
+  EXPECT_EQ(nearest_name("abdc", {"abef", "abcd"}), "abcd");
+}
+
+TEST(NearestName, SaysNothingWhenNothingIsNear) {
+  EXPECT_EQ(nearest_name("banana", kKeys), "");
+  EXPECT_EQ(nearest_name("x", {}), "");
+}
+
+TEST(NearestName, WayOutNamesTheNearestOrAll) {
+  EXPECT_EQ(unknown_name_way_out("cascads", kKeys), "did you mean 'cascades'?");
+  for (const std::string& key : kKeys) EXPECT_THAT(unknown_name_way_out("banana", kKeys), HasSubstr(key));
+}
+
+}  // namespace
+}  // namespace penumbra
