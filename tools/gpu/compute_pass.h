@@ -1,0 +1,45 @@
+// One compute shader, run as often as wanted: the pipeline is compiled once, at the first dispatch.
+//
+//   ComputePass resolve(device, {.spirv = words});
+//   resolve.bindings().sampled_image({0, 0}, atlas);
+//   resolve.bindings().storage_buffer({0, 1}, visibility);
+//   std::vector<double> ns = resolve.dispatch({60, 34, 1}, 5);
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gpu/bindings.h"
+
+namespace penumbra::gpu {
+
+struct ComputeShader {
+  std::vector<std::uint32_t> spirv;  // must be valid: shaders::compile's result is
+  std::string entry = "Main";
+};
+
+struct ComputeState;
+
+class ComputePass {
+ public:
+  ComputePass(const Device& device, const ComputeShader& shader);
+  ~ComputePass();
+  ComputePass(ComputePass&&) noexcept;
+  ComputePass& operator=(ComputePass&&) noexcept;
+
+  Bindings& bindings();
+
+  // Runs `repeat` times, each its own submission, and returns each one's time on the device in nanoseconds:
+  // by timestamps around the dispatch where the device has them, else wall-clock time of the submission.
+  // Throws EnvironmentError on timeout or device loss, std::logic_error when the shader reads a slot nothing
+  // is bound to.
+  std::vector<double> dispatch(std::array<std::uint32_t, 3> groups, int repeat = 1);
+
+ private:
+  std::shared_ptr<ComputeState> state_;
+};
+
+}  // namespace penumbra::gpu
