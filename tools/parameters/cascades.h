@@ -30,7 +30,7 @@ struct Camera {
 };
 
 struct Light {
-  glm::dvec3 direction{0.3, -0.8, 0.5};     // the way the light travels; any length but zero
+  glm::dvec3 direction{0.3, -0.8, 0.5};    // the way the light travels; any length but zero
   double angular_diameter_degrees = 0.53;  // full angle of the disc, 0 (point) .. 30; the sun's is 0.53
 };
 
@@ -43,10 +43,11 @@ enum class SoftQuality { off, low, medium, high };
 
 struct ShadowSettings {
   double distance_metres = 50.0;
-  int cascades = 1;                       // 1 .. 4
-  std::array<double, 3> splits{0.0667, 0.2, 0.4667};  // fractions of the distance where cascades 0..2 end
-  int resolution = 2048;                  // width of the atlas in texels; the tile follows as in URP
-  double depth_bias = 1.0;                // URP's unitless settings
+  int cascades = 1;                // 1 .. 4
+  std::array<double, 3> splits{};  // fractions of the distance where cascades 0..2 end; all zero:
+                                   // URP's own for this number of cascades (effective_splits)
+  int resolution = 2048;           // width of the atlas in texels; the tile follows as in URP
+  double depth_bias = 1.0;         // URP's unitless settings
   double normal_bias = 1.0;
   SoftQuality soft_quality = SoftQuality::medium;
   bool reversed_z = true;
@@ -63,13 +64,13 @@ struct ShadowSettings {
 struct Cascade {
   int index = 0;
   glm::dmat4 view{1.0};
-  glm::dmat4 projection{1.0};       // in the set's clip_depth, not reversed (as Unity's CPU-side matrices)
+  glm::dmat4 projection{1.0};  // in the set's clip_depth, not reversed (as Unity's CPU-side matrices)
   glm::dmat4 world_to_shadow{1.0};
   glm::dvec4 offset_scale{0.0, 0.0, 1.0, 1.0};  // tile rectangle in atlas UV: x, y, width, height
-  glm::dvec4 split_sphere{0.0};     // world centre, radius in metres
-  double uv_per_metre = 0.0;        // tile UV per metre across the light: |row0.xyz| / offset_scale.z
-  double depth_per_metre = 0.0;     // stored depth per metre along the light: |row2.xyz|
-  double depth_to_radial = 0.0;     // penumbra RADIUS in tile UV per unit of stored depth gap (geometric)
+  glm::dvec4 split_sphere{0.0};                 // world centre, radius in metres
+  double uv_per_metre = 0.0;     // tile UV per metre across the light: |row0.xyz| / offset_scale.z
+  double depth_per_metre = 0.0;  // stored depth per metre along the light: |row2.xyz|
+  double depth_to_radial = 0.0;  // penumbra RADIUS in tile UV per unit of stored depth gap (geometric)
   std::optional<double> radial_to_depth;  // inverse; absent at angular diameter 0
   double depth_to_radial_hdrp = 0.0;      // HDRP's m00/m22 form: twice the geometric value
   double texel_size_metres = 0.0;
@@ -90,7 +91,29 @@ struct CascadeSet {
   std::vector<Cascade> cascades;
 };
 
-// Fits all cascades. Throws InputError (input_error.h) when a setting is out of range.
+// The splits in use: the given ones, or URP's defaults 0.25 | 0.1, 0.3 | 0.067, 0.2, 0.467.
+std::array<double, 3> effective_splits(const ShadowSettings& settings);
+
+// URP's soft kernel radius in texels, by which GetShadowBias widens both biases: 1 (off), 1.5, 2.5, 3.5.
+double kernel_radius_texels(SoftQuality quality);
+
+// URP's atlas: tiles in two columns, row by row; the height halves with two cascades.
+struct AtlasLayout {
+  int width = 0;
+  int height = 0;
+  int tile_resolution = 0;
+};
+AtlasLayout atlas_layout(int resolution, int cascades);
+glm::dvec4 tile_rectangle(const AtlasLayout& layout, int cascade);  // x, y, width, height in atlas UV
+
+// Fills every figure that follows from world_to_shadow and offset_scale: from uv_per_metre to the biases.
+void derive_scales(const CascadeSet& set, const ShadowSettings& settings, Cascade& cascade);
+
+// The fit, per cascade: the smallest sphere around the camera's sub-frustum (its radius does not change when
+// the camera turns), a square tile around it, snapped to whole texels in light space (so a moving camera
+// moves the map by whole texels), and a depth range from caster_bounds, depth_range_metres or the sphere.
+// Unity's own fit is native code: this one is ours and equality with Unity's is not claimed.
+// Throws InputError (input_error.h) when a setting is out of range.
 CascadeSet fit_cascades(const Camera& camera, const Light& light, const ShadowSettings& settings);
 
 }  // namespace penumbra::parameters

@@ -1,0 +1,152 @@
+#include "parameters/settings_check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace penumbra::parameters {
+
+namespace {
+
+// Beyond these a float of the emitted matrices overflows or a texel falls below a float's reach.
+constexpr double kLongestMetres = 1e9;
+constexpr double kShortestMetres = 1e-6;
+
+// Collects the first problem only: the person mends one thing at a time, and later ones are often its echo.
+class Inspector {
+ public:
+  void range(const char* key, double value, double low, double high, const char* unit) {
+    if (value >= low && value <= high) return;
+    report(key, fmt::format("is {}, outside {} .. {}{}", value, low, high, unit));
+  }
+
+  void length(const char* key, double metres) { range(key, metres, kShortestMetres, kLongestMetres, " m"); }
+
+  void point(const char* key, const glm::dvec3& value) {
+    for (int axis = 0; axis < 3; ++axis) range(key, value[axis], -kLongestMetres, kLongestMetres, " m");
+  }
+
+  void direction(const char* key, const glm::dvec3& value) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!std::isfinite(value[axis])) return report(key, "is not finite");
+    }
+    const double length = glm::length(value);
+    if (!(length > 1e-150 && length < 1e150)) {
+      report(key, fmt::format("has length {}; a direction needs one", length), "any length but zero serves");
+    }
+  }
+
+  void report(const char* key, std::string problem, std::string way_out = {}) {
+    if (!found_) found_ = SettingProblem{key, std::move(problem), std::move(way_out)};
+  }
+
+  bool clean() const { return !found_; }
+  std::optional<SettingProblem> take() { return std::move(found_); }
+
+ private:
+  std::optional<SettingProblem> found_;
+};
+
+void inspect_camera(const Camera& camera, Inspector& inspect) {
+  inspect.point("/camera/position", camera.position);
+  inspect.direction("/camera/forward", camera.forward);
+  inspect.direction("/camera/up", camera.up);
+  if (inspect.clean()) {
+    const double sine = glm::length(glm::cross(glm::normalize(camera.forward), glm::normalize(camera.up)));
+    if (sine < 1e-6) inspect.report("/camera/up", "is parallel to /camera/forward", "give another up");
+  }
+  if (!(camera.fov_y_degrees > 0.0 && camera.fov_y_degrees < 180.0)) {
+    inspect.report("/camera/fov_y_degrees",
+                   fmt::format("is {}, not between 0 and 180 degrees", camera.fov_y_degrees),
+                   "it is the full vertical angle of view");
+  }
+  inspect.range("/camera/aspect", camera.aspect, 1e-3, 1e3, " (width / height)");
+  inspect.length("/camera/near", camera.near_plane);
+  inspect.length("/camera/far", camera.far_plane);
+  if (camera.near_plane >= camera.far_plane) {
+    inspect.report("/camera/near", fmt::format("is {} m, not before the far plane at {} m", camera.near_plane,
+                                               camera.far_plane));
+  }
+}
+
+void inspect_light(const Light& light, Inspector& inspect) {
+  inspect.direction("/light/direction", light.direction);
+  inspect.range("/light/angular_diameter_degrees", light.angular_diameter_degrees, 0.0, 30.0, " degrees");
+}
+
+void inspect_splits(const Camera& camera, const ShadowSettings& settings, Inspector& inspect) {
+  if (!inspect.clean()) return;
+  const auto splits = effective_splits(settings);
+  const double distance = std::min(settings.distance_metres, camera.far_plane);
+  double previous = camera.near_plane / distance;
+  for (int i = 0; i + 1 < settings.cascades; ++i) {
+    const double split = splits[static_cast<std::size_t>(i)];
+    if (!(split > 0.0 && split < 1.0)) {
+      inspect.report("/shadows/splits", fmt::format("[{}] is {}, not between 0 and 1", i, split),
+                     "splits are fractions of the shadow distance");
+    } else if (split <= previous) {
+      inspect.report("/shadows/splits",
+                     i == 0 ? fmt::format("[0] ends cascade 0 at {} m, not beyond the near plane at {} m",
+                                          split * distance, camera.near_plane)
+                            : fmt::format("[{}] is {}, not greater than {} before it", i, split, previous),
+                     "splits grow from the near plane to the shadow distance");
+    }
+    previous = split;
+  }
+}
+
+void inspect_bounds(const ShadowSettings& settings, Inspector& inspect) {
+  if (settings.fit_to_bounds && !settings.caster_bounds) {
+    inspect.report("/shadows/fit_to_bounds", "is set without caster_bounds", "give the bounds to fit to");
+  }
+  if (!settings.caster_bounds) return;
+  inspect.point("/shadows/caster_bounds", settings.caster_bounds->minimum);
+  inspect.point("/shadows/caster_bounds", settings.caster_bounds->maximum);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (settings.caster_bounds->minimum[axis] > settings.caster_bounds->maximum[axis]) {
+      inspect.report(
+          "/shadows/caster_bounds",
+          fmt::format("has its minimum {} beyond its maximum {} on {}", settings.caster_bounds->minimum[axis],
+                      settings.caster_bounds->maximum[axis], "xyz"[axis]));
+    }
+  }
+  if (settings.depth_range_metres) {
+    inspect.report("/shadows/caster_bounds", "stands beside depth_range_metres; only one can fix the range",
+                   "remove one of them");
+  }
+}
+
+void inspect_shadows(const Camera& camera, const ShadowSettings& settings, Inspector& inspect) {
+  inspect.length("/shadows/distance_metres", settings.distance_metres);
+  if (settings.distance_metres <= camera.near_plane) {
+    inspect.report("/shadows/distance_metres",
+                   fmt::format("is {} m, not beyond the camera's near plane at {} m",
+                               settings.distance_metres, camera.near_plane));
+  }
+  inspect.range("/shadows/cascades", settings.cascades, 1, 4, "");
+  inspect.range("/shadows/resolution", settings.resolution, 8, 16384, " texels");
+  inspect.range("/shadows/depth_bias", settings.depth_bias, 0.0, 1e3, "");
+  inspect.range("/shadows/normal_bias", settings.normal_bias, 0.0, 1e3, "");
+  inspect.range("/shadows/near_plane_offset_metres", settings.near_plane_offset_metres, 0.0, kLongestMetres,
+                " m");
+  if (settings.depth_range_metres) {
+    inspect.length("/shadows/depth_range_metres", *settings.depth_range_metres);
+  }
+  inspect_splits(camera, settings, inspect);
+  inspect_bounds(settings, inspect);
+}
+
+}  // namespace
+
+std::optional<SettingProblem> find_problem(const Camera& camera, const Light& light,
+                                           const ShadowSettings& settings) {
+  Inspector inspect;
+  inspect_camera(camera, inspect);
+  inspect_light(light, inspect);
+  inspect_shadows(camera, settings, inspect);
+  return inspect.take();
+}
+
+}  // namespace penumbra::parameters
