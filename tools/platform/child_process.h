@@ -1,0 +1,38 @@
+// Another program, run to its end: arguments as they are (no shell), text in, text out, never for ever.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace penumbra::platform {
+
+struct ChildCommand {
+  std::string program;  // a path, or a name looked up in PATH
+  std::vector<std::string> arguments;
+  std::string input;  // all of its standard input
+  std::chrono::milliseconds timeout{30'000};
+  std::size_t output_limit = std::size_t{256} << 20;  // bytes of output and errors together
+};
+
+struct ChildResult {
+  int exit_code = 0;        // 128 + signal when a signal ended it
+  bool timed_out = false;   // killed, with everything it started, at the timeout
+  bool overflowed = false;  // killed because it wrote more than output_limit
+  std::string output;       // standard output, complete
+  std::string errors;       // standard error, complete
+
+  bool succeeded() const { return exit_code == 0 && !timed_out && !overflowed; }
+};
+
+// Throws EnvironmentError when the program cannot be started, Interrupted when the user stops us meanwhile
+// (the child is ended first). POSIX only: elsewhere it throws EnvironmentError.
+ChildResult run_child(const ChildCommand& command);
+
+// Where PATH finds the program; empty when nowhere.
+std::optional<std::filesystem::path> find_program(const std::string& name);
+
+}  // namespace penumbra::platform

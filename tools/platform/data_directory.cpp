@@ -1,0 +1,29 @@
+#include "platform/data_directory.h"
+
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "input/input_error.h"
+#include "platform/terminal.h"
+
+namespace penumbra::platform {
+
+std::filesystem::path data_directory() {
+  std::vector<std::filesystem::path> candidates;
+  const char* given = std::getenv("PENUMBRA_ROOT");  // NOLINT(concurrency-mt-unsafe)
+  if (given != nullptr && *given != '\0') candidates.emplace_back(given);
+  candidates.push_back(program_directory().parent_path() / "share" / "penumbra");
+  candidates.emplace_back(PENUMBRA_SOURCE_DIR);
+
+  std::string tried;
+  for (const std::filesystem::path& candidate : candidates) {
+    std::error_code error;
+    if (std::filesystem::exists(candidate / "ShaderLibrary" / "techniques.json", error)) return candidate;
+    tried += " " + candidate.string();
+  }
+  throw EnvironmentError("the shader library was not found; tried:" + tried +
+                         "\n  set PENUMBRA_ROOT to the folder that holds ShaderLibrary/techniques.json");
+}
+
+}  // namespace penumbra::platform

@@ -1,0 +1,12 @@
+// Where the files the program reads at run time lie: ShaderLibrary/, the harness's own shaders.
+#pragma once
+
+#include <filesystem>
+
+namespace penumbra::platform {
+
+// The first of these that holds ShaderLibrary/techniques.json: $PENUMBRA_ROOT, share/penumbra beside the
+// program's folder, the source tree the program was built from. Throws EnvironmentError naming all three.
+std::filesystem::path data_directory();
+
+}  // namespace penumbra::platform
