@@ -1,0 +1,134 @@
+// Every kind of bad input answered: exit code 2, the file and the line, the way out, and nothing left behind.
+#include "cli/program.h"
+
+namespace penumbra {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::UnorderedElementsAre;
+
+class BadInput : public ProgramTest {
+ protected:
+  // Runs `penumbra constants --config` on the text and expects refusal with every one of the words.
+  void expect_config_refused(const std::string& text, const std::vector<std::string>& words) {
+    const auto file = write("config.json", text);
+    const auto result = run({"constants", "--config", file.string(), "-o", path("out.json").string()});
+    EXPECT_EQ(result.exit_code, 2) << result.errors;
+    for (const std::string& word : words) EXPECT_THAT(result.errors, HasSubstr(word));
+    EXPECT_THAT(listing(), ElementsAre("config.json"));
+  }
+
+  void expect_matrices_refused(const std::string& matrix, const std::string& word) {
+    const std::string identity = "[1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]";
+    const auto file = write("matrices.json",
+                            "{\"matrix_order\": \"row-major\", \"clip_depth\": \"zero-to-one\", "
+                            "\"reversed_z\": false, \"resolution\": 1024,\n\"cascades\": [{\"view\": " +
+                                identity + ",\n\"projection\": " + matrix + "}]}");
+    const auto result = run({"constants", "--matrices", file.string()});
+    EXPECT_EQ(result.exit_code, 2) << result.errors;
+    EXPECT_THAT(result.errors, AllOf(HasSubstr("matrices.json:3:"), HasSubstr(word)));
+  }
+};
+
+TEST_F(BadInput, EmptyFile) { expect_config_refused("", {"config.json", "empty"}); }
+
+TEST_F(BadInput, NotJson) { expect_config_refused("{\n\"camera\": }", {"config.json:2:", "not valid JSON"}); }
+
+TEST_F(BadInput, WrongType) {
+  expect_config_refused("{\"shadows\": {\n\"cascades\": \"four\"}}", {"config.json:2:1", "number", "string"});
+}
+
+TEST_F(BadInput, UnknownKeyNamesTheNearest) {
+  expect_config_refused("{\"shadows\": {\n  \"resoluton\": 1024}}", {"config.json:2:3", "'resolution'"});
+}
+
+TEST_F(BadInput, ZeroCascades) {
+  expect_config_refused("{\"shadows\": {\n\"cascades\": 0}}", {"config.json:2:1", "cascades"});
+}
+
+TEST_F(BadInput, NegativeSizes) {
+  expect_config_refused("{\"shadows\": {\n\"resolution\": -1024}}", {"config.json:2:1", "resolution"});
+  expect_config_refused("{\"shadows\": {\n\"distance_metres\": -5}}", {"config.json:2:1", "distance"});
+  expect_config_refused("{\"camera\": {\n\"near\": -1}}", {"config.json:2:1", "near"});
+}
+
+TEST_F(BadInput, SingularMatrix) {
+  expect_matrices_refused("[1,0,0,0, 0,0,0,0, 0,0,1,0, 0,0,0,1]", "singular");
+}
+
+TEST_F(BadInput, PerspectiveMatrix) {
+  expect_matrices_refused("[1,0,0,0, 0,1,0,0, 0,0,-1,-0.1, 0,0,-1,0]", "perspective");
+}
+
+TEST_F(BadInput, MissingInclude) {
+  const auto file = write("shader.hlsl", "float a;\n#include \"Shadws.hlsl\"\nvoid Main() {}\n");
+  write("Shadows.hlsl", "float b;\n");
+  const auto result = run({"validate", file.string(), "--entry", "Main", "--stage", "compute"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.output + result.errors,
+              AllOf(HasSubstr("shader.hlsl:2:"), HasSubstr("Shadws.hlsl"), HasSubstr("Shadows.hlsl")));
+}
+
+TEST_F(BadInput, IncludeCycle) {
+  const auto file = write("a.hlsl", "#include \"b.hlsl\"\nvoid Main() {}\n");
+  write("b.hlsl", "#include \"a.hlsl\"\n");
+  const auto result = run({"validate", file.string(), "--entry", "Main", "--stage", "compute"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.output + result.errors, AllOf(HasSubstr("a.hlsl"), HasSubstr("b.hlsl"), HasSubstr("cycle")));
+}
+
+TEST_F(BadInput, UnreadableFolder) {
+  // Root may read anything, so the program runs as nobody where the tests run as root.
+  const auto locked = path("locked");
+  std::filesystem::create_directories(locked);
+  write("locked/config.json", "{}");
+  std::filesystem::permissions(locked, std::filesystem::perms::none);
+  const std::string as_nobody =
+      "if [ $(id -u) -eq 0 ]; then as='setpriv --reuid=65534 --clear-groups'; fi; exec $as " PENUMBRA_PROGRAM " ";
+  const auto input = shell(as_nobody + "constants --config " + (locked / "config.json").string());
+  const auto output = shell(as_nobody + "constants -o " + (locked / "out.json").string());
+  std::filesystem::permissions(locked, std::filesystem::perms::all);
+  EXPECT_EQ(input.exit_code, 2);
+  EXPECT_THAT(input.errors, AllOf(HasSubstr("locked/config.json"), HasSubstr("cannot be opened")));
+  EXPECT_EQ(output.exit_code, 2);
+  EXPECT_THAT(output.errors, AllOf(HasSubstr("locked/out.json"), HasSubstr("Permission denied")));
+  EXPECT_FALSE(std::filesystem::exists(locked / "out.json"));
+}
+
+TEST_F(BadInput, MissingOutputFolder) {
+  const auto result = run({"constants", "-o", path("no/such/out.json").string()});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.errors, HasSubstr("No such file or directory"));
+}
+
+TEST_F(BadInput, UnknownSceneAndTechniqueNameTheNearest) {
+  const auto scene = run({"measure", "--scene", "contact-boxs"});
+  EXPECT_EQ(scene.exit_code, 2);
+  EXPECT_THAT(scene.errors, HasSubstr("contact-boxes"));
+  const auto technique = run({"measure", "--scene", "contact-boxes", "--technique", "tent5"});
+  EXPECT_EQ(technique.exit_code, 2);
+  EXPECT_THAT(technique.errors, HasSubstr("tent-5"));
+}
+
+TEST_F(BadInput, BrokenModelFile) {
+  const auto file = write("model.glb", "glTF\x02");
+  const auto result = run({"measure", "--scene", file.string()});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.errors, HasSubstr("model.glb"));
+}
+
+// A file system of 64 KiB in a mount namespace of its own; the old file must survive.
+TEST_F(BadInput, FullDiskKeepsTheOldFile) {
+  const std::string folder = path("small").string();
+  const auto result = shell("mkdir " + folder + " && unshare -rm bash -c 'mount -t tmpfs -o size=64k tmpfs " + folder +
+                            " && echo old > " + folder + "/out.json && head -c 61440 /dev/zero > " + folder +
+                            "/filler; " PENUMBRA_PROGRAM " tables --format json -o " + folder +
+                            "/out.json; echo \"exit $?\"; cat " + folder + "/out.json; ls -A " + folder + "'");
+  EXPECT_THAT(result.errors, AllOf(HasSubstr("out.json"), HasSubstr("No space left on device")));
+  EXPECT_EQ(result.output, "exit 2\nold\nfiller\nout.json\n");
+}
+
+}  // namespace
+}  // namespace penumbra

@@ -1,0 +1,62 @@
+// The built program run as a person runs it, in a folder of its own.
+#pragma once
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "platform/child_process.h"
+
+namespace penumbra {
+
+class ProgramTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = std::filesystem::temp_directory_path() /
+              (std::string("penumbra-") + info->test_suite_name() + "-" + info->name());
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+    std::filesystem::permissions(folder_, std::filesystem::perms::all);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::filesystem::path path(const std::string& name) const { return folder_ / name; }
+
+  std::filesystem::path write(const std::string& name, const std::string& text) const {
+    std::ofstream(path(name), std::ios::binary) << text;
+    return path(name);
+  }
+
+  std::string read(const std::string& name) const {
+    std::ostringstream text;
+    text << std::ifstream(path(name), std::ios::binary).rdbuf();
+    return text.str();
+  }
+
+  // Every name in the folder, hidden ones too: what a failed run may not leave behind.
+  std::vector<std::string> listing() const {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
+      names.push_back(entry.path().filename().string());
+    }
+    return names;
+  }
+
+  static platform::ChildResult run(std::vector<std::string> arguments) {
+    return platform::run_child({.program = PENUMBRA_PROGRAM, .arguments = std::move(arguments)});
+  }
+
+  static platform::ChildResult shell(const std::string& command) {
+    return platform::run_child({.program = "/bin/bash", .arguments = {"-c", command}});
+  }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+}  // namespace penumbra
