@@ -1,0 +1,88 @@
+// The Vulkan side of a Device, for this room's sources only: handles, memory, and one way to submit.
+//
+// Every submission starts and ends with a full barrier and is waited for, so passes need no synchronisation
+// of their own; what is measured is one dispatch or one pass at a time anyway.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <vulkan/vulkan_raii.hpp>
+
+#include "gpu/device.h"
+#include "input/input_error.h"
+
+namespace penumbra::gpu {
+
+class MessageLog final : public ValidationLog {
+ public:
+  std::vector<std::string> messages() const override;
+  void add(const char* message);
+
+ private:
+  mutable std::mutex mutex_;
+  std::vector<std::string> messages_;
+};
+
+struct Allocation {
+  vk::raii::Buffer buffer = nullptr;
+  vk::raii::DeviceMemory memory = nullptr;
+  std::size_t bytes = 0;
+  std::byte* mapped = nullptr;  // of host-visible memory
+};
+
+// The order of members is the order of creation; destruction goes backwards.
+struct DeviceState {
+  explicit DeviceState(vk::raii::Context loaded) : context(std::move(loaded)) {}
+
+  DeviceInfo info;
+  double timeout_seconds = 0.0;
+  std::shared_ptr<MessageLog> log = std::make_shared<MessageLog>();
+  vk::raii::Context context;
+  vk::raii::Instance instance = nullptr;
+  vk::raii::DebugUtilsMessengerEXT messenger = nullptr;
+  vk::raii::PhysicalDevice physical = nullptr;
+  vk::PhysicalDeviceLimits limits;
+  vk::PhysicalDeviceFeatures features;  // those that are switched on
+  vk::raii::Device device = nullptr;
+  std::uint32_t queue_family = 0;
+  vk::raii::Queue queue = nullptr;
+  vk::raii::CommandPool command_pool = nullptr;
+  vk::raii::CommandBuffer commands = nullptr;
+  vk::raii::Fence fence = nullptr;
+  std::uint64_t timestamp_mask = 0;  // the bits that count
+  vk::raii::QueryPool timestamps = nullptr;
+  Allocation staging;           // grows to the largest copy so far
+  std::shared_ptr<void> stuck;  // what a submission that ran out of time may still be using
+
+  // Records, submits and waits. Returns the time between the timestamps `record` encloses with mark_begin and
+  // mark_end, else of the whole submission, in nanoseconds. `used` is kept alive should the wait time out.
+  double submit(const std::function<void(const vk::raii::CommandBuffer&)>& record,
+                const std::shared_ptr<void>& used);
+  void mark_begin(const vk::raii::CommandBuffer& commands_in_use) const;
+  void mark_end(const vk::raii::CommandBuffer& commands_in_use) const;
+
+  vk::raii::DeviceMemory allocate(const vk::MemoryRequirements& requirements,
+                                  vk::MemoryPropertyFlags wanted) const;
+  Allocation make_buffer(std::size_t bytes, vk::BufferUsageFlags usage, vk::MemoryPropertyFlags wanted) const;
+  Allocation& staging_of(std::size_t bytes);
+
+  // Waits once more for a submission that timed out; when it still runs, its resources are left to the
+  // driver for good, because destroying them under a running shader is undefined.
+  void release_stuck();
+
+ private:
+  void wait_for_fence(const std::shared_ptr<void>& used);
+};
+
+// Runs `action`; a Vulkan failure becomes an EnvironmentError that names the device and the attempt.
+template <typename Action>
+decltype(auto) guarded(const DeviceState& device, const char* attempt, Action&& action) {
+  try {
+    return action();
+  } catch (const vk::SystemError& error) {
+    throw EnvironmentError(device.info.name + ": cannot " + attempt + ": " + error.what());
+  }
+}
+
+}  // namespace penumbra::gpu
