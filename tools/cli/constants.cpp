@@ -1,0 +1,148 @@
+// penumbra constants: what a shader needs to know of each cascade, from settings or from dumped matrices.
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+
+#include "cli/subcommand.h"
+#include "input/input_error.h"
+#include "input/located_json.h"
+#include "parameters/emit_constants.h"
+#include "parameters/matrices_input.h"
+#include "parameters/settings_input.h"
+#include "parameters/verify.h"
+
+namespace penumbra::cli {
+
+namespace {
+
+using parameters::CascadeErrors;
+using parameters::CascadeSet;
+using parameters::FitInput;
+
+// Flags stand over the file, the file over the defaults; so every flag is optional here.
+struct ConstantsOptions {
+  std::string config;
+  std::string matrices;
+  std::string format = "table";
+  std::string output;
+  std::optional<std::vector<double>> position;
+  std::optional<std::vector<double>> forward;
+  std::optional<std::vector<double>> direction;
+  std::optional<std::vector<double>> splits;
+  std::optional<double> fov;
+  std::optional<double> aspect;
+  std::optional<double> near_plane;
+  std::optional<double> far_plane;
+  std::optional<double> angle;
+  std::optional<double> distance;
+  std::optional<int> cascades;
+  std::optional<int> resolution;
+  std::optional<double> depth_bias;
+  std::optional<double> normal_bias;
+  std::optional<double> depth_range;
+  std::optional<std::string> soft_quality;
+  std::optional<std::string> clip_depth;
+  std::optional<bool> reversed_z;
+};
+
+template <typename Value>
+void set_if(const std::optional<Value>& given, Value& value) {
+  if (given) value = *given;
+}
+
+void set_if(const std::optional<std::vector<double>>& given, glm::dvec3& value) {
+  if (given) value = {given->at(0), given->at(1), given->at(2)};
+}
+
+void apply_flags(const ConstantsOptions& options, FitInput& input) {
+  set_if(options.position, input.camera.position);
+  set_if(options.forward, input.camera.forward);
+  set_if(options.fov, input.camera.fov_y_degrees);
+  set_if(options.aspect, input.camera.aspect);
+  set_if(options.near_plane, input.camera.near_plane);
+  set_if(options.far_plane, input.camera.far_plane);
+  set_if(options.direction, input.light.direction);
+  set_if(options.angle, input.light.angular_diameter_degrees);
+  set_if(options.distance, input.shadows.distance_metres);
+  set_if(options.cascades, input.shadows.cascades);
+  set_if(options.resolution, input.shadows.resolution);
+  set_if(options.depth_bias, input.shadows.depth_bias);
+  set_if(options.normal_bias, input.shadows.normal_bias);
+  set_if(options.reversed_z, input.shadows.reversed_z);
+  if (options.depth_range) input.shadows.depth_range_metres = options.depth_range;
+  if (options.soft_quality)
+    input.shadows.soft_quality = parameters::soft_quality_named(*options.soft_quality);
+  if (options.clip_depth) input.shadows.clip_depth = parameters::clip_depth_named(*options.clip_depth);
+  if (!options.splits) return;
+  input.shadows.splits = {};
+  std::copy(options.splits->begin(), options.splits->end(), input.shadows.splits.begin());
+}
+
+std::string print(const CascadeSet& set, const std::vector<CascadeErrors>& errors,
+                  const std::string& format) {
+  if (format == "json") return parameters::constants_json(set, errors);
+  if (format == "hlsl") return parameters::constants_source(set, parameters::Language::hlsl);
+  if (format == "csharp") return parameters::constants_source(set, parameters::Language::csharp);
+  if (format == "cpp") return parameters::constants_source(set, parameters::Language::cpp);
+  return parameters::constants_table(set, errors);
+}
+
+std::string constants_from_settings(const ConstantsOptions& options) {
+  FitInput input;
+  if (!options.config.empty()) input = parameters::read_settings(LocatedJson::read(options.config));
+  apply_flags(options, input);
+  const CascadeSet set = parameters::fit_cascades(input.camera, input.light, input.shadows);
+  return print(set, parameters::verify_fit(input.camera, input.light, input.shadows, set), options.format);
+}
+
+std::string constants_from_matrices(const ConstantsOptions& options) {
+  const auto dump = parameters::read_matrices(LocatedJson::read(options.matrices));
+  return print(dump.set, parameters::verify_dump(dump.settings, dump.set), options.format);
+}
+
+// What describes a fit has no meaning beside matrices that are already fitted.
+void add_fit_flags(CLI::App& command, ConstantsOptions& options, CLI::Option& matrices) {
+  const auto fit = [&](CLI::Option* option) { return option->excludes(&matrices); };
+  fit(command.add_option("--config", options.config,
+                         "JSON with camera, light and shadows; flags override it"));
+  fit(command.add_option("--position", options.position, "Camera position, metres"))->expected(3);
+  fit(command.add_option("--forward", options.forward, "Camera direction"))->expected(3);
+  fit(command.add_option("--fov", options.fov, "Vertical angle of view, degrees [60]"));
+  fit(command.add_option("--aspect", options.aspect, "Width over height [1.78]"));
+  fit(command.add_option("--near", options.near_plane, "Camera near plane, metres [0.3]"));
+  fit(command.add_option("--far", options.far_plane, "Camera far plane, metres [1000]"));
+  fit(command.add_option("--light", options.direction, "The way the light travels"))->expected(3);
+  fit(command.add_option("--angle", options.angle, "Angular diameter of the light, degrees [0.53]"));
+  fit(command.add_option("--distance", options.distance, "Shadow distance, metres [50]"));
+  fit(command.add_option("--cascades", options.cascades, "Number of cascades, 1 .. 4 [1]"));
+  fit(command.add_option("--splits", options.splits, "Where inner cascades end, fractions of the distance"))
+      ->expected(1, 3);
+  fit(command.add_option("--resolution", options.resolution, "Width of the atlas in texels [2048]"));
+  fit(command.add_option("--depth-bias", options.depth_bias, "URP depth bias setting [1]"));
+  fit(command.add_option("--normal-bias", options.normal_bias, "URP normal bias setting [1]"));
+  fit(command.add_option("--depth-range", options.depth_range, "Depth range of every cascade, metres"));
+  fit(command.add_option("--soft-quality", options.soft_quality, "off, low, medium or high [medium]"));
+  fit(command.add_option("--clip-depth", options.clip_depth, "zero_to_one or minus_one_to_one"));
+  fit(command.add_option("--reversed-z", options.reversed_z, "Whether the device reverses depth [true]"));
+}
+
+}  // namespace
+
+void add_constants(CLI::App& app, Context& /*context*/) {
+  CLI::App* command =
+      app.add_subcommand("constants", "Matrices, scales and biases of each cascade, with their error in ULP");
+  auto options = std::make_shared<ConstantsOptions>();
+  CLI::Option* matrices = command->add_option("--matrices", options->matrices,
+                                              "JSON with matrices dumped from Unity, in place of a fit");
+  add_fit_flags(*command, *options, *matrices);
+  command->add_option("--format", options->format, "What to print")
+      ->check(CLI::IsMember({"table", "json", "hlsl", "csharp", "cpp"}))
+      ->capture_default_str();
+  command->add_option("-o,--output", options->output, "File to write; standard output without");
+  command->callback([options, matrices] {
+    write_output(options->output, matrices->count() > 0 ? constants_from_matrices(*options)
+                                                        : constants_from_settings(*options));
+  });
+}
+
+}  // namespace penumbra::cli

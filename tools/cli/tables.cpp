@@ -1,0 +1,42 @@
+// penumbra tables: the disk tables with their quality figures.
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "cli/subcommand.h"
+#include "parameters/emit_disks.h"
+
+namespace penumbra::cli {
+
+namespace {
+
+struct TablesOptions {
+  std::string format = "table";
+  std::string output;
+  bool generate = false;
+};
+
+std::string tables_text(const TablesOptions& options) {
+  const parameters::DiskSet set = parameters::disk_set(options.generate);
+  if (options.format == "json") return parameters::disks_json(set);
+  if (options.format == "hlsl") return parameters::disks_source(set, parameters::Language::hlsl);
+  if (options.format == "csharp") return parameters::disks_source(set, parameters::Language::csharp);
+  if (options.format == "cpp") return parameters::disks_source(set, parameters::Language::cpp);
+  return parameters::disks_table(set);
+}
+
+}  // namespace
+
+void add_tables(CLI::App& app, Context& /*context*/) {
+  CLI::App* command =
+      app.add_subcommand("tables", "Fibonacci, Vogel and Poisson disks with their quality figures");
+  auto options = std::make_shared<TablesOptions>();
+  command->add_option("--format", options->format, "What to print")
+      ->check(CLI::IsMember({"table", "json", "hlsl", "csharp", "cpp"}))
+      ->capture_default_str();
+  command->add_option("-o,--output", options->output, "File to write; standard output without");
+  command->add_flag("--generate", options->generate,
+                    "Make the Poisson disks anew instead of printing the shipped ones (seconds)");
+  command->callback([options] { write_output(options->output, tables_text(*options)); });
+}
+
+}  // namespace penumbra::cli

@@ -1,0 +1,31 @@
+// The disk tables as a table to read, JSON, or source. The checked-in ShaderLibrary/Core/DiskTables.hlsl,
+// Runtime/DiskTables.cs and tools/parameters/disk_tables.h are these texts.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "parameters/disk.h"
+#include "parameters/disk_quality.h"
+#include "parameters/source_text.h"
+
+namespace penumbra::parameters {
+
+struct Disk {
+  std::string kind;  // "fibonacci" (uniform law), "vogel" or "poisson"
+  DiskPoints points;
+};
+
+struct DiskSet {
+  DiskPoints fibonacci_directions;
+  std::vector<Disk> disks;  // Fibonacci 1 .. 64, then Vogel, then Poisson
+};
+
+// generate: make the Poisson disks anew instead of taking the checked-in ones.
+DiskSet disk_set(bool generate);
+
+std::string disks_table(const DiskSet& set);
+std::string disks_json(const DiskSet& set);
+std::string disks_source(const DiskSet& set, Language language);
+
+}  // namespace penumbra::parameters

@@ -1,0 +1,20 @@
+// Is this 4x4 matrix what it claims to be? An empty answer is yes; else the reason, to follow the matrix's
+// name.
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <string>
+
+namespace penumbra::parameters {
+
+// Rotation (or reflection) and translation only.
+std::string why_not_rigid(const glm::dmat4& matrix);
+
+// Orthographic and seen along the light: affine, invertible, rows perpendicular, and the first two of equal
+// length once each is divided by its tile's size in the atlas.
+std::string why_not_light_projection(const glm::dmat4& matrix, const glm::dvec2& tile_size);
+
+// Row-major numbers as a matrix; column-major ones are transposed on the way.
+glm::dmat4 matrix_from(const double* numbers, bool row_major);
+
+}  // namespace penumbra::parameters
