@@ -1,0 +1,88 @@
+// Penumbra: percentage-closer soft shadows by the light's angular diameter.
+//
+// Computes:   visibility of a disc light: mean gap of the blockers in the light's cone, then the lit share of a disc
+//             as wide as the penumbra that gap makes.
+// Source:     Fernando, "Percentage-Closer Soft Shadows" (2005); cone-shaped sampling and Fibonacci disks as in Unity's
+//             HDRP; scales are geometric (tan(a/2) per metre), half of HDRP's. PcssHdrp.hlsl is HDRP's own rule.
+// Inputs:     shadow map (raw reads; the comparison sampler is not used), point sampler; ShadowReceiver; ShadowTile;
+//             PcssAngularParameters.
+// Cost:       blockerSamples fetches where nothing blocks, else blockerSamples + filterSamples.
+// Guarantees: [0, 1] for any input; exactly 1 without blockers, exactly 0 where every texel read blocks; texels outside
+//             the tile are not read.
+// Use it:     from about one texel of penumbra radius up. Not: on devices without gather.
+//
+// Two choices differ from the textbook. The search is dense at the centre (about 1/r): spread evenly over the cone it
+// misses low blockers, whose cone is narrow. And each texel is tested at its centre against the receiver's plane, by
+// gather, so a wide kernel does not shadow the surface it lies on.
+#ifndef PENUMBRA_PCSS_ANGULAR_HLSL
+#define PENUMBRA_PCSS_ANGULAR_HLSL
+
+#include "TexelQuad.hlsl"
+#include "../Core/Disk.hlsl"
+#include "../Core/TechniqueParameters.hlsl"
+
+// A texel's half diagonal: with less slack a texel's own centre could miss the cone that its square lies in.
+static const float kSmallestSlackTexels = 0.75;
+
+BlockerEstimate SearchBlockers(TEXTURE2D_PARAM(shadowMap, sampler_point), QuadReceiver receiver, LightCone cone,
+                               float2 rotation, float radius, PcssAngularParameters parameters)
+{
+    const int count = BoundedSampleCount(parameters.blockerSamples);
+    const float clump = BoundedOrLow(parameters.blockerClump, 1.0, 8.0);
+    float gapSum = 0.0;
+    BlockerEstimate estimate;
+    estimate.count = 0.0;
+    UNITY_LOOP
+    for (int i = 0; i < count; ++i)
+    {
+        const float2 offset = RotateDisk(FibonacciDisk(i, count, clump), rotation) * radius;
+        const TexelQuad quad = ReadQuad(TEXTURE2D_ARGS(shadowMap, sampler_point), receiver, cone, receiver.centre + offset);
+        gapSum += dot(quad.gap, quad.blocking);
+        estimate.count += dot(quad.blocking, float4(1.0, 1.0, 1.0, 1.0));
+    }
+    estimate.gap = AverageGap(gapSum, estimate.count);
+    return estimate;
+}
+
+float FilterDisc(TEXTURE2D_PARAM(shadowMap, sampler_point), QuadReceiver receiver, LightCone cone, float2 rotation,
+                 float radius, int samples)
+{
+    const int count = BoundedSampleCount(samples);
+    float lit = 0.0;
+    float blocked = 0.0;
+    UNITY_LOOP
+    for (int i = 0; i < count; ++i)
+    {
+        const float2 offset = RotateDisk(FibonacciDisk(i, count, 1.0), rotation) * radius;
+        const TexelQuad quad = ReadQuad(TEXTURE2D_ARGS(shadowMap, sampler_point), receiver, cone, receiver.centre + offset);
+        blocked += dot(quad.weight, quad.blocking);
+        lit += dot(quad.weight, 1.0 - quad.blocking);
+    }
+    return LitShare(lit, blocked);
+}
+
+float FilterPcssAngular(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SAMPLER(sampler_point),
+                        ShadowReceiver receiver, ShadowTile tile, PcssAngularParameters parameters)
+{
+    const ConeScales scales = ConeScalesOf(tile);
+    const QuadReceiver prepared = PrepareQuads(receiver, tile);
+    const float2 rotation = UnitRotation(receiver.rotation);
+    const float smallestRadius = BoundedOrLow(parameters.minFilterTexels, 0.0, 64.0);
+
+    LightCone cone;
+    cone.scales = scales;
+    cone.slackTexels = max(smallestRadius, kSmallestSlackTexels);
+    cone.largestOffset = BoundedOrLow(parameters.maxSamplingMetres, 0.0, 1e6) * scales.depthPerMetre;
+
+    const float searchRadius =
+        SearchRadius(prepared.depth, parameters.maxPenumbraMetres, smallestRadius, scales);
+    const BlockerEstimate blockers =
+        SearchBlockers(TEXTURE2D_ARGS(shadowMap, sampler_point), prepared, cone, rotation, searchRadius, parameters);
+    if (!(blockers.count > 0.0)) return 1.0;
+
+    const float radius = max(min(PenumbraRadius(blockers.gap, scales), searchRadius), smallestRadius);
+    return SanitizeVisibility(FilterDisc(TEXTURE2D_ARGS(shadowMap, sampler_point), prepared, cone, rotation, radius,
+                                         parameters.filterSamples));
+}
+
+#endif

@@ -1,0 +1,96 @@
+// Penumbra: four texels by one gather, each tested at its own centre.
+//
+// Computes:   depths of a 2 x 2 quad, which of them block the receiver, and their bilinear weights.
+//
+//                 w | z      order of a gather's components around the corner
+//                 --+--      the four texels share
+//                 x | y
+//
+// Source:     the receiver's plane: Isidoro, GDC 2006. A comparison sampler has one reference depth for four texels;
+//             gathering first costs the same fetch and gives each texel its own.
+// Inputs:     shadow map (raw reads), point sampler; texel coordinates.
+// Cost:       1 fetch a quad.
+// Guarantees: reads no texel outside the tile; NaN texels do not block; all results finite. The quad is addressed at
+//             its corner, half a texel from where a device's rounding could choose another.
+// Use it:     in kernels wider than a texel. Needs gather (Shader Model 4.1, OpenGL ES 3.1).
+#ifndef PENUMBRA_TEXEL_QUAD_HLSL
+#define PENUMBRA_TEXEL_QUAD_HLSL
+
+#include "../Platform/Platform.hlsl"
+#include "../Core/DepthConvention.hlsl"
+#include "../Core/FloatBits.hlsl"
+#include "../Core/Penumbra.hlsl"
+#include "../Core/ReceiverPlane.hlsl"
+#include "../Core/ShadowStructs.hlsl"
+#include "../Core/TileBounds.hlsl"
+
+struct QuadReceiver
+{
+    TileBounds bounds;
+    float2 texelSize; // atlas UV
+    float2 centre;    // texel coordinates
+    float depth;
+    float2 gradient;  // stored depth per texel
+};
+
+// The light's cone above the receiver. largestOffset 0 makes it a plain disc.
+struct LightCone
+{
+    ConeScales scales;
+    float slackTexels;
+    float largestOffset; // stored depth
+};
+
+struct TexelQuad
+{
+    float4 gap;      // how much nearer to the light than the receiver each texel lies, stored depth
+    float4 blocking; // 1 where the texel hides light, else 0
+    float4 weight;   // bilinear, of the sample's place
+};
+
+// What a blocker search finds.
+struct BlockerEstimate
+{
+    float gap;   // mean, stored depth
+    float count; // texels that block; 0: no estimate
+};
+
+QuadReceiver PrepareQuads(ShadowReceiver receiver, ShadowTile tile)
+{
+    QuadReceiver prepared;
+    prepared.bounds = BoundsInTexels(tile);
+    prepared.texelSize = 1.0 / max(FiniteOr(tile.atlasTexelSize.zw, float2(1.0, 1.0)), 1.0);
+    prepared.centre = TexelCoordinates(receiver.shadowCoord.xy, tile);
+    prepared.depth = SanitizeReceiverDepth(receiver.shadowCoord.z);
+    prepared.gradient = BoundGradient(receiver.depthGradient) * prepared.texelSize;
+    return prepared;
+}
+
+float4 BilinearWeights(float2 texels, float2 corner)
+{
+    const float2 f = min(max(texels - corner + 0.5, 0.0), 1.0);
+    return float4((1.0 - f.x) * f.y, f.x * f.y, f.x * (1.0 - f.y), (1.0 - f.x) * (1.0 - f.y));
+}
+
+// A texel blocks when it lies above the receiver's plane at its own centre and within the light's cone.
+TexelQuad ReadQuad(TEXTURE2D_PARAM(shadowMap, sampler_point), QuadReceiver receiver, LightCone cone, float2 texels)
+{
+    const float2 corner = ClampQuadCorner(texels, receiver.bounds);
+    const float4 mapDepth = SanitizeMapDepth(GATHER_RED_TEXTURE2D(shadowMap, sampler_point, corner * receiver.texelSize));
+    const float2 away = corner - receiver.centre;
+    const float4 x = away.x + float4(-0.5, 0.5, 0.5, -0.5);
+    const float4 y = away.y + float4(0.5, 0.5, -0.5, -0.5);
+    const float4 plane = KeepBehindNearPlane(receiver.depth + receiver.gradient.x * x + receiver.gradient.y * y);
+    const float4 radius = sqrt(x * x + y * y);
+    const float4 offset = min(max(radius - cone.slackTexels, 0.0) * cone.scales.depthPerTexel, cone.largestOffset);
+
+    TexelQuad quad;
+    quad.gap = DepthGap(mapDepth, float4(receiver.depth, receiver.depth, receiver.depth, receiver.depth));
+    const float4 abovePlane = DepthGap(mapDepth, plane);
+    quad.blocking = float4(abovePlane.x > 0.0 && quad.gap.x > offset.x, abovePlane.y > 0.0 && quad.gap.y > offset.y,
+                           abovePlane.z > 0.0 && quad.gap.z > offset.z, abovePlane.w > 0.0 && quad.gap.w > offset.w);
+    quad.weight = BilinearWeights(texels, corner);
+    return quad;
+}
+
+#endif
