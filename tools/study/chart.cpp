@@ -1,0 +1,233 @@
+#include "study/chart.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "input/input_error.h"
+#include "platform/child_process.h"
+#include "study/chart_labels.h"
+
+namespace penumbra::study {
+namespace {
+
+constexpr double kWidth = 820.0;
+constexpr double kPanelHeight = 330.0;
+constexpr double kTitleHeight = 40.0;
+constexpr double kFont = 13.0;
+// Pixels between a panel's edge and its axes. They are fixed, not gnuplot's choice, so that labels can be
+// placed in pixels beforehand.
+constexpr double kLeft = 74.0;
+constexpr double kRight = 20.0;
+constexpr double kTop = 30.0;
+constexpr double kBottom = 52.0;
+
+struct Axis {
+  double from = 0.0;
+  double to = 1.0;
+  bool logarithmic = false;
+
+  double share(double value) const {
+    if (!logarithmic) return (value - from) / (to - from);
+    return std::log(value / from) / std::log(to / from);
+  }
+};
+
+struct Axes {
+  Axis x;
+  Axis y;
+};
+
+bool is_drawn(const Chart& chart, const ChartPoint& point) {
+  return std::isfinite(point.x) && std::isfinite(point.y) && (!chart.x_logarithmic || point.x > 0.0);
+}
+
+// One pair of axes for all panels, so that the eye may compare them.
+Axes axes_of(const Chart& chart) {
+  double least_x = std::numeric_limits<double>::infinity();
+  double most_x = -least_x;
+  double most_y = 0.0;
+  for (const ChartPanel& panel : chart.panels) {
+    for (const ChartPoint& point : panel.points) {
+      if (!is_drawn(chart, point)) continue;
+      least_x = std::min(least_x, point.x);
+      most_x = std::max(most_x, point.x);
+      most_y = std::max(most_y, point.y);
+    }
+  }
+  if (!(least_x <= most_x)) throw std::invalid_argument("a chart without a point to draw");
+  Axes axes;
+  axes.x = chart.x_logarithmic ? Axis{least_x / 1.6, most_x * 1.6, true} : Axis{0.0, most_x * 1.15, false};
+  if (axes.x.to <= axes.x.from) axes.x.to = axes.x.from + 1.0;
+  axes.y = {0.0, most_y > 0.0 ? most_y * 1.15 : 1.0, false};
+  return axes;
+}
+
+// A gnuplot string: in single quotes nothing is special but the quote itself. Control characters would end
+// the command.
+std::string gnuplot_string(std::string_view text) {
+  std::string result = "'";
+  for (const char c : text) {
+    if (c == '\'') result += '\'';
+    result += static_cast<unsigned char>(c) < 32 ? ' ' : c;
+  }
+  return result + "'";
+}
+
+class Script {
+ public:
+  explicit Script(const Chart& chart) : chart_(chart), axes_(axes_of(chart)) {
+    height_ = kTitleHeight + kPanelHeight * static_cast<double>(chart.panels.size());
+    text_ += fmt::format(
+        "set encoding utf8\n"
+        "set terminal svg size {},{} dynamic noenhanced font 'sans-serif,{}' background '#fcfcfb'\n"
+        "set multiplot\nset border 3 linecolor '#6b6f76'\nset tics nomirror textcolor '#33363b' scale 0.6\n"
+        "set grid linecolor '#e3e4e6' linewidth 1\nunset key\n"
+        "set label 9999 {} at screen {:.5f},{:.5f} center textcolor '#1b1d21' font ',16'\n",
+        kWidth, height_, kFont, gnuplot_string(chart.title), 0.5, 1.0 - kTitleHeight / 2.0 / height_);
+  }
+
+  std::string draw() {
+    for (std::size_t i = 0; i < chart_.panels.size(); ++i) draw_panel(i);
+    return text_ + "unset multiplot\n";
+  }
+
+ private:
+  double screen_x(double pixels) const { return pixels / kWidth; }
+  double screen_y(double pixels) const { return 1.0 - pixels / height_; }
+
+  void draw_panel(std::size_t index) {
+    const ChartPanel& panel = chart_.panels[index];
+    const double top = kTitleHeight + kPanelHeight * static_cast<double>(index);
+    const Box frame{kLeft, top + kTop, kWidth - kRight, top + kPanelHeight - kBottom};
+    text_ += fmt::format(
+        "set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\n"
+        "set tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n",
+        screen_x(frame.left), screen_x(frame.right), screen_y(frame.top), screen_y(frame.bottom));
+    text_ += fmt::format(
+        "set title {} offset 0,-0.6 textcolor '#1b1d21'\nset xlabel {} textcolor '#33363b'\n"
+        "set ylabel {} textcolor '#33363b'\n{}set xrange [{:.9g}:{:.9g}]\nset yrange [{:.9g}:{:.9g}]\n",
+        gnuplot_string(panel.title), gnuplot_string(chart_.x_label), gnuplot_string(chart_.y_label),
+        axes_.x.logarithmic ? "set logscale x\n" : "", axes_.x.from, axes_.x.to, axes_.y.from, axes_.y.to);
+    add_labels(panel, frame);
+    add_data(panel);
+    // Labels and leader lines belong to one panel only.
+    text_ += "unset label\nunset arrow\n";
+  }
+
+  void add_labels(const ChartPanel& panel, const Box& frame) {
+    std::vector<LabelRequest> requests;
+    std::vector<bool> bold;
+    for (std::size_t i = 0; i < panel.points.size(); ++i) {
+      const ChartPoint& point = panel.points[i];
+      if (!is_drawn(chart_, point)) continue;
+      requests.push_back({std::lerp(frame.left, frame.right, axes_.x.share(point.x)),
+                          std::lerp(frame.bottom, frame.top, axes_.y.share(point.y)), point.label});
+      bold.push_back(std::find(panel.front.begin(), panel.front.end(), i) != panel.front.end());
+    }
+    const std::vector<PlacedLabel> labels = place_labels(requests, frame, kFont - 1.0);
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+      const Box& box = labels[i].box;
+      const double x = (box.left + box.right) / 2.0;
+      const double y = (box.top + box.bottom) / 2.0;
+      text_ += fmt::format("set label {} at screen {:.5f},{:.5f} center front font ',{}' textcolor '{}'\n",
+                           gnuplot_string(requests[i].text), screen_x(x), screen_y(y), kFont - 1.0,
+                           bold[i] ? "#0b4f8a" : "#55585e");
+      if (!labels[i].needs_line) continue;
+      const double end_x = std::clamp(requests[i].x, box.left, box.right);
+      const double end_y = std::clamp(requests[i].y, box.top, box.bottom);
+      text_ += fmt::format(
+          "set arrow from screen {:.5f},{:.5f} to screen {:.5f},{:.5f} nohead linecolor '#9a9da3' linewidth "
+          "0.7\n",
+          screen_x(requests[i].x), screen_y(requests[i].y), screen_x(end_x), screen_y(end_y));
+    }
+  }
+
+  void add_data(const ChartPanel& panel) {
+    std::string all;
+    std::string front;
+    for (const ChartPoint& point : panel.points) {
+      if (is_drawn(chart_, point)) all += fmt::format("{:.9g} {:.9g}\n", point.x, point.y);
+    }
+    for (const std::size_t i : panel.front) {
+      const ChartPoint& point = panel.points.at(i);
+      if (is_drawn(chart_, point)) front += fmt::format("{:.9g} {:.9g}\n", point.x, point.y);
+    }
+    if (all.empty()) all = "NaN NaN\n";
+    text_ += "$all << END_OF_POINTS\n" + all + "END_OF_POINTS\n";
+    std::string plot = "plot $all with points pointtype 6 pointsize 0.6 linecolor '#8a8d93'";
+    if (!front.empty()) {
+      text_ += "$front << END_OF_POINTS\n" + front + "END_OF_POINTS\n";
+      plot +=
+          ", $front with steps linecolor '#7fb2de' linewidth 1.5"
+          ", $front with points pointtype 7 pointsize 0.7 linecolor '#0b4f8a'";
+    }
+    text_ += plot + "\n";
+  }
+
+  const Chart& chart_;
+  Axes axes_;
+  double height_ = 0.0;
+  std::string text_;
+};
+
+void replace_all(std::string& text, const std::string& what, const std::string& with) {
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size())) {
+    text.replace(at, what.size(), with);
+  }
+}
+
+// gnuplot names its version in <desc>, and gives every file the same ids: neither may reach a page of ours.
+std::string make_own(std::string svg, const Chart& chart) {
+  const std::size_t description = svg.find("<desc>");
+  const std::size_t end = svg.find("</desc>");
+  if (description != std::string::npos && end != std::string::npos) {
+    svg.erase(description, end + 7 - description);
+  }
+  std::string title;
+  for (const char c : chart.title) {
+    title += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
+  }
+  replace_all(svg, "<title>Gnuplot</title>", "<title>" + title + "</title>");
+  for (const std::string id : {"gpDot", "gpPt", "textbox", "greybox", "gnuplot_canvas"}) {
+    replace_all(svg, "id='" + id, "id='" + chart.name + "-" + id);
+    replace_all(svg, "id=\"" + id, "id=\"" + chart.name + "-" + id);
+    replace_all(svg, "='#" + id, "='#" + chart.name + "-" + id);
+    replace_all(svg, "url(#" + id, "url(#" + chart.name + "-" + id);
+  }
+  replace_all(svg, "id=\"gp", "id=\"" + chart.name + "-gp");
+  return svg;
+}
+
+}  // namespace
+
+std::string render_svg(const Chart& chart) {
+  const auto named = [](char c) { return c == '-' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z'); };
+  if (chart.name.empty() || !std::all_of(chart.name.begin(), chart.name.end(), named)) {
+    throw std::invalid_argument("a chart's name is lower-case letters, digits and '-'");
+  }
+  const std::string script = Script(chart).draw();
+  if (!platform::find_program("gnuplot")) {
+    throw EnvironmentError(
+        "gnuplot is needed to draw charts and is not installed\n  apt-get install gnuplot-nox");
+  }
+  platform::ChildCommand command{"gnuplot", {"-d"}, script};  // -d: no user's settings
+  command.timeout = std::chrono::seconds(20);
+  const platform::ChildResult result = platform::run_child(command);
+  if (!result.succeeded() || result.output.find("</svg>") == std::string::npos) {
+    throw EnvironmentError("gnuplot did not draw the chart '" + chart.title + "'" +
+                           (result.timed_out ? " within 20 s" : ": " + result.errors));
+  }
+  return make_own(result.output, chart);
+}
+
+std::string inline_svg(const std::string& svg) {
+  const std::size_t start = svg.find("<svg");
+  if (start == std::string::npos) throw std::invalid_argument("no SVG element");
+  return svg.substr(start);
+}
+
+}  // namespace penumbra::study

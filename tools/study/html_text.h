@@ -1,0 +1,21 @@
+// Text and pictures as HTML may hold them.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace penumbra::study {
+
+// Safe in element content and in quoted attributes: & < > " ' escaped, control characters (tab and line feed
+// apart) and bytes that are no UTF-8 replaced by U+FFFD.
+std::string escape_html(std::string_view text);
+
+// RFC 4648, padded.
+std::string base64(std::span<const std::byte> bytes);
+
+// "data:image/png;base64,..."
+std::string png_data_uri(std::span<const std::byte> png);
+
+}  // namespace penumbra::study

@@ -1,0 +1,208 @@
+#include "study/metrics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace penumbra::study {
+namespace {
+
+enum class PixelClass { umbra, penumbra, lit };
+
+// No float equals 0.02 or 0.98, so the open bounds of the definition leave no pixel without a class.
+PixelClass classify(double t1) {
+  if (t1 < kUmbraBelow) return PixelClass::umbra;
+  return t1 > kLitAbove ? PixelClass::lit : PixelClass::penumbra;
+}
+
+bool is_visibility(float value) {
+  return value >= 0.0F && value <= 1.0F;  // false for NaN
+}
+
+// Mean and mean square of a signed error.
+class ErrorSum {
+ public:
+  void add(double error) {
+    sum_ += error;
+    squares_ += error * error;
+    ++count_;
+  }
+  std::optional<double> mean() const {
+    return count_ == 0 ? std::nullopt : std::optional(sum_ / static_cast<double>(count_));
+  }
+  std::optional<double> rmse() const {
+    return count_ == 0 ? std::nullopt : std::optional(std::sqrt(squares_ / static_cast<double>(count_)));
+  }
+  std::optional<ErrorShare> share() const {
+    return count_ == 0 ? std::nullopt : std::optional(ErrorShare{*mean(), *rmse()});
+  }
+
+ private:
+  double sum_ = 0.0;
+  double squares_ = 0.0;
+  std::size_t count_ = 0;
+};
+
+class Share {
+ public:
+  void add(bool hit) {
+    hits_ += hit ? 1 : 0;
+    ++count_;
+  }
+  std::optional<double> value() const {
+    return count_ == 0 ? std::nullopt
+                       : std::optional(static_cast<double>(hits_) / static_cast<double>(count_));
+  }
+
+ private:
+  std::size_t hits_ = 0;
+  std::size_t count_ = 0;
+};
+
+// Nearest-rank percentile: the smallest value with at least `fraction` of all values at or below it.
+template <typename Value>
+std::optional<double> percentile(std::vector<Value>& values, double fraction) {
+  if (values.empty()) return std::nullopt;
+  const auto rank = static_cast<std::size_t>(std::ceil(fraction * static_cast<double>(values.size())));
+  const auto nth = values.begin() + static_cast<std::ptrdiff_t>(std::max<std::size_t>(rank, 1) - 1);
+  std::nth_element(values.begin(), nth, values.end());
+  return static_cast<double>(*nth);
+}
+
+// Two passes over a handful of seeds: the one-pass formula cancels where the variance is small.
+std::optional<double> sample_variance(const std::vector<double>& values) {
+  if (values.size() < 2) return std::nullopt;
+  double mean = 0.0;
+  for (const double value : values) mean += value;
+  mean /= static_cast<double>(values.size());
+  double squares = 0.0;
+  for (const double value : values) squares += (value - mean) * (value - mean);
+  return squares / static_cast<double>(values.size() - 1);
+}
+
+void check_reference(std::span<const float> reference, std::span<const std::uint8_t> valid,
+                     const char* name) {
+  for (std::size_t pixel = 0; pixel < reference.size(); ++pixel) {
+    if (valid[pixel] != 0 && !is_visibility(reference[pixel])) {
+      throw std::invalid_argument(std::string(name) + " is no visibility at pixel " + std::to_string(pixel) +
+                                  ": " + std::to_string(reference[pixel]));
+    }
+  }
+}
+
+void check(const MeasuredImages& images) {
+  const std::size_t size = images.t1.size();
+  const auto fits = [size](const auto& image) { return image.size() == size; };
+  if (images.results.empty()) throw std::invalid_argument("no result image to measure");
+  const bool fetches_fit = images.fetches.size() <= 1 || images.fetches.size() == images.results.size();
+  if (!fits(images.valid) || !std::all_of(images.results.begin(), images.results.end(), fits) ||
+      !std::all_of(images.fetches.begin(), images.fetches.end(), fits) || !fetches_fit ||
+      !(images.t2.empty() || fits(images.t2)) || !(images.t3.empty() || fits(images.t3))) {
+    throw std::invalid_argument("the images to measure differ in size or number");
+  }
+  check_reference(images.t1, images.valid, "T1");
+  check_reference(images.t2, images.valid, "T2");
+}
+
+class Measurement {
+ public:
+  explicit Measurement(const MeasuredImages& images) : images_(images) {}
+
+  Metrics run() {
+    for (std::size_t pixel = 0; pixel < images_.t1.size(); ++pixel) {
+      if (images_.valid[pixel] == 0) continue;
+      ++metrics_.pixels;
+      const PixelClass kind = classify(images_.t1[pixel]);
+      if (kind == PixelClass::penumbra) ++metrics_.penumbra_pixels;
+      add_results(pixel, kind);
+      if (kind == PixelClass::penumbra) add_reference_shares(pixel);
+    }
+    finish_errors();
+    count_fetches();
+    return metrics_;
+  }
+
+ private:
+  void add_results(std::size_t pixel, PixelClass kind) {
+    seeds_.clear();
+    for (const std::span<const float> result : images_.results) {
+      const float value = result[pixel];
+      if (!is_visibility(value)) {
+        ++metrics_.invalid;
+        continue;
+      }
+      const double error = static_cast<double>(value) - static_cast<double>(images_.t1[pixel]);
+      all_.add(error);
+      max_error_ = std::max(max_error_.value_or(0.0), std::abs(error));
+      if (kind == PixelClass::umbra) leaks_.add(static_cast<double>(value) > kLeakAbove);
+      if (kind == PixelClass::lit) false_shadows_.add(static_cast<double>(value) < kFalseShadowBelow);
+      if (kind != PixelClass::penumbra) continue;
+      penumbra_.add(error);
+      absolute_.push_back(std::abs(error));
+      seeds_.push_back(static_cast<double>(value));
+    }
+    if (const auto variance = sample_variance(seeds_)) variance_.add(*variance);
+  }
+
+  void add_reference_shares(std::size_t pixel) {
+    const bool have_t2 = !images_.t2.empty();
+    if (have_t2) map_.add(static_cast<double>(images_.t2[pixel]) - static_cast<double>(images_.t1[pixel]));
+    if (images_.t3.empty()) return;
+    const float t3 = images_.t3[pixel];
+    if (!is_visibility(t3)) {
+      ++metrics_.invalid;
+      return;
+    }
+    if (have_t2) algorithm_.add(static_cast<double>(t3) - static_cast<double>(images_.t2[pixel]));
+    for (const double value : seeds_) sampling_.add(value - static_cast<double>(t3));
+  }
+
+  void finish_errors() {
+    metrics_.seeds = images_.results.size();
+    metrics_.rmse_penumbra = penumbra_.rmse();
+    metrics_.rmse_all = all_.rmse();
+    metrics_.bias = penumbra_.mean();
+    metrics_.variance = variance_.mean();
+    metrics_.p99 = percentile(absolute_, 0.99);
+    metrics_.max_error = max_error_;
+    metrics_.leak_rate = leaks_.value();
+    metrics_.false_shadow_rate = false_shadows_.value();
+    metrics_.preprocess_fetches_per_pixel = images_.preprocess_fetches_per_pixel;
+    metrics_.split = {map_.share(), algorithm_.share(), sampling_.share()};
+  }
+
+  void count_fetches() {
+    ErrorSum everywhere;
+    ErrorSum in_penumbra;
+    std::vector<std::uint32_t> counts;
+    for (const std::span<const std::uint32_t> image : images_.fetches) {
+      for (std::size_t pixel = 0; pixel < image.size(); ++pixel) {
+        if (images_.valid[pixel] == 0) continue;
+        everywhere.add(image[pixel]);
+        if (classify(images_.t1[pixel]) == PixelClass::penumbra) in_penumbra.add(image[pixel]);
+        counts.push_back(image[pixel]);
+      }
+    }
+    metrics_.fetches_mean = everywhere.mean();
+    metrics_.fetches_penumbra_mean = in_penumbra.mean();
+    metrics_.fetches_p95 = percentile(counts, 0.95);
+  }
+
+  const MeasuredImages& images_;
+  Metrics metrics_;
+  ErrorSum all_, penumbra_, variance_, map_, algorithm_, sampling_;
+  Share leaks_, false_shadows_;
+  std::optional<double> max_error_;
+  std::vector<double> absolute_;
+  std::vector<double> seeds_;  // this pixel's usable results
+};
+
+}  // namespace
+
+Metrics measure(const MeasuredImages& images) {
+  check(images);
+  return Measurement(images).run();
+}
+
+}  // namespace penumbra::study

@@ -1,0 +1,84 @@
+// What a shadow technique gets wrong: its visibility images against ray tracing, and what it fetched.
+//
+// Visibility is 1 where the whole light disc is seen, 0 where none of it is. References (design, contract 7):
+//   T1  ray-traced area light on the real geometry: the truth every error here is taken against
+//   T2  the exhaustive answer from the same shadow map: a defined reference, not a bound
+//   T3  the technique itself with unlimited samples
+// Pixel classes follow T1 alone, so that every technique is judged on the same pixels:
+//   umbra T1 < 0.02, penumbra 0.02 < T1 < 0.98, lit T1 > 0.98.
+//
+// All sums are double and run over pixels in row order, then over seeds: the same images give the same bits.
+// A figure without a single pixel to stand on is absent (null in JSON), never 0.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace penumbra::study {
+
+inline constexpr double kUmbraBelow = 0.02;
+inline constexpr double kLitAbove = 0.98;
+inline constexpr double kLeakAbove = 0.1;
+inline constexpr double kFalseShadowBelow = 0.9;
+
+// Every span holds one value per pixel, in the same row order. Pixels whose valid entry is 0 (no receiver)
+// count nowhere.
+struct MeasuredImages {
+  std::span<const float> t1;
+  std::span<const std::uint8_t> valid;
+  std::vector<std::span<const float>> results;          // one image per noise seed, at least one
+  std::vector<std::span<const std::uint32_t>> fetches;  // one image per seed, or one for all, or none
+  std::span<const float> t2;                            // empty when not computed
+  std::span<const float> t3;                            // empty when not computed
+  double preprocess_fetches_per_pixel = 0.0;            // of map preparation and screen passes
+};
+
+// A signed error over penumbra pixels (and seeds, where the result takes part).
+struct ErrorShare {
+  double mean = 0.0;
+  double rmse = 0.0;
+
+  bool operator==(const ErrorShare&) const = default;
+};
+
+// Where the error comes from. Per pixel (T2-T1) + (T3-T2) + (result-T3) = result-T1, so the means add up to
+// the bias. The RMSEs do not add and do not subtract: the three shares are correlated.
+struct ErrorSplit {
+  std::optional<ErrorShare> map;        // T2 - T1: what the map's resolution and one layer lose
+  std::optional<ErrorShare> algorithm;  // T3 - T2: what the technique's model of the penumbra loses
+  std::optional<ErrorShare> sampling;   // result - T3: what few samples lose
+
+  bool operator==(const ErrorSplit&) const = default;
+};
+
+struct Metrics {
+  std::size_t pixels = 0;  // with a receiver
+  std::size_t penumbra_pixels = 0;
+  std::size_t seeds = 0;
+  std::size_t invalid = 0;  // results (T3 included) that are not finite or outside [0, 1]: a finding;
+                            // they enter no other figure
+  std::optional<double> rmse_penumbra;  // over penumbra pixels and seeds, against T1
+  std::optional<double> rmse_all;       // over all pixels and seeds
+  std::optional<double> bias;           // mean of result - T1 over penumbra: > 0 is too bright
+  std::optional<double> variance;       // mean over penumbra pixels of the sample variance (n - 1) over seeds
+  std::optional<double> p99;            // nearest-rank 99th percentile of |result - T1| in penumbra
+  std::optional<double> max_error;      // largest |result - T1| of any pixel and seed
+  std::optional<double> leak_rate;      // share of umbra results above 0.1
+  std::optional<double> false_shadow_rate;  // share of lit results below 0.9
+  std::optional<double> fetches_mean;       // over all pixels
+  std::optional<double> fetches_p95;        // nearest-rank
+  std::optional<double> fetches_penumbra_mean;
+  double preprocess_fetches_per_pixel = 0.0;
+  ErrorSplit split;
+
+  bool operator==(const Metrics&) const = default;
+};
+
+// Throws std::invalid_argument when images differ in size, there is no result, or T1 or T2 is outside [0, 1]
+// where valid: a broken reference must not become a figure.
+Metrics measure(const MeasuredImages& images);
+
+}  // namespace penumbra::study

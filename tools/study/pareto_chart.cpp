@@ -1,0 +1,57 @@
+#include "study/pareto_chart.h"
+
+#include <fmt/format.h>
+
+#include "study/pareto.h"
+#include "study/summary.h"
+
+namespace penumbra::study {
+namespace {
+
+enum class Cost { fetches, time };
+
+ChartPanel panel_of(const Results& results, double light_degrees, Cost cost) {
+  ChartPanel panel;
+  panel.title = fmt::format("{}° light", light_degrees);
+  std::vector<CostAndError> points;
+  for (const SummaryLine& line : summarise(results)) {
+    const std::optional<double>& price = cost == Cost::fetches ? line.fetches : line.time_ms;
+    if (line.light_degrees != light_degrees || !line.complete || !price || !line.rmse_penumbra) continue;
+    panel.points.push_back({line.choice.label, *price, *line.rmse_penumbra});
+    points.push_back({*price, *line.rmse_penumbra});
+  }
+  if (cost == Cost::fetches || !results.is_software) panel.front = pareto_front(points);
+  return panel;
+}
+
+void add_panels(Chart& chart, const Results& results, Cost cost) {
+  for (const double light : light_sizes(results)) {
+    ChartPanel panel = panel_of(results, light, cost);
+    if (!panel.points.empty()) chart.panels.push_back(std::move(panel));
+  }
+}
+
+}  // namespace
+
+Chart fetches_chart(const Results& results) {
+  Chart chart;
+  chart.name = "pareto-fetches";
+  chart.title = "Fetches against penumbra error";
+  chart.x_label = "texture fetches per pixel, mean of the frame";
+  chart.y_label = "penumbra RMSE";
+  add_panels(chart, results, Cost::fetches);
+  return chart;
+}
+
+Chart time_chart(const Results& results) {
+  Chart chart;
+  chart.name = "pareto-time";
+  chart.title = "Time against penumbra error";
+  chart.x_label = results.is_software ? "CPU time of a frame, ms (software device: not a ranking)"
+                                      : "GPU time of a frame, ms";
+  chart.y_label = "penumbra RMSE";
+  add_panels(chart, results, Cost::time);
+  return chart;
+}
+
+}  // namespace penumbra::study

@@ -1,0 +1,16 @@
+// The charts of a study: what each technique costs against how wrong it is, one panel per light.
+#pragma once
+
+#include "study/chart.h"
+#include "study/results.h"
+
+namespace penumbra::study {
+
+// Mean fetches per pixel against mean penumbra RMSE over all scenes, with the Pareto front.
+Chart fetches_chart(const Results& results);
+
+// The same over milliseconds per frame; on a software device without a front, and labelled as CPU time, which
+// ranks nothing. It has no panel when nothing was timed.
+Chart time_chart(const Results& results);
+
+}  // namespace penumbra::study

@@ -1,0 +1,40 @@
+// Eight-bit pictures, row 0 at the top, and their PNG form.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace penumbra::study {
+
+struct Rgb {
+  std::uint8_t r = 0;
+  std::uint8_t g = 0;
+  std::uint8_t b = 0;
+
+  bool operator==(const Rgb&) const = default;
+};
+
+struct Picture {
+  int width = 0;
+  int height = 0;
+  int channels = 3;                   // 1 grey, 3 RGB, 4 RGBA (alpha not premultiplied)
+  std::vector<std::uint8_t> samples;  // width * height * channels
+
+  bool operator==(const Picture&) const = default;
+};
+
+Picture filled_picture(int width, int height, Rgb colour);
+Rgb pixel(const Picture& rgb, int x, int y);
+void set_pixel(Picture& rgb, int x, int y, Rgb colour);
+
+// The same picture gives the same bytes. Throws std::invalid_argument when the sample count does not fit.
+std::vector<std::byte> encode_png(const Picture& picture);
+
+// Throws InputError naming `name` for bytes that are no PNG, cut short or larger than 2^26 pixels. Palettes
+// and 16-bit channels come back as 8-bit grey, RGB or RGBA.
+Picture decode_png(std::span<const std::byte> bytes, const std::string& name);
+
+}  // namespace penumbra::study

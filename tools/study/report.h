@@ -1,0 +1,48 @@
+// report.html: everything one run of `penumbra measure` found, in one file that needs nothing else.
+//
+// The page holds its style, its script, its charts (inline SVG) and its pictures (data: URIs), and a content
+// security policy that forbids it to load anything. It follows the reader's light or dark setting, prints,
+// and is complete without its script, which only sorts the table.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "study/picture.h"
+#include "study/results.h"
+
+namespace penumbra::study {
+
+// The pictures of one record, all of one size. error_scale: the error shown in full colour; fetch_scale: the
+// fetches shown white.
+struct PictureRow {
+  std::string scene;
+  std::string technique;
+  double light_degrees = 0.0;
+  Picture reference;
+  Picture result;
+  Picture error;
+  Picture fetches;
+  double error_scale = 0.5;
+  double fetch_scale = 64.0;
+};
+
+struct ReportChart {
+  std::string caption;
+  std::string svg;  // as render_svg gives it
+};
+
+struct ReportContent {
+  Results results;
+  std::vector<ReportChart> charts;
+  std::vector<PictureRow> pictures;
+};
+
+// The same content gives the same bytes.
+std::string render_report(const ReportContent& content);
+
+// The charts of pareto_chart.h that have something to show. Throws EnvironmentError without gnuplot.
+std::vector<ReportChart> report_charts(const Results& results);
+
+}  // namespace penumbra::study

@@ -1,0 +1,205 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <set>
+
+#include "input/input_error.h"
+#include "input/located_json.h"
+#include "study/results.h"
+
+namespace penumbra::study {
+namespace {
+
+using Pointer = LocatedJson::Pointer;
+
+// An object of results.json, where every key must be there; figures may be null where the schema says so.
+class StrictObject {
+ public:
+  StrictObject(const LocatedJson& document, const Pointer& at)
+      : document_(document), at_(at), object_(document, at) {}
+
+  std::string text(const std::string& key) {
+    require(key);
+    return object_.text(key, {});
+  }
+
+  double number(const std::string& key, double least, double most) {
+    require(key);
+    const double value = object_.number(key, 0.0);
+    if (value < least || value > most) {
+      object_.fail(key, fmt::format("'{}' must be between {} and {}, found {}", key, least, most, value));
+    }
+    return value;
+  }
+
+  std::size_t count(const std::string& key) {
+    require(key);
+    const int value = object_.integer(key, 0);
+    if (value < 0) object_.fail(key, fmt::format("'{}' must not be negative, found {}", key, value));
+    return static_cast<std::size_t>(value);
+  }
+
+  bool boolean(const std::string& key) {
+    require(key);
+    return object_.boolean(key, false);
+  }
+
+  std::optional<double> figure(const std::string& key, double least, double most) {
+    return is_null(key) ? std::nullopt : std::optional(number(key, least, most));
+  }
+
+  bool is_null(const std::string& key) {
+    require(key);
+    return document_.at(at_ / key).is_null();
+  }
+
+  StrictObject object(const std::string& key) {
+    require(key);
+    return {document_, at_ / key};
+  }
+
+  std::size_t array_size(const std::string& key) {
+    require(key);
+    if (!document_.at(at_ / key).is_array()) object_.fail(key, "'" + key + "' must be an array");
+    return document_.at(at_ / key).size();
+  }
+
+  std::map<std::string, std::vector<double>> number_lists(const std::string& key) {
+    require(key);
+    JsonObject lists(document_, at_ / key);
+    std::map<std::string, std::vector<double>> result;
+    for (const std::string& name : lists.keys()) {
+      const nlohmann::json& list = document_.at(at_ / key / name);
+      result[name] = lists.numbers(name, list.is_array() ? list.size() : 1);
+    }
+    return result;
+  }
+
+  void finish() const { object_.finish(); }
+  [[noreturn]] void fail(const std::string& key, const std::string& problem,
+                         const std::string& way_out = {}) const {
+    object_.fail(key, problem, way_out);
+  }
+
+ private:
+  void require(const std::string& key) {
+    if (!object_.has(key)) object_.fail(key, "the key '" + key + "' is missing");
+  }
+
+  const LocatedJson& document_;
+  Pointer at_;
+  JsonObject object_;
+};
+
+constexpr double kAnything = 1e300;
+
+std::optional<ErrorShare> read_share(StrictObject& split, const std::string& key) {
+  if (split.is_null(key)) return std::nullopt;
+  StrictObject share = split.object(key);
+  const ErrorShare result{share.number("mean", -1.0, 1.0), share.number("rmse", 0.0, 1.0)};
+  share.finish();
+  return result;
+}
+
+Metrics read_metrics(StrictObject& record) {
+  Metrics metrics;
+  metrics.pixels = record.count("pixels");
+  metrics.penumbra_pixels = record.count("penumbra_pixels");
+  metrics.seeds = record.count("seeds");
+  metrics.invalid = record.count("invalid");
+  metrics.rmse_penumbra = record.figure("rmse_penumbra", 0.0, 1.0);
+  metrics.rmse_all = record.figure("rmse_all", 0.0, 1.0);
+  metrics.bias = record.figure("bias", -1.0, 1.0);
+  metrics.variance = record.figure("variance", 0.0, 1.0);
+  metrics.p99 = record.figure("p99", 0.0, 1.0);
+  metrics.max_error = record.figure("max_error", 0.0, 1.0);
+  metrics.leak_rate = record.figure("leak_rate", 0.0, 1.0);
+  metrics.false_shadow_rate = record.figure("false_shadow_rate", 0.0, 1.0);
+  metrics.fetches_mean = record.figure("fetches_mean", 0.0, kAnything);
+  metrics.fetches_p95 = record.figure("fetches_p95", 0.0, kAnything);
+  metrics.fetches_penumbra_mean = record.figure("fetches_penumbra_mean", 0.0, kAnything);
+  metrics.preprocess_fetches_per_pixel = record.number("preprocess_fetches_per_pixel", 0.0, kAnything);
+  StrictObject split = record.object("error_split");
+  metrics.split = {read_share(split, "map"), read_share(split, "algorithm"), read_share(split, "sampling")};
+  split.finish();
+  return metrics;
+}
+
+std::optional<Timing> read_time(StrictObject& record, std::string_view kind) {
+  if (record.text("time_kind") != kind) {
+    record.fail("time_kind", fmt::format("must be \"{}\", as 'is_software' of the file says", kind));
+  }
+  const std::optional<double> median = record.figure("time_ms_median", 0.0, kAnything);
+  const std::optional<double> spread = record.figure("time_ms_spread", 0.0, kAnything);
+  if (median.has_value() != spread.has_value()) {
+    record.fail("time_ms_spread", "must be null exactly when 'time_ms_median' is");
+  }
+  return median ? std::optional(Timing{*median, *spread}) : std::nullopt;
+}
+
+Record read_record(StrictObject record, std::string_view kind) {
+  Record result;
+  result.scene = record.text("scene");
+  result.technique = record.text("technique");
+  result.title = record.text("title");
+  result.parameters = record.number_lists("parameters");
+  result.light_degrees = record.number("light_degrees", 0.0, 180.0);
+  result.map_size = static_cast<int>(record.count("map_size"));
+  result.map_format = record.text("map_format");
+  result.cascades = static_cast<int>(record.count("cascades"));
+  result.device = record.text("device");
+  result.metrics = read_metrics(record);
+  result.time = read_time(record, kind);
+  StrictObject reference = record.object("reference");
+  result.reference = {reference.text("kind"), static_cast<int>(reference.count("samples")),
+                      reference.number("noise_floor", 0.0, 1.0)};
+  reference.finish();
+  record.finish();
+  return result;
+}
+
+std::string identity(const Record& record) {
+  return fmt::format("{} × {} × {}° × {} {} × {} cascades", record.scene, record.technique,
+                     record.light_degrees, record.map_size, record.map_format, record.cascades);
+}
+
+Results read_document(const LocatedJson& document) {
+  StrictObject top(document, Pointer());
+  const std::size_t version = top.count("schema_version");
+  if (version != static_cast<std::size_t>(kResultsSchemaVersion)) {
+    top.fail(
+        "schema_version",
+        fmt::format("schema version {} is not the {} this program reads", version, kResultsSchemaVersion),
+        "write the file again with this version's 'penumbra measure'");
+  }
+  Results results;
+  results.library_version = top.text("library_version");
+  results.command = top.text("command");
+  results.hardware = top.text("hardware");
+  results.device = top.text("device");
+  results.driver = top.text("driver");
+  results.is_software = top.boolean("is_software");
+  std::set<std::string> seen;
+  const std::size_t count = top.array_size("records");
+  for (std::size_t i = 0; i < count; ++i) {
+    const Pointer at = Pointer("/records") / i;
+    results.records.push_back(read_record({document, at}, time_kind(results)));
+    if (const std::string id = identity(results.records.back()); !seen.insert(id).second) {
+      throw InputError(document.where(at), "a second record of " + id, "remove one of them");
+    }
+  }
+  top.finish();
+  return results;
+}
+
+}  // namespace
+
+Results parse_results(std::string_view text, const std::string& name) {
+  return read_document(LocatedJson::parse(text, name));
+}
+
+Results read_results(const std::filesystem::path& file) {
+  return read_document(LocatedJson::read(file));
+}
+
+}  // namespace penumbra::study

@@ -1,0 +1,59 @@
+// Results over all scenes: one line per technique, map and light, and the three figures that matter most.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "study/results.h"
+
+namespace penumbra::study {
+
+// One technique on one map setting. `label` is the technique's name, with the map when the results hold
+// several.
+struct Choice {
+  std::string technique;
+  std::string label;
+  std::string title;
+
+  bool operator==(const Choice&) const = default;
+};
+
+// Means over scenes, each scene weighing the same, whatever its number of penumbra pixels. A mean over fewer
+// scenes than the light was measured on is not comparable: `complete` is false, and the line ranks nowhere.
+struct SummaryLine {
+  Choice choice;
+  double light_degrees = 0.0;
+  std::size_t scenes = 0;  // with a penumbra to measure
+  bool complete = true;
+  std::optional<double> rmse_penumbra;
+  std::optional<double> fetches;  // per pixel of the frame, preparation included
+  std::optional<double> time_ms;  // median of a frame
+};
+
+// Lines in the order in which the records bring technique and map first, lights rising within each.
+std::vector<SummaryLine> summarise(const Results& results);
+
+std::vector<std::string> scene_names(const Results& results);  // in record order
+std::vector<double> light_sizes(const Results& results);       // degrees, rising
+std::vector<Choice> choices(const Results& results);           // in record order
+Choice choice_of(const Results& results, const Record& record);
+
+// The one record of that choice, scene and light; null when there is none.
+const Record* find_record(const Results& results, const std::string& label, const std::string& scene,
+                          double light_degrees);
+
+// A headline: for a card of the report, and a line of the demo.
+struct Headline {
+  std::string value;  // "0.097"
+  std::string name;   // "lowest penumbra error"
+  std::string detail;
+};
+
+// The lowest error, the cheapest way to come within 10 % of it, and the error of the cheapest technique of
+// all: means over all scenes and lights, costs in fetches (times on a software device rank nothing). Empty
+// when no technique was measured on every scene and light.
+std::vector<Headline> headlines(const Results& results);
+
+}  // namespace penumbra::study
