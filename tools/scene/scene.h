@@ -24,15 +24,22 @@ struct Mesh {
 
 struct Scene {
   std::string name;
-  std::string description;            // one line, for reports
+  std::string description;  // one line, for reports
   Mesh mesh;
-  glm::dvec3 origin{0.0};             // world position of the mesh's own origin
-  parameters::Camera camera;          // position relative to origin, like the mesh
+  glm::dvec3 origin{0.0};                       // world position of the mesh's own origin
+  parameters::Camera camera;                    // position relative to origin, like the mesh
   glm::dvec3 light_direction{0.4, -0.8, 0.45};  // the way the light travels
   double shadow_distance_metres = 50.0;
 
   parameters::Bounds bounds() const;  // of the mesh, relative to origin
 };
+
+// Light of a sun that stands elevation degrees above the horizon, azimuth degrees from +Z towards +X: the
+// unit vector along which it travels. Throws InputError unless 0 < elevation <= 90.
+glm::dvec3 sunlight(double elevation_degrees, double azimuth_degrees);
+
+// A camera with default lens at position (metres, relative to the mesh's origin) that looks at target.
+parameters::Camera camera_looking(const glm::dvec3& position, const glm::dvec3& target);
 
 // The names built_in() knows, in the order reports list them.
 std::vector<std::string> built_in_names();
@@ -44,12 +51,44 @@ Scene built_in(std::string_view name);
 struct ImportOptions {
   double metres_per_unit = 1.0;
   bool z_up = false;
-  double height_metres = 0.0;   // when > 0, scale so that the model is this tall
-  bool ground = true;           // put a ground plane under the model
+  bool minus_z_up = false;  // a 3DS file drawn with +Y up: its reader turns every 3DS file as if +Z were up
+  double height_metres = 0.0;  // when > 0, scale so that the model is this tall
+  bool ground = true;          // put a ground plane under the model
+  std::size_t triangle_limit = 20'000'000;
 };
 
-// Reads glTF, GLB, OBJ, 3DS and what else the importer knows. Throws InputError naming the file and the reason:
-// unreadable, empty, no triangles, non-finite vertices, indices out of range, too many triangles.
+// Reads glTF, GLB, OBJ, 3DS, PLY, STL, OFF, Collada and FBX. Throws InputError naming the file and the
+// reason: unreadable, empty, broken, no triangles, non-finite vertices, indices out of range, too many
+// triangles.
+//
+// Files are right-handed with +Y up (or +Z with z_up) and become Unity's left-handed space as Unity's glTF
+// importers do it: x changes its sign, and with it the winding. The model is moved so that its box stands on
+// y = 0 with its centre over the origin; the camera stands 1.7 m above that, outside the box, and frames it.
+// Triangles without area are dropped; vertices without a usable normal get their face's.
 Scene import(const std::filesystem::path& file, const ImportOptions& options);
+
+// A real model that a Debian package brings; never part of this repository.
+struct PackageModel {
+  std::string name;  // "glmark2/horse"; users write "package:glmark2/horse"
+  std::string debian_package;
+  std::filesystem::path file;  // below the share folder, /usr/share
+  std::string description;
+  double height_metres;     // the model's units are unknown: it is scaled to this height
+  bool minus_z_up = false;  // as ImportOptions has it
+};
+const std::vector<PackageModel>& package_models();
+
+// Imports a package's model from below share. Throws InputError for an unknown name, EnvironmentError naming
+// the package where the file is missing. options.height_metres and metres_per_unit replace the model's own
+// height.
+Scene package_model(std::string_view name, const ImportOptions& options = {},
+                    const std::filesystem::path& share = "/usr/share");
+
+// Every name that load() knows, in the order reports list them: built-in ones, then "package:" ones.
+std::vector<std::string> scene_names();
+
+// What a person wrote after --scene: a built-in name, "package:NAME", or the path of a file. What is none of
+// them throws InputError naming the nearest name.
+Scene load(std::string_view name_or_file, const ImportOptions& options = {});
 
 }  // namespace penumbra::scene

@@ -1,0 +1,73 @@
+#include "scene/face_normals.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <tuple>
+
+namespace penumbra::scene {
+namespace {
+
+constexpr double kCosOfSmoothingAngle = 0.5;  // 60 degrees
+// A hub of more faces than this (the tip of a finely cut cone) is smoothed over the first of them only: the
+// loop below is quadratic in it.
+constexpr std::size_t kLargestHub = 64;
+
+struct Corner {
+  std::size_t index;  // into ModelFile::indices
+  glm::dvec3 area;    // of its face, along its normal
+};
+
+glm::dvec3 smoothed(const Corner& corner, const Corner* first, const Corner* last) {
+  const glm::dvec3 own = glm::normalize(corner.area);
+  glm::dvec3 sum = corner.area;
+  for (const Corner* other = first; other != last; ++other) {
+    if (other->index == corner.index) continue;
+    if (glm::dot(own, glm::normalize(other->area)) > kCosOfSmoothingAngle) sum += other->area;
+  }
+  return glm::normalize(sum);
+}
+
+std::vector<Corner> corners_without_normal(const ModelFile& model) {
+  std::vector<Corner> corners;
+  for (std::size_t i = 0; i < model.indices.size(); ++i) {
+    if (model.normals[model.indices[i]] != glm::dvec3(0.0)) continue;
+    const std::size_t face = i - i % 3;
+    const auto at = [&](std::size_t k) { return model.positions[model.indices[face + k]]; };
+    corners.push_back({i, glm::cross(at(1) - at(0), at(2) - at(0))});
+  }
+  return corners;
+}
+
+}  // namespace
+
+void add_missing_normals(ModelFile& model) {
+  std::vector<Corner> corners = corners_without_normal(model);
+  const auto place = [&](const Corner& corner) {
+    const glm::dvec3& p = model.positions[model.indices[corner.index]];
+    return std::tuple(p.x, p.y, p.z);
+  };
+  std::sort(corners.begin(), corners.end(), [&](const Corner& a, const Corner& b) {
+    return std::tuple_cat(place(a), std::tuple(a.index)) < std::tuple_cat(place(b), std::tuple(b.index));
+  });
+  std::vector<glm::dvec3> normals(corners.size());
+  for (std::size_t begin = 0, end = 0; begin < corners.size(); begin = end) {
+    while (end < corners.size() && place(corners[end]) == place(corners[begin])) ++end;
+    const std::size_t hub = std::min(end - begin, kLargestHub);
+    for (std::size_t i = begin; i < end; ++i) {
+      normals[i] = smoothed(corners[i], corners.data() + begin, corners.data() + begin + hub);
+    }
+  }
+  // Corners at one place with one normal share a vertex.
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    std::uint32_t& index = model.indices[corners[i].index];
+    const glm::dvec3 position = model.positions[index];
+    const bool same = i > 0 && model.positions.back() == position && model.normals.back() == normals[i];
+    if (!same) {
+      model.positions.push_back(position);
+      model.normals.push_back(normals[i]);
+    }
+    index = static_cast<std::uint32_t>(model.positions.size() - 1);
+  }
+}
+
+}  // namespace penumbra::scene

@@ -1,0 +1,205 @@
+#include "scene/model_file.h"
+
+#include <assimp/BaseImporter.h>
+#include <assimp/importerdesc.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <algorithm>
+#include <array>
+#include <assimp/Importer.hpp>
+#include <cctype>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include "input/input_error.h"
+
+namespace penumbra::scene {
+namespace {
+
+// The formats we stand for. All other loaders are taken out: the importer tries every one of them on a file
+// it does not recognise, and each is a way for garbage to be mistaken for something.
+constexpr std::array<std::string_view, 9> kExtensions{"gltf", "glb", "obj", "3ds", "ply",
+                                                      "stl",  "off", "dae", "fbx"};
+
+bool known(std::string_view extension) {
+  return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
+}
+
+[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& problem,
+                         const std::string& way_out = {}) {
+  throw InputError(file.string(), problem, way_out);
+}
+
+void check_readable(const std::filesystem::path& file) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(file, error);
+  if (status.type() == std::filesystem::file_type::not_found) refuse(file, "no such file");
+  if (error) refuse(file, error.message());
+  if (std::filesystem::is_directory(status)) refuse(file, "is a folder, not a model", "name a file in it");
+  if (!std::filesystem::is_regular_file(status)) refuse(file, "is not a regular file");
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  if (error) refuse(file, error.message());
+  if (size == 0) refuse(file, "is empty");
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (extension.empty() || !known(std::string_view(extension).substr(1))) {
+    std::string list;
+    for (const std::string_view each : kExtensions) list += " ." + std::string(each);
+    refuse(file, "is not a model format that can be read", "formats that can:" + list);
+  }
+}
+
+void keep_known_loaders(Assimp::Importer& importer) {
+  std::vector<Assimp::BaseImporter*> others;
+  for (std::size_t i = 0; i < importer.GetImporterCount(); ++i) {
+    const aiImporterDesc* description = importer.GetImporterInfo(i);
+    std::string_view extensions = description->mFileExtensions;  // separated by blanks
+    bool keep = false;
+    while (!extensions.empty()) {
+      const std::size_t end = std::min(extensions.find(' '), extensions.size());
+      keep = keep || known(extensions.substr(0, end));
+      extensions.remove_prefix(std::min(end + 1, extensions.size()));
+    }
+    if (!keep) others.push_back(importer.GetImporter(i));
+  }
+  // Unregistering leaves the loader's memory to the caller.
+  for (Assimp::BaseImporter* loader : others) {
+    importer.UnregisterLoader(loader);
+    delete loader;
+  }
+}
+
+std::string one_line(std::string text) {
+  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back()))) text.pop_back();
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text.empty() ? "the importer gave no reason" : text;
+}
+
+glm::dmat4 matrix_of(const aiMatrix4x4& m) {
+  return {
+      {m.a1, m.b1, m.c1, m.d1}, {m.a2, m.b2, m.c2, m.d2}, {m.a3, m.b3, m.c3, m.d3}, {m.a4, m.b4, m.c4, m.d4}};
+}
+
+bool finite(const glm::dvec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+struct PlacedMesh {
+  const aiMesh* mesh;
+  glm::dmat4 to_model;
+};
+
+// Every mesh once for each node that shows it.
+std::vector<PlacedMesh> placed_meshes(const aiScene& scene) {
+  struct Visit {
+    const aiNode* node;
+    glm::dmat4 parent;
+  };
+  std::vector<PlacedMesh> placed;
+  std::vector<Visit> stack{{scene.mRootNode, glm::dmat4(1.0)}};
+  while (!stack.empty()) {
+    const Visit visit = stack.back();
+    stack.pop_back();
+    const glm::dmat4 to_model = visit.parent * matrix_of(visit.node->mTransformation);
+    for (unsigned i = 0; i < visit.node->mNumMeshes; ++i) {
+      placed.push_back({scene.mMeshes[visit.node->mMeshes[i]], to_model});
+    }
+    for (unsigned i = 0; i < visit.node->mNumChildren; ++i) {
+      stack.push_back({visit.node->mChildren[i], to_model});
+    }
+  }
+  return placed;
+}
+
+std::size_t triangles_in(const aiMesh& mesh) {
+  return static_cast<std::size_t>(std::count_if(mesh.mFaces, mesh.mFaces + mesh.mNumFaces,
+                                                [](const aiFace& face) { return face.mNumIndices == 3; }));
+}
+
+void append_vertices(ModelFile& model, const PlacedMesh& placed, const std::filesystem::path& file) {
+  const aiMesh& mesh = *placed.mesh;
+  const glm::dmat3 linear(placed.to_model);
+  // A singular transform flattens the mesh; its normals are then derived from the faces.
+  const bool normals = mesh.HasNormals() && glm::determinant(linear) != 0.0;
+  const glm::dmat3 to_normal = normals ? glm::transpose(glm::inverse(linear)) : glm::dmat3(0.0);
+  for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
+    const aiVector3D& p = mesh.mVertices[i];
+    const glm::dvec3 position(placed.to_model * glm::dvec4(p.x, p.y, p.z, 1.0));
+    if (!finite(position)) {
+      refuse(file, "vertex " + std::to_string(i) + " of mesh '" + std::string(mesh.mName.C_Str()) +
+                       "' is not finite");
+    }
+    glm::dvec3 normal(0.0);
+    if (normals) {
+      const aiVector3D& n = mesh.mNormals[i];
+      const glm::dvec3 turned = to_normal * glm::dvec3(n.x, n.y, n.z);
+      const double length = glm::length(turned);
+      if (std::isfinite(length) && length > 1e-12) normal = turned / length;
+    }
+    model.positions.push_back(position);
+    model.normals.push_back(normal);
+  }
+}
+
+void append_triangles(ModelFile& model, const PlacedMesh& placed, std::size_t first,
+                      const std::filesystem::path& file) {
+  const aiMesh& mesh = *placed.mesh;
+  const bool mirrored = glm::determinant(glm::dmat3(placed.to_model)) < 0.0;
+  for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
+    const aiFace& face = mesh.mFaces[i];
+    if (face.mNumIndices != 3) continue;  // points and lines cast no shadow
+    for (const unsigned corner : {0U, mirrored ? 2U : 1U, mirrored ? 1U : 2U}) {
+      const unsigned index = face.mIndices[corner];
+      if (index >= mesh.mNumVertices) {
+        refuse(file, "face " + std::to_string(i) + " of mesh '" + std::string(mesh.mName.C_Str()) +
+                         "' names vertex " + std::to_string(index) + " of " +
+                         std::to_string(mesh.mNumVertices));
+      }
+      model.indices.push_back(static_cast<std::uint32_t>(first + index));
+    }
+  }
+}
+
+}  // namespace
+
+ModelFile read_model_file(const std::filesystem::path& file, std::size_t triangle_limit) {
+  check_readable(file);
+  Assimp::Importer importer;
+  keep_known_loaders(importer);
+  const aiScene* scene =
+      importer.ReadFile(file.string(), aiProcess_ValidateDataStructure | aiProcess_Triangulate);
+  if (scene == nullptr || scene->mRootNode == nullptr) {
+    refuse(file, "cannot be read: " + one_line(importer.GetErrorString()));
+  }
+  const std::vector<PlacedMesh> meshes = placed_meshes(*scene);
+  std::size_t triangles = 0, vertices = 0;
+  for (const PlacedMesh& placed : meshes) {
+    triangles += triangles_in(*placed.mesh);
+    vertices += placed.mesh->mNumVertices;
+  }
+  if (triangles == 0) refuse(file, "has no triangles");
+  if (triangles > triangle_limit || vertices > 3 * triangle_limit) {
+    refuse(file,
+           "has " + std::to_string(triangles) + " triangles and " + std::to_string(vertices) +
+               " vertices; the limit is " + std::to_string(triangle_limit) +
+               " triangles and three times as many vertices",
+           "reduce it, or cut out the part whose shadows matter");
+  }
+  ModelFile model;
+  for (const PlacedMesh& placed : meshes) {
+    const std::size_t first = model.positions.size();
+    append_vertices(model, placed, file);
+    append_triangles(model, placed, first, file);
+  }
+  return model;
+}
+
+}  // namespace penumbra::scene

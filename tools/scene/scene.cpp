@@ -1,0 +1,52 @@
+#include "scene/scene.h"
+
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <limits>
+
+#include "input/input_error.h"
+
+namespace penumbra::scene {
+namespace {
+
+// Directions are derived through sin, cos and square roots, whose last bits differ between machines; 2^-40
+// keeps them unit to 10^-12 and the same everywhere.
+glm::dvec3 rounded_direction(const glm::dvec3& direction) {
+  constexpr double grid = 1099511627776.0;  // 2^40
+  return glm::round(direction * grid) / grid + 0.0;
+}
+
+}  // namespace
+
+parameters::Bounds Scene::bounds() const {
+  if (mesh.positions.empty()) return {glm::dvec3(0.0), glm::dvec3(0.0)};
+  glm::vec3 minimum(std::numeric_limits<float>::infinity());
+  glm::vec3 maximum(-std::numeric_limits<float>::infinity());
+  for (const glm::vec3& position : mesh.positions) {
+    minimum = glm::min(minimum, position);
+    maximum = glm::max(maximum, position);
+  }
+  return {glm::dvec3(minimum), glm::dvec3(maximum)};
+}
+
+glm::dvec3 sunlight(double elevation_degrees, double azimuth_degrees) {
+  if (!(elevation_degrees > 0.0 && elevation_degrees <= 90.0) || !std::isfinite(azimuth_degrees)) {
+    throw InputError("", "the sun's elevation must be above 0 and at most 90 degrees, its azimuth finite",
+                     "a sun below the horizon casts no shadow");
+  }
+  const double elevation = glm::radians(elevation_degrees);
+  const double azimuth = glm::radians(azimuth_degrees);
+  return rounded_direction(-glm::dvec3(std::cos(elevation) * std::sin(azimuth), std::sin(elevation),
+                                       std::cos(elevation) * std::cos(azimuth)));
+}
+
+parameters::Camera camera_looking(const glm::dvec3& position, const glm::dvec3& target) {
+  parameters::Camera camera;
+  camera.position = position;
+  camera.forward = rounded_direction(glm::normalize(target - position));
+  return camera;
+}
+
+}  // namespace penumbra::scene
