@@ -1,0 +1,95 @@
+// Penumbra: the main light's shadow data of Unity's URP, as filters want it.
+//
+// Computes:   cascade, shadow coordinate, receiver plane and tile scales of a world position, from the globals URP
+//             uploads every frame.
+// Source:     the layout of URP 14 to 17: atlas tiles two by two, the atlas half as high with two cascades; matrices
+//             that map world space to atlas UV and stored depth. From M: |row0.xyz| is atlas UV per metre, |row2.xyz|
+//             depth per metre.
+// Inputs:     URP's globals; and ours, set from C# because URP does not always set its own:
+//             _PenumbraMainLightAtlasTexelSize   1/width, 1/height, width, height
+//             _PenumbraMainLightParams           x cascade count, y tan(angularDiameter / 2), z frame index
+// Cost:       no fetches.
+// Guarantees: the only file that names a pipeline's globals. A position beyond the shadow distance, in front of or
+//             behind the map's depth range, or in a cascade URP left without a matrix, is reported as such.
+// Use it:     through Shadows.hlsl. Not: for additional lights.
+#ifndef PENUMBRA_URP_HLSL
+#define PENUMBRA_URP_HLSL
+
+#if !defined(UNIVERSAL_SHADOWS_INCLUDED)
+#include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
+#include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Shadows.hlsl"
+#endif
+
+#include "../Core/CascadeSelection.hlsl"
+#include "../Core/Noise.hlsl"
+#include "../Core/ReceiverPlane.hlsl"
+#include "../Core/ShadowStructs.hlsl"
+
+// The words in these names are what Unity builds inline samplers from.
+SAMPLER_CMP(sampler_PenumbraLinearClampCompare);
+SAMPLER(sampler_PenumbraPointClamp);
+
+float4 _PenumbraMainLightAtlasTexelSize;
+float4 _PenumbraMainLightParams;
+
+struct MainLightShadow
+{
+    bool covered; // false: no map covers the position, it is lit
+    ShadowReceiver receiver;
+    ShadowTile tile;
+};
+
+int MainLightCascade(float3 positionWS, int count)
+{
+    // With one cascade URP leaves the spheres of an earlier frame in place.
+    if (count <= 1) return 0;
+    CascadeSpheres spheres;
+    spheres.centre0 = _CascadeShadowSplitSpheres0.xyz;
+    spheres.centre1 = _CascadeShadowSplitSpheres1.xyz;
+    spheres.centre2 = _CascadeShadowSplitSpheres2.xyz;
+    spheres.centre3 = _CascadeShadowSplitSpheres3.xyz;
+    spheres.squaredRadii = _CascadeShadowSplitSphereRadii;
+    return SelectCascade(positionWS, spheres, count);
+}
+
+ShadowTile MainLightTile(float4x4 worldToShadow, int cascade, int count, float tanHalf)
+{
+    const float2 extent = float2(count > 1 ? 0.5 : 1.0, count > 2 ? 0.5 : 1.0);
+    const float uvPerMetre = length(worldToShadow[0].xyz) / extent.x;
+    const float depthPerMetre = length(worldToShadow[2].xyz);
+    ShadowTile tile;
+    tile.offsetScale = float4(float2(cascade % 2, cascade / 2) * extent, extent);
+    tile.atlasTexelSize = _PenumbraMainLightAtlasTexelSize;
+    tile.uvPerMetre = uvPerMetre;
+    tile.depthPerMetre = depthPerMetre;
+    tile.depthToRadial = tanHalf * uvPerMetre / max(depthPerMetre, 1e-20);
+    tile.radialToDepth = tanHalf > 0.0 ? depthPerMetre / (tanHalf * max(uvPerMetre, 1e-20)) : 0.0;
+    return tile;
+}
+
+// normalWS: the surface's own (not normal-mapped) normal, unit, or 0 where it is not known. pixel: of the screen.
+MainLightShadow PrepareMainLightShadow(float3 positionWS, float3 normalWS, float2 pixel)
+{
+    const int count = min(max(int(_PenumbraMainLightParams.x), 1), 4);
+    const int cascade = MainLightCascade(positionWS, count);
+    const float4x4 worldToShadow = _MainLightWorldToShadow[min(cascade, count - 1)];
+    const float3 shadowCoord = mul(worldToShadow, float4(positionWS, 1.0)).xyz;
+
+    MainLightShadow shadow;
+    // URP fills the slots of missing cascades with a matrix that maps everything to one point.
+    const bool mapped = dot(worldToShadow[0].xyz, worldToShadow[0].xyz) > 0.0;
+    shadow.covered = cascade < count && mapped && shadowCoord.z > 0.0 && shadowCoord.z < 1.0;
+    shadow.receiver.shadowCoord = shadowCoord;
+    shadow.receiver.depthGradient = ReceiverPlaneFromNormal(normalWS, worldToShadow);
+    shadow.receiver.rotation = DiskRotation(pixel, uint(max(_PenumbraMainLightParams.z, 0.0)));
+    shadow.tile = MainLightTile(worldToShadow, min(cascade, count - 1), count, _PenumbraMainLightParams.y);
+    return shadow;
+}
+
+// URP's shadow strength: 0 leaves everything lit.
+float ApplyMainLightStrength(float visibility)
+{
+    return 1.0 + _MainLightShadowParams.x * (visibility - 1.0);
+}
+
+#endif
