@@ -15,15 +15,15 @@ namespace penumbra::study {
 namespace {
 
 constexpr double kWidth = 820.0;
-constexpr double kPanelHeight = 330.0;
+constexpr double kPanelHeight = 340.0;
 constexpr double kTitleHeight = 40.0;
 constexpr double kFont = 13.0;
 // Pixels between a panel's edge and its axes. They are fixed, not gnuplot's choice, so that labels can be
 // placed in pixels beforehand.
-constexpr double kLeft = 74.0;
+constexpr double kLeft = 82.0;
 constexpr double kRight = 20.0;
 constexpr double kTop = 30.0;
-constexpr double kBottom = 52.0;
+constexpr double kBottom = 56.0;
 
 struct Axis {
   double from = 0.0;
@@ -34,6 +34,11 @@ struct Axis {
     if (!logarithmic) return (value - from) / (to - from);
     return std::log(value / from) / std::log(to / from);
   }
+};
+
+struct Spot {  // pixels
+  double x = 0.0;
+  double y = 0.0;
 };
 
 struct Axes {
@@ -108,8 +113,9 @@ class Script {
         "set tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n",
         screen_x(frame.left), screen_x(frame.right), screen_y(frame.top), screen_y(frame.bottom));
     text_ += fmt::format(
-        "set title {} offset 0,-0.6 textcolor '#1b1d21'\nset xlabel {} textcolor '#33363b'\n"
-        "set ylabel {} textcolor '#33363b'\n{}set xrange [{:.9g}:{:.9g}]\nset yrange [{:.9g}:{:.9g}]\n",
+        "set title {} offset 0,-0.6 textcolor '#1b1d21'\nset xlabel {} offset 0,0.4 textcolor '#33363b'\n"
+        "set ylabel {} offset 1.5,0 textcolor '#33363b'\n{}set xrange [{:.9g}:{:.9g}]\nset yrange "
+        "[{:.9g}:{:.9g}]\n",
         gnuplot_string(panel.title), gnuplot_string(chart_.x_label), gnuplot_string(chart_.y_label),
         axes_.x.logarithmic ? "set logscale x\n" : "", axes_.x.from, axes_.x.to, axes_.y.from, axes_.y.to);
     add_labels(panel, frame);
@@ -118,24 +124,51 @@ class Script {
     text_ += "unset label\nunset arrow\n";
   }
 
+  Spot spot(const ChartPoint& point, const Box& frame) const {
+    return {std::lerp(frame.left, frame.right, axes_.x.share(point.x)),
+            std::lerp(frame.bottom, frame.top, axes_.y.share(point.y))};
+  }
+
+  // What labels should keep off: the points, and the steps of the front (across first, then down).
+  std::vector<Box> obstacles(const ChartPanel& panel, const Box& frame) const {
+    constexpr double kPointRadius = 5.0;
+    constexpr double kLineRadius = 2.0;
+    std::vector<Box> boxes;
+    const auto add = [&boxes](Spot from, Spot to, double radius) {
+      boxes.push_back({std::min(from.x, to.x) - radius, std::min(from.y, to.y) - radius,
+                       std::max(from.x, to.x) + radius, std::max(from.y, to.y) + radius});
+    };
+    for (const ChartPoint& point : panel.points) {
+      if (is_drawn(chart_, point)) add(spot(point, frame), spot(point, frame), kPointRadius);
+    }
+    for (std::size_t i = 1; i < panel.front.size(); ++i) {
+      const Spot before = spot(panel.points.at(panel.front[i - 1]), frame);
+      const Spot after = spot(panel.points.at(panel.front[i]), frame);
+      add(before, {after.x, before.y}, kLineRadius);
+      add({after.x, before.y}, after, kLineRadius);
+    }
+    return boxes;
+  }
+
   void add_labels(const ChartPanel& panel, const Box& frame) {
     std::vector<LabelRequest> requests;
-    std::vector<bool> bold;
+    std::vector<bool> on_front;
     for (std::size_t i = 0; i < panel.points.size(); ++i) {
       const ChartPoint& point = panel.points[i];
       if (!is_drawn(chart_, point)) continue;
-      requests.push_back({std::lerp(frame.left, frame.right, axes_.x.share(point.x)),
-                          std::lerp(frame.bottom, frame.top, axes_.y.share(point.y)), point.label});
-      bold.push_back(std::find(panel.front.begin(), panel.front.end(), i) != panel.front.end());
+      const Spot at = spot(point, frame);
+      requests.push_back({at.x, at.y, point.label});
+      on_front.push_back(std::find(panel.front.begin(), panel.front.end(), i) != panel.front.end());
     }
-    const std::vector<PlacedLabel> labels = place_labels(requests, frame, kFont - 1.0);
+    const std::vector<PlacedLabel> labels =
+        place_labels(requests, obstacles(panel, frame), frame, kFont - 1.0);
     for (std::size_t i = 0; i < labels.size(); ++i) {
       const Box& box = labels[i].box;
       const double x = (box.left + box.right) / 2.0;
       const double y = (box.top + box.bottom) / 2.0;
       text_ += fmt::format("set label {} at screen {:.5f},{:.5f} center front font ',{}' textcolor '{}'\n",
                            gnuplot_string(requests[i].text), screen_x(x), screen_y(y), kFont - 1.0,
-                           bold[i] ? "#0b4f8a" : "#55585e");
+                           on_front[i] ? "#0b4f8a" : "#55585e");
       if (!labels[i].needs_line) continue;
       const double end_x = std::clamp(requests[i].x, box.left, box.right);
       const double end_y = std::clamp(requests[i].y, box.top, box.bottom);

@@ -9,8 +9,6 @@
 namespace penumbra::study {
 namespace {
 
-constexpr double kPointRadius = 5.0;
-
 double area(const Box& box) {
   return std::max(box.right - box.left, 0.0) * std::max(box.bottom - box.top, 0.0);
 }
@@ -27,14 +25,11 @@ Box box_at(const LabelRequest& request, double angle, double distance, double fo
   return {x - width / 2.0, y - height / 2.0, x + width / 2.0, y + height / 2.0};
 }
 
-double cost(const Box& box, const std::vector<PlacedLabel>& placed, const std::vector<LabelRequest>& points,
+double cost(const Box& box, const std::vector<PlacedLabel>& placed, const std::vector<Box>& obstacles,
             const Box& frame) {
   double covered = 4.0 * (area(box) - overlap_area(box, frame));
   for (const PlacedLabel& other : placed) covered += overlap_area(box, other.box);
-  for (const LabelRequest& point : points) {
-    covered += 2.0 * overlap_area(box, {point.x - kPointRadius, point.y - kPointRadius,
-                                        point.x + kPointRadius, point.y + kPointRadius});
-  }
+  for (const Box& obstacle : obstacles) covered += 2.0 * overlap_area(box, obstacle);
   return covered;
 }
 
@@ -45,7 +40,8 @@ double overlap_area(const Box& a, const Box& b) {
                std::min(a.bottom, b.bottom)});
 }
 
-std::vector<PlacedLabel> place_labels(const std::vector<LabelRequest>& requests, const Box& frame,
+std::vector<PlacedLabel> place_labels(const std::vector<LabelRequest>& requests,
+                                      const std::vector<Box>& obstacles, const Box& frame,
                                       double font_pixels) {
   constexpr std::array kDistances = {9.0, 16.0, 28.0, 44.0, 64.0, 90.0};
   constexpr int kDirections = 16;
@@ -57,7 +53,7 @@ std::vector<PlacedLabel> place_labels(const std::vector<LabelRequest>& requests,
       for (int i = 0; i < kDirections; ++i) {
         const double angle = 2.0 * std::numbers::pi * i / kDirections;
         const Box box = box_at(request, angle, distance, font_pixels);
-        const double here = cost(box, placed, requests, frame);
+        const double here = cost(box, placed, obstacles, frame);
         if (here < least - 1e-9) {
           least = here;
           best = {box, distance > 20.0};

@@ -27,9 +27,10 @@ struct PlacedLabel {
 double overlap_area(const Box& a, const Box& b);
 
 // Greedy, in the order given: each label takes, of places on rings around its point, the one that covers
-// least of labels placed before it, of all points, and of what lies outside the frame; near places win ties.
-// The same input gives the same places.
-std::vector<PlacedLabel> place_labels(const std::vector<LabelRequest>& requests, const Box& frame,
+// least of labels placed before it, of the obstacles (points, lines), and of what lies outside the frame;
+// near places win ties. The same input gives the same places.
+std::vector<PlacedLabel> place_labels(const std::vector<LabelRequest>& requests,
+                                      const std::vector<Box>& obstacles, const Box& frame,
                                       double font_pixels);
 
 }  // namespace penumbra::study

@@ -160,7 +160,8 @@ std::vector<Headline> headlines(const Results& results) {
     if (entry.rmse <= 1.1 * best.rmse && less_cost(entry, *bargain)) bargain = &entry;
   }
   const auto cost = [](const Overall& entry) {
-    return fmt::format("{:.3g} fetches per pixel", entry.fetches);
+    const std::string count = fmt::format("{:.3g}", entry.fetches);
+    return count + (count == "1" ? " fetch per pixel" : " fetches per pixel");
   };
   return {
       {fmt::format("{:.3f}", best.rmse), "lowest penumbra error (RMSE)",

@@ -1,0 +1,97 @@
+#include "study/synthetic_study.h"
+
+#include <algorithm>
+
+#include "study/colour_map.h"
+
+namespace penumbra::study::synthetic {
+namespace {
+
+Record record(const std::string& scene, const std::string& technique, double light, int rank) {
+  Record record;
+  record.scene = scene;
+  record.technique = technique;
+  record.title = "Title of " + technique;
+  record.parameters = {{"samples", {4.0 * rank, 0.5}}, {"floor", {1.25}}};
+  record.light_degrees = light;
+  record.map_size = 2048;
+  record.map_format = "D32";
+  record.cascades = 4;
+  record.device = "made-up device";
+  const double error = 0.25 / (rank + 1.0) + 0.01 * light + (scene == "fence" ? 0.02 : 0.0);
+  Metrics& metrics = record.metrics;
+  metrics.pixels = 129600;
+  metrics.penumbra_pixels = 9000;
+  metrics.seeds = 16;
+  metrics.rmse_penumbra = error;
+  metrics.rmse_all = error / 3.0;
+  metrics.bias = -0.1 * error;
+  metrics.variance = error * error / 7.0;
+  metrics.p99 = 2.0 * error;
+  metrics.max_error = 3.0 * error;
+  metrics.leak_rate = 0.001;
+  metrics.false_shadow_rate = 0.002;
+  metrics.fetches_mean = 1.0 + 9.0 * rank;
+  metrics.fetches_p95 = 2.0 + 15.0 * rank;
+  metrics.fetches_penumbra_mean = 1.5 + 14.0 * rank;
+  metrics.split = {ErrorShare{0.01, 0.05}, ErrorShare{-0.02, 0.06}, std::nullopt};
+  record.time = Timing{1.0 / 3.0 + rank, 0.1};
+  record.reference = {"ray-traced disc light", 1024, 0.004};
+  return record;
+}
+
+}  // namespace
+
+Results results(const std::vector<std::string>& techniques) {
+  Results results;
+  results.library_version = "0.1.0";
+  results.command = "penumbra measure --seed 1";
+  results.hardware = "made-up processor, 2 cores";
+  results.device = "made-up device";
+  results.driver = "made-up driver 1.2";
+  for (const char* scene : {"boxes", "fence"}) {
+    for (std::size_t rank = 0; rank < techniques.size(); ++rank) {
+      for (const double light : {0.53, 2.0}) {
+        results.records.push_back(record(scene, techniques[rank], light, static_cast<int>(rank)));
+      }
+    }
+  }
+  return results;
+}
+
+Results results() {
+  return results({"bilinear", "tent-5x5", "pcss-24-16", "pcss-64-64"});
+}
+
+PictureRow picture_row(const std::string& scene, const std::string& technique) {
+  constexpr int kWidth = 48;
+  constexpr int kHeight = 24;
+  std::vector<std::uint8_t> valid(kWidth * kHeight, 1);
+  std::vector<float> reference(valid.size());
+  std::vector<float> result(valid.size());
+  std::vector<std::uint32_t> fetches(valid.size());
+  for (std::size_t i = 0; i < valid.size(); ++i) {
+    const auto x = static_cast<float>(i % kWidth);
+    reference[i] = std::clamp((x - 16.0F) / 16.0F, 0.0F, 1.0F);
+    result[i] = std::clamp((x - 20.0F) / 8.0F, 0.0F, 1.0F);
+    fetches[i] = x > 12.0F && x < 36.0F ? 40U : 4U;
+    if (i < kWidth * 4) valid[i] = 0;  // sky
+  }
+  const PixelGrid grid{kWidth, kHeight, valid};
+  PictureRow row{scene, technique, 2.0, {}, {}, {}, {}};
+  row.reference = visibility_picture(grid, reference);
+  row.result = visibility_picture(grid, result);
+  row.error = error_picture(grid, result, reference, row.error_scale);
+  row.fetches = fetch_picture(grid, fetches, row.fetch_scale);
+  return row;
+}
+
+ReportContent report_content() {
+  ReportContent content;
+  content.results = results();
+  content.charts = report_charts(content.results);
+  content.pictures.push_back(picture_row("boxes", "pcss-24-16"));
+  return content;
+}
+
+}  // namespace penumbra::study::synthetic

@@ -1,0 +1,23 @@
+// A small study made up by formula: enough of every kind of content to try reports, charts and tables on.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "study/report.h"
+#include "study/results.h"
+
+namespace penumbra::study::synthetic {
+
+// Two scenes, the given techniques, lights 0.53 and 2 degrees, on a software device. Errors fall and fetches
+// rise from each technique to the next.
+Results results(const std::vector<std::string>& techniques);
+Results results();
+
+// Images of an edge with a 16-pixel penumbra, 48 x 24, made visible through the real colour maps.
+PictureRow picture_row(const std::string& scene, const std::string& technique);
+
+// results() with one row of pictures and both charts.
+ReportContent report_content();
+
+}  // namespace penumbra::study::synthetic

@@ -1,0 +1,84 @@
+#include "study/picture_sheet.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "study/colour_map.h"
+#include "study/composition.h"
+#include "study/summary.h"
+
+namespace penumbra::study {
+namespace {
+
+std::vector<CaptionedPicture> captioned(const PictureRow& row) {
+  const std::string scene = fmt::format("{}, light {} deg", row.scene, row.light_degrees);
+  return {
+      {scene + ": ray traced", row.reference,
+       Legend{ramp_strip(visibility_colour, 0.0, 1.0), "shadow", "lit"}},
+      {row.technique, row.result, Legend{ramp_strip(visibility_colour, 0.0, 1.0), "shadow", "lit"}},
+      {"signed error", row.error,
+       Legend{ramp_strip(error_colour, -1.0, 1.0), fmt::format("-{} too dark", row.error_scale),
+              fmt::format("+{} too bright", row.error_scale)}},
+      {"fetches", row.fetches,
+       Legend{ramp_strip(fetch_colour, 0.0, 1.0), "0", fmt::format("{}", row.fetch_scale)}},
+  };
+}
+
+std::string best_technique(const Results& results) {
+  double lowest = std::numeric_limits<double>::infinity();
+  std::string best;
+  for (const Choice& choice : choices(results)) {
+    double sum = 0.0;
+    int lines = 0;
+    for (const SummaryLine& line : summarise(results)) {
+      if (!(line.choice == choice) || !line.rmse_penumbra) continue;
+      sum += *line.rmse_penumbra;
+      ++lines;
+    }
+    if (lines > 0 && sum / lines < lowest) {
+      lowest = sum / lines;
+      best = choice.technique;
+    }
+  }
+  return best;
+}
+
+double light_nearest(const Results& results, double degrees) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const double light : light_sizes(results)) {
+    if (std::abs(light - degrees) < std::abs(nearest - degrees)) nearest = light;
+  }
+  return nearest;
+}
+
+}  // namespace
+
+Picture side_by_side(const PictureRow& row) {
+  return compose(captioned(row), 2);
+}
+
+std::string file_stem(const PictureRow& row) {
+  std::string stem = fmt::format("{}_{}_{}", row.scene, row.technique, row.light_degrees);
+  for (char& c : stem) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                       c == '-' || c == '_' || c == '.';
+    if (!plain) c = '-';
+  }
+  return stem;
+}
+
+Picture overview(const Results& results, const std::vector<PictureRow>& pictures, std::size_t most_scenes) {
+  const std::string technique = best_technique(results);
+  const double degrees = light_nearest(results, 2.0);
+  std::vector<CaptionedPicture> rows;
+  for (const PictureRow& row : pictures) {
+    if (row.technique != technique || row.light_degrees != degrees || rows.size() >= 4 * most_scenes)
+      continue;
+    for (CaptionedPicture& picture : captioned(row)) rows.push_back(std::move(picture));
+  }
+  return rows.empty() ? Picture{} : compose(rows, 4);
+}
+
+}  // namespace penumbra::study

@@ -1,0 +1,22 @@
+// A record's four pictures as one: reference, result, signed error, fetches, with captions and legends.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "study/picture.h"
+#include "study/report.h"
+#include "study/results.h"
+
+namespace penumbra::study {
+
+Picture side_by_side(const PictureRow& row);
+
+// "<scene>_<technique>_<degrees>", with what file systems dislike replaced.
+std::string file_stem(const PictureRow& row);
+
+// One row per scene of the technique with the lowest mean error, at the light nearest 2 degrees: the picture
+// a README shows. Empty (no samples) without a record.
+Picture overview(const Results& results, const std::vector<PictureRow>& pictures, std::size_t most_scenes);
+
+}  // namespace penumbra::study

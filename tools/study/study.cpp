@@ -1,0 +1,277 @@
+#include "study/study.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "input/input_error.h"
+#include "platform/interrupt.h"
+#include "reference/reference_cache.h"
+#include "reference/same_map_estimate.h"
+#include "reference/trace_visibility.h"
+#include "resolve/resolve.h"
+#include "scene/content_hash.h"
+#include "study/colour_map.h"
+#include "study/metrics.h"
+
+namespace penumbra::study {
+namespace {
+
+using reference::VisibilityImage;
+
+// Version of what is stored under unlimited_key: raise it when the meaning of T3 changes.
+constexpr int kUnlimitedVersion = 1;
+constexpr int kUnlimitedSeeds = 4;  // rotations averaged: thousands of taps leave little for them to do
+
+constexpr double kErrorScale = 0.5;
+constexpr double kFetchScale = 64.0;
+
+struct PreparedSubject {
+  const Subject* subject;
+  resolve::CompiledShadowShader shader;
+  std::optional<resolve::CompiledShadowShader> unlimited;
+};
+
+// Everything known about one scene under one light before the first subject is asked.
+struct Stage {
+  const scene::Scene& scene;
+  scene::Frame frame;
+  VisibilityImage t1;
+  std::optional<VisibilityImage> t2;
+  std::string key;  // of scene, light, map and receivers
+};
+
+std::string map_format_name(scene::DepthFormat format) {
+  switch (format) {
+    case scene::DepthFormat::d16:
+      return "D16";
+    case scene::DepthFormat::d24:
+      return "D24";
+    case scene::DepthFormat::d32:
+      break;
+  }
+  return "D32";
+}
+
+std::string stage_key(const scene::Scene& scene, const scene::Frame& frame) {
+  scene::ContentHash hash;
+  hash.update(scene::content_hash(scene)).update(frame.settings.angular_diameter_degrees);
+  hash.update(std::span<const std::byte>(frame.atlas.texels));
+  hash.update(std::span<const glm::vec4>(frame.receivers.position_ws));
+  hash.update(std::span<const glm::vec4>(frame.receivers.normal_ws));
+  return hash.hex();
+}
+
+std::string unlimited_key(const Stage& stage, const resolve::CompiledShadowShader& shader) {
+  scene::ContentHash hash;
+  hash.update(kUnlimitedVersion).update(stage.key).update(std::span<const std::uint32_t>(shader.plain));
+  hash.update(shader.source.parameters.fingerprint());
+  return hash.hex();
+}
+
+std::vector<float> mean_image(const std::vector<std::vector<float>>& images) {
+  std::vector<float> mean(images.front().size());
+  for (std::size_t i = 0; i < mean.size(); ++i) {
+    double sum = 0.0;
+    for (const std::vector<float>& image : images) sum += image[i];
+    mean[i] = static_cast<float>(sum / static_cast<double>(images.size()));
+  }
+  return mean;
+}
+
+VisibilityImage unlimited_answer(const gpu::Device& device, const resolve::FrameOnDevice& frame,
+                                 const Stage& stage, const resolve::CompiledShadowShader& shader,
+                                 const reference::ReferenceCache& cache) {
+  const std::string key = unlimited_key(stage, shader);
+  if (std::optional<VisibilityImage> kept = cache.find(key)) return *std::move(kept);
+  resolve::ResolveOptions options;
+  options.noise_seeds = kUnlimitedSeeds;
+  options.timing_repeats = 0;
+  options.count_fetches = false;
+  VisibilityImage answer;
+  answer.width = frame.width();
+  answer.height = frame.height();
+  answer.visibility = mean_image(resolve::resolve(device, frame, shader, options).visibility);
+  answer.valid = stage.t1.valid;
+  answer.samples = kUnlimitedSeeds;
+  cache.store(key, answer);
+  return answer;
+}
+
+PictureRow pictures(const Stage& stage, const Subject& subject, const resolve::ResolveResult& result) {
+  const PixelGrid grid{stage.t1.width, stage.t1.height, stage.t1.valid};
+  PictureRow row;
+  row.scene = stage.scene.name;
+  row.technique = subject.name;
+  row.light_degrees = stage.frame.settings.angular_diameter_degrees;
+  row.reference = visibility_picture(grid, stage.t1.visibility);
+  row.result = visibility_picture(grid, result.visibility.front());
+  row.error = error_picture(grid, result.visibility.front(), stage.t1.visibility, kErrorScale);
+  row.fetches = fetch_picture(grid, result.fetches, kFetchScale);
+  row.error_scale = kErrorScale;
+  row.fetch_scale = kFetchScale;
+  return row;
+}
+
+Metrics metrics_of(const Stage& stage, const resolve::ResolveResult& result,
+                   const std::optional<VisibilityImage>& unlimited) {
+  MeasuredImages images;
+  images.t1 = stage.t1.visibility;
+  images.valid = stage.t1.valid;
+  for (const std::vector<float>& image : result.visibility) images.results.emplace_back(image);
+  images.fetches.emplace_back(result.fetches);
+  if (stage.t2) {
+    images.t2 = stage.t2->visibility;
+    images.t3 = unlimited ? std::span<const float>(unlimited->visibility) : images.results.front();
+  }
+  return measure(images);
+}
+
+class Study {
+ public:
+  Study(const gpu::Device& device, const std::vector<Subject>& subjects, const StudySettings& settings,
+        const StudyProgress& progress)
+      : device_(device), settings_(settings), progress_(progress), cache_(settings.cache) {
+    prepare(subjects);
+  }
+
+  StudyOutcome run() {
+    for (const scene::Scene& scene : settings_.scenes) {
+      for (const double degrees : settings_.light_degrees) {
+        const Stage stage = set_stage(scene, degrees);
+        const resolve::FrameOnDevice frame(device_, stage.frame);
+        for (std::size_t i = 0; i < subjects_.size(); ++i) {
+          progress_(label(stage) + ", " + subjects_[i].subject->name, static_cast<double>(i),
+                    static_cast<double>(subjects_.size()), " techniques");
+          measure_subject(stage, frame, subjects_[i]);
+          platform::throw_if_interrupted();
+        }
+      }
+    }
+    return std::move(outcome_);
+  }
+
+ private:
+  void prepare(const std::vector<Subject>& subjects) {
+    for (std::size_t i = 0; i < subjects.size(); ++i) {
+      const Subject& subject = subjects[i];
+      progress_("compiling " + subject.name, static_cast<double>(i), static_cast<double>(subjects.size()),
+                " techniques");
+      PreparedSubject prepared{&subject, resolve::compile(subject.shader), std::nullopt};
+      if (settings_.split_error && subject.unlimited)
+        prepared.unlimited = resolve::compile(*subject.unlimited);
+      subjects_.push_back(std::move(prepared));
+      platform::throw_if_interrupted();
+    }
+  }
+
+  static std::string label(const Stage& stage) {
+    std::string degrees = std::to_string(stage.frame.settings.angular_diameter_degrees);
+    degrees.erase(degrees.find_last_not_of('0') + 1);
+    if (degrees.back() == '.') degrees.pop_back();
+    return stage.scene.name + " at " + degrees + " degrees";
+  }
+
+  Stage set_stage(const scene::Scene& scene, double degrees) {
+    scene::FrameSettings frame_settings = settings_.frame;
+    frame_settings.angular_diameter_degrees = degrees;
+    frame_settings.shadows.distance_metres = scene.shadow_distance_metres;
+    Stage stage{scene, scene::rasterise(device_, scene, frame_settings), {}, {}, {}};
+    stage.key = stage_key(scene, stage.frame);
+
+    const parameters::Light light{scene.light_direction, degrees};
+    const reference::TraceOptions trace{settings_.reference_samples, settings_.seed};
+    stage.t1 = reference::trace_visibility(scene, stage.frame.receivers, light, trace,
+                                           run_options("ray tracing " + label(stage), " rays"), &cache_);
+    if (settings_.split_error) {
+      stage.t2 = reference::same_map_estimate(
+          {stage.frame.atlas, stage.frame.cascades, stage.frame.receivers, scene.origin},
+          run_options("same-map estimate, " + label(stage), " points"), &cache_);
+    }
+    return stage;
+  }
+
+  reference::RunOptions run_options(const std::string& stage, const std::string& unit) const {
+    reference::RunOptions options;
+    options.jobs = settings_.jobs;
+    options.progress = [this, stage, unit](double done, double total) {
+      progress_(stage, done, total, unit);
+    };
+    return options;
+  }
+
+  void measure_subject(const Stage& stage, const resolve::FrameOnDevice& frame,
+                       const PreparedSubject& prepared) {
+    resolve::ResolveOptions options;
+    options.noise_seeds = settings_.noise_seeds;
+    options.timing_repeats = settings_.timing_repeats;
+    const resolve::ResolveResult result = resolve::resolve(device_, frame, prepared.shader, options);
+    std::optional<VisibilityImage> unlimited;
+    if (prepared.unlimited) unlimited = unlimited_answer(device_, frame, stage, *prepared.unlimited, cache_);
+
+    const Subject& subject = *prepared.subject;
+    Record record;
+    record.scene = stage.scene.name;
+    record.technique = subject.name;
+    record.title = subject.title;
+    record.parameters = subject.parameters;
+    record.light_degrees = stage.frame.settings.angular_diameter_degrees;
+    record.map_size = stage.frame.atlas.width;
+    record.map_format = map_format_name(stage.frame.atlas.format);
+    record.cascades = static_cast<int>(stage.frame.cascades.cascades.size());
+    record.device = device_.info().name;
+    record.metrics = metrics_of(stage, result, unlimited);
+    std::vector<double> milliseconds = result.time_ns;
+    for (double& time : milliseconds) time *= 1e-6;
+    record.time = summarise(std::move(milliseconds));
+    record.reference = {"ray-traced disc light", stage.t1.samples, stage.t1.noise_floor};
+    outcome_.records.push_back(std::move(record));
+    outcome_.pictures.push_back(pictures(stage, subject, result));
+    note_unset(subject, result);
+  }
+
+  void note_unset(const Subject& subject, const resolve::ResolveResult& result) {
+    if (result.unset_uniforms.empty()) return;
+    std::string note = subject.name + " reads uniforms nobody provides, as zero:";
+    for (const std::string& name : result.unset_uniforms) note += " " + name;
+    if (std::find(outcome_.notes.begin(), outcome_.notes.end(), note) == outcome_.notes.end()) {
+      outcome_.notes.push_back(std::move(note));
+    }
+  }
+
+  const gpu::Device& device_;
+  const StudySettings& settings_;
+  const StudyProgress& progress_;
+  reference::ReferenceCache cache_;
+  std::vector<PreparedSubject> subjects_;
+  StudyOutcome outcome_;
+};
+
+}  // namespace
+
+Subject technique_subject(const shaders::TechniqueList& list, const std::string& name, bool reversed_z) {
+  const shaders::Technique& technique = list.find(name);
+  Subject subject;
+  subject.name = technique.name;
+  subject.title = technique.title;
+  subject.parameters = technique.values;
+  subject.shader = resolve::technique_shader(list, technique, resolve::Taps::as_listed, reversed_z);
+  if (!technique.unlimited.empty()) {
+    subject.unlimited = resolve::technique_shader(list, technique, resolve::Taps::unlimited, reversed_z);
+  }
+  return subject;
+}
+
+Subject adapter_subject(const resolve::Adapter& adapter, bool reversed_z) {
+  Subject subject;
+  subject.name = adapter.name;
+  subject.title = adapter.name + " (" + adapter.file.filename().string() + ")";
+  subject.shader = resolve::adapter_shader(adapter, reversed_z);
+  return subject;
+}
+
+StudyOutcome run_study(const gpu::Device& device, const std::vector<Subject>& subjects,
+                       const StudySettings& settings, const StudyProgress& progress) {
+  return Study(device, subjects, settings, progress).run();
+}
+
+}  // namespace penumbra::study

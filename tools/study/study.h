@@ -1,0 +1,66 @@
+// A study: subjects (techniques, users' own functions) over scenes and lights, each measured against ray
+// tracing on the same frame.
+//
+// Per scene and light: the frame is rasterised once; T1 is ray-traced and T2 estimated once, both kept on
+// disk; every subject is resolved for each noise seed, counted and timed; T3 is the subject with unlimited
+// samples, kept on disk too. Nothing here prints.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gpu/device.h"
+#include "resolve/shadow_shader.h"
+#include "scene/frame.h"
+#include "scene/scene.h"
+#include "shaders/technique_list.h"
+#include "study/report.h"
+#include "study/results.h"
+
+namespace penumbra::study {
+
+struct Subject {
+  std::string name;
+  std::string title;
+  std::map<std::string, std::vector<double>> parameters;
+  resolve::ShadowShader shader;
+  std::optional<resolve::ShadowShader> unlimited;  // absent: the subject takes no samples and is its own T3
+};
+
+Subject technique_subject(const shaders::TechniqueList& list, const std::string& name, bool reversed_z);
+Subject adapter_subject(const resolve::Adapter& adapter, bool reversed_z);
+
+struct StudySettings {
+  std::vector<scene::Scene> scenes;
+  std::vector<double> light_degrees;
+  scene::FrameSettings frame;  // the light and the shadow distance are set per scene and light
+  int reference_samples = 1024;
+  std::uint64_t seed = 1;
+  int noise_seeds = 16;
+  int timing_repeats = 5;
+  bool split_error = true;  // T2 and T3
+  int jobs = 0;
+  std::filesystem::path cache;  // empty: the user's cache folder
+};
+
+// stage names what is being done; done and total are of the stage, in `unit`.
+using StudyProgress =
+    std::function<void(std::string_view stage, double done, double total, std::string_view unit)>;
+
+struct StudyOutcome {
+  std::vector<Record> records;
+  std::vector<PictureRow> pictures;  // of every record
+  std::vector<std::string> notes;    // uniforms nobody provides, and the like
+};
+
+// Throws InputError for shaders that do not compile, platform::Interrupted when the user stops; answers that
+// were finished are kept either way.
+StudyOutcome run_study(const gpu::Device& device, const std::vector<Subject>& subjects,
+                       const StudySettings& settings, const StudyProgress& progress);
+
+}  // namespace penumbra::study
