@@ -25,6 +25,7 @@ int run(int argc, char** argv) {
   app.footer("Exit codes: 0 success, 1 findings, 2 bad usage or input, 3 missing device or package.");
 
   penumbra::cli::Context context;
+  context.arguments.assign(argv + 1, argv + argc);
   app.add_flag("-q,--quiet", context.quiet, "No progress and no notes on stderr");
   app.fallthrough();
   penumbra::cli::add_constants(app, context);

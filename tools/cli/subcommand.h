@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace penumbra::cli {
 
@@ -14,7 +15,8 @@ enum ExitCode { success = 0, findings = 1, bad_input = 2, bad_environment = 3, i
 
 struct Context {
   bool quiet = false;
-  int exit_code = success;  // a subcommand that found something sets findings
+  std::vector<std::string> arguments;  // as typed, without the program's name
+  int exit_code = success;             // a subcommand that found something sets findings
 };
 
 // Writes to standard output when `file` is empty or "-", else atomically to the file.

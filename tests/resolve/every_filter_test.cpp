@@ -1,0 +1,268 @@
+// What every filter of techniques.json must do, whatever it is given: the right answer where there is one, no
+// NaN, nothing outside [0, 1], nothing learnt from outside the tile.
+#include <gmock/gmock.h>
+
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <memory>
+
+#include "resolve/resolve.h"
+#include "resolve/synthetic_frame.h"
+#include "resolve/test_device.h"
+
+namespace penumbra::resolve {
+namespace {
+
+using testing_frames::FrameSetup;
+using testing_frames::TexelDepth;
+using testing_frames::TilePoint;
+
+const auto* const kSilentValidation = testing::AddGlobalTestEnvironment(new SilentValidation);
+
+constexpr int kColumns = 24;
+
+struct Case {
+  std::string technique;
+  bool reversed_z;
+};
+
+std::vector<Case> all_cases() {
+  std::vector<Case> cases;
+  for (const shaders::Technique& technique : library_techniques().techniques) {
+    cases.push_back({technique.name, true});
+    cases.push_back({technique.name, false});
+  }
+  return cases;
+}
+
+class EveryFilter : public testing::TestWithParam<Case> {
+ protected:
+  FrameSetup setup(int cascades = 4, int cascade = 1) const {
+    FrameSetup setup;
+    setup.shadows.cascades = cascades;
+    setup.shadows.resolution = 256;
+    setup.shadows.reversed_z = GetParam().reversed_z;
+    setup.light.angular_diameter_degrees = 2.0;
+    setup.cascade = cascade;
+    return setup;
+  }
+
+  float nearest() const { return testing_frames::nearest_depth(GetParam().reversed_z); }
+  float farthest() const { return testing_frames::farthest_depth(GetParam().reversed_z); }
+  // Stored depth at `distance` from the light's end of the tile, 0 .. 1.
+  double depth(double distance) const { return GetParam().reversed_z ? 1.0 - distance : distance; }
+
+  // A grid over the whole tile, its edges and corners included, at one depth.
+  static std::vector<TilePoint> grid(double depth) {
+    std::vector<TilePoint> points;
+    for (int y = 0; y < kColumns; ++y) {
+      for (int x = 0; x < kColumns; ++x) {
+        points.emplace_back(x / (kColumns - 1.0), y / (kColumns - 1.0), depth);
+      }
+    }
+    return points;
+  }
+
+  std::vector<float> visibility(const scene::Frame& frame, const UniformValues& parameters = {}) const {
+    // Pipelines are kept: building one costs more than running it.
+    static std::map<std::string, std::unique_ptr<ResolvePass>> passes;
+    const std::string key = GetParam().technique + (GetParam().reversed_z ? " reversed" : " conventional");
+    std::unique_ptr<ResolvePass>& pass = passes[key];
+    if (pass == nullptr) {
+      const shaders::Technique& technique = library_techniques().find(GetParam().technique);
+      pass = std::make_unique<ResolvePass>(
+          test_device(),
+          compile(technique_shader(library_techniques(), technique, Taps::as_listed, GetParam().reversed_z)));
+    }
+    const FrameOnDevice on_device(test_device(), frame);
+    pass->bind(on_device);
+    UniformValues all =
+        technique_shader(library_techniques(), library_techniques().find(GetParam().technique)).parameters;
+    all.merge(parameters);
+    pass->set_parameters(all);
+    pass->run(0);
+    return on_device.visibility().download<float>();
+  }
+
+  std::vector<float> visibility(const FrameSetup& setup, const TexelDepth& map,
+                                const std::vector<TilePoint>& receivers,
+                                const UniformValues& parameters = {}) const {
+    return visibility(testing_frames::make_frame(setup, map, receivers, kColumns), parameters);
+  }
+
+  void expect_all(const std::vector<float>& seen, float wanted, const std::string& what) const {
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      ASSERT_EQ(seen[i], wanted) << what << ": receiver " << i % kColumns << ", " << i / kColumns;
+    }
+  }
+
+  void expect_in_range(const std::vector<float>& seen, const std::string& what) const {
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      ASSERT_TRUE(seen[i] >= 0.0f && seen[i] <= 1.0f)
+          << what << ": " << seen[i] << " at receiver " << i % kColumns << ", " << i / kColumns;
+    }
+  }
+
+  // A map with structure at every scale: hash of the texel, some near, some far.
+  static float rough_depth(double u, double v, int tile) {
+    const auto bits = static_cast<std::uint32_t>(u * 9973.0) * 2654435761u +
+                      static_cast<std::uint32_t>(v * 7919.0) * 2246822519u + static_cast<std::uint32_t>(tile);
+    return static_cast<float>((bits ^ (bits >> 15)) % 1000) / 999.0f;
+  }
+
+  // Sets the field of whatever parameter struct the technique has, if it has it.
+  UniformValues with_counts(int count) const {
+    UniformValues values;
+    const shaders::Technique& technique = library_techniques().find(GetParam().technique);
+    for (const shaders::TechniquePass& pass : technique.chain) {
+      const shaders::ParameterStruct* fields = library_techniques().find_struct(pass.parameters);
+      if (fields == nullptr) continue;
+      for (const shaders::ParameterField& field : fields->fields) {
+        const bool is_count = field.type == "int" && field.name.find("ount") != std::string::npos;
+        if (is_count) values.set("_Penumbra" + fields->name + "_" + field.name, count);
+      }
+    }
+    return values;
+  }
+};
+
+TEST_P(EveryFilter, IsExactlyLitWithoutBlockers) {
+  for (int cascades = 1; cascades <= 4; ++cascades) {
+    for (int cascade = 0; cascade < cascades; ++cascade) {
+      const auto map = [this](double, double, int) { return farthest(); };
+      expect_all(visibility(setup(cascades, cascade), map, grid(depth(0.5))), 1.0f,
+                 "cascade " + std::to_string(cascade) + " of " + std::to_string(cascades));
+    }
+  }
+}
+
+TEST_P(EveryFilter, IsExactlyDarkBehindAWall) {
+  // The wall stands just in front, so that its penumbra is narrow and the tile's edge is far away in it.
+  const auto map = [this](double, double, int) { return static_cast<float>(depth(0.49)); };
+  expect_all(visibility(setup(), map, grid(depth(0.5))), 0.0f, "near wall");
+  const auto nearest_map = [this](double, double, int) { return nearest(); };
+  expect_all(visibility(setup(), nearest_map, grid(depth(0.5))), 0.0f, "wall at the near plane");
+}
+
+TEST_P(EveryFilter, LightsASurfaceThatIsItsOwnCaster) {
+  // A plane facing the light casts its own depth; a hair of bias, as the caster pass gives, lights it.
+  const auto map = [this](double, double, int) { return static_cast<float>(depth(0.5001)); };
+  expect_all(visibility(setup(), map, grid(depth(0.5))), 1.0f, "own surface");
+}
+
+TEST_P(EveryFilter, StaysInRangeAtDepthZeroAndOne) {
+  for (const double receiver : {0.0, 1.0}) {
+    expect_in_range(visibility(setup(), rough_depth, grid(receiver)), "depth " + std::to_string(receiver));
+  }
+  const auto empty = [this](double, double, int) { return farthest(); };
+  expect_all(visibility(setup(), empty, grid(depth(0.0))), 1.0f, "receiver at the near plane");
+}
+
+TEST_P(EveryFilter, StaysInRangeWithOneSampleAndWithSixtyFour) {
+  for (const int count : {1, 64}) {
+    expect_in_range(visibility(setup(), rough_depth, grid(depth(0.6)), with_counts(count)),
+                    std::to_string(count) + " samples");
+    const auto empty = [this](double, double, int) { return farthest(); };
+    expect_all(visibility(setup(), empty, grid(depth(0.6)), with_counts(count)), 1.0f, "empty map");
+    const auto wall = [this](double, double, int) { return static_cast<float>(depth(0.59)); };
+    expect_all(visibility(setup(), wall, grid(depth(0.6)), with_counts(count)), 0.0f, "wall");
+  }
+}
+
+TEST_P(EveryFilter, StaysInRangeWithCountsThatMakeNoSense) {
+  for (const int count : {0, -5, 1000000}) {
+    expect_in_range(visibility(setup(), rough_depth, grid(depth(0.6)), with_counts(count)),
+                    std::to_string(count) + " samples");
+  }
+}
+
+TEST_P(EveryFilter, StaysRightAtAngularDiameterZeroAndThirty) {
+  for (const double degrees : {0.0, 30.0}) {
+    FrameSetup wide = setup();
+    wide.light.angular_diameter_degrees = degrees;
+    expect_in_range(visibility(wide, rough_depth, grid(depth(0.6))), std::to_string(degrees));
+    const auto empty = [this](double, double, int) { return farthest(); };
+    expect_all(visibility(wide, empty, grid(depth(0.6))), 1.0f, "empty map");
+    const auto wall = [this](double, double, int) { return static_cast<float>(depth(0.599)); };
+    expect_all(visibility(wide, wall, grid(depth(0.6))), 0.0f, "wall");
+  }
+}
+
+TEST_P(EveryFilter, StaysRightWithTheSunTwoDegreesUp) {
+  FrameSetup low = setup();
+  low.light.direction = {std::cos(0.035), -std::sin(0.035), 0.0};
+  scene::Frame frame = testing_frames::make_frame(low, rough_depth, grid(depth(0.6)), kColumns);
+  for (glm::vec4& normal : frame.receivers.normal_ws) normal = {0.0f, 1.0f, 0.0f, 0.0f};
+  expect_in_range(visibility(frame), "rough map");
+  const auto empty = [this](double, double, int) { return farthest(); };
+  frame.atlas = testing_frames::make_atlas(frame.cascades, empty);
+  expect_all(visibility(frame), 1.0f, "empty map");
+  const auto wall = [this](double, double, int) { return nearest(); };
+  frame.atlas = testing_frames::make_atlas(frame.cascades, wall);
+  expect_all(visibility(frame), 0.0f, "wall at the near plane");
+}
+
+TEST_P(EveryFilter, StaysInRangeWithNormalsThatMakeNoSense) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const float infinity = std::numeric_limits<float>::infinity();
+  scene::Frame frame = testing_frames::make_frame(setup(), rough_depth, grid(depth(0.6)), kColumns);
+  for (const glm::vec3 bad : {glm::vec3(0.0f), glm::vec3(nan), glm::vec3(infinity), glm::vec3(1e-30f)}) {
+    for (glm::vec4& normal : frame.receivers.normal_ws) normal = glm::vec4(bad, 0.0f);
+    expect_in_range(visibility(frame), "normal");
+  }
+}
+
+TEST_P(EveryFilter, StaysInRangeWithPositionsThatMakeNoSense) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const float infinity = std::numeric_limits<float>::infinity();
+  scene::Frame frame = testing_frames::make_frame(setup(), rough_depth, grid(depth(0.6)), kColumns);
+  for (const float bad : {nan, infinity, -infinity, 1e30f}) {
+    for (glm::vec4& position : frame.receivers.position_ws) position = {bad, bad, bad, 1.0f};
+    expect_in_range(visibility(frame), "position " + std::to_string(bad));
+  }
+}
+
+TEST_P(EveryFilter, StaysInRangeWithNaNAndInfiniteTexels) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const float infinity = std::numeric_limits<float>::infinity();
+  for (const float bad : {nan, -nan, infinity, -infinity, -3.0f, 5.0f, 1e-45f}) {
+    const auto map = [bad](double u, double v, int tile) {
+      return rough_depth(u, v, tile) < 0.3f ? bad : rough_depth(v, u, tile);
+    };
+    expect_in_range(visibility(setup(), map, grid(depth(0.6))), "texels of " + std::to_string(bad));
+    const auto all = [bad](double, double, int) { return bad; };
+    expect_in_range(visibility(setup(), all, grid(depth(0.6))), "a map of " + std::to_string(bad));
+  }
+}
+
+TEST_P(EveryFilter, LearnsNothingFromOutsideItsTile) {
+  for (int cascade = 0; cascade < 4; ++cascade) {
+    std::vector<float> before;
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    for (const float poison : {0.0f, 1.0f, nan}) {
+      const auto map = [=](double u, double v, int tile) {
+        return tile == cascade ? rough_depth(u, v, tile) : poison;
+      };
+      std::vector<float> seen = visibility(setup(4, cascade), map, grid(depth(0.6)));
+      for (std::size_t i = 0; i < before.size(); ++i) {
+        ASSERT_EQ(std::bit_cast<std::uint32_t>(seen[i]), std::bit_cast<std::uint32_t>(before[i]))
+            << "cascade " << cascade << ", texels outside " << poison << ", receiver " << i % kColumns << ", "
+            << i / kColumns << ": " << seen[i] << " instead of " << before[i];
+      }
+      before = std::move(seen);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Library, EveryFilter, testing::ValuesIn(all_cases()), [](const auto& info) {
+  std::string name = info.param.technique + (info.param.reversed_z ? "_reversed" : "_conventional");
+  for (char& c : name) {
+    if (c == '-') c = '_';
+  }
+  return name;
+});
+
+}  // namespace
+}  // namespace penumbra::resolve

@@ -1,0 +1,160 @@
+// penumbra measure: speed against error of techniques and users' own functions, over scenes and lights.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "cli/study_options.h"
+#include "cli/subcommand.h"
+#include "platform/atomic_file.h"
+#include "platform/data_directory.h"
+#include "platform/processor.h"
+#include "study/picture_sheet.h"
+#include "study/report.h"
+#include "study/study.h"
+#include "study/summary.h"
+
+namespace penumbra::cli {
+namespace {
+
+struct MeasureOptions : StudyOptions {
+  int timing_repeats = 5;
+  bool no_split = false;
+};
+
+// The command that gives these results again: what was asked for, without where it was written.
+std::string reproducing_command(const std::vector<std::string>& arguments) {
+  std::string command = "penumbra";
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const std::string& argument = arguments[i];
+    if (argument == "-o" || argument == "--output" || argument == "--cache") {
+      ++i;
+      continue;
+    }
+    if (argument == "-q" || argument == "--quiet") continue;
+    const bool plain = argument.find_first_of(" ;&|<>()$`\"'\\*?") == std::string::npos;
+    command += " " + (plain ? argument : "'" + argument + "'");
+  }
+  return command;
+}
+
+std::vector<study::Subject> chosen_subjects(const MeasureOptions& options,
+                                            const shaders::TechniqueList& list) {
+  std::vector<study::Subject> subjects;
+  std::vector<std::string> names = options.techniques;
+  if (names.empty() && options.adapters.empty()) {
+    for (const shaders::Technique& technique : list.techniques) names.push_back(technique.name);
+  }
+  for (const std::string& name : names) {
+    subjects.push_back(study::technique_subject(list, name, !options.conventional_z));
+  }
+  for (const resolve::Adapter& adapter : chosen_adapters(options)) {
+    subjects.push_back(study::adapter_subject(adapter, !options.conventional_z));
+  }
+  return subjects;
+}
+
+study::StudySettings study_settings(const MeasureOptions& options) {
+  study::StudySettings settings;
+  settings.scenes = chosen_scenes(options, scene::scene_names());
+  settings.light_degrees = options.lights.empty() ? std::vector<double>{0.53, 2.0, 5.0} : options.lights;
+  settings.frame = frame_settings(options);
+  settings.reference_samples = options.reference_samples;
+  settings.seed = options.seed;
+  settings.noise_seeds = options.noise_seeds;
+  settings.timing_repeats = options.timing_repeats;
+  settings.split_error = !options.no_split;
+  settings.jobs = options.jobs;
+  settings.cache = options.cache;
+  return settings;
+}
+
+void write_report(const std::filesystem::path& folder, const study::Results& results,
+                  std::vector<study::PictureRow> pictures) {
+  make_folder(folder);
+  study::ReportContent content;
+  content.results = results;
+  content.charts = study::report_charts(results);
+  content.pictures = std::move(pictures);
+  for (std::size_t i = 0; i < content.charts.size(); ++i) {
+    platform::write_file_atomically(folder / fmt::format("chart-{}.svg", i + 1), content.charts[i].svg);
+  }
+  make_folder(folder / "pictures");
+  for (const study::PictureRow& row : content.pictures) {
+    write_picture(folder / "pictures" / (study::file_stem(row) + ".png"), study::side_by_side(row));
+  }
+  const study::Picture overview = study::overview(results, content.pictures, 4);
+  if (!overview.samples.empty()) write_picture(folder / "overview.png", overview);
+  platform::write_file_atomically(folder / "report.html", study::render_report(content));
+  platform::write_file_atomically(folder / "results.json", study::to_json(results));
+}
+
+void print_headlines(const std::filesystem::path& folder, const study::Results& results) {
+  std::string text;
+  for (const study::Headline& headline : study::headlines(results)) {
+    text += fmt::format("{:>8}  {} ({})\n", headline.value, headline.name, headline.detail);
+  }
+  text += fmt::format("report: {}\n",
+                      std::filesystem::absolute(folder / "report.html").lexically_normal().string());
+  write_output("", text);
+}
+
+void measure(const MeasureOptions& options, const std::string& command, Context& context) {
+  const shaders::TechniqueList list =
+      shaders::read_technique_list(platform::data_directory() / "ShaderLibrary" / "techniques.json");
+  const study::StudySettings settings = study_settings(options);
+  const std::vector<study::Subject> subjects = chosen_subjects(options, list);
+  const gpu::Device device = open_device(options);
+  study::StudyOutcome outcome = study::run_study(device, subjects, settings, study_progress(context));
+
+  study::Results results;
+  results.library_version = PENUMBRA_VERSION;
+  results.command = command;
+  results.hardware = platform::processor_name();
+  results.device = device.info().name;
+  results.driver = device.info().driver;
+  results.is_software = device.info().is_software;
+  results.records = std::move(outcome.records);
+  for (const std::string& note : outcome.notes) {
+    if (!context.quiet) fmt::print(stderr, "note: {}\n", note);
+  }
+  for (const std::string& message : device.validation_log()->messages()) {
+    fmt::print(stderr, "validation: {}\n", message);
+    context.exit_code = findings;
+  }
+  if (study::has_invalid_values(results)) context.exit_code = findings;
+  if (options.output.empty() || options.output == "-") {
+    write_output("", study::to_json(results));
+    return;
+  }
+  write_report(options.output, results, std::move(outcome.pictures));
+  print_headlines(options.output, results);
+}
+
+}  // namespace
+
+void add_measure(CLI::App& app, Context& context) {
+  CLI::App* command = app.add_subcommand("measure", "Measure speed against error, compared with ray tracing");
+  auto options = std::make_shared<MeasureOptions>();
+  add_study_options(*command, *options);
+  command->add_option("--technique", options->techniques, "Technique of techniques.json; repeatable")
+      ->group("What to measure");
+  command
+      ->add_option("--adapter", options->adapters,
+                   "NAME=FILE[;KEYWORD][;UNIFORM=a,b,c,d]: your own ShadowVisibility function; repeatable")
+      ->group("What to measure");
+  command->add_option("--seeds", options->noise_seeds, "Noise seeds per technique")
+      ->check(CLI::Range(1, 1024))
+      ->group("Study");
+  command->add_option("--timing-repeats", options->timing_repeats, "Timed runs per technique")
+      ->check(CLI::Range(0, 1000))
+      ->group("Study");
+  command->add_flag("--no-split", options->no_split, "Leave out the references T2 and T3")->group("Study");
+  command->add_option("-o,--output", options->output,
+                      "Folder for results.json, report.html, charts and pictures; default: JSON on stdout");
+  command->callback(
+      [options, &context] { measure(*options, reproducing_command(context.arguments), context); });
+}
+
+}  // namespace penumbra::cli

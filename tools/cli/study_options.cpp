@@ -1,0 +1,200 @@
+#include "cli/study_options.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <sstream>
+
+#include "input/input_error.h"
+#include "platform/atomic_file.h"
+
+namespace penumbra::cli {
+namespace {
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
+  return parts;
+}
+
+std::pair<std::string, std::string> name_and_value(const std::string& option, const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
+    throw InputError("", option + " '" + text + "' is not of the form NAME=VALUE");
+  }
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+double number(const std::string& option, const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0' || !std::isfinite(value)) {
+    throw InputError("", option + ": '" + text + "' is not a number");
+  }
+  return value;
+}
+
+std::pair<int, int> picture_size(const std::string& text) {
+  int width = 0;
+  int height = 0;
+  char extra = 0;
+  const int read = std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &extra);
+  if (read != 2 || width < 8 || height < 8 || width > 8192 || height > 8192) {
+    throw InputError("", "--size '" + text + "' is not WIDTHxHEIGHT with sides of 8 to 8192 pixels");
+  }
+  return {width, height};
+}
+
+scene::DepthFormat depth_format(const std::string& text) {
+  if (text == "d16") return scene::DepthFormat::d16;
+  if (text == "d24") return scene::DepthFormat::d24;
+  return scene::DepthFormat::d32;
+}
+
+resolve::Adapter adapter(const std::string& text) {
+  const std::vector<std::string> parts = split(text, ';');
+  resolve::Adapter result;
+  if (parts.empty()) throw InputError("", "--adapter needs NAME=FILE");
+  std::tie(result.name, result.file) = name_and_value("--adapter", parts[0]);
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    if (parts[i].find('=') == std::string::npos) {
+      result.keywords.push_back(parts[i]);
+      continue;
+    }
+    const auto [name, value] = name_and_value("--adapter", parts[i]);
+    glm::vec4 vector(0.0f);
+    const std::vector<std::string> numbers = split(value, ',');
+    for (std::size_t k = 0; k < std::min<std::size_t>(4, numbers.size()); ++k) {
+      vector[static_cast<int>(k)] = static_cast<float>(number("--adapter", numbers[k]));
+    }
+    result.uniforms.set(name, vector);
+  }
+  return result;
+}
+
+}  // namespace
+
+void add_study_options(CLI::App& command, StudyOptions& options) {
+  command.add_option("--scene", options.scenes, "Built-in scene, package:NAME or a model file; repeatable")
+      ->group("Scene");
+  command.add_option("--sun", options.sun, "Sun's elevation and azimuth in degrees, instead of the scene's")
+      ->expected(2)
+      ->group("Scene");
+  command.add_option("--metres-per-unit", options.import.metres_per_unit, "Scale of a model file")
+      ->check(CLI::PositiveNumber)
+      ->group("Scene");
+  command.add_option("--height", options.import.height_metres, "Scale a model file to this height in metres")
+      ->check(CLI::PositiveNumber)
+      ->group("Scene");
+  command.add_flag("--z-up", options.import.z_up, "The model file's +Z is up")->group("Scene");
+  command.add_flag("!--no-ground", options.import.ground, "Put no ground under a model file")->group("Scene");
+
+  command.add_option("--light", options.lights, "Angular diameter of the sun in degrees; repeatable")
+      ->check(CLI::Range(0.0, 30.0))
+      ->group("Light and map");
+  command.add_option("--map-size", options.map_size, "Width of the cascade atlas in texels")
+      ->check(CLI::Range(64, 16384))
+      ->group("Light and map");
+  command.add_option("--map-format", options.map_format, "d16, d24 or d32")
+      ->check(CLI::IsMember({"d16", "d24", "d32"}))
+      ->group("Light and map");
+  command.add_option("--cascades", options.cascades, "1 to 4")
+      ->check(CLI::Range(1, 4))
+      ->group("Light and map");
+  command
+      .add_option("--distance", options.distance_metres, "Shadow distance in metres, instead of the scene's")
+      ->check(CLI::PositiveNumber)
+      ->group("Light and map");
+  command.add_flag("--conventional-z", options.conventional_z, "Depth 0 near the light instead of 1")
+      ->group("Light and map");
+
+  command.add_option("--size", options.size, "Picture size, WIDTHxHEIGHT")->group("Study");
+  command.add_option("--reference-samples", options.reference_samples, "Rays per pixel of the reference")
+      ->check(CLI::Range(16, 1 << 20))
+      ->group("Study");
+  command.add_option("--seed", options.seed, "Seed of the reference's random numbers")->group("Study");
+  command.add_option("--jobs", options.jobs, "Threads; 0: all cores")
+      ->check(CLI::Range(0, 1024))
+      ->group("Study");
+  command.add_option("--cache", options.cache, "Folder that keeps references between runs")->group("Study");
+  command.add_option("--device", options.device, "Vulkan device: part of its name, or its number")
+      ->group("Study");
+  command.add_flag("--validation", options.validation, "Run with Vulkan's validation layers")->group("Study");
+  command.add_option("--package-root", options.package_roots, "NAME=FOLDER of a Unity package; repeatable")
+      ->group("Study");
+}
+
+std::vector<scene::Scene> chosen_scenes(const StudyOptions& options,
+                                        const std::vector<std::string>& fallback) {
+  std::vector<scene::Scene> scenes;
+  for (const std::string& name : options.scenes.empty() ? fallback : options.scenes) {
+    scene::Scene scene = scene::load(name, options.import);
+    if (!options.sun.empty()) scene.light_direction = scene::sunlight(options.sun[0], options.sun[1]);
+    if (options.distance_metres > 0.0) scene.shadow_distance_metres = options.distance_metres;
+    scenes.push_back(std::move(scene));
+  }
+  return scenes;
+}
+
+scene::FrameSettings frame_settings(const StudyOptions& options) {
+  scene::FrameSettings settings;
+  std::tie(settings.width, settings.height) = picture_size(options.size);
+  settings.format = depth_format(options.map_format);
+  settings.shadows.resolution = options.map_size;
+  settings.shadows.cascades = options.cascades;
+  settings.shadows.reversed_z = !options.conventional_z;
+  return settings;
+}
+
+std::vector<resolve::Adapter> chosen_adapters(const StudyOptions& options) {
+  std::vector<shaders::PackageRoot> roots;
+  for (const std::string& text : options.package_roots) {
+    const auto [name, folder] = name_and_value("--package-root", text);
+    if (!std::filesystem::is_directory(folder)) {
+      throw EnvironmentError("--package-root " + name + ": '" + folder + "' is not a folder");
+    }
+    roots.push_back({name, folder});
+  }
+  std::vector<resolve::Adapter> adapters;
+  for (const std::string& text : options.adapters) {
+    adapters.push_back(adapter(text));
+    adapters.back().package_roots = roots;
+  }
+  return adapters;
+}
+
+gpu::Device open_device(const StudyOptions& options) {
+  return gpu::Device({.name = options.device, .validation = options.validation});
+}
+
+study::StudyProgress study_progress(const Context& context) {
+  struct Line {
+    std::string stage;
+    std::unique_ptr<Progress> progress;
+  };
+  auto line = std::make_shared<Line>();
+  return [&context, line](std::string_view stage, double done, double total, std::string_view unit) {
+    if (line->stage != stage) {
+      line->progress.reset();
+      line->stage = stage;
+      line->progress = std::make_unique<Progress>(context, line->stage);
+    }
+    line->progress->update(done, total, unit);
+  };
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw InputError(folder.string(), "cannot be made: " + error.message());
+}
+
+void write_picture(const std::filesystem::path& file, const study::Picture& picture) {
+  const std::vector<std::byte> png = study::encode_png(picture);
+  platform::write_file_atomically(file, std::span<const std::byte>(png));
+}
+
+}  // namespace penumbra::cli

@@ -1,0 +1,60 @@
+// The options `measure` and `render` share: which scenes, lights and maps, and on which device.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/subcommand.h"
+#include "gpu/device.h"
+#include "resolve/shadow_shader.h"
+#include "scene/frame.h"
+#include "scene/scene.h"
+#include "shaders/technique_list.h"
+#include "study/picture.h"
+#include "study/study.h"
+
+namespace penumbra::cli {
+
+struct StudyOptions {
+  std::vector<std::string> scenes;
+  std::vector<double> lights;
+  std::vector<std::string> techniques;
+  std::vector<std::string> adapters;       // NAME=FILE[;KEYWORD][;UNIFORM=a,b,c,d]
+  std::vector<std::string> package_roots;  // NAME=FOLDER
+  std::string size = "480x270";
+  int map_size = 2048;
+  int cascades = 4;
+  std::string map_format = "d32";
+  bool conventional_z = false;
+  double distance_metres = 0.0;  // 0: the scene's own
+  std::vector<double> sun;       // elevation and azimuth in degrees; empty: the scene's own
+  scene::ImportOptions import;
+  std::string device;
+  bool validation = false;
+  int reference_samples = 1024;
+  int noise_seeds = 16;
+  std::uint64_t seed = 0;
+  int jobs = 0;  // 0: all cores
+  std::string cache;
+  std::string output;
+};
+
+void add_study_options(CLI::App& command, StudyOptions& options);
+
+// All of these throw InputError for what is out of range or unknown, with the nearest right name.
+std::vector<scene::Scene> chosen_scenes(const StudyOptions& options,
+                                        const std::vector<std::string>& fallback);
+scene::FrameSettings frame_settings(const StudyOptions& options);
+std::vector<resolve::Adapter> chosen_adapters(const StudyOptions& options);
+gpu::Device open_device(const StudyOptions& options);
+
+// A progress line per stage of a study.
+study::StudyProgress study_progress(const Context& context);
+
+void make_folder(const std::filesystem::path& folder);  // with its parents; InputError when that fails
+void write_picture(const std::filesystem::path& file, const study::Picture& picture);
+
+}  // namespace penumbra::cli

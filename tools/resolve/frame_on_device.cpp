@@ -1,0 +1,143 @@
+#include "resolve/frame_on_device.h"
+
+#include <array>
+#include <glm/geometric.hpp>
+#include <span>
+
+namespace penumbra::resolve {
+namespace {
+
+constexpr int kMaxCascades = 4;
+
+gpu::Format gpu_format(scene::DepthFormat format) {
+  switch (format) {
+    case scene::DepthFormat::d16:
+      return gpu::Format::depth16;
+    case scene::DepthFormat::d24:
+      return gpu::Format::depth24;
+    case scene::DepthFormat::d32:
+      break;
+  }
+  return gpu::Format::depth32;
+}
+
+// Beyond the last cascade URP keeps a matrix that sends everything past the far plane, so that a shader which
+// picks no cascade reads "lit".
+glm::dmat4 no_cascade_matrix(bool reversed_z) {
+  glm::dmat4 matrix(0.0);
+  matrix[3] = {0.0, 0.0, reversed_z ? 1.0 : 0.0, 1.0};
+  return matrix;
+}
+
+// URP packs the half-texel offsets of its 4-tap kernel in two vectors.
+std::array<glm::vec4, 2> four_tap_offsets(const parameters::CascadeSet& set) {
+  const float x = 0.5f / static_cast<float>(set.atlas_width);
+  const float y = 0.5f / static_cast<float>(set.atlas_height);
+  return {glm::vec4(-x, -y, x, -y), glm::vec4(-x, y, x, y)};
+}
+
+glm::vec4 atlas_texel_size(const parameters::CascadeSet& set) {
+  const auto width = static_cast<float>(set.atlas_width);
+  const auto height = static_cast<float>(set.atlas_height);
+  return {1.0f / width, 1.0f / height, width, height};
+}
+
+// Unity's unused split spheres lie at the origin with a radius that no distance is below.
+glm::vec4 unused_sphere() {
+  return {0.0f, 0.0f, 0.0f, 0.0f};
+}
+
+UniformValues cascade_uniforms(const scene::Frame& frame) {
+  const parameters::CascadeSet& set = frame.cascades;
+  std::vector<glm::dmat4> matrices;
+  std::vector<glm::vec4> spheres;
+  std::vector<glm::vec4> tiles;
+  std::vector<glm::vec4> scales;
+  glm::vec4 squared_radii(0.0f);
+  for (const parameters::Cascade& cascade : set.cascades) {
+    matrices.push_back(cascade.world_to_shadow);
+    squared_radii[cascade.index] = static_cast<float>(cascade.split_sphere.w * cascade.split_sphere.w);
+    spheres.emplace_back(cascade.split_sphere);
+    tiles.emplace_back(cascade.offset_scale);
+    scales.emplace_back(cascade.uv_per_metre, cascade.depth_per_metre, cascade.depth_to_radial,
+                        cascade.radial_to_depth.value_or(0.0));
+  }
+  while (matrices.size() < kMaxCascades + 1) matrices.push_back(no_cascade_matrix(set.reversed_z));
+  while (spheres.size() < kMaxCascades) {
+    spheres.push_back(unused_sphere());
+    tiles.emplace_back(0.0f);
+    scales.emplace_back(0.0f);
+  }
+
+  UniformValues values;
+  values.set("_PenumbraCascadeCount", static_cast<int>(set.cascades.size()));
+  values.set("_PenumbraTileOffsetScale", std::span<const glm::vec4>(tiles));
+  values.set("_PenumbraTileScales", std::span<const glm::vec4>(scales));
+  values.set("_PenumbraSplitSpheres", std::span<const glm::vec4>(spheres));
+  values.set("_PenumbraSplitSphereSquaredRadii", squared_radii);
+  values.set("_PenumbraAtlasTexelSize", atlas_texel_size(set));
+  values.set("_PenumbraWorldToShadow", std::span<const glm::dmat4>(matrices));
+
+  values.set("_MainLightWorldToShadow", std::span<const glm::dmat4>(matrices));
+  for (int i = 0; i < kMaxCascades; ++i) {
+    values.set("_CascadeShadowSplitSpheres" + std::to_string(i), spheres[static_cast<std::size_t>(i)]);
+  }
+  values.set("_CascadeShadowSplitSphereRadii", squared_radii);
+  values.set("_MainLightShadowmapSize", atlas_texel_size(set));
+  values.set("_MainLightShadowOffset0", four_tap_offsets(set)[0]);
+  values.set("_MainLightShadowOffset1", four_tap_offsets(set)[1]);
+  return values;
+}
+
+// Strength 1, the soft quality of the settings, and a distance fade that has not begun anywhere.
+void add_light_uniforms(const scene::Frame& frame, UniformValues& values) {
+  const auto quality = static_cast<float>(frame.settings.shadows.soft_quality);
+  values.set("_MainLightShadowParams", glm::vec4(1.0f, quality, 0.0f, 0.0f));
+  values.set("_MainLightPosition", glm::vec4(glm::vec3(-frame.cascades.light_direction), 0.0f));
+  values.set("_MainLightColor", glm::vec4(1.0f));
+  values.set("_WorldSpaceCameraPos", glm::vec4(glm::vec3(frame.camera.position), 0.0f));
+  const auto width = static_cast<float>(frame.receivers.width);
+  const auto height = static_cast<float>(frame.receivers.height);
+  values.set("_ScreenParams", glm::vec4(width, height, 1.0f + 1.0f / width, 1.0f + 1.0f / height));
+}
+
+}  // namespace
+
+FrameOnDevice::FrameOnDevice(const gpu::Device& device, const scene::Frame& frame)
+    : width_(frame.receivers.width),
+      height_(frame.receivers.height),
+      atlas_(device, gpu_format(frame.atlas.format), frame.atlas.width, frame.atlas.height),
+      compare_(device, frame.cascades.reversed_z ? gpu::SamplerKind::compare_greater_equal
+                                                 : gpu::SamplerKind::compare_less_equal),
+      point_(device, gpu::SamplerKind::point_clamp),
+      linear_(device, gpu::SamplerKind::linear_clamp),
+      positions_(device, std::span<const glm::vec4>(frame.receivers.position_ws)),
+      normals_(device, std::span<const glm::vec4>(frame.receivers.normal_ws)),
+      visibility_(device, frame.receivers.position_ws.size() * sizeof(float)),
+      fetches_(device, frame.receivers.position_ws.size() * sizeof(std::uint32_t)),
+      uniforms_(cascade_uniforms(frame)) {
+  atlas_.upload_bytes(frame.atlas.texels);
+  add_light_uniforms(frame, uniforms_);
+  uniforms_.set_integers("_PenumbraImageSize", {width_, height_, 0, 0});
+}
+
+std::map<std::string, const gpu::Buffer*> FrameOnDevice::buffers() const {
+  return {{"_PenumbraReceiverPositionWS", &positions_},
+          {"_PenumbraReceiverNormalWS", &normals_},
+          {"_PenumbraVisibility", &visibility_},
+          {"_PenumbraFetches", &fetches_}};
+}
+
+std::map<std::string, const gpu::Image*> FrameOnDevice::images() const {
+  return {{"_ShadowMap", &atlas_}, {"_MainLightShadowmapTexture", &atlas_}};
+}
+
+std::map<std::string, const gpu::Sampler*> FrameOnDevice::samplers() const {
+  return {{"sampler_ShadowMap", &compare_},
+          {"sampler_MainLightShadowmapTexture", &compare_},
+          {"sampler_LinearClampCompare", &compare_},
+          {"sampler_PointClamp", &point_},
+          {"sampler_LinearClamp", &linear_}};
+}
+
+}  // namespace penumbra::resolve

@@ -1,0 +1,44 @@
+// A Frame as shaders see it: atlas, receivers and samplers on the device, cascade constants by name.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "gpu/resources.h"
+#include "resolve/uniform_values.h"
+#include "scene/frame.h"
+
+namespace penumbra::resolve {
+
+class FrameOnDevice {
+ public:
+  FrameOnDevice(const gpu::Device& device, const scene::Frame& frame);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+
+  // What a shader may bind by name: the harness's names and URP's for the same things.
+  std::map<std::string, const gpu::Buffer*> buffers() const;
+  std::map<std::string, const gpu::Image*> images() const;
+  std::map<std::string, const gpu::Sampler*> samplers() const;
+  const UniformValues& uniforms() const { return uniforms_; }
+
+  const gpu::Buffer& visibility() const { return visibility_; }
+  const gpu::Buffer& fetches() const { return fetches_; }
+
+ private:
+  int width_;
+  int height_;
+  gpu::Image atlas_;
+  gpu::Sampler compare_;
+  gpu::Sampler point_;
+  gpu::Sampler linear_;
+  gpu::Buffer positions_;
+  gpu::Buffer normals_;
+  gpu::Buffer visibility_;
+  gpu::Buffer fetches_;
+  UniformValues uniforms_;
+};
+
+}  // namespace penumbra::resolve

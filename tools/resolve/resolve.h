@@ -1,0 +1,61 @@
+// Runs one shadow shader over the receivers of a frame: visibility per noise seed, fetches, time.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "gpu/compute_pass.h"
+#include "gpu/device.h"
+#include "resolve/frame_on_device.h"
+#include "resolve/shadow_shader.h"
+#include "shaders/reflect.h"
+
+namespace penumbra::resolve {
+
+struct ResolveOptions {
+  int noise_seeds = 16;    // visibility images; shaders without noise are run once
+  int timing_repeats = 5;  // further dispatches whose times are kept; 0: none
+  bool count_fetches = true;
+};
+
+struct ResolveResult {
+  std::vector<std::vector<float>> visibility;  // per seed, one per receiver, row 0 at the top; 1 = lit
+  std::vector<std::uint32_t> fetches;          // per receiver, of seed 0; empty unless counted
+  std::vector<double> time_ns;                 // of the shader as it ships, without counting
+  std::vector<std::string> unset_uniforms;     // read as zero because nobody provides them
+};
+
+// One compiled module on a device. Frames are swapped without building the pipeline again, which on a
+// software device costs more than running it.
+class ResolvePass {
+ public:
+  enum class Module { as_shipped, counting };
+
+  ResolvePass(const gpu::Device& device, const CompiledShadowShader& shader,
+              Module module = Module::as_shipped);
+
+  // The frame must outlive its use here. Throws InputError when the shader binds a texture, sampler or buffer
+  // the harness does not provide. The shader's own parameters win over the frame's uniforms.
+  void bind(const FrameOnDevice& frame);
+  void set_parameters(const UniformValues& parameters) { parameters_.merge(parameters); }
+
+  // Times in nanoseconds, one per repeat; the answer lies in the frame's buffers.
+  std::vector<double> run(int noise_seed, int repeats = 1);
+
+  std::vector<std::string> unset_uniforms() const;
+
+ private:
+  std::string name_;
+  UniformValues parameters_;
+  std::vector<shaders::Resource> resources_;
+  gpu::ComputePass pass_;
+  const FrameOnDevice* frame_ = nullptr;
+  std::vector<std::string> unset_;
+};
+
+// Throws InputError when the shader binds a texture, sampler or buffer the harness does not provide.
+ResolveResult resolve(const gpu::Device& device, const FrameOnDevice& frame,
+                      const CompiledShadowShader& shader, const ResolveOptions& options = {});
+
+}  // namespace penumbra::resolve

@@ -1,0 +1,80 @@
+// Evaluates one shadow function at every receiver of a frame.
+//
+// Stands after the platform macros and the technique (or the user's file), which define
+//   float ResolveTechnique(ShadowReceiver receiver, ShadowTile tile)            a technique
+//   float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)    with PENUMBRA_ADAPTER
+//
+// Inputs: receivers in world space, metres; cascade constants as URP uploads them. Receivers with w = 0 saw no
+// surface and get visibility 1. Receivers past every cascade are lit, as in URP.
+// With PENUMBRA_COUNT_FETCHES the counting macros stand in and _PenumbraFetches receives each pixel's count.
+
+#include "Core/ShadowStructs.hlsl"
+#include "Core/CascadeSelection.hlsl"
+#include "Core/Noise.hlsl"
+#include "Core/ReceiverPlane.hlsl"
+
+StructuredBuffer<float4> _PenumbraReceiverPositionWS;
+StructuredBuffer<float4> _PenumbraReceiverNormalWS;
+RWStructuredBuffer<float> _PenumbraVisibility;
+#if defined(PENUMBRA_COUNT_FETCHES)
+RWStructuredBuffer<uint> _PenumbraFetches;
+#endif
+
+int2 _PenumbraImageSize;
+int _PenumbraNoiseFrame;
+int _PenumbraCascadeCount;
+float4 _PenumbraAtlasTexelSize;
+float4 _PenumbraSplitSphereSquaredRadii;
+float4 _PenumbraSplitSpheres[4];
+float4 _PenumbraTileOffsetScale[4];
+float4 _PenumbraTileScales[4];
+float4x4 _PenumbraWorldToShadow[5];
+
+#if !defined(PENUMBRA_ADAPTER)
+float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
+{
+    CascadeSpheres spheres;
+    spheres.centre0 = _PenumbraSplitSpheres[0].xyz;
+    spheres.centre1 = _PenumbraSplitSpheres[1].xyz;
+    spheres.centre2 = _PenumbraSplitSpheres[2].xyz;
+    spheres.centre3 = _PenumbraSplitSpheres[3].xyz;
+    spheres.squaredRadii = _PenumbraSplitSphereSquaredRadii;
+    const int cascade = SelectCascade(positionWS, spheres, _PenumbraCascadeCount);
+    if (cascade >= _PenumbraCascadeCount) return 1.0;
+
+    const float4x4 worldToShadow = _PenumbraWorldToShadow[cascade];
+    ShadowReceiver receiver;
+    receiver.shadowCoord = mul(worldToShadow, float4(positionWS, 1.0)).xyz;
+    receiver.depthGradient = ReceiverPlaneFromNormal(normalWS, worldToShadow);
+    receiver.rotation = DiskRotation(pixel, _PenumbraNoiseFrame);
+
+    ShadowTile tile;
+    tile.offsetScale = _PenumbraTileOffsetScale[cascade];
+    tile.atlasTexelSize = _PenumbraAtlasTexelSize;
+    tile.uvPerMetre = _PenumbraTileScales[cascade].x;
+    tile.depthPerMetre = _PenumbraTileScales[cascade].y;
+    tile.depthToRadial = _PenumbraTileScales[cascade].z;
+    tile.radialToDepth = _PenumbraTileScales[cascade].w;
+    return ResolveTechnique(receiver, tile);
+}
+#endif
+
+[numthreads(8, 8, 1)]
+void Main(uint3 id : SV_DispatchThreadID)
+{
+    if (any(int2(id.xy) >= _PenumbraImageSize)) return;
+    const uint index = id.y * uint(_PenumbraImageSize.x) + id.x;
+    const float4 position = _PenumbraReceiverPositionWS[index];
+    float visibility = 1.0;
+#if defined(PENUMBRA_COUNT_FETCHES)
+    penumbraFetchCount = 0;
+#endif
+    if (position.w > 0.0)
+    {
+        visibility = ShadowVisibility(position.xyz, _PenumbraReceiverNormalWS[index].xyz, float2(id.xy) + 0.5);
+    }
+    _PenumbraVisibility[index] = visibility;
+#if defined(PENUMBRA_COUNT_FETCHES)
+    _PenumbraFetches[index] = penumbraFetchCount;
+#endif
+}

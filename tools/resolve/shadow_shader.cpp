@@ -1,0 +1,149 @@
+#include "resolve/shadow_shader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "input/input_error.h"
+#include "platform/data_directory.h"
+#include "shaders/image_instructions.h"
+
+namespace penumbra::resolve {
+namespace {
+
+constexpr const char* kUniformPrefix = "_Penumbra";
+constexpr const char* kCountingPrefix = "PenumbraCounted";
+
+std::vector<std::pair<std::string, std::string>> depth_defines(bool reversed_z) {
+  if (reversed_z) return {{"UNITY_REVERSED_Z", "1"}};
+  return {};
+}
+
+// A field's value as its uniform reads it: int, or one to four floats.
+void set_parameter(UniformValues& values, const shaders::ParameterField& field, const std::string& uniform,
+                   const std::vector<double>& value) {
+  if (field.type == "int") {
+    values.set(uniform, static_cast<int>(std::lround(value.at(0))));
+    return;
+  }
+  glm::vec4 vector(0.0f);
+  for (std::size_t i = 0; i < std::min<std::size_t>(4, value.size()); ++i) {
+    vector[static_cast<int>(i)] = static_cast<float>(value[i]);
+  }
+  values.set(uniform, vector);
+}
+
+UniformValues parameter_values(const shaders::TechniqueList& list, const shaders::Technique& technique,
+                               Taps taps) {
+  UniformValues values;
+  for (const shaders::TechniquePass& pass : technique.chain) {
+    const shaders::ParameterStruct* parameters = list.find_struct(pass.parameters);
+    if (parameters == nullptr) continue;
+    for (const shaders::ParameterField& field : parameters->fields) {
+      std::vector<double> value = technique.values.at(field.name);
+      const auto unlimited = technique.unlimited.find(field.name);
+      if (taps == Taps::unlimited && unlimited != technique.unlimited.end()) {
+        value = {std::stod(unlimited->second)};
+      }
+      set_parameter(values, field, kUniformPrefix + parameters->name + "_" + field.name, value);
+    }
+  }
+  return values;
+}
+
+std::string whole_source(const ShadowShader& shader, bool counting) {
+  std::ostringstream text;
+  text << "#include \"" << (counting ? "CountingPlatform.hlsl" : "Platform/Platform.hlsl") << "\"\n"
+       << shader.body << "#include \"Resolve.hlsl\"\n";
+  return text.str();
+}
+
+shaders::CompileRequest request(const ShadowShader& shader, bool counting) {
+  const std::filesystem::path root = platform::data_directory();
+  shaders::CompileRequest request;
+  request.file = shader.name + (counting ? " (counting).hlsl" : ".hlsl");
+  request.text = whole_source(shader, counting);
+  request.defines = shader.defines;
+  if (counting) request.defines.emplace_back("PENUMBRA_COUNT_FETCHES", "1");
+  request.package_roots = shader.package_roots;
+  request.include_directories = shader.include_directories;
+  request.include_directories.push_back(root / "ShaderLibrary");
+  request.include_directories.push_back(root / "tools" / "resolve" / "shaders");
+  request.include_directories.push_back(root / "tests" / "platform");
+  if (counting) {
+    // A pipeline's own macros, defined anew by its includes, are replaced by the counting ones.
+    for (const char* api : {"/API/D3D11.hlsl", "/API/Vulkan.hlsl", "/API/Metal.hlsl", "/API/GLCore.hlsl"}) {
+      request.overlays.push_back({api, root / "tests" / "platform" / "CountingPlatform.hlsl"});
+    }
+  }
+  return request;
+}
+
+std::vector<std::uint32_t> compile_or_throw(const shaders::CompileRequest& request) {
+  shaders::CompileResult result = shaders::compile(request);
+  if (!shaders::has_errors(result.diagnostics)) return std::move(result.spirv);
+  std::string messages;
+  for (const shaders::Diagnostic& diagnostic : result.diagnostics) {
+    if (diagnostic.severity == shaders::Severity::error) messages += "\n" + shaders::format(diagnostic);
+  }
+  throw InputError(request.file.string(), "does not compile:" + messages);
+}
+
+// Every fetch must go through the counting functions; the module that shows it keeps its functions.
+void refuse_uncounted_fetches(const ShadowShader& shader) {
+  shaders::CompileRequest counting = request(shader, true);
+  counting.optimise = false;
+  const std::vector<shaders::ImageInstruction> uncounted =
+      shaders::image_instructions_outside(compile_or_throw(counting), kCountingPrefix);
+  if (uncounted.empty()) return;
+  throw InputError(shader.name,
+                   "function '" + uncounted.front().function +
+                       "' reads a texture past the sampling macros (" + uncounted.front().opcode +
+                       "), so its fetches cannot be counted",
+                   "use SAMPLE_TEXTURE2D_SHADOW, LOAD_TEXTURE2D_LOD, GATHER_RED_TEXTURE2D and their like");
+}
+
+}  // namespace
+
+ShadowShader technique_shader(const shaders::TechniqueList& list, const shaders::Technique& technique,
+                              Taps taps, bool reversed_z) {
+  const shaders::TechniqueCall call = shaders::emit_technique_call(list, technique, kUniformPrefix);
+  ShadowShader shader;
+  shader.name = technique.name;
+  shader.body = call.includes + "#include \"Core/ShadowStructs.hlsl\"\n" + call.declarations + call.function;
+  shader.defines = depth_defines(reversed_z);
+  for (const std::string& keyword : technique.keywords) shader.defines.emplace_back(keyword, "1");
+  if (taps == Taps::unlimited) shader.defines.emplace_back("PENUMBRA_UNLIMITED", "1");
+  shader.parameters = parameter_values(list, technique, taps);
+  shader.uses_noise = !technique.unlimited.empty() && taps == Taps::as_listed;
+  return shader;
+}
+
+ShadowShader adapter_shader(const Adapter& adapter, bool reversed_z) {
+  if (!std::filesystem::is_regular_file(adapter.file)) {
+    throw InputError(adapter.file.string(), "no such file", "--adapter names an HLSL file of yours");
+  }
+  ShadowShader shader;
+  shader.name = adapter.name;
+  shader.body = "#define PENUMBRA_ADAPTER 1\n#include \"" +
+                std::filesystem::absolute(adapter.file).generic_string() + "\"\n";
+  shader.defines = depth_defines(reversed_z);
+  for (const std::string& keyword : adapter.keywords) shader.defines.emplace_back(keyword, "1");
+  shader.parameters = adapter.uniforms;
+  shader.package_roots = adapter.package_roots;
+  shader.include_directories.push_back(std::filesystem::absolute(adapter.file).parent_path());
+  shader.uses_noise = true;
+  return shader;
+}
+
+CompiledShadowShader compile(const ShadowShader& shader) {
+  CompiledShadowShader compiled;
+  compiled.source = shader;
+  compiled.plain = compile_or_throw(request(shader, false));
+  refuse_uncounted_fetches(shader);
+  compiled.counting = compile_or_throw(request(shader, true));
+  return compiled;
+}
+
+}  // namespace penumbra::resolve

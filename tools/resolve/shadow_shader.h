@@ -1,0 +1,57 @@
+// The HLSL of one way to answer "how much of the light does this receiver see": a technique of
+// techniques.json, or a function of the user's own.
+//
+// The generated text includes, in this order: the platform macros (or the counting ones), the technique's
+// file or the user's, and shaders/Resolve.hlsl, whose Main runs once per receiver.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "resolve/uniform_values.h"
+#include "shaders/compile.h"
+#include "shaders/technique_list.h"
+
+namespace penumbra::resolve {
+
+struct ShadowShader {
+  std::string name;
+  std::string body;  // what stands between the platform macros and Resolve.hlsl
+  std::vector<std::pair<std::string, std::string>> defines;
+  std::vector<shaders::PackageRoot> package_roots;
+  std::vector<std::filesystem::path> include_directories;
+  UniformValues parameters;
+  bool uses_noise = false;  // the result depends on the noise seed
+};
+
+enum class Taps { as_listed, unlimited };  // unlimited: the technique's own T3 overrides
+
+ShadowShader technique_shader(const shaders::TechniqueList& list, const shaders::Technique& technique,
+                              Taps taps = Taps::as_listed, bool reversed_z = true);
+
+// A user's own function, in `file`:
+//   float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
+// It may read, by name, URP's main light shadow globals and the harness's own (Documentation~/measure.md).
+struct Adapter {
+  std::string name;
+  std::filesystem::path file;
+  std::vector<std::string> keywords;  // defined as 1
+  UniformValues uniforms;             // instead of the frame's, by name
+  std::vector<shaders::PackageRoot> package_roots;
+};
+ShadowShader adapter_shader(const Adapter& adapter, bool reversed_z = true);
+
+// One shader, compiled twice: as it ships, and with every texture fetch counted.
+struct CompiledShadowShader {
+  ShadowShader source;
+  std::vector<std::uint32_t> plain;
+  std::vector<std::uint32_t> counting;
+};
+
+// Throws InputError with the compiler's messages when the shader does not compile, and when it reaches a
+// texture past the counting macros (a raw .Sample would count as nothing).
+CompiledShadowShader compile(const ShadowShader& shader);
+
+}  // namespace penumbra::resolve
