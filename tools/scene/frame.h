@@ -37,6 +37,7 @@ struct Receivers {
   int width = 0;
   int height = 0;
   std::vector<glm::vec4> position_ws;
+  std::vector<glm::vec4> position_relative;  // the same relative to Scene::origin: exact far from it too
   std::vector<glm::vec4> normal_ws;
 };
 

@@ -1,0 +1,43 @@
+// References kept on disk under the hash of all they depend on, so that each is computed once.
+//
+// An entry is one file, written beside its place and renamed, so several processes may share a directory: a
+// reader sees a whole entry or none, and writers of one key write the same bytes. Each entry carries its key,
+// its sizes and a checksum of everything; one that is truncated, damaged, or of another version reads as
+// absent and is computed and written again.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "reference/visibility_image.h"
+
+namespace penumbra::reference {
+
+class ReferenceCache {
+ public:
+  // An empty path means "reference" in platform::cache_directory(). The directory is made on first write.
+  explicit ReferenceCache(std::filesystem::path directory = {});
+
+  // key: letters and digits, such as scene::ContentHash::hex(). The caller puts everything into it that the
+  // image depends on, the version of its algorithm included.
+  std::optional<VisibilityImage> find(const std::string& key) const;
+  // Throws InputError when the file cannot be written (full disk, permissions); nothing partial is left.
+  void store(const std::string& key, const VisibilityImage& image) const;
+
+  // The beginning of an unfinished answer: the pixels of its first rows.
+  std::vector<HalfCounts> find_beginning(const std::string& key) const;  // empty when there is none
+  void store_beginning(const std::string& key, std::span<const HalfCounts> counts) const;
+  void drop_beginning(const std::string& key) const noexcept;
+
+  std::filesystem::path image_file(const std::string& key) const;
+  std::filesystem::path beginning_file(const std::string& key) const;
+
+ private:
+  std::filesystem::path directory_;
+};
+
+}  // namespace penumbra::reference

@@ -1,0 +1,40 @@
+// How a reference runs: rows in order, each block of them on all threads; cancelled and resumed between.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "platform/interrupt.h"
+#include "reference/reference_cache.h"
+#include "reference/visibility_image.h"
+
+namespace penumbra::reference {
+
+struct RunOptions {
+  int jobs = 0;  // threads; 0 takes all. The result does not depend on it.
+  // Called on the caller's thread after each block of rows; done and total in rays (points of the disc).
+  std::function<void(double done, double total)> progress;
+  // Asked often, from any thread; once true, finished rows are kept and platform::Interrupted is thrown.
+  std::function<bool()> cancelled = platform::interrupted;
+  double checkpoint_seconds = 2.0;  // a killed process loses at most this much work and one block
+};
+
+struct RowJob {
+  ImageSize size;
+  std::vector<std::uint8_t> valid;                     // pixels without receiver are not asked
+  int samples = 0;                                     // into VisibilityImage
+  int rays_per_pixel = 0;                              // for progress
+  std::string key;                                     // names the answer in the cache
+  std::function<HalfCounts(std::size_t pixel)> count;  // reentrant; depends on the pixel alone
+};
+
+constexpr int rows_per_block = 8;
+
+// The job's image, computed from where an earlier run stopped, then stored; looking for a finished one is the
+// caller's, before it prepares the job. cache may be null. Whatever count throws is thrown here.
+VisibilityImage run_rows(const RowJob& job, const RunOptions& options, const ReferenceCache* cache);
+
+}  // namespace penumbra::reference

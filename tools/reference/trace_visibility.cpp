@@ -1,0 +1,70 @@
+#include "reference/trace_visibility.h"
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "input/input_error.h"
+#include "reference/disc_tracer.h"
+#include "reference/embree_scene.h"
+#include "reference/lit_receiver.h"
+#include "scene/content_hash.h"
+
+namespace penumbra::reference {
+namespace {
+
+constexpr int algorithm_version = 1;  // a change of any result takes the next number
+
+void check(const TraceOptions& options) {
+  const int samples = options.samples;
+  if (samples < 2 * DiscTracer::packet_size || samples > 65536 || (samples & (samples - 1)) != 0) {
+    throw InputError(
+        "", "samples per pixel must be a power of two from 32 to 65536, not " + std::to_string(samples),
+        "1024 is the default");
+  }
+}
+
+std::string key_of(const scene::Mesh& mesh, const scene::Receivers& receivers, const parameters::Light& light,
+                   const TraceOptions& options) {
+  scene::ContentHash hash;
+  hash.update(std::string_view("T1")).update(algorithm_version);
+  hash.update(std::span<const glm::vec3>(mesh.positions));
+  hash.update(std::span<const std::uint32_t>(mesh.indices));
+  hash.update(receivers.width).update(receivers.height);
+  hash.update(std::span<const glm::vec4>(receivers.position_relative));
+  hash.update(std::span<const glm::vec4>(receivers.position_ws));
+  hash.update(std::span<const glm::vec4>(receivers.normal_ws));
+  hash.update(light.direction.x).update(light.direction.y).update(light.direction.z);
+  hash.update(light.angular_diameter_degrees).update(options.samples).update(options.seed);
+  return hash.hex();
+}
+
+}  // namespace
+
+VisibilityImage trace_visibility(const scene::Scene& scene, const scene::Receivers& receivers,
+                                 const parameters::Light& light, const TraceOptions& options,
+                                 const RunOptions& run, const ReferenceCache* cache) {
+  check(options);
+  const DiscLight disc = disc_light(light);
+  RowJob job;
+  job.size = {receivers.width, receivers.height};
+  job.valid = valid_receivers(receivers, disc);
+  job.key = key_of(scene.mesh, receivers, light, options);
+  if (cache != nullptr) {
+    if (std::optional<VisibilityImage> known = cache->find(job.key)) return *std::move(known);
+  }
+  const EmbreeScene embree(scene.mesh);
+  const DiscTracer tracer(embree, disc, options.samples, options.seed);
+  job.samples = options.samples;
+  job.rays_per_pixel = tracer.rays_per_pixel();
+  job.count = [&](std::size_t pixel) {
+    return tracer.lit_points(lit_receiver(receivers, pixel, disc).value(), pixel);
+  };
+  return run_rows(job, run, cache);
+}
+
+}  // namespace penumbra::reference

@@ -1,0 +1,34 @@
+// T1: the visibility of a disc light, ray-traced on the real geometry.
+//
+// What: for each receiver, the share of the light's disc that no triangle hides, by Embree 3 (robust
+// intersection) over a low-discrepancy set of points of the disc, uniform by area on the disc perpendicular
+// to the light (reference/lit_receiver.h has the formula, the ray offset, and who is a receiver).
+// Spaces: receivers and mesh relative to the scene's origin, metres; the scene's place in the world does not
+// enter. Receivers::position_relative is used, position_ws only for its w.
+// Guarantees: unbiased up to the ray offset; the same seed gives the same bytes on one machine, whatever the
+// number of threads; visibility in [0, 1]; the image states its own noise floor.
+#pragma once
+
+#include <cstdint>
+
+#include "parameters/cascades.h"
+#include "reference/reference_cache.h"
+#include "reference/row_blocks.h"
+#include "reference/visibility_image.h"
+#include "scene/frame.h"
+#include "scene/scene.h"
+
+namespace penumbra::reference {
+
+struct TraceOptions {
+  int samples = 1024;  // rays per pixel: a power of two, 32 .. 65536
+  std::uint64_t seed = 1;
+};
+
+// At angular diameter 0 one ray per pixel decides. Throws InputError: options, light, mesh or receivers
+// unusable; platform::Interrupted when cancelled.
+VisibilityImage trace_visibility(const scene::Scene& scene, const scene::Receivers& receivers,
+                                 const parameters::Light& light, const TraceOptions& options = {},
+                                 const RunOptions& run = {}, const ReferenceCache* cache = nullptr);
+
+}  // namespace penumbra::reference
