@@ -114,14 +114,12 @@ void place_depth(const ShadowSettings& settings, const LightBounds* casters, dou
 }
 
 // Moves the square to whole texels of light space, so that a moving camera moves the map by whole texels and
-// edges stand still. A margin of half a texel on each side keeps the square's content inside after rounding:
-// h = r + texel / 2 and texel = 2 h / n give h = r n / (n - 1). Content whose centre falls exactly between
-// two texels must not be decided by rounding noise: the tie is moved by 2^-10 texel, and so is the margin.
+// edges stand still. A margin on each side keeps the square's content inside after rounding: h = r + m texel
+// and texel = 2 h / n give h = r n / (n - 2 m).
 void snap(int tile_resolution, TileBox& box) {
-  constexpr double kTie = 1.0 / 1024.0;
-  box.half_extent *= tile_resolution / (tile_resolution - 1.0 - 2.0 * kTie);
+  box.half_extent *= tile_resolution / (tile_resolution - 2.0 * kSnapMarginTexels);
   const double texel = 2.0 * box.half_extent / tile_resolution;
-  box.centre = glm::floor(box.centre / texel + (0.5 + kTie)) * texel;
+  box.centre = glm::floor(box.centre / texel + (0.5 + kSnapTieTexels)) * texel;
 }
 
 TileBox fit_tile(const LightAxes& axes, const ShadowSettings& settings, const Sphere& sphere,

@@ -52,8 +52,8 @@ struct ShadowSettings {
   SoftQuality soft_quality = SoftQuality::medium;
   bool reversed_z = true;
   ClipDepth clip_depth = ClipDepth::zero_to_one;  // convention of the projection matrices that are emitted
-  std::optional<double> depth_range_metres;       // extent of each light frustum along the light
-  std::optional<Bounds> caster_bounds;            // world box of all casters: fixes the near plane, and the
+  std::optional<double> depth_range_metres{};     // extent of each light frustum along the light
+  std::optional<Bounds> caster_bounds{};          // world box of all casters: fixes the near plane, and the
                                                   // custom fit tightens to it when fit_to_bounds is set
   bool fit_to_bounds = false;
   double near_plane_offset_metres = 0.2;  // Unity's Light.shadowNearPlane stand-in, added before the sphere
@@ -71,8 +71,8 @@ struct Cascade {
   double uv_per_metre = 0.0;     // tile UV per metre across the light: |row0.xyz| / offset_scale.z
   double depth_per_metre = 0.0;  // stored depth per metre along the light: |row2.xyz|
   double depth_to_radial = 0.0;  // penumbra RADIUS in tile UV per unit of stored depth gap (geometric)
-  std::optional<double> radial_to_depth;  // inverse; absent at angular diameter 0
-  double depth_to_radial_hdrp = 0.0;      // HDRP's m00/m22 form: twice the geometric value
+  std::optional<double> radial_to_depth{};  // inverse; absent at angular diameter 0
+  double depth_to_radial_hdrp = 0.0;        // HDRP's m00/m22 form: twice the geometric value
   double texel_size_metres = 0.0;
   double max_penumbra_texels = 0.0;  // radius for the whole depth range of the tile
   double depth_bias_metres = 0.0;    // URP's _ShadowBias.x and .y, both <= 0
@@ -93,6 +93,11 @@ struct CascadeSet {
 
 // The splits in use: the given ones, or URP's defaults 0.25 | 0.1, 0.3 | 0.067, 0.2, 0.467.
 std::array<double, 3> effective_splits(const ShadowSettings& settings);
+
+// Snapping to texels rounds half up, but with round numbers halves are common and rounding noise would decide
+// them: the tie stands a little aside, at no simple fraction, and the tile's margin is half a texel and more.
+inline constexpr double kSnapTieTexels = 0.000618034;
+inline constexpr double kSnapMarginTexels = 0.501;
 
 // URP's soft kernel radius in texels, by which GetShadowBias widens both biases: 1 (off), 1.5, 2.5, 3.5.
 double kernel_radius_texels(SoftQuality quality);

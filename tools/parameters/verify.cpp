@@ -109,11 +109,10 @@ Box fit_box(const ShadowSettings& settings, const Axes& axes, const Vec4& sphere
   Box box{glm::dot(axes.right, centre), glm::dot(axes.up, centre), sphere.w,
           depth_of(settings, axes, along, sphere.w)};
   if (settings.fit_to_bounds) tighten(*settings.caster_bounds, axes, box);
-  const Real tie = Real{1} / 1024;
-  const Real texel = 2 * box.half / (resolution - 1 - 2 * tie);
+  const Real texel = 2 * box.half / (resolution - 2 * Real{kSnapMarginTexels});
   box.half = texel * resolution / 2;
-  box.x = texel * std::floor(box.x / texel + Real{0.5} + tie);
-  box.y = texel * std::floor(box.y / texel + Real{0.5} + tie);
+  box.x = texel * std::floor(box.x / texel + Real{0.5} + Real{kSnapTieTexels});
+  box.y = texel * std::floor(box.y / texel + Real{0.5} + Real{kSnapTieTexels});
   return box;
 }
 

@@ -1,0 +1,12 @@
+// Built by the test emitted_source_compiles from freshly emitted headers: they compile and hold the figures.
+#include "constants.h"
+#include "expected.h"
+#include "parameters/disk_tables.h"
+
+int main() {
+  namespace constants = penumbra::cascade_constants;
+  static_assert(constants::kDepthToRadial[3] == EXPECTED_DEPTH_TO_RADIAL);
+  static_assert(constants::kWorldToShadow.size() == 4 && constants::kWorldToShadow[0].size() == 16);
+  static_assert(penumbra::disk_tables::kPoisson128.size() == 128);
+  return 0;
+}
