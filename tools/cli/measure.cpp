@@ -3,15 +3,19 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <memory>
 
 #include "cli/study_options.h"
 #include "cli/subcommand.h"
+#include "input/input_error.h"
 #include "platform/atomic_file.h"
 #include "platform/data_directory.h"
 #include "platform/processor.h"
 #include "study/picture_sheet.h"
 #include "study/report.h"
+#include "study/result_block.h"
 #include "study/study.h"
 #include "study/summary.h"
 
@@ -21,14 +25,22 @@ namespace {
 struct MeasureOptions : StudyOptions {
   int timing_repeats = 5;
   bool no_split = false;
+  std::string from;    // earlier results.json: nothing is measured
+  std::string readme;  // file whose result block is written anew
 };
+
+std::string read_text(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw InputError(file.string(), "cannot be opened");
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
 
 // The command that gives these results again: what was asked for, without where it was written.
 std::string reproducing_command(const std::vector<std::string>& arguments) {
   std::string command = "penumbra";
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string& argument = arguments[i];
-    if (argument == "-o" || argument == "--output" || argument == "--cache") {
+    if (argument == "-o" || argument == "--output" || argument == "--cache" || argument == "--readme") {
       ++i;
       continue;
     }
@@ -100,7 +112,12 @@ void print_headlines(const std::filesystem::path& folder, const study::Results& 
   write_output("", text);
 }
 
-void measure(const MeasureOptions& options, const std::string& command, Context& context) {
+struct Measured {
+  study::Results results;
+  std::vector<study::PictureRow> pictures;
+};
+
+Measured measure(const MeasureOptions& options, Context& context) {
   const shaders::TechniqueList list =
       shaders::read_technique_list(platform::data_directory() / "ShaderLibrary" / "techniques.json");
   const study::StudySettings settings = study_settings(options);
@@ -108,14 +125,6 @@ void measure(const MeasureOptions& options, const std::string& command, Context&
   const gpu::Device device = open_device(options);
   study::StudyOutcome outcome = study::run_study(device, subjects, settings, study_progress(context));
 
-  study::Results results;
-  results.library_version = PENUMBRA_VERSION;
-  results.command = command;
-  results.hardware = platform::processor_name();
-  results.device = device.info().name;
-  results.driver = device.info().driver;
-  results.is_software = device.info().is_software;
-  results.records = std::move(outcome.records);
   for (const std::string& note : outcome.notes) {
     if (!context.quiet) fmt::print(stderr, "note: {}\n", note);
   }
@@ -123,13 +132,47 @@ void measure(const MeasureOptions& options, const std::string& command, Context&
     fmt::print(stderr, "validation: {}\n", message);
     context.exit_code = findings;
   }
-  if (study::has_invalid_values(results)) context.exit_code = findings;
-  if (options.output.empty() || options.output == "-") {
-    write_output("", study::to_json(results));
-    return;
+  Measured measured;
+  measured.results.library_version = PENUMBRA_VERSION;
+  measured.results.command = reproducing_command(context.arguments);
+  measured.results.hardware = platform::processor_name();
+  measured.results.device = device.info().name;
+  measured.results.driver = device.info().driver;
+  measured.results.is_software = device.info().is_software;
+  measured.results.records = std::move(outcome.records);
+  measured.pictures = std::move(outcome.pictures);
+  return measured;
+}
+
+// The block's chart is the one beside the results, by its path from the README's folder.
+void rewrite_readme(const MeasureOptions& options, const study::Results& results) {
+  const std::filesystem::path readme = options.readme;
+  const std::filesystem::path beside = options.from.empty()
+                                           ? std::filesystem::path(options.output)
+                                           : std::filesystem::path(options.from).parent_path();
+  const std::filesystem::path home = std::filesystem::absolute(readme).parent_path();
+  const std::string chart =
+      std::filesystem::absolute(beside / "chart-1.svg").lexically_relative(home).generic_string();
+  const std::string text = read_text(readme);
+  const std::string block = study::result_block(results, chart);
+  platform::write_file_atomically(readme, study::replace_result_block(text, block, options.readme));
+}
+
+void run(const MeasureOptions& options, Context& context) {
+  Measured measured;
+  if (options.from.empty()) {
+    measured = measure(options, context);
+  } else {
+    measured.results = study::read_results(options.from);
   }
-  write_report(options.output, results, std::move(outcome.pictures));
-  print_headlines(options.output, results);
+  if (study::has_invalid_values(measured.results)) context.exit_code = findings;
+  if (!options.output.empty() && options.output != "-") {
+    write_report(options.output, measured.results, std::move(measured.pictures));
+    print_headlines(options.output, measured.results);
+  } else if (options.readme.empty()) {
+    write_output("", study::to_json(measured.results));
+  }
+  if (!options.readme.empty()) rewrite_readme(options, measured.results);
 }
 
 }  // namespace
@@ -153,8 +196,7 @@ void add_measure(CLI::App& app, Context& context) {
   command->add_flag("--no-split", options->no_split, "Leave out the references T2 and T3")->group("Study");
   command->add_option("-o,--output", options->output,
                       "Folder for results.json, report.html, charts and pictures; default: JSON on stdout");
-  command->callback(
-      [options, &context] { measure(*options, reproducing_command(context.arguments), context); });
+  command->callback([options, &context] { run(*options, context); });
 }
 
 }  // namespace penumbra::cli
