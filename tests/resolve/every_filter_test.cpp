@@ -120,7 +120,7 @@ class EveryFilter : public testing::TestWithParam<Case> {
       const shaders::ParameterStruct* fields = library_techniques().find_struct(pass.parameters);
       if (fields == nullptr) continue;
       for (const shaders::ParameterField& field : fields->fields) {
-        const bool is_count = field.type == "int" && field.name.find("ount") != std::string::npos;
+        const bool is_count = field.type == "int" && field.name.find("amples") != std::string::npos;
         if (is_count) values.set("_Penumbra" + fields->name + "_" + field.name, count);
       }
     }
@@ -202,6 +202,17 @@ TEST_P(EveryFilter, StaysRightWithTheSunTwoDegreesUp) {
   const auto wall = [this](double, double, int) { return nearest(); };
   frame.atlas = testing_frames::make_atlas(frame.cascades, wall);
   expect_all(visibility(frame), 0.0f, "wall at the near plane");
+}
+
+TEST_P(EveryFilter, StaysRightAHundredKilometresFromTheOrigin) {
+  FrameSetup far = setup();
+  far.camera.position = {1e5, 1.7, -1e5};
+  expect_in_range(visibility(far, rough_depth, grid(depth(0.6))), "rough map");
+  const auto empty = [this](double, double, int) { return farthest(); };
+  expect_all(visibility(far, empty, grid(depth(0.6))), 1.0f, "empty map");
+  // A quarter of the depth range is metres: far more than the centimetre that positions are rounded by here.
+  const auto wall = [this](double, double, int) { return static_cast<float>(depth(0.35)); };
+  expect_all(visibility(far, wall, grid(depth(0.6))), 0.0f, "wall");
 }
 
 TEST_P(EveryFilter, StaysInRangeWithNormalsThatMakeNoSense) {
