@@ -56,8 +56,8 @@ Scene colonnade() {
   Scene scene;
   scene.description = "a colonnade of 24 columns with architrave, roof edge, steps and a wall behind";
   scene.mesh = mesh.take();
-  scene.camera = camera_looking({-9.2, 1.7, -4.5}, {-3.6, 2.2, 8.0});
-  scene.light_direction = sunlight(27.0, -122.0);
+  scene.camera = camera_looking({-2.9, kFloor + 1.7, 1.2}, {-3.7, 2.1, 10.0});
+  scene.light_direction = sunlight(34.0, -62.0);
   return scene;
 }
 

@@ -1,6 +1,7 @@
 #include "scene/face_normals.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <tuple>
 
@@ -14,15 +15,15 @@ constexpr std::size_t kLargestHub = 64;
 
 struct Corner {
   std::size_t index;  // into ModelFile::indices
-  glm::dvec3 area;    // of its face, along its normal
+  glm::dvec3 normal;  // of its face, unit
+  double angle;       // between its two edges
 };
 
 glm::dvec3 smoothed(const Corner& corner, const Corner* first, const Corner* last) {
-  const glm::dvec3 own = glm::normalize(corner.area);
-  glm::dvec3 sum = corner.area;
+  glm::dvec3 sum = corner.angle * corner.normal;
   for (const Corner* other = first; other != last; ++other) {
     if (other->index == corner.index) continue;
-    if (glm::dot(own, glm::normalize(other->area)) > kCosOfSmoothingAngle) sum += other->area;
+    if (glm::dot(corner.normal, other->normal) > kCosOfSmoothingAngle) sum += other->angle * other->normal;
   }
   return glm::normalize(sum);
 }
@@ -32,8 +33,11 @@ std::vector<Corner> corners_without_normal(const ModelFile& model) {
   for (std::size_t i = 0; i < model.indices.size(); ++i) {
     if (model.normals[model.indices[i]] != glm::dvec3(0.0)) continue;
     const std::size_t face = i - i % 3;
-    const auto at = [&](std::size_t k) { return model.positions[model.indices[face + k]]; };
-    corners.push_back({i, glm::cross(at(1) - at(0), at(2) - at(0))});
+    const auto at = [&](std::size_t k) { return model.positions[model.indices[face + k % 3]]; };
+    const glm::dvec3 next = at(i + 1 - face) - at(i - face), last = at(i + 2 - face) - at(i - face);
+    const glm::dvec3 area = glm::cross(next, last);
+    const double angle = std::atan2(glm::length(area), glm::dot(next, last));
+    corners.push_back({i, glm::normalize(area), angle});
   }
   return corners;
 }

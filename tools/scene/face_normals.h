@@ -1,5 +1,6 @@
 // Normals for vertices whose file has none, as Unity's model importer derives them: faces that meet at an
-// angle below 60 degrees are smoothed into each other, weighted by their area; sharper edges stay sharp.
+// angle below 60 degrees are smoothed into each other, weighted by their angle at the vertex (Thuermer and
+// Wuethrich 1998), so that the cut of a polygon into triangles does not show; sharper edges stay sharp.
 #pragma once
 
 #include "scene/model_file.h"

@@ -1,0 +1,125 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <glm/trigonometric.hpp>
+#include <map>
+
+#include "input/input_error.h"
+#include "scene/content_hash.h"
+#include "scene/mesh_properties.h"
+#include "scene/scene.h"
+
+namespace penumbra::scene {
+namespace {
+
+class BuiltIn : public testing::TestWithParam<std::string> {
+ protected:
+  const Scene scene = built_in(GetParam());
+};
+
+TEST_P(BuiltIn, IsTheSameToTheByteEverywhere) {
+  // Looked at when they were taken. A changed scene changes every published figure: update both together.
+  const std::map<std::string, std::string> golden{
+      {"contact-boxes", "633364e3fea5e084dd42be6a8e637d19"},
+      {"poles-and-fence", "e2094b6f457a51f2911c5b9f38e19dc5"},
+      {"trees", "2c872965371cc2715769ee198ea61d41"},
+      {"slabs", "0f1f32cb96a5c1ed00ba1b2bb900f9c4"},
+      {"colonnade", "84cd39d839cb37ef91bdaa7e28b0681c"},
+      {"street", "1726eb85972bf2168a207528a69131e3"},
+  };
+  EXPECT_EQ(content_hash(scene), golden.at(GetParam()));
+  EXPECT_EQ(content_hash(built_in(GetParam())), content_hash(scene));
+}
+
+TEST_P(BuiltIn, HasFiniteVerticesUnitNormalsAndIndicesInRange) {
+  ASSERT_EQ(scene.mesh.positions.size(), scene.mesh.normals.size());
+  for (std::size_t i = 0; i < scene.mesh.positions.size(); ++i) {
+    const glm::vec3 p = scene.mesh.positions[i];
+    ASSERT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) << "vertex " << i;
+    ASSERT_NEAR(glm::length(scene.mesh.normals[i]), 1.0, 1e-5) << "vertex " << i;
+  }
+  ASSERT_EQ(scene.mesh.indices.size() % 3, 0U);
+  for (const std::uint32_t index : scene.mesh.indices) ASSERT_LT(index, scene.mesh.positions.size());
+}
+
+TEST_P(BuiltIn, HasTrianglesWithAnAreaWhoseNormalsFollowTheWinding) {
+  for (std::size_t i = 0; i < scene.mesh.triangle_count(); ++i) {
+    const glm::dvec3 area = area_vector(scene.mesh, i);
+    ASSERT_GT(glm::length(area), 2e-6) << "triangle " << i;  // a square millimetre
+    for (std::size_t k = 0; k < 3; ++k) {
+      const glm::dvec3 normal(scene.mesh.normals[scene.mesh.indices[3 * i + k]]);
+      ASSERT_GT(glm::dot(normal, area), 0.0) << "triangle " << i;
+    }
+  }
+}
+
+TEST_P(BuiltIn, IsOfASizeAPersonWouldExpectAndAffordable) {
+  EXPECT_GT(scene.mesh.triangle_count(), 500U);
+  EXPECT_LT(scene.mesh.triangle_count(), 250'000U);
+  const parameters::Bounds bounds = scene.bounds();
+  EXPECT_GE(bounds.minimum.y, -0.01) << "nothing lies below the ground";
+  EXPECT_GT(bounds.maximum.y, 2.5);
+  EXPECT_LT(bounds.maximum.y, 15.0);
+  EXPECT_GE(bounds.maximum.z, scene.camera.position.z + scene.shadow_distance_metres);
+}
+
+TEST_P(BuiltIn, LooksFromHumanHeightAboveWhatTheCameraStandsOn) {
+  const glm::dvec3 eye = scene.camera.position;
+  const double height = first_hit(scene.mesh, eye, {0, -1, 0});
+  EXPECT_GE(height, 1.6);
+  EXPECT_LE(height, 1.8);
+  EXPECT_NEAR(glm::length(scene.camera.forward), 1.0, 1e-9);
+  EXPECT_LT(winding_number(scene.mesh, eye), 0.25) << "the camera is inside something";
+  EXPECT_GT(first_hit(scene.mesh, eye, scene.camera.forward), 1.0) << "something stands before the lens";
+}
+
+TEST_P(BuiltIn, HasASunAboveTheHorizon) {
+  EXPECT_NEAR(glm::length(scene.light_direction), 1.0, 1e-9);
+  EXPECT_LT(scene.light_direction.y, -0.3);
+}
+
+// A grid of camera rays, each followed to the sun's centre: the picture has to hold light and shadow.
+TEST_P(BuiltIn, ShowsLightAndShadow) {
+  const glm::dvec3 right = glm::normalize(glm::cross(scene.camera.up, scene.camera.forward));
+  const glm::dvec3 up = glm::cross(scene.camera.forward, right);
+  int lit = 0, shadowed = 0;
+  for (int i = 0; i < 192; ++i) {
+    const double x = (i % 16 + 0.5) / 8.0 - 1.0, y = -(i / 16 + 0.5) / 12.0;  // the lower half of the picture
+    const glm::dvec3 ray = glm::normalize(scene.camera.forward + x * right + 0.57 * y * up);
+    const double distance = first_hit(scene.mesh, scene.camera.position, ray);
+    if (distance > scene.shadow_distance_metres) continue;
+    const glm::dvec3 seen = scene.camera.position + (distance - 1e-3) * ray;
+    (std::isinf(first_hit(scene.mesh, seen, -scene.light_direction)) ? lit : shadowed)++;
+  }
+  EXPECT_GT(lit, 15);
+  EXPECT_GT(shadowed, 15);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, BuiltIn, testing::ValuesIn(built_in_names()), [](const auto& test) {
+  std::string name = test.param;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+});
+
+TEST(BuiltInNames, NamesTheNearestForOneThatIsUnknown) {
+  try {
+    built_in("colonade");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("unknown scene 'colonade'"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("did you mean 'colonnade'"));
+  }
+}
+
+TEST(Sunlight, TravelsFromWhereTheSunStands) {
+  const glm::dvec3 east = sunlight(30.0, 90.0);  // azimuth from +Z towards +X
+  EXPECT_NEAR(east.x, -std::cos(glm::radians(30.0)), 1e-9);
+  EXPECT_NEAR(east.y, -0.5, 1e-9);
+  EXPECT_NEAR(east.z, 0.0, 1e-9);
+  for (const double elevation : {0.0, -1.0, 90.1, std::nan("")}) {
+    EXPECT_THROW(sunlight(elevation, 0.0), InputError) << elevation;
+  }
+}
+
+}  // namespace
+}  // namespace penumbra::scene

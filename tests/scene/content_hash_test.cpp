@@ -1,0 +1,72 @@
+#include "scene/content_hash.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <set>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace penumbra::scene {
+namespace {
+
+TEST(ContentHash, OfNothingIsTheAlgorithmsPublishedValue) {
+  // XXH3, 128 bits, seed 0, empty input.
+  EXPECT_EQ(ContentHash().hex(), "99aa06d3014798d86001c324468d497f");
+}
+
+TEST(ContentHash, KeepsTheBoundariesOfWhatItWasGiven) {
+  EXPECT_NE(ContentHash().update("ab").update("c").hex(), ContentHash().update("a").update("bc").hex());
+  EXPECT_NE(ContentHash().update("").hex(), ContentHash().hex());
+}
+
+TEST(ContentHash, OfAnIntegerDoesNotDependOnItsWidth) {
+  EXPECT_EQ(ContentHash().update(std::int8_t{-5}).hex(), ContentHash().update(std::int64_t{-5}).hex());
+  EXPECT_NE(ContentHash().update(1).hex(), ContentHash().update(1.0).hex());
+}
+
+TEST(ContentHash, MayBeReadAndThenContinued) {
+  ContentHash hash;
+  hash.update("first");
+  const std::string early = hash.hex();
+  EXPECT_EQ(hash.hex(), early);
+  EXPECT_EQ(hash.update(2.5).hex(), ContentHash().update("first").update(2.5).hex());
+}
+
+TEST(ContentHash, OfASceneChangesWithEverythingThatIsSeen) {
+  const Scene scene = built_in("slabs");
+  const std::vector<std::function<void(Scene&)>> changes{
+      [](Scene& s) { s.mesh.positions[7].y += 1e-6F; },
+      [](Scene& s) { s.mesh.normals[7].y = -s.mesh.normals[7].y - 1.0F; },
+      [](Scene& s) { std::swap(s.mesh.indices[0], s.mesh.indices[1]); },
+      [](Scene& s) { s.origin.x = 1e5; },
+      [](Scene& s) { s.light_direction.z += 1e-9; },
+      [](Scene& s) { s.shadow_distance_metres = 60.0; },
+      [](Scene& s) { s.camera.position.y = 1.75; },
+      [](Scene& s) { s.camera.forward.x += 1e-9; },
+      [](Scene& s) { s.camera.up.x += 1e-9; },
+      [](Scene& s) { s.camera.fov_y_degrees = 61.0; },
+      [](Scene& s) { s.camera.aspect = 2.0; },
+      [](Scene& s) { s.camera.near_plane = 0.2; },
+      [](Scene& s) { s.camera.far_plane = 900.0; },
+  };
+  std::set<std::string> hashes{content_hash(scene)};
+  for (const auto& change : changes) {
+    Scene changed = scene;
+    change(changed);
+    hashes.insert(content_hash(changed));
+  }
+  EXPECT_EQ(hashes.size(), changes.size() + 1);
+}
+
+TEST(ContentHash, OfASceneIgnoresWhatItIsCalled) {
+  Scene scene = built_in("slabs");
+  const std::string before = content_hash(scene);
+  scene.name = "other";
+  scene.description = "other";
+  EXPECT_EQ(content_hash(scene), before);
+}
+
+}  // namespace
+}  // namespace penumbra::scene

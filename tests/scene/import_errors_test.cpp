@@ -1,0 +1,107 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "scene/import_fixture.h"
+
+namespace penumbra::scene {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const std::vector<float> kTriangle{0, 0, 0, 1, 0, 0, 0, 1, 0};
+
+TEST_F(ImportTest, RefusesWhatIsNotAReadableFile) {
+  EXPECT_THAT(refusal(folder_ / "missing.obj"), AllOf(HasSubstr("missing.obj"), HasSubstr("no such file")));
+  EXPECT_THAT(refusal(folder_), HasSubstr("is a folder"));
+  EXPECT_THAT(refusal(write("empty.glb", "")), HasSubstr("is empty"));
+  EXPECT_THAT(refusal(write("model.txt", "v 0 0 0")),
+              AllOf(HasSubstr("not a model format"), HasSubstr(".gltf")));
+  EXPECT_THAT(refusal(write("model", "v 0 0 0")), HasSubstr("not a model format"));
+}
+
+TEST_F(ImportTest, RefusesGarbageOfEveryFormatNamingTheFile) {
+  for (const char* extension : {"gltf", "glb", "obj", "3ds", "ply", "stl", "off", "dae", "fbx"}) {
+    const auto file =
+        write(std::string("garbage.") + extension, "It was the best of times, it was the worst.\n");
+    EXPECT_THAT(refusal(file), StartsWith(file.string() + ": ")) << extension;
+  }
+}
+
+TEST_F(ImportTest, RefusesATruncatedGlbAtEveryLength) {
+  std::string json = gltf(kTriangle);
+  const std::size_t uri = json.find(",\"uri\"");
+  json.erase(uri, json.rfind("}]}") - uri);  // the buffer is the binary chunk
+  std::string glb = "glTF";
+  const std::string positions(reinterpret_cast<const char*>(kTriangle.data()),
+                              kTriangle.size() * sizeof(float));
+  const auto word = [&](std::size_t value) {
+    for (int shift = 0; shift < 32; shift += 8) glb += static_cast<char>(value >> shift & 255);
+  };
+  const std::string padded = json + std::string((4 - json.size() % 4) % 4, ' ');
+  word(2);
+  word(12 + 8 + padded.size() + 8 + positions.size());
+  word(padded.size());
+  glb += "JSON" + padded;
+  word(positions.size());
+  glb += std::string("BIN\0", 4) + positions;
+  EXPECT_EQ(import(write("whole.glb", glb), {.ground = false}).mesh.triangle_count(), 1U);
+  for (std::size_t length = 1; length < glb.size(); length += 17) {
+    EXPECT_THAT(refusal(write("cut.glb", glb.substr(0, length))), HasSubstr("cannot be read")) << length;
+  }
+}
+
+TEST_F(ImportTest, RefusesFilesWithoutTriangles) {
+  EXPECT_THAT(refusal(write("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\n")), HasSubstr("triangles"));
+  EXPECT_THAT(refusal(write("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\nf 1 1 2\n")),
+              HasSubstr("no triangle with an area"));
+}
+
+TEST_F(ImportTest, RefusesVerticesThatAreNotFinite) {
+  const float nan = std::nanf(""), infinity = std::numeric_limits<float>::infinity();
+  for (const float bad : {nan, infinity, -infinity}) {
+    EXPECT_THAT(refusal(write("bad.gltf", gltf({0, 0, 0, 1, 0, 0, 0, bad, 0}))), HasSubstr("is not finite"));
+  }
+  EXPECT_THAT(refusal(write("overflow.gltf", gltf(kTriangle, R"(,"scale":[1e39,1,1])"))),
+              StartsWith((folder_ / "overflow.gltf").string()));
+}
+
+TEST_F(ImportTest, RefusesIndicesOutOfRange) {
+  const auto file = write("index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
+  EXPECT_THAT(refusal(file), StartsWith(file.string() + ": "));
+}
+
+TEST_F(ImportTest, RefusesAGltfWhoseBufferIsMissing) {
+  std::string text = gltf(kTriangle);
+  const std::size_t begin = text.find("data:"), end = text.find('"', begin);
+  text.replace(begin, end - begin, "elsewhere.bin");
+  EXPECT_THAT(refusal(write("missing_buffer.gltf", text)), HasSubstr("elsewhere.bin"));
+}
+
+TEST_F(ImportTest, RefusesMoreTrianglesThanTheLimit) {
+  const auto file = write("tetrahedron.obj", kTetrahedron);
+  EXPECT_THAT(refusal(file, {.triangle_limit = 3}),
+              AllOf(HasSubstr("has 4 triangles"), HasSubstr("limit is 3")));
+  EXPECT_EQ(import(file, {.ground = false, .triangle_limit = 4}).mesh.triangle_count(), 4U);
+}
+
+TEST_F(ImportTest, RefusesSizesThatCannotBeMetres) {
+  const auto file = write("tetrahedron.obj", kTetrahedron);
+  EXPECT_THAT(refusal(file, {.metres_per_unit = 1e-5}), HasSubstr("3e-05 m across"));
+  EXPECT_THAT(refusal(file, {.metres_per_unit = 1e5}), HasSubstr("300000 m across"));
+  const auto flat = write("sheet.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 3 2\n");
+  EXPECT_THAT(refusal(flat, {.height_metres = 2.0}), HasSubstr("has no height"));
+}
+
+TEST_F(ImportTest, RefusesOptionsOutOfRange) {
+  const auto file = write("tetrahedron.obj", kTetrahedron);
+  for (const double unit : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
+    EXPECT_THAT(refusal(file, {.metres_per_unit = unit}), HasSubstr("metres per unit")) << unit;
+  }
+  EXPECT_THAT(refusal(file, {.height_metres = -1.0}), HasSubstr("height"));
+  EXPECT_THAT(refusal(file, {.z_up = true, .minus_z_up = true}), HasSubstr("not both"));
+}
+
+}  // namespace
+}  // namespace penumbra::scene

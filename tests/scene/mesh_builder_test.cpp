@@ -1,0 +1,88 @@
+#include "scene/mesh_builder.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "scene/mesh_properties.h"
+
+namespace penumbra::scene {
+namespace {
+
+void expect_normals_agree_with_winding(const Mesh& mesh) {
+  for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const glm::dvec3 normal(mesh.normals[mesh.indices[3 * i + k]]);
+      EXPECT_GT(glm::dot(normal, area_vector(mesh, i)), 0.0) << "triangle " << i << " corner " << k;
+    }
+  }
+}
+
+TEST(MeshBuilder, BoxIsClosedAndHasItsVolumeHoweverTurned) {
+  for (const glm::dmat3& turned :
+       {rotation(0.0), rotation(30.0, 20.0, 70.0), rotation(-145.0, 80.0, -200.0)}) {
+    MeshBuilder builder;
+    builder.box({{3.0, 4.0, -5.0}, turned}, {0.5, 1.5, 2.0});
+    const Mesh mesh = builder.take();
+    EXPECT_EQ(mesh.triangle_count(), 12U);
+    EXPECT_EQ(open_edges(mesh), 0U);
+    EXPECT_NEAR(volume(mesh), 1.5, 1e-4);
+    expect_normals_agree_with_winding(mesh);
+  }
+}
+
+TEST(MeshBuilder, StandingBoxStandsOnItsBase) {
+  MeshBuilder builder;
+  builder.standing_box({0.0, 2.0, 0.0}, {1.0, 3.0, 1.0}, 45.0);
+  Scene scene;
+  scene.mesh = builder.take();
+  EXPECT_NEAR(scene.bounds().minimum.y, 2.0, 1e-6);
+  EXPECT_NEAR(scene.bounds().maximum.y, 5.0, 1e-6);
+  EXPECT_NEAR(scene.bounds().maximum.x, std::numbers::sqrt2 / 2.0, 1e-6);
+}
+
+TEST(MeshBuilder, TubeIsClosedAndHasThePyramidsVolumeAtEveryAttitude) {
+  constexpr int sides = 7;
+  // A frustum over a regular polygon: h/3 (A + B + sqrt(A B)).
+  const auto polygon = [](double r) {
+    return 0.5 * sides * r * r * std::sin(2.0 * std::numbers::pi / sides);
+  };
+  for (const glm::dvec3& end : {glm::dvec3(0, 2, 0), glm::dvec3(0, -2, 0), glm::dvec3(2, 0, 0),
+                                glm::dvec3(1.2, 1.6, 0.0), glm::dvec3(0, 0, -2)}) {
+    MeshBuilder builder;
+    builder.tube({{0, 0, 0}, end, 0.5, 0.2, sides});
+    const Mesh mesh = builder.take();
+    EXPECT_EQ(open_edges(mesh), 0U);
+    const double expected =
+        2.0 / 3.0 * (polygon(0.5) + polygon(0.2) + std::sqrt(polygon(0.5) * polygon(0.2)));
+    EXPECT_NEAR(volume(mesh), expected, 1e-4);
+    expect_normals_agree_with_winding(mesh);
+  }
+}
+
+TEST(MeshBuilder, GableIsAClosedPrism) {
+  MeshBuilder builder;
+  builder.gable({{1.0, 2.0, 3.0}, {4.0, 1.0, 10.0}});
+  const Mesh mesh = builder.take();
+  EXPECT_EQ(open_edges(mesh), 0U);
+  EXPECT_NEAR(volume(mesh), 20.0, 1e-4);
+  expect_normals_agree_with_winding(mesh);
+}
+
+TEST(MeshBuilder, GroundFacesUp) {
+  MeshBuilder builder;
+  builder.ground({1.0, 0.0, 2.0}, 5.0);
+  const Mesh mesh = builder.take();
+  for (const glm::vec3& normal : mesh.normals) EXPECT_EQ(normal, glm::vec3(0, 1, 0));
+  expect_normals_agree_with_winding(mesh);
+}
+
+TEST(MeshBuilder, RotationTurnsZTowardsXAndKeepsSizes) {
+  const glm::dvec3 turned = rotation(90.0) * glm::dvec3(0, 0, 1);
+  EXPECT_NEAR(turned.x, 1.0, 1e-12);
+  const glm::dmat3 any = rotation(12.0, 34.0, 56.0);
+  EXPECT_NEAR(glm::dot(any[0], glm::cross(any[1], any[2])), 1.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace penumbra::scene

@@ -1,0 +1,63 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "scene/content_hash.h"
+#include "scene/import_fixture.h"
+#include "scene/mesh_properties.h"
+
+namespace penumbra::scene {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+class PackageModels : public testing::TestWithParam<PackageModel> {};
+
+TEST_P(PackageModels, IsAsTallAsItSaysAndStandsOnTheGround) {
+  const Scene scene = package_model(GetParam().name, {.ground = false});
+  EXPECT_GT(scene.mesh.triangle_count(), 5000U);
+  EXPECT_NEAR(scene.bounds().minimum.y, 0.0, 1e-5);
+  EXPECT_NEAR(scene.bounds().maximum.y, GetParam().height_metres, 1e-5);
+  for (const glm::vec3& normal : scene.mesh.normals) ASSERT_NEAR(glm::length(normal), 1.0, 1e-5);
+}
+
+INSTANTIATE_TEST_SUITE_P(Debian, PackageModels, testing::ValuesIn(package_models()), [](const auto& test) {
+  std::string name = test.param.name;
+  std::replace(name.begin(), name.end(), '/', '_');
+  return name;
+});
+
+TEST_F(ImportTest, MissingPackageIsTheEnvironmentsFaultAndNamesThePackage) {
+  try {
+    package_model("glmark2/horse", {}, folder_);
+    FAIL();
+  } catch (const EnvironmentError& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("horse.3ds"), HasSubstr("apt-get install glmark2-data")));
+  }
+}
+
+TEST_F(ImportTest, LoadTakesBuiltInNamesPackageNamesAndFiles) {
+  EXPECT_EQ(content_hash(load("slabs")), content_hash(built_in("slabs")));
+  EXPECT_EQ(load("package:glmark2/horse").name, "glmark2/horse");
+  const auto file = write("tetrahedron.obj", kTetrahedron);
+  EXPECT_EQ(load(file.string()).name, "tetrahedron");
+  for (const std::string& name : built_in_names()) EXPECT_THAT(scene_names(), testing::Contains(name));
+}
+
+TEST_F(ImportTest, LoadNamesTheNearestOfWhatItDoesNotKnow) {
+  const auto refusal_of = [](std::string_view name) -> std::string {
+    try {
+      load(name);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  EXPECT_THAT(refusal_of("tress"), HasSubstr("did you mean 'trees'"));
+  EXPECT_THAT(refusal_of("package:glmark2/hors"), HasSubstr("did you mean 'glmark2/horse'"));
+  EXPECT_THAT(refusal_of("no/such.glb"), AllOf(HasSubstr("no/such.glb"), HasSubstr("no such file")));
+  EXPECT_THAT(refusal_of(""), HasSubstr("known are: contact-boxes"));
+}
+
+}  // namespace
+}  // namespace penumbra::scene
