@@ -1,6 +1,7 @@
 #include "reference/row_blocks.h"
 
 #include <tbb/blocked_range.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -50,7 +51,11 @@ class RowRun {
   }
 
  private:
-  static int threads(int jobs) { return jobs > 0 ? jobs : tbb::task_arena::automatic; }
+  // More threads than the machine runs at once would only make oneTBB warn.
+  static int threads(int jobs) {
+    const int most = tbb::info::default_concurrency();
+    return jobs > 0 ? std::min(jobs, most) : most;
+  }
 
   void resume() {
     if (cache_ == nullptr) return;
