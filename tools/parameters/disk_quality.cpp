@@ -66,8 +66,8 @@ double smallest_distance(std::span<const glm::dvec2> points) {
 // K and E by the arithmetic-geometric mean (Abramowitz & Stegun 17.6): K = pi / (2 agm(1, sqrt(1 - m))),
 // E = K (1 - s), s = sum 2^(n-1) c_n^2 with c_0^2 = m. s / m is summed directly: K - E would cancel near m =
 // 0.
-DiskDistance distance_to_disk(double m) {
-  m = std::clamp(m, 0.0, 1.0 - 1e-12);
+DiskDistance distance_to_disk(double radius_squared) {
+  const double m = std::clamp(radius_squared, 0.0, 1.0 - 1e-12);
   double a = 1.0;
   double b = std::sqrt(1.0 - m);
   double power = 0.5;

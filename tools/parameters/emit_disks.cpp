@@ -79,9 +79,8 @@ std::string disks_source(const DiskSet& set, Language language) {
       "Disk tables: the taps of every disk filter, points of the unit disk.",
       "Written by `penumbra tables`; do not edit. Their quality figures: `penumbra tables --format table`.",
       "",
-      "FibonacciDirections: unit vectors, each the golden angle pi (3 - sqrt 5) on from the last (Vogel "
-      "1979;",
-      "  Marques et al. 2013). Scale entry i of N by sqrt((i + 0.5) / N) for taps of equal area, or by",
+      "FibonacciDirections: unit vectors, each the golden angle pi (3 - sqrt 5) on from the last (Vogel",
+      "  1979; Marques et al. 2013). Scale entry i of N by sqrt((i + 0.5) / N) for taps of equal area, or by",
       "  ((i + 0.5) / N)^exponent to crowd them at the centre. One table serves every N up to its length.",
       "Vogel<N>: the same with the equal-area radius applied, for one fixed N.",
       "Poisson<N>: no two taps close, no gaps; thrown as darts, then moved to the least error over straight",

@@ -35,7 +35,8 @@ std::string entries(const FloatTable& table, const std::string& open, const std:
   std::string line;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const bool last = row + 1 == table.rows();
-    const std::string entry = open + joined(table, row, suffix) + close + (last ? "" : ",");
+    const std::string entry =
+        fmt::format("{}{}{}{}", open, joined(table, row, suffix), close, last ? "" : ",");
     if (!line.empty() && indent.size() + line.size() + entry.size() > 108) {
       text += indent + line + "\n";
       line.clear();
