@@ -1,0 +1,193 @@
+#include "shaders/compile.h"
+
+#include <glslang/Public/ResourceLimits.h>
+#include <glslang/Public/ShaderLang.h>
+#include <glslang/SPIRV/GlslangToSpv.h>
+
+#include <algorithm>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+#include "input/input_error.h"
+#include "shaders/include_resolver.h"
+#include "shaders/parse_failure.h"
+#include "shaders/source_text.h"
+#include "shaders/spirv_module.h"
+
+namespace penumbra::shaders {
+
+namespace {
+
+constexpr int hlsl_version = 500;
+constexpr auto messages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules | EShMsgReadHlsl);
+
+// glslang counts its users; the first and the last call need to be apart from every other.
+void initialise_glslang_once() {
+  struct Process {
+    Process() { glslang::InitializeProcess(); }
+    ~Process() { glslang::FinalizeProcess(); }
+    Process(const Process&) = delete;
+    Process& operator=(const Process&) = delete;
+  };
+  static const Process process;
+}
+
+EShLanguage language(Stage stage) {
+  switch (stage) {
+    case Stage::vertex:
+      return EShLangVertex;
+    case Stage::fragment:
+      return EShLangFragment;
+    case Stage::compute:
+      break;
+  }
+  return EShLangCompute;
+}
+
+std::string preamble(const CompileRequest& request) {
+  std::string text;
+  for (const auto& [name, value] : request.defines) text += "#define " + name + " " + value + "\n";
+  return text;
+}
+
+// A TShader with everything of the request set but parsed; it points into the strings given to it.
+struct Source {
+  const CompileRequest& request;
+  std::string name;
+  std::string text;
+  std::string preamble;
+
+  void give_to(glslang::TShader& shader) const {
+    const char* texts[] = {text.data()};
+    const int lengths[] = {static_cast<int>(text.size())};
+    const char* names[] = {name.c_str()};
+    shader.setStringsWithLengthsAndNames(texts, lengths, names, 1);
+    shader.setPreamble(preamble.c_str());
+    shader.setEntryPoint(request.entry.c_str());
+    shader.setSourceEntryPoint(request.entry.c_str());
+    shader.setEnvInput(glslang::EShSourceHlsl, language(request.stage), glslang::EShClientVulkan, 100);
+    shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_1);
+    shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_3);
+    shader.setAutoMapBindings(true);
+    shader.setAutoMapLocations(true);
+  }
+};
+
+Diagnostic whole_file(const Source& source, Severity severity, std::string message) {
+  return {source.name, 0, 0, severity, std::move(message), {}};
+}
+
+// The text after includes and macros, for the diagnosis of a parse that failed; empty when that fails too.
+std::string preprocess(const Source& source) {
+  SourceFiles sources;
+  IncludeResolver resolver(source.request, sources);
+  glslang::TShader shader(language(source.request.stage));
+  source.give_to(shader);
+  std::string text;
+  const bool done = shader.preprocess(GetDefaultResources(), hlsl_version, ENoProfile, false, false, messages,
+                                      &text, resolver);
+  return done ? text : std::string();
+}
+
+bool parse(const Source& source, glslang::TShader& shader, SourceFiles& sources, CompileResult& result) {
+  IncludeResolver resolver(source.request, sources);
+  const bool parsed = shader.parse(GetDefaultResources(), hlsl_version, false, messages, resolver);
+  const std::string log = shader.getInfoLog();
+  result.diagnostics = warnings(log, sources);
+  if (parsed && !resolver.failure()) return true;
+  const std::string expanded = resolver.failure() ? std::string() : preprocess(source);
+  result.diagnostics.push_back(first_error({log, source.name, resolver.failure(), expanded}, sources));
+  return false;
+}
+
+bool link(const Source& source, glslang::TProgram& program, CompileResult& result) {
+  if (program.link(messages) && program.mapIO()) return true;
+  const std::string log = program.getInfoLog();
+  const bool no_entry = log.find("Missing entry point") != std::string::npos;
+  result.diagnostics.push_back(whole_file(
+      source, Severity::error,
+      no_entry ? "there is no function '" + source.request.entry + "' to enter at" : "link: " + log));
+  return false;
+}
+
+// What the SPIR-V back end says: anything it leaves out is an error, or the module would quietly lack it.
+bool generate(const Source& source, const glslang::TIntermediate& tree, CompileResult& result) {
+  glslang::SpvOptions options;
+  options.disableOptimizer = true;  // SPIRV-Tools is called by ourselves
+  spv::SpvBuildLogger logger;
+  std::vector<unsigned int> words;
+  glslang::GlslangToSpv(tree, words, &logger, &options);
+  result.spirv.assign(words.begin(), words.end());
+  std::istringstream lines(logger.getAllMessages());
+  bool complete = true;
+  for (std::string line; std::getline(lines, line);) {
+    const bool note = line.compare(0, 8, "warning:") == 0;
+    result.diagnostics.push_back(
+        whole_file(source, note ? Severity::warning : Severity::error, "SPIR-V back end: " + line));
+    complete = complete && note;
+  }
+  return complete;
+}
+
+bool finish_module(const Source& source, CompileResult& result) {
+  std::vector<std::string> problems;
+  const bool optimised = !source.request.optimise || optimise(result.spirv, problems);
+  number_bindings(result.spirv);  // after the unused ones are gone
+  if (optimised) problems = validation_problems(result.spirv, !source.request.optimise);
+  for (const std::string& problem : problems)
+    result.diagnostics.push_back(whole_file(source, Severity::error, "SPIR-V validation: " + problem));
+  return optimised && problems.empty();
+}
+
+bool build(const Source& source, SourceFiles& sources, CompileResult& result) {
+  glslang::TShader shader(language(source.request.stage));  // outlives the program that uses it
+  source.give_to(shader);
+  if (!parse(source, shader, sources, result)) return false;
+  glslang::TProgram program;
+  program.addShader(&shader);
+  return link(source, program, result) &&
+         generate(source, *program.getIntermediate(language(source.request.stage)), result) &&
+         finish_module(source, result);
+}
+
+// glslang stops reading at a NUL byte without a word.
+std::optional<Diagnostic> nul_byte(const SourceFiles& sources) {
+  for (const std::string& name : sources.names()) {
+    const std::string& text = sources.text(name);
+    const std::size_t at = text.find('\0');
+    if (at == std::string::npos) continue;
+    const auto before = text.begin() + static_cast<std::ptrdiff_t>(at);
+    const auto line = static_cast<int>(std::count(text.begin(), before, '\n')) + 1;
+    return Diagnostic{name, line, 0, Severity::error, "a NUL byte; is this a text file?", {}};
+  }
+  return std::nullopt;
+}
+
+std::string source_text(const CompileRequest& request) {
+  if (request.text) return normalise_source(*request.text);
+  SourceRead read = read_source(request.file);
+  if (!read.problem.empty()) throw InputError(request.file.string(), "cannot be read: " + read.problem);
+  return std::move(read.text);
+}
+
+}  // namespace
+
+CompileResult compile(const CompileRequest& request) {
+  initialise_glslang_once();
+  const Source source{request, request.file.string(), source_text(request), preamble(request)};
+  SourceFiles sources;
+  sources.add(source.name, source.text);
+  CompileResult result;
+  bool built = build(source, sources, result);
+  if (const std::optional<Diagnostic> nul = nul_byte(sources)) {
+    result.diagnostics = {*nul};
+    built = false;
+  }
+  if (!built) result.spirv.clear();
+  for (const std::string& name : sources.names())
+    if (!request.text || name != source.name) result.dependencies.emplace_back(name);
+  return result;
+}
+
+}  // namespace penumbra::shaders

@@ -1,0 +1,94 @@
+#include "shaders/reflect.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "shaders/spirv_cross_session.h"
+
+namespace penumbra::shaders {
+
+namespace {
+
+constexpr std::pair<spvc_resource_type, ResourceKind> kinds[] = {
+    {SPVC_RESOURCE_TYPE_UNIFORM_BUFFER, ResourceKind::uniform_block},
+    {SPVC_RESOURCE_TYPE_STORAGE_BUFFER, ResourceKind::storage_buffer},
+    {SPVC_RESOURCE_TYPE_SEPARATE_IMAGE, ResourceKind::sampled_image},
+    {SPVC_RESOURCE_TYPE_STORAGE_IMAGE, ResourceKind::storage_image},
+    {SPVC_RESOURCE_TYPE_SEPARATE_SAMPLERS, ResourceKind::sampler},
+};
+
+UniformMember reflect_member(const SpirvCrossSession& session, spvc_type_id block_id, unsigned index) {
+  const spvc_compiler compiler = session.compiler();
+  const spvc_type block = spvc_compiler_get_type_handle(compiler, block_id);
+  const spvc_type type = spvc_compiler_get_type_handle(compiler, spvc_type_get_member_type(block, index));
+  UniformMember member;
+  member.name = spvc_compiler_get_member_name(compiler, block_id, index);
+  session.require(spvc_compiler_type_struct_member_offset(compiler, block, index, &member.offset));
+  if (const unsigned dimensions = spvc_type_get_num_array_dimensions(type); dimensions != 0) {
+    member.array_length = spvc_type_get_array_dimension(type, dimensions - 1);  // the outermost
+    session.require(
+        spvc_compiler_type_struct_member_array_stride(compiler, block, index, &member.array_stride));
+  }
+  if (spvc_type_get_columns(type) > 1) {
+    session.require(
+        spvc_compiler_type_struct_member_matrix_stride(compiler, block, index, &member.matrix_stride));
+    member.row_major =
+        spvc_compiler_has_member_decoration(compiler, block_id, index, SpvDecorationRowMajor) != SPVC_FALSE;
+  }
+  std::size_t size = 0;
+  session.require(spvc_compiler_get_declared_struct_member_size(compiler, block, index, &size));
+  member.size = static_cast<std::uint32_t>(size);
+  // SPIRV-Cross counts whole strides; the last element of a scalar or vector array needs less.
+  if (member.array_length != 0 && member.matrix_stride == 0 && spvc_type_get_num_member_types(type) == 0 &&
+      spvc_type_get_num_array_dimensions(type) == 1) {
+    const std::uint32_t element = spvc_type_get_bit_width(type) / 8 * spvc_type_get_vector_size(type);
+    member.size = member.array_stride * (member.array_length - 1) + element;
+  }
+  return member;
+}
+
+Resource reflect_resource(const SpirvCrossSession& session, ResourceKind kind,
+                          const spvc_reflected_resource& reflected) {
+  const spvc_compiler compiler = session.compiler();
+  Resource resource;
+  resource.kind = kind;
+  // A block is known by its type's name; buffers of one element type share theirs, so by the variable's.
+  const std::string variable = spvc_compiler_get_name(compiler, reflected.id);
+  resource.name = kind == ResourceKind::uniform_block || variable.empty() ? reflected.name : variable;
+  resource.set = spvc_compiler_get_decoration(compiler, reflected.id, SpvDecorationDescriptorSet);
+  resource.binding = spvc_compiler_get_decoration(compiler, reflected.id, SpvDecorationBinding);
+  if (kind != ResourceKind::uniform_block) return resource;
+  const spvc_type block = spvc_compiler_get_type_handle(compiler, reflected.base_type_id);
+  std::size_t size = 0;
+  session.require(spvc_compiler_get_declared_struct_size(compiler, block, &size));
+  resource.size = static_cast<std::uint32_t>(size);
+  for (unsigned i = 0; i < spvc_type_get_num_member_types(block); ++i)
+    resource.members.push_back(reflect_member(session, reflected.base_type_id, i));
+  return resource;
+}
+
+}  // namespace
+
+Reflection reflect(const std::vector<std::uint32_t>& spirv) {
+  const SpirvCrossSession session(spirv, SPVC_BACKEND_NONE);
+  const spvc_compiler compiler = session.compiler();
+  spvc_set active = nullptr;
+  spvc_resources resources = nullptr;
+  session.require(spvc_compiler_get_active_interface_variables(compiler, &active));
+  session.require(spvc_compiler_create_shader_resources_for_active_variables(compiler, &resources, active));
+  Reflection reflection;
+  for (const auto& [type, kind] : kinds) {
+    const spvc_reflected_resource* list = nullptr;
+    std::size_t count = 0;
+    session.require(spvc_resources_get_resource_list_for_type(resources, type, &list, &count));
+    for (std::size_t i = 0; i < count; ++i)
+      reflection.resources.push_back(reflect_resource(session, kind, list[i]));
+  }
+  if (spvc_compiler_get_execution_model(compiler) == SpvExecutionModelGLCompute)
+    for (unsigned axis = 0; axis < 3; ++axis)
+      reflection.workgroup_size[axis] = std::max(
+          1U, spvc_compiler_get_execution_mode_argument_by_index(compiler, SpvExecutionModeLocalSize, axis));
+  return reflection;
+}
+
+}  // namespace penumbra::shaders

@@ -1,0 +1,57 @@
+#include "shaders/source_text.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+#include <utility>
+
+namespace penumbra::shaders {
+
+std::string normalise_source(std::string_view bytes) {
+  if (bytes.substr(0, 3) == "\xEF\xBB\xBF") bytes.remove_prefix(3);
+  std::string text;
+  text.reserve(bytes.size());
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    if (bytes[i] != '\r') {
+      text += bytes[i];
+    } else if (i + 1 == bytes.size() || bytes[i + 1] != '\n') {
+      text += '\n';
+    }
+  }
+  return text;
+}
+
+SourceRead read_source(const std::filesystem::path& file) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(file, error);
+  if (status.type() == std::filesystem::file_type::not_found) return {{}, "no such file"};
+  if (error) return {{}, error.message()};
+  if (std::filesystem::is_directory(status)) return {{}, "it is a folder, not a file"};
+  if (!std::filesystem::is_regular_file(status)) return {{}, "it is not a regular file"};
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) return {{}, std::strerror(errno)};
+  const std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  if (stream.bad()) return {{}, "reading it failed"};
+  return {normalise_source(bytes), {}};
+}
+
+void SourceFiles::add(const std::string& name, std::string text) {
+  if (texts_.emplace(name, std::move(text)).second) names_.push_back(name);
+}
+
+std::string SourceFiles::line(const std::string& name, int number) const {
+  const auto found = texts_.find(name);
+  if (found == texts_.end() || number < 1) return {};
+  const std::string& text = found->second;
+  std::size_t start = 0;
+  for (int i = 1; i < number; ++i) {
+    start = text.find('\n', start);
+    if (start == std::string::npos) return {};
+    ++start;
+  }
+  return text.substr(start, text.find('\n', start) - start);
+}
+
+}  // namespace penumbra::shaders

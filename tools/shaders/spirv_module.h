@@ -1,0 +1,23 @@
+// What happens to a SPIR-V module between the front end and its user: bindings, legalisation, validation.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace penumbra::shaders {
+
+using SpirvModule = std::vector<std::uint32_t>;
+
+// Gives every bound resource a number of its own, 0, 1, 2, ... over all sets: HLSL's t0 and s0 are different
+// registers, but the same Vulkan binding.
+void number_bindings(SpirvModule& module);
+
+// Legalises HLSL's resource parameters, inlines and optimises. False with the reasons when it failed.
+bool optimise(SpirvModule& module, std::vector<std::string>& problems);
+
+// The problems SPIRV-Tools finds for Vulkan 1.1; empty when valid. Before legalisation resources may still be
+// passed by value, which is then not held against the module.
+std::vector<std::string> validation_problems(const SpirvModule& module, bool before_legalisation);
+
+}  // namespace penumbra::shaders
