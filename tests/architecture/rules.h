@@ -1,0 +1,39 @@
+// The walls of the project as checks over its text. Each rule takes a tree (path from the repository's root,
+// with
+// '/', to the file's text) and returns what breaks it, as "path:line: why".
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace penumbra::architecture {
+
+using Tree = std::map<std::string, std::string>;
+using Violations = std::vector<std::string>;
+
+// tools/: an include of another room goes down cli, study, reference, resolve, scene, gpu, shaders,
+// parameters, platform, input; parameters and shaders stand on platform and input alone.
+Violations tool_includes_point_down(const Tree& tree);
+
+// The same for the rooms that a room's CMakeLists.txt names: after USES, or as penumbra::NAME.
+Violations tool_links_point_down(const Tree& tree);
+
+// Shaders, the umbrella beside the folders, Pipelines, then Filters, Screen and Far (which know each other as
+// little as they know the pipelines), Core, Platform.
+Violations shader_includes_point_down(const Tree& tree);
+
+// Headers of an operating system stand in tools/platform alone.
+Violations system_headers_stay_in_platform(const Tree& tree);
+
+// A header that other rooms include brings no large third-party header with it, directly or through others.
+// tools/input/located_json.h is the exception: JSON is what it offers.
+Violations public_headers_stay_light(const Tree& tree);
+
+// Nothing is left unfinished: no word that marks work to be done.
+Violations nothing_is_unfinished(const Tree& tree);
+
+// No path of the machine it was written on, no host it was downloaded from.
+Violations nothing_names_a_machine(const Tree& tree);
+
+}  // namespace penumbra::architecture

@@ -1,0 +1,30 @@
+// Reading a tree: its includes, line by line.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "architecture/rules.h"
+
+namespace penumbra::architecture {
+
+struct Include {
+  std::string path;  // of the including file
+  int line;
+  std::string target;  // between the quotes or brackets
+};
+
+// Of C++ and HLSL files whose path begins with prefix.
+std::vector<Include> includes_of(const Tree& tree, std::string_view prefix);
+
+void for_each_line(const std::string& text,
+                   const std::function<void(int line, const std::string& text)>& visit);
+
+std::string violation(const std::string& path, int line, const std::string& why);
+
+// "tools/scene/frame.cpp" -> "scene"; empty when the path has no folder below prefix.
+std::string folder_below(std::string_view path, std::string_view prefix);
+
+}  // namespace penumbra::architecture
