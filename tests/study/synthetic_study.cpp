@@ -64,8 +64,8 @@ Results results() {
 }
 
 PictureRow picture_row(const std::string& scene, const std::string& technique) {
-  constexpr int kWidth = 48;
-  constexpr int kHeight = 24;
+  constexpr std::size_t kWidth = 48;
+  constexpr std::size_t kHeight = 24;
   std::vector<std::uint8_t> valid(kWidth * kHeight, 1);
   std::vector<float> reference(valid.size());
   std::vector<float> result(valid.size());
@@ -77,7 +77,7 @@ PictureRow picture_row(const std::string& scene, const std::string& technique) {
     fetches[i] = x > 12.0F && x < 36.0F ? 40U : 4U;
     if (i < kWidth * 4) valid[i] = 0;  // sky
   }
-  const PixelGrid grid{kWidth, kHeight, valid};
+  const PixelGrid grid{static_cast<int>(kWidth), static_cast<int>(kHeight), valid};
   PictureRow row{scene, technique, 2.0, {}, {}, {}, {}};
   row.reference = visibility_picture(grid, reference);
   row.result = visibility_picture(grid, result);

@@ -225,13 +225,12 @@ std::string make_own(std::string svg, const Chart& chart) {
     title += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
   }
   replace_all(svg, "<title>Gnuplot</title>", "<title>" + title + "</title>");
-  for (const std::string id : {"gpDot", "gpPt", "textbox", "greybox", "gnuplot_canvas"}) {
+  for (const std::string id : {"gpDot", "gpPt", "textbox", "greybox", "gnuplot_"}) {
     replace_all(svg, "id='" + id, "id='" + chart.name + "-" + id);
     replace_all(svg, "id=\"" + id, "id=\"" + chart.name + "-" + id);
     replace_all(svg, "='#" + id, "='#" + chart.name + "-" + id);
     replace_all(svg, "url(#" + id, "url(#" + chart.name + "-" + id);
   }
-  replace_all(svg, "id=\"gp", "id=\"" + chart.name + "-gp");
   return svg;
 }
 

@@ -1,0 +1,95 @@
+#include "platform/child_process.h"
+
+#include <gmock/gmock.h>
+
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+#include "input/input_error.h"
+
+namespace penumbra::platform {
+namespace {
+
+using testing::HasSubstr;
+
+ChildCommand shell(const std::string& script) {
+  return {"sh", {"-c", script}, {}};
+}
+
+TEST(ChildProcess, PassesArgumentsAsTheyAre) {
+  const std::string evil = "a b\"'$(touch x)`id`;*\n";
+  const ChildResult result = run_child({"printf", {"%s|%s", evil, ""}, {}});
+  EXPECT_TRUE(result.succeeded());
+  EXPECT_EQ(result.output, evil + "|");
+}
+
+TEST(ChildProcess, KeepsOutputErrorsAndExitCodeApart) {
+  const ChildResult result = run_child(shell("echo out; echo err >&2; exit 3"));
+  EXPECT_EQ(result.output, "out\n");
+  EXPECT_EQ(result.errors, "err\n");
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_FALSE(result.succeeded());
+}
+
+TEST(ChildProcess, ALotOfTextGoesThroughBothWays) {
+  ChildCommand command{"cat", {}, std::string(std::size_t{4} << 20, 'x') + "end"};
+  EXPECT_EQ(run_child(command).output, command.input);
+}
+
+TEST(ChildProcess, AChildThatReadsNothingIsNoProblem) {
+  ChildCommand command = shell("exit 0");
+  command.input = std::string(std::size_t{1} << 20, 'x');
+  EXPECT_TRUE(run_child(command).succeeded());
+}
+
+TEST(ChildProcess, TheTimeoutEndsItAndWhatItStarted) {
+  ChildCommand command = shell("echo started; (sleep 30; echo late) & sleep 30");
+  command.timeout = std::chrono::milliseconds(200);
+  const auto before = std::chrono::steady_clock::now();
+  const ChildResult result = run_child(command);
+  EXPECT_LT(std::chrono::steady_clock::now() - before, std::chrono::seconds(10));
+  EXPECT_TRUE(result.timed_out);
+  EXPECT_FALSE(result.succeeded());
+  EXPECT_EQ(result.output, "started\n");
+}
+
+TEST(ChildProcess, AGrandchildLeftBehindDoesNotKeepUsWaiting) {
+  const auto before = std::chrono::steady_clock::now();
+  const ChildResult result = run_child(shell("sleep 5 & echo done"));
+  EXPECT_LT(std::chrono::steady_clock::now() - before, std::chrono::seconds(4));
+  EXPECT_EQ(result.output, "done\n");
+}
+
+TEST(ChildProcess, EndlessOutputIsCutOff) {
+  ChildCommand command = shell("while :; do echo and on; done");
+  command.output_limit = 100'000;
+  command.timeout = std::chrono::seconds(60);
+  const ChildResult result = run_child(command);
+  EXPECT_TRUE(result.overflowed);
+  EXPECT_FALSE(result.timed_out);
+  EXPECT_FALSE(result.succeeded());
+}
+
+TEST(ChildProcess, ASignalIsAnExitCodeOfItsOwn) {
+  EXPECT_EQ(run_child(shell("kill -9 $$")).exit_code, 128 + SIGKILL);
+}
+
+TEST(ChildProcess, AMissingProgramIsTheEnvironmentsFault) {
+  std::string message;
+  try {
+    run_child({"no-such-program-anywhere", {}, {}});
+  } catch (const EnvironmentError& error) {
+    message = error.what();
+  }
+  EXPECT_THAT(message, HasSubstr("'no-such-program-anywhere' cannot be started"));
+}
+
+TEST(FindProgram, LooksAlongThePath) {
+  ASSERT_TRUE(find_program("sh").has_value());
+  EXPECT_EQ(find_program("sh")->filename(), "sh");
+  EXPECT_FALSE(find_program("no-such-program-anywhere").has_value());
+}
+
+}  // namespace
+}  // namespace penumbra::platform

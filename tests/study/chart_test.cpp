@@ -1,0 +1,177 @@
+#include "study/chart.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <cstdlib>
+
+#include "input/input_error.h"
+#include "study/chart_labels.h"
+#include "study/pareto_chart.h"
+#include "study/synthetic_study.h"
+#include "study/xml_outline.h"
+
+namespace penumbra::study {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+int count(const std::string& text, const std::string& what) {
+  int found = 0;
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++found;
+  return found;
+}
+
+Chart small_chart() {
+  return {"small", "A title", "cost",
+          "error", true,      {{"one light", {{"cheap", 1.0, 0.3}, {"good", 90.0, 0.1}}, {0, 1}}}};
+}
+
+TEST(XmlOutline, SeesWhatDoesNotParse) {
+  EXPECT_EQ(xml_fault("<?xml?><a b='c'><d/>text &amp; more</a>"), "");
+  EXPECT_NE(xml_fault("<a><b></a></b>"), "");
+  EXPECT_NE(xml_fault("<a>"), "");
+  EXPECT_NE(xml_fault("<a>x < y</a>"), "");
+  EXPECT_NE(xml_fault("<a>x & y</a>"), "");
+}
+
+TEST(Chart, IsAnSvgThatParsesAndHoldsEveryLabel) {
+  const std::string svg = render_svg(small_chart());
+  EXPECT_EQ(xml_fault(svg), "");
+  for (const char* text : {">A title<", ">one light<", ">cheap<", ">good<", ">cost<", ">error<"}) {
+    EXPECT_EQ(count(svg, text), text == std::string(">A title<") ? 2 : 1)
+        << text;  // the title is also <title>
+  }
+}
+
+TEST(Chart, TheSameChartIsTheSameBytesAndNamesNoProgram) {
+  const std::string svg = render_svg(small_chart());
+  EXPECT_EQ(svg, render_svg(small_chart()));
+  EXPECT_THAT(svg, Not(HasSubstr("GNUPLOT")));
+  EXPECT_THAT(svg, Not(HasSubstr("patchlevel")));
+}
+
+TEST(Chart, EvilLabelsStayText) {
+  Chart chart = small_chart();
+  chart.title = "<script>alert('&')</script>";
+  chart.panels[0].title = "`touch evil` $(x) %s \\n {/Symbol a}_b^c @d";
+  chart.panels[0].points[0].label = "it's\n\"quoted\"'; set output 'evil'; #";
+  const std::string svg = render_svg(chart);
+  EXPECT_EQ(xml_fault(svg), "");
+  EXPECT_THAT(svg, Not(HasSubstr("<script")));
+  EXPECT_THAT(svg, HasSubstr("{/Symbol a}_b^c @d"));
+  EXPECT_THAT(svg, HasSubstr("; set output "));
+}
+
+TEST(Chart, SeveralOnOnePageShareNoId) {
+  Chart other = small_chart();
+  other.name = "other";
+  const std::string first = render_svg(small_chart());
+  const std::string second = render_svg(other);
+  for (const char quote : {'\'', '"'}) {
+    const std::string key = std::string(" id=") + quote;
+    for (std::size_t at = first.find(key); at != std::string::npos; at = first.find(key, at + 1)) {
+      const std::string id = first.substr(at, first.find(quote, at + key.size()) - at + 1);
+      EXPECT_THAT(second, Not(HasSubstr(id)));
+    }
+  }
+  // Whatever is referred to is there.
+  for (std::size_t at = first.find("href='#"); at != std::string::npos; at = first.find("href='#", at + 1)) {
+    const std::string id = first.substr(at + 7, first.find('\'', at + 7) - at - 7);
+    EXPECT_THAT(first, HasSubstr("id='" + id + "'"));
+  }
+}
+
+TEST(Chart, LeavesOutWhatHasNoPlace) {
+  Chart chart = small_chart();
+  chart.panels[0].points.push_back({"nowhere", std::nan(""), 0.1});
+  chart.panels[0].points.push_back({"free", 0.0, 0.1});
+  const std::string svg = render_svg(chart);
+  EXPECT_THAT(svg, Not(HasSubstr("nowhere")));
+  EXPECT_THAT(svg, Not(HasSubstr("free")));
+  chart.x_logarithmic = false;
+  EXPECT_THAT(render_svg(chart), HasSubstr("free"));
+  chart.panels[0].points.clear();
+  chart.panels[0].front.clear();
+  EXPECT_THROW(render_svg(chart), std::invalid_argument);
+}
+
+TEST(Chart, OnePointIsEnough) {
+  Chart chart = small_chart();
+  chart.panels[0] = {"one light", {{"alone", 5.0, 0.0}}, {0}};
+  EXPECT_THAT(render_svg(chart), HasSubstr(">alone<"));
+  chart.x_logarithmic = false;
+  EXPECT_EQ(xml_fault(render_svg(chart)), "");
+}
+
+TEST(Chart, AMissingGnuplotIsSaidWithTheWayOut) {
+  const char* path = std::getenv("PATH");
+  const std::string before = path == nullptr ? "" : path;
+  ASSERT_EQ(::setenv("PATH", "/nonexistent", 1), 0);
+  std::string message;
+  try {
+    render_svg(small_chart());
+  } catch (const EnvironmentError& error) {
+    message = error.what();
+  }
+  ASSERT_EQ(::setenv("PATH", before.c_str(), 1), 0);
+  EXPECT_THAT(message, HasSubstr("apt-get install gnuplot-nox"));
+}
+
+TEST(InlineSvg, LeavesTheProlog) {
+  EXPECT_EQ(inline_svg("<?xml version=\"1.0\"?>\n<svg a=\"b\"></svg>\n"), "<svg a=\"b\"></svg>\n");
+  EXPECT_THROW(inline_svg("<html></html>"), std::invalid_argument);
+}
+
+TEST(Labels, StayInTheFrameAndOffEachOther) {
+  // A front as it really comes: dense at the cheap end, and two points at the frame's own corners.
+  std::vector<LabelRequest> requests;
+  std::vector<Box> obstacles;
+  requests.reserve(14);
+  obstacles.reserve(14);
+  for (int i = 0; i < 12; ++i) {
+    requests.push_back({100.0 + 50.0 * i, 60.0 + 200.0 / (i + 1.0), "technique-" + std::to_string(i)});
+  }
+  requests.push_back({80.0, 30.0, "in the corner"});
+  requests.push_back({800.0, 280.0, "in the other"});
+  for (const LabelRequest& r : requests) obstacles.push_back({r.x - 5.0, r.y - 5.0, r.x + 5.0, r.y + 5.0});
+  const Box frame{80.0, 30.0, 800.0, 280.0};
+  const std::vector<PlacedLabel> labels = place_labels(requests, obstacles, frame, 12.0);
+  ASSERT_EQ(labels.size(), requests.size());
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const Box& box = labels[i].box;
+    EXPECT_GE(box.left, frame.left) << i;
+    EXPECT_LE(box.right, frame.right) << i;
+    EXPECT_GE(box.top, frame.top) << i;
+    EXPECT_LE(box.bottom, frame.bottom) << i;
+    for (const Box& obstacle : obstacles) EXPECT_EQ(overlap_area(box, obstacle), 0.0) << i;
+    for (std::size_t j = 0; j < i; ++j) EXPECT_EQ(overlap_area(box, labels[j].box), 0.0) << i << " on " << j;
+  }
+}
+
+TEST(ParetoCharts, FetchesHaveAFrontAndOnePanelPerLight) {
+  const Chart chart = fetches_chart(synthetic::results());
+  ASSERT_EQ(chart.panels.size(), 2U);
+  EXPECT_EQ(chart.panels[0].title, "0.53° light");
+  EXPECT_EQ(chart.panels[1].title, "2° light");
+  EXPECT_EQ(chart.panels[0].points.size(), 4U);
+  EXPECT_EQ(chart.panels[0].front, (std::vector<std::size_t>{0, 1, 2, 3}));
+}
+
+TEST(ParetoCharts, TimeRanksOnAGraphicsCardOnly) {
+  Results results = synthetic::results();
+  const Chart software = time_chart(results);
+  ASSERT_EQ(software.panels.size(), 2U);
+  EXPECT_TRUE(software.panels[0].front.empty());
+  EXPECT_THAT(software.x_label, HasSubstr("CPU time"));
+  EXPECT_THAT(software.x_label, HasSubstr("not a ranking"));
+  results.is_software = false;
+  EXPECT_FALSE(time_chart(results).panels[0].front.empty());
+  EXPECT_THAT(time_chart(results).x_label, HasSubstr("GPU time"));
+  for (Record& record : results.records) record.time = std::nullopt;
+  EXPECT_TRUE(time_chart(results).panels.empty());
+}
+
+}  // namespace
+}  // namespace penumbra::study

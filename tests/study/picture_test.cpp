@@ -1,0 +1,177 @@
+#include "study/picture.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "input/input_error.h"
+#include "study/colour_map.h"
+#include "study/composition.h"
+
+namespace penumbra::study {
+namespace {
+
+Picture noise(int width, int height, int channels) {
+  Picture picture{width, height, channels, {}};
+  std::mt19937 random(3);
+  picture.samples.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
+                         static_cast<std::size_t>(channels));
+  for (std::uint8_t& sample : picture.samples) sample = static_cast<std::uint8_t>(random());
+  return picture;
+}
+
+TEST(Png, EverySampleComesBack) {
+  for (const int channels : {1, 3, 4}) {
+    const Picture picture = noise(37, 11, channels);
+    EXPECT_EQ(decode_png(encode_png(picture), "test"), picture) << channels << " channels";
+  }
+}
+
+TEST(Png, TheSamePictureIsTheSameBytes) {
+  EXPECT_EQ(encode_png(noise(20, 20, 3)), encode_png(noise(20, 20, 3)));
+}
+
+TEST(Png, WhatDoesNotFitIsRefused) {
+  Picture picture = noise(4, 4, 3);
+  picture.samples.pop_back();
+  EXPECT_THROW(encode_png(picture), std::invalid_argument);
+  EXPECT_THROW(encode_png(Picture{0, 0, 3, {}}), std::invalid_argument);
+  EXPECT_THROW(encode_png(noise(4, 4, 2)), std::invalid_argument);
+}
+
+TEST(Png, EveryShortenedFileIsRefused) {
+  const std::vector<std::byte> whole = encode_png(noise(16, 16, 3));
+  for (std::size_t size = 0; size + 16 < whole.size(); size += 7) {
+    EXPECT_THROW(decode_png(std::span(whole).first(size), "short.png"), InputError) << size << " bytes";
+  }
+}
+
+TEST(FetchRamp, PerceivedIntensityIsTheValue) {
+  // Green 2011: weights 0.30, 0.59, 0.11 were used to derive the scheme. Half a step of rounding per channel.
+  for (int i = 0; i <= 1000; ++i) {
+    const double value = i / 1000.0;
+    const Rgb colour = fetch_colour(value);
+    EXPECT_NEAR((0.30 * colour.r + 0.59 * colour.g + 0.11 * colour.b) / 255.0, value, 0.004) << value;
+  }
+  EXPECT_EQ(fetch_colour(-1.0), (Rgb{0, 0, 0}));
+  EXPECT_EQ(fetch_colour(9.0), (Rgb{255, 255, 255}));
+}
+
+TEST(ErrorRamp, IsWhiteAtZeroAndWeighsBothSignsTheSame) {
+  const auto luma = [](Rgb c) { return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b; };
+  EXPECT_EQ(error_colour(0.0), (Rgb{255, 255, 255}));
+  double last = 256.0;
+  for (int i = 0; i <= 100; ++i) {
+    const double share = i / 100.0;
+    EXPECT_NEAR(luma(error_colour(share)), luma(error_colour(-share)), 2.55) << share;
+    EXPECT_LT(luma(error_colour(share)), last);
+    last = luma(error_colour(share));
+    if (i > 0) {
+      EXPECT_GT(error_colour(share).r, error_colour(share).b) << "too bright must be red";
+      EXPECT_LT(error_colour(-share).r, error_colour(-share).b) << "too dark must be blue";
+    }
+  }
+}
+
+TEST(ColourMaps, MissingAndInvalidPixelsHaveColoursOfTheirOwn) {
+  const std::vector<std::uint8_t> valid{1, 0, 1};
+  const std::vector<float> values{0.5F, 0.5F, std::nanf("")};
+  const std::vector<float> zeros(3, 0.0F);
+  const PixelGrid grid{3, 1, valid};
+  const Picture visibility = visibility_picture(grid, values);
+  EXPECT_EQ(pixel(visibility, 0, 0), (Rgb{128, 128, 128}));
+  EXPECT_EQ(pixel(visibility, 1, 0), kNoReceiver);
+  EXPECT_EQ(pixel(visibility, 2, 0), kInvalid);
+  const Picture error = error_picture(grid, values, zeros, 0.5);
+  EXPECT_EQ(pixel(error, 0, 0), error_colour(1.0));
+  EXPECT_EQ(pixel(error, 2, 0), kInvalid);
+  for (int i = 0; i <= 1000; ++i) {
+    for (const Rgb colour :
+         {visibility_colour(i / 1000.0), error_colour(i / 500.0 - 1.0), fetch_colour(i / 1000.0)}) {
+      EXPECT_NE(colour, kNoReceiver);
+      EXPECT_NE(colour, kInvalid);
+    }
+  }
+}
+
+TEST(ColourMaps, RowsKeepTheirPlace) {
+  const std::vector<std::uint8_t> valid(6, 1);
+  const std::vector<std::uint32_t> fetches{0, 1, 2, 3, 4, 5};
+  const Picture picture = fetch_picture({3, 2, valid}, fetches, 5.0);
+  for (int i = 0; i < 6; ++i) EXPECT_EQ(pixel(picture, i % 3, i / 3), fetch_colour(i / 5.0)) << i;
+}
+
+TEST(ColourMaps, ImagesOfAnotherSizeAreRefused) {
+  const std::vector<std::uint8_t> valid(6, 1);
+  const std::vector<float> five(5, 0.0F);
+  const std::vector<float> six(6, 0.0F);
+  EXPECT_THROW(visibility_picture({3, 2, valid}, five), std::invalid_argument);
+  EXPECT_THROW(error_picture({3, 2, valid}, six, five, 1.0), std::invalid_argument);
+}
+
+// How often a picture occurs unchanged in another.
+int occurrences(const Picture& whole, const Picture& part) {
+  int count = 0;
+  for (int top = 0; top + part.height <= whole.height; ++top) {
+    for (int left = 0; left + part.width <= whole.width; ++left) {
+      bool same = true;
+      for (int i = 0; same && i < part.width * part.height; ++i) {
+        const int x = i % part.width;
+        const int y = i / part.width;
+        same = pixel(whole, left + x, top + y) == pixel(part, x, y);
+      }
+      count += same ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+TEST(Composition, HoldsEveryPictureOnceAndUnchanged) {
+  const Picture a = noise(40, 20, 3);
+  Picture b = a;
+  b.samples[0] ^= 255;
+  Picture c = a;
+  c.samples[1] ^= 255;
+  const Picture whole = compose({{"a", a, {}}, {"b", b, {}}, {"c", c, {}}}, 2);
+  EXPECT_EQ(occurrences(whole, a), 1);
+  EXPECT_EQ(occurrences(whole, b), 1);
+  EXPECT_EQ(occurrences(whole, c), 1);
+}
+
+int dark_pixels(const Picture& picture, int rows) {
+  int count = 0;
+  for (int y = 0; y < rows; ++y) {
+    for (int x = 0; x < picture.width; ++x) count += pixel(picture, x, y).r < 64 ? 1 : 0;
+  }
+  return count;
+}
+
+TEST(Composition, CaptionsAreDrawnAndStayOverTheirPicture) {
+  const Picture white = filled_picture(60, 30, {255, 255, 255});
+  EXPECT_EQ(dark_pixels(compose({{"", white, {}}}, 1), 30), 0);
+  EXPECT_GT(dark_pixels(compose({{"error", white, {}}}, 1), 30), 40);
+  // An endless caption, and one of no ASCII at all, are cut to the picture's width and do not reach its
+  // margin.
+  for (const std::string& caption : {std::string(500, 'W'), std::string(500, '\xC3')}) {
+    const Picture cut = compose({{caption, white, {}}}, 1);
+    EXPECT_GT(dark_pixels(cut, 30), 40);
+    for (int y = 0; y < cut.height; ++y) EXPECT_EQ(pixel(cut, cut.width - 1, y), (Rgb{255, 255, 255}));
+  }
+}
+
+TEST(Composition, LegendsShowBothEndsOfTheRamp) {
+  const Picture white = filled_picture(200, 30, {255, 255, 255});
+  const Picture whole =
+      compose({{"error", white, Legend{ramp_strip(error_colour, -1.0, 1.0), "-0.5", "+0.5"}}}, 1);
+  EXPECT_GE(occurrences(whole, filled_picture(1, 8, error_colour(-1.0))), 1);
+  EXPECT_GE(occurrences(whole, filled_picture(1, 8, error_colour(1.0))), 1);
+}
+
+TEST(Composition, UnequalPicturesAreRefused) {
+  EXPECT_THROW(compose({{"a", noise(4, 4, 3), {}}, {"b", noise(5, 4, 3), {}}}, 2), std::invalid_argument);
+  EXPECT_THROW(compose({}, 2), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace penumbra::study

@@ -1,0 +1,98 @@
+#include "study/result_block.h"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "input/input_error_matcher.h"
+#include "study/summary.h"
+#include "study/synthetic_study.h"
+
+namespace penumbra::study {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr const char* kChart = "Documentation~/results/pareto-fetches.svg";
+
+std::string file_text(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  EXPECT_TRUE(stream) << file << " is missing";
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+TEST(ResultBlock, NamesHardwareDriverAndCommandThenTableThenChart) {
+  const std::string block = result_block(synthetic::results(), kChart);
+  const std::vector<std::string> order{"made-up processor", "made-up driver 1.2",
+                                       "`penumbra measure --seed 1`",
+                                       "| Technique | 0.53° | 2° | fetches 0.53° | fetches 2° |",
+                                       "](Documentation~/results/pareto-fetches.svg)"};
+  std::size_t last = 0;
+  for (const std::string& part : order) {
+    const std::size_t at = block.find(part);
+    ASSERT_NE(at, std::string::npos) << part;
+    EXPECT_GT(at, last) << part;
+    last = at;
+  }
+}
+
+TEST(ResultBlock, TablesHoldMeansAndEveryScene) {
+  Results results = synthetic::results();
+  results.records[0].metrics.rmse_penumbra = 0.2;    // boxes, bilinear, 0.53°
+  results.records[8].metrics.rmse_penumbra = 0.125;  // fence, bilinear, 0.53°
+  ASSERT_EQ(results.records[8].scene, "fence");
+  const std::string block = result_block(results, kChart);
+  EXPECT_THAT(block, HasSubstr("| bilinear | 0.163 |"));
+  EXPECT_THAT(block, HasSubstr("| bilinear | 0.200 | 0.125 |"));
+  EXPECT_THAT(block, Not(HasSubstr(" ms"))) << "CPU time has no place in the README";
+}
+
+TEST(ResultBlock, AMeanOverFewerScenesSaysSo) {
+  Results results = synthetic::results();
+  results.records.erase(results.records.begin());
+  EXPECT_THAT(result_block(results, kChart), HasSubstr("(1 scenes)"));
+}
+
+TEST(ResultBlock, NamesCannotBreakTheTable) {
+  Results results = synthetic::results({"a|b<c>\nd"});
+  EXPECT_THAT(result_block(results, kChart), HasSubstr("| a\\|b&lt;c> d |"));
+}
+
+TEST(ReplaceResultBlock, KeepsEverythingElse) {
+  const std::string text = "# Title\n<!-- results:begin -->\nold\n<!-- results:end -->\nrest\n";
+  const std::string once = replace_result_block(text, "new\n", "README.md");
+  EXPECT_EQ(once, "# Title\n<!-- results:begin -->\nnew\n<!-- results:end -->\nrest\n");
+  EXPECT_EQ(replace_result_block(once, "new\n", "README.md"), once);
+}
+
+TEST(ReplaceResultBlock, WantsEachMarkerOnceAndInOrder) {
+  const auto replace = [](const char* text) {
+    return [text] { replace_result_block(text, "new", "README.md"); };
+  };
+  expect_input_error(replace("no markers"),
+                     HasSubstr("README.md: the marker '<!-- results:begin -->' is missing"));
+  expect_input_error(replace("<!-- results:begin -->"), HasSubstr("'<!-- results:end -->' is missing"));
+  expect_input_error(replace("<!-- results:begin --><!-- results:begin --><!-- results:end -->"),
+                     HasSubstr("stands twice"));
+  expect_input_error(replace("<!-- results:end --><!-- results:begin -->"),
+                     HasSubstr("before their beginning"));
+}
+
+// The figures a visitor reads first are those of the committed file. To refresh them after a new measurement:
+// `penumbra measure` writes the file and the chart, and the block between the markers is result_block's.
+TEST(Readme, ShowsTheCommittedResults) {
+  const std::filesystem::path root = PENUMBRA_SOURCE_DIR;
+  const Results results = read_results(root / "Documentation~/results/results.json");
+  const std::string readme = file_text(root / "README.md");
+  EXPECT_EQ(readme, replace_result_block(readme, result_block(results, kChart), "README.md"));
+  const std::string chart = file_text(root / kChart);
+  for (const Choice& choice : choices(results)) {
+    EXPECT_THAT(chart, HasSubstr(">" + choice.label + "<")) << "the chart is of other results";
+  }
+}
+
+}  // namespace
+}  // namespace penumbra::study

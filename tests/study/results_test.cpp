@@ -1,0 +1,147 @@
+#include "study/results.h"
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "input/input_error.h"
+#include "study/synthetic_study.h"
+
+namespace penumbra::study {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+std::string message_of(const std::string& text) {
+  try {
+    parse_results(text, "results.json");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& with) {
+  const std::size_t at = text.find(what);
+  EXPECT_NE(at, std::string::npos) << what;
+  return text.replace(at, what.size(), with);
+}
+
+int line_of(const std::string& text, const std::string& what) {
+  const auto end = text.begin() + static_cast<std::ptrdiff_t>(text.find(what));
+  return 1 + static_cast<int>(std::count(text.begin(), end, '\n'));
+}
+
+TEST(Results, ComeBackExactlyAsWritten) {
+  Results results = synthetic::results();
+  results.records[0].metrics.rmse_penumbra = 0.1 + 0.2;  // 17 digits
+  results.records[1].metrics.rmse_penumbra = std::nullopt;
+  results.records[2].time = std::nullopt;
+  results.records[3].metrics.invalid = 12;
+  results.is_software = false;
+  EXPECT_EQ(parse_results(to_json(results), "results.json"), results);
+}
+
+TEST(Results, TheSameResultsAreTheSameBytes) {
+  EXPECT_EQ(to_json(synthetic::results()), to_json(synthetic::results()));
+}
+
+TEST(Results, ARecordHasEveryFieldOfTheDesign) {
+  const nlohmann::json json = nlohmann::json::parse(to_json(synthetic::results()));
+  for (const char* key : {"scene",
+                          "technique",
+                          "parameters",
+                          "light_degrees",
+                          "map_size",
+                          "device",
+                          "rmse_penumbra",
+                          "rmse_all",
+                          "bias",
+                          "variance",
+                          "p99",
+                          "max_error",
+                          "leak_rate",
+                          "false_shadow_rate",
+                          "fetches_mean",
+                          "fetches_p95",
+                          "fetches_penumbra_mean",
+                          "preprocess_fetches_per_pixel",
+                          "time_ms_median",
+                          "time_ms_spread"}) {
+    EXPECT_TRUE(json["records"][0].contains(key)) << key;
+  }
+  for (const char* key : {"kind", "samples", "noise_floor"}) {
+    EXPECT_TRUE(json["records"][0]["reference"].contains(key)) << key;
+  }
+  for (const char* key : {"hardware", "driver", "device", "is_software", "command", "library_version"}) {
+    EXPECT_TRUE(json.contains(key)) << key;
+  }
+  EXPECT_EQ(json["schema_version"], 1);
+}
+
+TEST(Results, AnAbsentFigureIsNullAndNotZero) {
+  Results results = synthetic::results();
+  results.records[0].metrics.rmse_penumbra = std::nullopt;
+  const nlohmann::json json = nlohmann::json::parse(to_json(results));
+  EXPECT_TRUE(json["records"][0]["rmse_penumbra"].is_null());
+}
+
+TEST(Results, TimesOfASoftwareDeviceAreCalledCpuTime) {
+  Results results = synthetic::results();
+  EXPECT_EQ(nlohmann::json::parse(to_json(results))["records"][0]["time_kind"], "CPU time");
+  EXPECT_THAT(message_of(replaced(to_json(results), "\"CPU time\"", "\"GPU time\"")),
+              HasSubstr("must be \"CPU time\""));
+  results.is_software = false;
+  EXPECT_EQ(nlohmann::json::parse(to_json(results))["records"][0]["time_kind"], "GPU time");
+}
+
+TEST(Results, AnInvalidValueAnywhereIsAFinding) {
+  Results results = synthetic::results();
+  EXPECT_FALSE(has_invalid_values(results));
+  results.records.back().metrics.invalid = 1;
+  EXPECT_TRUE(has_invalid_values(results));
+}
+
+TEST(Results, NamesOfStrayBytesDoNotStopTheWriter) {
+  Results results = synthetic::results();
+  results.driver = "bad \xFF byte";
+  EXPECT_EQ(parse_results(to_json(results), "results.json").driver, "bad \xEF\xBF\xBD byte");
+}
+
+TEST(ResultsReader, PointsAtTheLineThatIsWrong) {
+  const std::string good = to_json(synthetic::results());
+  const std::string place = "results.json:" + std::to_string(line_of(good, "\"rmse_penumbra\"")) + ":";
+  EXPECT_THAT(message_of(replaced(good, "\"rmse_penumbra\": 0", "\"rmse_penumbra\": 7")), StartsWith(place));
+  EXPECT_THAT(message_of(replaced(good, "\"rmse_penumbra\": ", "\"rmse_penumbra\": \"x\", \"y\": ")),
+              testing::AllOf(StartsWith(place), HasSubstr("must be a number, found a string")));
+}
+
+TEST(ResultsReader, RefusesWhatTheWriterWouldNotWrite) {
+  const std::string good = to_json(synthetic::results());
+  EXPECT_EQ(message_of(good), "no error");
+  EXPECT_THAT(message_of(replaced(good, "\"schema_version\": 1", "\"schema_version\": 2")),
+              HasSubstr("schema version 2 is not the 1 this program reads"));
+  EXPECT_THAT(message_of(replaced(good, "\"bias\"", "\"biass\"")), HasSubstr("'bias' is missing"));
+  EXPECT_THAT(message_of(replaced(good, "\"title\"", "\"extra\": 1, \"title\"")),
+              HasSubstr("unknown key 'extra'"));
+  EXPECT_THAT(message_of(replaced(good, "\"leak_rate\": ", "\"leak_rate\": 2")),
+              HasSubstr("'leak_rate' must be between 0 and 1"));
+  EXPECT_THAT(message_of(replaced(good, "\"seeds\": 16", "\"seeds\": -16")),
+              HasSubstr("must not be negative"));
+  EXPECT_THAT(message_of(replaced(good, "\"time_ms_spread\": 0.1", "\"time_ms_spread\": null")),
+              HasSubstr("must be null exactly when"));
+  EXPECT_THAT(message_of(replaced(good, "\"records\": [", "\"records\": 3, \"x\": [")),
+              HasSubstr("'records' must be an array"));
+  EXPECT_THAT(message_of("{}"), HasSubstr("'schema_version' is missing"));
+  EXPECT_THAT(message_of(""), HasSubstr("is empty"));
+}
+
+TEST(ResultsReader, RefusesTheSameMeasurementTwice) {
+  Results results = synthetic::results();
+  results.records.push_back(results.records.front());
+  EXPECT_THAT(message_of(to_json(results)), HasSubstr("a second record of boxes × bilinear × 0.53°"));
+}
+
+}  // namespace
+}  // namespace penumbra::study
