@@ -141,5 +141,18 @@ TEST(Settings, NotANumberIsRefusedWhereverItStands) {
   }
 }
 
+// Settings each in range may still lead to figures no float holds: never "inf" in the output.
+TEST(Settings, FiguresBeyondFloatAreRefused) {
+  const auto refused = HasSubstr("do not fit into floats");
+  expect_input_error([&] { fit_cascades({}, {.angular_diameter_degrees = 1e-42}, {}); }, refused);
+  const Bounds speck{{0, 1, 9}, {1e-150, 1, 9}};
+  const ShadowSettings on_a_speck{.caster_bounds = speck, .fit_to_bounds = true};
+  expect_input_error(
+      [&] {
+        fit_cascades({.position = {0, 0, 0}}, {.direction = {0, 0, 1}}, on_a_speck);
+      },
+      refused);
+}
+
 }  // namespace
 }  // namespace penumbra::parameters

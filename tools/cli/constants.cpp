@@ -1,5 +1,6 @@
 // penumbra constants: what a shader needs to know of each cascade, from settings or from dumped matrices.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <optional>
 
@@ -54,6 +55,18 @@ void set_if(const std::optional<std::vector<double>>& given, glm::dvec3& value) 
   if (given) value = {given->at(0), given->at(1), given->at(2)};
 }
 
+void apply_splits(const std::vector<double>& given, parameters::ShadowSettings& shadows) {
+  const std::size_t needed = shadows.cascades > 1 ? static_cast<std::size_t>(shadows.cascades - 1) : 0;
+  if (given.size() != needed && given.size() != shadows.splits.size()) {
+    throw InputError("",
+                     "--splits has " + std::to_string(given.size()) + " numbers, and --cascades is " +
+                         std::to_string(shadows.cascades),
+                     "give one fewer than cascades, or three as Unity's asset holds");
+  }
+  shadows.splits = {};
+  std::copy(given.begin(), given.end(), shadows.splits.begin());
+}
+
 void apply_flags(const ConstantsOptions& options, FitInput& input) {
   set_if(options.position, input.camera.position);
   set_if(options.forward, input.camera.forward);
@@ -73,9 +86,7 @@ void apply_flags(const ConstantsOptions& options, FitInput& input) {
   if (options.soft_quality)
     input.shadows.soft_quality = parameters::soft_quality_named(*options.soft_quality);
   if (options.clip_depth) input.shadows.clip_depth = parameters::clip_depth_named(*options.clip_depth);
-  if (!options.splits) return;
-  input.shadows.splits = {};
-  std::copy(options.splits->begin(), options.splits->end(), input.shadows.splits.begin());
+  if (options.splits) apply_splits(*options.splits, input.shadows);
 }
 
 std::string print(const CascadeSet& set, const std::vector<CascadeErrors>& errors,

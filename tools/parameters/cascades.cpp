@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
+#include <limits>
 #include <numbers>
 
 #include "input/input_error.h"
@@ -236,6 +236,24 @@ void derive_scales(const CascadeSet& set, const ShadowSettings& settings, Cascad
   cascade.normal_bias_metres = 0.0 - settings.normal_bias * kernel;
 }
 
+std::string why_not_emittable(const Cascade& cascade) {
+  const auto holds = [](double value) { return std::abs(value) <= std::numeric_limits<float>::max(); };
+  for (const glm::dmat4* matrix : {&cascade.view, &cascade.projection, &cascade.world_to_shadow}) {
+    for (int column = 0; column < 4; ++column) {
+      for (int row = 0; row < 4; ++row) {
+        if (!holds((*matrix)[column][row])) return "its matrices do not fit into floats";
+      }
+    }
+  }
+  for (const double scale :
+       {cascade.uv_per_metre, cascade.depth_per_metre, cascade.depth_to_radial_hdrp,
+        cascade.radial_to_depth.value_or(0.0), cascade.texel_size_metres, cascade.max_penumbra_texels,
+        cascade.depth_bias_metres, cascade.normal_bias_metres, cascade.split_sphere.w}) {
+    if (!holds(scale)) return "its scales do not fit into floats";
+  }
+  return {};
+}
+
 CascadeSet fit_cascades(const Camera& camera, const Light& light, const ShadowSettings& settings) {
   if (const auto problem = find_problem(camera, light, settings)) {
     throw InputError("", problem->key.substr(1) + " " + problem->problem, problem->way_out);
@@ -266,6 +284,10 @@ CascadeSet fit_cascades(const Camera& camera, const Light& light, const ShadowSe
     cascade.split_sphere = glm::dvec4(sphere.centre, sphere.radius);
     place_matrices(axes, fit_tile(axes, settings, sphere, layout.tile_resolution), set, cascade);
     derive_scales(set, settings, cascade);
+    if (const std::string why = why_not_emittable(cascade); !why.empty()) {
+      throw InputError("", fmt::format("cascade {} is beyond measure: {}", i, why),
+                       "the caster bounds, the angle of view or the light's diameter are extreme");
+    }
     set.cascades.push_back(cascade);
     largest_diameter = std::max(largest_diameter, 2.0 * sphere.radius);
     begin = end;

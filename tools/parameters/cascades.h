@@ -72,7 +72,9 @@ struct Cascade {
   double depth_per_metre = 0.0;  // stored depth per metre along the light: |row2.xyz|
   double depth_to_radial = 0.0;  // penumbra RADIUS in tile UV per unit of stored depth gap (geometric)
   std::optional<double> radial_to_depth{};  // inverse; absent at angular diameter 0
-  double depth_to_radial_hdrp = 0.0;        // HDRP's m00/m22 form: twice the geometric value
+  // HDRP's tan(a/2) |m00 / m22| of the device projection (depth 0 .. 1): twice the geometric value, whatever
+  // clip_depth is emitted. Of a projection to -1 .. 1 the same ratio happens to be the geometric value.
+  double depth_to_radial_hdrp = 0.0;
   double texel_size_metres = 0.0;
   double max_penumbra_texels = 0.0;  // radius for the whole depth range of the tile
   double depth_bias_metres = 0.0;    // URP's _ShadowBias.x and .y, both <= 0
@@ -113,6 +115,9 @@ glm::dvec4 tile_rectangle(const AtlasLayout& layout, int cascade);  // x, y, wid
 
 // Fills every figure that follows from world_to_shadow and offset_scale: from uv_per_metre to the biases.
 void derive_scales(const CascadeSet& set, const ShadowSettings& settings, Cascade& cascade);
+
+// Names a figure that no float can hold (overflow, not a number); empty when all can.
+std::string why_not_emittable(const Cascade& cascade);
 
 // The fit, per cascade: the smallest sphere around the camera's sub-frustum (its radius does not change when
 // the camera turns), a square tile around it, snapped to whole texels in light space (so a moving camera

@@ -265,6 +265,9 @@ MatricesDump read_matrices(const LocatedJson& document) {
   for (int i = 0; i < dump.settings.cascades; ++i) {
     Cascade cascade = reader.read(cascades[static_cast<std::size_t>(i)], i, tile_rectangle(layout, i));
     derive_scales(set, dump.settings, cascade);
+    if (const std::string why = why_not_emittable(cascade); !why.empty()) {
+      root.fail("cascades", fmt::format("cascade {} is beyond measure: {}", i, why));
+    }
     set.cascades.push_back(cascade);
   }
   const glm::dvec3 depth = row_of(set.cascades.front().world_to_shadow, 2);
