@@ -31,7 +31,9 @@ int BoundedSampleCount(int count)
 // (cos, sin) of `index` golden angles, 2 pi (2 - golden ratio) each.
 float2 GoldenDirection(int index)
 {
-    const uint turn = uint(index) * 1640531527u; // 2^32 (2 - golden ratio), modulo 2^32
+    // 2^32 (2 - golden ratio) = 1640531527 - 0.4333: the part of an integer that the constant is too large by grows
+    // with the index, 7/16 takes it away again.
+    const uint turn = uint(index) * 1640531527u - ((uint(index) * 7u) >> 4);
     const float angle = float(turn >> 8) * (6.2831853 / 16777216.0);
     return float2(cos(angle), sin(angle));
 }

@@ -1,0 +1,100 @@
+// Core/CascadeSelection.hlsl: the first sphere that holds the point, and never a cascade there is not.
+#include "ShaderLibrary/core_function.h"
+#include "ShaderLibrary/exactness.h"
+#include "ShaderLibrary/inputs.h"
+
+namespace penumbra::shader_library_tests {
+namespace {
+
+constexpr const char* kSelect =
+    "CascadeSpheres s; s.centre0 = float3(In(4), In(5), In(6)); s.centre1 = float3(In(7), In(8), In(9));"
+    "s.centre2 = float3(In(10), In(11), In(12)); s.centre3 = float3(In(13), In(14), In(15));"
+    "s.squaredRadii = float4(In(16), In(17), In(18), In(19));"
+    "OutInt(0, SelectCascade(float3(In(1), In(2), In(3)), s, InInt(0)));";
+
+// Count, position, four centres, four squared radii. Nested spheres in front of a camera up to 100 km from
+// the origin; positions anywhere about them.
+std::vector<float> random_spheres(Random& random) {
+  const float origin = random.integer(0, 3) == 0 ? random.between(-1e5f, 1e5f) : 0.0f;
+  const float reach = random.between(5.0f, 200.0f);
+  std::vector<float> words;
+  words.push_back(float(random.integer(1, 4)));
+  for (int axis = 0; axis < 3; ++axis) words.push_back(origin + random.between(-reach, reach));
+  for (int sphere = 1; sphere <= 4; ++sphere) {
+    for (int axis = 0; axis < 3; ++axis) {
+      words.push_back(origin + (axis == 2 ? 0.4f * reach * float(sphere) / 4.0f : 0.0f));
+    }
+  }
+  for (int sphere = 1; sphere <= 4; ++sphere) {
+    const float radius = reach * float(sphere) / 4.0f;
+    words.push_back(radius * radius);
+  }
+  return words;
+}
+
+long double squared_distance(const float* p, const float* centre) {
+  long double sum = 0.0L;
+  for (int axis = 0; axis < 3; ++axis) {
+    const long double d = static_cast<long double>(p[axis]) - centre[axis];
+    sum += d * d;
+  }
+  return sum;
+}
+
+// How near the point lies to any sphere's surface, relative to its squared radius.
+bool near_a_surface(const float* in) {
+  for (int sphere = 0; sphere < 4; ++sphere) {
+    const long double radius = in[16 + sphere];
+    // Three differences, products and sums: 6 roundings.
+    if (std::fabs(squared_distance(in + 1, in + 4 + 3 * sphere) - radius) < 6.0L * 0x1p-24L * radius)
+      return true;
+  }
+  return false;
+}
+
+TEST(CascadeSelection, PicksTheFirstSphereAroundThePoint) {
+  Random random(8);
+  std::vector<float> inputs;
+  int kept = 0;
+  while (kept < kRandomCases) {
+    const std::vector<float> spheres = random_spheres(random);
+    if (near_a_surface(spheres.data())) continue;  // either answer is right there
+    inputs.insert(inputs.end(), spheres.begin(), spheres.end());
+    ++kept;
+  }
+  expect_exact(
+      {"CascadeSelection", kSelect, 20, 1}, DepthDirection::conventional, inputs,
+      [](const float* in) {
+        const int count = static_cast<int>(in[0]);
+        int cascade = 0;
+        while (cascade < count &&
+               squared_distance(in + 1, in + 4 + 3 * cascade) >= static_cast<long double>(in[16 + cascade])) {
+          ++cascade;
+        }
+        return std::vector<Exact>{{static_cast<long double>(cascade)}};
+      },
+      0.0L);
+}
+
+TEST(CascadeSelection, StaysWithinTheCountForAnyNumbers) {
+  Random random(9);
+  std::vector<float> inputs;
+  for (int i = 0; i < kRandomCases; ++i) {
+    inputs.push_back(float(random.integer(1, 4)));
+    for (int k = 1; k < 20; ++k) inputs.push_back(random.any_bits());
+    if (i % 2 == 0) inputs[inputs.size() - 19] = std::numeric_limits<float>::quiet_NaN();
+  }
+  const std::vector<float> results =
+      run({"CascadeSelection", kSelect, 20, 1}, DepthDirection::conventional, inputs);
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const float count = inputs[20 * i];
+    ASSERT_GE(results[i], 0.0f);
+    ASSERT_LE(results[i], count);
+    if (i % 2 == 0) {
+      ASSERT_EQ(results[i], count) << "no sphere holds a position that is not a number";
+    }
+  }
+}
+
+}  // namespace
+}  // namespace penumbra::shader_library_tests

@@ -1,0 +1,31 @@
+// Runs a pure function of ShaderLibrary/Core on the GPU over many inputs at once.
+//
+//   CoreFunction gap{"DepthConvention", "Out(0, DepthGap(In(0), In(1)));", 2, 1};
+//   std::vector<float> results = run(gap, DepthDirection::reversed, inputs);
+//
+// Inputs and outputs travel as 32-bit words, so NaN payloads and infinities arrive as they are.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace penumbra::shader_library_tests {
+
+enum class DepthDirection { conventional, reversed };
+
+constexpr DepthDirection kDepthDirections[] = {DepthDirection::conventional, DepthDirection::reversed};
+
+struct CoreFunction {
+  std::string file;       // of Core/, without its ending
+  std::string statement;  // HLSL; reads In(i) or InInt(i), writes Out(i, float) or OutInt(i, int)
+  int inputs = 1;         // words per case
+  int outputs = 1;
+  std::vector<std::pair<std::string, std::string>> defines = {};
+};
+
+// One case after the other in `inputs`; results in the same order, on the software device when there is one.
+std::vector<float> run(const CoreFunction& function, DepthDirection direction,
+                       const std::vector<float>& inputs);
+
+}  // namespace penumbra::shader_library_tests

@@ -1,0 +1,228 @@
+// Core/Disk.hlsl: golden-angle and Poisson points, against their definitions in long double.
+#include <algorithm>
+#include <numbers>
+
+#include "ShaderLibrary/core_function.h"
+#include "ShaderLibrary/exactness.h"
+#include "ShaderLibrary/inputs.h"
+
+namespace penumbra::shader_library_tests {
+namespace {
+
+const std::vector<std::pair<std::string, std::string>> kUnlimited = {{"PENUMBRA_UNLIMITED", "1"}};
+
+// Vulkan asks of sine and cosine no more than 2^-11 absolute; what is turned by them is made unit length
+// again. The software device does better, which is what this bound holds it to.
+constexpr long double kTrigonometricUlp = 8.0L;  // of 1
+
+// The turn modulo one, in long double: exact to 2^-50 for the indices here.
+long double golden_turn(int index) {
+  const long double turns = index * (2.0L - std::numbers::phi_v<long double>);
+  return turns - std::floor(turns);
+}
+
+std::vector<Exact> golden_direction(int index) {
+  const long double angle = 2.0L * std::numbers::pi_v<long double> * golden_turn(index);
+  return {{std::cos(angle), 1.0L}, {std::sin(angle), 1.0L}};
+}
+
+std::vector<float> repeated_indices(int count) {
+  std::vector<float> inputs;
+  for (int i = 0; i < 4 * kRandomCases; ++i) inputs.push_back(float(i % count));
+  return inputs;
+}
+
+// The 24 bits kept of a turn are 2^-24 of it, 2 pi times as much in angle: 3 more ULP of 1 (2^-23).
+TEST(Disk, GoldenDirectionsKeepTheirAngleAtHighIndices) {
+  expect_exact(
+      {"Disk", "const float2 d = GoldenDirection(InInt(0)); Out(0, d.x); Out(1, d.y);", 1, 2},
+      DepthDirection::conventional, repeated_indices(4096),
+      [](const float* in) { return golden_direction(static_cast<int>(in[0])); }, kTrigonometricUlp + 3.0L);
+}
+
+TEST(Disk, FibonacciTableHoldsTheGoldenDirections) {
+  expect_exact(
+      {"Disk", "const float2 d = FibonacciDirection(InInt(0)); Out(0, d.x); Out(1, d.y);", 1, 2},
+      DepthDirection::conventional, repeated_indices(64),
+      [](const float* in) { return golden_direction(static_cast<int>(in[0])); }, 0.51L);
+  expect_exact(
+      {"Disk", "const float2 d = FibonacciDirection(InInt(0)); Out(0, d.x); Out(1, d.y);", 1, 2, kUnlimited},
+      DepthDirection::conventional, repeated_indices(4096),
+      [](const float* in) { return golden_direction(static_cast<int>(in[0])); }, kTrigonometricUlp + 3.0L);
+}
+
+TEST(Disk, IndicesOutsideTheTablesGiveTheirEnds) {
+  const std::vector<float> inputs = {-1.0f, 0.0f, 63.0f, 64.0f, 1e6f, -1e6f};
+  const std::vector<float> results =
+      run({"Disk",
+           "const float2 f = FibonacciDirection(InInt(0)); Out(0, f.x); Out(1, f.y);"
+           "const float2 p = PoissonDisk(InInt(0), 64); Out(2, p.x); Out(3, p.y);",
+           1, 4},
+          DepthDirection::conventional, inputs);
+  const auto row = [&](std::size_t i) { return std::vector<float>(&results[4 * i], &results[4 * i] + 4); };
+  EXPECT_EQ(row(0), row(1));
+  EXPECT_EQ(row(5), row(1));
+  EXPECT_EQ(row(3), row(2));
+  EXPECT_EQ(row(4), row(2));
+}
+
+std::vector<float> index_and_count(int largest) {
+  Random random(21);
+  std::vector<float> inputs;
+  for (int i = 0; i < kRandomCases; ++i) {
+    const int count = i % 4 == 0 ? (i % 8 == 0 ? 1 : largest) : random.integer(1, largest);
+    const int index = i % 3 == 0 ? count - 1 : random.integer(0, count - 1);
+    inputs.insert(inputs.end(), {float(index), float(count), i % 2 == 0 ? 1.0f : random.between(1.0f, 4.0f)});
+  }
+  return inputs;
+}
+
+long double fibonacci_radius(const float* in) {
+  return std::pow((in[0] + 0.5L) / in[1], 0.5L * in[2]);
+}
+
+// pow is exp2(y log2 x) with 3 ULP in either factor (Vulkan); log2 x reaches 13 for 4096 points and y 2, so
+// the exponent is off by up to 26 x 3 ULP relative to a result of 1.
+TEST(Disk, FibonacciRadiusFollowsItsPower) {
+  expect_exact(
+      {"Disk", "Out(0, FibonacciRadius(InInt(0), InInt(1), In(2)));", 3, 1}, DepthDirection::conventional,
+      index_and_count(4096), [](const float* in) { return std::vector<Exact>{{fibonacci_radius(in)}}; },
+      80.0L);
+}
+
+TEST(Disk, PointsAreDirectionTimesRadius) {
+  expect_exact(
+      {"Disk",
+       "const float2 f = FibonacciDisk(InInt(0), InInt(1), In(2)); const float2 v = VogelDisk(InInt(0), "
+       "InInt(1));"
+       "Out(0, f.x); Out(1, f.y); Out(2, v.x); Out(3, v.y);",
+       3, 4},
+      DepthDirection::conventional, index_and_count(64),
+      [](const float* in) {
+        const std::vector<Exact> direction = golden_direction(static_cast<int>(in[0]));
+        const long double clumped = fibonacci_radius(in);
+        const long double even = std::sqrt((in[0] + 0.5L) / in[1]);
+        return std::vector<Exact>{{direction[0].value * clumped, clumped},
+                                  {direction[1].value * clumped, clumped},
+                                  {direction[0].value * even, even},
+                                  {direction[1].value * even, even}};
+      },
+      80.0L);
+}
+
+TEST(Disk, SpiralPointsLieInsideTheDisk) {
+  for (const auto& defines : {std::vector<std::pair<std::string, std::string>>{}, kUnlimited}) {
+    for (const float radius :
+         run({"Disk", "Out(0, FibonacciRadius(InInt(0), InInt(1), In(2)));", 3, 1, defines},
+             DepthDirection::conventional, index_and_count(defines.empty() ? 64 : 4096))) {
+      ASSERT_GT(radius, 0.0f);
+      ASSERT_LT(radius, 1.0f);
+    }
+  }
+}
+
+TEST(Disk, PoissonSetsAreDistinctPointsOfTheDisk) {
+  std::vector<float> inputs;
+  for (const int count : {25, 32, 64, 100, 128}) {
+    for (int i = 0; i < count; ++i) inputs.insert(inputs.end(), {float(i), float(count)});
+  }
+  const std::vector<float> results =
+      run({"Disk", "const float2 p = PoissonDisk(InInt(0), InInt(1)); Out(0, p.x); Out(1, p.y);", 2, 2},
+          DepthDirection::conventional, inputs);
+  std::vector<std::pair<float, float>> points;
+  for (std::size_t i = 0; i < results.size() / 2; ++i) {
+    const std::pair<float, float> point(results[2 * i], results[2 * i + 1]);
+    EXPECT_LE(std::hypot(point.first, point.second), 1.0f + 1e-6f) << "point " << i;
+    EXPECT_EQ(std::count(points.begin(), points.end(), point), 0) << "point " << i;
+    points.push_back(point);
+  }
+  EXPECT_EQ(points.size(), 25u + 32u + 64u + 100u + 128u);
+}
+
+TEST(Disk, UnlimitedPoissonIsVogels) {
+  expect_exact(
+      {"Disk", "const float2 p = PoissonDisk(InInt(0), InInt(1)); Out(0, p.x); Out(1, p.y);", 3, 2,
+       kUnlimited},
+      DepthDirection::conventional, index_and_count(4096),
+      [](const float* in) {
+        const std::vector<Exact> direction = golden_direction(static_cast<int>(in[0]));
+        const long double even = std::sqrt((in[0] + 0.5L) / in[1]);
+        return std::vector<Exact>{{direction[0].value * even, even}, {direction[1].value * even, even}};
+      },
+      kTrigonometricUlp + 8.0L);
+}
+
+TEST(Disk, CountsAreBoundedToWhatThereIs) {
+  std::vector<float> inputs;
+  for (int i = 0; i < kRandomCases; ++i) inputs.push_back(float(i - kRandomCases / 2));
+  inputs.insert(inputs.end(), {2e9f, -2e9f});
+  expect_exact(
+      {"Disk", "OutInt(0, BoundedSampleCount(InInt(0))); OutInt(1, PoissonSetSize(InInt(0)));", 1, 2},
+      DepthDirection::conventional, inputs,
+      [](const float* in) {
+        long double set = 128.0L;
+        for (const float size : {100.0f, 64.0f, 32.0f, 25.0f}) set = in[0] <= size ? size : set;
+        return std::vector<Exact>{{std::clamp(in[0], 1.0f, 64.0f)}, {set}};
+      },
+      0.0L);
+  expect_exact(
+      {"Disk", "OutInt(0, BoundedSampleCount(InInt(0))); OutInt(1, PoissonSetSize(InInt(0)));", 1, 2,
+       kUnlimited},
+      DepthDirection::conventional, inputs,
+      [](const float* in) {
+        const float bounded = std::clamp(in[0], 1.0f, 4096.0f);
+        return std::vector<Exact>{{bounded}, {bounded}};
+      },
+      0.0L);
+}
+
+// Two products and a sum, at the size of the products.
+TEST(Disk, RotationTurnsAndKeepsTheLength) {
+  Random random(22);
+  std::vector<float> inputs;
+  for (int i = 0; i < kRandomCases; ++i) {
+    const float angle = random.between(0.0f, 6.2831f);
+    inputs.insert(inputs.end(), {random.between(-1.0f, 1.0f), random.between(-1.0f, 1.0f), std::cos(angle),
+                                 std::sin(angle)});
+  }
+  expect_exact(
+      {"Disk",
+       "const float2 r = RotateDisk(float2(In(0), In(1)), float2(In(2), In(3))); Out(0, r.x); Out(1, r.y);",
+       4, 2},
+      DepthDirection::conventional, inputs,
+      [](const float* in) {
+        const long double xx = static_cast<long double>(in[0]) * in[2],
+                          yy = static_cast<long double>(in[1]) * in[3];
+        const long double xy = static_cast<long double>(in[0]) * in[3],
+                          yx = static_cast<long double>(in[1]) * in[2];
+        return std::vector<Exact>{{xx - yy, std::fabs(xx) + std::fabs(yy)},
+                                  {xy + yx, std::fabs(xy) + std::fabs(yx)}};
+      },
+      1.5L);
+}
+
+// rsqrt: 2 ULP (Vulkan), its argument 2 more halved, one product.
+TEST(Disk, AnythingBecomesAUnitRotation) {
+  Random random(23);
+  std::vector<float> inputs;
+  for (int i = 0; i < kRandomCases; ++i) {
+    const bool ordinary = i % 2 == 0;
+    inputs.push_back(ordinary ? random.between(-1.5f, 1.5f) : random.any_bits());
+    inputs.push_back(ordinary ? random.between(-1.5f, 1.5f) : random.any_bits());
+  }
+  const std::vector<float> results =
+      run({"Disk", "const float2 r = UnitRotation(float2(In(0), In(1))); Out(0, r.x); Out(1, r.y);", 2, 2},
+          DepthDirection::conventional, inputs);
+  for (std::size_t i = 0; i < inputs.size() / 2; ++i) {
+    const long double x = results[2 * i], y = results[2 * i + 1];
+    ASSERT_NEAR(static_cast<double>(x * x + y * y), 1.0, 8.0 * 0x1p-23) << words(&inputs[2 * i], 2);
+    const long double length =
+        std::hypot(static_cast<long double>(inputs[2 * i]), static_cast<long double>(inputs[2 * i + 1]));
+    if (i % 2 == 0 && length > 0.01L) {
+      ASSERT_NEAR(static_cast<double>(x), static_cast<double>(inputs[2 * i] / length), 4.0 * 0x1p-23);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace penumbra::shader_library_tests

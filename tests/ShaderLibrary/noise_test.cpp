@@ -1,0 +1,104 @@
+// Core/Noise.hlsl: the noise is Jimenez's, spread evenly, and turns disks without scaling them.
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+#include "ShaderLibrary/core_function.h"
+#include "ShaderLibrary/exactness.h"
+#include "ShaderLibrary/inputs.h"
+
+namespace penumbra::shader_library_tests {
+namespace {
+
+std::vector<float> pixels() {
+  Random random(24);
+  std::vector<float> inputs;
+  for (int i = 0; i < kRandomCases; ++i) {
+    inputs.insert(inputs.end(), {float(random.integer(0, 7679)) + 0.5f, float(random.integer(0, 4319)) + 0.5f,
+                                 float(random.integer(0, 200))});
+  }
+  return inputs;
+}
+
+long double fraction(long double x) {
+  return x - std::floor(x);
+}
+
+// The constants as the shader holds them.
+long double gradient_noise(const float* in) {
+  const long double move = static_cast<long double>(5.588238f) * (static_cast<int>(in[2]) % 64);
+  const long double along = (in[0] + move) * 0.06711056f + (in[1] + move) * 0.00583715f;
+  return fraction(static_cast<long double>(52.9829189f) * fraction(along));
+}
+
+// Inside, the dot product reaches 600 and is good to 2 ULP of that, 2^-13; times 53 that is 0.0065 of a turn:
+// noise, but the same noise to within a hundredth on every device.
+TEST(Noise, IsJimenezsGradientNoise) {
+  const std::vector<float> inputs = pixels();
+  const std::vector<float> results =
+      run({"Noise", "Out(0, GradientNoise(float2(In(0), In(1)), uint(InInt(2))));", 3, 1},
+          DepthDirection::conventional, inputs);
+  double worst = 0.0;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    ASSERT_GE(results[i], 0.0f);
+    ASSERT_LT(results[i], 1.0f);
+    const double apart = std::fabs(static_cast<double>(results[i] - gradient_noise(&inputs[3 * i])));
+    worst = std::max(worst, std::min(apart, 1.0 - apart));  // a turn later is the same rotation
+  }
+  EXPECT_LE(worst, 0.0065);
+}
+
+// Any 3 x 3 neighbourhood holds a low, a middle and a high value: what makes a small blur remove it.
+TEST(Noise, EveryNeighbourhoodCoversTheTurn) {
+  std::vector<float> inputs;
+  const int side = 150;
+  for (int y = 0; y < side; ++y) {
+    for (int x = 0; x < side; ++x) inputs.insert(inputs.end(), {float(x) + 0.5f, float(y) + 0.5f, 0.0f});
+  }
+  const std::vector<float> noise =
+      run({"Noise", "Out(0, GradientNoise(float2(In(0), In(1)), uint(InInt(2))));", 3, 1},
+          DepthDirection::conventional, inputs);
+  for (int y = 0; y + 3 <= side; ++y) {
+    for (int x = 0; x + 3 <= side; ++x) {
+      std::array<int, 3> thirds{};
+      for (int k = 0; k < 9; ++k) {
+        const float value = noise[std::size_t((y + k / 3) * side + x + k % 3)];
+        ++thirds.at(static_cast<std::size_t>(value * 3.0f));
+      }
+      for (const int count : thirds) ASSERT_GE(count, 1) << x << ", " << y;
+    }
+  }
+}
+
+// Sine and cosine within 8 ULP of 1 on this device, plus the rounding of the angle (2 ULP of 2 pi, 2^-21
+// absolute).
+TEST(Noise, RotationsAreUnitVectorsAtTheirAngle) {
+  std::vector<float> inputs;
+  for (int i = 0; i < kRandomCases; ++i) inputs.push_back(float(i) / kRandomCases);
+  expect_exact(
+      {"Noise", "const float2 r = RotationFromNoise(In(0)); Out(0, r.x); Out(1, r.y);", 1, 2},
+      DepthDirection::conventional, inputs,
+      [](const float* in) {
+        const long double angle = 2.0L * std::numbers::pi_v<long double> * in[0];
+        return std::vector<Exact>{{std::cos(angle), 1.0L}, {std::sin(angle), 1.0L}};
+      },
+      12.0L);
+}
+
+TEST(Noise, DiskRotationIsTheRotationOfTheNoise) {
+  const std::vector<float> results =
+      run({"Noise",
+           "const float2 a = DiskRotation(float2(In(0), In(1)), uint(InInt(2)));"
+           "const float2 b = RotationFromNoise(GradientNoise(float2(In(0), In(1)), uint(InInt(2))));"
+           "Out(0, a.x - b.x); Out(1, a.y - b.y); Out(2, dot(a, a));",
+           3, 3},
+          DepthDirection::conventional, pixels());
+  for (std::size_t i = 0; i < results.size() / 3; ++i) {
+    ASSERT_EQ(results[3 * i], 0.0f);
+    ASSERT_EQ(results[3 * i + 1], 0.0f);
+    ASSERT_NEAR(results[3 * i + 2], 1.0f, 16.0f * 0x1p-23f);
+  }
+}
+
+}  // namespace
+}  // namespace penumbra::shader_library_tests

@@ -1,0 +1,199 @@
+// Core/ReceiverPlane.hlsl: the receiver's plane in the shadow map, from derivatives and from the normal.
+#include <algorithm>
+#include <array>
+
+#include "ShaderLibrary/core_function.h"
+#include "ShaderLibrary/exactness.h"
+#include "ShaderLibrary/inputs.h"
+
+namespace penumbra::shader_library_tests {
+namespace {
+
+constexpr long double kLargestGradient = 1024.0L;
+constexpr const char* kFromDerivatives =
+    "const float2 g = ReceiverPlaneFromDerivatives(float3(In(0), In(1), In(2)), float3(In(3), In(4), In(5)));"
+    "Out(0, g.x); Out(1, g.y);";
+constexpr const char* kFromNormal =
+    "const float4x4 m = float4x4(In(3), In(4), In(5), 0, In(6), In(7), In(8), 0, In(9), In(10), In(11), 0, "
+    "0, 0, 0, 1);"
+    "const float2 g = ReceiverPlaneFromNormal(float3(In(0), In(1), In(2)), m); Out(0, g.x); Out(1, g.y);";
+
+using Vector = std::array<long double, 3>;
+
+long double dot(const Vector& a, const Vector& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+Vector unit(const Vector& a) {
+  const long double length = std::sqrt(dot(a, a));
+  return {a[0] / length, a[1] / length, a[2] / length};
+}
+
+// The determinant cancels: its relative error is the ratio of its terms to itself, and the whole result has
+// it. Scale is the sum of the terms over the determinant, times that ratio.
+std::vector<Exact> exact_from_derivatives(const float* in) {
+  const long double ux = in[0], vx = in[1], zx = in[2], uy = in[3], vy = in[4], zy = in[5];
+  const long double determinant = ux * vy - vx * uy;
+  const long double terms = std::fabs(ux * vy) + std::fabs(vx * uy);
+  const long double worse = terms / std::fabs(determinant) / std::fabs(determinant);
+  return {{(vy * zx - vx * zy) / determinant, (std::fabs(vy * zx) + std::fabs(vx * zy)) * worse},
+          {(ux * zy - uy * zx) / determinant, (std::fabs(ux * zy) + std::fabs(uy * zx)) * worse}};
+}
+
+// Screen derivatives of a plane under pixels of any size from 1e-12 to 1 of the atlas, at angles from 0.2
+// degrees.
+TEST(ReceiverPlane, FromDerivativesInvertsTheJacobian) {
+  Random random(10);
+  std::vector<float> inputs;
+  while (inputs.size() < 6 * std::size_t(kRandomCases)) {
+    const float size = std::pow(10.0f, random.between(-12.0f, 0.0f));
+    const float angle = random.between(0.0f, 6.2831f);
+    const float between = random.between(0.004f, 3.13f);
+    const float slope_u = random.between(-50.0f, 50.0f);
+    const float slope_v = random.between(-50.0f, 50.0f);
+    const float stretch = std::pow(10.0f, random.between(-2.0f, 2.0f));
+    const float ux = size * std::cos(angle), vx = size * std::sin(angle);
+    const float uy = stretch * size * std::cos(angle + between),
+                vy = stretch * size * std::sin(angle + between);
+    inputs.insert(inputs.end(), {ux, vx, slope_u * ux + slope_v * vx, uy, vy, slope_u * uy + slope_v * vy});
+  }
+  // Scaling to unit length rounds each entry once, products once more, the determinant and the quotient again
+  // (a division may be off by 2.5 ULP in Vulkan): 12 ULP of the terms is their sum.
+  expect_exact({"ReceiverPlane", kFromDerivatives, 6, 2}, DepthDirection::conventional, inputs,
+               exact_from_derivatives, 12.0L);
+}
+
+TEST(ReceiverPlane, DegenerateDerivativesKnowNoPlane) {
+  Random random(11);
+  std::vector<float> inputs;
+  for (int i = 0; i < kRandomCases; ++i) {
+    const float u = random.magnitude(-6.0f, 0.0f), v = random.magnitude(-6.0f, 0.0f);
+    const float factor = i % 3 == 0 ? 0.0f : random.magnitude(-3.0f, 3.0f);  // parallel, or no length at all
+    inputs.insert(inputs.end(),
+                  {u, v, random.between(-1.0f, 1.0f), factor * u, factor * v, random.between(-1.0f, 1.0f)});
+  }
+  for (const float result :
+       run({"ReceiverPlane", kFromDerivatives, 6, 2}, DepthDirection::conventional, inputs)) {
+    ASSERT_EQ(result, 0.0f);
+  }
+}
+
+// Random orthogonal light matrix: rows across the light of one length, the row along it of another.
+std::vector<float> plane_and_light(Random& random, long double smallest_sine) {
+  const auto direction = [&] {
+    return unit(
+        {random.between(-1.0f, 1.0f), random.between(-1.0f, 1.0f), random.between(-1.0f, 1.0f) + 1e-3L});
+  };
+  for (;;) {
+    const Vector along = direction();
+    const Vector across = unit(cross(along, direction()));
+    const Vector up = cross(along, across);
+    const Vector normal = direction();
+    if (std::fabs(dot(normal, along)) < smallest_sine) continue;
+    const long double uv = std::pow(10.0L, random.between(-3.0f, -1.0f));
+    const long double depth = std::pow(10.0L, random.between(-4.0f, -2.0f));
+    std::vector<float> in;
+    for (const long double n : normal) in.push_back(static_cast<float>(n));
+    for (const long double a : across) in.push_back(static_cast<float>(a * uv));
+    for (const long double a : up) in.push_back(static_cast<float>(a * uv));
+    for (const long double a : along) in.push_back(static_cast<float>(a * depth));
+    return in;
+  }
+}
+
+// The gradient by its own definition: depth and UV of two directions that lie in the plane, solved for the
+// slopes.
+std::vector<Exact> exact_from_normal(const float* in) {
+  const Vector n{in[0], in[1], in[2]};
+  const Vector rows[3] = {{in[3], in[4], in[5]}, {in[6], in[7], in[8]}, {in[9], in[10], in[11]}};
+  const Vector other = std::fabs(n[0]) < 0.6L ? Vector{1.0L, 0.0L, 0.0L} : Vector{0.0L, 1.0L, 0.0L};
+  const Vector s = unit(cross(n, other));
+  const Vector t = unit(cross(n, s));
+  const long double us = dot(rows[0], s), vs = dot(rows[1], s), zs = dot(rows[2], s);
+  const long double ut = dot(rows[0], t), vt = dot(rows[1], t), zt = dot(rows[2], t);
+  const long double determinant = us * vt - vs * ut;
+  // The matrix given in float is orthogonal to 2^-24 only, which moves both gradients by that much of the
+  // larger one and of the slope's scale |row2| / |row0| / sine^2.
+  const long double sine = std::fabs(dot(n, rows[2])) / std::sqrt(dot(rows[2], rows[2]));
+  const long double scale = std::sqrt(dot(rows[2], rows[2]) / dot(rows[0], rows[0])) / (sine * sine);
+  return {{(vt * zs - vs * zt) / determinant, scale}, {(us * zt - ut * zs) / determinant, scale}};
+}
+
+// Three dot products (5 roundings each at the size of their terms), three quotients, and the inputs' own
+// rounding.
+TEST(ReceiverPlane, FromNormalIsThePlanesSlope) {
+  Random random(12);
+  std::vector<float> inputs;
+  while (inputs.size() < 12 * std::size_t(kRandomCases)) {
+    const std::vector<float> in = plane_and_light(random, 0.01L);
+    const std::vector<Exact> exact = exact_from_normal(in.data());
+    if (std::max(std::fabs(exact[0].value), std::fabs(exact[1].value)) > 0.99L * kLargestGradient) continue;
+    inputs.insert(inputs.end(), in.begin(), in.end());
+  }
+  expect_exact({"ReceiverPlane", kFromNormal, 12, 2}, DepthDirection::conventional, inputs, exact_from_normal,
+               16.0L);
+}
+
+TEST(ReceiverPlane, GradientsAreFiniteAndBoundedForAnyInput) {
+  Random random(13);
+  std::vector<float> inputs(12 * std::size_t(kRandomCases));
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    inputs[i] = i % 5 == 0 ? random.any_bits() : random.magnitude(-8.0f, 8.0f);
+  }
+  const std::string all =
+      std::string("{ ") + kFromDerivatives + " } { " + kFromNormal +
+      " Out(2, g.x); Out(3, g.y); } const float2 b = BoundGradient(float2(In(0), In(1)));"
+      "Out(4, b.x); Out(5, b.y);"
+      "const float2 d = ReceiverPlaneFromDerivatives(float3(In(0), In(1), In(2)), float3(In(3), "
+      "In(4), In(5))); Out(0, d.x); Out(1, d.y);";
+  for (const float result : run({"ReceiverPlane", all, 12, 6}, DepthDirection::conventional, inputs)) {
+    ASSERT_TRUE(std::isfinite(result));
+    ASSERT_LE(std::fabs(result), 1024.001f);
+  }
+}
+
+TEST(ReceiverPlane, BoundGradientKeepsDirectionAndSmallGradients) {
+  Random random(14);
+  std::vector<float> inputs;
+  for (int i = 0; i < 2 * kRandomCases; ++i) inputs.push_back(random.magnitude(-3.0f, 8.0f));
+  // A quotient (2.5 ULP) and a product.
+  expect_exact(
+      {"ReceiverPlane", "const float2 b = BoundGradient(float2(In(0), In(1))); Out(0, b.x); Out(1, b.y);", 2,
+       2},
+      DepthDirection::conventional, inputs,
+      [](const float* in) {
+        const long double steepest = std::max(std::fabs(in[0]), std::fabs(in[1]));
+        const long double factor = std::min(1.0L, kLargestGradient / steepest);
+        return std::vector<Exact>{{in[0] * factor}, {in[1] * factor}};
+      },
+      4.0L);
+}
+
+// Two products, two sums; fused operations round less.
+TEST(ReceiverPlane, DepthOnThePlaneStaysInTheMap) {
+  Random random(15);
+  std::vector<float> inputs;
+  for (int i = 0; i < kRandomCases; ++i) {
+    inputs.insert(inputs.end(),
+                  {random.between(0.0f, 1.0f), random.between(-50.0f, 50.0f), random.between(-50.0f, 50.0f),
+                   random.between(-0.02f, 0.02f), random.between(-0.02f, 0.02f)});
+  }
+  expect_exact(
+      {"ReceiverPlane", "Out(0, ReceiverPlaneDepth(In(0), float2(In(1), In(2)), float2(In(3), In(4))));", 5,
+       1},
+      DepthDirection::conventional, inputs,
+      [](const float* in) {
+        const long double a = static_cast<long double>(in[1]) * in[3];
+        const long double b = static_cast<long double>(in[2]) * in[4];
+        return std::vector<Exact>{
+            {std::clamp(in[0] + a + b, 0.0L, 1.0L), in[0] + std::fabs(a) + std::fabs(b)}};
+      },
+      2.5L);
+}
+
+}  // namespace
+}  // namespace penumbra::shader_library_tests

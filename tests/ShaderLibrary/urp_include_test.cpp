@@ -1,0 +1,65 @@
+// Shadows.hlsl compiles by its one include, for every keyword, in both depth conventions and without gather.
+#include <gtest/gtest.h>
+
+#include "shaders/compile.h"
+#include "shaders/reflect.h"
+
+namespace penumbra::shader_library_tests {
+namespace {
+
+using Defines = std::vector<std::pair<std::string, std::string>>;
+
+shaders::CompileResult compile_umbrella(const Defines& defines) {
+  shaders::CompileRequest request;
+  request.file = "lit.hlsl";
+  request.text =
+      "#include \"Platform/Platform.hlsl\"\n"
+      "#include \"UrpGlobals.hlsl\"\n"
+      "#include \"Packages/com.penumbra.shadows/ShaderLibrary/Shadows.hlsl\"\n"
+      "float4 Main(float4 pixel : SV_Position, float3 positionWS : TEXCOORD0, float3 normalWS : TEXCOORD1) : "
+      "SV_Target\n"
+      "{ return PenumbraMainLightVisibility(positionWS, normalWS, pixel.xy); }\n";
+  request.stage = shaders::Stage::fragment;
+  request.defines = defines;
+  request.package_roots = {{"com.penumbra.shadows", PENUMBRA_SOURCE_DIR}};
+  request.include_directories = {std::string(PENUMBRA_SOURCE_DIR) + "/ShaderLibrary",
+                                 std::string(PENUMBRA_SOURCE_DIR) + "/tests/platform"};
+  return shaders::compile(request);
+}
+
+bool binds(const shaders::CompileResult& result, const std::string& name) {
+  for (const shaders::Resource& resource : shaders::reflect(result.spirv).resources) {
+    if (resource.name == name) return true;
+  }
+  return false;
+}
+
+class UrpInclude : public ::testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(EveryKeyword, UrpInclude,
+                         ::testing::Values("_", "_PENUMBRA_HARD", "_PENUMBRA_BILINEAR", "_PENUMBRA_FOUR_TAP",
+                                           "_PENUMBRA_TENT_3X3", "_PENUMBRA_TENT_7X7", "_PENUMBRA_PCSS",
+                                           "_PENUMBRA_PCSS_POISSON", "_PENUMBRA_PCSS_HDRP"),
+                         [](const auto& test) { return "Keyword" + test.param; });
+
+TEST_P(UrpInclude, CompilesAndBindsTheMap) {
+  for (const Defines& more :
+       {Defines{}, Defines{{"UNITY_REVERSED_Z", "1"}}, Defines{{"SHADER_API_GLES3", "1"}}}) {
+    Defines defines = more;
+    defines.emplace_back(GetParam(), "1");
+    const shaders::CompileResult result = compile_umbrella(defines);
+    for (const shaders::Diagnostic& diagnostic : result.diagnostics)
+      ADD_FAILURE() << shaders::format(diagnostic);
+    ASSERT_FALSE(result.spirv.empty());
+    EXPECT_TRUE(binds(result, "_MainLightShadowmapTexture"));
+  }
+}
+
+TEST_P(UrpInclude, FallsBackToComparisonsWhereThereIsNoGather) {
+  const bool gathers = GetParam().starts_with("_PENUMBRA_PCSS");
+  EXPECT_EQ(binds(compile_umbrella({{GetParam(), "1"}}), "sampler_PenumbraPointClamp"), gathers);
+  EXPECT_FALSE(
+      binds(compile_umbrella({{GetParam(), "1"}, {"SHADER_API_GLES3", "1"}}), "sampler_PenumbraPointClamp"));
+}
+
+}  // namespace
+}  // namespace penumbra::shader_library_tests
