@@ -58,7 +58,7 @@ Violations tool_links_point_down(const Tree& tree) {
     for_each_line(text, [&, &file = path](int number, const std::string& line) {
       const auto check = [&](const std::string& used) {
         if (is_room(used) && !may_use(user, used)) {
-          found.push_back(violation(file, number, user + " must not link " + used));
+          found.push_back(violation(file, number, std::string(user).append(" must not link ").append(used)));
         }
       };
       const std::string code = line.substr(0, line.find('#'));
@@ -137,8 +137,9 @@ Violations public_headers_stay_light(const Tree& tree) {
     for (const auto& [target, include] : reached_from(header, includes)) {
       if (include == nullptr || include->path == "tools/input/located_json.h") continue;
       if (std::regex_match(target, heavy)) {
-        found.push_back(violation(include->path, include->line,
-                                  "<" + target + "> reaches every room that includes " + header));
+        found.push_back(violation(
+            include->path, include->line,
+            std::string("<").append(target).append("> reaches every room that includes ").append(header)));
       }
     }
   }

@@ -84,7 +84,8 @@ TEST_P(BuiltIn, ShowsLightAndShadow) {
   const glm::dvec3 up = glm::cross(scene.camera.forward, right);
   int lit = 0, shadowed = 0;
   for (int i = 0; i < 192; ++i) {
-    const double x = (i % 16 + 0.5) / 8.0 - 1.0, y = -(i / 16 + 0.5) / 12.0;  // the lower half of the picture
+    const int column = i % 16, row = i / 16;
+    const double x = (column + 0.5) / 8.0 - 1.0, y = -(row + 0.5) / 12.0;  // the lower half of the picture
     const glm::dvec3 ray = glm::normalize(scene.camera.forward + x * right + 0.57 * y * up);
     const double distance = first_hit(scene.mesh, scene.camera.position, ray);
     if (distance > scene.shadow_distance_metres) continue;

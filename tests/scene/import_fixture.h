@@ -28,7 +28,7 @@ class ImportTest : public testing::Test {
   }
 
   std::filesystem::path write(const std::string& name, const std::string& content) const {
-    const std::filesystem::path file = folder_ / name;
+    std::filesystem::path file = folder_ / name;
     std::ofstream(file, std::ios::binary) << content;
     return file;
   }

@@ -1,5 +1,4 @@
 #include <array>
-#include <functional>
 
 #include "input/input_error.h"
 #include "input/nearest_name.h"
@@ -26,6 +25,7 @@ constexpr std::array entries{
 
 std::vector<std::string> built_in_names() {
   std::vector<std::string> names;
+  names.reserve(entries.size());
   for (const Entry& entry : entries) names.emplace_back(entry.name);
   return names;
 }

@@ -32,6 +32,7 @@ Scene package_model(std::string_view name, const ImportOptions& options, const s
       std::find_if(models.begin(), models.end(), [&](const auto& m) { return m.name == name; });
   if (found == models.end()) {
     std::vector<std::string> names;
+    names.reserve(models.size());
     for (const PackageModel& model : models) names.push_back(model.name);
     throw InputError("", "unknown package model '" + std::string(name) + "'",
                      unknown_name_way_out(name, names));
