@@ -41,20 +41,37 @@ TEST(ConcentricDisc, KeepsAreasInProportion) {
   }
 }
 
-TEST(DiscSamples, AreCentredAndUniformByAreaInEverySet) {
-  const DiscSamples samples(512, 5);
-  for (std::size_t set = 0; set < DiscSamples::set_count; ++set) {
-    double x = 0.0;
-    double y = 0.0;
-    double square = 0.0;
-    for (std::size_t point = 0; point < samples.points_per_set(); ++point) {
-      x += samples.x(set)[point];
-      y += samples.y(set)[point];
-      square += std::pow(samples.x(set)[point], 2) + std::pow(samples.y(set)[point], 2);
+TEST(DiscSamples, BothHalvesOfEveryPairAreCentredAndUniformByArea) {
+  constexpr std::size_t points = 1024;
+  const DiscSamples samples(points, 5);
+  for (std::size_t pair = 0; pair < DiscSamples::pair_count; ++pair) {
+    double x[2] = {};
+    double y[2] = {};
+    double square[2] = {};
+    for (std::size_t point = 0; point < points; ++point) {
+      const std::size_t half = point / DiscSamples::half_packet % 2;
+      x[half] += samples.x(pair)[point];
+      y[half] += samples.y(pair)[point];
+      square[half] += std::pow(samples.x(pair)[point], 2) + std::pow(samples.y(pair)[point], 2);
     }
-    EXPECT_NEAR(x / 512, 0.0, 0.005) << "set " << set;
-    EXPECT_NEAR(y / 512, 0.0, 0.005) << "set " << set;
-    EXPECT_NEAR(square / 512, 0.5, 0.005) << "set " << set;  // mean r^2 of a uniform disc
+    for (const int half : {0, 1}) {
+      EXPECT_NEAR(x[half] / 512, 0.0, 0.005) << "pair " << pair;
+      EXPECT_NEAR(y[half] / 512, 0.0, 0.005) << "pair " << pair;
+      EXPECT_NEAR(square[half] / 512, 0.5, 0.005) << "pair " << pair;  // mean r^2 of a uniform disc
+    }
+  }
+}
+
+TEST(DiscSamples, APacketStaysInOneCellOfTheDisc) {
+  // 64 packets of 1024 points: cells of an eighth of the square's side, nowhere wider than 0.6 on the disc.
+  const DiscSamples samples(1024, 5);
+  for (std::size_t first = 0; first < 1024; first += 16) {
+    for (std::size_t point = first + 1; point < first + 16; ++point) {
+      EXPECT_LT(
+          std::hypot(samples.x(3)[point] - samples.x(3)[first], samples.y(3)[point] - samples.y(3)[first]),
+          0.6)
+          << "points " << first << " and " << point;
+    }
   }
 }
 
@@ -63,12 +80,29 @@ TEST(DiscSamples, SetsDifferFromEachOtherAndRepeatWithTheSeed) {
   const DiscSamples again(64, 5);
   const DiscSamples other(64, 6);
   std::set<float> first_points;
-  for (std::size_t set = 0; set < DiscSamples::set_count; ++set) {
-    first_points.insert(samples.x(set)[0]);
-    EXPECT_EQ(samples.x(set)[3], again.x(set)[3]);
-    EXPECT_NE(samples.x(set)[3], other.x(set)[3]);
+  for (std::size_t pair = 0; pair < DiscSamples::pair_count; ++pair) {
+    first_points.insert(samples.x(pair)[0]);
+    first_points.insert(samples.x(pair)[DiscSamples::half_packet]);
+    EXPECT_EQ(samples.x(pair)[3], again.x(pair)[3]);
+    EXPECT_NE(samples.x(pair)[3], other.x(pair)[3]);
   }
-  EXPECT_EQ(first_points.size(), DiscSamples::set_count);
+  EXPECT_EQ(first_points.size(), 2 * DiscSamples::pair_count);
+}
+
+TEST(DiscSamples, PixelsDrawEveryPairAndAnglesAllAround) {
+  const DiscSamples samples(64, 5);
+  std::set<std::size_t> pairs;
+  double cosines = 0.0;
+  double sines = 0.0;
+  for (std::size_t pixel = 0; pixel < 10000; ++pixel) {
+    const PixelDraw draw = samples.draw(pixel);
+    pairs.insert(draw.pair);
+    cosines += std::cos(draw.angle) / 10000.0;
+    sines += std::sin(draw.angle) / 10000.0;
+  }
+  EXPECT_EQ(pairs.size(), DiscSamples::pair_count);
+  EXPECT_NEAR(cosines, 0.0, 0.03);  // four standard deviations
+  EXPECT_NEAR(sines, 0.0, 0.03);
 }
 
 }  // namespace

@@ -69,23 +69,39 @@ glm::dvec2 concentric_disc(const glm::dvec2& square) {
   return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
-DiscSamples::DiscSamples(std::size_t points_per_set, std::uint64_t seed)
-    : points_per_set_(points_per_set), x_(set_count * points_per_set), y_(set_count * points_per_set) {
-  std::vector<glm::dvec2> squares(points_per_set);
-  for (std::size_t set = 0; set < set_count; ++set) {
-    const std::uint64_t set_seed = mixed_bits(mixed_bits(seed) + set);
-    for (std::uint32_t index = 0; index < points_per_set; ++index) {
-      squares[index] = scrambled_sobol(index, set_seed);
-    }
-    std::sort(squares.begin(), squares.end(), [](const glm::dvec2& left, const glm::dvec2& right) {
-      return morton_place(left) < morton_place(right);
-    });
-    for (std::size_t index = 0; index < points_per_set; ++index) {
-      const glm::dvec2 point = concentric_disc(squares[index]);
-      x_[set * points_per_set + index] = static_cast<float>(point.x);
-      y_[set * points_per_set + index] = static_cast<float>(point.y);
-    }
+DiscSamples::DiscSamples(std::size_t points_per_pair, std::uint64_t seed)
+    : points_per_pair_(points_per_pair),
+      seed_(mixed_bits(seed)),
+      x_(pair_count * points_per_pair),
+      y_(pair_count * points_per_pair) {
+  for (std::size_t pair = 0; pair < pair_count; ++pair) {
+    place_set(pair, 0);
+    place_set(pair, 1);
   }
+}
+
+void DiscSamples::place_set(std::size_t pair, std::size_t half) {
+  const std::uint64_t set_seed = mixed_bits(seed_ + 2 * pair + half);
+  std::vector<glm::dvec2> squares(points_per_pair_ / 2);
+  for (std::uint32_t index = 0; index < squares.size(); ++index) {
+    squares[index] = scrambled_sobol(index, set_seed);
+  }
+  std::sort(squares.begin(), squares.end(), [](const glm::dvec2& left, const glm::dvec2& right) {
+    return morton_place(left) < morton_place(right);
+  });
+  for (std::size_t index = 0; index < squares.size(); ++index) {
+    const std::size_t packet = index / half_packet;
+    const std::size_t lane = half * half_packet + index % half_packet;
+    const std::size_t place = pair * points_per_pair_ + packet * 2 * half_packet + lane;
+    const glm::dvec2 point = concentric_disc(squares[index]);
+    x_[place] = static_cast<float>(point.x);
+    y_[place] = static_cast<float>(point.y);
+  }
+}
+
+PixelDraw DiscSamples::draw(std::size_t pixel) const {
+  const std::uint64_t bits = mixed_bits(seed_ ^ mixed_bits(pixel));
+  return {bits % pair_count, std::ldexp(static_cast<double>(bits >> 32), -32) * 2.0 * std::numbers::pi};
 }
 
 }  // namespace penumbra::reference

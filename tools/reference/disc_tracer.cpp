@@ -5,18 +5,18 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/vec3.hpp>
+#include <iterator>
 #include <limits>
-#include <numbers>
+#include <numeric>
 
 namespace penumbra::reference {
 namespace {
 
 constexpr float unbounded = std::numeric_limits<float>::infinity();
 
-// The disc's two axes, scaled to its radius and turned by an angle drawn from 32 random bits.
+// The disc's two axes, scaled to its radius and turned.
 struct TurnedDisc {
-  TurnedDisc(const DiscLight& light, std::uint32_t random) {
-    const double angle = std::ldexp(random, -32) * 2.0 * std::numbers::pi;
+  TurnedDisc(const DiscLight& light, double angle) {
     const double cosine = std::cos(angle) * light.tan_half;
     const double sine = std::sin(angle) * light.tan_half;
     centre = glm::vec3(light.to_light);
@@ -48,8 +48,8 @@ class Packet {
     context_.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   }
 
-  // Rays of this packet that meet nothing.
-  int lit(RTCScene scene, const TurnedDisc& disc, const float* x, const float* y) {
+  // Adds the rays towards these points that meet nothing.
+  void shoot(RTCScene scene, const TurnedDisc& disc, const float* x, const float* y) {
     for (int lane = 0; lane < DiscTracer::packet_size; ++lane) {
       rays_.dir_x[lane] = disc.centre.x + x[lane] * disc.right.x + y[lane] * disc.up.x;
       rays_.dir_y[lane] = disc.centre.y + x[lane] * disc.right.y + y[lane] * disc.up.y;
@@ -57,47 +57,40 @@ class Packet {
       rays_.tfar[lane] = unbounded;
     }
     rtcOccluded16(valid_, scene, &context_, &rays_);
-    int count = 0;
-    for (const float end : rays_.tfar) count += end >= 0.0F ? 1 : 0;  // Embree sets -infinity where occluded
-    return count;
+    for (int lane = 0; lane < DiscTracer::packet_size; ++lane) {
+      lit_[lane] += rays_.tfar[lane] >= 0.0F ? 1 : 0;  // Embree sets -infinity where occluded
+    }
+  }
+
+  HalfCounts lit() const {
+    const auto middle = std::begin(lit_) + DiscSamples::half_packet;
+    return {static_cast<std::uint16_t>(std::accumulate(std::begin(lit_), middle, 0)),
+            static_cast<std::uint16_t>(std::accumulate(middle, std::end(lit_), 0))};
   }
 
  private:
   alignas(64) RTCRay16 rays_;
   alignas(64) int valid_[DiscTracer::packet_size];
+  alignas(64) int lit_[DiscTracer::packet_size] = {};
   RTCIntersectContext context_;
 };
 
 }  // namespace
 
 DiscTracer::DiscTracer(const EmbreeScene& scene, const DiscLight& light, int samples, std::uint64_t seed)
-    : scene_(scene),
-      light_(light),
-      samples_(samples),
-      seed_(mixed_bits(seed)),
-      points_(static_cast<std::size_t>(samples) / 2, seed) {}
+    : scene_(scene), light_(light), samples_(samples), points_(static_cast<std::size_t>(samples), seed) {}
 
 HalfCounts DiscTracer::lit_points(const LitReceiver& receiver, std::size_t pixel) const {
   if (light_.tan_half == 0.0) return lit_by_point_light(receiver);
-  const std::uint64_t choice = mixed_bits(seed_ ^ pixel);
-  const std::uint64_t turns = mixed_bits(choice);
-  const std::size_t first_set = choice % DiscSamples::set_count;
-  const std::size_t step = 1 + (choice >> 32) % (DiscSamples::set_count - 1);
-  const std::size_t sets[2] = {first_set, (first_set + step) % DiscSamples::set_count};
-  const std::uint32_t angles[2] = {static_cast<std::uint32_t>(turns),
-                                   static_cast<std::uint32_t>(turns >> 32)};
-
+  const PixelDraw draw = points_.draw(pixel);
+  const TurnedDisc disc(light_, draw.angle);
+  const float* x = points_.x(draw.pair);
+  const float* y = points_.y(draw.pair);
   Packet packet{glm::vec3(receiver.position)};
-  int lit[2] = {0, 0};
-  for (int half = 0; half < 2; ++half) {
-    const TurnedDisc disc(light_, angles[half]);
-    const float* x = points_.x(sets[half]).data();
-    const float* y = points_.y(sets[half]).data();
-    for (std::size_t point = 0; point < points_.points_per_set(); point += packet_size) {
-      lit[half] += packet.lit(scene_.handle(), disc, x + point, y + point);
-    }
+  for (std::size_t point = 0; point < points_.points_per_pair(); point += packet_size) {
+    packet.shoot(scene_.handle(), disc, x + point, y + point);
   }
-  return {static_cast<std::uint16_t>(lit[0]), static_cast<std::uint16_t>(lit[1])};
+  return packet.lit();
 }
 
 HalfCounts DiscTracer::lit_by_point_light(const LitReceiver& receiver) const {

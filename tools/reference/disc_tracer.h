@@ -21,8 +21,7 @@ class DiscTracer {
   // samples: as TraceOptions. The scene must outlive the tracer.
   DiscTracer(const EmbreeScene& scene, const DiscLight& light, int samples, std::uint64_t seed);
 
-  // Both halves take different point sets, each turned by an angle of its own; all four follow from seed and
-  // pixel alone. At angular diameter 0 one ray decides both.
+  // The halves are the two sets of the pair that pixel draws. At angular diameter 0 one ray decides both.
   HalfCounts lit_points(const LitReceiver& receiver, std::size_t pixel) const;
 
   int rays_per_pixel() const { return light_.tan_half > 0.0 ? samples_ : 1; }
@@ -33,7 +32,6 @@ class DiscTracer {
   const EmbreeScene& scene_;
   DiscLight light_;
   int samples_;
-  std::uint64_t seed_;
   DiscSamples points_;
 };
 
