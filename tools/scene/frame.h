@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -45,21 +46,47 @@ struct FrameSettings {
   parameters::ShadowSettings shadows;
   double angular_diameter_degrees = 0.53;
   DepthFormat format = DepthFormat::d32;
-  int width = 480;   // of the receivers
+  int width = 480;  // of the receivers
   int height = 270;
 };
 
 struct Frame {
   std::string scene_name;
-  parameters::Camera camera;        // world space (origin added)
+  parameters::Camera camera;  // world space (origin added)
   parameters::CascadeSet cascades;
   FrameSettings settings;
   ShadowAtlas atlas;
   Receivers receivers;
 };
 
+// A scene on the device: its mesh is uploaded and its shaders are compiled once for any number of frames.
+//
 // Casters are drawn as URP draws them: depth and normal bias applied to the caster's vertices, clamped to the
-// near plane ("pancaking"), both faces. Throws EnvironmentError when the device lacks the depth format.
+// near plane ("pancaking"), both faces. Vertices are relative to Scene::origin and the matrix that takes them
+// to the map is made in double, so the map of a scene far from the world's origin is as exact as one near it;
+// what Unity loses by float world positions shows in Receivers::position_ws.
+//
+// Without depth_range_metres and caster_bounds in the settings, the scene's bounds are the caster bounds: no
+// caster is clamped to the near plane, so that no blocker's depth gap is cut short.
+//
+// Receivers lie on their triangle's plane to the rounding of the float. The shadow distance is measured from
+// the camera, as URP fades by it.
+class Rasteriser {
+ public:
+  // Keeps a reference to both. Throws InputError for a mesh without triangles or with an index out of range.
+  Rasteriser(gpu::Device& device, const Scene& scene);
+  ~Rasteriser();
+  Rasteriser(Rasteriser&&) noexcept;
+
+  // Throws InputError for a setting out of range, EnvironmentError when the device lacks the depth format.
+  Frame frame(const FrameSettings& settings);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+// One frame, when one is enough.
 Frame rasterise(gpu::Device& device, const Scene& scene, const FrameSettings& settings);
 
 }  // namespace penumbra::scene

@@ -1,0 +1,77 @@
+#include "scene/frame.h"
+
+#include "input/input_error.h"
+#include "scene/seen_surfaces.h"
+#include "scene/shadow_map.h"
+
+namespace penumbra::scene {
+namespace {
+
+const Mesh& checked(const Scene& scene) {
+  const Mesh& mesh = scene.mesh;
+  if (mesh.indices.empty() || mesh.indices.size() % 3 != 0) {
+    throw InputError("", "scene '" + scene.name + "' has no triangles, or part of one");
+  }
+  if (mesh.normals.size() != mesh.positions.size()) {
+    throw InputError("", "scene '" + scene.name + "' does not have one normal per position");
+  }
+  for (const std::uint32_t index : mesh.indices) {
+    if (index < mesh.positions.size()) continue;
+    throw InputError("", "scene '" + scene.name + "': index " + std::to_string(index) + " of " +
+                             std::to_string(mesh.positions.size()) + " vertices");
+  }
+  return mesh;
+}
+
+void check(const FrameSettings& settings) {
+  if (settings.width > 0 && settings.height > 0) return;
+  throw InputError(
+      "",
+      "a picture of " + std::to_string(settings.width) + " x " + std::to_string(settings.height) + " pixels",
+      "width and height are at least 1");
+}
+
+parameters::ShadowSettings with_caster_bounds(parameters::ShadowSettings shadows, const Scene& scene) {
+  if (shadows.depth_range_metres || shadows.caster_bounds) return shadows;
+  const parameters::Bounds bounds = scene.bounds();
+  shadows.caster_bounds = parameters::Bounds{bounds.minimum + scene.origin, bounds.maximum + scene.origin};
+  return shadows;
+}
+
+}  // namespace
+
+struct Rasteriser::State {
+  State(gpu::Device& device, const Scene& given)
+      : scene(given), mesh(device, checked(given)), shadow_map(device, mesh), seen(device, mesh) {}
+
+  const Scene& scene;
+  MeshOnDevice mesh;
+  ShadowMapPasses shadow_map;
+  SeenSurfacesPass seen;
+};
+
+Rasteriser::Rasteriser(gpu::Device& device, const Scene& scene)
+    : state_(std::make_unique<State>(device, scene)) {}
+Rasteriser::~Rasteriser() = default;
+Rasteriser::Rasteriser(Rasteriser&&) noexcept = default;
+
+Frame Rasteriser::frame(const FrameSettings& settings) {
+  check(settings);
+  const Scene& scene = state_->scene;
+  Frame frame;
+  frame.scene_name = scene.name;
+  frame.settings = settings;
+  frame.camera = scene.camera;
+  frame.camera.position += scene.origin;
+  const parameters::Light light{scene.light_direction, settings.angular_diameter_degrees};
+  frame.cascades = parameters::fit_cascades(frame.camera, light, with_caster_bounds(settings.shadows, scene));
+  frame.atlas = state_->shadow_map.draw(frame.cascades, scene.origin, settings.format);
+  frame.receivers = state_->seen.draw(scene, settings);
+  return frame;
+}
+
+Frame rasterise(gpu::Device& device, const Scene& scene, const FrameSettings& settings) {
+  return Rasteriser(device, scene).frame(settings);
+}
+
+}  // namespace penumbra::scene

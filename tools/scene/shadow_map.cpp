@@ -1,0 +1,112 @@
+#include "scene/shadow_map.h"
+
+#include <cmath>
+#include <cstring>
+
+#include "scene/scene_shader.h"
+
+namespace penumbra::scene {
+namespace {
+
+// CasterTile of ShadowCaster.hlsl.
+struct CasterTile {
+  glm::vec4 shadow_row[3];
+  glm::vec4 toward_light;
+  glm::vec4 bias;
+};
+
+gpu::Format gpu_format(DepthFormat format) {
+  if (format == DepthFormat::d16) return gpu::Format::depth16;
+  return format == DepthFormat::d24 ? gpu::Format::depth24 : gpu::Format::depth32;
+}
+
+// The row of the matrix that takes a position relative to origin there, in double until it is emitted.
+glm::dvec4 row_from_origin(const glm::dmat4& matrix, int row, const glm::dvec3& origin) {
+  return {matrix[0][row], matrix[1][row], matrix[2][row], (matrix * glm::dvec4(origin, 1.0))[row]};
+}
+
+// Atlas UV to the tile's clip space, whose y = -1 is the tile's first row, as v grows with the row.
+glm::vec4 clip_row(const glm::dvec4& uv_row, double offset, double scale) {
+  glm::dvec4 row = uv_row * (2.0 / scale);
+  row.w -= 2.0 * offset / scale + 1.0;
+  return glm::vec4(row);
+}
+
+gpu::RasterTile tile_of(const parameters::CascadeSet& set, const parameters::Cascade& cascade,
+                        const glm::dvec3& origin, std::uint32_t vertex_count) {
+  const glm::dmat4& matrix = cascade.world_to_shadow;
+  const glm::dvec4& place = cascade.offset_scale;
+  CasterTile constants;
+  constants.shadow_row[0] = clip_row(row_from_origin(matrix, 0, origin), place.x, place.z);
+  constants.shadow_row[1] = clip_row(row_from_origin(matrix, 1, origin), place.y, place.w);
+  constants.shadow_row[2] = glm::vec4(row_from_origin(matrix, 2, origin));
+  constants.toward_light = glm::vec4(glm::vec3(-set.light_direction), 0.0F);
+  constants.bias = {float(cascade.depth_bias_metres), float(cascade.normal_bias_metres), 0.0F, 0.0F};
+
+  gpu::RasterTile tile;
+  tile.x = static_cast<int>(std::lround(place.x * set.atlas_width));
+  tile.y = static_cast<int>(std::lround(place.y * set.atlas_height));
+  tile.width = tile.height = set.tile_resolution;
+  tile.vertex_count = vertex_count;
+  tile.push_constants.resize(sizeof(constants));
+  std::memcpy(tile.push_constants.data(), &constants, sizeof(constants));
+  return tile;
+}
+
+// The texel's number as the sampler returns it: unorm formats divide by their largest integer.
+float decode(DepthFormat format, const std::byte* texel) {
+  if (format == DepthFormat::d16) {
+    std::uint16_t stored = 0;
+    std::memcpy(&stored, texel, sizeof(stored));
+    return float(stored) / 65535.0F;
+  }
+  if (format == DepthFormat::d24) {
+    std::uint32_t stored = 0;
+    std::memcpy(&stored, texel, sizeof(stored));
+    return static_cast<float>(double(stored & 0xFF'FFFFU) / 16777215.0);
+  }
+  float stored = 0.0F;
+  std::memcpy(&stored, texel, sizeof(stored));
+  return stored;
+}
+
+}  // namespace
+
+gpu::RasterPass& ShadowMapPasses::pass(DepthFormat format, bool reversed_z) {
+  const auto found = passes_.find({format, reversed_z});
+  if (found != passes_.end()) return found->second;
+  gpu::RasterShaders shaders;
+  shaders.vertex = compile_scene_shader("ShadowCaster.hlsl", "Main", shaders::Stage::vertex, reversed_z);
+  shaders.depth = gpu_format(format);
+  shaders.depth_test = reversed_z ? gpu::DepthTest::greater : gpu::DepthTest::less;
+  gpu::RasterPass made(device_, shaders);
+  mesh_.bind_to(made.bindings());
+  return passes_.emplace(std::pair(format, reversed_z), std::move(made)).first->second;
+}
+
+ShadowAtlas ShadowMapPasses::draw(const parameters::CascadeSet& cascades, const glm::dvec3& origin,
+                                  DepthFormat format) {
+  const gpu::Image target(device_, gpu_format(format), cascades.atlas_width, cascades.atlas_height);
+  std::vector<gpu::RasterTile> tiles;
+  for (const parameters::Cascade& cascade : cascades.cascades) {
+    tiles.push_back(tile_of(cascades, cascade, origin, mesh_.vertex_count));
+  }
+  gpu::RasterTargets targets;
+  targets.depth = &target;
+  targets.clear_depth = cascades.reversed_z ? 0.0F : 1.0F;
+  pass(format, cascades.reversed_z).draw(targets, tiles);
+
+  ShadowAtlas atlas;
+  atlas.width = cascades.atlas_width;
+  atlas.height = cascades.atlas_height;
+  atlas.format = format;
+  atlas.texels = target.download<std::byte>();
+  const std::size_t stride = gpu::texel_bytes(target.format());
+  atlas.depth.resize(atlas.texels.size() / stride);
+  for (std::size_t texel = 0; texel < atlas.depth.size(); ++texel) {
+    atlas.depth[texel] = decode(format, &atlas.texels[texel * stride]);
+  }
+  return atlas;
+}
+
+}  // namespace penumbra::scene
