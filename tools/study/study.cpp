@@ -128,7 +128,7 @@ Metrics metrics_of(const Stage& stage, const resolve::ResolveResult& result,
 
 class Study {
  public:
-  Study(const gpu::Device& device, const std::vector<Subject>& subjects, const StudySettings& settings,
+  Study(gpu::Device& device, const std::vector<Subject>& subjects, const StudySettings& settings,
         const StudyProgress& progress)
       : device_(device), settings_(settings), progress_(progress), cache_(settings.cache) {
     prepare(subjects);
@@ -238,7 +238,7 @@ class Study {
     }
   }
 
-  const gpu::Device& device_;
+  gpu::Device& device_;
   const StudySettings& settings_;
   const StudyProgress& progress_;
   reference::ReferenceCache cache_;
@@ -269,7 +269,7 @@ Subject adapter_subject(const resolve::Adapter& adapter, bool reversed_z) {
   return subject;
 }
 
-StudyOutcome run_study(const gpu::Device& device, const std::vector<Subject>& subjects,
+StudyOutcome run_study(gpu::Device& device, const std::vector<Subject>& subjects,
                        const StudySettings& settings, const StudyProgress& progress) {
   return Study(device, subjects, settings, progress).run();
 }

@@ -60,7 +60,7 @@ struct StudyOutcome {
 
 // Throws InputError for shaders that do not compile, platform::Interrupted when the user stops; answers that
 // were finished are kept either way.
-StudyOutcome run_study(const gpu::Device& device, const std::vector<Subject>& subjects,
+StudyOutcome run_study(gpu::Device& device, const std::vector<Subject>& subjects,
                        const StudySettings& settings, const StudyProgress& progress);
 
 }  // namespace penumbra::study
