@@ -117,12 +117,12 @@ float FilterByKeyword(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SAMP
 
 float PenumbraMainLightVisibility(float3 positionWS, float3 normalWS, float2 pixel)
 {
-    const MainLightShadow shadow = PrepareMainLightShadow(positionWS, normalWS, pixel);
+    const PenumbraMainLight shadow = PreparePenumbraMainLight(positionWS, normalWS, pixel);
     if (!shadow.covered) return 1.0;
     const float visibility =
         FilterByKeyword(TEXTURE2D_SHADOW_ARGS(_MainLightShadowmapTexture, sampler_PenumbraLinearClampCompare),
                         sampler_PenumbraPointClamp, shadow.receiver, shadow.tile);
-    return ApplyMainLightStrength(visibility);
+    return ApplyPenumbraStrength(visibility);
 }
 
 #endif

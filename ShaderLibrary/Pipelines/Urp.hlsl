@@ -32,14 +32,14 @@ SAMPLER(sampler_PenumbraPointClamp);
 float4 _PenumbraMainLightAtlasTexelSize;
 float4 _PenumbraMainLightParams;
 
-struct MainLightShadow
+struct PenumbraMainLight
 {
     bool covered; // false: no map covers the position, it is lit
     ShadowReceiver receiver;
     ShadowTile tile;
 };
 
-int MainLightCascade(float3 positionWS, int count)
+int PenumbraMainLightCascade(float3 positionWS, int count)
 {
     // With one cascade URP leaves the spheres of an earlier frame in place.
     if (count <= 1) return 0;
@@ -52,7 +52,7 @@ int MainLightCascade(float3 positionWS, int count)
     return SelectCascade(positionWS, spheres, count);
 }
 
-ShadowTile MainLightTile(float4x4 worldToShadow, int cascade, int count, float tanHalf)
+ShadowTile PenumbraMainLightTile(float4x4 worldToShadow, int cascade, int count, float tanHalf)
 {
     const float2 extent = float2(count > 1 ? 0.5 : 1.0, count > 2 ? 0.5 : 1.0);
     const float uvPerMetre = length(worldToShadow[0].xyz) / extent.x;
@@ -68,26 +68,26 @@ ShadowTile MainLightTile(float4x4 worldToShadow, int cascade, int count, float t
 }
 
 // normalWS: the surface's own (not normal-mapped) normal, unit, or 0 where it is not known. pixel: of the screen.
-MainLightShadow PrepareMainLightShadow(float3 positionWS, float3 normalWS, float2 pixel)
+PenumbraMainLight PreparePenumbraMainLight(float3 positionWS, float3 normalWS, float2 pixel)
 {
     const int count = min(max(int(_PenumbraMainLightParams.x), 1), 4);
-    const int cascade = MainLightCascade(positionWS, count);
+    const int cascade = PenumbraMainLightCascade(positionWS, count);
     const float4x4 worldToShadow = _MainLightWorldToShadow[min(cascade, count - 1)];
     const float3 shadowCoord = mul(worldToShadow, float4(positionWS, 1.0)).xyz;
 
-    MainLightShadow shadow;
+    PenumbraMainLight shadow;
     // URP fills the slots of missing cascades with a matrix that maps everything to one point.
     const bool mapped = dot(worldToShadow[0].xyz, worldToShadow[0].xyz) > 0.0;
     shadow.covered = cascade < count && mapped && shadowCoord.z > 0.0 && shadowCoord.z < 1.0;
     shadow.receiver.shadowCoord = shadowCoord;
     shadow.receiver.depthGradient = ReceiverPlaneFromNormal(normalWS, worldToShadow);
     shadow.receiver.rotation = DiskRotation(pixel, uint(max(_PenumbraMainLightParams.z, 0.0)));
-    shadow.tile = MainLightTile(worldToShadow, min(cascade, count - 1), count, _PenumbraMainLightParams.y);
+    shadow.tile = PenumbraMainLightTile(worldToShadow, min(cascade, count - 1), count, _PenumbraMainLightParams.y);
     return shadow;
 }
 
 // URP's shadow strength: 0 leaves everything lit.
-float ApplyMainLightStrength(float visibility)
+float ApplyPenumbraStrength(float visibility)
 {
     return 1.0 + _MainLightShadowParams.x * (visibility - 1.0);
 }
