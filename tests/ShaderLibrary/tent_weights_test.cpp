@@ -105,14 +105,14 @@ TEST(RoundToWeightGrid, GivesTheNearestMultiple) {
   Random random(5);
   std::vector<float> inputs = {0.0f, 1.0f, 0.5f, 0x1p-24f, 0x1p-23f};
   while (inputs.size() < std::size_t(kRandomCases)) inputs.push_back(random.between(0.0f, 1.0f));
-  // 2^23 w + 1/2 may itself round, by at most half a unit of the grid: the result is one of the two
-  // neighbours.
+  // 2^23 w + 1/2 may itself round up to a whole number when w lies just below the middle: hence not quite
+  // 1/2.
   expect_exact(
       {"TentWeights", "Out(0, RoundToWeightGrid(In(0)));", 1, 1}, DepthDirection::conventional, inputs,
       [](const float* in) {
         return std::vector<Exact>{{in[0], 1.0L}};
       },
-      1.0L);
+      0.51L);
   const std::vector<float> results =
       run({"TentWeights", "Out(0, RoundToWeightGrid(In(0)));", 1, 1}, DepthDirection::conventional, inputs);
   for (const float result : results) ASSERT_EQ(std::fmod(result, 0x1p-23f), 0.0f) << result;
