@@ -122,7 +122,7 @@ Measured measure(const MeasureOptions& options, Context& context) {
       shaders::read_technique_list(platform::data_directory() / "ShaderLibrary" / "techniques.json");
   const study::StudySettings settings = study_settings(options);
   const std::vector<study::Subject> subjects = chosen_subjects(options, list);
-  const gpu::Device device = open_device(options);
+  gpu::Device device = open_device(options);
   study::StudyOutcome outcome = study::run_study(device, subjects, settings, study_progress(context));
 
   for (const std::string& note : outcome.notes) {

@@ -32,7 +32,7 @@ void render(const StudyOptions& options, const Context& context) {
   settings.jobs = options.jobs;
   settings.cache = options.cache;
   const study::Subject subject = chosen_subject(options);
-  const gpu::Device device = open_device(options);
+  gpu::Device device = open_device(options);
 
   const study::StudyOutcome outcome = study::run_study(device, {subject}, settings, study_progress(context));
 
