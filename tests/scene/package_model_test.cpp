@@ -27,6 +27,13 @@ INSTANTIATE_TEST_SUITE_P(Debian, PackageModels, testing::ValuesIn(package_models
   return name;
 });
 
+TEST(HorseModel, RearsInsteadOfLyingOnItsSide) {
+  const parameters::Bounds box = package_model("glmark2/horse", {.ground = false}).bounds();
+  const glm::dvec3 extent = box.maximum - box.minimum;
+  EXPECT_GT(extent.y, extent.x);
+  EXPECT_GT(extent.y, extent.z);
+}
+
 TEST_F(ImportTest, MissingPackageIsTheEnvironmentsFaultAndNamesThePackage) {
   try {
     package_model("glmark2/horse", {}, folder_);
