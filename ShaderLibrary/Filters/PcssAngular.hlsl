@@ -11,8 +11,9 @@
 //             the tile are not read.
 // Use it:     from about one texel of penumbra radius up. Not: on devices without gather.
 //
-// Two choices differ from the textbook. The search is dense at the centre (about 1/r): spread evenly over the cone it
-// misses low blockers, whose cone is narrow. And each texel is tested at its centre against the receiver's plane, by
+// Two choices differ from the textbook. The search is dense at the centre (r^-1.5 in the presets): its radius is that
+// of the farthest blocker the map can hold, so one spread evenly, or by 1/r, steps over low blockers, whose cone is
+// narrow, and leaks at contacts. And each texel is tested at its centre against the receiver's plane, by
 // gather, so a wide kernel does not shadow the surface it lies on.
 #ifndef PENUMBRA_PCSS_ANGULAR_HLSL
 #define PENUMBRA_PCSS_ANGULAR_HLSL

@@ -54,6 +54,12 @@ scene::DepthFormat depth_format(const std::string& text) {
   return scene::DepthFormat::d32;
 }
 
+parameters::SoftQuality soft_quality(const std::string& text) {
+  if (text == "off") return parameters::SoftQuality::off;
+  if (text == "low") return parameters::SoftQuality::low;
+  return text == "high" ? parameters::SoftQuality::high : parameters::SoftQuality::medium;
+}
+
 resolve::Adapter adapter(const std::string& text) {
   const std::vector<std::string> parts = split(text, ';');
   resolve::Adapter result;
@@ -108,6 +114,17 @@ void add_study_options(CLI::App& command, StudyOptions& options) {
       .add_option("--distance", options.distance_metres, "Shadow distance in metres, instead of the scene's")
       ->check(CLI::PositiveNumber)
       ->group("Light and map");
+  command.add_option("--depth-bias", options.depth_bias, "URP's depth bias setting")
+      ->check(CLI::Range(0.0, 10.0))
+      ->group("Light and map");
+  command.add_option("--normal-bias", options.normal_bias, "URP's normal bias setting")
+      ->check(CLI::Range(0.0, 10.0))
+      ->group("Light and map");
+  command
+      .add_option("--soft-quality", options.soft_quality,
+                  "URP's soft shadow quality, which scales both biases: off, low, medium or high")
+      ->check(CLI::IsMember({"off", "low", "medium", "high"}))
+      ->group("Light and map");
   command.add_flag("--conventional-z", options.conventional_z, "Depth 0 near the light instead of 1")
       ->group("Light and map");
 
@@ -145,6 +162,9 @@ scene::FrameSettings frame_settings(const StudyOptions& options) {
   settings.format = depth_format(options.map_format);
   settings.shadows.resolution = options.map_size;
   settings.shadows.cascades = options.cascades;
+  settings.shadows.depth_bias = options.depth_bias;
+  settings.shadows.normal_bias = options.normal_bias;
+  settings.shadows.soft_quality = soft_quality(options.soft_quality);
   settings.shadows.reversed_z = !options.conventional_z;
   return settings;
 }

@@ -28,6 +28,9 @@ struct StudyOptions {
   int map_size = 2048;
   int cascades = 4;
   std::string map_format = "d32";
+  double depth_bias = 1.0;
+  double normal_bias = 1.0;
+  std::string soft_quality = "medium";
   bool conventional_z = false;
   double distance_metres = 0.0;  // 0: the scene's own
   std::vector<double> sun;       // elevation and azimuth in degrees; empty: the scene's own
