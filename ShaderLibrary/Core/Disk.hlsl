@@ -53,6 +53,14 @@ float FibonacciRadius(int index, int count, float clump)
     return pow((float(index) + 0.5) / float(count), 0.5 * clump);
 }
 
+// Radius of point `index` of `count` with as many points in every octave from `innermost` to `outermost` (both > 0):
+// a density of 1/r^2, which finds what lies near the centre however far out the last point is.
+float GeometricRadius(int index, int count, float innermost, float outermost)
+{
+    const float ratio = max(outermost / innermost, 1.0);
+    return min(innermost * pow(ratio, (float(index) + 0.5) / float(count)), outermost);
+}
+
 float2 FibonacciDisk(int index, int count, float clump)
 {
     return FibonacciDirection(index) * FibonacciRadius(index, count, clump);

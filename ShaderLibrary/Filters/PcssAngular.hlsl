@@ -25,18 +25,26 @@
 // A texel's half diagonal: with less slack a texel's own centre could miss the cone that its square lies in.
 static const float kSmallestSlackTexels = 0.75;
 
+// Where the search's sample lies, in texels from the receiver. clump below 1: geometric.
+float SearchSampleRadius(int index, int count, float clump, float radius)
+{
+    if (clump < 1.0) return GeometricRadius(index, count, min(kSmallestSlackTexels, max(radius, 1e-3)), max(radius, 1e-3));
+    return FibonacciRadius(index, count, clump) * radius;
+}
+
 BlockerEstimate SearchBlockers(TEXTURE2D_PARAM(shadowMap, sampler_point), QuadReceiver receiver, LightCone cone,
                                float2 rotation, float radius, PcssAngularParameters parameters)
 {
     const int count = BoundedSampleCount(parameters.blockerSamples);
-    const float clump = BoundedOrLow(parameters.blockerClump, 1.0, 8.0);
+    const float clump = BoundedOrLow(parameters.blockerClump, 0.0, 8.0);
     float gapSum = 0.0;
     BlockerEstimate estimate;
     estimate.count = 0.0;
     UNITY_LOOP
     for (int i = 0; i < count; ++i)
     {
-        const float2 offset = RotateDisk(FibonacciDisk(i, count, clump), rotation) * radius;
+        const float reach = SearchSampleRadius(i, count, clump, radius);
+        const float2 offset = RotateDisk(FibonacciDirection(i), rotation) * reach;
         const TexelQuad quad = ReadQuad(TEXTURE2D_ARGS(shadowMap, sampler_point), receiver, cone, receiver.centre + offset);
         gapSum += dot(quad.gap, quad.blocking);
         estimate.count += dot(quad.blocking, float4(1.0, 1.0, 1.0, 1.0));

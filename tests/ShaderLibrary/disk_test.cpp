@@ -90,6 +90,27 @@ TEST(Disk, FibonacciRadiusFollowsItsPower) {
       80.0L);
 }
 
+// As many points in every octave: the logarithm of the radius is even. pow as above, its base up to 2^13.
+TEST(Disk, GeometricRadiusFillsEveryOctaveAlike) {
+  Random random(32);
+  std::vector<float> inputs;
+  for (int i = 0; i < kRandomCases; ++i) {
+    const int count = random.integer(1, 4096);
+    inputs.insert(inputs.end(), {float(random.integer(0, count - 1)), float(count),
+                                 random.between(0.01f, 1.0f), std::pow(10.0f, random.between(0.0f, 3.5f))});
+  }
+  expect_exact(
+      {"Disk", "Out(0, GeometricRadius(InInt(0), InInt(1), In(2), In(3)));", 4, 1},
+      DepthDirection::conventional, inputs,
+      [](const float* in) {
+        const long double step = (in[0] + 0.5L) / in[1];
+        const long double logarithm =
+            (1.0L - step) * std::log2(in[2] + 0.0L) + step * std::log2(in[3] + 0.0L);
+        return std::vector<Exact>{{std::exp2(logarithm)}};
+      },
+      80.0L);
+}
+
 TEST(Disk, PointsAreDirectionTimesRadius) {
   expect_exact(
       {"Disk",
