@@ -14,7 +14,8 @@
 
 namespace penumbra::gpu {
 
-// A place in a shader's interface: [[vk::binding(binding, set)]].
+// A place in a shader's interface. shaders::compile numbers what a shader uses; shaders::reflect tells by
+// name.
 struct Slot {
   std::uint32_t set = 0;
   std::uint32_t binding = 0;

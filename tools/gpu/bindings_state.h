@@ -38,7 +38,8 @@ struct BindingsState {
   BoundResource& slot(Slot slot, vk::DescriptorType type);
 };
 
-// The error of a shader interface the host does not serve, found by reflection before a pipeline is made.
+// Throws std::logic_error naming the resource when the shader reads a slot that holds nothing, or another
+// kind.
 void require_bound(const BindingsState& bindings, const std::vector<std::uint32_t>& spirv);
 
 }  // namespace penumbra::gpu

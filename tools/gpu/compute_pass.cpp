@@ -18,6 +18,7 @@ struct ComputeState {
 
 void ComputeState::make_pipeline() {
   BindingsState& bound = *bindings.state();
+  require_bound(bound, shader.spirv);
   bound.freeze(vk::ShaderStageFlagBits::eCompute, 0);
   const vk::raii::ShaderModule module(bound.device->device, vk::ShaderModuleCreateInfo({}, shader.spirv));
   const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module,

@@ -71,6 +71,8 @@ void RasterState::make_render_pass() {
 void RasterState::make_pipeline() {
   BindingsState& bound = *bindings.state();
   const vk::raii::Device& device = bound.device->device;
+  require_bound(bound, shaders.vertex);
+  if (!shaders.fragment.empty()) require_bound(bound, shaders.fragment);
   bound.freeze(both_stages, push_constant_bytes);
   const vk::raii::ShaderModule vertex(device, vk::ShaderModuleCreateInfo({}, shaders.vertex));
   vk::raii::ShaderModule fragment = nullptr;

@@ -7,17 +7,10 @@
 namespace penumbra::scene {
 
 struct MeshOnDevice {
-  MeshOnDevice(const gpu::Device& device, const Mesh& mesh)
-      : positions(device, std::span<const glm::vec3>(mesh.positions)),
-        normals(device, std::span<const glm::vec3>(mesh.normals)),
-        indices(device, std::span<const std::uint32_t>(mesh.indices)),
-        vertex_count(static_cast<std::uint32_t>(mesh.indices.size())) {}
+  MeshOnDevice(const gpu::Device& device, const Mesh& mesh);
 
-  void bind_to(gpu::Bindings& bindings) const {
-    bindings.storage_buffer({0, 0}, positions);
-    bindings.storage_buffer({0, 1}, normals);
-    bindings.storage_buffer({0, 2}, indices);
-  }
+  // Into the slots the compiler gave the vertex shader's buffers, found by name.
+  void bind_to(gpu::Bindings& bindings, const std::vector<std::uint32_t>& vertex_spirv) const;
 
   gpu::Buffer positions;
   gpu::Buffer normals;

@@ -80,7 +80,7 @@ gpu::RasterPass& ShadowMapPasses::pass(DepthFormat format, bool reversed_z) {
   shaders.depth = gpu_format(format);
   shaders.depth_test = reversed_z ? gpu::DepthTest::greater : gpu::DepthTest::less;
   gpu::RasterPass made(device_, shaders);
-  mesh_.bind_to(made.bindings());
+  mesh_.bind_to(made.bindings(), shaders.vertex);
   return passes_.emplace(std::pair(format, reversed_z), std::move(made)).first->second;
 }
 

@@ -9,9 +9,9 @@
 #ifndef PENUMBRA_SCENE_MESH_HLSL
 #define PENUMBRA_SCENE_MESH_HLSL
 
-[[vk::binding(0, 0)]] StructuredBuffer<float> _Positions;
-[[vk::binding(1, 0)]] StructuredBuffer<float> _Normals;
-[[vk::binding(2, 0)]] StructuredBuffer<uint> _Indices;
+StructuredBuffer<float> _Positions;
+StructuredBuffer<float> _Normals;
+StructuredBuffer<uint> _Indices;
 
 float3 CornerPosition(uint corner)
 {
