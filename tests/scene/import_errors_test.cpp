@@ -22,7 +22,7 @@ TEST_F(ImportTest, RefusesWhatIsNotAReadableFile) {
 }
 
 TEST_F(ImportTest, RefusesGarbageOfEveryFormatNamingTheFile) {
-  for (const char* extension : {"gltf", "glb", "obj", "3ds", "ply", "stl", "off", "dae", "fbx"}) {
+  for (const char* extension : {"gltf", "glb", "obj", "3ds", "ply", "stl", "dae", "fbx"}) {
     const auto file =
         write(std::string("garbage.") + extension, "It was the best of times, it was the worst.\n");
     EXPECT_THAT(refusal(file), StartsWith(file.string() + ": ")) << extension;
@@ -81,8 +81,11 @@ TEST_F(ImportTest, RefusesAGltfWhoseBufferIsMissing) {
 
 TEST_F(ImportTest, RefusesMoreTrianglesThanTheLimit) {
   // Its faces share vertices, so that the limit on those is not what is met.
-  const auto file = write("tetrahedron.off",
-                          "OFF\n4 4 0\n0 0 0\n1 0 0\n0 2 0\n0 0 3\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+  const auto file =
+      write("tetrahedron.ply",
+            "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+            "element face 4\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 2 0\n0 0 "
+            "3\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
   EXPECT_THAT(refusal(file, {.triangle_limit = 3}),
               AllOf(HasSubstr("has 4 triangles"), HasSubstr("limit is 3")));
   EXPECT_EQ(import(file, {.ground = false, .triangle_limit = 4}).mesh.triangle_count(), 4U);

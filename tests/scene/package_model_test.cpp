@@ -28,10 +28,16 @@ INSTANTIATE_TEST_SUITE_P(Debian, PackageModels, testing::ValuesIn(package_models
 });
 
 TEST(HorseModel, RearsInsteadOfLyingOnItsSide) {
-  const parameters::Bounds box = package_model("glmark2/horse", {.ground = false}).bounds();
+  const Scene scene = package_model("glmark2/horse", {.ground = false});
+  const parameters::Bounds box = scene.bounds();
   const glm::dvec3 extent = box.maximum - box.minimum;
   EXPECT_GT(extent.y, extent.x);
   EXPECT_GT(extent.y, extent.z);
+  // Head, neck and forelegs are above; only hind legs and tail below.
+  const std::vector<glm::vec3>& places = scene.mesh.positions;
+  const auto low = std::count_if(places.begin(), places.end(), [](auto p) { return p.y < 0.6F; });
+  const auto high = std::count_if(places.begin(), places.end(), [](auto p) { return p.y > 1.9F; });
+  EXPECT_GT(high, low);
 }
 
 TEST_F(ImportTest, MissingPackageIsTheEnvironmentsFaultAndNamesThePackage) {

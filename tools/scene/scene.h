@@ -57,7 +57,7 @@ struct ImportOptions {
   std::size_t triangle_limit = 20'000'000;
 };
 
-// Reads glTF, GLB, OBJ, 3DS, PLY, STL, OFF, Collada and FBX. Throws InputError naming the file and the
+// Reads glTF, GLB, OBJ, 3DS, PLY, STL, Collada and FBX. Throws InputError naming the file and the
 // reason: unreadable, empty, broken, no triangles, non-finite vertices, indices out of range, too many
 // triangles.
 //
