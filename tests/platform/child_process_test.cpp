@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <filesystem>
 #include <thread>
 
 #include "input/input_error.h"
@@ -44,7 +45,11 @@ TEST(ChildProcess, AChildThatReadsNothingIsNoProblem) {
 }
 
 TEST(ChildProcess, TheTimeoutEndsItAndWhatItStarted) {
-  ChildCommand command = shell("echo started; (sleep 30; echo late) & sleep 30");
+  const auto sign_of_life = std::filesystem::path(testing::TempDir()) / "penumbra-child-lives";
+  std::filesystem::remove(sign_of_life);
+  // It does not listen to a polite request, and neither does its own child.
+  ChildCommand command =
+      shell("trap '' TERM; echo started; (sleep 1; touch '" + sign_of_life.string() + "') & sleep 30");
   command.timeout = std::chrono::milliseconds(200);
   const auto before = std::chrono::steady_clock::now();
   const ChildResult result = run_child(command);
@@ -52,6 +57,8 @@ TEST(ChildProcess, TheTimeoutEndsItAndWhatItStarted) {
   EXPECT_TRUE(result.timed_out);
   EXPECT_FALSE(result.succeeded());
   EXPECT_EQ(result.output, "started\n");
+  std::this_thread::sleep_for(std::chrono::milliseconds(1300));
+  EXPECT_FALSE(std::filesystem::exists(sign_of_life));
 }
 
 TEST(ChildProcess, AGrandchildLeftBehindDoesNotKeepUsWaiting) {

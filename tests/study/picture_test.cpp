@@ -54,6 +54,8 @@ TEST(FetchRamp, PerceivedIntensityIsTheValue) {
     const Rgb colour = fetch_colour(value);
     EXPECT_NEAR((0.30 * colour.r + 0.59 * colour.g + 0.11 * colour.b) / 255.0, value, 0.004) << value;
   }
+  // Equation 2 by hand at 0.5: the angle is -210 degrees, the amplitude 1/8.
+  EXPECT_EQ(fetch_colour(0.5), (Rgb{160, 121, 73}));
   EXPECT_EQ(fetch_colour(-1.0), (Rgb{0, 0, 0}));
   EXPECT_EQ(fetch_colour(9.0), (Rgb{255, 255, 255}));
 }
@@ -156,7 +158,10 @@ TEST(Composition, CaptionsAreDrawnAndStayOverTheirPicture) {
   for (const std::string& caption : {std::string(500, 'W'), std::string(500, '\xC3')}) {
     const Picture cut = compose({{caption, white, {}}}, 1);
     EXPECT_GT(dark_pixels(cut, 30), 40);
-    for (int y = 0; y < cut.height; ++y) EXPECT_EQ(pixel(cut, cut.width - 1, y), (Rgb{255, 255, 255}));
+    for (int x = cut.width - 8; x < cut.width; ++x) {
+      for (int y = 0; y < cut.height; ++y)
+        EXPECT_EQ(pixel(cut, x, y), (Rgb{255, 255, 255})) << x << ", " << y;
+    }
   }
 }
 
