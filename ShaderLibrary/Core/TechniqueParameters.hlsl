@@ -1,4 +1,7 @@
-// Penumbra: technique parameters (temporary, replaced by the copy emitted from techniques.json).
+// Parameter structs of the techniques, one per family of filters.
+// Written by `penumbra validate --emit-parameters` from ShaderLibrary/techniques.json; do not edit.
+//
+// Units stand before each field's meaning. Cost: no fetch.
 #ifndef PENUMBRA_TECHNIQUE_PARAMETERS_HLSL
 #define PENUMBRA_TECHNIQUE_PARAMETERS_HLSL
 
@@ -21,7 +24,7 @@ struct PcssAngularParameters
 {
     int blockerSamples; // fetches: samples of the blocker search, 1 to 64
     int filterSamples; // fetches: samples of the filter, 1 to 64
-    float blockerClump; // 1: spread of the search: 1 even over the area, 2 dense as 1/r at the centre
+    float blockerClump; // 1: search spread: 0 as many samples in every octave of radius, 1 even over the area, 2 dense as 1/r at the centre
     float minFilterTexels; // texels: smallest filter and search radius
     float maxPenumbraMetres; // m: widest penumbra, from 0 to 1; caps both radii
     float maxSamplingMetres; // m: height of the light's cone above the receiver, beyond which it is a cylinder
@@ -32,7 +35,7 @@ struct PcssHdrpParameters
 {
     int blockerSamples; // fetches: samples of the blocker search, 1 to 64
     int filterSamples; // fetches: samples of the filter, 1 to 64
-    float blockerClump; // 1: spread of the search: 1 even over the area, 2 dense as 1/r at the centre
+    float blockerClump; // 1: spread of the search: 1 even over the area, 2 a density of 1/r, 4 of r^-1.5
     float minFilterTexels; // texels: smallest filter and search radius
     float maxPenumbraMetres; // m: caps the distance of blockers at this over 2 tan(a/2)
     float maxSamplingMetres; // m: cap of the cone's depth offset

@@ -28,7 +28,8 @@ static const float kSmallestSlackTexels = 0.75;
 // Where the search's sample lies, in texels from the receiver. clump below 1: geometric.
 float SearchSampleRadius(int index, int count, float clump, float radius)
 {
-    if (clump < 1.0) return GeometricRadius(index, count, min(kSmallestSlackTexels, max(radius, 1e-3)), max(radius, 1e-3));
+    const float outermost = max(radius, 1e-3);
+    if (clump < 1.0) return GeometricRadius(index, count, min(kSmallestSlackTexels, outermost), outermost);
     return FibonacciRadius(index, count, clump) * radius;
 }
 
