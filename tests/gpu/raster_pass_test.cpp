@@ -1,0 +1,145 @@
+#include "gpu/raster_pass.h"
+
+#include <array>
+#include <cstring>
+
+#include "gpu/gpu_test.h"
+#include "input/input_error.h"
+
+namespace penumbra::gpu {
+namespace {
+
+using Corner = std::array<float, 4>;  // clip space
+using Colour = std::array<float, 4>;
+
+// Two triangles that cover the whole of clip space at one depth.
+std::vector<Corner> sheet(float depth) {
+  return {{-1, -1, depth, 1}, {1, -1, depth, 1}, {-1, 1, depth, 1},
+          {1, -1, depth, 1},  {1, 1, depth, 1},  {-1, 1, depth, 1}};
+}
+
+RasterTile tile_at(int x, int y, int size, std::size_t corners, Colour colour = {1, 2, 3, 4}) {
+  RasterTile tile{x, y, size, size, static_cast<std::uint32_t>(corners), {}};
+  tile.push_constants.resize(sizeof(colour));
+  std::memcpy(tile.push_constants.data(), &colour, sizeof(colour));
+  return tile;
+}
+
+class GpuRaster : public Gpu {
+ protected:
+  RasterShaders shaders(std::optional<Format> depth, bool colours) const {
+    RasterShaders made;
+    made.vertex = compile_test_shader("Triangle.hlsl", "Vertex", shaders::Stage::vertex);
+    made.vertex_entry = "Vertex";
+    if (colours) {
+      made.fragment = compile_test_shader("Triangle.hlsl", "Fragment", shaders::Stage::fragment);
+      made.fragment_entry = "Fragment";
+      made.colours = {Format::rgba32f, Format::r32f};
+    }
+    made.depth = depth;
+    return made;
+  }
+  RasterPass pass_of(const RasterShaders& made, const std::vector<Corner>& corners) {
+    RasterPass pass(*device, made);
+    const Buffer buffer(*device, std::span<const Corner>(corners));
+    pass.bindings().storage_buffer(slot_of(made.vertex, "_Corners"), buffer);
+    return pass;
+  }
+};
+
+// Clip (-1, -1) is the first texel of row 0: the picture is not upside down.
+//   row 0   A A .      A triangle over the corner, edges clear of texel centres.
+//   row 1   A . .
+//   row 2   . . .
+TEST_F(GpuRaster, PutsClipYMinusOneInRowZero) {
+  const std::vector<Corner> corner{{-1, -1, 0.5F, 1}, {0.6F, -1, 0.5F, 1}, {-1, 0.6F, 0.5F, 1}};
+  RasterPass pass = pass_of(shaders(std::nullopt, true), corner);
+  const Image colour(*device, Format::rgba32f, 3, 3);
+  const Image depth_seen(*device, Format::r32f, 3, 3);
+  EXPECT_GT(pass.draw({{&colour, &depth_seen}}, {tile_at(0, 0, 3, 3)}), 0.0);
+  const Colour in{1, 2, 3, 4};
+  const Colour out{0, 0, 0, 0};
+  EXPECT_EQ(colour.download<Colour>(), (std::vector<Colour>{in, in, out, in, out, out, out, out, out}));
+  EXPECT_EQ(depth_seen.download<float>(), (std::vector<float>{0.5F, 0.5F, 0, 0.5F, 0, 0, 0, 0, 0}));
+}
+
+TEST_F(GpuRaster, DrawsBothFaces) {
+  std::vector<Corner> corners = sheet(0.5F);
+  std::swap(corners[0], corners[1]);  // the first triangle faces away
+  RasterPass pass = pass_of(shaders(Format::depth32, false), corners);
+  const Image depth(*device, Format::depth32, 4, 4);
+  pass.draw({{}, &depth, 1.0F}, {tile_at(0, 0, 4, 6)});
+  EXPECT_EQ(depth.download<float>(), std::vector<float>(16, 0.5F));
+}
+
+TEST_F(GpuRaster, KeepsTheNearerSurfaceInEitherDirection) {
+  std::vector<Corner> corners = sheet(0.25F);
+  for (const float other : {0.75F, 0.5F}) {
+    for (const Corner& corner : sheet(other)) corners.push_back(corner);
+  }
+  const Image depth(*device, Format::depth32, 2, 2);
+  RasterShaders conventional = shaders(Format::depth32, false);
+  conventional.depth_test = DepthTest::less;
+  pass_of(conventional, corners).draw({{}, &depth, 1.0F}, {tile_at(0, 0, 2, corners.size())});
+  EXPECT_EQ(depth.download<float>(), std::vector<float>(4, 0.25F));
+  RasterShaders reversed = conventional;
+  reversed.depth_test = DepthTest::greater;
+  pass_of(reversed, corners).draw({{}, &depth, 0.0F}, {tile_at(0, 0, 2, corners.size())});
+  EXPECT_EQ(depth.download<float>(), std::vector<float>(4, 0.75F));
+}
+
+// A sheet twice the tile's size in clip space, so that only the scissor keeps it in.
+TEST_F(GpuRaster, DrawsNothingOutsideItsTile) {
+  std::vector<Corner> corners = sheet(0.5F);
+  for (Corner& corner : corners) {
+    corner[0] *= 2.0F;
+    corner[1] *= 2.0F;
+  }
+  RasterPass pass = pass_of(shaders(Format::depth32, false), corners);
+  const Image depth(*device, Format::depth32, 6, 6);
+  pass.draw({{}, &depth, 1.0F}, {tile_at(1, 2, 3, corners.size())});
+  const std::vector<float> drawn = depth.download<float>();
+  for (int y = 0; y < 6; ++y) {
+    for (int x = 0; x < 6; ++x) {
+      const bool inside = x >= 1 && x < 4 && y >= 2 && y < 5;
+      EXPECT_EQ(drawn[static_cast<std::size_t>(6 * y + x)], inside ? 0.5F : 1.0F) << x << ", " << y;
+    }
+  }
+}
+
+TEST_F(GpuRaster, EachTileReadsItsOwnPushConstants) {
+  RasterPass pass = pass_of(shaders(Format::depth16, true), sheet(0.5F));
+  const Image colour(*device, Format::rgba32f, 2, 1);
+  const Image second(*device, Format::r32f, 2, 1);
+  const Image depth(*device, Format::depth16, 2, 1);
+  const Colour left{1, 0, 0, 0};
+  const Colour right{0, 5, 0, 0};
+  pass.draw({{&colour, &second}, &depth, 1.0F}, {tile_at(0, 0, 1, 6, left), tile_at(1, 0, 1, 6, right)});
+  EXPECT_EQ(colour.download<Colour>(), (std::vector<Colour>{left, right}));
+  EXPECT_EQ(depth.download<std::uint16_t>(), (std::vector<std::uint16_t>{32768, 32768}));
+}
+
+TEST_F(GpuRaster, ClampsToTheDepthRangeWhenAskedAndClipsOtherwise) {
+  const Image depth(*device, Format::depth32, 2, 2);
+  RasterShaders made = shaders(Format::depth32, false);
+  made.depth_test = DepthTest::less;
+  pass_of(made, sheet(-0.5F)).draw({{}, &depth, 1.0F}, {tile_at(0, 0, 2, 6)});
+  EXPECT_EQ(depth.download<float>(), std::vector<float>(4, 1.0F)) << "clipped";
+  made.depth_clamp = true;
+  pass_of(made, sheet(-0.5F)).draw({{}, &depth, 1.0F}, {tile_at(0, 0, 2, 6)});
+  EXPECT_EQ(depth.download<float>(), std::vector<float>(4, 0.0F)) << "clamped";
+}
+
+TEST_F(GpuRaster, RefusesTargetsAndTilesThatDoNotFit) {
+  RasterPass pass = pass_of(shaders(Format::depth32, false), sheet(0.5F));
+  const Image depth(*device, Format::depth32, 4, 4);
+  const Image other(*device, Format::depth16, 4, 4);
+  EXPECT_THROW(pass.draw({{}, &other, 1.0F}, {tile_at(0, 0, 4, 6)}), std::logic_error);
+  EXPECT_THROW(pass.draw({{}, nullptr, 1.0F}, {tile_at(0, 0, 4, 6)}), std::logic_error);
+  EXPECT_THROW(pass.draw({{}, &depth, 1.0F}, {tile_at(1, 0, 4, 6)}), std::invalid_argument);
+  EXPECT_THROW(pass.draw({{}, &depth, 1.0F}, {tile_at(-1, 0, 2, 6)}), std::invalid_argument);
+  EXPECT_THROW(RasterPass(*device, shaders(std::nullopt, false)), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace penumbra::gpu
