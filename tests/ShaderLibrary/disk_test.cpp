@@ -28,6 +28,7 @@ std::vector<Exact> golden_direction(int index) {
 
 std::vector<float> repeated_indices(int count) {
   std::vector<float> inputs;
+  inputs.reserve(4 * std::size_t(kRandomCases));
   for (int i = 0; i < 4 * kRandomCases; ++i) inputs.push_back(float(i % count));
   return inputs;
 }
@@ -175,7 +176,8 @@ TEST(Disk, UnlimitedPoissonIsVogels) {
 
 TEST(Disk, CountsAreBoundedToWhatThereIs) {
   std::vector<float> inputs;
-  for (int i = 0; i < kRandomCases; ++i) inputs.push_back(float(i - kRandomCases / 2));
+  inputs.reserve(std::size_t(kRandomCases) + 2);
+  for (int i = -kRandomCases / 2; i < kRandomCases / 2; ++i) inputs.push_back(float(i));
   inputs.insert(inputs.end(), {2e9f, -2e9f});
   expect_exact(
       {"Disk", "OutInt(0, BoundedSampleCount(InInt(0))); OutInt(1, PoissonSetSize(InInt(0)));", 1, 2},

@@ -17,6 +17,7 @@ constexpr const char* kScales =
     "In(5);"
     "const ConeScales scales = ConeScalesOf(tile);";
 constexpr int kTileWords = 6;
+constexpr std::size_t kSetupWords = 10;  // tile, and four words of the setup
 
 void append_tile(std::vector<float>& inputs, Random& random) {
   const float uv_per_metre = std::pow(10.0f, random.between(-3.0f, 0.0f));
@@ -103,11 +104,11 @@ TEST(ConeOffset, RisesFromTheSlackToItsCap) {
 
 TEST(Penumbra, RadiiAndOffsetsAreFiniteForAnyTile) {
   Random random(28);
-  std::vector<float> inputs((kTileWords + 4) * std::size_t(kRandomCases));
+  std::vector<float> inputs(kSetupWords * kRandomCases);
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     inputs[i] = i % 3 == 0 ? random.any_bits() : random.magnitude(-8.0f, 8.0f);
-    if (i % std::size_t(kTileWords + 4) >= std::size_t(kTileWords)) inputs[i] = random.between(0.0f, 1.0f);
-    if (i % std::size_t(kTileWords + 4) == std::size_t(kTileWords + 2)) inputs[i] = random.any_bits();
+    if (i % kSetupWords >= kSetupWords - 4) inputs[i] = random.between(0.0f, 1.0f);
+    if (i % kSetupWords == kSetupWords - 2) inputs[i] = random.any_bits();
   }
   for (const float result : run({"Penumbra",
                                  std::string(kScales) + "Out(0, PenumbraRadius(In(6), scales));"

@@ -159,6 +159,7 @@ TEST(ReceiverPlane, GradientsAreFiniteAndBoundedForAnyInput) {
 TEST(ReceiverPlane, BoundGradientKeepsDirectionAndSmallGradients) {
   Random random(14);
   std::vector<float> inputs;
+  inputs.reserve(2 * std::size_t(kRandomCases));
   for (int i = 0; i < 2 * kRandomCases; ++i) inputs.push_back(random.magnitude(-3.0f, 8.0f));
   // A quotient (2.5 ULP) and a product.
   expect_exact(
