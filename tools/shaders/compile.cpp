@@ -12,6 +12,7 @@
 #include "input/input_error.h"
 #include "shaders/include_resolver.h"
 #include "shaders/parse_failure.h"
+#include "shaders/precision_twins.h"
 #include "shaders/source_text.h"
 #include "shaders/spirv_module.h"
 
@@ -78,9 +79,8 @@ Diagnostic whole_file(const Source& source, Severity severity, std::string messa
   return {source.name, 0, 0, severity, std::move(message), {}};
 }
 
-// The text after includes and macros, for the diagnosis of a parse that failed; empty when that fails too.
-std::string preprocess(const Source& source) {
-  SourceFiles sources;
+// The text after includes and macros; empty when that fails.
+std::string preprocess(const Source& source, SourceFiles& sources) {
   IncludeResolver resolver(source.request, sources);
   glslang::TShader shader(language(source.request.stage));
   source.give_to(shader);
@@ -90,13 +90,19 @@ std::string preprocess(const Source& source) {
   return done ? text : std::string();
 }
 
+// For the diagnosis of a parse that failed.
+std::string preprocess_again(const Source& source) {
+  SourceFiles sources;
+  return preprocess(source, sources);
+}
+
 bool parse(const Source& source, glslang::TShader& shader, SourceFiles& sources, CompileResult& result) {
   IncludeResolver resolver(source.request, sources);
   const bool parsed = shader.parse(GetDefaultResources(), hlsl_version, false, messages, resolver);
   const std::string log = shader.getInfoLog();
-  result.diagnostics = warnings(log, sources);
+  for (Diagnostic& warning : warnings(log, sources)) result.diagnostics.push_back(std::move(warning));
   if (parsed && !resolver.failure()) return true;
-  const std::string expanded = resolver.failure() ? std::string() : preprocess(source);
+  const std::string expanded = resolver.failure() ? std::string() : preprocess_again(source);
   result.diagnostics.push_back(first_error({log, source.name, resolver.failure(), expanded}, sources));
   return false;
 }
@@ -151,6 +157,20 @@ bool build(const Source& source, SourceFiles& sources, CompileResult& result) {
          finish_module(source, result);
 }
 
+// What the parser reads: the source, or its expansion with one body for each group of precision twins. A
+// source that does not expand is left as it is, for the parser to say why.
+Source with_twins_merged(const Source& source, SourceFiles& sources, CompileResult& result) {
+  if (!source.request.merge_precision_twins) return source;
+  const std::string expanded = preprocess(source, sources);
+  if (expanded.empty()) return source;
+  MergedTwins merged = merge_precision_twins(expanded, source.name);
+  for (Diagnostic& note : merged.notes) {
+    note.source_line = sources.line(note.file, note.line);
+    result.diagnostics.push_back(std::move(note));
+  }
+  return {source.request, source.name, std::move(merged.text), {}};
+}
+
 // glslang stops reading at a NUL byte without a word.
 std::optional<Diagnostic> nul_byte(const SourceFiles& sources) {
   for (const std::string& name : sources.names()) {
@@ -179,7 +199,7 @@ CompileResult compile(const CompileRequest& request) {
   SourceFiles sources;
   sources.add(source.name, source.text);
   CompileResult result;
-  bool built = build(source, sources, result);
+  bool built = build(with_twins_merged(source, sources, result), sources, result);
   if (const std::optional<Diagnostic> nul = nul_byte(sources)) {
     result.diagnostics = {*nul};
     built = false;

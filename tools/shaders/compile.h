@@ -36,6 +36,9 @@ struct CompileRequest {
   std::vector<PackageRoot> package_roots;
   std::vector<std::filesystem::path> include_directories;
   std::vector<IncludeOverlay> overlays;
+  // One body for overloads that differ in precision alone, as Unity's libraries have them (precision_twins.h);
+  // without it they are "already has a body". Each body that goes is a note.
+  bool merge_precision_twins = false;
   bool optimise = true;  // legalise, inline and optimise; false keeps the function structure and OpName
 };
 

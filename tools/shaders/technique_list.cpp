@@ -1,23 +1,27 @@
 #include "shaders/technique_list.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <set>
 #include <sstream>
+#include <system_error>
+#include <utility>
 
 #include "input/input_error.h"
 #include "input/located_json.h"
 #include "input/nearest_name.h"
+#include "shaders/identifier.h"
 
 namespace penumbra::shaders {
+
 namespace {
 
-const std::vector<std::string> kFieldTypes{"float", "float2", "float4", "int"};
-const std::vector<std::string> kResources{"shadowMap", "pointSampler"};
+const std::vector<std::string> field_types = {"float", "float2", "float4", "int"};
+const std::vector<std::string> resource_names = {"shadowMap", "pointSampler"};
+const std::vector<std::string> target_names = {"spirv", "essl310", "glsl450", "msl23", "hlsl50"};
 
-void require_known(const JsonObject& object, const std::string& key, const std::string& name,
-                   const std::vector<std::string>& known, const std::string& kind) {
-  if (std::find(known.begin(), known.end(), name) != known.end()) return;
-  object.fail(key, "unknown " + kind + " '" + name + "'", unknown_name_way_out(name, known));
+bool contains(const std::vector<std::string>& list, const std::string& name) {
+  return std::find(list.begin(), list.end(), name) != list.end();
 }
 
 std::string required_text(JsonObject& object, const std::string& key) {
@@ -26,133 +30,184 @@ std::string required_text(JsonObject& object, const std::string& key) {
   return text;
 }
 
-ParameterStruct read_struct(JsonObject& object) {
-  ParameterStruct result;
-  result.name = required_text(object, "name");
-  result.doc = object.text("doc", "");
-  for (JsonObject& field : object.objects("fields")) {
-    ParameterField read;
-    read.name = required_text(field, "name");
-    read.type = required_text(field, "type");
-    require_known(field, "type", read.type, kFieldTypes, "type");
-    read.unit = field.text("unit", "");
-    read.doc = field.text("doc", "");
-    field.finish();
-    result.fields.push_back(std::move(read));
-  }
-  object.finish();
-  return result;
+std::string required_identifier(JsonObject& object, const std::string& key) {
+  const std::string name = required_text(object, key);
+  if (!is_identifier(name)) object.fail(key, "'" + name + "' is no HLSL identifier");
+  return name;
 }
 
-TechniquePass read_pass(JsonObject& object, const TechniqueList& list) {
+void require_known(JsonObject& object, const std::string& key, const std::string& what,
+                   const std::string& name, const std::vector<std::string>& known) {
+  if (!contains(known, name))
+    object.fail(key, "unknown " + what + " '" + name + "'", unknown_name_way_out(name, known));
+}
+
+std::size_t components(const ParameterField& field) {
+  if (field.type == "float2") return 2;
+  return field.type == "float4" ? 4 : 1;
+}
+
+std::vector<std::string> field_names(const ParameterStruct* parameters) {
+  std::vector<std::string> names;
+  if (parameters != nullptr)
+    for (const ParameterField& field : parameters->fields) names.push_back(field.name);
+  return names;
+}
+
+ParameterField read_field(JsonObject object) {
+  ParameterField field{required_identifier(object, "name"), required_text(object, "type"),
+                       required_text(object, "unit"), required_text(object, "doc")};
+  require_known(object, "type", "type", field.type, field_types);
+  object.finish();
+  return field;
+}
+
+ParameterStruct read_struct(JsonObject object) {
+  ParameterStruct parameters{required_identifier(object, "name"), required_text(object, "doc"), {}};
+  std::set<std::string> seen;
+  for (JsonObject& field : object.objects("fields")) {
+    parameters.fields.push_back(read_field(field));
+    const std::string& name = parameters.fields.back().name;
+    if (!seen.insert(name).second) field.fail("name", "there are two fields '" + name + "'");
+  }
+  if (parameters.fields.empty()) object.fail("fields", "'" + parameters.name + "' has no fields");
+  object.finish();
+  return parameters;
+}
+
+TechniquePass read_pass(const TechniqueList& list, JsonObject object) {
   TechniquePass pass;
   pass.kind = required_text(object, "kind");
-  require_known(object, "kind", pass.kind, {"resolve"}, "kind of pass");
+  require_known(object, "kind", "kind of pass", pass.kind, {"resolve"});
   pass.file = required_text(object, "file");
-  if (!std::filesystem::is_regular_file(list.file.parent_path() / pass.file)) {
-    object.fail("file", "no such file: " + pass.file, "paths are relative to the list's own folder");
-  }
-  pass.function = required_text(object, "function");
+  pass.function = required_identifier(object, "function");
   pass.resources = object.texts("resources");
-  for (const std::string& resource : pass.resources) {
-    require_known(object, "resources", resource, kResources, "resource");
-  }
   pass.parameters = object.text("parameters", "");
-  if (!pass.parameters.empty()) {
-    std::vector<std::string> names;
-    for (const ParameterStruct& known : list.structs) names.push_back(known.name);
-    require_known(object, "parameters", pass.parameters, names, "parameter struct");
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(list.file.parent_path() / pass.file, error))
+    object.fail("file", "there is no file '" + (list.file.parent_path() / pass.file).string() + "'");
+  for (const std::string& resource : pass.resources)
+    require_known(object, "resources", "resource", resource, resource_names);
+  if (!pass.parameters.empty() && list.find_struct(pass.parameters) == nullptr) {
+    std::vector<std::string> known;
+    for (const ParameterStruct& parameters : list.structs) known.push_back(parameters.name);
+    require_known(object, "parameters", "struct", pass.parameters, known);
   }
   object.finish();
   return pass;
 }
 
-std::size_t width_of(const std::string& type) {
-  if (type == "float2") return 2;
-  return type == "float4" ? 4 : 1;
-}
-
-// One number, or as many as the field's type has.
-std::vector<double> read_value(JsonObject& values, const ParameterField& field) {
-  const std::size_t width = width_of(field.type);
-  if (width > 1) return values.numbers(field.name, width);
-  if (!values.has(field.name)) values.fail(field.name, "no value for '" + field.name + "'");
-  const double value = values.number(field.name, 0.0);
-  if (field.type == "int") values.integer(field.name, 0);
-  return {value};
-}
-
-void read_values(JsonObject& object, Technique& technique, const TechniqueList& list) {
-  JsonObject values = object.object("values");
-  JsonObject unlimited = object.object("unlimited");
-  for (const TechniquePass& pass : technique.chain) {
-    const ParameterStruct* parameters = list.find_struct(pass.parameters);
-    if (parameters == nullptr) continue;
+// Every field has a value and every value a field.
+void read_values(JsonObject object, const std::vector<const ParameterStruct*>& structs,
+                 Technique& technique) {
+  for (const ParameterStruct* parameters : structs) {
     for (const ParameterField& field : parameters->fields) {
-      technique.values[field.name] = read_value(values, field);
-      if (!unlimited.has(field.name)) continue;
-      std::ostringstream number;
-      number.precision(17);
-      number << unlimited.number(field.name, 0.0);
-      technique.unlimited[field.name] = number.str();
+      if (!object.has(field.name))
+        object.fail(field.name, "no value for '" + field.name + "' of " + parameters->name);
+      technique.values[field.name] = components(field) == 1
+                                         ? std::vector<double>{object.number(field.name, 0.0)}
+                                         : object.numbers(field.name, components(field));
+      if (field.type == "int") object.integer(field.name, 0);
     }
   }
-  values.finish();
-  unlimited.finish();
+  object.finish();
 }
 
-Technique read_technique(JsonObject& object, const TechniqueList& list, const nlohmann::json& raw) {
+// A number, or a string that holds one, as text that reads back exactly.
+std::string number_text(JsonObject& object, const std::string& key, const nlohmann::json& value) {
+  if (value.is_string()) {
+    std::string text = object.text(key, "");
+    char* end = nullptr;
+    std::strtod(text.c_str(), &end);
+    if (text.empty() || *end != '\0') object.fail(key, "'" + text + "' is no number");
+    return text;
+  }
+  std::ostringstream number;
+  number.precision(17);
+  number << object.number(key, 0.0);
+  return number.str();
+}
+
+void read_unlimited(JsonObject object, const nlohmann::json& values,
+                    const std::vector<const ParameterStruct*>& structs, Technique& technique) {
+  for (const std::string& key : object.keys()) {
+    std::vector<std::string> known;
+    for (const ParameterStruct* parameters : structs)
+      for (const std::string& name : field_names(parameters)) known.push_back(name);
+    require_known(object, key, "field", key, known);
+    technique.unlimited[key] = number_text(object, key, values.at(key));
+  }
+}
+
+void check_keyword(JsonObject& object, const std::string& key, const std::string& keyword) {
+  if (!is_identifier(keyword)) object.fail(key, "'" + keyword + "' is no keyword");
+}
+
+std::vector<std::vector<std::string>> read_keyword_sets(const LocatedJson& document, JsonObject& object,
+                                                        const LocatedJson::Pointer& at) {
+  if (!object.has("keyword_sets")) return {{}};
+  const nlohmann::json& sets = document.at(at / "keyword_sets");
+  if (!sets.is_array() || sets.empty()) object.fail("keyword_sets", "must be an array of arrays of strings");
+  std::vector<std::vector<std::string>> result;
+  for (const nlohmann::json& set : sets) {
+    if (!set.is_array()) object.fail("keyword_sets", "must be an array of arrays of strings");
+    result.emplace_back();
+    for (const nlohmann::json& keyword : set) {
+      if (!keyword.is_string()) object.fail("keyword_sets", "must be an array of arrays of strings");
+      result.back().push_back(keyword.get<std::string>());
+      check_keyword(object, "keyword_sets", result.back().back());
+    }
+  }
+  return result;
+}
+
+void read_targets_absent(JsonObject object, Technique& technique) {
+  for (const std::string& target : object.keys()) {
+    require_known(object, target, "target", target, target_names);
+    technique.targets_absent[target] = required_text(object, target);
+  }
+}
+
+Technique read_technique(const LocatedJson& document, const TechniqueList& list, JsonObject object,
+                         const LocatedJson::Pointer& at) {
   Technique technique;
   technique.name = required_text(object, "name");
   technique.title = required_text(object, "title");
   technique.family = required_text(object, "family");
   technique.source = required_text(object, "source");
-  for (JsonObject& pass : object.objects("chain")) technique.chain.push_back(read_pass(pass, list));
-  if (technique.chain.empty()) object.fail("chain", "a technique needs at least one pass");
-  read_values(object, technique, list);
-  technique.keywords = object.texts("keywords");
-  if (object.has("keyword_sets")) {
-    const nlohmann::json& sets = raw.at("keyword_sets");
-    const bool lists_of_strings =
-        sets.is_array() && std::all_of(sets.begin(), sets.end(), [](const nlohmann::json& set) {
-          return set.is_array() &&
-                 std::all_of(set.begin(), set.end(), [](const auto& k) { return k.is_string(); });
-        });
-    if (!lists_of_strings)
-      object.fail("keyword_sets", "'keyword_sets' must be an array of arrays of strings");
-    technique.keyword_sets = sets.get<std::vector<std::vector<std::string>>>();
+  std::vector<const ParameterStruct*> structs;
+  for (const JsonObject& pass : object.objects("chain")) {
+    technique.chain.push_back(read_pass(list, pass));
+    const ParameterStruct* parameters = list.find_struct(technique.chain.back().parameters);
+    if (parameters != nullptr) structs.push_back(parameters);
   }
-  JsonObject absent = object.object("targets_absent");
-  for (const std::string& target : absent.keys()) technique.targets_absent[target] = absent.text(target, "");
+  if (technique.chain.size() != 1) object.fail("chain", "a chain is one resolve pass so far");
+  read_values(object.object("values"), structs, technique);
+  technique.keywords = object.texts("keywords");
+  for (const std::string& keyword : technique.keywords) check_keyword(object, "keywords", keyword);
+  technique.keyword_sets = read_keyword_sets(document, object, at);
+  if (object.has("unlimited"))
+    read_unlimited(object.object("unlimited"), document.at(at / "unlimited"), structs, technique);
+  read_targets_absent(object.object("targets_absent"), technique);
   object.finish();
   return technique;
-}
-
-std::string arguments_of(const TechniquePass& pass) {
-  std::string arguments;
-  for (const std::string& resource : pass.resources) {
-    arguments += resource == "shadowMap" ? "TEXTURE2D_SHADOW_ARGS(_ShadowMap, sampler_ShadowMap), "
-                                         : "sampler_PointClamp, ";
-  }
-  return arguments + "receiver, tile" + (pass.parameters.empty() ? "" : ", parameters");
 }
 
 }  // namespace
 
 const Technique& TechniqueList::find(const std::string& name) const {
-  std::vector<std::string> names;
+  std::vector<std::string> known;
   for (const Technique& technique : techniques) {
     if (technique.name == name) return technique;
-    names.push_back(technique.name);
+    known.push_back(technique.name);
   }
-  throw InputError("", "unknown technique '" + name + "'", unknown_name_way_out(name, names));
+  throw InputError(file.string(), "unknown technique '" + name + "'", unknown_name_way_out(name, known));
 }
 
 const ParameterStruct* TechniqueList::find_struct(const std::string& name) const {
-  for (const ParameterStruct& known : structs) {
-    if (known.name == name) return &known;
-  }
-  return nullptr;
+  const auto found = std::find_if(structs.begin(), structs.end(),
+                                  [&](const ParameterStruct& parameters) { return parameters.name == name; });
+  return found == structs.end() ? nullptr : &*found;
 }
 
 TechniqueList read_technique_list(const std::filesystem::path& file) {
@@ -161,45 +216,22 @@ TechniqueList read_technique_list(const std::filesystem::path& file) {
   TechniqueList list;
   list.file = file;
   for (JsonObject& object : root.objects("structs")) {
-    list.structs.push_back(read_struct(object));
-    const std::string& name = list.structs.back().name;
-    for (std::size_t i = 0; i + 1 < list.structs.size(); ++i) {
-      if (list.structs[i].name == name) object.fail("name", "two structs are named '" + name + "'");
-    }
+    ParameterStruct parameters = read_struct(object);
+    if (list.find_struct(parameters.name) != nullptr)
+      object.fail("name", "there are two structs '" + parameters.name + "'");
+    list.structs.push_back(std::move(parameters));
   }
   std::set<std::string> names;
   std::size_t index = 0;
   for (JsonObject& object : root.objects("techniques")) {
-    const nlohmann::json& raw = document.value().at("techniques").at(index++);
-    list.techniques.push_back(read_technique(object, list, raw));
+    list.techniques.push_back(
+        read_technique(document, list, object, LocatedJson::Pointer("/techniques") / index++));
     const std::string& name = list.techniques.back().name;
-    if (!names.insert(name).second) object.fail("name", "two techniques are named '" + name + "'");
+    if (!names.insert(name).second) object.fail("name", "there are two techniques '" + name + "'");
   }
+  if (list.techniques.empty()) root.fail("techniques", "the list has no techniques");
   root.finish();
   return list;
-}
-
-TechniqueCall emit_technique_call(const TechniqueList& list, const Technique& technique,
-                                  const std::string& uniform_prefix) {
-  const TechniquePass& pass = technique.chain.back();
-  TechniqueCall call;
-  call.includes = "#include \"" + pass.file + "\"\n";
-  std::string assignments;
-  if (const ParameterStruct* parameters = list.find_struct(pass.parameters)) {
-    assignments = "    " + parameters->name + " parameters;\n";
-    for (const ParameterField& field : parameters->fields) {
-      const std::string uniform = uniform_prefix + parameters->name + "_" + field.name;
-      call.declarations += field.type + " " + uniform + ";\n";
-      assignments += "    parameters." + field.name + " = " + uniform + ";\n";
-    }
-  }
-  const bool point =
-      std::find(pass.resources.begin(), pass.resources.end(), "pointSampler") != pass.resources.end();
-  call.declarations += "TEXTURE2D_SHADOW(_ShadowMap);\nSAMPLER_CMP(sampler_ShadowMap);\n";
-  if (point) call.declarations += "SAMPLER(sampler_PointClamp);\n";
-  call.function = "float ResolveTechnique(ShadowReceiver receiver, ShadowTile tile)\n{\n" + assignments +
-                  "    return " + pass.function + "(" + arguments_of(pass) + ");\n}\n";
-  return call;
 }
 
 }  // namespace penumbra::shaders

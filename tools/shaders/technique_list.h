@@ -1,4 +1,11 @@
 // ShaderLibrary/techniques.json: which techniques there are, how their functions are called, what they need.
+//
+// {"structs": [{name, doc, fields: [{name, type, unit, doc}]}],
+//  "techniques": [{name, title, family, source, chain: [{kind, file, function, resources, parameters}],
+//                  values: {field: number or numbers}, keywords, keyword_sets: [[...]],
+//                  unlimited: {field: number or its text}, targets_absent: {target: reason}}]}
+// Keys are the members' names below. Every field of the structs a chain uses has a value and every value a
+// field; without keyword_sets there is one set, the empty one.
 #pragma once
 
 #include <filesystem>
@@ -26,24 +33,24 @@ struct ParameterStruct {
 // One pass of a technique's chain. For "resolve" the function's arguments are the resources in order, then
 // ShadowReceiver, ShadowTile and, when `parameters` is not empty, that struct.
 struct TechniquePass {
-  std::string kind;                    // "resolve"; preparation and screen kinds join it later
-  std::string file;                    // relative to ShaderLibrary/
+  std::string kind;  // "resolve"; preparation and screen kinds join it later
+  std::string file;  // relative to ShaderLibrary/
   std::string function;
   std::vector<std::string> resources;  // of: shadowMap+compare ("shadowMap"), "pointSampler"
   std::string parameters;              // struct name, may be empty
 };
 
 struct Technique {
-  std::string name;   // for example pcss-angular-24-16
-  std::string title;  // for tables
-  std::string family; // techniques of one family differ in parameters alone
-  std::string source; // paper, year
+  std::string name;    // for example pcss-angular-24-16
+  std::string title;   // for tables
+  std::string family;  // techniques of one family differ in parameters alone
+  std::string source;  // paper, year
   std::vector<TechniquePass> chain;
-  std::map<std::string, std::vector<double>> values;            // parameter values by field
-  std::vector<std::string> keywords;                            // that this technique switches on
-  std::vector<std::vector<std::string>> keyword_sets;           // every set validate compiles
-  std::map<std::string, std::string> unlimited;                 // fields to override for T3 -> value
-  std::map<std::string, std::string> targets_absent;            // target -> reason
+  std::map<std::string, std::vector<double>> values;   // parameter values by field
+  std::vector<std::string> keywords;                   // that this technique switches on
+  std::vector<std::vector<std::string>> keyword_sets;  // every set validate compiles
+  std::map<std::string, std::string> unlimited;        // fields to override for T3 -> value
+  std::map<std::string, std::string> targets_absent;   // target -> reason
 };
 
 struct TechniqueList {

@@ -1,0 +1,120 @@
+#include "shaders/hlsl_tokens.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace penumbra::shaders {
+
+namespace {
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+bool is_word_start(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+bool is_word(char c) {
+  return is_word_start(c) || is_digit(c);
+}
+bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v';
+}
+
+class Lexer {
+ public:
+  explicit Lexer(std::string_view text) : text_(text) {}
+
+  std::vector<HlslToken> run() {
+    while (at_ < text_.size()) step();
+    return std::move(tokens_);
+  }
+
+ private:
+  char next(std::size_t ahead) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
+
+  void step() {
+    const char c = text_[at_];
+    if (c == '\n') {
+      ++at_;
+      ++line_;
+      line_is_empty_ = true;
+    } else if (is_blank(c)) {
+      ++at_;
+    } else if (c == '#' && line_is_empty_) {
+      directive();
+    } else {
+      line_is_empty_ = false;
+      token(c);
+    }
+  }
+
+  void token(char c) {
+    if (is_word_start(c)) {
+      take(HlslToken::Kind::word, end_of_word(at_));
+    } else if (is_digit(c) || (c == '.' && is_digit(next(1)))) {
+      take(HlslToken::Kind::number, end_of_number());
+    } else if (c == '"') {
+      take(HlslToken::Kind::text, end_of_text());
+    } else {
+      take(HlslToken::Kind::mark, at_ + 1);
+    }
+  }
+
+  void take(HlslToken::Kind kind, std::size_t end) {
+    tokens_.push_back({kind, text_.substr(at_, end - at_), at_, file_, line_});
+    at_ = end;
+  }
+
+  std::size_t end_of_word(std::size_t at) const {
+    while (at < text_.size() && is_word(text_[at])) ++at;
+    return at;
+  }
+
+  // 1, 0x1F, 1.5e-3f: a sign belongs to the number only after its exponent.
+  std::size_t end_of_number() const {
+    const bool hexadecimal = text_[at_] == '0' && (next(1) == 'x' || next(1) == 'X');
+    std::size_t at = at_ + 1;
+    for (; at < text_.size(); ++at) {
+      const char before = text_[at - 1];
+      const bool sign = (text_[at] == '+' || text_[at] == '-') && (before == 'e' || before == 'E');
+      if (!is_word(text_[at]) && text_[at] != '.' && (!sign || hexadecimal)) break;
+    }
+    return at;
+  }
+
+  std::size_t end_of_text() const {
+    std::size_t at = at_ + 1;
+    while (at < text_.size() && text_[at] != '"' && text_[at] != '\n') at += text_[at] == '\\' ? 2 : 1;
+    return std::min(text_.size(), at < text_.size() && text_[at] == '"' ? at + 1 : at);
+  }
+
+  // #line N "file": the line after it is line N.
+  void directive() {
+    const std::size_t end = std::min(text_.find('\n', at_), text_.size());
+    const std::string_view line = text_.substr(at_, end - at_);
+    at_ = end;
+    if (line.substr(0, 6) != "#line ") return;
+    int number = 0;
+    const char* last = line.data() + line.size();
+    if (std::from_chars(line.data() + 6, last, number).ec != std::errc()) return;
+    line_ = number - 1;  // the end of this line counts one
+    const std::size_t open = line.find('"');
+    const std::size_t close = line.rfind('"');
+    if (open != std::string_view::npos && close > open) file_ = line.substr(open + 1, close - open - 1);
+  }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+  std::string_view file_;
+  int line_ = 1;
+  bool line_is_empty_ = true;
+  std::vector<HlslToken> tokens_;
+};
+
+}  // namespace
+
+std::vector<HlslToken> lex_hlsl(const std::string& preprocessed) {
+  return Lexer(preprocessed).run();
+}
+
+}  // namespace penumbra::shaders

@@ -1,0 +1,15 @@
+// What may stand as a name in HLSL and on a #define line.
+#pragma once
+
+#include <algorithm>
+#include <string_view>
+
+namespace penumbra::shaders {
+
+inline bool is_identifier(std::string_view name) {
+  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
+  return !name.empty() && letter(name.front()) &&
+         std::all_of(name.begin(), name.end(), [&](char c) { return letter(c) || (c >= '0' && c <= '9'); });
+}
+
+}  // namespace penumbra::shaders
