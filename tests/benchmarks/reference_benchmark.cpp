@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <ctime>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -153,9 +154,10 @@ struct Spent {
   }
 };
 
-void tracer_to_bare(benchmark::State& state, const std::string& name, double degrees) {
+void tracer_to_bare(benchmark::State& state) {
+  const std::string name = scene::built_in_names()[static_cast<std::size_t>(state.range(0))];
   const scene::Scene scene = scene::built_in(name);
-  const parameters::Light light{scene.light_direction, degrees};
+  const parameters::Light light{scene.light_direction, 0.01 * static_cast<double>(state.range(1))};
   const DiscLight disc = disc_light(light);
   const EmbreeScene embree(scene.mesh);
   const scene::Receivers receivers = seen_by_camera(scene, embree);
@@ -186,27 +188,25 @@ void tracer_to_bare(benchmark::State& state, const std::string& name, double deg
   state.counters["tracer_to_bare"] = ratio;
   state.counters["tracer_to_bare_cpu"] = bare_loop.processor_seconds / traced.processor_seconds;
   state.counters["whole_to_bare"] = bare_loop.seconds / whole.seconds;
-  state.SetLabel("tracer reaches " + std::to_string(static_cast<int>(std::lround(100.0 * ratio))) +
+  state.SetLabel(name + ": tracer reaches " + std::to_string(static_cast<int>(std::lround(100.0 * ratio))) +
                  " % of a bare Embree loop");
 }
+
+void every_scene_and_sun(benchmark::internal::Benchmark* runs) {
+  const auto scenes = static_cast<std::int64_t>(scene::built_in_names().size());
+  runs->ArgNames({"scene", "degrees_x100"});
+  for (std::int64_t scene = 0; scene < scenes; ++scene) {
+    for (const std::int64_t hundredths : {53, 500}) runs->Args({scene, hundredths});
+  }
+}
+
+BENCHMARK(tracer_to_bare)
+    ->Apply(every_scene_and_sun)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->MinTime(2.0);
 
 }  // namespace
 }  // namespace penumbra::reference
 
-int main(int argc, char** argv) {
-  for (const std::string& name : penumbra::scene::built_in_names()) {
-    for (const double degrees : {0.53, 5.0}) {
-      const std::string hundredths = std::to_string(std::lround(100.0 * degrees));
-      benchmark::RegisterBenchmark(
-          ("Ratio/" + name + "/" + hundredths).c_str(),
-          [=](benchmark::State& state) { penumbra::reference::tracer_to_bare(state, name, degrees); })
-          ->Unit(benchmark::kMillisecond)
-          ->UseRealTime()
-          ->MinTime(2.0);
-    }
-  }
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-  benchmark::RunSpecifiedBenchmarks();
-  return 0;
-}
+BENCHMARK_MAIN();

@@ -97,8 +97,8 @@ Map empty_map(const Setting& setting, const MapSettings& settings, const glm::dv
   map.cascades.light_direction = -frame.to_light;
   map.atlas.width = map.atlas.height = settings.resolution;
   map.atlas.format = settings.format;
-  map.atlas.depth.assign(static_cast<std::size_t>(settings.resolution * settings.resolution),
-                         settings.reversed_z ? 0.0F : 1.0F);
+  const auto side = static_cast<std::size_t>(settings.resolution);
+  map.atlas.depth.assign(side * side, settings.reversed_z ? 0.0F : 1.0F);
   parameters::Cascade cascade;
   const double sign = settings.reversed_z ? 1.0 : -1.0;
   const glm::dvec3 across = frame.right / settings.extent;

@@ -2,9 +2,11 @@
 // light's own frame: metres across the light (right, up) and towards it, from a chosen centre.
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <numbers>
 
 #include "reference/lit_receiver.h"
 #include "reference/visibility_image.h"
@@ -18,6 +20,8 @@ struct Setting {
   glm::dvec3 centre{0.0};  // relative to the scene's origin
 
   DiscLight disc() const { return disc_light(light); }
+  // Said anew, so that the tests do not take the library's word for it.
+  double tan_half() const { return std::tan(light.angular_diameter_degrees * std::numbers::pi / 360.0); }
   glm::dvec3 at(double across, double along, double towards) const;
 };
 

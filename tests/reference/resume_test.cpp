@@ -16,7 +16,9 @@ namespace {
 
 constexpr int width = 10;
 constexpr int height = 45;  // five blocks of eight rows and one of five
+constexpr int pixels = width * height;
 constexpr int block_pixels = width * rows_per_block;
+constexpr std::size_t three_blocks = std::size_t{3} * std::size_t{block_pixels};
 
 struct CountedJob {
   std::atomic<int> asked = 0;
@@ -24,7 +26,7 @@ struct CountedJob {
 
   CountedJob() {
     job.size = {width, height};
-    job.valid.assign(width * height, 1);
+    job.valid.assign(std::size_t{pixels}, 1);
     job.samples = 1024;
     job.rays_per_pixel = 1024;
     job.key = "counted";
@@ -52,7 +54,7 @@ TEST(Resume, FinishedBlocksAreNotComputedAgain) {
     const ReferenceCache cache(folder.path());
     CountedJob first;
     const VisibilityImage expected = run_rows(first.job, {}, nullptr);
-    EXPECT_EQ(first.asked, width * height);
+    EXPECT_EQ(first.asked, pixels);
 
     CountedJob stopped;
     std::atomic<bool> stop = false;
@@ -64,10 +66,10 @@ TEST(Resume, FinishedBlocksAreNotComputedAgain) {
     RunOptions run;
     run.progress = [&](double done, double total) {
       if (reused < 0.0) reused = done;
-      EXPECT_EQ(total, 1024.0 * width * height);
+      EXPECT_EQ(total, 1024.0 * pixels);
     };
     EXPECT_EQ(run_rows(resumed.job, run, &cache), expected);
-    EXPECT_EQ(resumed.asked, width * height - blocks * block_pixels);
+    EXPECT_EQ(resumed.asked, pixels - blocks * block_pixels);
     EXPECT_EQ(reused, 1024.0 * blocks * block_pixels);
     EXPECT_EQ(cache.find("counted"), expected);
     EXPECT_TRUE(cache.find_beginning("counted").empty()) << "the beginning is gone once the whole is there";
@@ -79,22 +81,22 @@ TEST(Resume, CheckpointsLeaveABeginningForAProcessThatIsKilled) {
   const ReferenceCache cache(folder.path());
   CountedJob job;
   job.job.count = [&](std::size_t pixel) -> HalfCounts {
-    if (pixel >= 3 * block_pixels) throw std::runtime_error("the machine stops here");
+    if (pixel >= three_blocks) throw std::runtime_error("the machine stops here");
     return {1, 2};
   };
   RunOptions run;
   run.checkpoint_seconds = 0.0;
   EXPECT_THROW(run_rows(job.job, run, &cache), std::runtime_error);
-  EXPECT_EQ(cache.find_beginning("counted").size(), static_cast<std::size_t>(3 * block_pixels));
+  EXPECT_EQ(cache.find_beginning("counted").size(), three_blocks);
 }
 
 TEST(Resume, ABeginningLongerThanTheImageIsIgnored) {
   const ScratchFolder folder;
   const ReferenceCache cache(folder.path());
-  cache.store_beginning("counted", std::vector<HalfCounts>(width * height + 1, HalfCounts{9, 9}));
+  cache.store_beginning("counted", std::vector<HalfCounts>(pixels + 1, HalfCounts{9, 9}));
   CountedJob job;
   const VisibilityImage image = run_rows(job.job, {}, &cache);
-  EXPECT_EQ(job.asked, width * height);
+  EXPECT_EQ(job.asked, pixels);
   EXPECT_EQ(image.visibility[1], 2.0F / 1024.0F);
 }
 
@@ -118,7 +120,7 @@ TEST(Resume, AnInterruptedTraceEndsAsAnUninterruptedOne) {
     before = done;
   };
   EXPECT_EQ(trace_visibility(scene, receivers, setting.light, {}, run, &cache), expected);
-  EXPECT_EQ(retraced, 1024.0 * (width * height - 2 * block_pixels));
+  EXPECT_EQ(retraced, 1024.0 * (pixels - 2 * block_pixels));
 }
 
 TEST(Resume, PixelsWithoutReceiverAreNeitherAskedNorCounted) {
@@ -129,7 +131,7 @@ TEST(Resume, PixelsWithoutReceiverAreNeitherAskedNorCounted) {
   RunOptions run;
   run.progress = [&](double done, double all) { last = done, total = all; };
   const VisibilityImage image = run_rows(job.job, run, nullptr);
-  EXPECT_EQ(job.asked, width * height * 2 / 3);
+  EXPECT_EQ(job.asked, pixels * 2 / 3);
   EXPECT_EQ(total, 1024.0 * job.asked);
   EXPECT_EQ(last, total);
   EXPECT_EQ(image.visibility[3], 1.0F);

@@ -35,7 +35,7 @@ TEST(SameMap, TexelAlignedEdgeIsTheCircularSegmentInBothDepthDirections) {
   for (const bool reversed_z : {false, true}) {
     for (const scene::DepthFormat format : {scene::DepthFormat::d16, scene::DepthFormat::d32}) {
       const Setting setting;
-      const double tan_half = setting.disc().tan_half;
+      const double tan_half = setting.tan_half();
       MapSettings settings;
       settings.reversed_z = reversed_z;
       settings.format = format;
@@ -68,7 +68,7 @@ TEST(SameMap, LayersThatOverlapCountOnce) {
       hand_built::receivers(setting, {1, 1}, [](int, int) { return glm::dvec2(-0.1, 0.003); });
   const float with_one = same_map_estimate({one.atlas, one.cascades, receivers}).visibility[0];
   const float with_two = same_map_estimate({two.atlas, two.cascades, receivers}).visibility[0];
-  const double tan_half = setting.disc().tan_half;
+  const double tan_half = setting.tan_half();
   EXPECT_NEAR(with_one, hand_built::visible_past_edge(-0.1, 8.0, tan_half), resolution_bound);
   // Columns 20..27 at 4 m were at 8 m: their old places, -1.2 .. -0.4, are now open, and their new ones span
   // s.x from (-1.2 + 0.1) / (4 tan) = -6.3 to (-0.4 + 0.1) / (4 tan) = -1.72: off the disc. At 8 m they had
@@ -170,7 +170,7 @@ TEST(SameMap, OneNaNTexelAmongBlockersOpensOnlyItsSquare) {
   map.set_depth(32, 32, std::numeric_limits<float>::quiet_NaN());
   const scene::Receivers receivers =
       hand_built::receivers(setting, {1, 1}, [](int, int) { return glm::dvec2(0.05, 0.05); });
-  const double radius = 10.0 * setting.disc().tan_half;
+  const double radius = 10.0 * setting.tan_half();
   EXPECT_NEAR(same_map_estimate({map.atlas, map.cascades, receivers}).visibility[0],
               0.01 / (std::acos(-1.0) * radius * radius), resolution_bound);
 }
@@ -197,6 +197,23 @@ TEST(SameMap, PointLightReadsTheTexelOverTheReceiver) {
     const double across = 6.0 * (2.0 * (x + 0.5) / 64.0 - 1.0);
     EXPECT_EQ(image.visibility[static_cast<std::size_t>(x)], across < 0.0 && across > -3.2 ? 0.0F : 1.0F)
         << x;
+  }
+}
+
+// The texel's centre may lie above the receiver's plane and yet below the receiver, which it cannot shade.
+TEST(SameMap, ATexelBelowTheReceiverDoesNotBlockAPointLight) {
+  for (const double degrees : {0.0, 1.0}) {
+    Setting setting;
+    setting.light.angular_diameter_degrees = degrees;
+    const DiscLight disc = setting.disc();
+    Map map = hand_built::empty_map(setting);
+    scene::Receivers receivers =
+        hand_built::receivers(setting, {1, 1}, [](int, int) { return glm::dvec2(0.09, 0.05); });
+    receivers.normal_ws[0] = glm::vec4(glm::vec3(glm::normalize(disc.to_light - 4.0 * disc.right)), 0.0F);
+    map.set_gap(32, 32, -0.05);  // the plane is at -0.16 in the middle of the texel
+    EXPECT_EQ(same_map_estimate({map.atlas, map.cascades, receivers}).visibility[0], 1.0F);
+    map.set_gap(32, 32, 0.05);
+    EXPECT_LT(same_map_estimate({map.atlas, map.cascades, receivers}).visibility[0], 0.05F);
   }
 }
 

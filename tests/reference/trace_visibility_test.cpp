@@ -5,8 +5,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <set>
 
 #include "input/input_error.h"
+#include "reference/disc_tracer.h"
 #include "reference/hand_built.h"
 
 namespace penumbra::reference {
@@ -24,7 +26,7 @@ struct EdgeCase {
   double radius;
 
   explicit EdgeCase(const Setting& setting = {}, ImageSize size = {64, 16}) {
-    radius = gap * setting.disc().tan_half;
+    radius = gap * setting.tan_half();
     hand_built::add_rectangle(scene.mesh, setting, {-40.0, 0.0, -40.0, 40.0}, gap);
     receivers = hand_built::receivers(setting, size,
                                       [&](int x, int y) { return glm::dvec2(distance(x, size), 0.05 * y); });
@@ -39,9 +41,10 @@ double rms_error(const EdgeCase& edge, const VisibilityImage& image, const Setti
   int pixels = 0;
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
-      const double exact = hand_built::visible_past_edge(edge.distance(x), gap, setting.disc().tan_half);
+      const double exact = hand_built::visible_past_edge(edge.distance(x), gap, setting.tan_half());
       if (exact <= 0.02 || exact >= 0.98) continue;
-      const double error = image.visibility[static_cast<std::size_t>(y * image.width + x)] - exact;
+      const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width);
+      const double error = image.visibility[pixel + static_cast<std::size_t>(x)] - exact;
       squares += error * error;
       ++pixels;
     }
@@ -57,7 +60,7 @@ TEST(TraceVisibility, StraightEdgeIsTheCircularSegment) {
     const VisibilityImage image = trace_visibility(edge.scene, edge.receivers, setting.light);
     EXPECT_EQ(image.samples, 1024);
     for (int x = 0; x < image.width; ++x) {
-      const double exact = hand_built::visible_past_edge(edge.distance(x), gap, setting.disc().tan_half);
+      const double exact = hand_built::visible_past_edge(edge.distance(x), gap, setting.tan_half());
       EXPECT_NEAR(image.visibility[static_cast<std::size_t>(x)], exact, 6.0 * image.noise_floor)
           << degrees << " degrees, pixel " << x;
     }
@@ -85,9 +88,30 @@ TEST(TraceVisibility, NoiseFallsFasterThanRandomSampling) {
   EXPECT_GT(error(256) / error(4096), 5.5);
 }
 
+// Neighbours that draw the same pair of sets must still not make the same errors.
+TEST(TraceVisibility, EveryPixelTurnsItsPoints) {
+  const Setting setting;
+  scene::Scene scene;
+  hand_built::add_rectangle(scene.mesh, setting, {-40.0, 0.0, -40.0, 40.0}, gap);
+  const DiscLight disc = setting.disc();
+  const EmbreeScene embree(scene.mesh);
+  const DiscTracer tracer(embree, disc, 1024, 1);
+  const DiscSamples samples(1024, 1);
+  const LitReceiver receiver{setting.at(0.2 * gap * disc.tan_half, 0.0, 0.001), disc.to_light};
+  std::set<std::pair<int, int>> answers;
+  int pixels = 0;
+  for (std::size_t pixel = 0; pixels < 50; ++pixel) {
+    if (samples.draw(pixel).pair != 7) continue;
+    const HalfCounts lit = tracer.lit_points(receiver, pixel);
+    answers.emplace(lit.first, lit.second);
+    ++pixels;
+  }
+  EXPECT_GT(answers.size(), 10U) << "of 50 pixels with the same pair";
+}
+
 TEST(TraceVisibility, CircularBlockerHidesItsShareOfTheDisc) {
   const Setting setting;
-  const double radius = gap * setting.disc().tan_half;
+  const double radius = gap * setting.tan_half();
   const scene::Receivers at_centre =
       hand_built::receivers(setting, {16, 16}, [](int, int) { return glm::dvec2(0.0); });
   for (const double share : {0.3, 0.7, 0.95}) {
@@ -152,7 +176,8 @@ TEST(TraceVisibility, SlopedGroundFarOffDoesNotShadeItself) {
       hand_built::receivers(setting, {16, 16}, [](int, int) { return glm::dvec2(0.0); });
   for (int pixel = 0; pixel < 256; ++pixel) {
     const double u = (pixel % 16 + 0.5) / 40.0;
-    const double v = (pixel / 16 + 0.5) / 40.0;
+    const int row = pixel / 16;
+    const double v = (row + 0.5) / 40.0;
     const glm::vec4 position(glm::vec3(a + u * (b - a) + v * (c - a)), 1.0F);
     receivers.position_relative[static_cast<std::size_t>(pixel)] = position;
     receivers.normal_ws[static_cast<std::size_t>(pixel)] = glm::vec4(glm::vec3(normal), 0.0F);

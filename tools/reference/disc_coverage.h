@@ -5,7 +5,7 @@
 // prefix sets and one intersection, sixteen words each, so that a union costs the same however much of it
 // overlaps (after the bitmask of Schwarz & Stamminger, "Bitmask Soft Shadows", 2007).
 //
-// Resolution: the covered share of a half-plane or rectangle is off by at most 0.008 and 0.0025 RMS; the
+// Resolution: the covered share of a half-plane or rectangle is off by at most 0.008 and 0.002 RMS; the
 // test of this file measures both.
 #pragma once
 
