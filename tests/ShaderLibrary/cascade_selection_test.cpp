@@ -1,4 +1,6 @@
 // Core/CascadeSelection.hlsl: the first sphere that holds the point, and never a cascade there is not.
+#include <cstddef>
+
 #include "ShaderLibrary/core_function.h"
 #include "ShaderLibrary/exactness.h"
 #include "ShaderLibrary/inputs.h"
@@ -46,7 +48,8 @@ bool near_a_surface(const float* in) {
   for (int sphere = 0; sphere < 4; ++sphere) {
     const long double radius = in[16 + sphere];
     // Three differences, products and sums: 6 roundings.
-    if (std::fabs(squared_distance(in + 1, in + 4 + 3 * sphere) - radius) < 6.0L * 0x1p-24L * radius)
+    if (std::fabs(squared_distance(in + 1, in + 4 + std::ptrdiff_t{3} * sphere) - radius) <
+        6.0L * 0x1p-24L * radius)
       return true;
   }
   return false;
@@ -67,8 +70,8 @@ TEST(CascadeSelection, PicksTheFirstSphereAroundThePoint) {
       [](const float* in) {
         const int count = static_cast<int>(in[0]);
         int cascade = 0;
-        while (cascade < count &&
-               squared_distance(in + 1, in + 4 + 3 * cascade) >= static_cast<long double>(in[16 + cascade])) {
+        while (cascade < count && squared_distance(in + 1, in + 4 + std::ptrdiff_t{3} * cascade) >=
+                                      static_cast<long double>(in[16 + cascade])) {
           ++cascade;
         }
         return std::vector<Exact>{{static_cast<long double>(cascade)}};

@@ -62,7 +62,7 @@ TEST(Noise, EveryNeighbourhoodCoversTheTurn) {
     for (int x = 0; x + 3 <= side; ++x) {
       std::array<int, 3> thirds{};
       for (int k = 0; k < 9; ++k) {
-        const float value = noise[std::size_t((y + k / 3) * side + x + k % 3)];
+        const float value = noise[std::size_t(y + k / 3) * side + std::size_t(x + k % 3)];
         ++thirds.at(static_cast<std::size_t>(value * 3.0f));
       }
       for (const int count : thirds) ASSERT_GE(count, 1) << x << ", " << y;
@@ -74,6 +74,7 @@ TEST(Noise, EveryNeighbourhoodCoversTheTurn) {
 // absolute).
 TEST(Noise, RotationsAreUnitVectorsAtTheirAngle) {
   std::vector<float> inputs;
+  inputs.reserve(kRandomCases);
   for (int i = 0; i < kRandomCases; ++i) inputs.push_back(float(i) / kRandomCases);
   expect_exact(
       {"Noise", "const float2 r = RotationFromNoise(In(0)); Out(0, r.x); Out(1, r.y);", 1, 2},

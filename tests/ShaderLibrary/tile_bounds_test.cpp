@@ -26,7 +26,7 @@ Tile random_tile(Random& random) {
   const float width = std::exp2(float(random.integer(6, 13)));
   const float extent_x = cascades > 1 ? 0.5f : 1.0f;
   const float extent_y = cascades > 2 ? 0.5f : 1.0f;
-  return {float(tile % 2) * extent_x,          float(tile / 2) * extent_y, extent_x, extent_y, width,
+  return {float(tile % 2) * extent_x,          (tile >= 2 ? extent_y : 0.0f), extent_x, extent_y, width,
           cascades == 2 ? width / 2.0f : width};
 }
 
