@@ -11,10 +11,10 @@
 //             the tile are not read.
 // Use it:     from about one texel of penumbra radius up. Not: on devices without gather.
 //
-// Two choices differ from the textbook. The search is dense at the centre (r^-1.5 in the presets): its radius is that
-// of the farthest blocker the map can hold, so one spread evenly, or by 1/r, steps over low blockers, whose cone is
-// narrow, and leaks at contacts. And each texel is tested at its centre against the receiver's plane, by
-// gather, so a wide kernel does not shadow the surface it lies on.
+// Two choices differ from the textbook. The search's radius is that of the farthest blocker the map can hold, so its
+// samples have as many in every octave of radius, and one at the receiver: spread evenly, or by 1/r, they step over low
+// blockers, whose cone is narrow, and leak at contacts. And each texel is tested at its centre against the receiver's
+// plane, by gather, so a wide kernel does not shadow the surface it lies on.
 #ifndef PENUMBRA_PCSS_ANGULAR_HLSL
 #define PENUMBRA_PCSS_ANGULAR_HLSL
 
@@ -24,6 +24,8 @@
 
 // A texel's half diagonal: with less slack a texel's own centre could miss the cone that its square lies in.
 static const float kSmallestSlackTexels = 0.75;
+// No texel of a sample's quad with a weight is farther from the sample than a texel's diagonal.
+static const float kQuadSlackTexels = 1.5;
 
 // Where the search's sample lies, in texels from the receiver. clump below 1: geometric.
 float SearchSampleRadius(int index, int count, float clump, float radius)
@@ -44,7 +46,7 @@ BlockerEstimate SearchBlockers(TEXTURE2D_PARAM(shadowMap, sampler_point), QuadRe
     UNITY_LOOP
     for (int i = 0; i < count; ++i)
     {
-        const float reach = SearchSampleRadius(i, count, clump, radius);
+        const float reach = i == 0 ? 0.0 : SearchSampleRadius(i, count, clump, radius);
         const float2 offset = RotateDisk(FibonacciDirection(i), rotation) * reach;
         const TexelQuad quad = ReadQuad(TEXTURE2D_ARGS(shadowMap, sampler_point), receiver, cone, receiver.centre + offset);
         gapSum += dot(quad.gap, quad.blocking);
@@ -90,7 +92,10 @@ float FilterPcssAngular(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SA
         SearchBlockers(TEXTURE2D_ARGS(shadowMap, sampler_point), prepared, cone, rotation, searchRadius, parameters);
     if (!(blockers.count > 0.0)) return 1.0;
 
-    const float radius = max(min(PenumbraRadius(blockers.gap, scales), searchRadius), smallestRadius);
+    const float penumbra = min(PenumbraRadius(blockers.gap, scales), searchRadius);
+    const float radius = max(penumbra, smallestRadius);
+    // A wall at the blockers' mean gap darkens the whole kernel, also where the kernel is wider than the penumbra.
+    cone.slackTexels = radius - penumbra + kQuadSlackTexels;
     return SanitizeVisibility(FilterDisc(TEXTURE2D_ARGS(shadowMap, sampler_point), prepared, cone, rotation, radius,
                                          parameters.filterSamples));
 }

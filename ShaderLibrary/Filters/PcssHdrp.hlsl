@@ -58,6 +58,11 @@ bool InTile(float2 texels, TileBounds bounds)
     return all(texels >= bounds.minimum + 0.5) && all(texels <= bounds.maximum - 0.5);
 }
 
+float2 ClampToTile(float2 texels, TileBounds bounds)
+{
+    return min(max(texels, bounds.minimum + 0.5), bounds.maximum - 0.5);
+}
+
 // Bilinear comparison against one reference depth, as a comparison sampler does it.
 float LitByGather(TEXTURE2D_PARAM(shadowMap, sampler_point), QuadReceiver receiver, float2 texels, float reference)
 {
@@ -81,8 +86,10 @@ BlockerEstimate HdrpSearch(TEXTURE2D_PARAM(shadowMap, sampler_point), QuadReceiv
     UNITY_LOOP
     for (int i = 0; i < count; ++i)
     {
-        const float2 offset = RotateDisk(FibonacciDisk(i, count, clump), rotation) * radius;
-        const float2 texels = receiver.centre + offset;
+        // As in HDRP the spiral starts at its centre. That tap is kept inside the tile; others outside do not count.
+        const float spread = pow(float(i) / float(count), 0.5 * clump);
+        const float2 offset = RotateDisk(FibonacciDirection(i) * spread, rotation) * radius;
+        const float2 texels = i == 0 ? ClampToTile(receiver.centre, receiver.bounds) : receiver.centre + offset;
         if (InTile(texels, receiver.bounds))
         {
             const float mapDepth = SanitizeMapDepth(
