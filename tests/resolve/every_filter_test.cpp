@@ -267,8 +267,8 @@ TEST_P(EveryFilter, LearnsNothingFromOutsideItsTile) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Library, EveryFilter, testing::ValuesIn(all_cases()), [](const auto& info) {
-  std::string name = info.param.technique + (info.param.reversed_z ? "_reversed" : "_conventional");
+INSTANTIATE_TEST_SUITE_P(Library, EveryFilter, testing::ValuesIn(all_cases()), [](const auto& instance) {
+  std::string name = instance.param.technique + (instance.param.reversed_z ? "_reversed" : "_conventional");
   for (char& c : name) {
     if (c == '-') c = '_';
   }

@@ -25,7 +25,7 @@ constexpr int kTileTexels = 256;
 constexpr double kPi = 3.14159265358979323846;
 
 double uniform(std::mt19937& random, double low, double high) {
-  return low + (high - low) * (random() / 4294967296.0);
+  return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
 }
 
 glm::dvec3 direction(std::mt19937& random, double lowest_elevation_degrees) {
@@ -44,10 +44,16 @@ struct EdgeCase {
   std::string description;
 };
 
-// A random camera, light, cascade and gap whose penumbra is 8 to 60 texels wide and fits its tile.
-EdgeCase random_case(std::mt19937& random, int index) {
-  EdgeCase edge;
-  FrameSetup& setup = edge.setup;
+constexpr double kNarrowestTexels = 8.0;
+
+// Metres: 60 texels, or what 85 % of the depth range can make.
+double widest_penumbra(const FrameSetup& setup, const parameters::Cascade& cascade) {
+  const double tan_half = std::tan(setup.light.angular_diameter_degrees * kPi / 360.0);
+  return std::min(60.0 * cascade.texel_size_metres, 2.0 * tan_half * 0.85 / cascade.depth_per_metre);
+}
+
+FrameSetup random_setup(std::mt19937& random, int index) {
+  FrameSetup setup;
   setup.camera.position = {uniform(random, -100, 100), uniform(random, 1, 30), uniform(random, -100, 100)};
   const glm::dvec3 look = direction(random, -60.0);
   setup.camera.forward = {look.x, 0.9 * look.y, look.z + 0.01};
@@ -59,14 +65,29 @@ EdgeCase random_case(std::mt19937& random, int index) {
   setup.shadows.distance_metres = uniform(random, 20, 150);
   setup.shadows.reversed_z = index % 2 == 0;
   setup.cascade = index / 2 % 4;
+  return setup;
+}
 
+parameters::Cascade fitted_cascade(const FrameSetup& setup) {
   const parameters::CascadeSet set = parameters::fit_cascades(setup.camera, setup.light, setup.shadows);
-  const parameters::Cascade& cascade = set.cascades[static_cast<std::size_t>(setup.cascade)];
+  return set.cascades[static_cast<std::size_t>(setup.cascade)];
+}
+
+// A random camera, light, cascade and gap whose penumbra is 8 to 60 texels wide and fits its tile; a light
+// too small for that is drawn again.
+EdgeCase random_case(std::mt19937& random, int index) {
+  EdgeCase edge;
+  FrameSetup& setup = edge.setup;
+  setup = random_setup(random, index);
+  while (widest_penumbra(setup, fitted_cascade(setup)) <
+         kNarrowestTexels * fitted_cascade(setup).texel_size_metres) {
+    setup = random_setup(random, index);
+  }
+  const parameters::Cascade cascade = fitted_cascade(setup);
   const double tan_half = std::tan(setup.light.angular_diameter_degrees * kPi / 360.0);
   edge.texel = cascade.texel_size_metres;
   const double range = 1.0 / cascade.depth_per_metre;
-  const double widest = std::min(60.0 * edge.texel, 2.0 * tan_half * 0.85 * range);
-  edge.expected_width = uniform(random, std::min(8.0 * edge.texel, widest), widest);
+  edge.expected_width = uniform(random, kNarrowestTexels * edge.texel, widest_penumbra(setup, cascade));
   const double gap = edge.expected_width / (2.0 * tan_half);
 
   // Distances from the light's end, as shares of the depth range.
@@ -137,7 +158,7 @@ TEST_F(GeometricScale, PenumbraWidthIsTwiceTanHalfTimesTheGap) {
   int hdrp_within = 0;
   for (int index = 0; index < kSetups; ++index) {
     const EdgeCase edge = random_case(random, index);
-    ASSERT_GE(edge.expected_width, 7.999 * edge.texel) << edge.description;
+    ASSERT_GE(edge.expected_width, kNarrowestTexels * edge.texel) << edge.description;
     const FrameOnDevice frame(test_device(), edge.frame);
     ResolvePass& pass = passes[edge.setup.shadows.reversed_z ? 1 : 0];
     pass.bind(frame);
