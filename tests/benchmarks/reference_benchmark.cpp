@@ -34,7 +34,7 @@ namespace penumbra::reference {
 namespace {
 
 constexpr int samples = 1024;
-constexpr ImageSize picture{240, 135};
+constexpr ImageSize picture{480, 270};
 
 RTCRayHit camera_ray(const parameters::Camera& camera, int x, int y) {
   const glm::dvec3 right = glm::normalize(glm::cross(camera.up, camera.forward));
@@ -204,7 +204,7 @@ BENCHMARK(tracer_to_bare)
     ->Apply(every_scene_and_sun)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime()
-    ->MinTime(2.0);
+    ->MinTime(0.5);
 
 }  // namespace
 }  // namespace penumbra::reference
