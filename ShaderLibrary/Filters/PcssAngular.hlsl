@@ -24,6 +24,9 @@
 
 // A texel's half diagonal: with less slack a texel's own centre could miss the cone that its square lies in.
 static const float kSmallestSlackTexels = 0.75;
+// How far a sample's bilinear weights carry an edge beyond the sample: from 0 to 1 the kernel is that much wider than
+// its disc, on either side.
+static const float kQuadReachTexels = 0.5;
 // No texel of a sample's quad with a weight is farther from the sample than a texel's diagonal.
 static const float kQuadSlackTexels = 1.5;
 
@@ -93,7 +96,7 @@ float FilterPcssAngular(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SA
     if (!(blockers.count > 0.0)) return 1.0;
 
     const float penumbra = min(PenumbraRadius(blockers.gap, scales), searchRadius);
-    const float radius = max(penumbra, smallestRadius);
+    const float radius = max(penumbra - kQuadReachTexels, smallestRadius);
     // A wall at the blockers' mean gap darkens the whole kernel, also where the kernel is wider than the penumbra.
     cone.slackTexels = radius - penumbra + kQuadSlackTexels;
     return SanitizeVisibility(FilterDisc(TEXTURE2D_ARGS(shadowMap, sampler_point), prepared, cone, rotation, radius,
