@@ -52,27 +52,43 @@ std::string preamble(const CompileRequest& request) {
   return text;
 }
 
-// A TShader with everything of the request set but parsed; it points into the strings given to it.
 struct Source {
   const CompileRequest& request;
   std::string name;
   std::string text;
   std::string preamble;
+};
 
-  void give_to(glslang::TShader& shader) const {
-    const char* texts[] = {text.data()};
-    const int lengths[] = {static_cast<int>(text.size())};
-    const char* names[] = {name.c_str()};
-    shader.setStringsWithLengthsAndNames(texts, lengths, names, 1);
-    shader.setPreamble(preamble.c_str());
-    shader.setEntryPoint(request.entry.c_str());
-    shader.setSourceEntryPoint(request.entry.c_str());
-    shader.setEnvInput(glslang::EShSourceHlsl, language(request.stage), glslang::EShClientVulkan, 100);
-    shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_1);
-    shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_3);
-    shader.setAutoMapBindings(true);
-    shader.setAutoMapLocations(true);
+// A TShader with everything of the request set but not parsed. glslang keeps the pointers it is given, the
+// arrays of pointers included, so they stand here beside it and in the source, which outlives both.
+class SourceShader {
+ public:
+  explicit SourceShader(const Source& source)
+      : texts_{source.text.data()},
+        names_{source.name.c_str()},
+        lengths_{static_cast<int>(source.text.size())},
+        shader_(language(source.request.stage)) {
+    shader_.setStringsWithLengthsAndNames(texts_, lengths_, names_, 1);
+    shader_.setPreamble(source.preamble.c_str());
+    shader_.setEntryPoint(source.request.entry.c_str());
+    shader_.setSourceEntryPoint(source.request.entry.c_str());
+    shader_.setEnvInput(glslang::EShSourceHlsl, language(source.request.stage), glslang::EShClientVulkan,
+                        100);
+    shader_.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_1);
+    shader_.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_3);
+    shader_.setAutoMapBindings(true);
+    shader_.setAutoMapLocations(true);
   }
+  SourceShader(const SourceShader&) = delete;
+  SourceShader& operator=(const SourceShader&) = delete;
+
+  glslang::TShader& get() { return shader_; }
+
+ private:
+  const char* texts_[1];
+  const char* names_[1];
+  int lengths_[1];
+  glslang::TShader shader_;
 };
 
 Diagnostic whole_file(const Source& source, Severity severity, std::string message) {
@@ -82,11 +98,10 @@ Diagnostic whole_file(const Source& source, Severity severity, std::string messa
 // The text after includes and macros; empty when that fails.
 std::string preprocess(const Source& source, SourceFiles& sources) {
   IncludeResolver resolver(source.request, sources);
-  glslang::TShader shader(language(source.request.stage));
-  source.give_to(shader);
+  SourceShader shader(source);
   std::string text;
-  const bool done = shader.preprocess(GetDefaultResources(), hlsl_version, ENoProfile, false, false, messages,
-                                      &text, resolver);
+  const bool done = shader.get().preprocess(GetDefaultResources(), hlsl_version, ENoProfile, false, false,
+                                            messages, &text, resolver);
   return done ? text : std::string();
 }
 
@@ -147,11 +162,10 @@ bool finish_module(const Source& source, CompileResult& result) {
 }
 
 bool build(const Source& source, SourceFiles& sources, CompileResult& result) {
-  glslang::TShader shader(language(source.request.stage));  // outlives the program that uses it
-  source.give_to(shader);
-  if (!parse(source, shader, sources, result)) return false;
+  SourceShader shader(source);  // outlives the program that uses it
+  if (!parse(source, shader.get(), sources, result)) return false;
   glslang::TProgram program;
-  program.addShader(&shader);
+  program.addShader(&shader.get());
   return link(source, program, result) &&
          generate(source, *program.getIntermediate(language(source.request.stage)), result) &&
          finish_module(source, result);

@@ -28,7 +28,7 @@ struct IncludeOverlay {
 };
 
 struct CompileRequest {
-  std::filesystem::path file;        // names the source in messages; read from disk unless text is given
+  std::filesystem::path file;  // names the source in messages; read from disk unless text is given
   std::optional<std::string> text;
   std::string entry = "Main";
   Stage stage = Stage::compute;
@@ -36,8 +36,8 @@ struct CompileRequest {
   std::vector<PackageRoot> package_roots;
   std::vector<std::filesystem::path> include_directories;
   std::vector<IncludeOverlay> overlays;
-  // One body for overloads that differ in precision alone, as Unity's libraries have them (precision_twins.h);
-  // without it they are "already has a body". Each body that goes is a note.
+  // One body for overloads that differ in precision alone, as Unity's libraries have them
+  // (precision_twins.h); without it they are "already has a body". Each body that goes is a note.
   bool merge_precision_twins = false;
   bool optimise = true;  // legalise, inline and optimise; false keeps the function structure and OpName
 };

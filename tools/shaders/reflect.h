@@ -25,8 +25,8 @@ struct Resource {
   std::string name;  // the HLSL variable; "$Global" for loose uniforms
   std::uint32_t set = 0;
   std::uint32_t binding = 0;
-  std::uint32_t size = 0;               // uniform blocks: bytes
-  std::vector<UniformMember> members;   // uniform blocks
+  std::uint32_t size = 0;              // uniform blocks: bytes
+  std::vector<UniformMember> members;  // uniform blocks
 };
 
 struct Reflection {

@@ -1,0 +1,34 @@
+// SPIR-V to the texts other APIs take, by SPIRV-Cross: the four targets of the validator.
+//
+// GLSL and ESSL get combined image samplers, named <texture>_<sampler> or <texture> for plain loads, and
+// bindings counted from 0 per kind, as GL has them. MSL is emitted for macOS; row and column order and the
+// clip space are those of the module.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "shaders/diagnostic.h"
+
+namespace penumbra::shaders {
+
+enum class Target { essl310, glsl450, msl23, hlsl50 };
+
+constexpr Target all_targets[] = {Target::essl310, Target::glsl450, Target::msl23, Target::hlsl50};
+
+const char* target_name(Target target);  // "essl310", ...
+std::optional<Target> find_target(std::string_view name);
+
+struct CrossCompileResult {
+  std::string text;                     // empty when a diagnostic is an error
+  std::vector<Diagnostic> diagnostics;  // their file is the target's name
+};
+
+// The module must be legalised (CompileRequest::optimise). Never throws for a module that a target cannot
+// express. Reentrant.
+CrossCompileResult cross_compile(const std::vector<std::uint32_t>& spirv, Target target);
+
+}  // namespace penumbra::shaders

@@ -1,0 +1,205 @@
+#include "shaders/gl_check.h"
+
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+#include <GL/glcorearb.h>
+
+#include <cstdio>
+#include <memory>
+#include <mutex>
+#include <sstream>
+
+#include "input/input_error.h"
+
+namespace penumbra::shaders {
+
+namespace {
+
+EGLDisplay surfaceless_display() {
+  static std::once_flag once;
+  static EGLDisplay display = EGL_NO_DISPLAY;
+  std::call_once(once, [] {
+    EGLDisplay found = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
+    if (found != EGL_NO_DISPLAY && eglInitialize(found, nullptr, nullptr) == EGL_TRUE) display = found;
+  });
+  if (display == EGL_NO_DISPLAY)
+    throw EnvironmentError(
+        "no EGL display without a surface: install Mesa's EGL (Debian: libegl1, libegl-mesa0)");
+  return display;
+}
+
+template <class Function>
+Function gl_function(const char* name) {
+  return reinterpret_cast<Function>(eglGetProcAddress(name));
+}
+
+struct GlFunctions {
+  PFNGLGETSTRINGPROC get_string = gl_function<PFNGLGETSTRINGPROC>("glGetString");
+  PFNGLCREATESHADERPROC create_shader = gl_function<PFNGLCREATESHADERPROC>("glCreateShader");
+  PFNGLSHADERSOURCEPROC shader_source = gl_function<PFNGLSHADERSOURCEPROC>("glShaderSource");
+  PFNGLCOMPILESHADERPROC compile_shader = gl_function<PFNGLCOMPILESHADERPROC>("glCompileShader");
+  PFNGLGETSHADERIVPROC get_shader = gl_function<PFNGLGETSHADERIVPROC>("glGetShaderiv");
+  PFNGLGETSHADERINFOLOGPROC shader_log = gl_function<PFNGLGETSHADERINFOLOGPROC>("glGetShaderInfoLog");
+  PFNGLDELETESHADERPROC delete_shader = gl_function<PFNGLDELETESHADERPROC>("glDeleteShader");
+  PFNGLCREATEPROGRAMPROC create_program = gl_function<PFNGLCREATEPROGRAMPROC>("glCreateProgram");
+  PFNGLPROGRAMPARAMETERIPROC program_parameter =
+      gl_function<PFNGLPROGRAMPARAMETERIPROC>("glProgramParameteri");
+  PFNGLATTACHSHADERPROC attach_shader = gl_function<PFNGLATTACHSHADERPROC>("glAttachShader");
+  PFNGLLINKPROGRAMPROC link_program = gl_function<PFNGLLINKPROGRAMPROC>("glLinkProgram");
+  PFNGLGETPROGRAMIVPROC get_program = gl_function<PFNGLGETPROGRAMIVPROC>("glGetProgramiv");
+  PFNGLGETPROGRAMINFOLOGPROC program_log = gl_function<PFNGLGETPROGRAMINFOLOGPROC>("glGetProgramInfoLog");
+  PFNGLDELETEPROGRAMPROC delete_program = gl_function<PFNGLDELETEPROGRAMPROC>("glDeleteProgram");
+};
+
+// The context of one dialect, current on this thread while an object of this class stands.
+class CurrentContext {
+ public:
+  explicit CurrentContext(Target target) : display_(surfaceless_display()) {
+    const bool es = target == Target::essl310;
+    eglBindAPI(es ? EGL_OPENGL_ES_API : EGL_OPENGL_API);
+    const EGLint es_attributes[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 1, EGL_NONE};
+    const EGLint gl_attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                    4,
+                                    EGL_CONTEXT_MINOR_VERSION,
+                                    5,
+                                    EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                    EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                    EGL_NONE};
+    context_ =
+        eglCreateContext(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, es ? es_attributes : gl_attributes);
+    if (context_ == EGL_NO_CONTEXT ||
+        eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) != EGL_TRUE)
+      throw EnvironmentError(std::string("EGL gives no ") + (es ? "OpenGL ES 3.1" : "OpenGL 4.5 core") +
+                             " context, which checking " + target_name(target) + " needs");
+  }
+  ~CurrentContext() {
+    eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    eglDestroyContext(display_, context_);
+    eglReleaseThread();
+  }
+  CurrentContext(const CurrentContext&) = delete;
+  CurrentContext& operator=(const CurrentContext&) = delete;
+
+  const GlFunctions gl;
+
+ private:
+  EGLDisplay display_;
+  EGLContext context_ = EGL_NO_CONTEXT;
+};
+
+GLenum stage_enum(Stage stage) {
+  switch (stage) {
+    case Stage::vertex:
+      return GL_VERTEX_SHADER;
+    case Stage::fragment:
+      return GL_FRAGMENT_SHADER;
+    case Stage::compute:
+      break;
+  }
+  return GL_COMPUTE_SHADER;
+}
+
+std::string nth_line(const std::string& text, int number) {
+  std::istringstream lines(text);
+  std::string line;
+  for (int i = 0; i < number && std::getline(lines, line);) ++i;
+  return line;
+}
+
+// Mesa: "0:12(5): error: ...": string, line, column. Lines of another form keep their text and no place.
+Diagnostic parse_line(const std::string& line, const std::string& text) {
+  Diagnostic diagnostic;
+  int string_number = 0;
+  int length = 0;
+  char severity[16] = {};
+  const int fields = std::sscanf(line.c_str(), "%d:%d(%d): %15[a-z]: %n", &string_number, &diagnostic.line,
+                                 &diagnostic.column, severity, &length);
+  if (fields < 4 || length == 0) {
+    diagnostic.line = diagnostic.column = 0;
+    diagnostic.message = line;
+    diagnostic.severity = line.find("warning") == std::string::npos ? Severity::error : Severity::warning;
+    return diagnostic;
+  }
+  diagnostic.severity = std::string(severity) == "error" ? Severity::error : Severity::warning;
+  diagnostic.message = line.substr(static_cast<std::size_t>(length));
+  diagnostic.source_line = nth_line(text, diagnostic.line);
+  return diagnostic;
+}
+
+std::vector<Diagnostic> parse_gl_log(const std::string& log, const std::string& text, bool failed) {
+  std::vector<Diagnostic> diagnostics;
+  std::istringstream lines(log);
+  for (std::string line; std::getline(lines, line);)
+    if (!line.empty()) diagnostics.push_back(parse_line(line, text));
+  if (failed && !has_errors(diagnostics))
+    diagnostics.push_back({{}, 0, 0, Severity::error, "the GL driver refuses it without a reason", {}});
+  if (!failed)  // what the driver accepts is no error, whatever the words of its log
+    for (Diagnostic& diagnostic : diagnostics) diagnostic.severity = Severity::warning;
+  return diagnostics;
+}
+
+void append(std::vector<Diagnostic>& to, std::vector<Diagnostic> more) {
+  to.insert(to.end(), more.begin(), more.end());
+}
+
+void compile_stage(const GlFunctions& gl, GLuint program, const GlStage& stage,
+                   std::vector<Diagnostic>& out) {
+  const GLuint shader = gl.create_shader(stage_enum(stage.stage));
+  const char* text = stage.text.c_str();
+  gl.shader_source(shader, 1, &text, nullptr);
+  gl.compile_shader(shader);
+  GLint compiled = GL_FALSE;
+  GLint length = 0;
+  gl.get_shader(shader, GL_COMPILE_STATUS, &compiled);
+  gl.get_shader(shader, GL_INFO_LOG_LENGTH, &length);
+  std::string log(static_cast<std::size_t>(length) + 1, '\0');
+  gl.shader_log(shader, length + 1, &length, log.data());
+  log.resize(static_cast<std::size_t>(length));
+  append(out, parse_gl_log(log, stage.text, compiled != GL_TRUE));
+  gl.attach_shader(program, shader);
+  gl.delete_shader(shader);  // lives on until the program goes
+}
+
+void link_program(const GlFunctions& gl, GLuint program, std::vector<Diagnostic>& out) {
+  gl.link_program(program);
+  GLint linked = GL_FALSE;
+  GLint length = 0;
+  gl.get_program(program, GL_LINK_STATUS, &linked);
+  gl.get_program(program, GL_INFO_LOG_LENGTH, &length);
+  std::string log(static_cast<std::size_t>(length) + 1, '\0');
+  gl.program_log(program, length + 1, &length, log.data());
+  log.resize(static_cast<std::size_t>(length));
+  append(out, parse_gl_log(log, {}, linked != GL_TRUE));
+}
+
+CurrentContext& thread_context(Target target) {
+  // One at a time: EGL has one current context per thread and API, and Mesa one per thread.
+  thread_local std::unique_ptr<CurrentContext> context;
+  thread_local Target dialect = Target::msl23;
+  if (!context || dialect != target) {
+    context.reset();
+    context = std::make_unique<CurrentContext>(target);
+    dialect = target;
+  }
+  return *context;
+}
+
+}  // namespace
+
+std::vector<Diagnostic> gl_check(const std::vector<GlStage>& stages, Target target) {
+  const GlFunctions& gl = thread_context(target).gl;
+  const GLuint program = gl.create_program();
+  if (stages.size() == 1) gl.program_parameter(program, GL_PROGRAM_SEPARABLE, GL_TRUE);
+  std::vector<Diagnostic> diagnostics;
+  for (const GlStage& stage : stages) compile_stage(gl, program, stage, diagnostics);
+  if (!has_errors(diagnostics)) link_program(gl, program, diagnostics);
+  gl.delete_program(program);
+  for (Diagnostic& diagnostic : diagnostics) diagnostic.file = target_name(target);
+  return diagnostics;
+}
+
+std::string gl_driver(Target target) {
+  return reinterpret_cast<const char*>(thread_context(target).gl.get_string(GL_VERSION));
+}
+
+}  // namespace penumbra::shaders

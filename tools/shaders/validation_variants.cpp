@@ -1,0 +1,99 @@
+#include "shaders/validation_variants.h"
+
+#include <algorithm>
+
+namespace penumbra::shaders {
+
+namespace {
+
+constexpr const char* fragment_entry = R"(
+ShadowTile _PenumbraTile;
+
+float4 Fragment(float4 position : SV_Position, float3 shadowCoord : TEXCOORD0, float2 depthGradient : TEXCOORD1,
+                nointerpolation float2 rotation : TEXCOORD2) : SV_Target
+{
+    ShadowReceiver receiver;
+    receiver.shadowCoord = shadowCoord;
+    receiver.depthGradient = depthGradient;
+    receiver.rotation = rotation;
+    return ResolveTechnique(receiver, _PenumbraTile);
+}
+)";
+
+constexpr const char* compute_entry = R"(
+ShadowTile _PenumbraTile;
+StructuredBuffer<float4> _PenumbraShadowCoord;
+StructuredBuffer<float4> _PenumbraGradientRotation;
+RWStructuredBuffer<float> _PenumbraVisibility;
+
+[numthreads(64, 1, 1)]
+void Compute(uint3 id : SV_DispatchThreadID)
+{
+    ShadowReceiver receiver;
+    receiver.shadowCoord = _PenumbraShadowCoord[id.x].xyz;
+    receiver.depthGradient = _PenumbraGradientRotation[id.x].xy;
+    receiver.rotation = _PenumbraGradientRotation[id.x].zw;
+    _PenumbraVisibility[id.x] = ResolveTechnique(receiver, _PenumbraTile);
+}
+)";
+
+CompileRequest base_request(const ValidationRequest& request, const std::vector<std::string>& keywords) {
+  CompileRequest compile;
+  compile.defines = request.defines;
+  for (const std::string& keyword : keywords) compile.defines.emplace_back(keyword, "1");
+  compile.package_roots = request.package_roots;
+  compile.include_directories = request.include_directories;
+  return compile;
+}
+
+SourceVariant technique_variant(const ValidationRequest& request, const Technique& technique, Stage stage,
+                                const std::vector<std::string>& keywords) {
+  const TechniqueList& list = *request.techniques;
+  const TechniqueCall call = emit_technique_call(list, technique, "_Penumbra");
+  SourceVariant variant;
+  variant.technique = &technique;
+  variant.compile = base_request(request, keywords);
+  variant.compile.include_directories.push_back(list.file.parent_path());
+  variant.compile.file = "technique " + technique.name + " (" + stage_name(stage) + " entry)";
+  variant.compile.text = "#include \"Platform/Platform.hlsl\"\n" + call.includes +
+                         "#include \"Core/ShadowStructs.hlsl\"\n" + call.declarations + call.function +
+                         (stage == Stage::fragment ? fragment_entry : compute_entry);
+  variant.compile.entry = stage == Stage::fragment ? "Fragment" : "Compute";
+  variant.compile.stage = stage;
+  variant.reported_file = (list.file.parent_path() / technique.chain.back().file).lexically_normal().string();
+  variant.keywords = keywords;
+  return variant;
+}
+
+std::vector<std::string> with_own_keywords(const Technique& technique, std::vector<std::string> keywords) {
+  for (const std::string& keyword : technique.keywords)
+    if (std::find(keywords.begin(), keywords.end(), keyword) == keywords.end()) keywords.push_back(keyword);
+  return keywords;
+}
+
+}  // namespace
+
+std::vector<SourceVariant> source_variants(const ValidationRequest& request) {
+  std::vector<SourceVariant> variants;
+  if (request.techniques)
+    for (const Technique& technique : request.techniques->techniques)
+      for (const std::vector<std::string>& keywords : technique.keyword_sets)
+        for (const Stage stage : {Stage::fragment, Stage::compute})
+          variants.push_back(
+              technique_variant(request, technique, stage, with_own_keywords(technique, keywords)));
+  for (const ShaderToValidate& shader : request.files) {
+    for (const std::vector<std::string>& keywords : shader.keyword_sets) {
+      SourceVariant variant;
+      variant.compile = base_request(request, keywords);
+      variant.compile.file = shader.file;
+      variant.compile.entry = shader.entry;
+      variant.compile.stage = shader.stage;
+      variant.reported_file = shader.file.string();
+      variant.keywords = keywords;
+      variants.push_back(std::move(variant));
+    }
+  }
+  return variants;
+}
+
+}  // namespace penumbra::shaders

@@ -1,0 +1,20 @@
+// What there is to compile: a request unrolled into sources with their keywords. Internal to this room.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "shaders/validate_techniques.h"
+
+namespace penumbra::shaders {
+
+struct SourceVariant {
+  const Technique* technique = nullptr;  // null for a user's file
+  CompileRequest compile;
+  std::string reported_file;
+  std::vector<std::string> keywords;
+};
+
+std::vector<SourceVariant> source_variants(const ValidationRequest& request);
+
+}  // namespace penumbra::shaders
