@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
 #include "input/input_error.h"
 #include "platform/data_directory.h"
@@ -52,28 +50,28 @@ UniformValues parameter_values(const shaders::TechniqueList& list, const shaders
   return values;
 }
 
-std::string whole_source(const ShadowShader& shader, bool counting) {
-  std::ostringstream text;
-  text << "#include \"" << (counting ? "CountingPlatform.hlsl" : "Platform/Platform.hlsl") << "\"\n"
-       << shader.body << "#include \"Resolve.hlsl\"\n";
-  return text.str();
+// The platform macros come with the body, so that an adapter may bring its pipeline's instead; where it
+// brings none, the harness still has to have some.
+std::string whole_source(const ShadowShader& shader) {
+  return shader.body + "#include \"Platform/Platform.hlsl\"\n#include \"Resolve.hlsl\"\n";
 }
 
 shaders::CompileRequest request(const ShadowShader& shader, bool counting) {
   const std::filesystem::path root = platform::data_directory();
   shaders::CompileRequest request;
   request.file = shader.name + (counting ? " (counting).hlsl" : ".hlsl");
-  request.text = whole_source(shader, counting);
+  request.text = whole_source(shader);
   request.defines = shader.defines;
   if (counting) request.defines.emplace_back("PENUMBRA_COUNT_FETCHES", "1");
   request.package_roots = shader.package_roots;
   request.include_directories = shader.include_directories;
   request.include_directories.push_back(root / "ShaderLibrary");
   request.include_directories.push_back(root / "tools" / "resolve" / "shaders");
-  request.include_directories.push_back(root / "tests" / "platform");
+  request.merge_precision_twins = shader.merge_precision_twins;
   if (counting) {
-    // A pipeline's own macros, defined anew by its includes, are replaced by the counting ones.
-    for (const char* api : {"/API/D3D11.hlsl", "/API/Vulkan.hlsl", "/API/Metal.hlsl", "/API/GLCore.hlsl"}) {
+    // Whichever file defines the sampling macros, ours or a pipeline's, the counting ones replace them there.
+    for (const char* api : {"/Platform/Platform.hlsl", "/API/D3D11.hlsl", "/API/Vulkan.hlsl",
+                            "/API/Metal.hlsl", "/API/GLCore.hlsl"}) {
       request.overlays.push_back({api, root / "tests" / "platform" / "CountingPlatform.hlsl"});
     }
   }
@@ -111,7 +109,8 @@ ShadowShader technique_shader(const shaders::TechniqueList& list, const shaders:
   const shaders::TechniqueCall call = shaders::emit_technique_call(list, technique, kUniformPrefix);
   ShadowShader shader;
   shader.name = technique.name;
-  shader.body = call.includes + "#include \"Core/ShadowStructs.hlsl\"\n" + call.declarations + call.function;
+  shader.body = "#include \"Platform/Platform.hlsl\"\n" + call.includes +
+                "#include \"Core/ShadowStructs.hlsl\"\n" + call.declarations + call.function;
   shader.defines = depth_defines(reversed_z);
   for (const std::string& keyword : technique.keywords) shader.defines.emplace_back(keyword, "1");
   if (taps == Taps::unlimited) shader.defines.emplace_back("PENUMBRA_UNLIMITED", "1");
@@ -133,6 +132,7 @@ ShadowShader adapter_shader(const Adapter& adapter, bool reversed_z) {
   shader.parameters = adapter.uniforms;
   shader.package_roots = adapter.package_roots;
   shader.include_directories.push_back(std::filesystem::absolute(adapter.file).parent_path());
+  shader.merge_precision_twins = true;
   shader.uses_noise = true;
   return shader;
 }

@@ -1,8 +1,8 @@
 // The HLSL of one way to answer "how much of the light does this receiver see": a technique of
 // techniques.json, or a function of the user's own.
 //
-// The generated text includes, in this order: the platform macros (or the counting ones), the technique's
-// file or the user's, and shaders/Resolve.hlsl, whose Main runs once per receiver.
+// The generated text includes, in this order: the platform macros and the technique's file, or the user's
+// file, which brings its own; then shaders/Resolve.hlsl, whose Main runs once per receiver.
 #pragma once
 
 #include <filesystem>
@@ -18,12 +18,13 @@ namespace penumbra::resolve {
 
 struct ShadowShader {
   std::string name;
-  std::string body;  // what stands between the platform macros and Resolve.hlsl
+  std::string body;  // what stands before Resolve.hlsl, its platform macros included
   std::vector<std::pair<std::string, std::string>> defines;
   std::vector<shaders::PackageRoot> package_roots;
   std::vector<std::filesystem::path> include_directories;
   UniformValues parameters;
-  bool uses_noise = false;  // the result depends on the noise seed
+  bool merge_precision_twins = false;  // Unity's half and float overloads are one function to this compiler
+  bool uses_noise = false;             // the result depends on the noise seed
 };
 
 enum class Taps { as_listed, unlimited };  // unlimited: the technique's own T3 overrides
@@ -33,7 +34,8 @@ ShadowShader technique_shader(const shaders::TechniqueList& list, const shaders:
 
 // A user's own function, in `file`:
 //   float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
-// It may read, by name, URP's main light shadow globals and the harness's own (Documentation~/measure.md).
+// It includes the texture macros it uses, "Platform/Platform.hlsl" or its pipeline's, and may read, by name,
+// URP's main light shadow globals and the harness's own (Documentation~/measure.md).
 struct Adapter {
   std::string name;
   std::filesystem::path file;

@@ -5,9 +5,23 @@
 // Computes:   MainLightRealtimeShadow of the URP whose package root is given: cascade selection, the comparison
 //             taps and the strength, nothing of ours.
 // Inputs:     URP's keywords choose the quality: none (hard), _SHADOWS_SOFT with _SHADOWS_SOFT_LOW (4 taps),
-//             _SHADOWS_SOFT_MEDIUM (tent 5x5) or _SHADOWS_SOFT_HIGH (tent 7x7). URP before 14 knows _SHADOWS_SOFT only.
+//             _SHADOWS_SOFT_MEDIUM (tent 5x5) or _SHADOWS_SOFT_HIGH (tent 7x7). URP before 14 knows _SHADOWS_SOFT
+//             only, which is its tent 5x5. URP 14 and later also include com.unity.render-pipelines.universal-config:
+//             give its root too.
 // Cost:       URP's: 1, 4, 9 or 16 fetches.
 #define _MAIN_LIGHT_SHADOWS_CASCADE 1
+#define SHADER_STAGE_COMPUTE 1
+
+// What Unity's compiler says about the platform. URP ties the depth direction to it.
+#if UNITY_REVERSED_Z
+#define SHADER_API_D3D11 1
+#else
+#define SHADER_API_GLCORE 1
+#endif
+
+// As URP's own passes include it: Shadows.hlsl calls what CommonMaterial.hlsl defines.
+#include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
+#include "Packages/com.unity.render-pipelines.core/ShaderLibrary/CommonMaterial.hlsl"
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Shadows.hlsl"
 
 float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
