@@ -163,7 +163,7 @@ TEST_P(FrameMap, SinksTheGroundByUrpsBias) {
   Scene scene = ground_scene();
   FrameSettings biased = settings(2);
   biased.shadows.depth_bias = 1.0;
-  biased.shadows.normal_bias = 2.0;
+  biased.shadows.normal_bias = 3.0;  // not 2: there a flipped light happens to sink it alike
   const Frame frame = rasterise(*device, scene, biased);
   ASSERT_EQ(frame.atlas.height, frame.atlas.width / 2);
   const double cosine = -scene.light_direction.y;
