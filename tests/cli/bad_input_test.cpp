@@ -32,9 +32,13 @@ class BadInput : public ProgramTest {
   }
 };
 
-TEST_F(BadInput, EmptyFile) { expect_config_refused("", {"config.json", "empty"}); }
+TEST_F(BadInput, EmptyFile) {
+  expect_config_refused("", {"config.json", "empty"});
+}
 
-TEST_F(BadInput, NotJson) { expect_config_refused("{\n\"camera\": }", {"config.json:2:", "not valid JSON"}); }
+TEST_F(BadInput, NotJson) {
+  expect_config_refused("{\n\"camera\": }", {"config.json:2:", "not valid JSON"});
+}
 
 TEST_F(BadInput, WrongType) {
   expect_config_refused("{\"shadows\": {\n\"cascades\": \"four\"}}", {"config.json:2:1", "number", "string"});
@@ -76,7 +80,8 @@ TEST_F(BadInput, IncludeCycle) {
   write("b.hlsl", "#include \"a.hlsl\"\n");
   const auto result = run({"validate", file.string(), "--entry", "Main", "--stage", "compute"});
   EXPECT_EQ(result.exit_code, 1);
-  EXPECT_THAT(result.output + result.errors, AllOf(HasSubstr("a.hlsl"), HasSubstr("b.hlsl"), HasSubstr("cycle")));
+  EXPECT_THAT(result.output + result.errors,
+              AllOf(HasSubstr("a.hlsl"), HasSubstr("b.hlsl"), HasSubstr("cycle")));
 }
 
 TEST_F(BadInput, UnreadableFolder) {
@@ -86,7 +91,8 @@ TEST_F(BadInput, UnreadableFolder) {
   write("locked/config.json", "{}");
   std::filesystem::permissions(locked, std::filesystem::perms::none);
   const std::string as_nobody =
-      "if [ $(id -u) -eq 0 ]; then as='setpriv --reuid=65534 --clear-groups'; fi; exec $as " PENUMBRA_PROGRAM " ";
+      "if [ $(id -u) -eq 0 ]; then as='setpriv --reuid=65534 --clear-groups'; fi; exec $as " PENUMBRA_PROGRAM
+      " ";
   const auto input = shell(as_nobody + "constants --config " + (locked / "config.json").string());
   const auto output = shell(as_nobody + "constants -o " + (locked / "out.json").string());
   std::filesystem::permissions(locked, std::filesystem::perms::all);
@@ -122,10 +128,11 @@ TEST_F(BadInput, BrokenModelFile) {
 // A file system of 64 KiB in a mount namespace of its own; the old file must survive.
 TEST_F(BadInput, FullDiskKeepsTheOldFile) {
   const std::string folder = path("small").string();
-  const auto result = shell("mkdir " + folder + " && unshare -rm bash -c 'mount -t tmpfs -o size=64k tmpfs " + folder +
-                            " && echo old > " + folder + "/out.json && head -c 61440 /dev/zero > " + folder +
-                            "/filler; " PENUMBRA_PROGRAM " tables --format json -o " + folder +
-                            "/out.json; echo \"exit $?\"; cat " + folder + "/out.json; ls -A " + folder + "'");
+  const auto result =
+      shell("mkdir " + folder + " && unshare -rm bash -c 'mount -t tmpfs -o size=64k tmpfs " + folder +
+            " && echo old > " + folder + "/out.json && head -c 61440 /dev/zero > " + folder +
+            "/filler; " PENUMBRA_PROGRAM " tables --format json -o " + folder +
+            "/out.json; echo \"exit $?\"; cat " + folder + "/out.json; ls -A " + folder + "'");
   EXPECT_THAT(result.errors, AllOf(HasSubstr("out.json"), HasSubstr("No space left on device")));
   EXPECT_EQ(result.output, "exit 2\nold\nfiller\nout.json\n");
 }

@@ -48,14 +48,21 @@ class ProgramTest : public testing::Test {
   }
 
   static platform::ChildResult run(std::vector<std::string> arguments) {
-    return platform::run_child({.program = PENUMBRA_PROGRAM, .arguments = std::move(arguments)});
+    return run_program(PENUMBRA_PROGRAM, std::move(arguments));
   }
 
   static platform::ChildResult shell(const std::string& command) {
-    return platform::run_child({.program = "/bin/bash", .arguments = {"-c", command}});
+    return run_program("/bin/bash", {"-c", command});
   }
 
  private:
+  static platform::ChildResult run_program(const std::string& program, std::vector<std::string> arguments) {
+    platform::ChildCommand command;
+    command.program = program;
+    command.arguments = std::move(arguments);
+    return platform::run_child(command);
+  }
+
   std::filesystem::path folder_;
 };
 
