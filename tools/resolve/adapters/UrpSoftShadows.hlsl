@@ -3,7 +3,8 @@
 //   --adapter "urp-medium=tools/resolve/adapters/UrpSoftShadows.hlsl;_SHADOWS_SOFT;_SHADOWS_SOFT_MEDIUM"
 //
 // Computes:   MainLightRealtimeShadow of the URP whose package root is given: cascade selection, the comparison
-//             taps and the strength, nothing of ours.
+//             taps and the strength, nothing of ours; saturated, because URP's 5x5 weights add up to a little more
+//             than 1 in places, and visibility over 1 counts as invalid here.
 // Inputs:     URP's keywords choose the quality: none (hard), _SHADOWS_SOFT with _SHADOWS_SOFT_LOW (4 taps),
 //             _SHADOWS_SOFT_MEDIUM (tent 5x5) or _SHADOWS_SOFT_HIGH (tent 7x7). URP before 14 knows _SHADOWS_SOFT
 //             only, which is its tent 5x5. URP 14 and later also include com.unity.render-pipelines.universal-config:
@@ -26,5 +27,5 @@
 
 float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
 {
-    return MainLightRealtimeShadow(TransformWorldToShadowCoord(positionWS));
+    return saturate(MainLightRealtimeShadow(TransformWorldToShadowCoord(positionWS)));
 }
