@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <set>
 
 #include "cli/study_options.h"
 #include "cli/subcommand.h"
@@ -35,16 +36,23 @@ std::string read_text(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-// The command that gives these results again: what was asked for, without where it was written.
+// NAME=FOLDER of a package root, without the folder: it is the user's own.
+std::string without_folder(const std::string& root) {
+  return root.substr(0, root.find('=')) + "=DIR";
+}
+
+// The command that gives these results again: what was asked for, without this machine's folders.
 std::string reproducing_command(const std::vector<std::string>& arguments) {
+  static const std::set<std::string> kPlaces{"-o", "--output", "--cache", "--readme"};
   std::string command = "penumbra";
   for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const std::string& argument = arguments[i];
-    if (argument == "-o" || argument == "--output" || argument == "--cache" || argument == "--readme") {
+    if (kPlaces.count(arguments[i]) != 0) {
       ++i;
       continue;
     }
-    if (argument == "-q" || argument == "--quiet") continue;
+    if (arguments[i] == "-q" || arguments[i] == "--quiet") continue;
+    const bool root = i > 0 && arguments[i - 1] == "--package-root";
+    const std::string argument = root ? without_folder(arguments[i]) : arguments[i];
     const bool plain = argument.find_first_of(" ;&|<>()$`\"'\\*?") == std::string::npos;
     command += " " + (plain ? argument : "'" + argument + "'");
   }
