@@ -125,7 +125,7 @@ bool parse(const Source& source, glslang::TShader& shader, SourceFiles& sources,
 bool link(const Source& source, glslang::TProgram& program, CompileResult& result) {
   if (program.link(messages) && program.mapIO()) return true;
   const std::string log = program.getInfoLog();
-  const bool no_entry = log.find("Missing entry point") != std::string::npos;
+  const bool no_entry = log.find("Entry point not found") != std::string::npos;
   result.diagnostics.push_back(whole_file(
       source, Severity::error,
       no_entry ? "there is no function '" + source.request.entry + "' to enter at" : "link: " + log));

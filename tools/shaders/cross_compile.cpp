@@ -1,6 +1,7 @@
 #include "shaders/cross_compile.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <stdexcept>
 
 #include "shaders/spirv_cross_session.h"
@@ -68,30 +69,39 @@ void combine_samplers(const SpirvCrossSession& session) {
   }
 }
 
-void number_from_zero(const SpirvCrossSession& session, spvc_resources resources, spvc_resource_type type) {
-  const spvc_reflected_resource* list = nullptr;
-  std::size_t count = 0;
-  session.require(spvc_resources_get_resource_list_for_type(resources, type, &list, &count));
-  for (std::size_t i = 0; i < count; ++i)
-    spvc_compiler_set_decoration(session.compiler(), list[i].id, SpvDecorationBinding,
-                                 static_cast<unsigned>(i));
-}
-
-void number_gl_bindings(const SpirvCrossSession& session) {
+// One run of numbers from 0 over resources of several kinds.
+void number_from_zero(const SpirvCrossSession& session, std::initializer_list<spvc_resource_type> types) {
   spvc_resources resources = nullptr;
   session.require(spvc_compiler_create_shader_resources(session.compiler(), &resources));
-  for (const spvc_resource_type type : {SPVC_RESOURCE_TYPE_UNIFORM_BUFFER, SPVC_RESOURCE_TYPE_STORAGE_BUFFER,
-                                        SPVC_RESOURCE_TYPE_STORAGE_IMAGE})
-    number_from_zero(session, resources, type);
+  unsigned next = 0;
+  for (const spvc_resource_type type : types) {
+    const spvc_reflected_resource* list = nullptr;
+    std::size_t count = 0;
+    session.require(spvc_resources_get_resource_list_for_type(resources, type, &list, &count));
+    for (std::size_t i = 0; i < count; ++i)
+      spvc_compiler_set_decoration(session.compiler(), list[i].id, SpvDecorationBinding, next++);
+  }
+}
+
+// GL and Direct3D count each kind of resource for itself, and only so far.
+void number_bindings(const SpirvCrossSession& session, Target target) {
+  number_from_zero(session, {SPVC_RESOURCE_TYPE_UNIFORM_BUFFER});
+  if (target == Target::hlsl50) {
+    number_from_zero(session, {SPVC_RESOURCE_TYPE_SEPARATE_SAMPLERS});
+    // A buffer is a t or a u register, as its use has it: one run serves both, with the scarce u first.
+    number_from_zero(session, {SPVC_RESOURCE_TYPE_STORAGE_BUFFER, SPVC_RESOURCE_TYPE_STORAGE_IMAGE,
+                               SPVC_RESOURCE_TYPE_SEPARATE_IMAGE});
+  } else {
+    number_from_zero(session, {SPVC_RESOURCE_TYPE_STORAGE_BUFFER});
+    number_from_zero(session, {SPVC_RESOURCE_TYPE_STORAGE_IMAGE});
+  }
 }
 
 std::string emit(const std::vector<std::uint32_t>& spirv, Target target) {
   const SpirvCrossSession session(spirv, traits(target).backend);
   set_options(session, target);
-  if (traits(target).backend == SPVC_BACKEND_GLSL) {
-    combine_samplers(session);
-    number_gl_bindings(session);
-  }
+  if (traits(target).backend == SPVC_BACKEND_GLSL) combine_samplers(session);
+  if (target != Target::msl23) number_bindings(session, target);  // MSL numbers by itself
   const char* text = nullptr;
   session.require(spvc_compiler_compile(session.compiler(), &text));
   return text;

@@ -60,13 +60,31 @@ void take_token(std::string_view& rest, LogLine& out) {
   rest.remove_prefix(end + 4);
 }
 
+std::string without(std::string text, const std::string& part, const std::string& instead) {
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + instead.size()))
+    text.replace(at, part.size(), instead);
+  return text;
+}
+
+bool is_name(const std::string& token) {
+  return !token.empty() && std::all_of(token.begin(), token.end(), is_word);
+}
+
+// glslang gives the token first and then what is wrong with it; a name reads better at the end.
 std::string sentence(const LogLine& line) {
   if (line.message == "Expected") return "expected '" + line.token + "'";
-  return line.token.empty() ? line.message : line.message + " '" + line.token + "'";
+  const std::string message = without(without(line.message, "from ' ", "from '"), "to ' ", "to '");
+  if (line.token.empty()) return message;
+  if (is_name(line.token) || message == "unexpected token") return message + " '" + line.token + "'";
+  return "'" + line.token + "': " + message;
 }
 
 Diagnostic to_diagnostic(const LogLine& line, const SourceFiles& sources) {
   const std::string text = sources.line(line.file, line.line);
+  if (line.message == "End of input in comment") {
+    const auto column = static_cast<int>(text.rfind("/*") + 1);  // 0 when it is not there
+    return {line.file, line.line, column, line.severity, "'/*' is never closed", text};
+  }
   const int column = line.message == "Expected" ? 0 : column_of(line.token, text);
   return {line.file, line.line, column, line.severity, sentence(line), text};
 }
@@ -99,6 +117,7 @@ std::vector<LogLine> parse_log(std::string_view log, const SourceFiles& sources)
       take_place(rest, sources, line);
       take_token(rest, line);
       while (!rest.empty() && rest.back() == ' ') rest.remove_suffix(1);
+      while (!rest.empty() && rest.front() == ' ') rest.remove_prefix(1);
       line.message = rest;
       lines.push_back(line);
     }

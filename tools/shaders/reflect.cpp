@@ -47,6 +47,14 @@ UniformMember reflect_member(const SpirvCrossSession& session, spvc_type_id bloc
   return member;
 }
 
+// A block holds every uniform a file declares; a shader that includes a pipeline's reads a few of hundreds.
+void mark_read_members(const SpirvCrossSession& session, spvc_variable_id block, Resource& resource) {
+  const spvc_buffer_range* ranges = nullptr;
+  std::size_t count = 0;
+  session.require(spvc_compiler_get_active_buffer_ranges(session.compiler(), block, &ranges, &count));
+  for (std::size_t i = 0; i < count; ++i) resource.members.at(ranges[i].index).read = true;
+}
+
 Resource reflect_resource(const SpirvCrossSession& session, ResourceKind kind,
                           const spvc_reflected_resource& reflected) {
   const spvc_compiler compiler = session.compiler();
@@ -64,6 +72,7 @@ Resource reflect_resource(const SpirvCrossSession& session, ResourceKind kind,
   resource.size = static_cast<std::uint32_t>(size);
   for (unsigned i = 0; i < spvc_type_get_num_member_types(block); ++i)
     resource.members.push_back(reflect_member(session, reflected.base_type_id, i));
+  mark_read_members(session, reflected.id, resource);
   return resource;
 }
 

@@ -16,6 +16,7 @@ struct UniformMember {
   std::uint32_t array_stride = 0;
   std::uint32_t matrix_stride = 0;  // 0 when not a matrix
   bool row_major = false;           // as SPIR-V decorates it
+  bool read = false;                // the module reads it, in part at least
 };
 
 enum class ResourceKind { uniform_block, storage_buffer, sampled_image, storage_image, sampler };

@@ -1,0 +1,151 @@
+// What compile() takes and delivers, bad files included.
+#include "shaders/compile.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <thread>
+
+#include "shader_files.h"
+#include "shaders/image_instructions.h"
+
+namespace penumbra::shaders {
+namespace {
+
+using testing::HasSubstr;
+
+CompileResult compile_text(const std::string& text, Stage stage = Stage::compute, bool optimise = true) {
+  CompileRequest request;
+  request.file = "shader.hlsl";
+  request.text = text;
+  request.stage = stage;
+  request.optimise = optimise;
+  return compile(request);
+}
+
+std::string first_message(const CompileResult& result) {
+  return result.diagnostics.empty() ? "" : format(result.diagnostics.front());
+}
+
+TEST(Compile, VertexFragmentAndComputeStages) {
+  EXPECT_FALSE(
+      compile_text("float4 Main(float3 p : POSITION) : SV_Position { return float4(p, 1); }", Stage::vertex)
+          .spirv.empty());
+  EXPECT_FALSE(
+      compile_text("float4 Main(float2 u : TEXCOORD0) : SV_Target { return u.xyxy; }", Stage::fragment)
+          .spirv.empty());
+  EXPECT_FALSE(compile_text(compute_shader("1")).spirv.empty());
+}
+
+TEST(Compile, DefinesReachTheSource) {
+  CompileRequest request;
+  request.file = "shader.hlsl";
+  request.text = compute_shader("VALUE", "#if !defined(_KEYWORD)\n#error no keyword\n#endif\n");
+  request.defines = {{"_KEYWORD", "1"}, {"VALUE", "(1.0 + 2.0)"}};
+  EXPECT_TRUE(compile(request).diagnostics.empty());
+  request.defines = {{"VALUE", "1"}};
+  EXPECT_THAT(first_message(compile(request)), HasSubstr("shader.hlsl:2:1: error: '#error': no keyword"));
+}
+
+TEST(Compile, TextureReachedThroughParametersIsLegal) {
+  const std::string text =
+      compute_shader("F(_A, sampler_A, 0.5)",
+                     "Texture2D<float> _A;\nSamplerComparisonState sampler_A;\nfloat F(Texture2D<float> t, "
+                     "SamplerComparisonState s, float x) { return t.SampleCmpLevelZero(s, x.xx, x); }\n");
+  EXPECT_THAT(compile_text(text).diagnostics, testing::IsEmpty());
+}
+
+TEST(Compile, UnoptimisedKeepsItsFunctions) {
+  const std::string text =
+      compute_shader("Read(id.xy)", "Texture2D<float> _A;\nfloat Read(uint2 p) { return _A[p]; }\n");
+  const auto kept = image_instructions_outside(compile_text(text, Stage::compute, false).spirv, "Nothing");
+  ASSERT_EQ(kept.size(), 1U);
+  EXPECT_EQ(kept.front().function, "Read");
+  const auto inlined = image_instructions_outside(compile_text(text).spirv, "Nothing");
+  ASSERT_EQ(inlined.size(), 1U);
+  EXPECT_NE(inlined.front().function, "Read");
+}
+
+TEST(Compile, EmptyFileHasNoEntryPoint) {
+  const CompileResult result = compile_text("");
+  EXPECT_TRUE(result.spirv.empty());
+  ASSERT_EQ(result.diagnostics.size(), 1U);
+  EXPECT_EQ(first_message(result), "shader.hlsl: error: there is no function 'Main' to enter at");
+}
+
+TEST(Compile, FileWithoutTheEntryPointSaysWhichIsMissing) {
+  CompileRequest request;
+  request.file = "shader.hlsl";
+  request.text = compute_shader("1");
+  request.entry = "Mian";
+  const CompileResult result = compile(request);
+  ASSERT_EQ(result.diagnostics.size(), 1U);
+  EXPECT_EQ(first_message(result), "shader.hlsl: error: there is no function 'Mian' to enter at");
+}
+
+TEST(Compile, ByteOrderMarkAndCrLfChangeNothing) {
+  const std::string plain = compute_shader("TWICE(2)", "#define TWICE(x) \\\n  ((x) + (x))\n");
+  std::string dos = "\xEF\xBB\xBF";
+  for (const char c : plain) dos += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  EXPECT_TRUE(compile_text(plain).diagnostics.empty());
+  EXPECT_EQ(compile_text(dos).spirv, compile_text(plain).spirv);
+  EXPECT_THAT(first_message(compile_text("\xEF\xBB\xBF\r\nfloat f() {\r\n  return $;\r\n}\r\n")),
+              HasSubstr("shader.hlsl:3:10: error: unexpected token '$'\n      return $;\n             ^"));
+}
+
+TEST(Compile, BytesThatAreNoUtf8DoNoHarmInCommentsAndAreErrorsInCode) {
+  EXPECT_TRUE(compile_text("// \xE9\xFF\xFE\n" + compute_shader("1")).diagnostics.empty());
+  const CompileResult result = compile_text("float \xE9;\n" + compute_shader("1"));
+  EXPECT_TRUE(result.spirv.empty());
+  ASSERT_EQ(result.diagnostics.size(), 1U);
+  EXPECT_EQ(result.diagnostics.front().line, 1);
+}
+
+TEST(Compile, NulByteIsAnError) {
+  const CompileResult result = compile_text(compute_shader("1") + std::string("\n\0 garbage", 10));
+  EXPECT_TRUE(result.spirv.empty());
+  EXPECT_EQ(first_message(result), "shader.hlsl:8: error: a NUL byte; is this a text file?");
+}
+
+TEST(Compile, WarningsAreKeptOnce) {
+  const std::string function =
+      "float F(float x)\n{\n    [odd] if (x > 1) x = 2; [odd] if (x > 2) x = 3;\n    return x;\n}\n";
+  const CompileResult result = compile_text(compute_shader("F(1)", function));
+  EXPECT_FALSE(result.spirv.empty());
+  ASSERT_EQ(result.diagnostics.size(), 1U);
+  EXPECT_EQ(result.diagnostics.front().severity, Severity::warning);
+  EXPECT_THAT(first_message(result), HasSubstr("shader.hlsl:3: warning: unrecognized attribute 'odd'"));
+}
+
+TEST(Compile, CompareGatherIsRefused) {
+  const std::string text = compute_shader("_A.GatherCmp(sampler_A, float2(0, 0), 0.5).x",
+                                          "Texture2D<float> _A;\nSamplerComparisonState sampler_A;\n");
+  EXPECT_TRUE(has_errors(compile_text(text).diagnostics));
+}
+
+TEST(Compile, SameBytesFromFourThreadsAsFromOne) {
+  std::vector<std::string> texts;
+  for (int i = 0; i < 8; ++i)
+    texts.push_back(compute_shader("sin(" + std::to_string(i) + ".5 + id.x)" + (i % 4 == 3 ? " $" : "")));
+  std::vector<CompileResult> expected;
+  for (const std::string& text : texts) expected.push_back(compile_text(text));
+  std::atomic<int> differences{0};
+  std::vector<std::thread> threads;
+  for (int t = 0; t < 4; ++t)
+    threads.emplace_back([&] {
+      for (int round = 0; round < 5; ++round)
+        for (std::size_t i = 0; i < texts.size(); ++i) {
+          const CompileResult result = compile_text(texts[i]);
+          if (result.spirv != expected[i].spirv || first_message(result) != first_message(expected[i]))
+            ++differences;
+        }
+    });
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(differences, 0);
+  EXPECT_FALSE(expected[0].spirv.empty());
+  EXPECT_TRUE(expected[3].spirv.empty());
+}
+
+}  // namespace
+}  // namespace penumbra::shaders

@@ -1,0 +1,154 @@
+// Unity's include rules, and what is said when an include fails.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "input/input_error.h"
+#include "shader_files.h"
+#include "shaders/compile.h"
+
+namespace penumbra::shaders {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+
+std::string only_message(const CompileResult& result) {
+  return result.diagnostics.size() == 1 ? format(result.diagnostics.front())
+                                        : std::to_string(result.diagnostics.size()) + " messages";
+}
+
+TEST(Include, PackageRootComesBeforeTheFoldersBeside) {
+  const ShaderFiles files;
+  files.write("roots/core/Lib/A.hlsl", "#define WIDTH 4\n");
+  files.write("Packages/com.x.core/Lib/A.hlsl", "#error the wrong one\n");
+  files.write("main.hlsl", compute_shader("WIDTH", "#include \"Packages/com.x.core/Lib/A.hlsl\"\n"));
+  CompileRequest request = files.request("main.hlsl");
+  request.package_roots = {{"com.x.core", files.path("roots/core")}};
+  const CompileResult result = compile(request);
+  EXPECT_FALSE(has_errors(result.diagnostics));
+  EXPECT_THAT(result.dependencies, Contains(files.path("roots/core/Lib/A.hlsl")));
+}
+
+TEST(Include, LooksBesideTheIncludingFileThenInTheIncludeFolders) {
+  const ShaderFiles files;
+  files.write("lib/a.hlsl", "#include \"inner/b.hlsl\"\n#include \"c.hlsl\"\n");
+  files.write("lib/inner/b.hlsl", "#include \"../d.hlsl\"\n");
+  files.write("lib/d.hlsl", "#define D 1\n");
+  files.write("lib/c.hlsl", "#define C 2\n");
+  files.write("other/c.hlsl", "#error the wrong one\n");
+  files.write("main.hlsl", compute_shader("C + D", "#include \"a.hlsl\"\n"));
+  CompileRequest request = files.request("main.hlsl");
+  request.include_directories = {files.path("other"), files.path("lib")};
+  EXPECT_EQ(has_errors(compile(request).diagnostics), false);
+}
+
+TEST(Include, DependenciesAreTheFilesRead) {
+  const ShaderFiles files;
+  files.write("a.hlsl", "#define A 1\n");
+  files.write("unused.hlsl", "#define B 1\n");
+  files.write("main.hlsl", compute_shader("A", "#include \"a.hlsl\"\n#include \"a.hlsl\"\n"));
+  const CompileResult result = compile(files.request("main.hlsl"));
+  EXPECT_THAT(result.dependencies, testing::ElementsAre(files.path("main.hlsl"), files.path("a.hlsl")));
+}
+
+TEST(Include, MissingFileNamesPlacesAndTheNearestName) {
+  const ShaderFiles files;
+  files.write("ShadowBias.hlsl", "");
+  files.write("main.hlsl", compute_shader("1", "\n#include \"ShadowBais.hlsl\"\n"));
+  const CompileResult result = compile(files.request("main.hlsl"));
+  EXPECT_EQ(only_message(result),
+            files.path("main.hlsl").string() + ":2:1: error: cannot find 'ShadowBais.hlsl'; tried " +
+                files.path("ShadowBais.hlsl").string() + "; did you mean " +
+                files.path("ShadowBias.hlsl").string() + "?\n    #include \"ShadowBais.hlsl\"\n    ^");
+}
+
+TEST(Include, MissingFileOfAnIncludeIsReportedThere) {
+  const ShaderFiles files;
+  files.write("a.hlsl", "// first\n#include \"gone.hlsl\"\n");
+  files.write("main.hlsl", compute_shader("1", "#include \"a.hlsl\"\n"));
+  const CompileResult result = compile(files.request("main.hlsl"));
+  EXPECT_THAT(only_message(result), HasSubstr("a.hlsl:2:1: error: cannot find 'gone.hlsl'"));
+}
+
+TEST(Include, UnknownPackageNamesTheNearestRoot) {
+  const ShaderFiles files;
+  files.write("main.hlsl", compute_shader("1", "#include \"Packages/com.x.cor/A.hlsl\"\n"));
+  CompileRequest request = files.request("main.hlsl");
+  request.package_roots = {{"com.x.core", files.path("")}};
+  EXPECT_THAT(only_message(compile(request)),
+              HasSubstr("no package root is given for 'com.x.cor'; did you mean 'com.x.core'?"));
+}
+
+TEST(Include, CycleWithoutGuardsIsNamedOnce) {
+  const ShaderFiles files;
+  files.write("a.hlsl", "#include \"b.hlsl\"\n");
+  files.write("b.hlsl", "\n#include \"a.hlsl\"\n");
+  files.write("main.hlsl", compute_shader("1", "#include \"a.hlsl\"\n"));
+  const std::string a = files.path("a.hlsl").string();
+  const std::string b = files.path("b.hlsl").string();
+  const std::string message = only_message(compile(files.request("main.hlsl")));
+  EXPECT_THAT(message, HasSubstr("includes without end: "));
+  EXPECT_THAT(message, testing::AnyOf(HasSubstr(": " + a + " -> " + b + " -> " + a + "\n"),
+                                      HasSubstr(": " + b + " -> " + a + " -> " + b + "\n")));
+}
+
+TEST(Include, FileThatIncludesItselfIsACycle) {
+  const ShaderFiles files;
+  files.write("main.hlsl", compute_shader("1", "#include \"main.hlsl\"\n"));
+  const std::string main = files.path("main.hlsl").string();
+  EXPECT_THAT(only_message(compile(files.request("main.hlsl"))), HasSubstr(main + " -> " + main + "\n"));
+}
+
+TEST(Include, CycleWithGuardsIsNone) {
+  const ShaderFiles files;
+  files.write("a.hlsl", "#ifndef A\n#define A 1\n#include \"b.hlsl\"\n#endif\n");
+  files.write("b.hlsl", "#ifndef B\n#define B 2\n#include \"a.hlsl\"\n#endif\n");
+  files.write("main.hlsl", compute_shader("A + B", "#include \"a.hlsl\"\n"));
+  EXPECT_TRUE(compile(files.request("main.hlsl")).diagnostics.empty());
+}
+
+TEST(Include, FolderAndDanglingLinkCannotBeRead) {
+  const ShaderFiles files;
+  std::filesystem::create_directories(files.path("folder.hlsl"));
+  std::filesystem::create_symlink(files.path("nowhere"), files.path("link.hlsl"));
+  files.write("one.hlsl", compute_shader("1", "#include \"folder.hlsl\"\n"));
+  files.write("two.hlsl", compute_shader("1", "#include \"link.hlsl\"\n"));
+  EXPECT_THAT(only_message(compile(files.request("one.hlsl"))),
+              HasSubstr("one.hlsl:1:1: error: cannot read '" + files.path("folder.hlsl").string() +
+                        "': it is a folder, not a file"));
+  EXPECT_THAT(only_message(compile(files.request("two.hlsl"))),
+              HasSubstr("cannot read '" + files.path("link.hlsl").string() + "': no such file"));
+}
+
+TEST(Include, MainFileThatCannotBeReadIsBadInput) {
+  const ShaderFiles files;
+  EXPECT_THROW(compile(files.request("gone.hlsl")), InputError);
+  EXPECT_THROW(compile(files.request("")), InputError);
+}
+
+TEST(Include, OverlayFollowsTheFileItNames) {
+  const ShaderFiles files;
+  files.write("lib/API/D3D11.hlsl", "#define LOAD(x) original_has_no_meaning");
+  files.write("overlay.hlsl", "#undef LOAD\n#define LOAD(x) (2.0 * (x))\n");
+  files.write("main.hlsl", compute_shader("LOAD(3.0)", "#include \"lib/API/D3D11.hlsl\"\n"));
+  CompileRequest request = files.request("main.hlsl");
+  EXPECT_TRUE(has_errors(compile(request).diagnostics));
+  request.overlays = {{"/API/D3D11.hlsl", files.path("overlay.hlsl")}};
+  const CompileResult result = compile(request);
+  EXPECT_FALSE(has_errors(result.diagnostics));
+  EXPECT_THAT(result.dependencies, Contains(files.path("overlay.hlsl")));
+}
+
+TEST(Include, MistakeInAnOverlayNamesTheOverlay) {
+  const ShaderFiles files;
+  files.write("lib.hlsl", "#define A 1\n");
+  files.write("overlay.hlsl", "float F() { return $; }\n");
+  files.write("main.hlsl", compute_shader("A", "#include \"lib.hlsl\"\n"));
+  CompileRequest request = files.request("main.hlsl");
+  request.overlays = {{"/lib.hlsl", files.path("overlay.hlsl")}};
+  EXPECT_THAT(only_message(compile(request)),
+              HasSubstr(files.path("overlay.hlsl").string() + ":1:20: error"));
+}
+
+}  // namespace
+}  // namespace penumbra::shaders

@@ -1,0 +1,150 @@
+// Overloads that differ in precision alone become one function, and nothing else changes.
+#include "shaders/precision_twins.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "shaders/compile.h"
+
+namespace penumbra::shaders {
+namespace {
+
+using testing::AllOf;
+using testing::Eq;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+MergedTwins merge(const std::string& text) {
+  return merge_precision_twins(text, "main.hlsl");
+}
+
+std::string squeezed(std::string text) {
+  text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
+  return text;
+}
+
+void expect_untouched(const std::string& text) {
+  const MergedTwins merged = merge(text);
+  EXPECT_EQ(merged.text, text);
+  EXPECT_THAT(merged.notes, IsEmpty());
+}
+
+TEST(PrecisionTwins, TheFloatBodyStaysWhicheverComesFirst) {
+  const std::string narrow = "half2 f(half2 x) { return 1; }";
+  const std::string wide = "float2 f(float2 x) { return 2; }";
+  EXPECT_EQ(squeezed(merge(narrow + wide).text), squeezed("half2 f(half2 x) ;" + wide));
+  EXPECT_EQ(squeezed(merge(wide + narrow).text), squeezed(wide + "half2 f(half2 x) ;"));
+}
+
+TEST(PrecisionTwins, EveryNarrowTypeAndShapeIsItsWideOne) {
+  for (const auto& [narrow, wide] :
+       std::vector<std::pair<std::string, std::string>>{{"half", "float"},
+                                                        {"half4", "float4"},
+                                                        {"half3x3", "float3x3"},
+                                                        {"min16float2", "float2"},
+                                                        {"min10float", "float"},
+                                                        {"min16int3", "int3"},
+                                                        {"min12int", "int"},
+                                                        {"min16uint4", "uint4"},
+                                                        {"Texture2D<half4>", "Texture2D<float4>"},
+                                                        {"out half", "out float"},
+                                                        {"const in half", "float"}}) {
+    const std::string text = "void f(" + narrow + " x){} void f(" + wide + " x){}";
+    EXPECT_THAT(merge(text).notes, SizeIs(1)) << text;
+  }
+}
+
+TEST(PrecisionTwins, SaysWhichBodyWentAndWhichIsKept) {
+  const MergedTwins merged = merge(
+      "half f(half a, int b) { return a; }\n#line 7 \"lib/wide.hlsl\"\n\nfloat f(float x, int y)\n{ return "
+      "x; }\n");
+  ASSERT_THAT(merged.notes, SizeIs(1));
+  EXPECT_EQ(merged.notes[0].severity, Severity::note);
+  EXPECT_EQ(merged.notes[0].file, "main.hlsl");
+  EXPECT_EQ(merged.notes[0].line, 1);
+  EXPECT_THAT(merged.notes[0].message,
+              AllOf(HasSubstr("'f(half, int)'"), HasSubstr("'f(float, int)'"), HasSubstr("lib/wide.hlsl:8")));
+}
+
+TEST(PrecisionTwins, DifferentFunctionsStay) {
+  expect_untouched("float f(half x) {} float g(float x) {}");                  // names
+  expect_untouched("float f(half2 x) {} float f(float3 x) {}");                // shapes
+  expect_untouched("float f(half x, int i) {} float f(float x) {}");           // counts
+  expect_untouched("float f(half x[2]) {} float f(float x[3]) {}");            // array sizes
+  expect_untouched("float f(half x) {} float f(int x) {}");                    // kinds of number
+  expect_untouched("float f(halfling x) {} float f(floatling x) {}");          // types of the user's own
+  expect_untouched("namespace a { float f(half x) {} } float f(float x) {}");  // namespaces
+  expect_untouched("struct A { float f(half x) {} float f(float x) {} };");    // nothing may follow twice
+}
+
+TEST(PrecisionTwins, DefinitionsSpelledAlikeStayAnError) {
+  expect_untouched("float f(float x) { return 1; } float f(float y) { return 2; }");
+}
+
+TEST(PrecisionTwins, DeclarationsAndValuesAreNoDefinitions) {
+  expect_untouched(
+      "half f(half x); float f(float x); float f(float x) { return x; }\n"
+      "static float table[2] = { g(1), g(2) };\n"
+      "cbuffer A : register(b0) { half a; } cbuffer B : register(b0) { float b; }\n"
+      "[numthreads(8, 8, 1)] void Main(uint3 id : SV_DispatchThreadID) { f(1); }\n");
+}
+
+TEST(PrecisionTwins, LinesAndDirectivesInsideABodyStay) {
+  const std::string text =
+      "half f(half x)\n{\n    return x;\n#line 40 \"b.hlsl\"\n}\nfloat f(float x) { return x; }\n";
+  const std::string merged = merge(text).text;
+  EXPECT_EQ(std::count(merged.begin(), merged.end(), '\n'), std::count(text.begin(), text.end(), '\n'));
+  EXPECT_THAT(merged, HasSubstr("\n#line 40 \"b.hlsl\"\n"));
+}
+
+TEST(PrecisionTwins, TextThatIsNoHlslIsLeftAlone) {
+  for (const char* text : {"", "{", "}", ")", "f(", "float f(half x", "float f(half x) {", "\"unended",
+                           "#line", "#line x \"y", "((((", "namespace", "namespace {", "= ; } ] ) ("}) {
+    expect_untouched(text);
+  }
+}
+
+CompileResult compile_twins(const std::string& text, bool merge_twins) {
+  CompileRequest request;
+  request.file = "twins.hlsl";
+  request.text = text;
+  request.merge_precision_twins = merge_twins;
+  return compile(request);
+}
+
+const std::string kTwins =
+    "#define BOTH(n) half n(half x) { return x; } float n(float x) { return x + 1.0; }\n"
+    "BOTH(f)\n"
+    "RWStructuredBuffer<float> Out;\n"
+    "[numthreads(1, 1, 1)] void Main() { half h = 2.0; Out[0] = f(h) + f(3.0); }\n";
+
+TEST(PrecisionTwins, CompileWhenMergedAndDoNotOtherwise) {
+  EXPECT_THAT(compile_twins(kTwins, false).spirv, IsEmpty());
+  const CompileResult merged = compile_twins(kTwins, true);
+  EXPECT_FALSE(merged.spirv.empty());
+  ASSERT_THAT(merged.diagnostics, SizeIs(1));
+  EXPECT_EQ(merged.diagnostics[0].line, 2);
+  EXPECT_EQ(merged.diagnostics[0].source_line, "BOTH(f)");
+}
+
+TEST(PrecisionTwins, ErrorsKeepTheirPlaceAfterMerging) {
+  const CompileResult result = compile_twins(kTwins + "\nfloat g() { return nothing; }\n", true);
+  const auto error = std::find_if(result.diagnostics.begin(), result.diagnostics.end(),
+                                  [](const Diagnostic& d) { return d.severity == Severity::error; });
+  ASSERT_NE(error, result.diagnostics.end());
+  EXPECT_EQ(error->file, "twins.hlsl");
+  EXPECT_EQ(error->line, 6);
+  EXPECT_THAT(error->message, HasSubstr("nothing"));
+}
+
+TEST(PrecisionTwins, ATextThatDoesNotExpandSaysWhy) {
+  const CompileResult result = compile_twins("#include \"absent.hlsl\"\n" + kTwins, true);
+  ASSERT_TRUE(has_errors(result.diagnostics));
+  EXPECT_EQ(result.diagnostics[0].line, 1);
+  EXPECT_THAT(result.diagnostics[0].message, HasSubstr("cannot find 'absent.hlsl'"));
+}
+
+}  // namespace
+}  // namespace penumbra::shaders

@@ -1,0 +1,153 @@
+#include "shaders/technique_list.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "input/input_error.h"
+#include "shader_files.h"
+
+namespace penumbra::shaders {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr const char* good = R"({
+  "structs": [
+    {"name": "BoxParameters", "doc": "Even kernel.", "fields": [
+      {"name": "taps", "type": "int", "unit": "taps", "doc": "per side"},
+      {"name": "scale", "type": "float2", "unit": "1", "doc": "stretch"}]}
+  ],
+  "techniques": [
+    {"name": "box-3", "title": "Box", "family": "box", "source": "Nobody 1900",
+     "chain": [{"kind": "resolve", "file": "Box.hlsl", "function": "FilterBox",
+                "resources": ["shadowMap", "pointSampler"], "parameters": "BoxParameters"}],
+     "values": {"taps": 3, "scale": [1.0, 0.5]},
+     "keywords": ["_WIDE"], "keyword_sets": [[], ["UNITY_REVERSED_Z"]],
+     "unlimited": {"taps": "4096"}, "targets_absent": {"hlsl50": "too long"}}
+  ]
+})";
+
+class TechniqueListTest : public testing::Test {
+ protected:
+  TechniqueListTest() { files_.write("Box.hlsl", "// box\n"); }
+
+  TechniqueList read(const std::string& text) const {
+    return read_technique_list(files_.write("techniques.json", text));
+  }
+  static std::string with(const std::string& from, const std::string& to) {
+    std::string text = good;
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return text.replace(at, from.size(), to);
+  }
+  std::string problem(const std::string& from, const std::string& to) const {
+    try {
+      read(with(from, to));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+
+  ShaderFiles files_;
+};
+
+TEST_F(TechniqueListTest, ReadsWhatIsThere) {
+  const TechniqueList list = read(good);
+  ASSERT_EQ(list.techniques.size(), 1U);
+  const Technique& box = list.find("box-3");
+  EXPECT_EQ(box.values.at("taps"), std::vector<double>{3.0});
+  EXPECT_EQ(box.values.at("scale"), (std::vector<double>{1.0, 0.5}));
+  EXPECT_EQ(box.keyword_sets, (std::vector<std::vector<std::string>>{{}, {"UNITY_REVERSED_Z"}}));
+  EXPECT_EQ(box.keywords, std::vector<std::string>{"_WIDE"});
+  EXPECT_EQ(box.unlimited.at("taps"), "4096");
+  EXPECT_EQ(box.targets_absent.at("hlsl50"), "too long");
+  ASSERT_NE(list.find_struct("BoxParameters"), nullptr);
+  EXPECT_EQ(list.find_struct("BoxParameters")->fields[1].type, "float2");
+}
+
+TEST_F(TechniqueListTest, UnlimitedMayBeANumber) {
+  EXPECT_EQ(read(with("\"4096\"", "4096")).find("box-3").unlimited.at("taps"), "4096");
+}
+
+TEST_F(TechniqueListTest, WrongEntriesAreNamedWithTheirPlaceAndAWayOut) {
+  EXPECT_THAT(problem("\"family\"", "\"famly\""), HasSubstr("'family' is missing or empty"));
+  EXPECT_THAT(problem("\"targets_absent\"", "\"targets_absnt\""),
+              testing::AllOf(HasSubstr("techniques.json:13:37: "), HasSubstr("unknown key 'targets_absnt'"),
+                             HasSubstr("did you mean 'targets_absent'?")));
+  EXPECT_THAT(problem("\"parameters\": \"BoxParameters\"", "\"parameters\": \"BoxParameter\""),
+              testing::AllOf(HasSubstr("techniques.json:10:"), HasSubstr("unknown struct 'BoxParameter'"),
+                             HasSubstr("did you mean 'BoxParameters'?")));
+  EXPECT_THAT(problem("\"taps\": 3", "\"tap\": 3"), HasSubstr("no value for 'taps' of BoxParameters"));
+  EXPECT_THAT(problem("\"taps\": 3", "\"taps\": 3, \"radius\": 1"), HasSubstr("unknown key 'radius'"));
+  EXPECT_THAT(problem("\"taps\": 3", "\"taps\": 2.5"), HasSubstr("must be a whole number"));
+  EXPECT_THAT(problem("[1.0, 0.5]", "[1.0]"), HasSubstr("array of 2 numbers"));
+  EXPECT_THAT(problem("Box.hlsl", "Bax.hlsl"), HasSubstr("there is no file"));
+  EXPECT_THAT(problem("\"pointSampler\"", "\"pointSamplr\""), HasSubstr("did you mean 'pointSampler'?"));
+  EXPECT_THAT(problem("\"resolve\"", "\"resolv\""), HasSubstr("unknown kind of pass 'resolv'"));
+  EXPECT_THAT(problem("\"int\"", "\"uint\""), HasSubstr("unknown type 'uint'"));
+  EXPECT_THAT(problem("\"hlsl50\"", "\"hlsl51\""), HasSubstr("unknown target 'hlsl51'"));
+  EXPECT_THAT(problem("\"hlsl50\": \"too long\"", "\"hlsl50\": \"\""), HasSubstr("missing or empty"));
+  EXPECT_THAT(problem("\"FilterBox\"", "\"Filter Box\""), HasSubstr("no HLSL identifier"));
+  EXPECT_THAT(problem("[\"UNITY_REVERSED_Z\"]", "\"UNITY_REVERSED_Z\""),
+              HasSubstr("array of arrays of strings"));
+  EXPECT_THAT(problem("\"_WIDE\"", "\"_WIDE 1\""), HasSubstr("'_WIDE 1' is no keyword"));
+  EXPECT_THAT(problem("\"taps\": \"4096\"", "\"taps\": \"many\""), HasSubstr("'many' is no number"));
+  EXPECT_THAT(problem("\"taps\": \"4096\"", "\"tops\": \"4096\""), HasSubstr("did you mean 'taps'?"));
+  EXPECT_THAT(problem("\"name\": \"scale\"", "\"name\": \"taps\""), HasSubstr("two fields 'taps'"));
+}
+
+TEST_F(TechniqueListTest, NamesMayNotRepeat) {
+  std::string text = good;
+  const std::size_t start = text.find("    {\"name\": \"box-3\"");
+  const std::size_t end = text.find("  ]\n}", start);
+  const std::string technique = text.substr(start, end - start);
+  EXPECT_THROW(read(text.insert(end, "," + technique)), InputError);
+}
+
+TEST_F(TechniqueListTest, EmptyListsAndOtherJsonAreRefused) {
+  EXPECT_THROW(read(""), InputError);
+  EXPECT_THROW(read("[]"), InputError);
+  EXPECT_THROW(read("{}"), InputError);
+  EXPECT_THROW(read_technique_list(files_.path("gone.json")), InputError);
+}
+
+TEST_F(TechniqueListTest, UnknownTechniqueNamesTheNearest) {
+  const TechniqueList list = read(good);
+  try {
+    (void)list.find("bax-3");
+    FAIL() << "found";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("did you mean 'box-3'?"));
+  }
+}
+
+TEST_F(TechniqueListTest, CallPassesResourcesThenReceiverTileAndParameters) {
+  const TechniqueList list = read(good);
+  const TechniqueCall call = emit_technique_call(list, list.find("box-3"), "_P");
+  EXPECT_EQ(call.includes, "#include \"Box.hlsl\"\n");
+  EXPECT_THAT(call.declarations,
+              HasSubstr("TEXTURE2D_SHADOW(_ShadowMap);\nSAMPLER_CMP(sampler_ShadowMap);\n"));
+  EXPECT_THAT(call.declarations, HasSubstr("int _PBoxParameters_taps;\nfloat2 _PBoxParameters_scale;\n"));
+  EXPECT_EQ(call.function,
+            "float ResolveTechnique(ShadowReceiver receiver, ShadowTile tile)\n{\n"
+            "    BoxParameters parameters;\n"
+            "    parameters.taps = _PBoxParameters_taps;\n"
+            "    parameters.scale = _PBoxParameters_scale;\n"
+            "    return FilterBox(TEXTURE2D_SHADOW_ARGS(_ShadowMap, sampler_ShadowMap), sampler_PointClamp, "
+            "receiver, tile, parameters);\n}\n");
+}
+
+TEST(LibraryTechniques, CheckedInParameterStructsAreTheEmittedOnes) {
+  const std::filesystem::path library = std::filesystem::path(PENUMBRA_SOURCE_DIR) / "ShaderLibrary";
+  std::ifstream file(library / "Core/TechniqueParameters.hlsl", std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  EXPECT_EQ(text, emit_parameter_structs_hlsl(read_technique_list(library / "techniques.json")))
+      << "write it anew: penumbra validate --emit-parameters ShaderLibrary/Core/TechniqueParameters.hlsl";
+}
+
+}  // namespace
+}  // namespace penumbra::shaders

@@ -1,0 +1,171 @@
+#include "shaders/validate_techniques.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "input/input_error.h"
+#include "shader_files.h"
+
+namespace penumbra::shaders {
+namespace {
+
+using testing::HasSubstr;
+
+ValidationRequest library_request() {
+  ValidationRequest request;
+  request.techniques =
+      read_technique_list(std::filesystem::path(PENUMBRA_SOURCE_DIR) / "ShaderLibrary" / "techniques.json");
+  request.jobs = 2;
+  return request;
+}
+
+constexpr const char* fragment =
+    "float4 Main(float2 u : TEXCOORD0) : SV_Target\n{\n    return u.xyxy KEYWORD;\n}\n";
+
+ValidationRequest file_request(const ShaderFiles& files) {
+  ValidationRequest request;
+  request.files = {{files.path("f.hlsl"), "Main", Stage::fragment, {{}}}};
+  return request;
+}
+
+TEST(Validate, EveryTechniqueOfTheLibraryPassesEveryTarget) {
+  const ValidationRequest request = library_request();
+  const ValidationReport report = validate(request);
+  std::size_t expected = 0;
+  for (const Technique& technique : request.techniques->techniques)
+    expected += technique.keyword_sets.size() * 2 * request.targets.size();
+  EXPECT_EQ(report.records.size(), expected);
+  EXPECT_EQ(report.count(VariantStatus::failed), 0U) << validation_text(report);
+  EXPECT_EQ(report.count(VariantStatus::unreached), 0U);
+  EXPECT_GT(report.unique, 0U);
+  EXPECT_LE(report.unique, expected);
+}
+
+TEST(Validate, OneMistakeIsPrintedOnceHoweverManyVariantsItFails) {
+  const ShaderFiles files;
+  files.write("part.hlsl", "float F() { return $; }\n");
+  files.write("f.hlsl", std::string("#include \"part.hlsl\"\n#define KEYWORD\n") + fragment);
+  ValidationRequest request = file_request(files);
+  request.files[0].keyword_sets = {{}, {"A"}, {"B"}, {"A", "B"}};
+  const ValidationReport report = validate(request);
+  EXPECT_EQ(report.count(VariantStatus::failed), 4U);
+  EXPECT_EQ(report.count(VariantStatus::unreached), 16U);
+  const std::string text = validation_text(report);
+  const std::string message = "part.hlsl:1:20: error: unexpected token '$'";
+  ASSERT_THAT(text, HasSubstr(message));
+  EXPECT_EQ(text.find(message, text.find(message) + 1), std::string::npos);
+}
+
+TEST(Validate, KeywordsDecideAndOrderIsThatOfTheRequest) {
+  const ShaderFiles files;
+  files.write(
+      "f.hlsl",
+      std::string("#if defined(BROKEN)\n#define KEYWORD $\n#else\n#define KEYWORD\n#endif\n") + fragment);
+  ValidationRequest request = file_request(files);
+  request.files[0].keyword_sets = {{}, {"BROKEN"}};
+  request.targets = {"spirv", "msl23"};
+  for (const unsigned jobs : {1U, 4U}) {
+    request.jobs = jobs;
+    const ValidationReport report = validate(request);
+    std::vector<VariantStatus> statuses;
+    for (const VariantRecord& record : report.records) statuses.push_back(record.status);
+    EXPECT_THAT(statuses, testing::ElementsAre(VariantStatus::passed, VariantStatus::passed,
+                                               VariantStatus::failed, VariantStatus::unreached));
+  }
+}
+
+TEST(Validate, FailuresAreReportedWithoutSpirvAmongTheTargets) {
+  const ShaderFiles files;
+  files.write("f.hlsl", "float4 Main() : SV_Target { return $; }\n");
+  ValidationRequest request = file_request(files);
+  request.targets = {"msl23", "hlsl50"};
+  EXPECT_EQ(validate(request).count(VariantStatus::failed), 1U);
+}
+
+TEST(Validate, SameModuleIsTriedOncePerTarget) {
+  const ShaderFiles files;
+  files.write("f.hlsl", std::string("#define KEYWORD\n") + fragment);
+  ValidationRequest request = file_request(files);
+  request.files[0].keyword_sets = {{}, {"UNUSED"}};
+  const ValidationReport report = validate(request);
+  EXPECT_EQ(report.records.size(), 10U);
+  EXPECT_EQ(report.unique, 5U);
+}
+
+TEST(Validate, AbsentTargetsAreReportedAndTriedAllTheSame) {
+  const ShaderFiles files;
+  files.write("Platform/Platform.hlsl",
+              "#define TEXTURE2D_SHADOW(n) Texture2D<float> n\n#define SAMPLER_CMP(n) "
+              "SamplerComparisonState n\n#define TEXTURE2D_SHADOW_ARGS(n, s) n, s\n");
+  files.write("F.hlsl",
+              "#include \"Core/ShadowStructs.hlsl\"\nfloat F(Texture2D<float> m, SamplerComparisonState s, "
+              "ShadowReceiver r, ShadowTile t)\n"
+              "{\n    return r.shadowCoord.x;\n}\n");
+  files.write("Core/ShadowStructs.hlsl",
+              "#ifndef STRUCTS\n#define STRUCTS\nstruct ShadowReceiver { float3 "
+              "shadowCoord; float2 depthGradient; float2 rotation; };\nstruct ShadowTile { float4 "
+              "offsetScale; };\n#endif\n");
+  const std::string list = R"({"techniques": [{"name": "f", "title": "F", "family": "f", "source": "s",
+    "chain": [{"kind": "resolve", "file": "F.hlsl", "function": "F", "resources": ["shadowMap"]}],
+    "targets_absent": {"msl23": "for the test"}}]})";
+  ValidationRequest request;
+  request.techniques = read_technique_list(files.write("techniques.json", list));
+  request.targets = {"spirv", "msl23"};
+  const ValidationReport works = validate(request);
+  EXPECT_EQ(works.count(VariantStatus::failed), 0U) << validation_text(works);
+  EXPECT_THAT(validation_text(works),
+              HasSubstr("works, although techniques.json lists it as absent: for the test"));
+  request.techniques->techniques[0].targets_absent = {{"spirv", "never compiles"}};
+  files.write("F.hlsl", "$\n");
+  const ValidationReport fails = validate(request);
+  EXPECT_EQ(fails.count(VariantStatus::absent), 2U);
+  EXPECT_EQ(fails.count(VariantStatus::failed), 0U);
+  EXPECT_THAT(validation_text(fails), HasSubstr("absent: f, fragment entry Fragment, spirv: never compiles"));
+}
+
+TEST(Validate, JsonHasTheDesignsMembers) {
+  const ShaderFiles files;
+  files.write("f.hlsl", "float4 Main() : SV_Target { return \xE9$; }\n");
+  const nlohmann::json report = nlohmann::json::parse(validation_json(validate(file_request(files))));
+  for (const char* key : {"variants", "unique", "failed", "cached", "seconds"})
+    EXPECT_TRUE(report.at("summary").at(key).is_number()) << key;
+  EXPECT_EQ(report.at("summary").at("variants"), 5);
+  EXPECT_EQ(report.at("summary").at("failed"), 1);
+  ASSERT_EQ(report.at("variants").size(), 5U);
+  const nlohmann::json& record = report.at("variants").at(0);
+  EXPECT_EQ(record.at("entry"), "Main");
+  EXPECT_EQ(record.at("stage"), "fragment");
+  EXPECT_EQ(record.at("target"), "spirv");
+  EXPECT_EQ(record.at("status"), "failed");
+  EXPECT_TRUE(record.at("keywords").is_array());
+  const nlohmann::json& diagnostic = record.at("diagnostics").at(0);
+  EXPECT_EQ(diagnostic.at("line"), 1);
+  EXPECT_EQ(diagnostic.at("severity"), "error");
+  for (const char* key : {"file", "column", "message"}) EXPECT_TRUE(diagnostic.contains(key)) << key;
+}
+
+TEST(Validate, FileThatCannotBeReadIsBadInput) {
+  const ShaderFiles files;
+  EXPECT_THROW(validate(file_request(files)), InputError);
+}
+
+TEST(Validate, ProgressReachesTheTotal) {
+  const ShaderFiles files;
+  files.write("f.hlsl", std::string("#define KEYWORD\n") + fragment);
+  ValidationRequest request = file_request(files);
+  request.files[0].keyword_sets = {{}, {"A"}, {"B"}};
+  request.targets = {"spirv"};
+  request.jobs = 2;
+  std::vector<std::size_t> seen;
+  request.progress = [&seen](std::size_t done, std::size_t total) {
+    EXPECT_EQ(total, 3U);
+    seen.push_back(done);
+  };
+  validate(request);
+  EXPECT_THAT(seen, testing::ElementsAre(1U, 2U, 3U));
+}
+
+}  // namespace
+}  // namespace penumbra::shaders
