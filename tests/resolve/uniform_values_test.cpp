@@ -27,7 +27,8 @@ TEST(UniformValues, PutsEveryMemberAtItsOffsetAndNamesTheUnset) {
   std::vector<std::string> unset;
   const auto bytes = values.pack(block({{.name = "number", .offset = 4, .size = 4},
                                         {.name = "vector", .offset = 16, .size = 8},
-                                        {.name = "missing", .offset = 24, .size = 4}},
+                                        {.name = "missing", .offset = 24, .size = 4, .read = true},
+                                        {.name = "never read", .offset = 24, .size = 4}},
                                        28),
                                  unset);
   EXPECT_EQ(float_at(bytes, 4), 1.5f);

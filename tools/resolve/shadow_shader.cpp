@@ -78,14 +78,26 @@ shaders::CompileRequest request(const ShadowShader& shader, bool counting) {
   return request;
 }
 
-std::vector<std::uint32_t> compile_or_throw(const shaders::CompileRequest& request) {
+constexpr const char* kAdapterFunction = "ShadowVisibility";
+
+std::vector<std::uint32_t> compile_or_throw(const shaders::CompileRequest& request,
+                                            std::vector<std::string>* notes = nullptr) {
   shaders::CompileResult result = shaders::compile(request);
+  for (const shaders::Diagnostic& diagnostic : result.diagnostics) {
+    if (notes != nullptr && diagnostic.severity == shaders::Severity::note) {
+      notes->push_back(shaders::format(diagnostic));
+    }
+  }
   if (!shaders::has_errors(result.diagnostics)) return std::move(result.spirv);
   std::string messages;
   for (const shaders::Diagnostic& diagnostic : result.diagnostics) {
     if (diagnostic.severity == shaders::Severity::error) messages += "\n" + shaders::format(diagnostic);
   }
-  throw InputError(request.file.string(), "does not compile:" + messages);
+  const bool function_missing = messages.find(std::string("'") + kAdapterFunction + "'") != std::string::npos;
+  throw InputError(request.file.string(), "does not compile:" + messages,
+                   function_missing ? std::string("an adapter defines: float ") + kAdapterFunction +
+                                          "(float3 positionWS, float3 normalWS, float2 pixel)"
+                                    : "");
 }
 
 // Every fetch must go through the counting functions; the module that shows it keeps its functions.
@@ -140,7 +152,7 @@ ShadowShader adapter_shader(const Adapter& adapter, bool reversed_z) {
 CompiledShadowShader compile(const ShadowShader& shader) {
   CompiledShadowShader compiled;
   compiled.source = shader;
-  compiled.plain = compile_or_throw(request(shader, false));
+  compiled.plain = compile_or_throw(request(shader, false), &compiled.notes);
   refuse_uncounted_fetches(shader);
   compiled.counting = compile_or_throw(request(shader, true));
   return compiled;

@@ -50,6 +50,7 @@ struct CompiledShadowShader {
   ShadowShader source;
   std::vector<std::uint32_t> plain;
   std::vector<std::uint32_t> counting;
+  std::vector<std::string> notes;  // the compiler's, for example which body of two was kept
 };
 
 // Throws InputError with the compiler's messages when the shader does not compile, and when it reaches a

@@ -95,7 +95,7 @@ std::vector<std::byte> UniformValues::pack(const shaders::Resource& block,
   for (const shaders::UniformMember& member : block.members) {
     const auto found = values_.find(member.name);
     if (found == values_.end()) {
-      unset.push_back(member.name);
+      if (member.read) unset.push_back(member.name);
       continue;
     }
     const Value& value = found->second;

@@ -34,7 +34,8 @@ class UniformValues {
   // Every name and word, for a key of what was computed with them.
   std::string fingerprint() const;
 
-  // The bytes of one uniform block. Members without a value are zero and named in `unset`.
+  // The bytes of one uniform block. Members without a value are zero, and named in `unset` when the
+  // shader reads them.
   std::vector<std::byte> pack(const shaders::Resource& block, std::vector<std::string>& unset) const;
 
  private:
