@@ -81,18 +81,43 @@ TEST(ReplaceResultBlock, WantsEachMarkerOnceAndInOrder) {
                      HasSubstr("before their beginning"));
 }
 
-// The figures a visitor reads first are those of the committed file. To refresh them after a new measurement:
-// `penumbra measure` writes the file and the chart, and the block between the markers is result_block's.
-TEST(Readme, ShowsTheCommittedResults) {
+struct PublishedPage {
+  std::string name;
+  std::string file;
+  std::string results;
+  std::string chart;            // from the repository's root
+  std::string chart_from_page;  // as the page names it
+};
+
+class Published : public testing::TestWithParam<PublishedPage> {};
+
+// The figures a visitor reads are those of the committed file; scripts/publish measures and writes both.
+TEST_P(Published, ShowsTheCommittedResults) {
+  const PublishedPage& page = GetParam();
   const std::filesystem::path root = PENUMBRA_SOURCE_DIR;
-  const Results results = read_results(root / "Documentation~/results/results.json");
-  const std::string readme = file_text(root / "README.md");
-  EXPECT_EQ(readme, replace_result_block(readme, result_block(results, kChart), "README.md"));
-  const std::string chart = file_text(root / kChart);
+  const Results results = read_results(root / page.results);
+  const std::string text = file_text(root / page.file);
+  EXPECT_EQ(text, replace_result_block(text, result_block(results, page.chart_from_page), page.file));
+  const std::string chart = file_text(root / page.chart);
   for (const Choice& choice : choices(results)) {
     EXPECT_THAT(chart, HasSubstr(">" + choice.label + "<")) << "the chart is of other results";
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(
+    Page, Published,
+    testing::Values(PublishedPage{"Readme", "README.md", "Documentation~/results/results.json",
+                                  "Documentation~/results/pareto-fetches.svg",
+                                  "Documentation~/results/pareto-fetches.svg"},
+                    PublishedPage{"Bias", "Documentation~/bias.md",
+                                  "Documentation~/results/urp-default-bias/results.json",
+                                  "Documentation~/results/urp-default-bias/pareto-fetches.svg",
+                                  "results/urp-default-bias/pareto-fetches.svg"},
+                    PublishedPage{"FarOrigin", "Documentation~/far-origin.md",
+                                  "Documentation~/results/far-origin/results.json",
+                                  "Documentation~/results/far-origin/pareto-fetches.svg",
+                                  "results/far-origin/pareto-fetches.svg"}),
+    [](const auto& instance) { return instance.param.name; });
 
 }  // namespace
 }  // namespace penumbra::study

@@ -97,8 +97,8 @@ void write_report(const std::filesystem::path& folder, const study::Results& res
   content.results = results;
   content.charts = study::report_charts(results);
   content.pictures = std::move(pictures);
-  for (std::size_t i = 0; i < content.charts.size(); ++i) {
-    platform::write_file_atomically(folder / fmt::format("chart-{}.svg", i + 1), content.charts[i].svg);
+  for (const study::ReportChart& chart : content.charts) {
+    platform::write_file_atomically(folder / (chart.name + ".svg"), chart.svg);
   }
   make_folder(folder / "pictures");
   for (const study::PictureRow& row : content.pictures) {
@@ -160,7 +160,7 @@ void rewrite_readme(const MeasureOptions& options, const study::Results& results
                                            : std::filesystem::path(options.from).parent_path();
   const std::filesystem::path home = std::filesystem::absolute(readme).parent_path();
   const std::string chart =
-      std::filesystem::absolute(beside / "chart-1.svg").lexically_relative(home).generic_string();
+      std::filesystem::absolute(beside / "pareto-fetches.svg").lexically_relative(home).generic_string();
   const std::string text = read_text(readme);
   const std::string block = study::result_block(results, chart);
   platform::write_file_atomically(readme, study::replace_result_block(text, block, options.readme));

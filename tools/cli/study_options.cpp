@@ -1,5 +1,7 @@
 #include "cli/study_options.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -89,6 +91,9 @@ void add_study_options(CLI::App& command, StudyOptions& options) {
   command.add_option("--sun", options.sun, "Sun's elevation and azimuth in degrees, instead of the scene's")
       ->expected(2)
       ->group("Scene");
+  command.add_option("--origin", options.origin, "Move the scene to this place in the world, metres")
+      ->expected(3)
+      ->group("Scene");
   command.add_option("--metres-per-unit", options.import.metres_per_unit, "Scale of a model file")
       ->check(CLI::PositiveNumber)
       ->group("Scene");
@@ -150,6 +155,11 @@ std::vector<scene::Scene> chosen_scenes(const StudyOptions& options,
   for (const std::string& name : options.scenes.empty() ? fallback : options.scenes) {
     scene::Scene scene = scene::load(name, options.import);
     if (!options.sun.empty()) scene.light_direction = scene::sunlight(options.sun[0], options.sun[1]);
+    if (!options.origin.empty()) {
+      scene.origin = {options.origin[0], options.origin[1], options.origin[2]};
+      scene.name +=
+          fmt::format(" at {:g} {:g} {:g}", options.origin[0], options.origin[1], options.origin[2]);
+    }
     if (options.distance_metres > 0.0) scene.shadow_distance_metres = options.distance_metres;
     scenes.push_back(std::move(scene));
   }

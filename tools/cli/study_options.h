@@ -34,6 +34,7 @@ struct StudyOptions {
   bool conventional_z = false;
   double distance_metres = 0.0;  // 0: the scene's own
   std::vector<double> sun;       // elevation and azimuth in degrees; empty: the scene's own
+  std::vector<double> origin;    // world position of the scene's own origin, metres; empty: 0 0 0
   scene::ImportOptions import;
   std::string device;
   bool validation = false;

@@ -150,11 +150,13 @@ std::vector<ReportChart> report_charts(const Results& results) {
   std::vector<ReportChart> list;
   if (const Chart chart = fetches_chart(results); !chart.panels.empty()) {
     list.push_back(
-        {"Blue: nothing measured here is both cheaper and closer to ray tracing. Means over all scenes.",
+        {"pareto-fetches",
+         "Blue: nothing measured here is both cheaper and closer to ray tracing. Means over all scenes.",
          render_svg(chart)});
   }
   if (const Chart chart = time_chart(results); !chart.panels.empty()) {
-    list.push_back({results.is_software
+    list.push_back({"pareto-time",
+                    results.is_software
                         ? "CPU time of a software device. It ranks nothing: a graphics card weighs "
                           "fetches and arithmetic differently."
                         : "Blue: nothing measured here is both faster and closer to ray tracing.",

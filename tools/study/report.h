@@ -29,6 +29,7 @@ struct PictureRow {
 };
 
 struct ReportChart {
+  std::string name;  // of its file: "pareto-fetches", "pareto-time"
   std::string caption;
   std::string svg;  // as render_svg gives it
 };
