@@ -56,7 +56,7 @@ MapError compare(const Frame& frame, const parameters::Cascade& cascade, const P
       const int row = static_cast<int>(std::lround(begin.y)) + y;
       const double expected = stored_depth(cascade, (glm::dvec2(column, row) + 0.5) * texel, plane);
       if (expected <= 0.0 || expected >= 1.0) continue;
-      const float stored = atlas.depth[static_cast<std::size_t>(row * atlas.width + column)];
+      const float stored = atlas.depth[texel_index(row, atlas.width, column)];
       if (stored == farthest_depth(frame)) {
         error.missing += std::abs(expected - double(stored)) > allowed ? 1U : 0U;
         continue;
@@ -141,8 +141,7 @@ TEST_P(FrameMap, LeavesTheQuarterWithoutATileClear) {
   std::size_t drawn = 0;
   for (int y = side; y < 2 * side; ++y) {
     for (int x = side; x < 2 * side; ++x) {
-      drawn +=
-          frame.atlas.depth[static_cast<std::size_t>(y * frame.atlas.width + x)] != farthest_depth(frame);
+      drawn += frame.atlas.depth[texel_index(y, frame.atlas.width, x)] != farthest_depth(frame);
     }
   }
   EXPECT_EQ(drawn, 0U);

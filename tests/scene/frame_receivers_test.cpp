@@ -60,7 +60,7 @@ TEST_F(RasterisedFrame, ReceiversAreWhereTheRaysThroughPixelCentresHit) {
   int empty = 0;
   for (int row = 0; row < seen.height; ++row) {
     for (int column = 0; column < seen.width; ++column) {
-      const auto pixel = static_cast<std::size_t>(row * seen.width + column);
+      const auto pixel = texel_index(row, seen.width, column);
       const glm::dvec3 direction = ray(scene.camera, column, row, seen);
       const Seen expected = trace(scene.camera.position, direction);
       if (expected.edge < 0.02 || std::abs(expected.distance - 22.0) < 0.1) continue;  // either may win

@@ -71,6 +71,10 @@ inline FrameSettings unbiased_settings(bool reversed_z, DepthFormat format, int 
   return settings;
 }
 
+inline std::size_t texel_index(int row, int width, int column) {
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
+}
+
 inline float nearest_depth(const Frame& frame) {
   return frame.cascades.reversed_z ? 1.0F : 0.0F;
 }

@@ -95,6 +95,7 @@ void BindingsState::freeze(vk::ShaderStageFlags stages, std::uint32_t push_const
   }
   if (set_count > 0) {
     std::vector<vk::DescriptorPoolSize> sizes;
+    sizes.reserve(counts.size());
     for (const auto& [type, count] : counts) sizes.emplace_back(type, count);
     pool = vk::raii::DescriptorPool(
         device->device,

@@ -1,5 +1,6 @@
 #include "gpu/compute_pass.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "gpu/bindings_state.h"
@@ -53,6 +54,7 @@ std::vector<double> ComputePass::dispatch(std::array<std::uint32_t, 3> groups, i
     if (!*state_->pipeline) state_->make_pipeline();
     bound.write_descriptors();
     std::vector<double> nanoseconds;
+    nanoseconds.reserve(static_cast<std::size_t>(std::max(repeat, 0)));
     for (int run = 0; run < repeat; ++run) {
       nanoseconds.push_back(device.submit(
           [&](const vk::raii::CommandBuffer& commands) {

@@ -113,6 +113,7 @@ vk::raii::Framebuffer RasterState::make_framebuffer(const RasterTargets& targets
   std::vector<const Image*> images = targets.colours;
   if (targets.depth != nullptr) images.push_back(targets.depth);
   std::vector<vk::ImageView> views;
+  views.reserve(images.size());
   for (const Image* image : images) views.push_back(*image->state()->target_view);
   const vk::Extent2D extent = images.front()->state()->extent;
   return {bindings.state()->device->device,
