@@ -29,11 +29,12 @@ function(penumbra_room name)
   target_link_libraries(penumbra_${name} PUBLIC ${ROOM_PUBLIC_LIBRARIES} PRIVATE ${ROOM_PRIVATE_LIBRARIES})
 endfunction()
 
-# penumbra_test(NAME SOURCES ... LIBRARIES ... [LABELS ...] [TIMEOUT s])
+# penumbra_test(NAME SOURCES ... LIBRARIES ... [LABELS ...] [TIMEOUT s] [WHOLE])
 #
-# One GoogleTest program whose cases CTest lists one by one.
+# One GoogleTest program whose cases CTest lists one by one; with WHOLE as one test, for suites whose cases share
+# a device and pipelines that take longer to make than to use.
 function(penumbra_test name)
-  cmake_parse_arguments(TEST "" "TIMEOUT" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+  cmake_parse_arguments(TEST "WHOLE" "TIMEOUT" "SOURCES;LIBRARIES;LABELS" ${ARGN})
   if(NOT TEST_TIMEOUT)
     set(TEST_TIMEOUT 120)
   endif()
@@ -42,6 +43,11 @@ function(penumbra_test name)
   target_link_libraries(${name} PRIVATE ${TEST_LIBRARIES} GTest::gtest GTest::gmock GTest::gtest_main)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(${name} PRIVATE PENUMBRA_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  if(TEST_WHOLE)
+    add_test(NAME ${name} COMMAND ${name} --gtest_brief=1)
+    set_tests_properties(${name} PROPERTIES TIMEOUT ${TEST_TIMEOUT} LABELS "${TEST_LABELS}")
+    return()
+  endif()
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST
     PROPERTIES TIMEOUT ${TEST_TIMEOUT} LABELS "${TEST_LABELS}")
 endfunction()

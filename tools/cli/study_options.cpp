@@ -197,7 +197,7 @@ std::vector<resolve::Adapter> chosen_adapters(const StudyOptions& options) {
 }
 
 gpu::Device open_device(const StudyOptions& options) {
-  return gpu::Device({.name = options.device, .validation = options.validation});
+  return gpu::Device({.name = options.device, .validation = options.validation, .timeout_seconds = 600.0});
 }
 
 study::StudyProgress study_progress(const Context& context) {
