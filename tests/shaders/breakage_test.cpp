@@ -48,6 +48,8 @@ const Breakage breakages[] = {
      "'(' is never closed"},
     {"UndeclaredName", "float Twice(float x)\n{\n    return factor * x;\n}\n", 3, 12,
      "unknown variable 'factor'"},
+    {"UndeclaredNameInsideAnother", "float Twice(float x)\n{\n    return float2(x, x).xy.x * y;\n}\n", 3, 32,
+     "unknown variable 'y'"},
     {"UndeclaredFunction", "float Twice(float x)\n{\n    return Double(x);\n}\n", 3, 12,
      "no matching overloaded function found 'Double'"},
     {"OpenComment", "float Twice(float x)\n{\n    return 2.0 * x; /* twice\n}\n", 3, 21,

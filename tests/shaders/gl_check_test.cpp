@@ -52,7 +52,8 @@ TEST(GlCheck, LinksStagesWithEachOther) {
       "#version 450\nlayout(location = 0) in vec3 a;\nlayout(location = 0) out vec4 c;\nvoid main() { c = "
       "a.xyzz; }\n";
   const std::string clashes =
-      "#version 450\nlayout(location = 0) in ivec2 b;\nlayout(location = 0) out vec4 c;\nvoid main() { c = "
+      "#version 450\nlayout(location = 0) flat in ivec2 b;\nlayout(location = 0) out vec4 c;\nvoid main() { "
+      "c = "
       "vec4(b.xyxy); }\n";
   EXPECT_FALSE(has_errors(gl_check({{Stage::vertex, vertex}, {Stage::fragment, fits}}, Target::glsl450)));
   EXPECT_TRUE(has_errors(gl_check({{Stage::vertex, vertex}, {Stage::fragment, clashes}}, Target::glsl450)));

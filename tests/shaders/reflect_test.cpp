@@ -61,6 +61,7 @@ TEST(Reflect, FindsEveryReachableResourceByItsName) {
     EXPECT_EQ(resource->kind, kind) << name;
   }
   EXPECT_EQ(find(reflection, "_Unused"), nullptr);
+  EXPECT_EQ(find(reflect_text(everything, false), "_Unused"), nullptr);
   EXPECT_EQ(reflection.workgroup_size, (std::array<std::uint32_t, 3>{8, 4, 2}));
 }
 

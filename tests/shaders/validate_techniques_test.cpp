@@ -127,7 +127,7 @@ TEST(Validate, AbsentTargetsAreReportedAndTriedAllTheSame) {
 
 TEST(Validate, JsonHasTheDesignsMembers) {
   const ShaderFiles files;
-  files.write("f.hlsl", "float4 Main() : SV_Target { return \xE9$; }\n");
+  files.write("f.hlsl", "#error no\n");
   const nlohmann::json report = nlohmann::json::parse(validation_json(validate(file_request(files))));
   for (const char* key : {"variants", "unique", "failed", "cached", "seconds"})
     EXPECT_TRUE(report.at("summary").at(key).is_number()) << key;
@@ -144,6 +144,14 @@ TEST(Validate, JsonHasTheDesignsMembers) {
   EXPECT_EQ(diagnostic.at("line"), 1);
   EXPECT_EQ(diagnostic.at("severity"), "error");
   for (const char* key : {"file", "column", "message"}) EXPECT_TRUE(diagnostic.contains(key)) << key;
+}
+
+TEST(Validate, FileNameThatIsNoUtf8StaysInAReadableReport) {
+  const ShaderFiles files;
+  ValidationRequest request = file_request(files);
+  request.files[0].file = files.write("caf\xE9.hlsl", "float4 Main() : SV_Target { return $; }\n");
+  const nlohmann::json report = nlohmann::json::parse(validation_json(validate(request)));
+  EXPECT_THAT(report.at("variants").at(0).at("file").get<std::string>(), HasSubstr("caf\xEF\xBF\xBD.hlsl"));
 }
 
 TEST(Validate, FileThatCannotBeReadIsBadInput) {

@@ -48,7 +48,8 @@ EShLanguage language(Stage stage) {
 
 std::string preamble(const CompileRequest& request) {
   std::string text;
-  for (const auto& [name, value] : request.defines) text += "#define " + name + " " + value + "\n";
+  for (const auto& [name, value] : request.defines)
+    text.append("#define ").append(name).append(" ").append(value).append("\n");
   return text;
 }
 

@@ -73,7 +73,7 @@ bool is_name(const std::string& token) {
 // glslang gives the token first and then what is wrong with it; a name reads better at the end.
 std::string sentence(const LogLine& line) {
   if (line.message == "Expected") return "expected '" + line.token + "'";
-  const std::string message = without(without(line.message, "from ' ", "from '"), "to ' ", "to '");
+  std::string message = without(without(line.message, "from ' ", "from '"), "to ' ", "to '");
   if (line.token.empty()) return message;
   if (is_name(line.token) || message == "unexpected token") return message + " '" + line.token + "'";
   return "'" + line.token + "': " + message;

@@ -25,13 +25,13 @@ bool contains(const std::vector<std::string>& list, const std::string& name) {
 }
 
 std::string required_text(JsonObject& object, const std::string& key) {
-  const std::string text = object.text(key, "");
+  std::string text = object.text(key, "");
   if (text.empty()) object.fail(key, "'" + key + "' is missing or empty");
   return text;
 }
 
 std::string required_identifier(JsonObject& object, const std::string& key) {
-  const std::string name = required_text(object, key);
+  std::string name = required_text(object, key);
   if (!is_identifier(name)) object.fail(key, "'" + name + "' is no HLSL identifier");
   return name;
 }

@@ -56,7 +56,7 @@ Json record_json(const VariantRecord& record) {
 std::string title(const VariantRecord& record) {
   std::string text = record.technique.empty() ? record.file : record.technique;
   text += std::string(", ") + stage_name(record.stage) + " entry " + record.entry;
-  for (const std::string& keyword : record.keywords) text += " +" + keyword;
+  for (const std::string& keyword : record.keywords) text.append(" +").append(keyword);
   return text + ", " + record.target;
 }
 
