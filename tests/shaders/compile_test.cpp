@@ -126,12 +126,15 @@ TEST(Compile, CompareGatherIsRefused) {
 
 TEST(Compile, SameBytesFromFourThreadsAsFromOne) {
   std::vector<std::string> texts;
+  texts.reserve(8);
   for (int i = 0; i < 8; ++i)
     texts.push_back(compute_shader("sin(" + std::to_string(i) + ".5 + id.x)" + (i % 4 == 3 ? " $" : "")));
   std::vector<CompileResult> expected;
+  expected.reserve(texts.size());
   for (const std::string& text : texts) expected.push_back(compile_text(text));
   std::atomic<int> differences{0};
   std::vector<std::thread> threads;
+  threads.reserve(4);
   for (int t = 0; t < 4; ++t)
     threads.emplace_back([&] {
       for (int round = 0; round < 5; ++round)

@@ -62,6 +62,7 @@ TEST(GlCheck, LinksStagesWithEachOther) {
 TEST(GlCheck, ThreadsDoNotDisturbEachOther) {
   std::atomic<int> wrong{0};
   std::vector<std::thread> threads;
+  threads.reserve(4);
   for (int t = 0; t < 4; ++t)
     threads.emplace_back([&wrong] {
       for (int i = 0; i < 6; ++i) {
