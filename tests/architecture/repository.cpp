@@ -20,7 +20,7 @@ Tree read_repository(const std::filesystem::path& root) {
   for (Walk it(root), end; it != end; ++it) {
     if (it->is_directory() && is_skipped_folder(it->path())) {
       it.disable_recursion_pending();
-    } else if (it->is_regular_file()) {
+    } else if (it->is_regular_file() && it->path().filename() != ".git") {  // a worktree's is a file
       std::ifstream file(it->path(), std::ios::binary);
       std::string text{std::istreambuf_iterator<char>(file), {}};
       const bool binary = text.find('\0') != std::string::npos;

@@ -119,7 +119,8 @@ class AdapterTest : public testing::Test {
 
   static ResolveResult run(const ShadowShader& shader, const scene::Frame& frame) {
     const FrameOnDevice on_device(test_device(), frame);
-    return resolve(test_device(), on_device, compile(shader), {.noise_seeds = 1, .timing_repeats = 0});
+    return Resolver(test_device(), compile(shader))
+        .resolve(on_device, {.noise_seeds = 1, .timing_repeats = 0});
   }
 
   void expect_refused(const std::string& text, const testing::Matcher<std::string>& message) const {

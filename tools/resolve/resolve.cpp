@@ -85,24 +85,26 @@ std::vector<std::string> ResolvePass::unset_uniforms() const {
   return {names.begin(), names.end()};
 }
 
-ResolveResult resolve(const gpu::Device& device, const FrameOnDevice& frame,
-                      const CompiledShadowShader& shader, const ResolveOptions& options) {
+Resolver::Resolver(const gpu::Device& device, const CompiledShadowShader& shader)
+    : uses_noise_(shader.source.uses_noise),
+      plain_(device, shader),
+      counting_(device, shader, ResolvePass::Module::counting) {}
+
+ResolveResult Resolver::resolve(const FrameOnDevice& frame, const ResolveOptions& options) {
   ResolveResult result;
-  ResolvePass plain(device, shader);
-  plain.bind(frame);
-  const int seeds = shader.source.uses_noise ? std::max(1, options.noise_seeds) : 1;
+  plain_.bind(frame);
+  const int seeds = uses_noise_ ? std::max(1, options.noise_seeds) : 1;
   for (int seed = 0; seed < seeds; ++seed) {
-    plain.run(seed);
+    plain_.run(seed);
     result.visibility.push_back(frame.visibility().download<float>());
   }
-  if (options.timing_repeats > 0) result.time_ns = plain.run(0, options.timing_repeats);
+  if (options.timing_repeats > 0) result.time_ns = plain_.run(0, options.timing_repeats);
   if (options.count_fetches) {
-    ResolvePass counting(device, shader, ResolvePass::Module::counting);
-    counting.bind(frame);
-    counting.run(0);
+    counting_.bind(frame);
+    counting_.run(0);
     result.fetches = frame.fetches().download<std::uint32_t>();
   }
-  result.unset_uniforms = plain.unset_uniforms();
+  result.unset_uniforms = plain_.unset_uniforms();
   return result;
 }
 

@@ -54,8 +54,18 @@ class ResolvePass {
   std::vector<std::string> unset_;
 };
 
-// Throws InputError when the shader binds a texture, sampler or buffer the harness does not provide.
-ResolveResult resolve(const gpu::Device& device, const FrameOnDevice& frame,
-                      const CompiledShadowShader& shader, const ResolveOptions& options = {});
+// Both modules of a shader on a device, built once for any number of frames.
+class Resolver {
+ public:
+  Resolver(const gpu::Device& device, const CompiledShadowShader& shader);
+
+  // Throws InputError when the shader binds a texture, sampler or buffer the harness does not provide.
+  ResolveResult resolve(const FrameOnDevice& frame, const ResolveOptions& options = {});
+
+ private:
+  bool uses_noise_;
+  ResolvePass plain_;
+  ResolvePass counting_;
+};
 
 }  // namespace penumbra::resolve

@@ -27,8 +27,9 @@ constexpr double kFetchScale = 64.0;
 
 struct PreparedSubject {
   const Subject* subject;
-  resolve::CompiledShadowShader shader;
+  resolve::Resolver resolver;
   std::optional<resolve::CompiledShadowShader> unlimited;
+  std::optional<resolve::Resolver> unlimited_resolver;
 };
 
 // Everything known about one scene under one light before the first subject is asked.
@@ -78,10 +79,9 @@ std::vector<float> mean_image(const std::vector<std::vector<float>>& images) {
   return mean;
 }
 
-VisibilityImage unlimited_answer(const gpu::Device& device, const resolve::FrameOnDevice& frame,
-                                 const Stage& stage, const resolve::CompiledShadowShader& shader,
-                                 const reference::ReferenceCache& cache) {
-  const std::string key = unlimited_key(stage, shader);
+VisibilityImage unlimited_answer(const resolve::FrameOnDevice& frame, const Stage& stage,
+                                 PreparedSubject& prepared, const reference::ReferenceCache& cache) {
+  const std::string key = unlimited_key(stage, *prepared.unlimited);
   if (std::optional<VisibilityImage> kept = cache.find(key)) return *std::move(kept);
   resolve::ResolveOptions options;
   options.noise_seeds = kUnlimitedSeeds;
@@ -90,7 +90,7 @@ VisibilityImage unlimited_answer(const gpu::Device& device, const resolve::Frame
   VisibilityImage answer;
   answer.width = frame.width();
   answer.height = frame.height();
-  answer.visibility = mean_image(resolve::resolve(device, frame, shader, options).visibility);
+  answer.visibility = mean_image(prepared.unlimited_resolver->resolve(frame, options).visibility);
   answer.valid = stage.t1.valid;
   answer.samples = kUnlimitedSeeds;
   cache.store(key, answer);
@@ -156,9 +156,12 @@ class Study {
       const Subject& subject = subjects[i];
       progress_("compiling " + subject.name, static_cast<double>(i), static_cast<double>(subjects.size()),
                 " techniques");
-      PreparedSubject prepared{&subject, resolve::compile(subject.shader), std::nullopt};
-      if (settings_.split_error && subject.unlimited)
+      const resolve::CompiledShadowShader shader = resolve::compile(subject.shader);
+      PreparedSubject prepared{&subject, resolve::Resolver(device_, shader), std::nullopt, std::nullopt};
+      if (settings_.split_error && subject.unlimited) {
         prepared.unlimited = resolve::compile(*subject.unlimited);
+        prepared.unlimited_resolver.emplace(device_, *prepared.unlimited);
+      }
       subjects_.push_back(std::move(prepared));
       platform::throw_if_interrupted();
     }
@@ -199,14 +202,13 @@ class Study {
     return options;
   }
 
-  void measure_subject(const Stage& stage, const resolve::FrameOnDevice& frame,
-                       const PreparedSubject& prepared) {
+  void measure_subject(const Stage& stage, const resolve::FrameOnDevice& frame, PreparedSubject& prepared) {
     resolve::ResolveOptions options;
     options.noise_seeds = settings_.noise_seeds;
     options.timing_repeats = settings_.timing_repeats;
-    const resolve::ResolveResult result = resolve::resolve(device_, frame, prepared.shader, options);
+    const resolve::ResolveResult result = prepared.resolver.resolve(frame, options);
     std::optional<VisibilityImage> unlimited;
-    if (prepared.unlimited) unlimited = unlimited_answer(device_, frame, stage, *prepared.unlimited, cache_);
+    if (prepared.unlimited) unlimited = unlimited_answer(frame, stage, prepared, cache_);
 
     const Subject& subject = *prepared.subject;
     Record record;
