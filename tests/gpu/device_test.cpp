@@ -1,6 +1,8 @@
 #include "gpu/device.h"
 
 #include <chrono>
+#include <cstdlib>
+#include <map>
 
 #include "gpu/gpu_test.h"
 #include "input/input_error.h"
@@ -36,6 +38,25 @@ TEST(DeviceChoice, AnswersAnUnknownNameWithTheDevicesThereAre) {
               testing::AllOf(testing::HasSubstr("'no such card'"), testing::HasSubstr("0: " + first)));
   EXPECT_THAT(refusal({.name = "99"}), testing::HasSubstr("0: " + first));
   EXPECT_THAT(refusal({.name = "-1"}), testing::HasSubstr("0: " + first));
+}
+
+// The loader asks the environment each time where its drivers are.
+TEST(DeviceChoice, SaysHowToGetADriverWhenThereIsNone) {
+  const std::map<std::string, std::string> nowhere{{"VK_DRIVER_FILES", "/nowhere.json"},
+                                                   {"VK_ICD_FILENAMES", "/nowhere.json"}};
+  std::map<std::string, std::string> before;
+  for (const auto& [name, value] : nowhere) {
+    if (const char* old = std::getenv(name.c_str())) before[name] = old;  // NOLINT(concurrency-mt-unsafe)
+    setenv(name.c_str(), value.c_str(), 1);                               // NOLINT(concurrency-mt-unsafe)
+  }
+  const std::string said = refusal({});
+  EXPECT_THROW(list_devices(), EnvironmentError);
+  for (const auto& [name, value] : nowhere) unsetenv(name.c_str());  // NOLINT(concurrency-mt-unsafe)
+  for (const auto& [name, value] : before) {
+    setenv(name.c_str(), value.c_str(), 1);  // NOLINT(concurrency-mt-unsafe)
+  }
+  EXPECT_THAT(said, testing::AllOf(testing::HasSubstr("Vulkan does not start"),
+                                   testing::HasSubstr("mesa-vulkan-drivers")));
 }
 
 TEST(DeviceChoice, DescribesTheDevice) {

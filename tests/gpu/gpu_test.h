@@ -49,6 +49,7 @@ class Gpu : public testing::Test {
   }
   void TearDown() override {
     device.reset();
+    ASSERT_TRUE(log) << "no device was opened";
     EXPECT_THAT(log->messages(), testing::IsEmpty());
   }
 

@@ -22,6 +22,7 @@ class RasterisedFrame : public testing::Test {
   }
   void TearDown() override {
     device.reset();
+    ASSERT_TRUE(log) << "no device was opened";
     EXPECT_THAT(log->messages(), testing::IsEmpty());
   }
 

@@ -70,8 +70,14 @@ vk::raii::Instance make_instance(const vk::raii::Context& context, MessageLog* l
   }
   create.setPEnabledLayerNames(layers);
   create.setPEnabledExtensionNames(extensions);
+  return {context, create};
+}
+
+// Runs what happens before there is a device to name in the error.
+template <typename Action>
+auto starting_vulkan(Action&& action) {
   try {
-    return {context, create};
+    return action();
   } catch (const vk::SystemError& error) {
     throw EnvironmentError(std::string("Vulkan does not start: ") + error.what() +
                            "\n  a driver is missing; scripts/setup installs the software device "
@@ -205,20 +211,24 @@ void open_device(DeviceState& state) {
 
 std::vector<DeviceInfo> list_devices() {
   const vk::raii::Context context = load_vulkan();
-  const vk::raii::Instance instance = make_instance(context, nullptr);
-  std::vector<DeviceInfo> infos;
-  for (const Candidate& candidate : candidates_of(instance)) infos.push_back(candidate.info);
-  return infos;
+  return starting_vulkan([&context] {
+    const vk::raii::Instance instance = make_instance(context, nullptr);
+    std::vector<DeviceInfo> infos;
+    for (const Candidate& candidate : candidates_of(instance)) infos.push_back(candidate.info);
+    return infos;
+  });
 }
 
 Device::Device(const DeviceOptions& options) : state_(std::make_shared<DeviceState>(load_vulkan())) {
   state_->timeout_seconds = options.timeout_seconds;
   MessageLog* log = options.validation ? state_->log.get() : nullptr;
-  state_->instance = make_instance(state_->context, log);
-  if (log != nullptr) {
-    state_->messenger = vk::raii::DebugUtilsMessengerEXT(state_->instance, messenger_of(*log));
-  }
-  Candidate chosen = choose(candidates_of(state_->instance), options.name);
+  Candidate chosen = starting_vulkan([this, log, &options] {
+    state_->instance = make_instance(state_->context, log);
+    if (log != nullptr) {
+      state_->messenger = vk::raii::DebugUtilsMessengerEXT(state_->instance, messenger_of(*log));
+    }
+    return choose(candidates_of(state_->instance), options.name);
+  });
   state_->physical = std::move(chosen.physical);
   state_->queue_family = chosen.queue_family;
   state_->info = std::move(chosen.info);
