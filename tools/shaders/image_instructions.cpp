@@ -1,8 +1,8 @@
 #include "shaders/image_instructions.h"
 
+#include <glslang/SPIRV/spirv.hpp>
 #include <map>
 #include <spirv-tools/libspirv.hpp>
-#include <spirv/unified1/spirv.hpp>
 #include <stdexcept>
 
 namespace penumbra::shaders {
