@@ -1,8 +1,8 @@
 // SPIR-V to the texts other APIs take, by SPIRV-Cross: the four targets of the validator.
 //
 // GLSL and ESSL get combined image samplers, named <texture>_<sampler> or <texture> for plain loads, and
-// bindings counted from 0 per kind, as GL has them; so are HLSL's registers. MSL is emitted for macOS; row and column order and the
-// clip space are those of the module.
+// bindings counted from 0 per kind, as GL has them; so are HLSL's registers. MSL is emitted for macOS; row
+// and column order and the clip space are those of the module.
 #pragma once
 
 #include <cstdint>

@@ -67,7 +67,8 @@ bool worth_printing(const VariantRecord& record, const Diagnostic& diagnostic) {
 
 std::string totals(const ValidationReport& report) {
   std::string text;
-  for (const auto& [target, check] : report.checks) text.append(target).append(": ").append(check).append("\n");
+  for (const auto& [target, check] : report.checks)
+    text.append(target).append(": ").append(check).append("\n");
   char seconds[32];
   std::snprintf(seconds, sizeof seconds, "%.1f", report.seconds);
   return text + std::to_string(report.records.size()) + " variants (" + std::to_string(report.unique) +
