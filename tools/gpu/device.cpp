@@ -105,7 +105,10 @@ DeviceInfo describe(const vk::raii::PhysicalDevice& physical, int index, std::ui
   info.name = std::string(std::string_view(properties.deviceName));
   info.api_version = version_text(properties.apiVersion);
   info.is_software = properties.deviceType == vk::PhysicalDeviceType::eCpu;
-  info.has_timestamps = physical.getQueueFamilyProperties()[family].timestampValidBits > 0;
+  // A software device (lavapipe) stamps the time when it hands work to its threads, not when they have done
+  // it.
+  info.has_timestamps =
+      !info.is_software && physical.getQueueFamilyProperties()[family].timestampValidBits > 0;
   info.driver = version_text(properties.driverVersion);
   // Only valid where the extension became core; older drivers keep the bare version.
   if (properties.apiVersion >= VK_API_VERSION_1_2) {

@@ -15,11 +15,11 @@ namespace penumbra::gpu {
 
 struct DeviceInfo {
   int index = 0;
-  std::string name;          // as the driver gives it, for example "llvmpipe (LLVM 15.0.6, 256 bits)"
-  std::string driver;        // name and version
-  std::string api_version;   // "1.3.230"
-  bool is_software = false;  // runs on the CPU: times are CPU times and rank nothing
-  bool has_timestamps = false;
+  std::string name;             // as the driver gives it, for example "llvmpipe (LLVM 15.0.6, 256 bits)"
+  std::string driver;           // name and version
+  std::string api_version;      // "1.3.230"
+  bool is_software = false;     // runs on the CPU: times are CPU times and rank nothing
+  bool has_timestamps = false;  // else dispatches are timed on the host, submission and wait included
 };
 
 struct DeviceOptions {
