@@ -64,6 +64,7 @@ std::vector<study::Subject> chosen_subjects(const MeasureOptions& options,
   std::vector<study::Subject> subjects;
   std::vector<std::string> names = options.techniques;
   if (names.empty() && options.adapters.empty()) {
+    names.reserve(list.techniques.size());
     for (const shaders::Technique& technique : list.techniques) names.push_back(technique.name);
   }
   for (const std::string& name : names) {
