@@ -28,6 +28,10 @@ struct Case {
   bool reversed_z;
 };
 
+void PrintTo(const Case& value, std::ostream* stream) {
+  *stream << value.technique << (value.reversed_z ? ", reversed Z" : ", conventional Z");
+}
+
 std::vector<Case> all_cases() {
   std::vector<Case> cases;
   for (const shaders::Technique& technique : library_techniques().techniques) {

@@ -89,6 +89,8 @@ struct PublishedPage {
   std::string chart_from_page;  // as the page names it
 };
 
+void PrintTo(const PublishedPage& page, std::ostream* stream) { *stream << page.file; }
+
 class Published : public testing::TestWithParam<PublishedPage> {};
 
 // The figures a visitor reads are those of the committed file; scripts/publish measures and writes both.
