@@ -29,14 +29,13 @@ std::vector<CaptionedPicture> captioned(const PictureRow& small) {
   for (Picture* picture : {&row.reference, &row.result, &row.error, &row.fetches}) {
     *picture = enlarged(*picture, factor);
   }
-  const std::string scene = fmt::format("{}, light {} deg", row.scene, row.light_degrees);
+  const std::string scene = fmt::format("{} {} deg", row.scene, row.light_degrees);
   return {
-      {scene + ": ray traced", row.reference,
-       Legend{ramp_strip(visibility_colour, 0.0, 1.0), "shadow", "lit"}},
-      {row.technique, row.result, Legend{ramp_strip(visibility_colour, 0.0, 1.0), "shadow", "lit"}},
-      {"signed error", row.error,
-       Legend{ramp_strip(error_colour, -1.0, 1.0), fmt::format("-{} too dark", row.error_scale),
-              fmt::format("+{} too bright", row.error_scale)}},
+      {scene, row.reference, Legend{ramp_strip(visibility_colour, 0.0, 1.0), "0", "1"}},
+      {row.technique, row.result, Legend{ramp_strip(visibility_colour, 0.0, 1.0), "0", "1"}},
+      {"error", row.error,
+       Legend{ramp_strip(error_colour, -1.0, 1.0), fmt::format("-{} dark", row.error_scale),
+              fmt::format("+{} bright", row.error_scale)}},
       {"fetches", row.fetches,
        Legend{ramp_strip(fetch_colour, 0.0, 1.0), "0", fmt::format("{}", row.fetch_scale)}},
   };

@@ -23,7 +23,7 @@ constexpr int kUnlimitedVersion = 1;
 constexpr int kUnlimitedSeeds = 4;  // rotations averaged: thousands of taps leave little for them to do
 
 constexpr double kErrorScale = 0.5;
-constexpr double kFetchScale = 64.0;
+constexpr double kFetchScale = 128.0;
 
 struct PreparedSubject {
   const Subject* subject;
