@@ -203,6 +203,8 @@ void add_measure(CLI::App& app, Context& context) {
       ->check(CLI::Range(0, 1000))
       ->group("Study");
   command->add_flag("--no-split", options->no_split, "Leave out the references T2 and T3")->group("Study");
+  command->add_option("--from", options->from, "Take the figures from this results.json; measure nothing");
+  command->add_option("--readme", options->readme, "Write this file's result block anew");
   command->add_option("-o,--output", options->output,
                       "Folder for results.json, report.html, charts and pictures; default: JSON on stdout");
   command->callback([options, &context] { run(*options, context); });
