@@ -136,8 +136,9 @@ class Study {
 
   StudyOutcome run() {
     for (const scene::Scene& scene : settings_.scenes) {
+      scene::Rasteriser rasteriser(device_, scene);
       for (const double degrees : settings_.light_degrees) {
-        const Stage stage = set_stage(scene, degrees);
+        const Stage stage = set_stage(scene, rasteriser, degrees);
         const resolve::FrameOnDevice frame(device_, stage.frame);
         for (std::size_t i = 0; i < subjects_.size(); ++i) {
           progress_(label(stage) + ", " + subjects_[i].subject->name, static_cast<double>(i),
@@ -174,11 +175,11 @@ class Study {
     return stage.scene.name + " at " + degrees + " degrees";
   }
 
-  Stage set_stage(const scene::Scene& scene, double degrees) {
+  Stage set_stage(const scene::Scene& scene, scene::Rasteriser& rasteriser, double degrees) {
     scene::FrameSettings frame_settings = settings_.frame;
     frame_settings.angular_diameter_degrees = degrees;
     frame_settings.shadows.distance_metres = scene.shadow_distance_metres;
-    Stage stage{scene, scene::rasterise(device_, scene, frame_settings), {}, {}, {}};
+    Stage stage{scene, rasteriser.frame(frame_settings), {}, {}, {}};
     stage.key = stage_key(scene, stage.frame);
 
     const parameters::Light light{scene.light_direction, degrees};
