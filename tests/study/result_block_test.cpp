@@ -89,7 +89,9 @@ struct PublishedPage {
   std::string chart_from_page;  // as the page names it
 };
 
-void PrintTo(const PublishedPage& page, std::ostream* stream) { *stream << page.file; }
+void PrintTo(const PublishedPage& page, std::ostream* stream) {
+  *stream << page.file;
+}
 
 class Published : public testing::TestWithParam<PublishedPage> {};
 
