@@ -49,9 +49,9 @@ std::vector<std::uint32_t> compile(const CoreFunction& function, DepthDirection 
   if (direction == DepthDirection::reversed) request.defines.emplace_back("UNITY_REVERSED_Z", "1");
   request.include_directories = {std::string(PENUMBRA_SOURCE_DIR) + "/ShaderLibrary"};
   shaders::CompileResult result = shaders::compile(request);
-  if (!shaders::has_errors(result.diagnostics)) return std::move(result.spirv);
+  if (!hlsl::has_errors(result.diagnostics)) return std::move(result.spirv);
   std::string messages;
-  for (const shaders::Diagnostic& diagnostic : result.diagnostics) messages += format(diagnostic) + "\n";
+  for (const hlsl::Diagnostic& diagnostic : result.diagnostics) messages += format(diagnostic) + "\n";
   throw std::runtime_error(messages);
 }
 

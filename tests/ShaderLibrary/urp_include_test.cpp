@@ -19,7 +19,7 @@ shaders::CompileResult compile_umbrella(const Defines& defines) {
       "float4 Main(float4 pixel : SV_Position, float3 positionWS : TEXCOORD0, float3 normalWS : TEXCOORD1) : "
       "SV_Target\n"
       "{ return PenumbraMainLightVisibility(positionWS, normalWS, pixel.xy); }\n";
-  request.stage = shaders::Stage::fragment;
+  request.stage = hlsl::Stage::fragment;
   request.defines = defines;
   request.package_roots = {{"com.penumbra.shadows", PENUMBRA_SOURCE_DIR}};
   request.include_directories = {std::string(PENUMBRA_SOURCE_DIR) + "/ShaderLibrary",
@@ -47,8 +47,8 @@ TEST_P(UrpInclude, CompilesAndBindsTheMap) {
     Defines defines = more;
     defines.emplace_back(GetParam(), "1");
     const shaders::CompileResult result = compile_umbrella(defines);
-    for (const shaders::Diagnostic& diagnostic : result.diagnostics)
-      ADD_FAILURE() << shaders::format(diagnostic);
+    for (const hlsl::Diagnostic& diagnostic : result.diagnostics)
+      ADD_FAILURE() << hlsl::format(diagnostic);
     ASSERT_FALSE(result.spirv.empty());
     EXPECT_TRUE(binds(result, "_MainLightShadowmapTexture"));
   }

@@ -10,8 +10,9 @@
 namespace penumbra::architecture {
 namespace {
 
-constexpr std::array<std::string_view, 10> kRooms{"cli", "study",   "reference",  "resolve",  "scene",
-                                                  "gpu", "shaders", "parameters", "platform", "input"};
+constexpr std::array<std::string_view, 17> kRooms{
+    "cli",     "study",    "reference", "resolve", "scene", "cost",       "gpu",      "validation", "lint",
+    "shaders", "variants", "shaderlab", "project", "hlsl",  "parameters", "platform", "input"};
 
 std::size_t place_of(std::string_view room) {
   return static_cast<std::size_t>(std::find(kRooms.begin(), kRooms.end(), room) - kRooms.begin());
@@ -23,7 +24,9 @@ bool is_room(std::string_view name) {
 
 bool may_use(std::string_view user, std::string_view used) {
   if (user == used) return true;
-  if (user == "parameters" || user == "shaders") return used == "platform" || used == "input";
+  if (user == "parameters") return used == "platform" || used == "input";
+  const bool reads_shaders = place_of(user) >= place_of("validation");
+  if (reads_shaders && used == "parameters") return false;
   return place_of(user) < place_of(used);
 }
 

@@ -20,15 +20,15 @@ namespace penumbra::gpu {
 
 inline std::vector<std::uint32_t> compile_test_shader(const std::string& file,
                                                       const std::string& entry = "Main",
-                                                      shaders::Stage stage = shaders::Stage::compute) {
+                                                      hlsl::Stage stage = hlsl::Stage::compute) {
   shaders::CompileRequest request;
   request.file = std::string(PENUMBRA_SOURCE_DIR "/tests/gpu/shaders/") + file;
   request.entry = entry;
   request.stage = stage;
   const shaders::CompileResult result = shaders::compile(request);
   std::string messages;
-  for (const shaders::Diagnostic& diagnostic : result.diagnostics)
-    messages += shaders::format(diagnostic) + "\n";
+  for (const hlsl::Diagnostic& diagnostic : result.diagnostics)
+    messages += hlsl::format(diagnostic) + "\n";
   if (result.spirv.empty()) throw std::runtime_error(messages);
   return result.spirv;
 }

@@ -29,10 +29,10 @@ class GpuRaster : public Gpu {
  protected:
   RasterShaders shaders(std::optional<Format> depth, bool colours) const {
     RasterShaders made;
-    made.vertex = compile_test_shader("Triangle.hlsl", "Vertex", shaders::Stage::vertex);
+    made.vertex = compile_test_shader("Triangle.hlsl", "Vertex", hlsl::Stage::vertex);
     made.vertex_entry = "Vertex";
     if (colours) {
-      made.fragment = compile_test_shader("Triangle.hlsl", "Fragment", shaders::Stage::fragment);
+      made.fragment = compile_test_shader("Triangle.hlsl", "Fragment", hlsl::Stage::fragment);
       made.fragment_entry = "Fragment";
       made.colours = {Format::rgba32f, Format::r32f};
     }

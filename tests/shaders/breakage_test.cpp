@@ -24,12 +24,12 @@ TEST_P(OneMistake, GivesOneMessageAtItsPlace) {
   const CompileResult result = compile(files.request("main.hlsl"));
   EXPECT_TRUE(result.spirv.empty());
   ASSERT_EQ(result.diagnostics.size(), 1U);
-  const Diagnostic& diagnostic = result.diagnostics.front();
+  const hlsl::Diagnostic& diagnostic = result.diagnostics.front();
   EXPECT_EQ(diagnostic.file, files.path("part.hlsl").string());
   EXPECT_EQ(diagnostic.line, GetParam().line);
   EXPECT_EQ(diagnostic.column, GetParam().column);
   EXPECT_EQ(diagnostic.message, GetParam().message);
-  EXPECT_EQ(diagnostic.severity, Severity::error);
+  EXPECT_EQ(diagnostic.severity, hlsl::Severity::error);
 }
 
 const Breakage breakages[] = {

@@ -15,7 +15,8 @@ namespace {
 
 using testing::HasSubstr;
 
-CompileResult compile_text(const std::string& text, Stage stage = Stage::compute, bool optimise = true) {
+CompileResult compile_text(const std::string& text, hlsl::Stage stage = hlsl::Stage::compute,
+                           bool optimise = true) {
   CompileRequest request;
   request.file = "shader.hlsl";
   request.text = text;
@@ -29,11 +30,11 @@ std::string first_message(const CompileResult& result) {
 }
 
 TEST(Compile, VertexFragmentAndComputeStages) {
+  EXPECT_FALSE(compile_text("float4 Main(float3 p : POSITION) : SV_Position { return float4(p, 1); }",
+                            hlsl::Stage::vertex)
+                   .spirv.empty());
   EXPECT_FALSE(
-      compile_text("float4 Main(float3 p : POSITION) : SV_Position { return float4(p, 1); }", Stage::vertex)
-          .spirv.empty());
-  EXPECT_FALSE(
-      compile_text("float4 Main(float2 u : TEXCOORD0) : SV_Target { return u.xyxy; }", Stage::fragment)
+      compile_text("float4 Main(float2 u : TEXCOORD0) : SV_Target { return u.xyxy; }", hlsl::Stage::fragment)
           .spirv.empty());
   EXPECT_FALSE(compile_text(compute_shader("1")).spirv.empty());
 }
@@ -59,7 +60,8 @@ TEST(Compile, TextureReachedThroughParametersIsLegal) {
 TEST(Compile, UnoptimisedKeepsItsFunctions) {
   const std::string text =
       compute_shader("Read(id.xy)", "Texture2D<float> _A;\nfloat Read(uint2 p) { return _A[p]; }\n");
-  const auto kept = image_instructions_outside(compile_text(text, Stage::compute, false).spirv, "Nothing");
+  const auto kept =
+      image_instructions_outside(compile_text(text, hlsl::Stage::compute, false).spirv, "Nothing");
   ASSERT_EQ(kept.size(), 1U);
   EXPECT_EQ(kept.front().function, "Read");
   const auto inlined = image_instructions_outside(compile_text(text).spirv, "Nothing");
@@ -114,14 +116,14 @@ TEST(Compile, WarningsAreKeptOnce) {
   const CompileResult result = compile_text(compute_shader("F(1)", function));
   EXPECT_FALSE(result.spirv.empty());
   ASSERT_EQ(result.diagnostics.size(), 1U);
-  EXPECT_EQ(result.diagnostics.front().severity, Severity::warning);
+  EXPECT_EQ(result.diagnostics.front().severity, hlsl::Severity::warning);
   EXPECT_THAT(first_message(result), HasSubstr("shader.hlsl:3: warning: unrecognized attribute 'odd'"));
 }
 
 TEST(Compile, CompareGatherIsRefused) {
   const std::string text = compute_shader("_A.GatherCmp(sampler_A, float2(0, 0), 0.5).x",
                                           "Texture2D<float> _A;\nSamplerComparisonState sampler_A;\n");
-  EXPECT_TRUE(has_errors(compile_text(text).diagnostics));
+  EXPECT_TRUE(hlsl::has_errors(compile_text(text).diagnostics));
 }
 
 TEST(Compile, SameBytesFromFourThreadsAsFromOne) {

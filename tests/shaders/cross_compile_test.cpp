@@ -16,7 +16,7 @@ namespace {
 
 using testing::HasSubstr;
 
-std::vector<std::uint32_t> module_of(const std::string& text, Stage stage) {
+std::vector<std::uint32_t> module_of(const std::string& text, hlsl::Stage stage) {
   CompileRequest request;
   request.file = "shader.hlsl";
   request.text = text;
@@ -47,7 +47,7 @@ std::string golden(Target target) {
 // The files were read once and found right: what the test holds is that the emission does not change unseen.
 // PENUMBRA_UPDATE_GOLDEN=1 writes them anew, to be read again.
 TEST(CrossCompile, ShadowFragmentIsTheGoldenTextInEveryTarget) {
-  const std::vector<std::uint32_t> spirv = module_of(shadow_fragment, Stage::fragment);
+  const std::vector<std::uint32_t> spirv = module_of(shadow_fragment, hlsl::Stage::fragment);
   for (const Target target : all_targets) {
     const CrossCompileResult result = cross_compile(spirv, target);
     EXPECT_TRUE(result.diagnostics.empty());
@@ -57,11 +57,11 @@ TEST(CrossCompile, ShadowFragmentIsTheGoldenTextInEveryTarget) {
 }
 
 TEST(CrossCompile, EveryStageReachesEveryTarget) {
-  const std::pair<std::string, Stage> shaders[] = {
+  const std::pair<std::string, hlsl::Stage> shaders[] = {
       {"float4x4 _M; float4 Main(float3 p : POSITION) : SV_Position { return mul(_M, float4(p, 1)); }",
-       Stage::vertex},
-      {shadow_fragment, Stage::fragment},
-      {compute_shader("_In[id.x].y", "StructuredBuffer<float4> _In;\n"), Stage::compute}};
+       hlsl::Stage::vertex},
+      {shadow_fragment, hlsl::Stage::fragment},
+      {compute_shader("_In[id.x].y", "StructuredBuffer<float4> _In;\n"), hlsl::Stage::compute}};
   for (const auto& [text, stage] : shaders) {
     for (const Target target : all_targets) {
       const CrossCompileResult result = cross_compile(module_of(text, stage), target);
@@ -76,7 +76,7 @@ TEST(CrossCompile, SamplersAreCombinedByName) {
       cross_compile(
           module_of(compute_shader("_A.SampleLevel(sampler_P, float2(0, 0), 0) + _A.Load(int3(0, 0, 0))",
                                    "Texture2D<float> _A;\nSamplerState sampler_P;\n"),
-                    Stage::compute),
+                    hlsl::Stage::compute),
           Target::glsl450)
           .text;
   EXPECT_THAT(text, HasSubstr("uniform sampler2D _A_sampler_P;"));
@@ -85,8 +85,9 @@ TEST(CrossCompile, SamplersAreCombinedByName) {
 
 TEST(CrossCompile, WhatATargetCannotSayIsADiagnosticThatNamesIt) {
   // Double precision: in desktop GLSL and HLSL, not in ESSL 3.10.
-  const std::vector<std::uint32_t> spirv = module_of(
-      compute_shader("float(_In[id.x] * _In[id.y])", "StructuredBuffer<double> _In;\n"), Stage::compute);
+  const std::vector<std::uint32_t> spirv =
+      module_of(compute_shader("float(_In[id.x] * _In[id.y])", "StructuredBuffer<double> _In;\n"),
+                hlsl::Stage::compute);
   ASSERT_FALSE(spirv.empty());
   EXPECT_TRUE(cross_compile(spirv, Target::glsl450).diagnostics.empty());
   const CrossCompileResult result = cross_compile(spirv, Target::essl310);
@@ -115,7 +116,7 @@ TEST(CrossCompile, RegistersCountFromZeroPerKind) {
   const std::string text =
       cross_compile(
           module_of(compute_shader(sum + " + _T.SampleLevel(sampler_T, float2(0, 0), 0) * _Scale", before),
-                    Stage::compute),
+                    hlsl::Stage::compute),
           Target::hlsl50)
           .text;
   EXPECT_THAT(text, HasSubstr("register(b0)"));

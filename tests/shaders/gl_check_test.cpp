@@ -16,8 +16,8 @@ constexpr const char* good_es =
     "vec4(1.0);\n}\n";
 
 TEST(GlCheck, AcceptsWhatEachDialectAllows) {
-  EXPECT_TRUE(gl_check({{Stage::fragment, good_gl}}, Target::glsl450).empty());
-  EXPECT_TRUE(gl_check({{Stage::fragment, good_es}}, Target::essl310).empty());
+  EXPECT_TRUE(gl_check({{hlsl::Stage::fragment, good_gl}}, Target::glsl450).empty());
+  EXPECT_TRUE(gl_check({{hlsl::Stage::fragment, good_es}}, Target::essl310).empty());
 }
 
 TEST(GlCheck, HoldsEachDialectToItsOwnRules) {
@@ -28,16 +28,16 @@ TEST(GlCheck, HoldsEachDialectToItsOwnRules) {
   const std::string gl =
       "#version 450\nlayout(location = 0) out vec4 c;\nvoid main()\n{\n    float x = 1;\n    c = "
       "vec4(x);\n}\n";
-  EXPECT_TRUE(has_errors(gl_check({{Stage::fragment, es}}, Target::essl310)));
-  EXPECT_FALSE(has_errors(gl_check({{Stage::fragment, gl}}, Target::glsl450)));
+  EXPECT_TRUE(hlsl::has_errors(gl_check({{hlsl::Stage::fragment, es}}, Target::essl310)));
+  EXPECT_FALSE(hlsl::has_errors(gl_check({{hlsl::Stage::fragment, gl}}, Target::glsl450)));
 }
 
 TEST(GlCheck, ErrorsHaveThePlaceInTheEmittedText) {
-  const std::vector<Diagnostic> diagnostics =
-      gl_check({{Stage::fragment,
+  const std::vector<hlsl::Diagnostic> diagnostics =
+      gl_check({{hlsl::Stage::fragment,
                  "#version 450\nlayout(location = 0) out vec4 c;\nvoid main()\n{\n    c = missing;\n}\n"}},
                Target::glsl450);
-  ASSERT_TRUE(has_errors(diagnostics));
+  ASSERT_TRUE(hlsl::has_errors(diagnostics));
   EXPECT_EQ(diagnostics.front().file, "glsl450");
   EXPECT_EQ(diagnostics.front().line, 5);
   EXPECT_EQ(diagnostics.front().source_line, "    c = missing;");
@@ -55,8 +55,10 @@ TEST(GlCheck, LinksStagesWithEachOther) {
       "#version 450\nlayout(location = 0) flat in ivec2 b;\nlayout(location = 0) out vec4 c;\nvoid main() { "
       "c = "
       "vec4(b.xyxy); }\n";
-  EXPECT_FALSE(has_errors(gl_check({{Stage::vertex, vertex}, {Stage::fragment, fits}}, Target::glsl450)));
-  EXPECT_TRUE(has_errors(gl_check({{Stage::vertex, vertex}, {Stage::fragment, clashes}}, Target::glsl450)));
+  EXPECT_FALSE(hlsl::has_errors(
+      gl_check({{hlsl::Stage::vertex, vertex}, {hlsl::Stage::fragment, fits}}, Target::glsl450)));
+  EXPECT_TRUE(hlsl::has_errors(
+      gl_check({{hlsl::Stage::vertex, vertex}, {hlsl::Stage::fragment, clashes}}, Target::glsl450)));
 }
 
 TEST(GlCheck, ThreadsDoNotDisturbEachOther) {
@@ -66,9 +68,10 @@ TEST(GlCheck, ThreadsDoNotDisturbEachOther) {
   for (int t = 0; t < 4; ++t)
     threads.emplace_back([&wrong] {
       for (int i = 0; i < 6; ++i) {
-        if (has_errors(gl_check({{Stage::fragment, good_gl}}, Target::glsl450))) ++wrong;
-        if (has_errors(gl_check({{Stage::fragment, good_es}}, Target::essl310))) ++wrong;
-        if (!has_errors(gl_check({{Stage::fragment, "#version 450\nbroken"}}, Target::glsl450))) ++wrong;
+        if (hlsl::has_errors(gl_check({{hlsl::Stage::fragment, good_gl}}, Target::glsl450))) ++wrong;
+        if (hlsl::has_errors(gl_check({{hlsl::Stage::fragment, good_es}}, Target::essl310))) ++wrong;
+        if (!hlsl::has_errors(gl_check({{hlsl::Stage::fragment, "#version 450\nbroken"}}, Target::glsl450)))
+          ++wrong;
       }
     });
   for (std::thread& thread : threads) thread.join();

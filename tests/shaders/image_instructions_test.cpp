@@ -25,7 +25,7 @@ float RawSample(Texture2D<float> t, SamplerState s) { return t.SampleLevel(s, fl
 )");
   request.optimise = false;
   const CompileResult compiled = compile(request);
-  EXPECT_FALSE(has_errors(compiled.diagnostics));
+  EXPECT_FALSE(hlsl::has_errors(compiled.diagnostics));
   std::vector<std::string> opcodes;
   for (const ImageInstruction& found : image_instructions_outside(compiled.spirv, "Counted"))
     if (found.function != "RawSample" ||

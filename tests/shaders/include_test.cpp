@@ -25,7 +25,7 @@ TEST(Include, PackageRootComesBeforeTheFoldersBeside) {
   CompileRequest request = files.request("main.hlsl");
   request.package_roots = {{"com.x.core", files.path("roots/core")}};
   const CompileResult result = compile(request);
-  EXPECT_FALSE(has_errors(result.diagnostics));
+  EXPECT_FALSE(hlsl::has_errors(result.diagnostics));
   EXPECT_THAT(result.dependencies, Contains(files.path("roots/core/Lib/A.hlsl")));
 }
 
@@ -39,7 +39,7 @@ TEST(Include, LooksBesideTheIncludingFileThenInTheIncludeFolders) {
   files.write("main.hlsl", compute_shader("C + D", "#include \"a.hlsl\"\n"));
   CompileRequest request = files.request("main.hlsl");
   request.include_directories = {files.path("other"), files.path("lib")};
-  EXPECT_EQ(has_errors(compile(request).diagnostics), false);
+  EXPECT_EQ(hlsl::has_errors(compile(request).diagnostics), false);
 }
 
 TEST(Include, DependenciesAreTheFilesRead) {
@@ -132,10 +132,10 @@ TEST(Include, OverlayFollowsTheFileItNames) {
   files.write("overlay.hlsl", "#undef LOAD\n#define LOAD(x) (2.0 * (x))\n");
   files.write("main.hlsl", compute_shader("LOAD(3.0)", "#include \"lib/API/D3D11.hlsl\"\n"));
   CompileRequest request = files.request("main.hlsl");
-  EXPECT_TRUE(has_errors(compile(request).diagnostics));
+  EXPECT_TRUE(hlsl::has_errors(compile(request).diagnostics));
   request.overlays = {{"/API/D3D11.hlsl", files.path("overlay.hlsl")}};
   const CompileResult result = compile(request);
-  EXPECT_FALSE(has_errors(result.diagnostics));
+  EXPECT_FALSE(hlsl::has_errors(result.diagnostics));
   EXPECT_THAT(result.dependencies, Contains(files.path("overlay.hlsl")));
 }
 

@@ -35,7 +35,7 @@ class ShaderFiles {
   }
 
   // A request for a file of the folder.
-  CompileRequest request(const std::string& name, Stage stage = Stage::compute) const {
+  CompileRequest request(const std::string& name, hlsl::Stage stage = hlsl::Stage::compute) const {
     CompileRequest request;
     request.file = path(name);
     request.stage = stage;

@@ -67,10 +67,12 @@ std::vector<study::Subject> chosen_subjects(const MeasureOptions& options,
     names.reserve(list.techniques.size());
     for (const shaders::Technique& technique : list.techniques) names.push_back(technique.name);
   }
+  const std::vector<resolve::Adapter> adapters = chosen_adapters(options);
+  subjects.reserve(names.size() + adapters.size());
   for (const std::string& name : names) {
     subjects.push_back(study::technique_subject(list, name, !options.conventional_z));
   }
-  for (const resolve::Adapter& adapter : chosen_adapters(options)) {
+  for (const resolve::Adapter& adapter : adapters) {
     subjects.push_back(study::adapter_subject(adapter, !options.conventional_z));
   }
   return subjects;

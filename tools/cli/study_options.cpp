@@ -184,7 +184,7 @@ std::vector<resolve::Adapter> chosen_adapters(const StudyOptions& options) {
   for (const std::string& text : options.package_roots) {
     const auto [name, folder] = name_and_value("--package-root", text);
     if (!std::filesystem::is_directory(folder)) {
-      throw EnvironmentError("--package-root " + name + ": '" + folder + "' is not a folder");
+      throw EnvironmentError(fmt::format("--package-root {}: '{}' is not a folder", name, folder));
     }
     roots.push_back({name, folder});
   }

@@ -8,7 +8,7 @@
 #include "input/input_error.h"
 #include "input/nearest_name.h"
 #include "platform/data_directory.h"
-#include "shaders/validate_techniques.h"
+#include "validation/validate_techniques.h"
 
 namespace penumbra::cli {
 
@@ -54,30 +54,25 @@ shaders::PackageRoot package_root(const std::string& text) {
   return root;
 }
 
-shaders::Stage stage(const std::string& name) {
-  if (name == "vertex") return shaders::Stage::vertex;
-  return name == "compute" ? shaders::Stage::compute : shaders::Stage::fragment;
-}
-
 std::vector<std::string> checked_targets(const std::vector<std::string>& given) {
-  const std::vector<std::string> known = shaders::ValidationRequest().targets;
+  const std::vector<std::string> known = validation::ValidationRequest().targets;
   for (const std::string& target : given)
     if (std::find(known.begin(), known.end(), target) == known.end())
       throw InputError("--targets", "unknown target '" + target + "'", unknown_name_way_out(target, known));
   return given.empty() ? known : given;
 }
 
-void add_files(const ValidateOptions& options, shaders::ValidationRequest& request) {
+void add_files(const ValidateOptions& options, validation::ValidationRequest& request) {
   for (const std::string& file : options.files) {
-    shaders::ShaderToValidate shader{file, options.entry, stage(options.stage), {}};
+    validation::ShaderToValidate shader{file, options.entry, *hlsl::find_stage(options.stage), {}};
     for (const std::string& set : options.keywords) shader.keyword_sets.push_back(split(set, ','));
     if (shader.keyword_sets.empty()) shader.keyword_sets.emplace_back();
     request.files.push_back(std::move(shader));
   }
 }
 
-shaders::ValidationRequest make_request(const ValidateOptions& options) {
-  shaders::ValidationRequest request;
+validation::ValidationRequest make_request(const ValidateOptions& options) {
+  validation::ValidationRequest request;
   request.targets = checked_targets(options.targets);
   request.jobs = options.jobs;
   add_files(options, request);
@@ -101,23 +96,23 @@ shaders::ValidationRequest make_request(const ValidateOptions& options) {
 }
 
 void run_validate(const ValidateOptions& options, Context& context) {
-  shaders::ValidationRequest request = make_request(options);
+  validation::ValidationRequest request = make_request(options);
   if (!options.emit_parameters.empty()) {
     if (!request.techniques) throw InputError("--emit-parameters", "needs a technique list, not files alone");
     write_output(options.emit_parameters, shaders::emit_parameter_structs_hlsl(*request.techniques));
     return;
   }
-  shaders::ValidationReport report;
+  validation::ValidationReport report;
   {
     Progress progress(context, "validate");
     request.progress = [&](std::size_t done, std::size_t total) {
       progress.update(static_cast<double>(done), static_cast<double>(total), "shaders");
     };
-    report = shaders::validate(request);
+    report = validation::validate(request);
   }
-  write_output(options.output, options.report == "json" ? shaders::validation_json(report)
-                                                        : shaders::validation_text(report));
-  if (report.count(shaders::VariantStatus::failed) != 0) context.exit_code = findings;
+  write_output(options.output, options.report == "json" ? validation::validation_json(report)
+                                                        : validation::validation_text(report));
+  if (report.count(validation::VariantStatus::failed) != 0) context.exit_code = findings;
 }
 
 void add_what(CLI::App& command, ValidateOptions& options) {

@@ -122,6 +122,12 @@ vk::raii::Framebuffer RasterState::make_framebuffer(const RasterTargets& targets
 
 namespace {
 
+const Image& first_target(const RasterTargets& targets) {
+  if (!targets.colours.empty()) return *targets.colours.front();
+  if (targets.depth == nullptr) throw std::logic_error("a raster pass without a target");
+  return *targets.depth;
+}
+
 void check(const RasterShaders& shaders, const RasterTargets& targets) {
   const bool depth_fits = (targets.depth != nullptr) == shaders.depth.has_value() &&
                           (targets.depth == nullptr || targets.depth->format() == *shaders.depth);
@@ -133,7 +139,7 @@ void check(const RasterShaders& shaders, const RasterTargets& targets) {
       throw std::logic_error("a colour target has another format than the raster pass was made for");
     }
   }
-  const Image& first = targets.colours.empty() ? *targets.depth : *targets.colours.front();
+  const Image& first = first_target(targets);
   for (const Image* image : targets.colours) {
     if (image->width() != first.width() || image->height() != first.height()) {
       throw std::logic_error("targets of different sizes");
@@ -178,7 +184,7 @@ Bindings& RasterPass::bindings() {
 
 double RasterPass::draw(const RasterTargets& targets, const std::vector<RasterTile>& tiles) {
   check(state_->shaders, targets);
-  const Image& first = targets.colours.empty() ? *targets.depth : *targets.colours.front();
+  const Image& first = first_target(targets);
   const vk::Extent2D extent = first.state()->extent;
   for (const RasterTile& tile : tiles) check(tile, extent);
 

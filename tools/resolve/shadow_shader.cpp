@@ -83,15 +83,15 @@ constexpr const char* kAdapterFunction = "ShadowVisibility";
 std::vector<std::uint32_t> compile_or_throw(const shaders::CompileRequest& request,
                                             std::vector<std::string>* notes = nullptr) {
   shaders::CompileResult result = shaders::compile(request);
-  for (const shaders::Diagnostic& diagnostic : result.diagnostics) {
-    if (notes != nullptr && diagnostic.severity == shaders::Severity::note) {
-      notes->push_back(shaders::format(diagnostic));
+  for (const hlsl::Diagnostic& diagnostic : result.diagnostics) {
+    if (notes != nullptr && diagnostic.severity == hlsl::Severity::note) {
+      notes->push_back(hlsl::format(diagnostic));
     }
   }
-  if (!shaders::has_errors(result.diagnostics)) return std::move(result.spirv);
+  if (!hlsl::has_errors(result.diagnostics)) return std::move(result.spirv);
   std::string messages;
-  for (const shaders::Diagnostic& diagnostic : result.diagnostics) {
-    if (diagnostic.severity == shaders::Severity::error) messages += "\n" + shaders::format(diagnostic);
+  for (const hlsl::Diagnostic& diagnostic : result.diagnostics) {
+    if (diagnostic.severity == hlsl::Severity::error) messages += "\n" + hlsl::format(diagnostic);
   }
   const bool function_missing = messages.find(std::string("'") + kAdapterFunction + "'") != std::string::npos;
   throw InputError(request.file.string(), "does not compile:" + messages,

@@ -20,10 +20,9 @@ std::array<std::uint32_t, 16> words(const glm::vec4& v) {
 
 std::array<std::uint32_t, 16> words(const glm::dmat4& m) {
   std::array<std::uint32_t, 16> result{};
+  auto next = result.begin();
   for (int column = 0; column < 4; ++column) {
-    for (int row = 0; row < 4; ++row) {
-      result[static_cast<std::size_t>(4 * column + row)] = word(static_cast<float>(m[column][row]));
-    }
+    for (int row = 0; row < 4; ++row) *next++ = word(static_cast<float>(m[column][row]));
   }
   return result;
 }

@@ -19,13 +19,16 @@ void add_upright(MeshBuilder& mesh, const glm::dvec3& foot, double height, doubl
 void add_diamond_panel(MeshBuilder& mesh, const glm::dvec3& corner, const glm::dvec3& along, double length) {
   constexpr double height = 1.5;
   const auto at = [&](double s, double y) { return corner + s * along + glm::dvec3(0, y, 0); };
-  for (double s = -height; s < length; s += 0.15) {
+  const int wires = static_cast<int>(std::ceil((length + height) / 0.15));
+  for (int wire = 0; wire < wires; ++wire) {
+    const double s = -height + 0.15 * wire;
     const double begin = std::max(s, 0.0), end = std::min(s + height, length);
     if (end - begin < 0.05) continue;
     mesh.tube({at(begin, begin - s), at(end, end - s), 0.005, 0.005, 6});
     mesh.tube({at(begin, height - (begin - s)), at(end, height - (end - s)), 0.005, 0.005, 6});
   }
-  for (double s = 0.0; s < length + 0.1; s += length / 3.0) add_upright(mesh, at(s, 0.0), 1.7, 0.06);
+  for (int upright = 0; upright <= 3; ++upright)
+    add_upright(mesh, at(upright * length / 3.0, 0.0), 1.7, 0.06);
 }
 
 }  // namespace

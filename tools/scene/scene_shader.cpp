@@ -6,7 +6,7 @@
 namespace penumbra::scene {
 
 std::vector<std::uint32_t> compile_scene_shader(const std::string& file, const std::string& entry,
-                                                shaders::Stage stage, bool reversed_z) {
+                                                hlsl::Stage stage, bool reversed_z) {
   const std::filesystem::path root = platform::data_directory();
   shaders::CompileRequest request;
   request.file = root / "tools" / "scene" / "shaders" / file;
@@ -15,10 +15,10 @@ std::vector<std::uint32_t> compile_scene_shader(const std::string& file, const s
   request.defines = {{"UNITY_REVERSED_Z", reversed_z ? "1" : "0"}};
   request.include_directories = {root / "ShaderLibrary"};
   shaders::CompileResult result = shaders::compile(request);
-  if (!shaders::has_errors(result.diagnostics)) return std::move(result.spirv);
+  if (!hlsl::has_errors(result.diagnostics)) return std::move(result.spirv);
   std::string messages = "a shader of the program itself does not compile:";
-  for (const shaders::Diagnostic& diagnostic : result.diagnostics) {
-    messages += "\n" + shaders::format(diagnostic);
+  for (const hlsl::Diagnostic& diagnostic : result.diagnostics) {
+    messages += "\n" + hlsl::format(diagnostic);
   }
   throw EnvironmentError(messages);
 }

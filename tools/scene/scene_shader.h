@@ -11,6 +11,6 @@ namespace penumbra::scene {
 
 // Throws EnvironmentError with the compiler's messages: these files are ours, not the user's.
 std::vector<std::uint32_t> compile_scene_shader(const std::string& file, const std::string& entry,
-                                                shaders::Stage stage, bool reversed_z);
+                                                hlsl::Stage stage, bool reversed_z);
 
 }  // namespace penumbra::scene

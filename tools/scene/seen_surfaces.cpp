@@ -79,8 +79,8 @@ Receivers receivers_of(const Scene& scene, const FrameSettings& settings,
 
 gpu::RasterShaders shaders_of_pass() {
   gpu::RasterShaders shaders;
-  shaders.vertex = compile_scene_shader("SeenSurface.hlsl", "Vertex", shaders::Stage::vertex, true);
-  shaders.fragment = compile_scene_shader("SeenSurface.hlsl", "Fragment", shaders::Stage::fragment, true);
+  shaders.vertex = compile_scene_shader("SeenSurface.hlsl", "Vertex", hlsl::Stage::vertex, true);
+  shaders.fragment = compile_scene_shader("SeenSurface.hlsl", "Fragment", hlsl::Stage::fragment, true);
   shaders.vertex_entry = "Vertex";
   shaders.fragment_entry = "Fragment";
   shaders.colours = {gpu::Format::rgba32f};

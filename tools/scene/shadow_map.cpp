@@ -76,7 +76,7 @@ gpu::RasterPass& ShadowMapPasses::pass(DepthFormat format, bool reversed_z) {
   const auto found = passes_.find({format, reversed_z});
   if (found != passes_.end()) return found->second;
   gpu::RasterShaders shaders;
-  shaders.vertex = compile_scene_shader("ShadowCaster.hlsl", "Main", shaders::Stage::vertex, reversed_z);
+  shaders.vertex = compile_scene_shader("ShadowCaster.hlsl", "Main", hlsl::Stage::vertex, reversed_z);
   shaders.depth = gpu_format(format);
   shaders.depth_test = reversed_z ? gpu::DepthTest::greater : gpu::DepthTest::less;
   gpu::RasterPass made(device_, shaders);

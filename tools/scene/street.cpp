@@ -39,8 +39,12 @@ void add_house(MeshBuilder& mesh, const House& house) {
   mesh.standing_box({house.side * (kFacade + 0.5 * depth - 0.2), house.height, house.z},
                     {depth + 0.4, 0.3, house.width});  // the cornice overhangs by 40 cm
   const double out = house.side * (kFacade - 0.1);
-  for (double y = 3.6; y < house.height - 1.5; y += 3.0) {
-    for (double z = house.z - 0.5 * house.width + 1.2; z < house.z + 0.5 * house.width - 0.6; z += 2.2) {
+  const int storeys = static_cast<int>(std::ceil((house.height - 1.5 - 3.6) / 3.0));
+  const int windows = static_cast<int>(std::ceil((house.width - 1.2 - 0.6) / 2.2));
+  for (int storey = 0; storey < storeys; ++storey) {
+    for (int window = 0; window < windows; ++window) {
+      const double y = 3.6 + 3.0 * storey;
+      const double z = house.z - 0.5 * house.width + 1.2 + 2.2 * window;
       mesh.standing_box({out, y, z}, {0.2, 0.08, 1.3});        // sill
       mesh.standing_box({out, y + 1.7, z}, {0.2, 0.12, 1.5});  // lintel
     }

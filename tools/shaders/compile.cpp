@@ -9,11 +9,11 @@
 #include <sstream>
 #include <utility>
 
+#include "hlsl/precision_twins.h"
+#include "hlsl/source_text.h"
 #include "input/input_error.h"
 #include "shaders/include_resolver.h"
 #include "shaders/parse_failure.h"
-#include "shaders/precision_twins.h"
-#include "shaders/source_text.h"
 #include "shaders/spirv_module.h"
 
 namespace penumbra::shaders {
@@ -34,13 +34,19 @@ void initialise_glslang_once() {
   static const Process process;
 }
 
-EShLanguage language(Stage stage) {
+EShLanguage language(hlsl::Stage stage) {
   switch (stage) {
-    case Stage::vertex:
+    case hlsl::Stage::vertex:
       return EShLangVertex;
-    case Stage::fragment:
+    case hlsl::Stage::hull:
+      return EShLangTessControl;
+    case hlsl::Stage::domain:
+      return EShLangTessEvaluation;
+    case hlsl::Stage::geometry:
+      return EShLangGeometry;
+    case hlsl::Stage::fragment:
       return EShLangFragment;
-    case Stage::compute:
+    case hlsl::Stage::compute:
       break;
   }
   return EShLangCompute;
@@ -92,12 +98,12 @@ class SourceShader {
   glslang::TShader shader_;
 };
 
-Diagnostic whole_file(const Source& source, Severity severity, std::string message) {
+hlsl::Diagnostic whole_file(const Source& source, hlsl::Severity severity, std::string message) {
   return {source.name, 0, 0, severity, std::move(message), {}};
 }
 
 // The text after includes and macros; empty when that fails.
-std::string preprocess(const Source& source, SourceFiles& sources) {
+std::string preprocess(const Source& source, hlsl::SourceFiles& sources) {
   IncludeResolver resolver(source.request, sources);
   SourceShader shader(source);
   std::string text;
@@ -108,15 +114,16 @@ std::string preprocess(const Source& source, SourceFiles& sources) {
 
 // For the diagnosis of a parse that failed.
 std::string preprocess_again(const Source& source) {
-  SourceFiles sources;
+  hlsl::SourceFiles sources;
   return preprocess(source, sources);
 }
 
-bool parse(const Source& source, glslang::TShader& shader, SourceFiles& sources, CompileResult& result) {
+bool parse(const Source& source, glslang::TShader& shader, hlsl::SourceFiles& sources,
+           CompileResult& result) {
   IncludeResolver resolver(source.request, sources);
   const bool parsed = shader.parse(GetDefaultResources(), hlsl_version, false, messages, resolver);
   const std::string log = shader.getInfoLog();
-  for (Diagnostic& warning : warnings(log, sources)) result.diagnostics.push_back(std::move(warning));
+  for (hlsl::Diagnostic& warning : warnings(log, sources)) result.diagnostics.push_back(std::move(warning));
   if (parsed && !resolver.failure()) return true;
   const std::string expanded = resolver.failure() ? std::string() : preprocess_again(source);
   result.diagnostics.push_back(first_error({log, source.name, resolver.failure(), expanded}, sources));
@@ -128,7 +135,7 @@ bool link(const Source& source, glslang::TProgram& program, CompileResult& resul
   const std::string log = program.getInfoLog();
   const bool no_entry = log.find("Entry point not found") != std::string::npos;
   result.diagnostics.push_back(whole_file(
-      source, Severity::error,
+      source, hlsl::Severity::error,
       no_entry ? "there is no function '" + source.request.entry + "' to enter at" : "link: " + log));
   return false;
 }
@@ -145,8 +152,8 @@ bool generate(const Source& source, const glslang::TIntermediate& tree, CompileR
   bool complete = true;
   for (std::string line; std::getline(lines, line);) {
     const bool note = line.compare(0, 8, "warning:") == 0;
-    result.diagnostics.push_back(
-        whole_file(source, note ? Severity::warning : Severity::error, "SPIR-V back end: " + line));
+    result.diagnostics.push_back(whole_file(source, note ? hlsl::Severity::warning : hlsl::Severity::error,
+                                            "SPIR-V back end: " + line));
     complete = complete && note;
   }
   return complete;
@@ -158,11 +165,11 @@ bool finish_module(const Source& source, CompileResult& result) {
   number_bindings(result.spirv);  // after the unused ones are gone
   if (optimised) problems = validation_problems(result.spirv, !source.request.optimise);
   for (const std::string& problem : problems)
-    result.diagnostics.push_back(whole_file(source, Severity::error, "SPIR-V validation: " + problem));
+    result.diagnostics.push_back(whole_file(source, hlsl::Severity::error, "SPIR-V validation: " + problem));
   return optimised && problems.empty();
 }
 
-bool build(const Source& source, SourceFiles& sources, CompileResult& result) {
+bool build(const Source& source, hlsl::SourceFiles& sources, CompileResult& result) {
   SourceShader shader(source);  // outlives the program that uses it
   if (!parse(source, shader.get(), sources, result)) return false;
   glslang::TProgram program;
@@ -174,12 +181,12 @@ bool build(const Source& source, SourceFiles& sources, CompileResult& result) {
 
 // What the parser reads: the source, or its expansion with one body for each group of precision twins. A
 // source that does not expand is left as it is, for the parser to say why.
-Source with_twins_merged(const Source& source, SourceFiles& sources, CompileResult& result) {
+Source with_twins_merged(const Source& source, hlsl::SourceFiles& sources, CompileResult& result) {
   if (!source.request.merge_precision_twins) return source;
   const std::string expanded = preprocess(source, sources);
   if (expanded.empty()) return source;
-  MergedTwins merged = merge_precision_twins(expanded, source.name);
-  for (Diagnostic& note : merged.notes) {
+  hlsl::MergedTwins merged = hlsl::merge_precision_twins(expanded, source.name);
+  for (hlsl::Diagnostic& note : merged.notes) {
     note.source_line = sources.line(note.file, note.line);
     result.diagnostics.push_back(std::move(note));
   }
@@ -187,21 +194,21 @@ Source with_twins_merged(const Source& source, SourceFiles& sources, CompileResu
 }
 
 // glslang stops reading at a NUL byte without a word.
-std::optional<Diagnostic> nul_byte(const SourceFiles& sources) {
+std::optional<hlsl::Diagnostic> nul_byte(const hlsl::SourceFiles& sources) {
   for (const std::string& name : sources.names()) {
     const std::string& text = sources.text(name);
     const std::size_t at = text.find('\0');
     if (at == std::string::npos) continue;
     const auto before = text.begin() + static_cast<std::ptrdiff_t>(at);
     const auto line = static_cast<int>(std::count(text.begin(), before, '\n')) + 1;
-    return Diagnostic{name, line, 0, Severity::error, "a NUL byte; is this a text file?", {}};
+    return hlsl::Diagnostic{name, line, 0, hlsl::Severity::error, "a NUL byte; is this a text file?", {}};
   }
   return std::nullopt;
 }
 
 std::string source_text(const CompileRequest& request) {
-  if (request.text) return normalise_source(*request.text);
-  SourceRead read = read_source(request.file);
+  if (request.text) return hlsl::normalise_source(*request.text);
+  hlsl::SourceRead read = hlsl::read_source(request.file);
   if (!read.problem.empty()) throw InputError(request.file.string(), "cannot be read: " + read.problem);
   return std::move(read.text);
 }
@@ -211,11 +218,11 @@ std::string source_text(const CompileRequest& request) {
 CompileResult compile(const CompileRequest& request) {
   initialise_glslang_once();
   const Source source{request, request.file.string(), source_text(request), preamble(request)};
-  SourceFiles sources;
+  hlsl::SourceFiles sources;
   sources.add(source.name, source.text);
   CompileResult result;
   bool built = build(with_twins_merged(source, sources, result), sources, result);
-  if (const std::optional<Diagnostic> nul = nul_byte(sources)) {
+  if (const std::optional<hlsl::Diagnostic> nul = nul_byte(sources)) {
     result.diagnostics = {*nul};
     built = false;
   }

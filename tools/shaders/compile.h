@@ -8,11 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "shaders/diagnostic.h"
+#include "hlsl/diagnostic.h"
+#include "hlsl/stage.h"
 
 namespace penumbra::shaders {
-
-enum class Stage { vertex, fragment, compute };
 
 // "#include "Packages/<name>/..." resolves under directory.
 struct PackageRoot {
@@ -31,7 +30,7 @@ struct CompileRequest {
   std::filesystem::path file;  // names the source in messages; read from disk unless text is given
   std::optional<std::string> text;
   std::string entry = "Main";
-  Stage stage = Stage::compute;
+  hlsl::Stage stage = hlsl::Stage::compute;
   std::vector<std::pair<std::string, std::string>> defines;
   std::vector<PackageRoot> package_roots;
   std::vector<std::filesystem::path> include_directories;
@@ -44,7 +43,7 @@ struct CompileRequest {
 
 struct CompileResult {
   std::vector<std::uint32_t> spirv;  // empty when a diagnostic is an error
-  std::vector<Diagnostic> diagnostics;
+  std::vector<hlsl::Diagnostic> diagnostics;
   std::vector<std::filesystem::path> dependencies;  // every file that was read
 };
 

@@ -123,7 +123,7 @@ CrossCompileResult cross_compile(const std::vector<std::uint32_t>& spirv, Target
   try {
     return {emit(spirv, target), {}};
   } catch (const std::invalid_argument& problem) {
-    return {{}, {{target_name(target), 0, 0, Severity::error, problem.what(), {}}}};
+    return {{}, {{target_name(target), 0, 0, hlsl::Severity::error, problem.what(), {}}}};
   }
 }
 

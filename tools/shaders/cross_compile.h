@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "shaders/diagnostic.h"
+#include "hlsl/diagnostic.h"
 
 namespace penumbra::shaders {
 
@@ -23,8 +23,8 @@ const char* target_name(Target target);  // "essl310", ...
 std::optional<Target> find_target(std::string_view name);
 
 struct CrossCompileResult {
-  std::string text;                     // empty when a diagnostic is an error
-  std::vector<Diagnostic> diagnostics;  // their file is the target's name
+  std::string text;                           // empty when a diagnostic is an error
+  std::vector<hlsl::Diagnostic> diagnostics;  // their file is the target's name
 };
 
 // The module must be legalised (CompileRequest::optimise). Never throws for a module that a target cannot

@@ -5,7 +5,7 @@
 #include <GL/glcorearb.h>
 
 #include <cstdio>
-#include <memory>
+#include <map>
 #include <mutex>
 #include <sstream>
 
@@ -51,12 +51,10 @@ struct GlFunctions {
   PFNGLDELETEPROGRAMPROC delete_program = gl_function<PFNGLDELETEPROGRAMPROC>("glDeleteProgram");
 };
 
-// The context of one dialect, current on this thread while an object of this class stands.
-class CurrentContext {
+// The context of one dialect; it is made by the thread that uses it.
+class Context {
  public:
-  explicit CurrentContext(Target target) : display_(surfaceless_display()) {
-    const bool es = target == Target::essl310;
-    eglBindAPI(es ? EGL_OPENGL_ES_API : EGL_OPENGL_API);
+  explicit Context(Target target) : display_(surfaceless_display()), es_(target == Target::essl310) {
     const EGLint es_attributes[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 1, EGL_NONE};
     const EGLint gl_attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
                                     4,
@@ -65,35 +63,50 @@ class CurrentContext {
                                     EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                     EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                     EGL_NONE};
+    bind_api();
     context_ =
-        eglCreateContext(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, es ? es_attributes : gl_attributes);
-    if (context_ == EGL_NO_CONTEXT ||
-        eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) != EGL_TRUE)
-      throw EnvironmentError(std::string("EGL gives no ") + (es ? "OpenGL ES 3.1" : "OpenGL 4.5 core") +
+        eglCreateContext(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, es_ ? es_attributes : gl_attributes);
+    if (context_ == EGL_NO_CONTEXT || !make_current())
+      throw EnvironmentError(std::string("EGL gives no ") + (es_ ? "OpenGL ES 3.1" : "OpenGL 4.5 core") +
                              " context, which checking " + target_name(target) + " needs");
   }
-  ~CurrentContext() {
+  ~Context() {
+    bind_api();
     eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     eglDestroyContext(display_, context_);
     eglReleaseThread();
   }
-  CurrentContext(const CurrentContext&) = delete;
-  CurrentContext& operator=(const CurrentContext&) = delete;
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
+
+  bool make_current() {
+    bind_api();
+    return eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_TRUE;
+  }
 
   const GlFunctions gl;
 
  private:
+  void bind_api() const { eglBindAPI(es_ ? EGL_OPENGL_ES_API : EGL_OPENGL_API); }
+
   EGLDisplay display_;
+  bool es_;
   EGLContext context_ = EGL_NO_CONTEXT;
 };
 
-GLenum stage_enum(Stage stage) {
+GLenum stage_enum(hlsl::Stage stage) {
   switch (stage) {
-    case Stage::vertex:
+    case hlsl::Stage::vertex:
       return GL_VERTEX_SHADER;
-    case Stage::fragment:
+    case hlsl::Stage::hull:
+      return GL_TESS_CONTROL_SHADER;
+    case hlsl::Stage::domain:
+      return GL_TESS_EVALUATION_SHADER;
+    case hlsl::Stage::geometry:
+      return GL_GEOMETRY_SHADER;
+    case hlsl::Stage::fragment:
       return GL_FRAGMENT_SHADER;
-    case Stage::compute:
+    case hlsl::Stage::compute:
       break;
   }
   return GL_COMPUTE_SHADER;
@@ -107,8 +120,8 @@ std::string nth_line(const std::string& text, int number) {
 }
 
 // Mesa: "0:12(5): error: ...": string, line, column. Lines of another form keep their text and no place.
-Diagnostic parse_line(const std::string& line, const std::string& text) {
-  Diagnostic diagnostic;
+hlsl::Diagnostic parse_line(const std::string& line, const std::string& text) {
+  hlsl::Diagnostic diagnostic;
   int string_number = 0;
   int length = 0;
   char severity[16] = {};
@@ -117,33 +130,34 @@ Diagnostic parse_line(const std::string& line, const std::string& text) {
   if (fields < 4 || length == 0) {
     diagnostic.line = diagnostic.column = 0;
     diagnostic.message = line;
-    diagnostic.severity = line.find("warning") == std::string::npos ? Severity::error : Severity::warning;
+    diagnostic.severity =
+        line.find("warning") == std::string::npos ? hlsl::Severity::error : hlsl::Severity::warning;
     return diagnostic;
   }
-  diagnostic.severity = std::string(severity) == "error" ? Severity::error : Severity::warning;
+  diagnostic.severity = std::string(severity) == "error" ? hlsl::Severity::error : hlsl::Severity::warning;
   diagnostic.message = line.substr(static_cast<std::size_t>(length));
   diagnostic.source_line = nth_line(text, diagnostic.line);
   return diagnostic;
 }
 
-std::vector<Diagnostic> parse_gl_log(const std::string& log, const std::string& text, bool failed) {
-  std::vector<Diagnostic> diagnostics;
+std::vector<hlsl::Diagnostic> parse_gl_log(const std::string& log, const std::string& text, bool failed) {
+  std::vector<hlsl::Diagnostic> diagnostics;
   std::istringstream lines(log);
   for (std::string line; std::getline(lines, line);)
     if (!line.empty()) diagnostics.push_back(parse_line(line, text));
-  if (failed && !has_errors(diagnostics))
-    diagnostics.push_back({{}, 0, 0, Severity::error, "the GL driver refuses it without a reason", {}});
+  if (failed && !hlsl::has_errors(diagnostics))
+    diagnostics.push_back({{}, 0, 0, hlsl::Severity::error, "the GL driver refuses it without a reason", {}});
   if (!failed)  // what the driver accepts is no error, whatever the words of its log
-    for (Diagnostic& diagnostic : diagnostics) diagnostic.severity = Severity::warning;
+    for (hlsl::Diagnostic& diagnostic : diagnostics) diagnostic.severity = hlsl::Severity::warning;
   return diagnostics;
 }
 
-void append(std::vector<Diagnostic>& to, std::vector<Diagnostic> more) {
+void append(std::vector<hlsl::Diagnostic>& to, std::vector<hlsl::Diagnostic> more) {
   to.insert(to.end(), more.begin(), more.end());
 }
 
 void compile_stage(const GlFunctions& gl, GLuint program, const GlStage& stage,
-                   std::vector<Diagnostic>& out) {
+                   std::vector<hlsl::Diagnostic>& out) {
   const GLuint shader = gl.create_shader(stage_enum(stage.stage));
   const char* text = stage.text.c_str();
   gl.shader_source(shader, 1, &text, nullptr);
@@ -160,7 +174,7 @@ void compile_stage(const GlFunctions& gl, GLuint program, const GlStage& stage,
   gl.delete_shader(shader);  // lives on until the program goes
 }
 
-void link_program(const GlFunctions& gl, GLuint program, std::vector<Diagnostic>& out) {
+void link_program(const GlFunctions& gl, GLuint program, std::vector<hlsl::Diagnostic>& out) {
   gl.link_program(program);
   GLint linked = GL_FALSE;
   GLint length = 0;
@@ -172,29 +186,25 @@ void link_program(const GlFunctions& gl, GLuint program, std::vector<Diagnostic>
   append(out, parse_gl_log(log, {}, linked != GL_TRUE));
 }
 
-CurrentContext& thread_context(Target target) {
-  // One at a time: EGL has one current context per thread and API, and Mesa one per thread.
-  thread_local std::unique_ptr<CurrentContext> context;
-  thread_local Target dialect = Target::msl23;
-  if (!context || dialect != target) {
-    context.reset();
-    context = std::make_unique<CurrentContext>(target);
-    dialect = target;
-  }
-  return *context;
+// This thread's context of a dialect, made current: Mesa has one current context per thread.
+Context& thread_context(Target target) {
+  thread_local std::map<Target, Context> contexts;
+  Context& context = contexts.try_emplace(target, target).first->second;
+  context.make_current();
+  return context;
 }
 
 }  // namespace
 
-std::vector<Diagnostic> gl_check(const std::vector<GlStage>& stages, Target target) {
+std::vector<hlsl::Diagnostic> gl_check(const std::vector<GlStage>& stages, Target target) {
   const GlFunctions& gl = thread_context(target).gl;
   const GLuint program = gl.create_program();
   if (stages.size() == 1) gl.program_parameter(program, GL_PROGRAM_SEPARABLE, GL_TRUE);
-  std::vector<Diagnostic> diagnostics;
+  std::vector<hlsl::Diagnostic> diagnostics;
   for (const GlStage& stage : stages) compile_stage(gl, program, stage, diagnostics);
-  if (!has_errors(diagnostics)) link_program(gl, program, diagnostics);
+  if (!hlsl::has_errors(diagnostics)) link_program(gl, program, diagnostics);
   gl.delete_program(program);
-  for (Diagnostic& diagnostic : diagnostics) diagnostic.file = target_name(target);
+  for (hlsl::Diagnostic& diagnostic : diagnostics) diagnostic.file = target_name(target);
   return diagnostics;
 }
 

@@ -8,21 +8,21 @@
 #include <string>
 #include <vector>
 
+#include "hlsl/diagnostic.h"
 #include "shaders/compile.h"
 #include "shaders/cross_compile.h"
-#include "shaders/diagnostic.h"
 
 namespace penumbra::shaders {
 
 struct GlStage {
-  Stage stage = Stage::compute;
+  hlsl::Stage stage = hlsl::Stage::compute;
   std::string text;
 };
 
 // The driver's errors and warnings, their place in the emitted text; file is the target's name. Several
 // stages are linked with each other, a single one as a separable program. Target: essl310 or glsl450.
 // Throws EnvironmentError when there is no EGL or no such context.
-std::vector<Diagnostic> gl_check(const std::vector<GlStage>& stages, Target target);
+std::vector<hlsl::Diagnostic> gl_check(const std::vector<GlStage>& stages, Target target);
 
 // GL_VERSION of the context that checks the target, for reports.
 std::string gl_driver(Target target);

@@ -4,7 +4,7 @@
 
 namespace penumbra::shaders {
 
-std::vector<Diagnostic> gl_check(const std::vector<GlStage>& /*stages*/, Target target) {
+std::vector<hlsl::Diagnostic> gl_check(const std::vector<GlStage>& /*stages*/, Target target) {
   throw EnvironmentError(std::string("this build has no EGL, which checking ") + target_name(target) +
                          " needs");
 }

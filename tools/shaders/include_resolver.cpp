@@ -68,7 +68,7 @@ std::string missing_message(const std::string& header, const Candidates& candida
 
 }  // namespace
 
-IncludeResolver::IncludeResolver(const CompileRequest& request, SourceFiles& sources)
+IncludeResolver::IncludeResolver(const CompileRequest& request, hlsl::SourceFiles& sources)
     : request_(request), sources_(sources), open_{request.file.string()} {}
 
 IncludeResolver::IncludeResult* IncludeResolver::includeLocal(const char* header, const char* includer,
@@ -102,7 +102,7 @@ void IncludeResolver::releaseInclude(IncludeResult* result) {
 IncludeResolver::IncludeResult* IncludeResolver::open(const std::string& name) {
   if (open_.size() > max_include_depth) return fail("includes without end: " + chain_to(name));
   if (!sources_.contains(name)) {
-    SourceRead read = read_source(name);
+    hlsl::SourceRead read = hlsl::read_source(name);
     if (!read.problem.empty()) return fail("cannot read '" + name + "': " + read.problem);
     sources_.add(name, std::move(read.text));
   }

@@ -10,15 +10,15 @@
 #include <string>
 #include <vector>
 
+#include "hlsl/source_text.h"
 #include "shaders/compile.h"
-#include "shaders/source_text.h"
 
 namespace penumbra::shaders {
 
 class IncludeResolver final : public glslang::TShader::Includer {
  public:
   // Texts that were read are added to `sources`, which outlives the resolver.
-  IncludeResolver(const CompileRequest& request, SourceFiles& sources);
+  IncludeResolver(const CompileRequest& request, hlsl::SourceFiles& sources);
 
   IncludeResult* includeLocal(const char* header, const char* includer, std::size_t depth) override;
   IncludeResult* includeSystem(const char* header, const char* includer, std::size_t depth) override;
@@ -34,7 +34,7 @@ class IncludeResolver final : public glslang::TShader::Includer {
   std::string chain_to(const std::string& name) const;
 
   const CompileRequest& request_;
-  SourceFiles& sources_;
+  hlsl::SourceFiles& sources_;
   std::vector<std::string> open_;  // the main file, then every include being read
   std::optional<std::string> failure_;
 };

@@ -5,7 +5,7 @@
 #include <cctype>
 #include <sstream>
 
-#include "shaders/expanded_text.h"
+#include "hlsl/expanded_text.h"
 
 namespace penumbra::shaders {
 
@@ -13,12 +13,12 @@ namespace {
 
 struct Prefix {
   std::string_view text;
-  Severity severity;
+  hlsl::Severity severity;
 };
-constexpr std::array<Prefix, 4> prefixes{{{"ERROR: ", Severity::error},
-                                          {"INTERNAL ERROR: ", Severity::error},
-                                          {"UNIMPLEMENTED: ", Severity::error},
-                                          {"WARNING: ", Severity::warning}}};
+constexpr std::array<Prefix, 4> prefixes{{{"ERROR: ", hlsl::Severity::error},
+                                          {"INTERNAL ERROR: ", hlsl::Severity::error},
+                                          {"UNIMPLEMENTED: ", hlsl::Severity::error},
+                                          {"WARNING: ", hlsl::Severity::warning}}};
 
 bool starts_with(std::string_view text, std::string_view start) {
   return text.substr(0, start.size()) == start;
@@ -39,7 +39,7 @@ bool take_line_number(std::string_view& rest, int& line) {
 }
 
 // The file may hold colons and blanks: it is found by the names this compilation has read, longest first.
-void take_place(std::string_view& rest, const SourceFiles& sources, LogLine& out) {
+void take_place(std::string_view& rest, const hlsl::SourceFiles& sources, LogLine& out) {
   std::vector<std::string> names = sources.names();
   std::sort(names.begin(), names.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
   for (const std::string& name : names) {
@@ -79,7 +79,7 @@ std::string sentence(const LogLine& line) {
   return "'" + line.token + "': " + message;
 }
 
-Diagnostic to_diagnostic(const LogLine& line, const SourceFiles& sources) {
+hlsl::Diagnostic to_diagnostic(const LogLine& line, const hlsl::SourceFiles& sources) {
   const std::string text = sources.line(line.file, line.line);
   if (line.message == "End of input in comment") {
     const auto column = static_cast<int>(text.rfind("/*") + 1);  // 0 when it is not there
@@ -89,23 +89,24 @@ Diagnostic to_diagnostic(const LogLine& line, const SourceFiles& sources) {
   return {line.file, line.line, column, line.severity, sentence(line), text};
 }
 
-Diagnostic at_end_of(const CodeLine& code, const std::string& message, const SourceFiles& sources) {
+hlsl::Diagnostic at_end_of(const hlsl::CodeLine& code, const std::string& message,
+                           const hlsl::SourceFiles& sources) {
   const std::string text = sources.line(code.file, code.line);
-  return {code.file, code.line, column_after_code(text), Severity::error, message, text};
+  return {code.file, code.line, hlsl::column_after_code(text), hlsl::Severity::error, message, text};
 }
 
 // A missing ';' or ')' is noticed at the next token, often a line or a file later; it is mended where the
 // code before that token ends.
-Diagnostic place_expected(const LogLine& line, const std::vector<CodeLine>& code,
-                          const SourceFiles& sources) {
-  const std::optional<CodeLine> before = unfinished_line_before(code, line.file, line.line);
+hlsl::Diagnostic place_expected(const LogLine& line, const std::vector<hlsl::CodeLine>& code,
+                                const hlsl::SourceFiles& sources) {
+  const std::optional<hlsl::CodeLine> before = hlsl::unfinished_line_before(code, line.file, line.line);
   return before && line.token == ";" ? at_end_of(*before, sentence(line), sources)
                                      : to_diagnostic(line, sources);
 }
 
 }  // namespace
 
-std::vector<LogLine> parse_log(std::string_view log, const SourceFiles& sources) {
+std::vector<LogLine> parse_log(std::string_view log, const hlsl::SourceFiles& sources) {
   std::vector<LogLine> lines;
   std::istringstream stream{std::string(log)};
   for (std::string text; std::getline(stream, text);) {
@@ -139,47 +140,49 @@ int column_of(std::string_view token, std::string_view line) {
   return column;
 }
 
-Diagnostic first_error(const ParseFailure& failure, const SourceFiles& sources) {
+hlsl::Diagnostic first_error(const ParseFailure& failure, const hlsl::SourceFiles& sources) {
   const std::vector<LogLine> lines = parse_log(failure.log, sources);
   const auto error = std::find_if(lines.begin(), lines.end(),
-                                  [](const LogLine& line) { return line.severity == Severity::error; });
-  const std::vector<CodeLine> code = expanded_lines(failure.preprocessed);
+                                  [](const LogLine& line) { return line.severity == hlsl::Severity::error; });
+  const std::vector<hlsl::CodeLine> code = hlsl::expanded_lines(failure.preprocessed);
   if (error != lines.end() && failure.include_failure) {
     LogLine line = *error;
     line.token.clear();
     line.message = *failure.include_failure;
-    Diagnostic diagnostic = to_diagnostic(line, sources);
+    hlsl::Diagnostic diagnostic = to_diagnostic(line, sources);
     diagnostic.column = column_of("#include", diagnostic.source_line);
     return diagnostic;
   }
   // Before anything the parser says about it: a bracket or condition that a file leaves open.
-  if (const std::optional<OpenPlace> open = open_condition(sources))
-    return {open->file,      open->line,    open->column,
-            Severity::error, open->message, sources.line(open->file, open->line)};
+  if (const std::optional<hlsl::OpenPlace> open = hlsl::open_condition(sources))
+    return {open->file,    open->line,
+            open->column,  hlsl::Severity::error,
+            open->message, sources.line(open->file, open->line)};
   const bool vague = error == lines.end() || error->message == "Expected" || error->line == 0;
   if (vague) {
-    if (const std::optional<OpenPlace> open = unbalanced_bracket(code)) {
+    if (const std::optional<hlsl::OpenPlace> open = hlsl::unbalanced_bracket(code)) {
       const std::string text = sources.line(open->file, open->line);
-      return {open->file, open->line, column_of(open->token, text), Severity::error, open->message, text};
+      return {open->file,    open->line, column_of(open->token, text), hlsl::Severity::error,
+              open->message, text};
     }
   }
   if (error == lines.end() || error->line == 0)
     return {failure.main_file,
             0,
             0,
-            Severity::error,
+            hlsl::Severity::error,
             "the HLSL front end gave up: " + std::string(failure.log),
             {}};
   return error->message == "Expected" ? place_expected(*error, code, sources)
                                       : to_diagnostic(*error, sources);
 }
 
-std::vector<Diagnostic> warnings(std::string_view log, const SourceFiles& sources) {
-  std::vector<Diagnostic> diagnostics;
+std::vector<hlsl::Diagnostic> warnings(std::string_view log, const hlsl::SourceFiles& sources) {
+  std::vector<hlsl::Diagnostic> diagnostics;
   std::vector<std::string> seen;
   for (const LogLine& line : parse_log(log, sources)) {
-    if (line.severity != Severity::warning) continue;
-    const Diagnostic diagnostic = to_diagnostic(line, sources);
+    if (line.severity != hlsl::Severity::warning) continue;
+    const hlsl::Diagnostic diagnostic = to_diagnostic(line, sources);
     if (std::find(seen.begin(), seen.end(), format(diagnostic)) != seen.end()) continue;
     seen.push_back(format(diagnostic));
     diagnostics.push_back(diagnostic);

@@ -10,21 +10,21 @@
 #include <string_view>
 #include <vector>
 
-#include "shaders/diagnostic.h"
-#include "shaders/source_text.h"
+#include "hlsl/diagnostic.h"
+#include "hlsl/source_text.h"
 
 namespace penumbra::shaders {
 
 // One line of the log: "ERROR: file:line: 'token' : message".
 struct LogLine {
-  Severity severity = Severity::error;
+  hlsl::Severity severity = hlsl::Severity::error;
   std::string file;
   int line = 0;
   std::string token;
   std::string message;
 };
 
-std::vector<LogLine> parse_log(std::string_view log, const SourceFiles& sources);
+std::vector<LogLine> parse_log(std::string_view log, const hlsl::SourceFiles& sources);
 
 // What the diagnosis of a failure may draw on.
 struct ParseFailure {
@@ -34,8 +34,8 @@ struct ParseFailure {
   std::string preprocessed;  // glslang's own preprocessor output, may be empty
 };
 
-Diagnostic first_error(const ParseFailure& failure, const SourceFiles& sources);
-std::vector<Diagnostic> warnings(std::string_view log, const SourceFiles& sources);
+hlsl::Diagnostic first_error(const ParseFailure& failure, const hlsl::SourceFiles& sources);
+std::vector<hlsl::Diagnostic> warnings(std::string_view log, const hlsl::SourceFiles& sources);
 
 // 1-based column of the token where it stands alone and only once in the line, else 0.
 int column_of(std::string_view token, std::string_view line);

@@ -7,10 +7,10 @@
 #include <system_error>
 #include <utility>
 
+#include "hlsl/identifier.h"
 #include "input/input_error.h"
 #include "input/located_json.h"
 #include "input/nearest_name.h"
-#include "shaders/identifier.h"
 
 namespace penumbra::shaders {
 
@@ -32,7 +32,7 @@ std::string required_text(JsonObject& object, const std::string& key) {
 
 std::string required_identifier(JsonObject& object, const std::string& key) {
   std::string name = required_text(object, key);
-  if (!is_identifier(name)) object.fail(key, "'" + name + "' is no HLSL identifier");
+  if (!hlsl::is_identifier(name)) object.fail(key, "'" + name + "' is no HLSL identifier");
   return name;
 }
 
@@ -140,7 +140,7 @@ void read_unlimited(JsonObject object, const nlohmann::json& values,
 }
 
 void check_keyword(JsonObject& object, const std::string& key, const std::string& keyword) {
-  if (!is_identifier(keyword)) object.fail(key, "'" + keyword + "' is no keyword");
+  if (!hlsl::is_identifier(keyword)) object.fail(key, "'" + keyword + "' is no keyword");
 }
 
 std::vector<std::vector<std::string>> read_keyword_sets(const LocatedJson& document, JsonObject& object,

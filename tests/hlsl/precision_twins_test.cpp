@@ -1,5 +1,5 @@
 // Overloads that differ in precision alone become one function, and nothing else changes.
-#include "shaders/precision_twins.h"
+#include "hlsl/precision_twins.h"
 
 #include <gmock/gmock.h>
 
@@ -7,7 +7,7 @@
 
 #include "shaders/compile.h"
 
-namespace penumbra::shaders {
+namespace penumbra::hlsl {
 namespace {
 
 using testing::AllOf;
@@ -106,8 +106,8 @@ TEST(PrecisionTwins, TextThatIsNoHlslIsLeftAlone) {
   }
 }
 
-CompileResult compile_twins(const std::string& text, bool merge_twins) {
-  CompileRequest request;
+shaders::CompileResult compile_twins(const std::string& text, bool merge_twins) {
+  shaders::CompileRequest request;
   request.file = "twins.hlsl";
   request.text = text;
   request.merge_precision_twins = merge_twins;
@@ -122,7 +122,7 @@ const std::string kTwins =
 
 TEST(PrecisionTwins, CompileWhenMergedAndDoNotOtherwise) {
   EXPECT_THAT(compile_twins(kTwins, false).spirv, IsEmpty());
-  const CompileResult merged = compile_twins(kTwins, true);
+  const shaders::CompileResult merged = compile_twins(kTwins, true);
   EXPECT_FALSE(merged.spirv.empty());
   ASSERT_THAT(merged.diagnostics, SizeIs(1));
   EXPECT_EQ(merged.diagnostics[0].line, 2);
@@ -130,7 +130,7 @@ TEST(PrecisionTwins, CompileWhenMergedAndDoNotOtherwise) {
 }
 
 TEST(PrecisionTwins, ErrorsKeepTheirPlaceAfterMerging) {
-  const CompileResult result = compile_twins(kTwins + "\nfloat g() { return nothing; }\n", true);
+  const shaders::CompileResult result = compile_twins(kTwins + "\nfloat g() { return nothing; }\n", true);
   const auto error = std::find_if(result.diagnostics.begin(), result.diagnostics.end(),
                                   [](const Diagnostic& d) { return d.severity == Severity::error; });
   ASSERT_NE(error, result.diagnostics.end());
@@ -140,11 +140,11 @@ TEST(PrecisionTwins, ErrorsKeepTheirPlaceAfterMerging) {
 }
 
 TEST(PrecisionTwins, ATextThatDoesNotExpandSaysWhy) {
-  const CompileResult result = compile_twins("#include \"absent.hlsl\"\n" + kTwins, true);
+  const shaders::CompileResult result = compile_twins("#include \"absent.hlsl\"\n" + kTwins, true);
   ASSERT_TRUE(has_errors(result.diagnostics));
   EXPECT_EQ(result.diagnostics[0].line, 1);
   EXPECT_THAT(result.diagnostics[0].message, HasSubstr("cannot find 'absent.hlsl'"));
 }
 
 }  // namespace
-}  // namespace penumbra::shaders
+}  // namespace penumbra::hlsl

@@ -1,8 +1,8 @@
-#include "shaders/validation_variants.h"
+#include "validation/validation_variants.h"
 
 #include <algorithm>
 
-namespace penumbra::shaders {
+namespace penumbra::validation {
 
 namespace {
 
@@ -37,8 +37,9 @@ void Compute(uint3 id : SV_DispatchThreadID)
 }
 )";
 
-CompileRequest base_request(const ValidationRequest& request, const std::vector<std::string>& keywords) {
-  CompileRequest compile;
+shaders::CompileRequest base_request(const ValidationRequest& request,
+                                     const std::vector<std::string>& keywords) {
+  shaders::CompileRequest compile;
   compile.defines = request.defines;
   for (const std::string& keyword : keywords) compile.defines.emplace_back(keyword, "1");
   compile.package_roots = request.package_roots;
@@ -46,26 +47,27 @@ CompileRequest base_request(const ValidationRequest& request, const std::vector<
   return compile;
 }
 
-SourceVariant technique_variant(const ValidationRequest& request, const Technique& technique, Stage stage,
-                                const std::vector<std::string>& keywords) {
-  const TechniqueList& list = *request.techniques;
-  const TechniqueCall call = emit_technique_call(list, technique, "_Penumbra");
+SourceVariant technique_variant(const ValidationRequest& request, const shaders::Technique& technique,
+                                hlsl::Stage stage, const std::vector<std::string>& keywords) {
+  const shaders::TechniqueList& list = *request.techniques;
+  const shaders::TechniqueCall call = shaders::emit_technique_call(list, technique, "_Penumbra");
   SourceVariant variant;
   variant.technique = &technique;
   variant.compile = base_request(request, keywords);
   variant.compile.include_directories.push_back(list.file.parent_path());
-  variant.compile.file = "technique " + technique.name + " (" + stage_name(stage) + " entry)";
+  variant.compile.file = "technique " + technique.name + " (" + hlsl::stage_name(stage) + " entry)";
   variant.compile.text = "#include \"Platform/Platform.hlsl\"\n" + call.includes +
                          "#include \"Core/ShadowStructs.hlsl\"\n" + call.declarations + call.function +
-                         (stage == Stage::fragment ? fragment_entry : compute_entry);
-  variant.compile.entry = stage == Stage::fragment ? "Fragment" : "Compute";
+                         (stage == hlsl::Stage::fragment ? fragment_entry : compute_entry);
+  variant.compile.entry = stage == hlsl::Stage::fragment ? "Fragment" : "Compute";
   variant.compile.stage = stage;
   variant.reported_file = (list.file.parent_path() / technique.chain.back().file).lexically_normal().string();
   variant.keywords = keywords;
   return variant;
 }
 
-std::vector<std::string> with_own_keywords(const Technique& technique, std::vector<std::string> keywords) {
+std::vector<std::string> with_own_keywords(const shaders::Technique& technique,
+                                           std::vector<std::string> keywords) {
   for (const std::string& keyword : technique.keywords)
     if (std::find(keywords.begin(), keywords.end(), keyword) == keywords.end()) keywords.push_back(keyword);
   return keywords;
@@ -76,9 +78,9 @@ std::vector<std::string> with_own_keywords(const Technique& technique, std::vect
 std::vector<SourceVariant> source_variants(const ValidationRequest& request) {
   std::vector<SourceVariant> variants;
   if (request.techniques)
-    for (const Technique& technique : request.techniques->techniques)
+    for (const shaders::Technique& technique : request.techniques->techniques)
       for (const std::vector<std::string>& keywords : technique.keyword_sets)
-        for (const Stage stage : {Stage::fragment, Stage::compute})
+        for (const hlsl::Stage stage : {hlsl::Stage::fragment, hlsl::Stage::compute})
           variants.push_back(
               technique_variant(request, technique, stage, with_own_keywords(technique, keywords)));
   for (const ShaderToValidate& shader : request.files) {
@@ -96,4 +98,4 @@ std::vector<SourceVariant> source_variants(const ValidationRequest& request) {
   return variants;
 }
 
-}  // namespace penumbra::shaders
+}  // namespace penumbra::validation

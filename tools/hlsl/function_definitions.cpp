@@ -1,26 +1,26 @@
-#include "shaders/function_definitions.h"
+#include "hlsl/function_definitions.h"
 
 #include <algorithm>
 #include <array>
 #include <span>
 #include <string_view>
 
-namespace penumbra::shaders {
+namespace penumbra::hlsl {
 
 namespace {
 
-using Tokens = std::span<const HlslToken>;
+using Tokens = std::span<const Token>;
 
-bool is(const HlslToken& token, std::string_view spelling) {
+bool is(const Token& token, std::string_view spelling) {
   return token.spelling == spelling;
 }
 
-bool opens(const HlslToken& token) {
-  return token.kind == HlslToken::Kind::mark &&
+bool opens(const Token& token) {
+  return token.kind == Token::Kind::mark &&
          std::string_view("([{").find(token.spelling[0]) != std::string_view::npos;
 }
-bool closes(const HlslToken& token) {
-  return token.kind == HlslToken::Kind::mark &&
+bool closes(const Token& token) {
+  return token.kind == Token::Kind::mark &&
          std::string_view(")]}").find(token.spelling[0]) != std::string_view::npos;
 }
 
@@ -35,7 +35,7 @@ std::size_t closing(Tokens tokens, std::size_t open) {
 }
 
 // What may stand before a parameter's type without being part of it. `in` is what a parameter is anyway.
-bool is_modifier(const HlslToken& token) {
+bool is_modifier(const Token& token) {
   constexpr std::array<std::string_view, 15> modifiers{
       "in",        "const",        "uniform",         "precise",       "static",
       "linear",    "centroid",     "nointerpolation", "noperspective", "sample",
@@ -59,7 +59,7 @@ std::string parameter_type(Tokens tokens) {
     depth += is(tokens[i], "<") ? 1 : is(tokens[i], ">") ? -1 : 0;
     type += tokens[i].spelling;
   }
-  if (i < tokens.size() && tokens[i].kind == HlslToken::Kind::word) ++i;  // its name
+  if (i < tokens.size() && tokens[i].kind == Token::Kind::word) ++i;  // its name
   for (; i < tokens.size() && !is(tokens[i], "=") && !is(tokens[i], ":"); ++i) type += tokens[i].spelling;
   return type;
 }
@@ -94,7 +94,7 @@ class Declarations {
 
  private:
   void step() {
-    const HlslToken& token = tokens_[at_];
+    const Token& token = tokens_[at_];
     if (is(token, ";")) {
       start_anew(at_ + 1);
     } else if (is(token, "}")) {
@@ -113,7 +113,7 @@ class Declarations {
   // A function's name and parameters are the first word before '(' that a type precedes.
   void bracket() {
     const std::size_t end = closing(tokens_, at_);
-    const bool named = at_ > statement_ + 1 && tokens_[at_ - 1].kind == HlslToken::Kind::word &&
+    const bool named = at_ > statement_ + 1 && tokens_[at_ - 1].kind == Token::Kind::word &&
                        !is(tokens_[at_ - 2], ":");  // : register(t0)
     if (is(tokens_[at_], "(") && named && parameters_ == 0 && !has_value_) {
       parameters_ = at_;
@@ -166,8 +166,8 @@ class Declarations {
 
 }  // namespace
 
-std::vector<FunctionDefinition> function_definitions(const std::vector<HlslToken>& tokens) {
+std::vector<FunctionDefinition> function_definitions(const std::vector<Token>& tokens) {
   return Declarations(tokens).run();
 }
 
-}  // namespace penumbra::shaders
+}  // namespace penumbra::hlsl

@@ -1,4 +1,4 @@
-#include "shaders/source_text.h"
+#include "hlsl/source_text.h"
 
 #include <cerrno>
 #include <cstring>
@@ -7,7 +7,7 @@
 #include <system_error>
 #include <utility>
 
-namespace penumbra::shaders {
+namespace penumbra::hlsl {
 
 std::string normalise_source(std::string_view bytes) {
   if (bytes.substr(0, 3) == "\xEF\xBB\xBF") bytes.remove_prefix(3);
@@ -54,4 +54,4 @@ std::string SourceFiles::line(const std::string& name, int number) const {
   return text.substr(start, text.find('\n', start) - start);
 }
 
-}  // namespace penumbra::shaders
+}  // namespace penumbra::hlsl

@@ -2,9 +2,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "shaders/validate_techniques.h"
+#include "validation/validate_techniques.h"
 
-namespace penumbra::shaders {
+namespace penumbra::validation {
 
 namespace {
 
@@ -24,14 +24,14 @@ const char* status_name(VariantStatus status) {
   return "unreached";
 }
 
-const char* severity_name(Severity severity) {
-  if (severity == Severity::error) return "error";
-  return severity == Severity::warning ? "warning" : "note";
+const char* severity_name(hlsl::Severity severity) {
+  if (severity == hlsl::Severity::error) return "error";
+  return severity == hlsl::Severity::warning ? "warning" : "note";
 }
 
-Json diagnostics_json(const std::vector<Diagnostic>& diagnostics) {
+Json diagnostics_json(const std::vector<hlsl::Diagnostic>& diagnostics) {
   Json list = Json::array();
-  for (const Diagnostic& diagnostic : diagnostics)
+  for (const hlsl::Diagnostic& diagnostic : diagnostics)
     list.push_back({{"file", diagnostic.file},
                     {"line", diagnostic.line},
                     {"column", diagnostic.column},
@@ -43,7 +43,7 @@ Json diagnostics_json(const std::vector<Diagnostic>& diagnostics) {
 Json record_json(const VariantRecord& record) {
   Json json{{"file", record.file},
             {"entry", record.entry},
-            {"stage", stage_name(record.stage)},
+            {"stage", hlsl::stage_name(record.stage)},
             {"keywords", record.keywords},
             {"target", record.target},
             {"status", status_name(record.status)},
@@ -55,14 +55,14 @@ Json record_json(const VariantRecord& record) {
 
 std::string title(const VariantRecord& record) {
   std::string text = record.technique.empty() ? record.file : record.technique;
-  text += std::string(", ") + stage_name(record.stage) + " entry " + record.entry;
+  text += std::string(", ") + hlsl::stage_name(record.stage) + " entry " + record.entry;
   for (const std::string& keyword : record.keywords) text.append(" +").append(keyword);
   return text + ", " + record.target;
 }
 
 // A driver's warnings about emitted text name no line a person wrote; the JSON report has them.
-bool worth_printing(const VariantRecord& record, const Diagnostic& diagnostic) {
-  return diagnostic.severity != Severity::warning || record.target == "spirv";
+bool worth_printing(const VariantRecord& record, const hlsl::Diagnostic& diagnostic) {
+  return diagnostic.severity != hlsl::Severity::warning || record.target == "spirv";
 }
 
 std::string totals(const ValidationReport& report) {
@@ -78,11 +78,6 @@ std::string totals(const ValidationReport& report) {
 }
 
 }  // namespace
-
-const char* stage_name(Stage stage) {
-  if (stage == Stage::vertex) return "vertex";
-  return stage == Stage::fragment ? "fragment" : "compute";
-}
 
 std::string validation_json(const ValidationReport& report) {
   Json json;
@@ -110,11 +105,11 @@ std::string validation_text(const ValidationReport& report) {
       continue;
     }
     if (record.status == VariantStatus::failed) text += "failed: " + title(record) + "\n";
-    for (const Diagnostic& diagnostic : record.diagnostics)
+    for (const hlsl::Diagnostic& diagnostic : record.diagnostics)
       if (worth_printing(record, diagnostic) && said.insert(format(diagnostic)).second)
         text += format(diagnostic) + "\n";
   }
   return text + totals(report);
 }
 
-}  // namespace penumbra::shaders
+}  // namespace penumbra::validation

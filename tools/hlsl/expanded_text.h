@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "shaders/source_text.h"
+#include "hlsl/source_text.h"
 
-namespace penumbra::shaders {
+namespace penumbra::hlsl {
 
 struct CodeLine {
   std::string file;
@@ -41,4 +41,4 @@ std::optional<CodeLine> unfinished_line_before(const std::vector<CodeLine>& line
 // 1-based column just after the last character that is neither blank nor a // comment.
 int column_after_code(std::string_view line);
 
-}  // namespace penumbra::shaders
+}  // namespace penumbra::hlsl

@@ -1,9 +1,9 @@
-#include "shaders/hlsl_tokens.h"
+#include "hlsl/tokens.h"
 
 #include <algorithm>
 #include <charconv>
 
-namespace penumbra::shaders {
+namespace penumbra::hlsl {
 
 namespace {
 
@@ -24,7 +24,7 @@ class Lexer {
  public:
   explicit Lexer(std::string_view text) : text_(text) {}
 
-  std::vector<HlslToken> run() {
+  std::vector<Token> run() {
     while (at_ < text_.size()) step();
     return std::move(tokens_);
   }
@@ -50,17 +50,17 @@ class Lexer {
 
   void token(char c) {
     if (is_word_start(c)) {
-      take(HlslToken::Kind::word, end_of_word(at_));
+      take(Token::Kind::word, end_of_word(at_));
     } else if (is_digit(c) || (c == '.' && is_digit(next(1)))) {
-      take(HlslToken::Kind::number, end_of_number());
+      take(Token::Kind::number, end_of_number());
     } else if (c == '"') {
-      take(HlslToken::Kind::text, end_of_text());
+      take(Token::Kind::text, end_of_text());
     } else {
-      take(HlslToken::Kind::mark, at_ + 1);
+      take(Token::Kind::mark, at_ + 1);
     }
   }
 
-  void take(HlslToken::Kind kind, std::size_t end) {
+  void take(Token::Kind kind, std::size_t end) {
     tokens_.push_back({kind, text_.substr(at_, end - at_), at_, file_, line_});
     at_ = end;
   }
@@ -108,13 +108,13 @@ class Lexer {
   std::string_view file_;
   int line_ = 1;
   bool line_is_empty_ = true;
-  std::vector<HlslToken> tokens_;
+  std::vector<Token> tokens_;
 };
 
 }  // namespace
 
-std::vector<HlslToken> lex_hlsl(const std::string& preprocessed) {
+std::vector<Token> lex(const std::string& preprocessed) {
   return Lexer(preprocessed).run();
 }
 
-}  // namespace penumbra::shaders
+}  // namespace penumbra::hlsl

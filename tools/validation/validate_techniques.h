@@ -16,22 +16,22 @@
 #include "shaders/compile.h"
 #include "shaders/technique_list.h"
 
-namespace penumbra::shaders {
+namespace penumbra::validation {
 
 // A shader file to compile besides, or instead of, the techniques.
 struct ShaderToValidate {
   std::filesystem::path file;
   std::string entry = "Main";
-  Stage stage = Stage::fragment;
+  hlsl::Stage stage = hlsl::Stage::fragment;
   std::vector<std::vector<std::string>> keyword_sets{{}};
 };
 
 struct ValidationRequest {
-  std::optional<TechniqueList> techniques;
+  std::optional<shaders::TechniqueList> techniques;
   std::vector<ShaderToValidate> files;
   std::vector<std::string> targets{"spirv", "essl310", "glsl450", "msl23", "hlsl50"};
   std::vector<std::pair<std::string, std::string>> defines;
-  std::vector<PackageRoot> package_roots;
+  std::vector<shaders::PackageRoot> package_roots;
   std::vector<std::filesystem::path> include_directories;
   unsigned jobs = 1;
   std::function<void(std::size_t done, std::size_t total)> progress;  // called by one thread at a time
@@ -45,11 +45,11 @@ struct VariantRecord {
   std::string technique;  // empty for a user's file
   std::string file;
   std::string entry;
-  Stage stage = Stage::compute;
+  hlsl::Stage stage = hlsl::Stage::compute;
   std::vector<std::string> keywords;
   std::string target;
   VariantStatus status = VariantStatus::passed;
-  std::vector<Diagnostic> diagnostics;
+  std::vector<hlsl::Diagnostic> diagnostics;
   std::string absent_reason;
 };
 
@@ -69,6 +69,4 @@ ValidationReport validate(const ValidationRequest& request);
 std::string validation_text(const ValidationReport& report);  // failures, absences, then one line of totals
 std::string validation_json(const ValidationReport& report);
 
-const char* stage_name(Stage stage);  // "vertex", "fragment", "compute"
-
-}  // namespace penumbra::shaders
+}  // namespace penumbra::validation

@@ -1,4 +1,4 @@
-#include "shaders/validate_techniques.h"
+#include "validation/validate_techniques.h"
 
 #include <algorithm>
 #include <atomic>
@@ -12,32 +12,33 @@
 #include "platform/interrupt.h"
 #include "shaders/cross_compile.h"
 #include "shaders/gl_check.h"
-#include "shaders/validation_variants.h"
+#include "validation/validation_variants.h"
 
-namespace penumbra::shaders {
+namespace penumbra::validation {
 
 namespace {
 
-bool checked_by_gl(Target target) {
-  return target == Target::essl310 || target == Target::glsl450;
+bool checked_by_gl(shaders::Target target) {
+  return target == shaders::Target::essl310 || target == shaders::Target::glsl450;
 }
 
 // Emits the module for one target and, where there is a driver for it, has it compiled.
-std::vector<Diagnostic> try_target(const std::vector<std::uint32_t>& spirv, Stage stage, Target target) {
-  CrossCompileResult emitted = cross_compile(spirv, target);
-  if (has_errors(emitted.diagnostics) || !checked_by_gl(target)) return emitted.diagnostics;
-  return gl_check({{stage, emitted.text}}, target);
+std::vector<hlsl::Diagnostic> try_target(const std::vector<std::uint32_t>& spirv, hlsl::Stage stage,
+                                         shaders::Target target) {
+  shaders::CrossCompileResult emitted = shaders::cross_compile(spirv, target);
+  if (hlsl::has_errors(emitted.diagnostics) || !checked_by_gl(target)) return emitted.diagnostics;
+  return shaders::gl_check({{stage, emitted.text}}, target);
 }
 
 // Many variants become the same module (presets are uniforms): each pair of module and target is tried once,
 // by the first thread that needs it, while others wait for its answer.
 class ModuleResults {
  public:
-  std::vector<Diagnostic> get(const std::vector<std::uint32_t>& spirv, Stage stage,
-                              const std::string& target) {
+  std::vector<hlsl::Diagnostic> get(const std::vector<std::uint32_t>& spirv, hlsl::Stage stage,
+                                    const std::string& target) {
     const std::shared_ptr<Entry> entry = find({spirv, target});
     std::call_once(entry->once, [&] {
-      if (const std::optional<Target> known = find_target(target))
+      if (const std::optional<shaders::Target> known = shaders::find_target(target))
         entry->diagnostics = try_target(spirv, stage, *known);
     });
     return entry->diagnostics;
@@ -48,7 +49,7 @@ class ModuleResults {
   using Key = std::pair<std::vector<std::uint32_t>, std::string>;
   struct Entry {
     std::once_flag once;
-    std::vector<Diagnostic> diagnostics;
+    std::vector<hlsl::Diagnostic> diagnostics;
   };
 
   std::shared_ptr<Entry> find(Key key) {
@@ -63,8 +64,8 @@ class ModuleResults {
 };
 
 // A target that techniques.json gives up on is tried all the same, so that the entry goes when it can.
-void judge(VariantRecord& record, const Technique* technique) {
-  const bool failed = has_errors(record.diagnostics);
+void judge(VariantRecord& record, const shaders::Technique* technique) {
+  const bool failed = hlsl::has_errors(record.diagnostics);
   record.status = failed ? VariantStatus::failed : VariantStatus::passed;
   if (technique == nullptr) return;
   const auto absent = technique->targets_absent.find(record.target);
@@ -76,7 +77,7 @@ void judge(VariantRecord& record, const Technique* technique) {
     record.diagnostics.push_back({record.file,
                                   0,
                                   0,
-                                  Severity::note,
+                                  hlsl::Severity::note,
                                   "works, although techniques.json lists it as absent: " + absent->second,
                                   {}});
   }
@@ -84,7 +85,7 @@ void judge(VariantRecord& record, const Technique* technique) {
 
 std::vector<VariantRecord> validate_variant(const SourceVariant& variant,
                                             const std::vector<std::string>& targets, ModuleResults& results) {
-  CompileResult compiled = compile(variant.compile);
+  shaders::CompileResult compiled = shaders::compile(variant.compile);
   std::vector<VariantRecord> records;
   const bool spirv_asked = std::find(targets.begin(), targets.end(), "spirv") != targets.end();
   for (const std::string& target : targets) {
@@ -98,7 +99,7 @@ std::vector<VariantRecord> validate_variant(const SourceVariant& variant,
     const bool reports_compile = target == "spirv" || (!spirv_asked && target == targets.front());
     if (reports_compile) record.diagnostics = compiled.diagnostics;
     if (!compiled.spirv.empty()) {
-      const std::vector<Diagnostic> more = results.get(compiled.spirv, variant.compile.stage, target);
+      const std::vector<hlsl::Diagnostic> more = results.get(compiled.spirv, variant.compile.stage, target);
       record.diagnostics.insert(record.diagnostics.end(), more.begin(), more.end());
     }
     judge(record, variant.technique);
@@ -157,8 +158,9 @@ class Run {
 
 std::string checked_by(const std::string& target) {
   if (target == "spirv") return "glslang, then SPIRV-Tools for Vulkan 1.1";
-  const std::optional<Target> known = find_target(target);
-  if (known && checked_by_gl(*known)) return "compiled and linked by OpenGL driver " + gl_driver(*known);
+  const std::optional<shaders::Target> known = shaders::find_target(target);
+  if (known && checked_by_gl(*known))
+    return "compiled and linked by OpenGL driver " + shaders::gl_driver(*known);
   return "emitted by SPIRV-Cross, not compiled";
 }
 
@@ -185,4 +187,4 @@ std::size_t ValidationReport::count(VariantStatus status) const {
       records.begin(), records.end(), [&](const VariantRecord& record) { return record.status == status; }));
 }
 
-}  // namespace penumbra::shaders
+}  // namespace penumbra::validation

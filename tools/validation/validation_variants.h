@@ -4,17 +4,17 @@
 #include <string>
 #include <vector>
 
-#include "shaders/validate_techniques.h"
+#include "validation/validate_techniques.h"
 
-namespace penumbra::shaders {
+namespace penumbra::validation {
 
 struct SourceVariant {
-  const Technique* technique = nullptr;  // null for a user's file
-  CompileRequest compile;
+  const shaders::Technique* technique = nullptr;  // null for a user's file
+  shaders::CompileRequest compile;
   std::string reported_file;
   std::vector<std::string> keywords;
 };
 
 std::vector<SourceVariant> source_variants(const ValidationRequest& request);
 
-}  // namespace penumbra::shaders
+}  // namespace penumbra::validation

@@ -1,4 +1,4 @@
-#include "shaders/precision_twins.h"
+#include "hlsl/precision_twins.h"
 
 #include <algorithm>
 #include <array>
@@ -6,10 +6,10 @@
 #include <string_view>
 #include <utility>
 
-#include "shaders/function_definitions.h"
-#include "shaders/hlsl_tokens.h"
+#include "hlsl/function_definitions.h"
+#include "hlsl/tokens.h"
 
-namespace penumbra::shaders {
+namespace penumbra::hlsl {
 
 namespace {
 
@@ -39,7 +39,7 @@ std::string widened_word(std::string_view word) {
 // A parameter as function_definitions() spells it, every word of it widened.
 std::string widened(const std::string& parameter) {
   std::string result;
-  for (const HlslToken& token : lex_hlsl(parameter)) {
+  for (const Token& token : lex(parameter)) {
     result += widened_word(token.spelling);
     if (token.spelling == "out" || token.spelling == "inout") result += ' ';
   }
@@ -100,7 +100,7 @@ void drop_body(std::string& text, const FunctionDefinition& function) {
 }  // namespace
 
 MergedTwins merge_precision_twins(const std::string& preprocessed, const std::string& main_file) {
-  const std::vector<HlslToken> tokens = lex_hlsl(preprocessed);
+  const std::vector<Token> tokens = lex(preprocessed);
   const std::vector<FunctionDefinition> functions = function_definitions(tokens);
   std::map<std::string, const FunctionDefinition*> kept;
   for (const FunctionDefinition& function : functions) {
@@ -117,4 +117,4 @@ MergedTwins merge_precision_twins(const std::string& preprocessed, const std::st
   return merged;
 }
 
-}  // namespace penumbra::shaders
+}  // namespace penumbra::hlsl

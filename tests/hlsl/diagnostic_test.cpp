@@ -1,8 +1,8 @@
-#include "shaders/diagnostic.h"
+#include "hlsl/diagnostic.h"
 
 #include <gtest/gtest.h>
 
-namespace penumbra::shaders {
+namespace penumbra::hlsl {
 namespace {
 
 TEST(Diagnostic, PutsTheCaretUnderTheColumn) {
@@ -31,4 +31,4 @@ TEST(Diagnostic, OnlyErrorsAreErrors) {
 }
 
 }  // namespace
-}  // namespace penumbra::shaders
+}  // namespace penumbra::hlsl

@@ -1,10 +1,10 @@
-#include "shaders/expanded_text.h"
+#include "hlsl/expanded_text.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <sstream>
 
-namespace penumbra::shaders {
+namespace penumbra::hlsl {
 
 namespace {
 
@@ -154,4 +154,4 @@ int column_after_code(std::string_view line) {
   return last == std::string_view::npos ? 1 : static_cast<int>(last) + 2;
 }
 
-}  // namespace penumbra::shaders
+}  // namespace penumbra::hlsl

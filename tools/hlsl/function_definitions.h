@@ -8,19 +8,19 @@
 #include <string>
 #include <vector>
 
-#include "shaders/hlsl_tokens.h"
+#include "hlsl/tokens.h"
 
-namespace penumbra::shaders {
+namespace penumbra::hlsl {
 
 struct FunctionDefinition {
   std::string name;                     // with its namespaces: "A::f"
   std::vector<std::string> parameters;  // "out half2[4]": direction unless it is in, type, array sizes
-  const HlslToken* name_token = nullptr;
-  const HlslToken* body_begin = nullptr;  // '{'
-  const HlslToken* body_end = nullptr;    // its '}'
+  const Token* name_token = nullptr;
+  const Token* body_begin = nullptr;  // '{'
+  const Token* body_end = nullptr;    // its '}'
 };
 
 // In the order of the text; the pointers are into `tokens`.
-std::vector<FunctionDefinition> function_definitions(const std::vector<HlslToken>& tokens);
+std::vector<FunctionDefinition> function_definitions(const std::vector<Token>& tokens);
 
-}  // namespace penumbra::shaders
+}  // namespace penumbra::hlsl

@@ -13,9 +13,9 @@
 #include <string>
 #include <vector>
 
-#include "shaders/diagnostic.h"
+#include "hlsl/diagnostic.h"
 
-namespace penumbra::shaders {
+namespace penumbra::hlsl {
 
 struct MergedTwins {
   std::string text;
@@ -26,4 +26,4 @@ struct MergedTwins {
 // #line with a name are said to be in `main_file`.
 MergedTwins merge_precision_twins(const std::string& preprocessed, const std::string& main_file);
 
-}  // namespace penumbra::shaders
+}  // namespace penumbra::hlsl

@@ -1,4 +1,4 @@
-#include "shaders/validate_techniques.h"
+#include "validation/validate_techniques.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,17 +6,20 @@
 #include <nlohmann/json.hpp>
 
 #include "input/input_error.h"
-#include "shader_files.h"
+#include "shaders/shader_files.h"
 
-namespace penumbra::shaders {
+namespace penumbra::validation {
+
+using shaders::ShaderFiles;
+
 namespace {
 
 using testing::HasSubstr;
 
 ValidationRequest library_request() {
   ValidationRequest request;
-  request.techniques =
-      read_technique_list(std::filesystem::path(PENUMBRA_SOURCE_DIR) / "ShaderLibrary" / "techniques.json");
+  request.techniques = shaders::read_technique_list(std::filesystem::path(PENUMBRA_SOURCE_DIR) /
+                                                    "ShaderLibrary" / "techniques.json");
   request.jobs = 2;
   return request;
 }
@@ -26,7 +29,7 @@ constexpr const char* fragment =
 
 ValidationRequest file_request(const ShaderFiles& files) {
   ValidationRequest request;
-  request.files = {{files.path("f.hlsl"), "Main", Stage::fragment, {{}}}};
+  request.files = {{files.path("f.hlsl"), "Main", hlsl::Stage::fragment, {{}}}};
   return request;
 }
 
@@ -34,7 +37,7 @@ TEST(Validate, EveryTechniqueOfTheLibraryPassesEveryTarget) {
   const ValidationRequest request = library_request();
   const ValidationReport report = validate(request);
   std::size_t expected = 0;
-  for (const Technique& technique : request.techniques->techniques)
+  for (const shaders::Technique& technique : request.techniques->techniques)
     expected += technique.keyword_sets.size() * 2 * request.targets.size();
   EXPECT_EQ(report.records.size(), expected);
   EXPECT_EQ(report.count(VariantStatus::failed), 0U) << validation_text(report);
@@ -111,7 +114,7 @@ TEST(Validate, AbsentTargetsAreReportedAndTriedAllTheSame) {
     "chain": [{"kind": "resolve", "file": "F.hlsl", "function": "F", "resources": ["shadowMap"]}],
     "targets_absent": {"msl23": "for the test"}}]})";
   ValidationRequest request;
-  request.techniques = read_technique_list(files.write("techniques.json", list));
+  request.techniques = shaders::read_technique_list(files.write("techniques.json", list));
   request.targets = {"spirv", "msl23"};
   const ValidationReport works = validate(request);
   EXPECT_EQ(works.count(VariantStatus::failed), 0U) << validation_text(works);
@@ -176,4 +179,4 @@ TEST(Validate, ProgressReachesTheTotal) {
 }
 
 }  // namespace
-}  // namespace penumbra::shaders
+}  // namespace penumbra::validation

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace penumbra::shaders {
+namespace penumbra::hlsl {
 
 // CRLF and lone CR become LF; a UTF-8 byte order mark is dropped. Columns are counted in this text.
 std::string normalise_source(std::string_view bytes);
@@ -35,4 +35,4 @@ class SourceFiles {
   std::vector<std::string> names_;
 };
 
-}  // namespace penumbra::shaders
+}  // namespace penumbra::hlsl

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string_view>
 
-namespace penumbra::shaders {
+namespace penumbra::hlsl {
 
 inline bool is_identifier(std::string_view name) {
   const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
@@ -12,4 +12,4 @@ inline bool is_identifier(std::string_view name) {
          std::all_of(name.begin(), name.end(), [&](char c) { return letter(c) || (c >= '0' && c <= '9'); });
 }
 
-}  // namespace penumbra::shaders
+}  // namespace penumbra::hlsl

@@ -10,9 +10,9 @@
 #include <string_view>
 #include <vector>
 
-namespace penumbra::shaders {
+namespace penumbra::hlsl {
 
-struct HlslToken {
+struct Token {
   enum class Kind { word, number, text, mark };  // text: "..."; mark: one character of punctuation
   Kind kind = Kind::mark;
   std::string_view spelling;  // points into the lexed text
@@ -22,6 +22,6 @@ struct HlslToken {
 };
 
 // The views live as long as `preprocessed` does. Never fails: what is no word, number or text is a mark.
-std::vector<HlslToken> lex_hlsl(const std::string& preprocessed);
+std::vector<Token> lex(const std::string& preprocessed);
 
-}  // namespace penumbra::shaders
+}  // namespace penumbra::hlsl

@@ -1,8 +1,8 @@
-#include "shaders/diagnostic.h"
+#include "hlsl/diagnostic.h"
 
 #include <algorithm>
 
-namespace penumbra::shaders {
+namespace penumbra::hlsl {
 
 namespace {
 
@@ -47,4 +47,4 @@ bool has_errors(const std::vector<Diagnostic>& diagnostics) {
                      [](const Diagnostic& diagnostic) { return diagnostic.severity == Severity::error; });
 }
 
-}  // namespace penumbra::shaders
+}  // namespace penumbra::hlsl

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace penumbra::shaders {
+namespace penumbra::hlsl {
 
 enum class Severity { note, warning, error };
 
@@ -22,4 +22,4 @@ std::string format(const Diagnostic& diagnostic);
 
 bool has_errors(const std::vector<Diagnostic>& diagnostics);
 
-}  // namespace penumbra::shaders
+}  // namespace penumbra::hlsl
