@@ -40,7 +40,7 @@ TEST(Validate, EveryTechniqueOfTheLibraryPassesEveryTarget) {
   for (const shaders::Technique& technique : request.techniques->techniques)
     expected += technique.keyword_sets.size() * 2 * request.targets.size();
   EXPECT_EQ(report.records.size(), expected);
-  EXPECT_EQ(report.count(VariantStatus::failed), 0U) << validation_text(report);
+  EXPECT_EQ(report.count(VariantStatus::failed), 0U) << report_text(report);
   EXPECT_EQ(report.count(VariantStatus::unreached), 0U);
   EXPECT_GT(report.unique, 0U);
   EXPECT_LE(report.unique, expected);
@@ -55,7 +55,7 @@ TEST(Validate, OneMistakeIsPrintedOnceHoweverManyVariantsItFails) {
   const ValidationReport report = validate(request);
   EXPECT_EQ(report.count(VariantStatus::failed), 4U);
   EXPECT_EQ(report.count(VariantStatus::unreached), 16U);
-  const std::string text = validation_text(report);
+  const std::string text = report_text(report);
   const std::string message = "part.hlsl:1:20: error: unexpected token '$'";
   ASSERT_THAT(text, HasSubstr(message));
   EXPECT_EQ(text.find(message, text.find(message) + 1), std::string::npos);
@@ -117,21 +117,21 @@ TEST(Validate, AbsentTargetsAreReportedAndTriedAllTheSame) {
   request.techniques = shaders::read_technique_list(files.write("techniques.json", list));
   request.targets = {"spirv", "msl23"};
   const ValidationReport works = validate(request);
-  EXPECT_EQ(works.count(VariantStatus::failed), 0U) << validation_text(works);
-  EXPECT_THAT(validation_text(works),
+  EXPECT_EQ(works.count(VariantStatus::failed), 0U) << report_text(works);
+  EXPECT_THAT(report_text(works),
               HasSubstr("works, although techniques.json lists it as absent: for the test"));
   request.techniques->techniques[0].targets_absent = {{"spirv", "never compiles"}};
   files.write("F.hlsl", "$\n");
   const ValidationReport fails = validate(request);
   EXPECT_EQ(fails.count(VariantStatus::absent), 2U);
   EXPECT_EQ(fails.count(VariantStatus::failed), 0U);
-  EXPECT_THAT(validation_text(fails), HasSubstr("absent: f, fragment entry Fragment, spirv: never compiles"));
+  EXPECT_THAT(report_text(fails), HasSubstr("absent: f, fragment entry Fragment, spirv: never compiles"));
 }
 
 TEST(Validate, JsonHasTheDesignsMembers) {
   const ShaderFiles files;
   files.write("f.hlsl", "#error no\n");
-  const nlohmann::json report = nlohmann::json::parse(validation_json(validate(file_request(files))));
+  const nlohmann::json report = nlohmann::json::parse(report_json(validate(file_request(files))));
   for (const char* key : {"variants", "unique", "failed", "cached", "seconds"})
     EXPECT_TRUE(report.at("summary").at(key).is_number()) << key;
   EXPECT_EQ(report.at("summary").at("variants"), 5);
@@ -153,7 +153,7 @@ TEST(Validate, FileNameThatIsNoUtf8StaysInAReadableReport) {
   const ShaderFiles files;
   ValidationRequest request = file_request(files);
   request.files[0].file = files.write("caf\xE9.hlsl", "float4 Main() : SV_Target { return $; }\n");
-  const nlohmann::json report = nlohmann::json::parse(validation_json(validate(request)));
+  const nlohmann::json report = nlohmann::json::parse(report_json(validate(request)));
   EXPECT_THAT(report.at("variants").at(0).at("file").get<std::string>(), HasSubstr("caf\xEF\xBF\xBD.hlsl"));
 }
 

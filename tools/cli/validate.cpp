@@ -110,8 +110,8 @@ void run_validate(const ValidateOptions& options, Context& context) {
     };
     report = validation::validate(request);
   }
-  write_output(options.output, options.report == "json" ? validation::validation_json(report)
-                                                        : validation::validation_text(report));
+  write_output(options.output,
+               options.report == "json" ? validation::report_json(report) : validation::report_text(report));
   if (report.count(validation::VariantStatus::failed) != 0) context.exit_code = findings;
 }
 

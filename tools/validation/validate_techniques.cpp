@@ -12,7 +12,7 @@
 #include "platform/interrupt.h"
 #include "shaders/cross_compile.h"
 #include "shaders/gl_check.h"
-#include "validation/validation_variants.h"
+#include "validation/source_variants.h"
 
 namespace penumbra::validation {
 
@@ -70,7 +70,7 @@ void judge(VariantRecord& record, const shaders::Technique* technique) {
   if (technique == nullptr) return;
   const auto absent = technique->targets_absent.find(record.target);
   if (absent == technique->targets_absent.end()) return;
-  record.absent_reason = absent->second;
+  record.reason = absent->second;
   if (failed) {
     record.status = VariantStatus::absent;
   } else {
@@ -180,11 +180,6 @@ ValidationReport validate(const ValidationRequest& request) {
   report.checks = std::move(checks);
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;
-}
-
-std::size_t ValidationReport::count(VariantStatus status) const {
-  return static_cast<std::size_t>(std::count_if(
-      records.begin(), records.end(), [&](const VariantRecord& record) { return record.status == status; }));
 }
 
 }  // namespace penumbra::validation

@@ -15,6 +15,7 @@
 
 #include "shaders/compile.h"
 #include "shaders/technique_list.h"
+#include "validation/report.h"
 
 namespace penumbra::validation {
 
@@ -37,36 +38,8 @@ struct ValidationRequest {
   std::function<void(std::size_t done, std::size_t total)> progress;  // called by one thread at a time
 };
 
-// absent: techniques.json says the target does without this technique, and it does fail there. unreached:
-// there was no SPIR-V to make the target from; its failure is reported once, under "spirv".
-enum class VariantStatus { passed, failed, absent, unreached };
-
-struct VariantRecord {
-  std::string technique;  // empty for a user's file
-  std::string file;
-  std::string entry;
-  hlsl::Stage stage = hlsl::Stage::compute;
-  std::vector<std::string> keywords;
-  std::string target;
-  VariantStatus status = VariantStatus::passed;
-  std::vector<hlsl::Diagnostic> diagnostics;
-  std::string absent_reason;
-};
-
-struct ValidationReport {
-  std::vector<VariantRecord> records;  // in the order of the request, whatever the number of jobs
-  std::size_t unique = 0;              // distinct pairs of SPIR-V module and target among them
-  double seconds = 0.0;
-  std::map<std::string, std::string> checks;  // target -> who has checked it
-
-  std::size_t count(VariantStatus status) const;
-};
-
 // Throws InputError when a file cannot be read, EnvironmentError when GL is needed and not there, and
 // platform::Interrupted.
 ValidationReport validate(const ValidationRequest& request);
-
-std::string validation_text(const ValidationReport& report);  // failures, absences, then one line of totals
-std::string validation_json(const ValidationReport& report);
 
 }  // namespace penumbra::validation

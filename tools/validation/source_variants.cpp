@@ -1,4 +1,4 @@
-#include "validation/validation_variants.h"
+#include "validation/source_variants.h"
 
 #include <algorithm>
 

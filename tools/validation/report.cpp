@@ -1,28 +1,15 @@
+#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "validation/validate_techniques.h"
+#include "validation/report.h"
 
 namespace penumbra::validation {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-const char* status_name(VariantStatus status) {
-  switch (status) {
-    case VariantStatus::passed:
-      return "passed";
-    case VariantStatus::failed:
-      return "failed";
-    case VariantStatus::absent:
-      return "absent";
-    case VariantStatus::unreached:
-      break;
-  }
-  return "unreached";
-}
 
 const char* severity_name(hlsl::Severity severity) {
   if (severity == hlsl::Severity::error) return "error";
@@ -49,7 +36,7 @@ Json record_json(const VariantRecord& record) {
             {"status", status_name(record.status)},
             {"diagnostics", diagnostics_json(record.diagnostics)}};
   if (!record.technique.empty()) json["technique"] = record.technique;
-  if (!record.absent_reason.empty()) json["absent_reason"] = record.absent_reason;
+  if (!record.reason.empty()) json["reason"] = record.reason;
   return json;
 }
 
@@ -79,7 +66,28 @@ std::string totals(const ValidationReport& report) {
 
 }  // namespace
 
-std::string validation_json(const ValidationReport& report) {
+const char* status_name(VariantStatus status) {
+  switch (status) {
+    case VariantStatus::passed:
+      return "passed";
+    case VariantStatus::failed:
+      return "failed";
+    case VariantStatus::absent:
+      return "absent";
+    case VariantStatus::unreached:
+      return "unreached";
+    case VariantStatus::unchecked:
+      break;
+  }
+  return "unchecked";
+}
+
+std::size_t ValidationReport::count(VariantStatus status) const {
+  return static_cast<std::size_t>(std::count_if(
+      records.begin(), records.end(), [&](const VariantRecord& record) { return record.status == status; }));
+}
+
+std::string report_json(const ValidationReport& report) {
   Json json;
   // Nothing is kept from one run to the next yet, so nothing is cached.
   json["summary"] = {{"variants", report.records.size()},
@@ -88,7 +96,8 @@ std::string validation_json(const ValidationReport& report) {
                      {"cached", 0},
                      {"seconds", report.seconds},
                      {"absent", report.count(VariantStatus::absent)},
-                     {"unreached", report.count(VariantStatus::unreached)}};
+                     {"unreached", report.count(VariantStatus::unreached)},
+                     {"unchecked", report.count(VariantStatus::unchecked)}};
   json["checks"] = report.checks;
   json["variants"] = Json::array();
   for (const VariantRecord& record : report.records) json["variants"].push_back(record_json(record));
@@ -96,12 +105,12 @@ std::string validation_json(const ValidationReport& report) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string validation_text(const ValidationReport& report) {
+std::string report_text(const ValidationReport& report) {
   std::string text;
   std::set<std::string> said;  // one mistake in an include fails many variants: it is printed once
   for (const VariantRecord& record : report.records) {
     if (record.status == VariantStatus::absent) {
-      text += "absent: " + title(record) + ": " + record.absent_reason + "\n";
+      text += "absent: " + title(record) + ": " + record.reason + "\n";
       continue;
     }
     if (record.status == VariantStatus::failed) text += "failed: " + title(record) + "\n";
