@@ -67,7 +67,7 @@ shaders::CompileRequest request(const ShadowShader& shader, bool counting) {
   request.include_directories = shader.include_directories;
   request.include_directories.push_back(root / "ShaderLibrary");
   request.include_directories.push_back(root / "tools" / "resolve" / "shaders");
-  request.merge_precision_twins = shader.merge_precision_twins;
+  request.prepare = shader.prepare;
   if (counting) {
     // Whichever file defines the sampling macros, ours or a pipeline's, the counting ones replace them there.
     for (const char* api : {"/Platform/Platform.hlsl", "/API/D3D11.hlsl", "/API/Vulkan.hlsl",
@@ -144,7 +144,7 @@ ShadowShader adapter_shader(const Adapter& adapter, bool reversed_z) {
   shader.parameters = adapter.uniforms;
   shader.package_roots = adapter.package_roots;
   shader.include_directories.push_back(std::filesystem::absolute(adapter.file).parent_path());
-  shader.merge_precision_twins = true;
+  shader.prepare = true;
   shader.uses_noise = true;
   return shader;
 }

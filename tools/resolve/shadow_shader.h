@@ -23,7 +23,7 @@ struct ShadowShader {
   std::vector<shaders::PackageRoot> package_roots;
   std::vector<std::filesystem::path> include_directories;
   UniformValues parameters;
-  bool merge_precision_twins = false;  // Unity's half and float overloads are one function to this compiler
+  bool prepare = false;  // what only Unity's compilers accept is said in another way first
   bool uses_noise = false;             // the result depends on the noise seed
 };
 

@@ -9,9 +9,11 @@
 #include <sstream>
 #include <utility>
 
-#include "hlsl/precision_twins.h"
 #include "hlsl/source_text.h"
 #include "input/input_error.h"
+#include "preparation/prepare.h"
+#include "preparation/source_directives.h"
+#include "shaders/bad_character.h"
 #include "shaders/include_resolver.h"
 #include "shaders/parse_failure.h"
 #include "shaders/spirv_module.h"
@@ -59,10 +61,11 @@ std::string preamble(const CompileRequest& request) {
   return text;
 }
 
+// What a TShader is made of. glslang keeps the pointers it is given: all of it outlives the TShader.
 struct Source {
   const CompileRequest& request;
   std::string name;
-  std::string text;
+  const std::string& text;
   std::string preamble;
 };
 
@@ -102,31 +105,15 @@ hlsl::Diagnostic whole_file(const Source& source, hlsl::Severity severity, std::
   return {source.name, 0, 0, severity, std::move(message), {}};
 }
 
-// The text after includes and macros; empty when that fails.
-std::string preprocess(const Source& source, hlsl::SourceFiles& sources) {
-  IncludeResolver resolver(source.request, sources);
-  SourceShader shader(source);
-  std::string text;
-  const bool done = shader.get().preprocess(GetDefaultResources(), hlsl_version, ENoProfile, false, false,
-                                            messages, &text, resolver);
-  return done ? text : std::string();
-}
-
-// For the diagnosis of a parse that failed.
-std::string preprocess_again(const Source& source) {
-  hlsl::SourceFiles sources;
-  return preprocess(source, sources);
-}
-
-bool parse(const Source& source, glslang::TShader& shader, hlsl::SourceFiles& sources,
+bool parse(const Source& source, glslang::TShader& shader, const hlsl::SourceFiles& sources,
            CompileResult& result) {
-  IncludeResolver resolver(source.request, sources);
-  const bool parsed = shader.parse(GetDefaultResources(), hlsl_version, false, messages, resolver);
+  glslang::TShader::ForbidIncluder nothing_left_to_include;
+  const bool parsed =
+      shader.parse(GetDefaultResources(), hlsl_version, false, messages, nothing_left_to_include);
   const std::string log = shader.getInfoLog();
   for (hlsl::Diagnostic& warning : warnings(log, sources)) result.diagnostics.push_back(std::move(warning));
-  if (parsed && !resolver.failure()) return true;
-  const std::string expanded = resolver.failure() ? std::string() : preprocess_again(source);
-  result.diagnostics.push_back(first_error({log, source.name, resolver.failure(), expanded}, sources));
+  if (parsed) return true;
+  result.diagnostics.push_back(first_error({log, source.name, std::nullopt, source.text}, sources));
   return false;
 }
 
@@ -169,7 +156,7 @@ bool finish_module(const Source& source, CompileResult& result) {
   return optimised && problems.empty();
 }
 
-bool build(const Source& source, hlsl::SourceFiles& sources, CompileResult& result) {
+bool build(const Source& source, const hlsl::SourceFiles& sources, CompileResult& result) {
   SourceShader shader(source);  // outlives the program that uses it
   if (!parse(source, shader.get(), sources, result)) return false;
   glslang::TProgram program;
@@ -179,18 +166,31 @@ bool build(const Source& source, hlsl::SourceFiles& sources, CompileResult& resu
          finish_module(source, result);
 }
 
-// What the parser reads: the source, or its expansion with one body for each group of precision twins. A
-// source that does not expand is left as it is, for the parser to say why.
-Source with_twins_merged(const Source& source, hlsl::SourceFiles& sources, CompileResult& result) {
-  if (!source.request.merge_precision_twins) return source;
-  const std::string expanded = preprocess(source, sources);
-  if (expanded.empty()) return source;
-  hlsl::MergedTwins merged = hlsl::merge_precision_twins(expanded, source.name);
-  for (hlsl::Diagnostic& note : merged.notes) {
-    note.source_line = sources.line(note.file, note.line);
-    result.diagnostics.push_back(std::move(note));
+// Includes and macros. An empty text of a source that is not empty is a failure, told in `diagnostics`.
+void expand(const Source& source, PreprocessedSource& out) {
+  IncludeResolver resolver(source.request, out.sources);
+  SourceShader shader(source);
+  const bool expanded = shader.get().preprocess(GetDefaultResources(), hlsl_version, ENoProfile, false, false,
+                                                messages, &out.text, resolver);
+  const std::string log = shader.get().getInfoLog();
+  out.diagnostics = warnings(log, out.sources);
+  if (expanded && !resolver.failure()) {
+    std::optional<hlsl::Diagnostic> bad = bad_character(out.text, source.name, out.sources);
+    if (!bad) return;
+    out.diagnostics.push_back(*std::move(bad));
+  } else {
+    out.diagnostics.push_back(first_error({log, source.name, resolver.failure(), out.text}, out.sources));
   }
-  return {source.request, source.name, std::move(merged.text), {}};
+  out.text.clear();
+}
+
+void prepare(const std::string& name, PreprocessedSource& out) {
+  preparation::PreparedShader prepared = preparation::prepare(std::move(out.text), name);
+  out.text = std::move(prepared.text);
+  for (hlsl::Diagnostic& note : prepared.notes) {
+    note.source_line = out.sources.line(note.file, note.line);
+    out.diagnostics.push_back(std::move(note));
+  }
 }
 
 // glslang stops reading at a NUL byte without a word.
@@ -215,21 +215,36 @@ std::string source_text(const CompileRequest& request) {
 
 }  // namespace
 
-CompileResult compile(const CompileRequest& request) {
+PreprocessedSource preprocess(const CompileRequest& request) {
   initialise_glslang_once();
-  const Source source{request, request.file.string(), source_text(request), preamble(request)};
-  hlsl::SourceFiles sources;
-  sources.add(source.name, source.text);
-  CompileResult result;
-  bool built = build(with_twins_merged(source, sources, result), sources, result);
-  if (const std::optional<hlsl::Diagnostic> nul = nul_byte(sources)) {
-    result.diagnostics = {*nul};
-    built = false;
+  const std::string name = request.file.string();
+  const std::string text = source_text(request);
+  PreprocessedSource out;
+  out.sources.add(name, text);
+  const std::string to_expand = request.prepare ? preparation::prepare_source(text).text : text;
+  expand({request, name, to_expand, preamble(request)}, out);
+  if (std::optional<hlsl::Diagnostic> nul = nul_byte(out.sources)) {
+    out.diagnostics = {*std::move(nul)};
+    out.text.clear();
   }
-  if (!built) result.spirv.clear();
-  for (const std::string& name : sources.names())
-    if (!request.text || name != source.name) result.dependencies.emplace_back(name);
+  if (request.prepare && !out.text.empty()) prepare(name, out);
+  for (const std::string& file : out.sources.names())
+    if (!request.text || file != name) out.dependencies.emplace_back(file);
+  return out;
+}
+
+CompileResult compile(const CompileRequest& request, PreprocessedSource source) {
+  initialise_glslang_once();
+  CompileResult result;
+  result.diagnostics = std::move(source.diagnostics);
+  result.dependencies = std::move(source.dependencies);
+  if (hlsl::has_errors(result.diagnostics)) return result;
+  if (!build({request, request.file.string(), source.text, {}}, source.sources, result)) result.spirv.clear();
   return result;
+}
+
+CompileResult compile(const CompileRequest& request) {
+  return compile(request, preprocess(request));
 }
 
 }  // namespace penumbra::shaders

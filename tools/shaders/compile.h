@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hlsl/diagnostic.h"
+#include "hlsl/source_text.h"
 #include "hlsl/stage.h"
 
 namespace penumbra::shaders {
@@ -35,10 +36,18 @@ struct CompileRequest {
   std::vector<PackageRoot> package_roots;
   std::vector<std::filesystem::path> include_directories;
   std::vector<IncludeOverlay> overlays;
-  // One body for overloads that differ in precision alone, as Unity's libraries have them
-  // (precision_twins.h); without it they are "already has a body". Each body that goes is a note.
-  bool merge_precision_twins = false;
+  // The stage in which what Unity's compilers accept and glslang does not is said in another way
+  // (preparation/prepare.h). The library's own shaders do without.
+  bool prepare = false;
   bool optimise = true;  // legalise, inline and optimise; false keeps the function structure and OpName
+};
+
+// What the parser reads: the source after includes, macros and preparation.
+struct PreprocessedSource {
+  std::string text;  // with #line directives; empty when a diagnostic is an error
+  std::vector<hlsl::Diagnostic> diagnostics;
+  hlsl::SourceFiles sources;                        // every text that was read, by the name messages call it
+  std::vector<std::filesystem::path> dependencies;  // every file that was read
 };
 
 struct CompileResult {
@@ -47,8 +56,10 @@ struct CompileResult {
   std::vector<std::filesystem::path> dependencies;  // every file that was read
 };
 
-// Never throws for a bad shader; throws InputError only when `file` itself cannot be read. Reentrant. The
-// result has passed SPIR-V validation for Vulkan 1.1.
-CompileResult compile(const CompileRequest& request);
+// Neither ever throws for a bad shader; preprocess() throws InputError only when `file` itself cannot be
+// read. Reentrant. A module that comes out has passed SPIR-V validation for Vulkan 1.1.
+PreprocessedSource preprocess(const CompileRequest& request);
+CompileResult compile(const CompileRequest& request, PreprocessedSource source);
+CompileResult compile(const CompileRequest& request);  // both
 
 }  // namespace penumbra::shaders

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "input/nearest_name.h"
+#include "preparation/source_directives.h"
 
 namespace penumbra::shaders {
 
@@ -106,7 +107,7 @@ IncludeResolver::IncludeResult* IncludeResolver::open(const std::string& name) {
     if (!read.problem.empty()) return fail("cannot read '" + name + "': " + read.problem);
     sources_.add(name, std::move(read.text));
   }
-  auto* text = new std::string(with_overlays(name, sources_.text(name)));
+  auto* text = new std::string(with_overlays(name, text_to_read(name)));
   open_.push_back(name);
   return new IncludeResult(name, text->data(), text->size(), text);
 }
@@ -114,6 +115,15 @@ IncludeResolver::IncludeResult* IncludeResolver::open(const std::string& name) {
 IncludeResolver::IncludeResult* IncludeResolver::fail(const std::string& problem) {
   if (!failure_) failure_ = problem;
   return nullptr;
+}
+
+// The file as the preprocessor is to see it: nothing, the second time that a file says `#pragma once`.
+std::string IncludeResolver::text_to_read(const std::string& name) {
+  if (!request_.prepare) return sources_.text(name);
+  if (read_once_.count(name) != 0) return {};
+  preparation::PreparedSource prepared = preparation::prepare_source(sources_.text(name));
+  if (prepared.once) read_once_.insert(name);
+  return std::move(prepared.text);
 }
 
 std::string IncludeResolver::with_overlays(const std::string& name, std::string text) const {

@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -30,12 +31,14 @@ class IncludeResolver final : public glslang::TShader::Includer {
  private:
   IncludeResult* open(const std::string& name);
   IncludeResult* fail(const std::string& problem);
+  std::string text_to_read(const std::string& name);
   std::string with_overlays(const std::string& name, std::string text) const;
   std::string chain_to(const std::string& name) const;
 
   const CompileRequest& request_;
   hlsl::SourceFiles& sources_;
-  std::vector<std::string> open_;  // the main file, then every include being read
+  std::set<std::string> read_once_;  // files that said `#pragma once`
+  std::vector<std::string> open_;    // the main file, then every include being read
   std::optional<std::string> failure_;
 };
 

@@ -1,5 +1,5 @@
 // Overloads that differ in precision alone become one function, and nothing else changes.
-#include "hlsl/precision_twins.h"
+#include "preparation/precision_twins.h"
 
 #include <gmock/gmock.h>
 
@@ -7,7 +7,7 @@
 
 #include "shaders/compile.h"
 
-namespace penumbra::hlsl {
+namespace penumbra::preparation {
 namespace {
 
 using testing::AllOf;
@@ -16,18 +16,32 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
+struct MergedTwins {
+  std::string text;
+  std::vector<hlsl::Diagnostic> notes;
+};
+
 MergedTwins merge(const std::string& text) {
-  return merge_precision_twins(text, "main.hlsl");
+  TokenText tokens(text, "main.hlsl");
+  merge_precision_twins(tokens);
+  return {tokens.print(), tokens.notes()};
 }
 
+std::string printed(const std::string& text) {
+  return TokenText(text, "main.hlsl").print();
+}
+
+// Without blanks, line ends and the directive a text begins with.
 std::string squeezed(std::string text) {
-  text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
+  if (text.rfind("#line", 0) == 0) text.erase(0, text.find('\n'));
+  text.erase(std::remove_if(text.begin(), text.end(), [](char c) { return c == ' ' || c == '\n'; }),
+             text.end());
   return text;
 }
 
 void expect_untouched(const std::string& text) {
   const MergedTwins merged = merge(text);
-  EXPECT_EQ(merged.text, text);
+  EXPECT_EQ(merged.text, printed(text));
   EXPECT_THAT(merged.notes, IsEmpty());
 }
 
@@ -61,7 +75,7 @@ TEST(PrecisionTwins, SaysWhichBodyWentAndWhichIsKept) {
       "half f(half a, int b) { return a; }\n#line 7 \"lib/wide.hlsl\"\n\nfloat f(float x, int y)\n{ return "
       "x; }\n");
   ASSERT_THAT(merged.notes, SizeIs(1));
-  EXPECT_EQ(merged.notes[0].severity, Severity::note);
+  EXPECT_EQ(merged.notes[0].severity, hlsl::Severity::note);
   EXPECT_EQ(merged.notes[0].file, "main.hlsl");
   EXPECT_EQ(merged.notes[0].line, 1);
   EXPECT_THAT(merged.notes[0].message,
@@ -91,12 +105,22 @@ TEST(PrecisionTwins, DeclarationsAndValuesAreNoDefinitions) {
       "[numthreads(8, 8, 1)] void Main(uint3 id : SV_DispatchThreadID) { f(1); }\n");
 }
 
-TEST(PrecisionTwins, LinesAndDirectivesInsideABodyStay) {
+TEST(PrecisionTwins, WhatFollowsABodyThatWentKeepsItsPlace) {
   const std::string text =
       "half f(half x)\n{\n    return x;\n#line 40 \"b.hlsl\"\n}\nfloat f(float x) { return x; }\n";
-  const std::string merged = merge(text).text;
-  EXPECT_EQ(std::count(merged.begin(), merged.end(), '\n'), std::count(text.begin(), text.end(), '\n'));
-  EXPECT_THAT(merged, HasSubstr("\n#line 40 \"b.hlsl\"\n"));
+  const std::vector<hlsl::Token> tokens = hlsl::lex(merge(text).text);
+  EXPECT_THAT(tokens, testing::Contains(AllOf(testing::Field(&hlsl::Token::spelling, Eq("float")),
+                                              testing::Field(&hlsl::Token::file, Eq("b.hlsl")),
+                                              testing::Field(&hlsl::Token::line, Eq(41)))));
+}
+
+TEST(PrecisionTwins, SaysWhereBodiesDifferInMoreThanTheirTypes) {
+  const auto note = [](const std::string& text) { return merge(text).notes.at(0).message; };
+  EXPECT_THAT(note("half f(half x){ return x * 2.0f; } float f(float x){ return x * 2.0; }"),
+              testing::Not(HasSubstr("two bodies differ")));
+  EXPECT_THAT(
+      note("half f(half x){ return max(x, 6.103515625e-5); } float f(float x){ return max(x, 1e-38); }"),
+      HasSubstr("the two bodies differ in more than their types"));
 }
 
 TEST(PrecisionTwins, TextThatIsNoHlslIsLeftAlone) {
@@ -110,7 +134,7 @@ shaders::CompileResult compile_twins(const std::string& text, bool merge_twins) 
   shaders::CompileRequest request;
   request.file = "twins.hlsl";
   request.text = text;
-  request.merge_precision_twins = merge_twins;
+  request.prepare = merge_twins;
   return compile(request);
 }
 
@@ -131,8 +155,9 @@ TEST(PrecisionTwins, CompileWhenMergedAndDoNotOtherwise) {
 
 TEST(PrecisionTwins, ErrorsKeepTheirPlaceAfterMerging) {
   const shaders::CompileResult result = compile_twins(kTwins + "\nfloat g() { return nothing; }\n", true);
-  const auto error = std::find_if(result.diagnostics.begin(), result.diagnostics.end(),
-                                  [](const Diagnostic& d) { return d.severity == Severity::error; });
+  const auto error =
+      std::find_if(result.diagnostics.begin(), result.diagnostics.end(),
+                   [](const hlsl::Diagnostic& d) { return d.severity == hlsl::Severity::error; });
   ASSERT_NE(error, result.diagnostics.end());
   EXPECT_EQ(error->file, "twins.hlsl");
   EXPECT_EQ(error->line, 6);
@@ -147,4 +172,4 @@ TEST(PrecisionTwins, ATextThatDoesNotExpandSaysWhy) {
 }
 
 }  // namespace
-}  // namespace penumbra::hlsl
+}  // namespace penumbra::preparation

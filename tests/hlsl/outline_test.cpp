@@ -1,0 +1,72 @@
+#include "hlsl/outline.h"
+
+#include <gmock/gmock.h>
+
+namespace penumbra::hlsl {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using Kind = Declaration::Kind;
+
+const char* kind_name(Kind kind) {
+  constexpr const char* names[] = {"function", "prototype", "structure", "buffer",
+                                   "variable", "alias",     "empty",     "other"};
+  return names[static_cast<int>(kind)];
+}
+
+// "kind scope::name" of each.
+std::vector<std::string> outlined(const std::string& text) {
+  const std::vector<Token> tokens = lex(text);
+  std::vector<std::string> list;
+  for (const Declaration& declaration : outline(tokens)) {
+    std::string line = kind_name(declaration.kind);
+    if (declaration.name != Declaration::none)
+      line += " " + declaration.scope + std::string(tokens[declaration.name].spelling);
+    list.push_back(line);
+  }
+  return list;
+}
+
+TEST(Outline, TellsDeclarationsApart) {
+  EXPECT_THAT(outlined("float f(float x) { return x; } float f(float x); struct S { float a; } s, t;\n"
+                       "cbuffer C : register(b0) { float a; } float4 v : register(c1), w;\n"
+                       "typedef float real; ; Texture2D<float4> t : register(t0);\n"
+                       "static const float a[2] = { 1, 2 }; SamplerState s { Filter = POINT; };"),
+              ElementsAre("function f", "prototype f", "structure S", "buffer C", "variable v", "alias",
+                          "empty", "variable t", "variable a", "variable s"));
+}
+
+TEST(Outline, AttributesSemanticsAndScopesBelongToTheDeclaration) {
+  const std::string text =
+      "namespace A { [numthreads(8, 8, 1)] float4 f(uint3 i : SV_DispatchThreadID) : SV_Target { } } struct "
+      "T g() {}";
+  EXPECT_THAT(outlined(text), ElementsAre("function A::f", "function g"));
+  const std::vector<Token> tokens = lex(text);
+  const Declaration f = outline(tokens)[0];
+  EXPECT_EQ(tokens[f.first].spelling, "[");
+  EXPECT_EQ(tokens[f.type].spelling, "float4");
+  EXPECT_EQ(tokens[f.last].spelling, "}");
+  EXPECT_THAT(parameter_types(tokens, f), ElementsAre("uint3"));
+}
+
+TEST(Outline, WhatIsNeverClosedIsLeftOut) {
+  EXPECT_THAT(outlined("float f(float x) {"), IsEmpty());
+  EXPECT_THAT(outlined("struct S { float a;"), IsEmpty());
+  EXPECT_THAT(outlined("float a; float b"), ElementsAre("variable a"));
+  EXPECT_THAT(outlined("float a = (1; float b;"), IsEmpty());
+}
+
+TEST(Outline, EveryTokenBelongsToOneDeclarationAtMost) {
+  const std::vector<Token> tokens = lex("a; } b(c){d} namespace N { e f; } ] ) struct {x} y; = ; <>;");
+  std::size_t next = 0;
+  for (const Declaration& declaration : outline(tokens)) {
+    EXPECT_GE(declaration.first, next);
+    EXPECT_GE(declaration.last, declaration.first);
+    next = declaration.last + 1;
+  }
+  EXPECT_LE(next, tokens.size());
+}
+
+}  // namespace
+}  // namespace penumbra::hlsl

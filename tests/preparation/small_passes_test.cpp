@@ -1,0 +1,69 @@
+// Stray semicolons and the precision of textures: what goes, and what must stay.
+#include <gmock/gmock.h>
+
+#include "preparation/prepare.h"
+#include "preparation/stray_semicolons.h"
+#include "preparation/texture_precision.h"
+#include "shaders/compile.h"
+
+namespace penumbra::preparation {
+namespace {
+
+template <void (*Pass)(TokenText&)>
+std::string after(const std::string& text) {
+  TokenText tokens(text, "m");
+  Pass(tokens);
+  return tokens.spelled(0, tokens.size());
+}
+
+TEST(StraySemicolons, GoAtFileScopeAndAmongMembers) {
+  const auto run = after<drop_stray_semicolons>;
+  EXPECT_EQ(run("; float a;; ; float b;"), "float a; float b;");
+  EXPECT_EQ(run("cbuffer C { float a;; float b; } ; struct S { ; float f() { ; ; return 1; }; float c; };"),
+            "cbuffer C { float a; float b; } struct S { float f() { ; ; return 1; } float c; };");
+}
+
+TEST(StraySemicolons, ThoseThatEndSomethingStay) {
+  for (const char* text : {"float a; float b;", "struct S { float a; };", "void f() { ; for (;;) { } }",
+                           "struct S { float a; } s;", "float f(); float f() { ; }"})
+    EXPECT_EQ(after<drop_stray_semicolons>(text), text);
+}
+
+TEST(TexturePrecision, TheTypeLosesIt) {
+  EXPECT_EQ(after<drop_texture_precision>("Texture2D_half a; TextureCubeArray_float b; sampler2D_half c;"),
+            "Texture2D a; TextureCubeArray b; sampler2D c;");
+  EXPECT_EQ(after<drop_texture_precision>("float my_half; Texture2D_other d; _half e;"),
+            "float my_half; Texture2D_other d; _half e;");
+}
+
+shaders::CompileResult compile_text(const std::string& text, bool prepare) {
+  shaders::CompileRequest request;
+  request.file = "small.hlsl";
+  request.text = text;
+  request.prepare = prepare;
+  return shaders::compile(request);
+}
+
+// Each is refused without the stage and accepted with it, without a word.
+TEST(Preparation, LetsThroughWhatUnityCompilersAccept) {
+  const std::string main = "RWStructuredBuffer<float4> O; [numthreads(1, 1, 1)] void Main() { O[0] = V; }\n";
+  for (const std::string& declarations :
+       {std::string("struct S { float a;; };\nstatic const float4 V = 1;\n"),
+        std::string("cbuffer C { float4 V;; };\n"), std::string("static const float4 V = 1h;\n"),
+        std::string("#define T(n) n\nTexture2D_half T(t);\n#define V t.Load(0)\n"),
+        std::string("#pragma once\n#warning no\n#pragma multi_compile _ A\nstatic const float4 V = 1;\n")}) {
+    const shaders::CompileResult without = compile_text(declarations + main, false);
+    const shaders::CompileResult with = compile_text(declarations + main, true);
+    EXPECT_FALSE(without.diagnostics.empty()) << declarations;
+    EXPECT_TRUE(with.diagnostics.empty()) << declarations << format(with.diagnostics.at(0));
+    EXPECT_FALSE(with.spirv.empty()) << declarations;
+  }
+}
+
+TEST(Preparation, PassesHaveNamesOfTheirOwn) {
+  for (const Pass& a : passes())
+    for (const Pass& b : passes()) EXPECT_EQ(&a == &b, std::string(a.name) == b.name);
+}
+
+}  // namespace
+}  // namespace penumbra::preparation

@@ -1,0 +1,66 @@
+// The text before the preprocessor: a few words change, no character moves.
+#include "preparation/source_directives.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace penumbra::preparation {
+namespace {
+
+std::string prepared(const std::string& text) {
+  const PreparedSource source = prepare_source(text);
+  EXPECT_EQ(source.text.size(), text.size());
+  for (std::size_t i = 0; i < std::min(text.size(), source.text.size()); ++i)
+    EXPECT_EQ(text[i] == '\n', source.text[i] == '\n') << i;
+  return source.text;
+}
+
+TEST(SourceDirectives, IncludeWithPragmasIsAnInclude) {
+  EXPECT_EQ(prepared("#include_with_pragmas \"a1.0h.hlsl\"\n"), "#include              \"a1.0h.hlsl\"\n");
+  EXPECT_EQ(prepared("  #  include_with_pragmas <b>"), "  #  include              <b>");
+}
+
+TEST(SourceDirectives, PragmasAndWarningsAreBlanked) {
+  EXPECT_EQ(prepared("a\n#pragma multi_compile _ A\nb"), "a\n                         \nb");
+  EXPECT_EQ(prepared("#pragma multi_compile A \\\n  B\nc"), std::string(25, ' ') + "\n   \nc");
+  EXPECT_EQ(prepared("#warning no\nd"), "           \nd");
+  EXPECT_EQ(prepared("#pragma x /* 1\n2 */ e"), "          /* 1\n2 */ e");
+}
+
+TEST(SourceDirectives, OnceIsSeenOutsideComments) {
+  EXPECT_TRUE(prepare_source("\n  # pragma once // here\n").once);
+  EXPECT_TRUE(prepare_source("#pragma once").once);
+  EXPECT_FALSE(prepare_source("// #pragma once\n/*\n#pragma once\n*/").once);
+  EXPECT_FALSE(prepare_source("#pragma onceuponatime").once);
+  EXPECT_FALSE(prepare_source("x #pragma once").once);
+}
+
+TEST(SourceDirectives, HalfLiteralsBecomeFloat) {
+  EXPECT_EQ(prepared("1.0h .5H 2.h 1e-3h 1h 1.5f 0x1h h 1.0 v1h x.h"),
+            "1.0f .5f 2.f 1e-3f 1. 1.5f 0x1h h 1.0 v1h x.h");
+  EXPECT_EQ(prepared("#define K 2.0h\n#if 1\n"), "#define K 2.0f\n#if 1\n");
+}
+
+TEST(SourceDirectives, InfinityKeepsItsPlace) {
+  EXPECT_EQ(prepared("x = -1.#INF;"), "x = -1e9999;");
+}
+
+TEST(SourceDirectives, CommentsAndTextsStay) {
+  const std::string text = "// 1.0h\n/* 1.0h\n#pragma a */ \"1.0h \\\" 1.0h\" // \\\n 1.0h\n#error 1.0h\n";
+  EXPECT_EQ(prepared(text), text);
+}
+
+// Linear, and never out of bounds: run under the sanitizers.
+TEST(SourceDirectives, AnyBytesAreRead) {
+  std::mt19937 random(7);
+  const std::string alphabet = "#/*\\\"\n 1.hHeEx#+-INFpragmaonce_";
+  for (int round = 0; round < 20000; ++round) {
+    std::string text(random() % 24, ' ');
+    for (char& c : text) c = alphabet[random() % alphabet.size()];
+    prepared(text);
+  }
+}
+
+}  // namespace
+}  // namespace penumbra::preparation

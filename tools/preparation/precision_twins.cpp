@@ -1,0 +1,132 @@
+#include "preparation/precision_twins.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <string_view>
+#include <utility>
+
+#include "hlsl/outline.h"
+#include "hlsl/tokens.h"
+
+namespace penumbra::preparation {
+
+namespace {
+
+constexpr std::array<std::pair<std::string_view, std::string_view>, 6> full_precision{
+    {{"half", "float"},
+     {"min16float", "float"},
+     {"min10float", "float"},
+     {"min16int", "int"},
+     {"min12int", "int"},
+     {"min16uint", "uint"}}};
+
+// "", "3" or "4x4": what follows a scalar's name in that of its vectors and matrices.
+bool is_shape(std::string_view text) {
+  const auto size = [](char c) { return c >= '1' && c <= '4'; };
+  return text.empty() || (text.size() == 1 && size(text[0])) ||
+         (text.size() == 3 && size(text[0]) && text[1] == 'x' && size(text[2]));
+}
+
+std::string widened_word(std::string_view word) {
+  for (const auto& [narrow, wide] : full_precision) {
+    const bool matches = word.substr(0, narrow.size()) == narrow && is_shape(word.substr(narrow.size()));
+    if (matches) return std::string(wide) + std::string(word.substr(narrow.size()));
+  }
+  return std::string(word);
+}
+
+// A parameter as parameter_types() spells it, every word of it widened.
+std::string widened(const std::string& parameter) {
+  std::string result;
+  for (const hlsl::Token& token : hlsl::lex(parameter)) {
+    result += widened_word(token.spelling);
+    if (token.spelling == "out" || token.spelling == "inout") result += ' ';
+  }
+  return result;
+}
+
+struct Function {
+  const hlsl::Declaration* declaration;
+  std::string name;  // with its namespaces
+  std::vector<std::string> parameters;
+};
+
+std::vector<Function> function_definitions(const TokenText& text,
+                                           const std::vector<hlsl::Declaration>& declarations) {
+  std::vector<Function> functions;
+  for (const hlsl::Declaration& declaration : declarations) {
+    if (declaration.kind != hlsl::Declaration::Kind::function) continue;
+    functions.push_back({&declaration, declaration.scope + std::string(text[declaration.name].spelling),
+                         hlsl::parameter_types(text.tokens(), declaration)});
+  }
+  return functions;
+}
+
+int narrow_parameters(const Function& function) {
+  return static_cast<int>(std::count_if(function.parameters.begin(), function.parameters.end(),
+                                        [](const std::string& type) { return widened(type) != type; }));
+}
+
+std::string list(const std::vector<std::string>& types) {
+  std::string text;
+  for (const std::string& type : types) text += (text.empty() ? "" : ", ") + type;
+  return "(" + text + ")";
+}
+
+std::string widened_signature(const Function& function) {
+  std::vector<std::string> types;
+  for (const std::string& type : function.parameters) types.push_back(widened(type));
+  return function.name + list(types);
+}
+
+// The suffix of a literal is precision as well: 1.0f and 1.0 are one.
+std::string_view without_suffix(std::string_view number) {
+  const bool hexadecimal = number.size() > 1 && (number[1] == 'x' || number[1] == 'X');
+  if (!hexadecimal && (number.back() == 'f' || number.back() == 'F')) number.remove_suffix(1);
+  return number;
+}
+
+bool same_bodies(const TokenText& text, const hlsl::Declaration& a, const hlsl::Declaration& b) {
+  if (a.close - a.open != b.close - b.open) return false;
+  for (std::size_t i = 0; i <= a.close - a.open; ++i) {
+    const hlsl::Token& left = text[a.open + i];
+    const hlsl::Token& right = text[b.open + i];
+    const bool number = left.kind == hlsl::Token::Kind::number && right.kind == left.kind;
+    const bool same = number ? without_suffix(left.spelling) == without_suffix(right.spelling)
+                             : widened_word(left.spelling) == widened_word(right.spelling);
+    if (!same) return false;
+  }
+  return true;
+}
+
+void drop(TokenText& text, const Function& gone, const Function& kept) {
+  const std::size_t kept_at = kept.declaration->name;
+  const bool same = same_bodies(text, *gone.declaration, *kept.declaration);
+  text.note(gone.declaration->name, hlsl::Severity::note,
+            "'" + gone.name + list(gone.parameters) + "' differs from '" + kept.name + list(kept.parameters) +
+                "' in precision alone, which is not told apart here; the body at " + text.file_of(kept_at) +
+                ":" + std::to_string(text[kept_at].line) + " is used for both" +
+                (same ? "" : ", and the two bodies differ in more than their types"));
+  text.replace(gone.declaration->open, gone.declaration->close - gone.declaration->open + 1, ";");
+}
+
+}  // namespace
+
+void merge_precision_twins(TokenText& text) {
+  const std::vector<hlsl::Declaration> declarations = hlsl::outline(text.tokens());
+  const std::vector<Function> functions = function_definitions(text, declarations);
+  std::map<std::string, const Function*> kept;
+  for (const Function& function : functions) {
+    const Function*& best = kept[widened_signature(function)];
+    if (best == nullptr || narrow_parameters(function) < narrow_parameters(*best)) best = &function;
+  }
+  for (const Function& function : functions) {
+    const Function& best = *kept[widened_signature(function)];
+    if (function.parameters == best.parameters) continue;  // itself, or a definition spelled alike
+    drop(text, function, best);
+  }
+  text.apply();
+}
+
+}  // namespace penumbra::preparation

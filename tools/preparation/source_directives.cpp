@@ -1,0 +1,145 @@
+#include "preparation/source_directives.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string_view>
+
+namespace penumbra::preparation {
+
+namespace {
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+bool is_word(char c) {
+  return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+bool is_blank(char c) {
+  return c == ' ' || c == '\t';
+}
+
+class SourceScan {
+ public:
+  explicit SourceScan(std::string text) : text_(std::move(text)) {}
+
+  PreparedSource run() {
+    while (at_ < text_.size()) step();
+    return {std::move(text_), once_};
+  }
+
+ private:
+  char peek(std::size_t ahead = 0) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
+  bool starts(std::string_view with) const { return text_.compare(at_, with.size(), with) == 0; }
+
+  void step() {
+    const char c = peek();
+    if (c == '\n') {
+      line_is_empty_ = true;
+      ++at_;
+    } else if (is_blank(c)) {
+      ++at_;
+    } else if (starts("//")) {
+      at_ = end_of_line();
+    } else if (starts("/*")) {
+      at_ = std::min(text_.find("*/", at_ + 2), text_.size() - 2) + 2;
+    } else if (c == '#' && line_is_empty_) {
+      directive();
+    } else {
+      line_is_empty_ = false;
+      token(c);
+    }
+  }
+
+  void token(char c) {
+    if (c == '"') {
+      text();
+    } else if (is_digit(c) || (c == '.' && is_digit(peek(1)))) {
+      number();
+    } else if (is_word(c)) {
+      while (is_word(peek())) ++at_;
+    } else {
+      ++at_;
+    }
+  }
+
+  void text() {
+    for (++at_; at_ < text_.size() && peek() != '"' && peek() != '\n'; ++at_)
+      if (peek() == '\\' && peek(1) != '\n') ++at_;
+    if (peek() == '"') ++at_;
+  }
+
+  // The suffix h of 1.0h, and 1.#INF.
+  void number() {
+    const std::size_t begin = at_;
+    const bool hexadecimal = peek() == '0' && (peek(1) == 'x' || peek(1) == 'X');
+    for (++at_; at_ < text_.size(); ++at_) {
+      const char before = text_[at_ - 1];
+      const bool sign = (peek() == '+' || peek() == '-') && (before == 'e' || before == 'E') && !hexadecimal;
+      if (!is_word(peek()) && peek() != '.' && !sign) break;
+    }
+    const std::string_view spelling = std::string_view(text_).substr(begin, at_ - begin);
+    if (spelling == "1." && starts("#INF")) {
+      text_.replace(begin, 6, "1e9999");
+      at_ = begin + 6;
+    } else if (!hexadecimal && (spelling.back() == 'h' || spelling.back() == 'H')) {
+      const bool whole = spelling.find_first_not_of("0123456789hH") == std::string_view::npos;
+      text_[at_ - 1] = whole ? '.' : 'f';  // 1h is the number 1., and 1f is none
+    }
+  }
+
+  // Where the line ends, the lines that '\' joins to it included.
+  std::size_t end_of_line() const {
+    std::size_t end = at_;
+    while (end < text_.size() && (text_[end] != '\n' || text_[end - 1] == '\\')) ++end;
+    return end;
+  }
+
+  // A /* */ that begins on the directive's line may end on a later one: the directive ends before it.
+  std::size_t end_of_directive() const {
+    const std::size_t end = end_of_line();
+    return std::min(end, text_.find("/*", at_));
+  }
+
+  void directive() {
+    std::size_t word = at_ + 1;
+    while (word < text_.size() && is_blank(text_[word])) ++word;
+    std::size_t word_end = word;
+    while (word_end < text_.size() && is_word(text_[word_end])) ++word_end;
+    const std::string_view name = std::string_view(text_).substr(word, word_end - word);
+    line_is_empty_ = false;
+    if (name == "include_with_pragmas") {
+      std::fill_n(text_.begin() + static_cast<std::ptrdiff_t>(word) + 7, word_end - word - 7, ' ');
+      at_ = end_of_line();
+    } else if (name == "include" || name == "error") {
+      at_ = end_of_line();  // no literals in there
+    } else if (name == "pragma" || name == "warning") {
+      const std::size_t end = end_of_directive();
+      const std::string_view rest = std::string_view(text_).substr(word_end, end - word_end);
+      once_ = once_ || (name == "pragma" && first_word(rest) == "once");
+      for (; at_ < end; ++at_)
+        if (text_[at_] != '\n') text_[at_] = ' ';
+    } else {
+      at_ = word_end;
+    }
+  }
+
+  static std::string_view first_word(std::string_view text) {
+    const std::size_t begin = std::min(text.find_first_not_of(" \t"), text.size());
+    std::size_t end = begin;
+    while (end < text.size() && is_word(text[end])) ++end;
+    return text.substr(begin, end - begin);
+  }
+
+  std::string text_;
+  std::size_t at_ = 0;
+  bool line_is_empty_ = true;
+  bool once_ = false;
+};
+
+}  // namespace
+
+PreparedSource prepare_source(std::string text) {
+  return SourceScan(std::move(text)).run();
+}
+
+}  // namespace penumbra::preparation

@@ -1,0 +1,77 @@
+// Preprocessed HLSL as a list of tokens that passes edit, each token with the line it came from.
+//
+// A pass collects edits while it reads and applies them at the end, so that indices stay valid meanwhile.
+// Text that an edit puts in stands on the line of the token it replaces or follows. Printing gives every
+// token its own line again (#line directives where lines do not follow each other), whatever was put in or
+// taken out.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hlsl/diagnostic.h"
+#include "hlsl/tokens.h"
+
+namespace penumbra::preparation {
+
+inline constexpr std::size_t npos = static_cast<std::size_t>(-1);
+
+class TokenText {
+ public:
+  // `preprocessed`: no comments, no macros, #line directives for places. Lines before the first #line that
+  // names a file are said to be in `main_file`.
+  TokenText(std::string preprocessed, std::string main_file);
+  TokenText(const TokenText&) = delete;
+  TokenText& operator=(const TokenText&) = delete;
+
+  const std::vector<hlsl::Token>& tokens() const { return tokens_; }
+  std::size_t size() const { return tokens_.size(); }
+  const hlsl::Token& operator[](std::size_t at) const { return tokens_[at]; }
+  bool is(std::size_t at, std::string_view spelling) const {
+    return at < tokens_.size() && tokens_[at].spelling == spelling;
+  }
+  bool is_word(std::size_t at) const {
+    return at < tokens_.size() && tokens_[at].kind == hlsl::Token::Kind::word;
+  }
+  // The bracket that closes the (, [ or { at this index, or opens the one that ends there; npos for other
+  // tokens and for brackets without a partner.
+  std::size_t partner(std::size_t at) const { return at < tokens_.size() ? partners_[at] : npos; }
+  std::string spelled(std::size_t first, std::size_t count) const;  // as printed, in one line
+
+  // Edits; ranges of two edits must not overlap, and several inserts at one place keep their order.
+  void replace(std::size_t first, std::size_t count, std::string_view hlsl);
+  void insert(std::size_t before, std::string_view hlsl) { replace(before, 0, hlsl); }
+  void erase(std::size_t first, std::size_t count) { replace(first, count, {}); }
+  void apply();  // all of them at once
+
+  // A message at a token's place.
+  void note(std::size_t at, hlsl::Severity severity, std::string message);
+  const std::vector<hlsl::Diagnostic>& notes() const { return notes_; }
+
+  std::string file_of(std::size_t at) const;  // main_file where no #line has named one
+  std::string print() const;
+
+ private:
+  struct Edit {
+    std::size_t first;
+    std::size_t count;
+    std::string text;
+  };
+
+  void find_partners();
+  void append_made(std::vector<hlsl::Token>& to, const Edit& edit);
+
+  std::string text_;
+  std::string main_file_;
+  std::vector<hlsl::Token> tokens_;
+  std::vector<std::size_t> partners_;
+  std::vector<Edit> edits_;
+  std::deque<std::string> made_;  // the spellings that edits put in
+  std::vector<hlsl::Diagnostic> notes_;
+};
+
+}  // namespace penumbra::preparation
