@@ -12,6 +12,10 @@ function(penumbra_warnings target)
       # GCC 12 reports overlapping copies inside std::string's operator+ that cannot happen (GCC bug 105651).
       target_compile_options(${target} PRIVATE -Wno-restrict)
     endif()
+    if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_FLAGS MATCHES "-fsanitize=")
+      # Instrumented standard headers (std::regex among them) look uninitialised to GCC (GCC bug 105562).
+      target_compile_options(${target} PRIVATE -Wno-maybe-uninitialized)
+    endif()
   endif()
 endfunction()
 
