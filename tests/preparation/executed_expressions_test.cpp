@@ -138,5 +138,54 @@ TEST(ExecutedIntrinsicCalls, MadAndLdexpOfEveryType) {
   EXPECT_THAT(run_prepared(execution), ElementsAre(13.0F, 17.0F, 8.0F, 20.5F, 12.0F, 2.5F));
 }
 
+TEST(ExecutedPartialTexelWrites, OtherComponentsStay) {
+  const Execution execution{R"(RWTexture2D<float4> Image; RWTexture2D<float> Single;
+[numthreads(1, 1, 1)] void Main() {
+    uint2 at = uint2(1, 2);
+    Image[at] = float4(1, 2, 3, 4);
+    Image[at].yw = float2(In[0], In[0] + 1);
+    if (In[0] > 0) Image[at].z *= 10;
+    Out[0] = Image[at].x; Out[1] = Image[at].y; Out[2] = Image[at].z; Out[3] = Image[at].w; })",
+                            {7.0F},
+                            {},
+                            4};
+  EXPECT_THAT(run_prepared(execution), ElementsAre(1.0F, 7.0F, 30.0F, 8.0F));
+}
+
+TEST(ExecutedFlatInitialisers, FillInOrder) {
+  const Execution execution{R"(static const float2 pairs[2] = { 1, 2, 3, 4 };
+[numthreads(1, 1, 1)] void Main() {
+    int i = int(In[0]);
+    float table[2][3] = { 1, 2, 3, 4, 5, 6, };
+    float2x2 matrices[2] = { 1, 2, 3, 4, 5, 6, 7, In[0] + 7 };
+    Out[0] = pairs[i].x; Out[1] = pairs[i].y; Out[2] = table[i][0]; Out[3] = table[i][2];
+    Out[4] = matrices[i][0][1]; Out[5] = matrices[i][1][1]; })",
+                            {1.0F},
+                            {},
+                            6};
+  EXPECT_THAT(run_prepared(execution), ElementsAre(3.0F, 4.0F, 4.0F, 6.0F, 6.0F, 8.0F));
+}
+
+TEST(ExecutedNamespaces, EveryNameIsFound) {
+  const Execution execution{R"(namespace A {
+    static const float two = 2;
+    struct S { float two; float Twice() { return two * A::two; } float Plus(float x) { return Twice() + x; } };
+    namespace B {
+        S Make(float two) { S s; s.two = two; return s; }
+        float Use(S s) { return s.Plus(two); }
+    }
+    float B_free(float x) { return x + two; }
+}
+float two() { return 20; }
+[numthreads(1, 1, 1)] void Main() {
+    A::S s = A::B::Make(In[0]);
+    Out[0] = s.Twice(); Out[1] = s.Plus(1); Out[2] = A::two; Out[3] = two(); Out[4] = A::B_free(s.two);
+    Out[5] = A::B::Use(s); })",
+                            {5.0F},
+                            {},
+                            6};
+  EXPECT_THAT(run_prepared(execution), ElementsAre(10.0F, 11.0F, 2.0F, 20.0F, 7.0F, 12.0F));
+}
+
 }  // namespace
 }  // namespace penumbra::preparation

@@ -3,8 +3,11 @@
 
 #include "preparation/constructor_statements.h"
 #include "preparation/declarators.h"
+#include "preparation/flat_initialisers.h"
 #include "preparation/intrinsic_calls.h"
 #include "preparation/matrix_swizzles.h"
+#include "preparation/namespace_structs.h"
+#include "preparation/partial_texel_writes.h"
 #include "preparation/uniform_writes.h"
 
 namespace penumbra::preparation {
@@ -98,6 +101,36 @@ TEST(IntrinsicCalls, FunctionsOfTheTextAndOtherNamesStay) {
           "void f() { b.InterlockedAdd(4, uint(1), o); b.InterlockedCompareExchange(0, uint(1), v, o); }"));
 }
 
+TEST(FlatInitialisers, OnlyListsThatFitAreGrouped) {
+  EXPECT_EQ(after<group_flat_initialisers>("float2 a[2] = { 1, f(2, 3), 3, 4 };"),
+            spaced("float2 a[2] = { {1, f(2, 3)}, {3, 4} };"));
+  for (const char* text :
+       {"float2 a[2] = { u, v };", "float2 a[2] = { {1, 2}, {3, 4} };", "float a[2] = { 1, 2 };",
+        "float2 a[] = { 1, 2, 3, 4 };", "float2 a[N] = { 1, 2 };", "float2 a[2];",
+        "float2 a[2][2] = { 1, 2, 3, 4, 5, 6, 7, 8 };", "S a[2] = { 1, 2, 3, 4 };"})
+    expect_untouched<group_flat_initialisers>(text);
+}
+
+TEST(PartialTexelWrites, WholeTexelsOtherBuffersAndUnrepeatableIndicesStay) {
+  for (const char* text : {"RWTexture2D<float4> t; void f() { t[i] = v; t[i] += v; }",
+                           "RWStructuredBuffer<float4> t; void f() { t[i].x = 1; }",
+                           "RWTexture2D<float4> t; void f() { t[i++].x = 1; }",
+                           "RWTexture2D<float4> t; void f() { a = t[i].x; }"})
+    expect_untouched<write_whole_texels>(text);
+  EXPECT_EQ(after<write_whole_texels>("RWTexture2D<unorm float4> t; void f() { t[i].x = 1; }"),
+            spaced("RWTexture2D<unorm float4> t; void f() { { float4 penumbra_texel = t[i]; penumbra_texel.x "
+                   "= 1; t[i] = "
+                   "penumbra_texel; } }"));
+}
+
+TEST(NamespaceStructs, NamespacesWithoutMemberFunctionsStay) {
+  expect_untouched<write_out_namespaces>(
+      "namespace A { struct S { float a; }; float f(S s) { return s.a; } } float g() { return A::f(x); }");
+  EXPECT_EQ(
+      after<write_out_namespaces>("namespace A { struct S { float f() { return 1; } }; } A::S s; float S;"),
+      spaced("struct A_S { float f() { return 1; } }; A_S s; float S;"));
+}
+
 TEST(Declarators, AreReadWithTheirTypeAndSize) {
   const TokenText text("row_major static const float4x4 a, b[2][3] = { 1 }, c : register(c1);", "m");
   const std::vector<Declarator> list = declarators(text, 0, text.size() - 1);
@@ -130,6 +163,9 @@ TEST(ExpressionPasses, AnyTokensAreRead) {
     wrap_constructor_statements(tokens);
     copy_written_uniforms(tokens);
     write_out_intrinsic_calls(tokens);
+    write_out_namespaces(tokens);
+    group_flat_initialisers(tokens);
+    write_whole_texels(tokens);
     EXPECT_LT(tokens.size(), 20000u);
   }
 }

@@ -80,16 +80,6 @@ std::set<std::string_view> member_names(const TokenText& text) {
   return names;
 }
 
-bool may_be_repeated(const TokenText& text, std::size_t first, std::size_t end) {
-  for (std::size_t at = first; at < end; ++at) {
-    const bool call = text.is(at, "(") && at > first && text.is_word(at - 1);
-    const bool step =
-        (text.is(at, "+") && text.is(at + 1, "+")) || (text.is(at, "-") && text.is(at + 1, "-"));
-    if (call || step || assignment_length(text, at) != 0) return false;
-  }
-  return true;
-}
-
 class Swizzles {
  public:
   explicit Swizzles(TokenText& text) : text_(text), members_(member_names(text)) {}

@@ -109,4 +109,14 @@ std::size_t assignment_length(const TokenText& text, std::size_t at) {
   return shift ? 3 : 0;
 }
 
+bool may_be_repeated(const TokenText& text, std::size_t first, std::size_t end) {
+  for (std::size_t at = first; at < end; ++at) {
+    const bool call = text.is(at, "(") && at > first && text.is_word(at - 1);
+    const bool step =
+        (text.is(at, "+") && text.is(at + 1, "+")) || (text.is(at, "-") && text.is(at + 1, "-"));
+    if (call || step || assignment_length(text, at) != 0) return false;
+  }
+  return true;
+}
+
 }  // namespace penumbra::preparation

@@ -23,6 +23,10 @@ std::size_t expression_end(const TokenText& text, std::size_t first);
 // the ')' of an if, for or while.
 bool begins_statement(const TokenText& text, std::size_t at);
 
+// Whether evaluating the tokens [first, end) twice is the same as once: no call, ++, -- or assignment in
+// them.
+bool may_be_repeated(const TokenText& text, std::size_t first, std::size_t end);
+
 // The number of marks of the assignment operator at this token ("=" 1, "+=" 2, "<<=" 3), 0 when there is
 // none.
 std::size_t assignment_length(const TokenText& text, std::size_t at);
