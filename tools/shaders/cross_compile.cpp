@@ -1,7 +1,9 @@
 #include "shaders/cross_compile.h"
 
 #include <algorithm>
+#include <array>
 #include <initializer_list>
+#include <iterator>
 #include <stdexcept>
 
 #include "shaders/spirv_cross_session.h"
@@ -11,22 +13,39 @@ namespace penumbra::shaders {
 namespace {
 
 struct TargetTraits {
+  Target target;
   const char* name;
-  spvc_backend backend;
+  TargetLanguage language;
+  unsigned version;  // as SPIRV-Cross takes it
 };
 
-TargetTraits traits(Target target) {
-  switch (target) {
-    case Target::essl310:
-      return {"essl310", SPVC_BACKEND_GLSL};
-    case Target::glsl450:
-      return {"glsl450", SPVC_BACKEND_GLSL};
-    case Target::msl23:
-      return {"msl23", SPVC_BACKEND_MSL};
-    case Target::hlsl50:
+constexpr std::array<TargetTraits, std::size(all_targets)> all_traits{
+    {{Target::essl300, "essl300", TargetLanguage::essl, 300},
+     {Target::essl310, "essl310", TargetLanguage::essl, 310},
+     {Target::glsl410, "glsl410", TargetLanguage::glsl, 410},
+     {Target::glsl450, "glsl450", TargetLanguage::glsl, 450},
+     {Target::msl20, "msl20", TargetLanguage::msl, SPVC_MAKE_MSL_VERSION(2, 0, 0)},
+     {Target::msl22, "msl22", TargetLanguage::msl, SPVC_MAKE_MSL_VERSION(2, 2, 0)},
+     {Target::msl23, "msl23", TargetLanguage::msl, SPVC_MAKE_MSL_VERSION(2, 3, 0)},
+     {Target::hlsl50, "hlsl50", TargetLanguage::hlsl, 50},
+     {Target::hlsl51, "hlsl51", TargetLanguage::hlsl, 51}}};
+
+const TargetTraits& traits(Target target) {
+  return *std::find_if(all_traits.begin(), all_traits.end(),
+                       [target](const TargetTraits& one) { return one.target == target; });
+}
+
+spvc_backend backend(Target target) {
+  switch (target_language(target)) {
+    case TargetLanguage::msl:
+      return SPVC_BACKEND_MSL;
+    case TargetLanguage::hlsl:
+      return SPVC_BACKEND_HLSL;
+    case TargetLanguage::essl:
+    case TargetLanguage::glsl:
       break;
   }
-  return {"hlsl50", SPVC_BACKEND_HLSL};
+  return SPVC_BACKEND_GLSL;
 }
 
 void set_options(const SpirvCrossSession& session, Target target) {
@@ -35,17 +54,17 @@ void set_options(const SpirvCrossSession& session, Target target) {
   const auto set = [&](spvc_compiler_option option, unsigned value) {
     session.require(spvc_compiler_options_set_uint(options, option, value));
   };
-  if (traits(target).backend == SPVC_BACKEND_GLSL) {
-    const bool es = target == Target::essl310;
-    set(SPVC_COMPILER_OPTION_GLSL_VERSION, es ? 310 : 450);
+  if (is_gl(target)) {
+    const bool es = target_language(target) == TargetLanguage::essl;
+    set(SPVC_COMPILER_OPTION_GLSL_VERSION, traits(target).version);
     set(SPVC_COMPILER_OPTION_GLSL_ES, es ? 1 : 0);
     set(SPVC_COMPILER_OPTION_GLSL_VULKAN_SEMANTICS, 0);
     set(SPVC_COMPILER_OPTION_GLSL_ES_DEFAULT_FLOAT_PRECISION_HIGHP, 1);
     set(SPVC_COMPILER_OPTION_GLSL_ES_DEFAULT_INT_PRECISION_HIGHP, 1);
-  } else if (target == Target::msl23) {
-    set(SPVC_COMPILER_OPTION_MSL_VERSION, SPVC_MAKE_MSL_VERSION(2, 3, 0));
+  } else if (target_language(target) == TargetLanguage::msl) {
+    set(SPVC_COMPILER_OPTION_MSL_VERSION, traits(target).version);
   } else {
-    set(SPVC_COMPILER_OPTION_HLSL_SHADER_MODEL, 50);
+    set(SPVC_COMPILER_OPTION_HLSL_SHADER_MODEL, traits(target).version);
   }
   session.require(spvc_compiler_install_compiler_options(session.compiler(), options));
 }
@@ -86,7 +105,7 @@ void number_from_zero(const SpirvCrossSession& session, std::initializer_list<sp
 // GL and Direct3D count each kind of resource for itself, and only so far.
 void number_bindings(const SpirvCrossSession& session, Target target) {
   number_from_zero(session, {SPVC_RESOURCE_TYPE_UNIFORM_BUFFER});
-  if (target == Target::hlsl50) {
+  if (target_language(target) == TargetLanguage::hlsl) {
     number_from_zero(session, {SPVC_RESOURCE_TYPE_SEPARATE_SAMPLERS});
     // A buffer is a t or a u register, as its use has it: one run serves both, with the scarce u first.
     number_from_zero(session, {SPVC_RESOURCE_TYPE_STORAGE_BUFFER, SPVC_RESOURCE_TYPE_STORAGE_IMAGE,
@@ -98,10 +117,11 @@ void number_bindings(const SpirvCrossSession& session, Target target) {
 }
 
 std::string emit(const std::vector<std::uint32_t>& spirv, Target target) {
-  const SpirvCrossSession session(spirv, traits(target).backend);
+  const SpirvCrossSession session(spirv, backend(target));
   set_options(session, target);
-  if (traits(target).backend == SPVC_BACKEND_GLSL) combine_samplers(session);
-  if (target != Target::msl23) number_bindings(session, target);  // MSL numbers by itself
+  if (is_gl(target)) combine_samplers(session);
+  if (target_language(target) != TargetLanguage::msl)
+    number_bindings(session, target);  // MSL numbers by itself
   const char* text = nullptr;
   session.require(spvc_compiler_compile(session.compiler(), &text));
   return text;
@@ -111,6 +131,14 @@ std::string emit(const std::vector<std::uint32_t>& spirv, Target target) {
 
 const char* target_name(Target target) {
   return traits(target).name;
+}
+
+TargetLanguage target_language(Target target) {
+  return traits(target).language;
+}
+
+bool is_gl(Target target) {
+  return target_language(target) == TargetLanguage::essl || target_language(target) == TargetLanguage::glsl;
 }
 
 std::optional<Target> find_target(std::string_view name) {

@@ -1,4 +1,4 @@
-// SPIR-V to the texts other APIs take, by SPIRV-Cross: the four targets of the validator.
+// SPIR-V to the texts other APIs take, by SPIRV-Cross.
 //
 // GLSL and ESSL get combined image samplers, named <texture>_<sampler> or <texture> for plain loads, and
 // bindings counted from 0 per kind, as GL has them; so are HLSL's registers. MSL is emitted for macOS; row
@@ -15,11 +15,17 @@
 
 namespace penumbra::shaders {
 
-enum class Target { essl310, glsl450, msl23, hlsl50 };
+enum class Target { essl300, essl310, glsl410, glsl450, msl20, msl22, msl23, hlsl50, hlsl51 };
 
-constexpr Target all_targets[] = {Target::essl310, Target::glsl450, Target::msl23, Target::hlsl50};
+constexpr Target all_targets[] = {Target::essl300, Target::essl310, Target::glsl410,
+                                  Target::glsl450, Target::msl20,   Target::msl22,
+                                  Target::msl23,   Target::hlsl50,  Target::hlsl51};
+
+enum class TargetLanguage { essl, glsl, msl, hlsl };
 
 const char* target_name(Target target);  // "essl310", ...
+TargetLanguage target_language(Target target);
+bool is_gl(Target target);  // ESSL or GLSL: gl_check() takes it
 std::optional<Target> find_target(std::string_view name);
 
 struct CrossCompileResult {

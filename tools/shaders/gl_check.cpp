@@ -54,7 +54,8 @@ struct GlFunctions {
 // The context of one dialect; it is made by the thread that uses it.
 class Context {
  public:
-  explicit Context(Target target) : display_(surfaceless_display()), es_(target == Target::essl310) {
+  explicit Context(Target target)
+      : display_(surfaceless_display()), es_(target_language(target) == TargetLanguage::essl) {
     const EGLint es_attributes[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 1, EGL_NONE};
     const EGLint gl_attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
                                     4,

@@ -18,15 +18,11 @@ namespace penumbra::validation {
 
 namespace {
 
-bool checked_by_gl(shaders::Target target) {
-  return target == shaders::Target::essl310 || target == shaders::Target::glsl450;
-}
-
 // Emits the module for one target and, where there is a driver for it, has it compiled.
 std::vector<hlsl::Diagnostic> try_target(const std::vector<std::uint32_t>& spirv, hlsl::Stage stage,
                                          shaders::Target target) {
   shaders::CrossCompileResult emitted = shaders::cross_compile(spirv, target);
-  if (hlsl::has_errors(emitted.diagnostics) || !checked_by_gl(target)) return emitted.diagnostics;
+  if (hlsl::has_errors(emitted.diagnostics) || !shaders::is_gl(target)) return emitted.diagnostics;
   return shaders::gl_check({{stage, emitted.text}}, target);
 }
 
@@ -159,7 +155,7 @@ class Run {
 std::string checked_by(const std::string& target) {
   if (target == "spirv") return "glslang, then SPIRV-Tools for Vulkan 1.1";
   const std::optional<shaders::Target> known = shaders::find_target(target);
-  if (known && checked_by_gl(*known))
+  if (known && shaders::is_gl(*known))
     return "compiled and linked by OpenGL driver " + shaders::gl_driver(*known);
   return "emitted by SPIRV-Cross, not compiled";
 }
