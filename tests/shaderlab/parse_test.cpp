@@ -1,0 +1,5 @@
+#include "shaderlab/parse.h"
+
+#include <gtest/gtest.h>
+
+TEST(Shader, Parses) {}

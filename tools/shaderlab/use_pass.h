@@ -1,0 +1,30 @@
+// Finds the Pass a UsePass names.
+//
+// UsePass "Shader/Name/PASSNAME" takes the Pass PASSNAME of the shader Shader/Name. Unity keeps the names of
+// passes in upper case and asks for that spelling here (https://docs.unity3d.com/Manual/SL-UsePass.html,
+// https://docs.unity3d.com/Manual/SL-Name.html). Names of shaders are compared by case. When several
+// SubShaders have such a Pass the first is taken; Unity takes the first SubShader that the device supports.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hlsl/diagnostic.h"
+#include "shaderlab/tree.h"
+
+namespace penumbra::shaderlab {
+
+struct FoundPass {
+  const Shader* shader = nullptr;  // where the Pass stands; nullptr when there is none
+  const SubShader* sub_shader = nullptr;
+  const Pass* pass = nullptr;
+  // Why there is none: a warning when the shader is not among those given (Unity may have it built in), an
+  // error when it lacks the Pass. Or a warning that Unity asks for upper case.
+  std::optional<hlsl::Diagnostic> diagnostic;
+};
+
+// `use` is a UsePass of `user`; a UsePass in the shader it names is followed.
+FoundPass resolve_use_pass(const Shader& user, const Pass& use, const std::vector<const Shader*>& shaders);
+
+}  // namespace penumbra::shaderlab
