@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "hlsl/identifier.h"
@@ -55,12 +56,13 @@ class KernelReader {
           "expected the kernel's function after #pragma kernel, found '" + kernel.function.text + "'");
       return std::nullopt;
     }
+    std::set<std::string> macros;
     for (std::size_t i = 2; i < line.words.size(); ++i)
-      if (!define(line.words[i], kernel)) return std::nullopt;
+      if (!define(line.words[i], kernel, macros)) return std::nullopt;
     return kernel;
   }
 
-  bool define(const Name& word, Kernel& kernel) {
+  bool define(const Name& word, Kernel& kernel, std::set<std::string>& macros) {
     const std::size_t equals = std::min(word.text.find('='), word.text.size());
     const std::string macro = word.text.substr(0, equals);
     if (!hlsl::is_identifier(macro)) {
@@ -69,9 +71,7 @@ class KernelReader {
               ", found '" + word.text + "'");
       return false;
     }
-    const auto earlier = std::find_if(kernel.defines.begin(), kernel.defines.end(),
-                                      [&](const KernelDefine& define) { return define.macro.text == macro; });
-    if (earlier != kernel.defines.end()) {
+    if (!macros.insert(macro).second) {
       say(hlsl::Severity::error, word.place,
           "the kernel " + kernel.function.text + " defines " + macro + " twice");
       return false;

@@ -180,7 +180,7 @@ class Lexer {
     std::size_t depth = 0;
     for (std::size_t i = at_ + 1; i < limit; ++i) {
       const char c = text_[i];
-      if (c == '"') {
+      if (c == '"' && !is_word(text_[i - 1])) {
         const std::size_t close = text_.substr(0, limit).find_first_of("\"\n", i + 1);
         if (close != std::string_view::npos && text_[close] == '"') i = close;
       } else if (c == '(') {

@@ -56,7 +56,7 @@ class Resolver {
     std::string path = use_.name.text;
     for (int i = 0; i < kLongestChain; ++i) {
       found = step(path);
-      if (found.pass == nullptr || found.pass->kind == Pass::Kind::pass) return with_case_warning(found);
+      if (found.pass == nullptr || found.pass->kind == Pass::Kind::pass) return found;
       path = found.pass->name.text;
     }
     return failure(hlsl::Severity::error,
@@ -98,15 +98,6 @@ class Resolver {
                    "the shader \"" + names.shader + "\" has no Pass named " + upper(names.pass) + ": " +
                        (known.empty() ? "none of its passes has a name"
                                       : unknown_name_way_out(upper(names.pass), known)));
-  }
-
-  FoundPass with_case_warning(FoundPass found) const {
-    const std::string pass = split(use_.name.text).pass;
-    if (found.pass == nullptr || pass == upper(pass)) return found;
-    found.diagnostic = diagnostic_at(user_.file, user_.text, use_.name.place, hlsl::Severity::warning,
-                                     "UsePass names a Pass in upper case: write \"" +
-                                         split(use_.name.text).shader + "/" + upper(pass) + "\"");
-    return found;
   }
 
   const Shader& user_;

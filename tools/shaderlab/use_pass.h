@@ -1,9 +1,10 @@
 // Finds the Pass a UsePass names.
 //
 // UsePass "Shader/Name/PASSNAME" takes the Pass PASSNAME of the shader Shader/Name. Unity keeps the names of
-// passes in upper case and asks for that spelling here (https://docs.unity3d.com/Manual/SL-UsePass.html,
-// https://docs.unity3d.com/Manual/SL-Name.html). Names of shaders are compared by case. When several
-// SubShaders have such a Pass the first is taken; Unity takes the first SubShader that the device supports.
+// passes in upper case (https://docs.unity3d.com/Manual/SL-Name.html) and its manual asks for that spelling
+// here (https://docs.unity3d.com/Manual/SL-UsePass.html), which URP's own shaders do not keep to: case is
+// ignored. Names of shaders are compared by case. When several SubShaders have such a Pass the first is
+// taken; Unity takes the first SubShader that the device supports.
 #pragma once
 
 #include <optional>
@@ -20,7 +21,7 @@ struct FoundPass {
   const SubShader* sub_shader = nullptr;
   const Pass* pass = nullptr;
   // Why there is none: a warning when the shader is not among those given (Unity may have it built in), an
-  // error when it lacks the Pass. Or a warning that Unity asks for upper case.
+  // error when it lacks the Pass.
   std::optional<hlsl::Diagnostic> diagnostic;
 };
 
