@@ -50,7 +50,7 @@ constexpr Broken kBroken[] = {
     {"Shader \"x\" { SubShader { Pass { Blend One } } }", "1:43: expected a value for Blend, found '}'"},
     {"Shader \"x\" { SubShader { Pass { Blend One Zero, One\n} } }",
      "2:1: expected a value for Blend, found '}'"},
-    {"Shader \"x\" { SubShader { Pass { ZTest [_ZTest\nCull Off } } }",
+    {"Shader \"x\" { SubShader { Pass { ZTest [_ZTest\nCull [_Cull] } } }",
      "1:39: this '[' is not closed: no ']' follows outside parentheses"},
     {"Shader \"x\" { SubShader { Pass { Stencil {\nRef 2 Comp Always\nCull Off",
      "3:9: expected a command or '}' in the Stencil of line 1, found the end of the file"},

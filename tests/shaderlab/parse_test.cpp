@@ -64,6 +64,7 @@ TEST(Shader, EverythingAtTheTopIsRead) {
 TEST(Shader, SubShadersKnowTheirCategoryAndPassesTheirOrder) {
   const Shader shader = parsed(kLitSample);
   ASSERT_THAT(shader.categories, SizeIs(1));
+  ASSERT_THAT(shader.sub_shaders, SizeIs(2));
   EXPECT_EQ(shader.sub_shaders[0].category, 0);
   EXPECT_EQ(shader.sub_shaders[1].category, -1);
   const SubShader& sub_shader = shader.sub_shaders[0];
@@ -132,6 +133,7 @@ TEST(Shader, StringsHaveNoEscapes) {
 
 TEST(Properties, TypesAndDefaultsAreThoseWritten) {
   const std::vector<Property> properties = parsed(kLitSample).properties;
+  ASSERT_THAT(properties, SizeIs(15));
   std::vector<std::string> types;
   for (const Property& property : properties) types.push_back(property.type_name);
   EXPECT_THAT(types, ElementsAre("2D", "Color", "Float", "Int", "Range", "Range", "Vector", "2DArray", "Cube",
@@ -150,6 +152,7 @@ TEST(Properties, TypesAndDefaultsAreThoseWritten) {
 
 TEST(Properties, AttributesKeepTheirArguments) {
   const std::vector<Property> properties = parsed(kLitSample).properties;
+  ASSERT_THAT(properties, SizeIs(15));
   ASSERT_THAT(properties[1].attributes, SizeIs(2));
   EXPECT_EQ(properties[1].attributes[1].name.text, "MainColor");
   EXPECT_EQ(properties[2].attributes.at(0).arguments, "_ALPHATEST_ON");

@@ -252,7 +252,7 @@ class CommandParser {
 
   void skip(Scope scope) {
     const Token word = cursor_.take();
-    const std::string hint = near_name_hint(word.spelling, names_of(scope));
+    const std::string hint = cursor_.warns() ? near_name_hint(word.spelling, names_of(scope)) : "";
     cursor_.warn(word.place, "'" + std::string(word.spelling) + "' is no command of " + command_.name.text +
                                  (hint.empty() ? "" : ": " + hint));
     while ((at_value(cursor_) || cursor_.at_mark(',')) && cursor_.peek().place.line == word.place.line)
@@ -280,6 +280,14 @@ bool skip_block(Cursor& cursor, const Token& owner) {
   return holds_program;
 }
 
+std::string unknown_command_message(const Token& word, const std::vector<std::string>& structure) {
+  std::vector<std::string> known = names_of(Scope::pass);
+  known.insert(known.end(), structure.begin(), structure.end());
+  const std::string hint = near_name_hint(word.spelling, known);
+  return "'" + std::string(word.spelling.substr(0, 40)) + "' is no command of ShaderLab" +
+         (hint.empty() ? "" : ": " + hint);
+}
+
 }  // namespace
 
 bool at_command(const Cursor& cursor) {
@@ -291,18 +299,15 @@ Command parse_command(Cursor& cursor) {
 }
 
 void skip_unknown_command(Cursor& cursor, const std::vector<std::string>& structure) {
-  std::vector<std::string> known = names_of(Scope::pass);
-  known.insert(known.end(), structure.begin(), structure.end());
   const Token word = cursor.take();
-  const std::string hint = near_name_hint(word.spelling, known);
-  std::string message = "'" + std::string(word.spelling.substr(0, 40)) + "' is no command of ShaderLab";
-  if (!hint.empty()) message += ": " + hint;
   const auto same_line = [&] { return cursor.peek().place.line == word.place.line; };
   while (same_line() && !at_command(cursor) &&
          (at_value(cursor) || cursor.at_mark(',') || cursor.at_mark('=')))
     cursor.take();
-  if (cursor.at_mark('{') && skip_block(cursor, word))
-    cursor.fail_at(word.place, message + " (and its block holds a program)");
+  const bool loses_program = cursor.at_mark('{') && skip_block(cursor, word);
+  if (!loses_program && !cursor.warns()) return cursor.warn(word.place, {});
+  const std::string message = unknown_command_message(word, structure);
+  if (loses_program) cursor.fail_at(word.place, message + " (and its block holds a program)");
   cursor.warn(word.place, message);
 }
 

@@ -99,11 +99,15 @@ void Cursor::fail_at(const Place& place, const std::string& message) const {
 }
 
 void Cursor::warn(const Place& place, const std::string& message) {
-  if (diagnostics_.size() < kMostWarnings) {
+  if (warns()) {
     diagnostics_.push_back(diagnostic(place, hlsl::Severity::warning, message));
   } else {
     ++warnings_left_out_;
   }
+}
+
+bool Cursor::warns() const {
+  return diagnostics_.size() < kMostWarnings;
 }
 
 hlsl::Diagnostic Cursor::diagnostic(const Place& place, hlsl::Severity severity,

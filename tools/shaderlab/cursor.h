@@ -41,6 +41,7 @@ class Cursor {
   [[noreturn]] void fail(std::string_view what) const;
   [[noreturn]] void fail_at(const Place& place, const std::string& message) const;
   void warn(const Place& place, const std::string& message);
+  bool warns() const;  // false once there are so many warnings that further ones are only counted
 
   hlsl::Diagnostic diagnostic(const Place& place, hlsl::Severity severity, const std::string& message) const;
   std::vector<hlsl::Diagnostic> take_diagnostics();

@@ -10,9 +10,6 @@ namespace penumbra::shaderlab {
 
 namespace {
 
-// How far a '[' may look for its ']': keeps many unclosed ones from reading the rest of the file each.
-constexpr std::size_t kLongestBracket = 4096;
-
 // What a person can read of a character: itself, or its code.
 std::string shown(char c) {
   constexpr char digits[] = "0123456789abcdef";
@@ -173,22 +170,21 @@ class Lexer {
     advance_to(close + 1);
   }
 
-  // The ']' outside parentheses and strings; a quote without a second one on its line is a character of a
-  // label.
+  // The ']' outside parentheses and strings; only parentheses reach over lines. A quote behind a word (5"
+  // pipe) or alone on its line is a character of a label.
   std::size_t end_of_bracket() const {
-    const std::size_t limit = std::min(text_.size(), at_ + kLongestBracket);
     std::size_t depth = 0;
-    for (std::size_t i = at_ + 1; i < limit; ++i) {
+    for (std::size_t i = at_ + 1; i < text_.size(); ++i) {
       const char c = text_[i];
       if (c == '"' && !is_word(text_[i - 1])) {
-        const std::size_t close = text_.substr(0, limit).find_first_of("\"\n", i + 1);
+        const std::size_t close = text_.find_first_of("\"\n", i + 1);
         if (close != std::string_view::npos && text_[close] == '"') i = close;
       } else if (c == '(') {
         ++depth;
       } else if (c == ')' && depth > 0) {
         --depth;
-      } else if (c == ']' && depth == 0) {
-        return i;
+      } else if (depth == 0 && (c == ']' || c == '\n')) {
+        return c == ']' ? i : std::string_view::npos;
       }
     }
     return std::string_view::npos;
