@@ -1,0 +1,190 @@
+// Whatever the bytes, the readers end soon and what they return holds together.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <random>
+
+#include "shaderlab/compute.h"
+#include "shaderlab/parse.h"
+#include "shaderlab/program_lines.h"
+#include "shaderlab/programs.h"
+#include "shaderlab/sample_shaders.h"
+#include "shaderlab/use_pass.h"
+
+namespace penumbra::shaderlab {
+namespace {
+
+double seconds_of(const std::string& text) {
+  const auto begin = std::chrono::steady_clock::now();
+  const ParsedShader parsed = parse_shader(text, "a");
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  EXPECT_LE(parsed.diagnostics.size(), 102u);
+  return seconds;
+}
+
+std::string repeated(const std::string& part, std::size_t bytes) {
+  std::string text;
+  text.reserve(bytes + part.size());
+  while (text.size() < bytes) text += part;
+  return text;
+}
+
+// What must hold for any input.
+void expect_sound(const std::string& text) {
+  const ParsedShader parsed = parse_shader(text, "a");
+  const auto errors =
+      std::count_if(parsed.diagnostics.begin(), parsed.diagnostics.end(),
+                    [](const auto& diagnostic) { return diagnostic.severity == hlsl::Severity::error; });
+  EXPECT_LE(errors, 1);
+  const auto lines = 1 + std::count(parsed.shader.text.begin(), parsed.shader.text.end(), '\n');
+  for (const hlsl::Diagnostic& diagnostic : parsed.diagnostics) {
+    EXPECT_LE(diagnostic.line, lines);
+    EXPECT_FALSE(diagnostic.message.empty());
+  }
+  for (const Program& program : programs(parsed.shader)) {
+    expect_places_of_the_file(program, parsed.shader.text);
+    EXPECT_NE(program.sub_shader, nullptr);
+  }
+  for (const SubShader& sub_shader : parsed.shader.sub_shaders)
+    for (const Pass& pass : sub_shader.passes)
+      if (pass.kind == Pass::Kind::use_pass) {
+        const FoundPass found = resolve_use_pass(parsed.shader, pass, {&parsed.shader});
+        EXPECT_NE(found.pass == nullptr, !found.diagnostic.has_value());
+      }
+  for (const Kernel& kernel : compute_kernels(text, "a.compute").kernels)
+    EXPECT_FALSE(kernel.function.text.empty());
+}
+
+// Flips bytes, cuts blocks out, doubles them, puts words of ShaderLab where none belong.
+class Mutator {
+ public:
+  explicit Mutator(unsigned seed) : random_(seed) {}
+
+  std::string mutant(std::string text) {
+    for (std::size_t i = 1 + below(4); i > 0; --i) mutate(text);
+    return text;
+  }
+
+ private:
+  std::size_t below(std::size_t limit) { return limit == 0 ? 0 : random_() % limit; }
+
+  void mutate(std::string& text) {
+    static const std::vector<std::string> words{"{",
+                                                "}",
+                                                "\"",
+                                                "[",
+                                                "]",
+                                                "(",
+                                                "/*",
+                                                "*/",
+                                                "//",
+                                                "\r",
+                                                "\\",
+                                                "#",
+                                                "\n",
+                                                "HLSLPROGRAM",
+                                                "ENDHLSL",
+                                                "CGINCLUDE",
+                                                "Pass",
+                                                "Category {",
+                                                "UsePass \"Samples/Lit/FORWARD\"",
+                                                "\xFF",
+                                                "=",
+                                                "-"};
+    const std::size_t at = below(text.size() + 1);
+    const std::size_t length = std::min(below(80), text.size() - at);
+    switch (below(5)) {
+      case 0:
+        if (at < text.size()) text[at] = static_cast<char>(text[at] ^ (1 << below(8)));
+        break;
+      case 1:
+        text.erase(at, length);
+        break;
+      case 2:
+        text.insert(at, text.substr(below(text.size() + 1), length));
+        break;
+      case 3:
+        text.insert(at, words[below(words.size())]);
+        break;
+      default:
+        text.resize(at);
+    }
+  }
+
+  std::mt19937 random_;
+};
+
+TEST(HostileShaders, MutantsOfTheSamplesAreReadSoundly) {
+  Mutator mutator(20240607);
+  const std::vector<std::string> samples = all_samples();
+  for (std::size_t i = 0; i < 2000 && !HasFailure(); ++i) {
+    const std::string mutant = mutator.mutant(samples[i % samples.size()]);
+    expect_sound(mutant);
+    if (HasFailure()) ADD_FAILURE() << "mutant " << i << ":\n" << mutant;
+  }
+}
+
+TEST(HostileShaders, EveryPrefixOfASampleIsReadSoundly) {
+  for (const std::string& sample : all_samples())
+    for (std::size_t length = 0; length < sample.size(); ++length) expect_sound(sample.substr(0, length));
+}
+
+// Four times the text may take about four times as long: quadratic readers would take sixteen times.
+TEST(HostileShaders, TimeGrowsWithTheLengthOnly) {
+  const std::string pass = "Shader \"x\" { SubShader { Pass {\n";
+  const std::vector<std::string> parts{"{",
+                                       "/*",
+                                       "/* /* */",
+                                       "[(",
+                                       "[",
+                                       "\"\"",
+                                       "\"a\n",
+                                       "Culll Off ",
+                                       "Zip { ",
+                                       "Zip {} ",
+                                       "a",
+                                       "Blend One Zero\n",
+                                       "HLSLPROGRAM /* ENDHLSL */ // ENDHLSL\n",
+                                       "HLSLINCLUDE\nENDHLSL ",
+                                       "#line\n",
+                                       "Tags{\"a\"=\"b\"} ",
+                                       "SetTexture [a] { combine "};
+  for (const std::string& part : parts) {
+    const double small = seconds_of(pass + repeated(part, 250'000));
+    const double large = seconds_of(pass + repeated(part, 1'000'000));
+    EXPECT_LT(large, 0.1 + 10 * small) << part;
+    EXPECT_LT(large, 5) << part;
+  }
+  const std::string properties = "Shader \"x\" { Properties {\n";
+  for (const std::string part : {"[A(\"\n", "_A(\"a\",2D)=\"\"{}\n", "[A]", "_A(\"a\",Range(0,1))=0 "})
+    EXPECT_LT(seconds_of(properties + repeated(part, 1'000'000)), 5) << part;
+}
+
+TEST(HostileShaders, DeepNestingIsRefused) {
+  const ParsedShader parsed = parse_shader("Shader \"x\" {" + repeated("Category {", 1'000'000), "a");
+  ASSERT_EQ(parsed.diagnostics.size(), 1u);
+  EXPECT_EQ(parsed.diagnostics[0].message, "Category stands in more than 32 others");
+}
+
+TEST(HostileShaders, ProgramsThatWouldFillTheMemoryAreRefused) {
+  const std::string text =
+      "Shader \"x\" { SubShader { Pass {\n" + repeated("HLSLPROGRAM\nENDHLSL\n", 400'000) + "} } }";
+  const ParsedShader parsed = parse_shader(text, "a");
+  ASSERT_EQ(parsed.diagnostics.size(), 1u);
+  EXPECT_EQ(parsed.diagnostics[0].message, "more than " +
+                                               std::to_string((std::size_t{256} << 20) / text.size()) +
+                                               " programs in a file of this length: split the file");
+}
+
+TEST(HostileShaders, AKernelLineOfManyMacrosIsReadInTime) {
+  std::string text = "#pragma kernel A";
+  for (int i = 0; i < 100'000; ++i) text += " M" + std::to_string(i) + "=1";
+  const auto begin = std::chrono::steady_clock::now();
+  const ComputeKernels read = compute_kernels(text, "a.compute");
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
+  EXPECT_EQ(read.kernels.at(0).defines.size(), 100'000u);
+}
+
+}  // namespace
+}  // namespace penumbra::shaderlab

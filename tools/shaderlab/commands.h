@@ -1,0 +1,25 @@
+// Render state and legacy fixed-function commands, in their general shape. Internal to this room.
+//
+// Which values a command takes follows Unity's reference
+// (https://docs.unity3d.com/Manual/shader-shaderlab-commands.html,
+// https://docs.unity3d.com/Manual/SL-LegacyReference.html); what the values mean is not checked.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "shaderlab/cursor.h"
+
+namespace penumbra::shaderlab {
+
+bool at_command(const Cursor& cursor);  // the next word is a command of a Pass, SubShader or Category
+
+// The command that stands next, with its values and block.
+Command parse_command(Cursor& cursor);
+
+// Warns about the word that stands next and steps over it, over values on its line and over its block.
+// `structure`: words other than commands that might have been meant. A block that holds a program is an
+// error: the program would be lost.
+void skip_unknown_command(Cursor& cursor, const std::vector<std::string>& structure);
+
+}  // namespace penumbra::shaderlab

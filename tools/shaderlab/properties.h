@@ -1,0 +1,13 @@
+// The Properties block: https://docs.unity3d.com/Manual/SL-Properties.html. Internal to this room.
+#pragma once
+
+#include <vector>
+
+#include "shaderlab/cursor.h"
+
+namespace penumbra::shaderlab {
+
+// After the word Properties; appends what its braces hold.
+void parse_properties(Cursor& cursor, std::vector<Property>& properties);
+
+}  // namespace penumbra::shaderlab

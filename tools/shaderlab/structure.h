@@ -1,0 +1,12 @@
+// Shader, Category, SubShader and Pass. Internal to this room.
+#pragma once
+
+#include "shaderlab/cursor.h"
+
+namespace penumbra::shaderlab {
+
+// Fills all of the tree but its text and its include blocks; throws SyntaxError, the tree then holding what
+// was read so far.
+void parse_structure(Cursor& cursor, Shader& shader);
+
+}  // namespace penumbra::shaderlab

@@ -1,0 +1,143 @@
+// What a .shader file says, with the place of everything in it.
+//
+// Lines and columns are 1-based and count the bytes of the normalised text (hlsl::normalise_source); an
+// offset counts the same bytes from 0. Names keep the file's spelling. Based on Unity's ShaderLab reference,
+// https://docs.unity3d.com/Manual/SL-Reference.html.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace penumbra::shaderlab {
+
+struct Place {
+  int line = 0;  // 0 when the thing is not in the file
+  int column = 0;
+  std::size_t offset = 0;
+};
+
+struct Name {
+  std::string text;
+  Place place;
+};
+
+enum class Language { hlsl, cg, glsl };
+
+// HLSLPROGRAM ... ENDHLSL and its kin: the code lies between begin and end.
+struct CodeBlock {
+  Language language = Language::hlsl;
+  bool is_include = false;  // HLSLINCLUDE rather than HLSLPROGRAM
+  Place keyword;            // where the opening word stands
+  Place begin;              // just after that word
+  Place end;                // where the closing word stands
+};
+
+// Cull [_Cull], Blend One Zero, Stencil { Ref 2 Comp Always }.
+struct Command {
+  struct Value {
+    enum class Kind { word, number, text, property, mark };  // property: [_Name]; mark: , ( ) + - *
+    Kind kind = Kind::word;
+    std::string text;
+    Place place;
+  };
+  Name name;
+  std::vector<Value> values;
+  std::vector<Command> block;  // what stands in its braces
+};
+
+struct Tag {
+  Name key;
+  Name value;
+};
+
+// PackageRequirements { "com.unity.render-pipelines.universal": "[10.2,10.4]" }
+struct PackageRequirement {
+  Name package;
+  Name versions;  // empty when any version will do
+};
+
+// What Pass, SubShader and Category have in common.
+struct Settings {
+  std::vector<Tag> tags;
+  std::vector<Command> commands;
+  std::vector<PackageRequirement> requirements;
+  std::optional<double> lod;
+};
+
+struct Pass {
+  enum class Kind { pass, use_pass, grab_pass };
+  Kind kind = Kind::pass;
+  Place place;
+  Name name;  // its Name; for UsePass the path "Shader/PASSNAME", for GrabPass the texture's name
+  Settings settings;
+  std::vector<CodeBlock> programs;
+};
+
+// Its tags, commands and LOD hold for every SubShader inside.
+struct Category {
+  Place place;
+  int parent = -1;  // index into Shader::categories; -1: none
+  Settings settings;
+};
+
+struct SubShader {
+  Place place;
+  int category = -1;  // index into Shader::categories; -1: none
+  Settings settings;
+  std::vector<Pass> passes;         // with UsePass and GrabPass, in the order of the file
+  std::vector<CodeBlock> programs;  // those outside any Pass: surface shaders
+};
+
+enum class PropertyType { float_, range, int_, integer, color, vector, texture };
+
+struct Attribute {
+  Name name;              // HideInInspector, Toggle, Enum
+  std::string arguments;  // what its parentheses hold, as written
+};
+
+struct Property {
+  Name name;
+  std::string display_name;
+  PropertyType type = PropertyType::float_;
+  std::string type_name;  // "2D", "CubeArray", "Range", as written
+  double range_minimum = 0;
+  double range_maximum = 0;
+  std::vector<double> default_numbers;  // one for scalars, as many as written for Color and Vector
+  std::string default_texture;          // "white"
+  std::vector<Attribute> attributes;
+};
+
+// Dependency "BaseMapShader" = "Other/Shader"
+struct Dependency {
+  Name role;
+  Name shader;
+};
+
+// CustomEditorForRenderPipeline "Editor" "PipelineAsset"; CustomEditor has no pipeline.
+struct CustomEditor {
+  Name editor;
+  Name pipeline;
+};
+
+struct Shader {
+  std::string file;  // as messages call it
+  std::string text;  // normalised; every offset is into it
+  Name name;
+  std::vector<Property> properties;
+  std::vector<Category> categories;
+  std::vector<SubShader> sub_shaders;
+  std::vector<CodeBlock> includes;  // HLSLINCLUDE and its kin, wherever they stand
+  Name fallback;                    // empty when there is none or it is Off
+  std::vector<Dependency> dependencies;
+  std::vector<CustomEditor> custom_editors;
+};
+
+// The tag's value, or nullptr; keys are compared as Unity does, by case.
+const std::string* find_tag(const std::vector<Tag>& tags, std::string_view key);
+
+const char* language_name(Language language);  // "HLSL"; with PROGRAM, INCLUDE or after END a keyword
+
+}  // namespace penumbra::shaderlab
