@@ -1,0 +1,169 @@
+// Texts that want to crash, hang or multiply: an answer comes, and soon.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <random>
+
+#include "input/input_error.h"
+#include "variants/keyword_space.h"
+#include "variants/program_text.h"
+
+namespace penumbra::variants {
+namespace {
+
+const std::string healthy =
+    "#ifndef GUARD\n#define GUARD\n#pragma vertex V\n#pragma fragment F /* stages */\n#pragma target 4.5 K\n"
+    "#pragma multi_compile _ A B \\\n  C\n#pragma shader_feature_local_fragment _D\n#pragma "
+    "multi_compile_fwdbase\n"
+    "#pragma dynamic_branch E\n#if defined(GUARD) && (UNITY_VERSION >= 202230 || !X)\n"
+    "#include_with_pragmas \"other.hlsl\"\n#elif X\n#pragma skip_variants A\n#else\n#endif\n"
+    "#pragma require integers : A\n#pragma instancing_options procedural:P\n#pragma "
+    "multi_compile_instancing\n"
+    "#pragma kernel K X=1\nfloat4 F() : SV_Target { return 0; } // end\n#endif\n";
+
+class Mutation {
+ public:
+  explicit Mutation(unsigned seed) : random_(seed) {}
+
+  std::string of(std::string text) {
+    for (int i = 1 + below(6); i > 0 && !text.empty(); --i) {
+      const std::size_t at = position(text);
+      const std::size_t length = 1 + position(text) / 4;
+      const std::string piece = text.substr(at, length);
+      switch (below(5)) {
+        case 0:
+          text[at] = static_cast<char>(below(256));
+          break;
+        case 1:
+          text.erase(at, length);
+          break;
+        case 2:
+          text.insert(position(text), piece);
+          break;
+        case 3:
+          text.insert(at, 1, "#\\\"/*(\n\r \0"[below(10)]);
+          break;
+        default:
+          text.resize(at);
+      }
+    }
+    return text;
+  }
+
+ private:
+  int below(int limit) { return std::uniform_int_distribution<int>(0, limit - 1)(random_); }
+  std::size_t position(const std::string& text) {
+    return static_cast<std::size_t>(below(std::max(1, static_cast<int>(text.size()))));
+  }
+  std::mt19937 random_;
+};
+
+// Everything that is asked of a program: its counts, its first and its last variant.
+void use(const Pragmas& pragmas) {
+  try {
+    const KeywordSpace space(pragmas);
+    for (const hlsl::Stage stage : hlsl::all_stages) {
+      const VariantList& variants = space.variants(stage);
+      const std::uint64_t count = variants.count().value();
+      if (count == 0) continue;
+      EXPECT_EQ(variants.at(0), *variants.begin());
+      EXPECT_LE(shader_target(pragmas, variants.at(count - 1)), 69);
+      EXPECT_GE(shader_target(pragmas, variants.at(count - 1)), 25);
+    }
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("65536"), std::string::npos) << error.what();
+  }
+}
+
+TEST(Hostile, MutatedProgramsGiveAnAnswer) {
+  for (unsigned seed = 0; seed < 10000; ++seed) {
+    Mutation mutation(seed);
+    const std::string other = mutation.of(healthy);
+    const Pragmas pragmas = pragmas_of(mutation.of(healthy), {{"other.hlsl", other}});
+    for (const hlsl::Diagnostic& diagnostic : pragmas.diagnostics) {
+      EXPECT_FALSE(diagnostic.message.empty());
+      EXPECT_GE(diagnostic.line, 1);
+      EXPECT_GE(diagnostic.column, 1);
+    }
+    use(pragmas);
+  }
+}
+
+std::string repeated(const std::string& piece, int times) {
+  std::string text;
+  text.reserve(piece.size() * static_cast<std::size_t>(times));
+  for (int i = 0; i < times; ++i) text += piece;
+  return text;
+}
+
+std::string numbered(const std::string& before, const std::string& after, int times) {
+  std::string text;
+  for (int i = 0; i < times; ++i) text += before + std::to_string(i) + after;
+  return text;
+}
+
+struct Attack {
+  const char* name;
+  std::string text;
+};
+
+// About half a megabyte each; what is quadratic in it would need minutes.
+std::vector<Attack> attacks() {
+  return {
+      {"open comments", repeated("/*", 250000)},
+      {"joined lines", "#pragma multi_compile " + repeated("A\\\n", 150000)},
+      {"one long set", "#pragma multi_compile" + numbered(" K", "", 60000)},
+      {"one long set, all skipped", "#pragma multi_compile" + numbered(" K", "", 30000) +
+                                        "\n#pragma skip_variants" + numbered(" K", "", 30000)},
+      {"many sets", numbered("#pragma multi_compile _ K", "\n", 15000)},
+      {"one set many times", repeated("#pragma multi_compile _ A B\n", 15000)},
+      {"a keyword in many sets", numbered("#pragma multi_compile _ A K", "\n", 15000)},
+      {"many dynamic keywords", "#pragma dynamic_branch" + numbered(" K", "", 30000) +
+                                    "\n#pragma multi_compile _" + numbered(" K", "", 30000)},
+      {"deep conditions", repeated("#if 1\n", 80000) + "#pragma vertex V\n"},
+      {"conditions on many names", repeated("#if", 1) + numbered(" K", " ||", 3000) + " 1\n" +
+                                       repeated("#pragma warning x\n#if A\n#endif\n", 15000)},
+      {"long conditions", repeated("#if " + repeated("1+", 1500) + "1\n#endif\n", 150)},
+      {"macros that grow", "#define M0 1\n" +
+                               [] {
+                                 std::string text;
+                                 for (int i = 1; i < 60; ++i) {
+                                   const std::string inner = "M" + std::to_string(i - 1);
+                                   text +=
+                                       "#define M" + std::to_string(i) + " " + inner + " + " + inner + "\n";
+                                 }
+                                 return text;
+                               }() +
+                               repeated("#if M59\n#endif\n", 20000)},
+      {"many messages", repeated("#pragma target x\n", 30000)},
+      {"unknown pragmas", numbered("#pragma x", "\n", 3000)},
+  };
+}
+
+TEST(Hostile, WorkStaysLinear) {
+  for (const Attack& attack : attacks()) {
+    const auto start = std::chrono::steady_clock::now();
+    use(pragmas_of(attack.text));
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    EXPECT_LT(seconds.count(), 20.0) << attack.name;
+    RecordProperty(attack.name, std::to_string(seconds.count()));
+  }
+}
+
+TEST(Hostile, IncludesThatFanOutAreBounded) {
+  Files files;
+  for (int i = 0; i < 40; ++i) {
+    const std::string next = "f" + std::to_string(i + 1) + ".hlsl";
+    files["f" + std::to_string(i) + ".hlsl"] =
+        "#include_with_pragmas \"" + next + "\"\n#include_with_pragmas \"" + next + "\"\n";
+  }
+  files["f40.hlsl"] = "#pragma multi_compile _ A\n";
+  const Pragmas pragmas = pragmas_of("#include_with_pragmas \"f0.hlsl\"\n", files);
+  ASSERT_EQ(pragmas.diagnostics.size(), 1U);
+  EXPECT_EQ(pragmas.diagnostics[0].message,
+            "too many files are included; the pragmas of the rest do not count");
+  use(pragmas);
+}
+
+}  // namespace
+}  // namespace penumbra::variants

@@ -1,0 +1,66 @@
+#include "variants/platform_defines.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace penumbra::variants {
+namespace {
+
+using hlsl::Stage;
+using testing::Key;
+using testing::Pair;
+using testing::UnorderedElementsAre;
+
+TEST(PlatformDefines, AreThoseOfTheTable) {
+  EXPECT_THAT(platform_defines({GraphicsApi::vulkan, false, 202230, false}, Stage::fragment, 45),
+              UnorderedElementsAre(Pair("SHADER_API_VULKAN", "1"), Pair("SHADER_API_DESKTOP", "1"),
+                                   Pair("SHADER_STAGE_FRAGMENT", "1"), Pair("SHADER_TARGET", "45"),
+                                   Pair("UNITY_VERSION", "202230"), Pair("UNITY_COMPILER_HLSL", "1"),
+                                   Pair("UNITY_COMPILER_HLSLCC", "1")));
+  EXPECT_THAT(platform_defines({GraphicsApi::d3d11, false, 60000023, false}, Stage::compute, 50),
+              UnorderedElementsAre(Pair("SHADER_API_D3D11", "1"), Pair("SHADER_API_DESKTOP", "1"),
+                                   Pair("SHADER_STAGE_COMPUTE", "1"), Pair("SHADER_TARGET", "50"),
+                                   Pair("UNITY_VERSION", "60000023"), Pair("UNITY_COMPILER_HLSL", "1")));
+  EXPECT_THAT(
+      platform_defines({GraphicsApi::gles3, true, 202230, true}, Stage::vertex, 35),
+      UnorderedElementsAre(Key("SHADER_API_GLES3"), Key("SHADER_API_MOBILE"), Key("SHADER_STAGE_VERTEX"),
+                           Key("SHADER_TARGET"), Key("UNITY_VERSION"), Key("SHADER_TARGET_GLSL")));
+}
+
+TEST(PlatformDefines, LeaveToTheLibrariesWhatTheyDefine) {
+  for (const GraphicsApi api : all_graphics_apis) {
+    for (const auto& [name, value] : platform_defines({api, false, 202230, false}, Stage::vertex, 45)) {
+      for (const char* theirs : {"UNITY_REVERSED_Z", "UNITY_UV_STARTS_AT_TOP", "UNITY_NEAR_CLIP_VALUE",
+                                 "CBUFFER_START", "TEXTURE2D", "UNITY_INSTANCING_ENABLED"}) {
+        EXPECT_NE(name, theirs) << renderer_name(api);
+      }
+    }
+  }
+}
+
+TEST(PlatformDefines, OfAConditionAroundPragmasHaveNoStage) {
+  EXPECT_THAT(pragma_defines({GraphicsApi::nintendo_switch, false, 202230, false}),
+              UnorderedElementsAre(Pair("SHADER_API_SWITCH", "1"), Pair("UNITY_VERSION", "202230")));
+  EXPECT_THAT(pragma_defines({GraphicsApi::metal, true, 202230, false}),
+              UnorderedElementsAre(Key("SHADER_API_METAL"), Key("SHADER_API_MOBILE"), Key("UNITY_VERSION")));
+}
+
+// Unity Manual, "Branch based on Unity version", has the first three.
+TEST(PlatformDefines, VersionsBecomeNumbers) {
+  EXPECT_EQ(unity_version_number("2022.3.0f1"), 202230);
+  EXPECT_EQ(unity_version_number("6000.0.2"), 60000002);
+  EXPECT_EQ(unity_version_number("6000.2.3f1"), 60020003);
+  EXPECT_EQ(unity_version_number("2022.3.21f1"), 202239);
+  EXPECT_EQ(unity_version_number("6000.0.23f1"), 60000023);
+  for (const char* wrong : {"", "2022", "2022.3", "x.1.2", "2022.3.", "-1.0.0", "99999999999.0.0", "5.0.1"}) {
+    EXPECT_EQ(unity_version_number(wrong), std::nullopt) << wrong;
+  }
+}
+
+TEST(PlatformDefines, ApisAreFoundByTheirRenderersName) {
+  for (const GraphicsApi api : all_graphics_apis) EXPECT_EQ(find_graphics_api(renderer_name(api)), api);
+  EXPECT_EQ(find_graphics_api("psp2"), std::nullopt);
+}
+
+}  // namespace
+}  // namespace penumbra::variants

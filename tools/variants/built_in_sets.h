@@ -1,0 +1,54 @@
+// What Unity's keyword shortcuts stand for: `#pragma multi_compile_fog` and its kin. Internal to this room.
+//
+// Source: Unity Manual, "Add built-in keyword sets" (SL-MultipleProgramVariants-shortcuts), which lists each
+// shortcut's keywords and whether a variant with all of them off exists. How Unity's importer combines them
+// is not documented. What is known is written into the sets: a light has one type; SHADOWS_DEPTH belongs to
+// spot, SHADOWS_CUBE to point and SHADOWS_SCREEN to directional lights (AutoLight.cginc of the built-in
+// shaders); the editor's list for fwdbase shows LIGHTPROBE_SH, SHADOWS_SCREEN and VERTEXLIGHT_ON as
+// independent; DIRLIGHTMAP_COMBINED without a lightmap has no meaning (URP strips it, too). All else is a
+// free choice, so the variants of a shortcut contain Unity's own.
+//
+// | shortcut             | sets |
+// |----------------------|------------------------------------------------------------------------------------|
+// | _fog                 | _ FOG_LINEAR FOG_EXP FOG_EXP2 | | _instancing          | _ INSTANCING_ON, and
+// PROCEDURAL_INSTANCING_ON with `instancing_options procedural` | |                      | (the Manual writes
+// PROCEDURAL_ON; the instancing libraries test the longer name)   | | _particles           | _
+// SOFTPARTICLES_ON                                                                 | | _shadowcaster        |
+// SHADOWS_DEPTH SHADOWS_CUBE                                                         | | _shadowcollector |
+// nothing: passes of that type are no longer drawn                                   | | _fwdadd | POINT
+// DIRECTIONAL SPOT POINT_COOKIE DIRECTIONAL_COOKIE                             | | _fwdadd_fullshadows, |
+// those, each with and without its shadows, point and spot also with SHADOWS_SOFT;   | | _lightpass |
+// LIGHTMAP_SHADOW_MIXING and SHADOWS_SHADOWMASK free                                 | | _fwdbase |
+// DIRECTIONAL; free: LIGHTMAP_ON DIRLIGHTMAP_COMBINED DYNAMICLIGHTMAP_ON             | | |
+// LIGHTMAP_SHADOW_MIXING SHADOWS_SHADOWMASK SHADOWS_SCREEN LIGHTPROBE_SH VERTEXLIGHT_ON | | _fwdbasealpha |
+// the same without shadows                                                           | | _prepassfinal |
+// free: LIGHTMAP_ON DIRLIGHTMAP_COMBINED DYNAMICLIGHTMAP_ON UNITY_HDR_ON             | | | SHADOWS_SHADOWMASK
+// LIGHTPROBE_SH                                                   |
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "variants/clause.h"
+#include "variants/keyword_set.h"
+
+namespace penumbra::variants {
+
+struct BuiltInSets {
+  std::vector<std::vector<Keywords>> sets;  // the alternatives of each
+  std::vector<Clause> clauses;
+};
+
+// "multi_compile_fog" and so on; nothing for other names.
+std::optional<BuiltInSets> built_in_sets(std::string_view pragma);
+
+std::vector<std::string> built_in_set_names();
+
+// The keywords that Unity adds to every graphics program and strips where XR is off (Unity Manual, "Default
+// shader keywords"): _, STEREO_INSTANCING_ON, STEREO_MULTIVIEW_ON, UNITY_SINGLE_PASS_STEREO, of which
+// `modes` names those wanted. STEREO_CUBEMAP_RENDER_ON is for capturing panoramas in the editor: left out.
+KeywordSet stereo_set(const Keywords& modes);
+
+}  // namespace penumbra::variants

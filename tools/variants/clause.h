@@ -1,0 +1,36 @@
+// What every variant that is compiled must satisfy: the one form all narrowing of a keyword space takes.
+//
+//   never K          {when: K, any_of: {}}          no variant has K
+//   K needs A or B   {when: K, any_of: {A, B}}      a variant with K has A or B
+//   always K         {when: "", any_of: {K}}        every variant of a program that declares K has it
+//   one of A, B      {when: "", any_of: {A, B}}     ... that declares A or B (with whole: both) has one of
+//   them only A, B or _   {when: "", any_of: {A, B}, of_their_sets: true}
+//                    the sets that hold A or B keep A and B (with or_none: the empty keyword, too)
+#pragma once
+
+#include <string>
+
+#include "variants/keyword_set.h"
+
+namespace penumbra::variants {
+
+struct Clause {
+  std::string when;
+  Keywords any_of;
+  bool whole = false;          // applies only to programs that declare every keyword of any_of
+  bool of_their_sets = false;  // narrows each set on its own instead of the whole variant
+  bool or_none = false;        // with of_their_sets
+  std::string said_by;         // where it comes from, for messages: "--keywords -A", "rules.json:3:5"
+};
+
+inline Clause never(const std::string& keyword, const std::string& said_by) {
+  return {keyword, {}, false, false, false, said_by};
+}
+inline Clause always(const std::string& keyword, const std::string& said_by) {
+  return {"", {keyword}, false, false, false, said_by};
+}
+inline Clause needs(const std::string& keyword, const Keywords& any_of, const std::string& said_by) {
+  return {keyword, any_of, false, false, false, said_by};
+}
+
+}  // namespace penumbra::variants

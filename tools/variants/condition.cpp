@@ -1,0 +1,326 @@
+#include "variants/condition.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace penumbra::variants {
+namespace {
+
+constexpr std::size_t most_tokens = 4096;
+constexpr int deepest_nesting = 200;
+constexpr int deepest_macro = 64;
+
+// The macros whose replacement a token came from, innermost first: none of them is expanded again.
+struct Origin {
+  std::string macro;
+  std::shared_ptr<const Origin> outer;
+  int depth = 1;
+};
+
+bool came_from(const std::shared_ptr<const Origin>& origin, const std::string& macro) {
+  for (const Origin* level = origin.get(); level != nullptr; level = level->outer.get())
+    if (level->macro == macro) return true;
+  return false;
+}
+
+struct ConditionToken {
+  enum class Kind { name, number, mark };
+  Kind kind = Kind::mark;
+  std::string text;
+  std::shared_ptr<const Origin> origin;
+};
+using Tokens = std::vector<ConditionToken>;
+
+bool starts_name(char c) {
+  return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+bool continues_name(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+Tokens split(std::string_view text, const std::shared_ptr<const Origin>& origin) {
+  static constexpr std::string_view pairs[] = {"&&", "||", "==", "!=", "<=", ">=", "<<", ">>"};
+  Tokens tokens;
+  for (std::size_t at = 0; at < text.size();) {
+    const char c = text[at];
+    std::size_t end = at + 1;
+    ConditionToken::Kind kind = ConditionToken::Kind::mark;
+    if (std::isspace(static_cast<unsigned char>(c)) != 0) {
+      ++at;
+      continue;
+    }
+    if (continues_name(c)) {
+      kind = starts_name(c) ? ConditionToken::Kind::name : ConditionToken::Kind::number;
+      while (end < text.size() && continues_name(text[end])) ++end;
+    } else if (std::find(std::begin(pairs), std::end(pairs), text.substr(at, 2)) != std::end(pairs)) {
+      end = at + 2;
+    }
+    tokens.push_back({kind, std::string(text.substr(at, end - at)), origin});
+    at = end;
+  }
+  return tokens;
+}
+
+// Replaces macros by what they stand for and defined(X) by 1 or 0.
+class Expansion {
+ public:
+  Expansion(const Macros& macros, std::size_t& budget, Condition& result)
+      : macros_(macros), budget_(budget), result_(result) {}
+
+  Tokens expand(Tokens waiting) {
+    std::reverse(waiting.begin(), waiting.end());
+    Tokens done;
+    std::size_t work = 0;
+    while (!waiting.empty()) {
+      if (++work + waiting.size() > most_tokens || budget_ == 0) {
+        result_.problem = "the condition is too long once its macros are replaced";
+        return {};
+      }
+      --budget_;
+      ConditionToken token = std::move(waiting.back());
+      waiting.pop_back();
+      if (token.kind != ConditionToken::Kind::name) {
+        done.push_back(std::move(token));
+      } else if (token.text == "defined") {
+        done.push_back(number(asks_defined(waiting)));
+      } else {
+        replace(token, waiting, done);
+      }
+    }
+    return done;
+  }
+
+ private:
+  static ConditionToken number(bool value) { return {ConditionToken::Kind::number, value ? "1" : "0", {}}; }
+
+  bool asks_defined(Tokens& waiting) {
+    const auto take = [&](std::string_view mark) {
+      if (waiting.empty() || waiting.back().text != mark) return false;
+      waiting.pop_back();
+      return true;
+    };
+    const bool open = take("(");
+    if (waiting.empty() || waiting.back().kind != ConditionToken::Kind::name) {
+      result_.problem = "'defined' must be followed by a name";
+      return false;
+    }
+    const std::string name = waiting.back().text;
+    waiting.pop_back();
+    if (open && !take(")")) result_.problem = "')' is missing after 'defined(" + name + "'";
+    result_.consulted.insert(name);
+    return macros_.find(name) != macros_.end();
+  }
+
+  void replace(const ConditionToken& token, Tokens& waiting, Tokens& done) {
+    result_.consulted.insert(token.text);
+    const auto macro = macros_.find(token.text);
+    const bool used = macro != macros_.end() && !came_from(token.origin, token.text);
+    if (used && macro->second.has_parameters && !waiting.empty() && waiting.back().text == "(") {
+      result_.problem = "'" + token.text + "' is a macro with parameters";
+      skip_arguments(waiting);
+    }
+    if (!used || macro->second.has_parameters) {
+      done.push_back(number(false));
+      return;
+    }
+    const int depth = token.origin == nullptr ? 1 : token.origin->depth + 1;
+    if (depth > deepest_macro) {
+      result_.problem = "macros are nested more than " + std::to_string(deepest_macro) + " deep";
+      done.push_back(number(false));
+      return;
+    }
+    Tokens replacement = split(macro->second.replacement,
+                               std::make_shared<const Origin>(Origin{token.text, token.origin, depth}));
+    waiting.insert(waiting.end(), std::make_move_iterator(replacement.rbegin()),
+                   std::make_move_iterator(replacement.rend()));
+  }
+
+  static void skip_arguments(Tokens& waiting) {
+    int depth = 0;
+    do {
+      if (waiting.back().text == "(") ++depth;
+      if (waiting.back().text == ")") --depth;
+      waiting.pop_back();
+    } while (depth > 0 && !waiting.empty());
+  }
+
+  const Macros& macros_;
+  std::size_t& budget_;
+  Condition& result_;
+};
+
+class Evaluation {
+ public:
+  Evaluation(const Tokens& tokens, std::string& problem) : tokens_(tokens), problem_(problem) {}
+
+  std::int64_t value() {
+    const std::int64_t result = choice();
+    if (at_ < tokens_.size()) fail("'" + tokens_[at_].text + "' is not expected here");
+    return result;
+  }
+
+ private:
+  struct Operator {
+    std::string_view mark;
+    int precedence;
+  };
+
+  static int precedence_of(const std::string& mark) {
+    static constexpr Operator operators[] = {{"||", 1}, {"&&", 2}, {"|", 3}, {"^", 4},  {"&", 5},  {"==", 6},
+                                             {"!=", 6}, {"<", 7},  {">", 7}, {"<=", 7}, {">=", 7}, {"<<", 8},
+                                             {">>", 8}, {"+", 9},  {"-", 9}, {"*", 10}, {"/", 10}, {"%", 10}};
+    for (const Operator& known : operators)
+      if (known.mark == mark) return known.precedence;
+    return 0;
+  }
+
+  void fail(const std::string& problem) {
+    if (problem_.empty()) problem_ = problem;
+    at_ = tokens_.size();
+  }
+
+  bool take(std::string_view mark) {
+    if (at_ >= tokens_.size() || tokens_[at_].text != mark) return false;
+    ++at_;
+    return true;
+  }
+
+  // What is read there has no part in the answer, so a division by zero in it is none.
+  template <typename Read>
+  std::int64_t unless(bool unused, Read read) {
+    unused_ += unused ? 1 : 0;
+    const std::int64_t result = at_ < tokens_.size() ? read() : 0;
+    unused_ -= unused ? 1 : 0;
+    return result;
+  }
+
+  std::int64_t choice() {
+    const std::int64_t condition = binary(1);
+    if (!take("?")) return condition;
+    if (++depth_ > deepest_nesting) fail("the condition is nested too deeply");
+    const std::int64_t yes = unless(condition == 0, [this] { return choice(); });
+    if (!take(":")) fail("':' is missing after '?'");
+    const std::int64_t no = unless(condition != 0, [this] { return choice(); });
+    --depth_;
+    return condition != 0 ? yes : no;
+  }
+
+  std::int64_t binary(int weakest) {
+    std::int64_t left = unary();
+    while (at_ < tokens_.size()) {
+      const std::string& mark = tokens_[at_].text;
+      const int precedence = precedence_of(mark);
+      if (precedence == 0 || precedence < weakest) break;
+      ++at_;
+      const bool settled = (mark == "&&" && left == 0) || (mark == "||" && left != 0);
+      if (at_ == tokens_.size()) fail("a value is missing after '" + mark + "'");
+      left = combine(mark, left, unless(settled, [&] { return binary(precedence + 1); }));
+    }
+    return left;
+  }
+
+  std::int64_t unary() {
+    if (at_ >= tokens_.size()) {
+      fail("a value is missing");
+      return 0;
+    }
+    const ConditionToken& token = tokens_[at_];
+    if (token.kind == ConditionToken::Kind::number) {
+      ++at_;
+      return integer(token.text);
+    }
+    if (++depth_ > deepest_nesting) {
+      fail("the condition is nested too deeply");
+      return 0;
+    }
+    const std::int64_t result = signed_or_bracketed(token.text);
+    --depth_;
+    return result;
+  }
+
+  std::int64_t signed_or_bracketed(const std::string& mark) {
+    ++at_;
+    if (mark == "!") return unary() == 0 ? 1 : 0;
+    if (mark == "~") return ~unary();
+    if (mark == "+") return unary();
+    if (mark == "-") return static_cast<std::int64_t>(0 - static_cast<std::uint64_t>(unary()));
+    if (mark == "(") {
+      const std::int64_t result = choice();
+      if (!take(")")) fail("')' is missing");
+      return result;
+    }
+    fail("'" + mark + "' is not expected here");
+    return 0;
+  }
+
+  std::int64_t integer(const std::string& text) {
+    const bool hexadecimal = text.size() > 2 && text[0] == '0' && (text[1] == 'x' || text[1] == 'X');
+    const std::uint64_t base = hexadecimal ? 16 : (text[0] == '0' ? 8 : 10);
+    std::uint64_t value = 0;
+    std::size_t at = hexadecimal ? 2 : 0;
+    for (; at < text.size(); ++at) {
+      const int c = std::tolower(static_cast<unsigned char>(text[at]));
+      const int digit = c >= 'a' ? c - 'a' + 10 : c - '0';
+      if (digit < 0 || static_cast<std::uint64_t>(digit) >= base) break;
+      value = value * base + static_cast<std::uint64_t>(digit);
+    }
+    if (text.find_first_not_of("uUlL", at) != std::string::npos) fail("'" + text + "' is not an integer");
+    return static_cast<std::int64_t>(value);
+  }
+
+  std::int64_t combine(const std::string& mark, std::int64_t left, std::int64_t right) {
+    const auto a = static_cast<std::uint64_t>(left);
+    const auto b = static_cast<std::uint64_t>(right);
+    const auto wrap = [](std::uint64_t value) { return static_cast<std::int64_t>(value); };
+    if (mark == "||") return left != 0 || right != 0 ? 1 : 0;
+    if (mark == "&&") return left != 0 && right != 0 ? 1 : 0;
+    if (mark == "|") return wrap(a | b);
+    if (mark == "^") return wrap(a ^ b);
+    if (mark == "&") return wrap(a & b);
+    if (mark == "==") return left == right ? 1 : 0;
+    if (mark == "!=") return left != right ? 1 : 0;
+    if (mark == "<") return left < right ? 1 : 0;
+    if (mark == ">") return left > right ? 1 : 0;
+    if (mark == "<=") return left <= right ? 1 : 0;
+    if (mark == ">=") return left >= right ? 1 : 0;
+    if (mark == "<<") return b < 64 ? wrap(a << b) : 0;
+    if (mark == ">>") return b < 64 ? left >> b : (left < 0 ? -1 : 0);
+    if (mark == "+") return wrap(a + b);
+    if (mark == "-") return wrap(a - b);
+    if (mark == "*") return wrap(a * b);
+    if (right == 0) {
+      if (unused_ == 0) fail("division by zero");
+      return 0;
+    }
+    if (right == -1) return mark == "/" ? wrap(0 - a) : 0;
+    return mark == "/" ? left / right : left % right;
+  }
+
+  const Tokens& tokens_;
+  std::string& problem_;
+  std::size_t at_ = 0;
+  int depth_ = 0;
+  int unused_ = 0;
+};
+
+}  // namespace
+
+Condition evaluate(std::string_view condition, const Macros& macros, std::size_t& budget) {
+  Condition result;
+  const Tokens tokens = Expansion(macros, budget, result).expand(split(condition, nullptr));
+  if (!result.problem.empty() && tokens.empty()) return result;
+  if (tokens.empty()) {
+    result.problem = "the condition is empty";
+    return result;
+  }
+  result.holds = Evaluation(tokens, result.problem).value() != 0;
+  return result;
+}
+
+}  // namespace penumbra::variants

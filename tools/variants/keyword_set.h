@@ -1,0 +1,69 @@
+// One set of shader keywords: what one `#pragma multi_compile` or `shader_feature` line declares.
+//
+// A set is a choice: every variant takes exactly one of its alternatives. An alternative is the list of
+// keywords that are then defined: none for `_`, one for an ordinary keyword, several where a shortcut such as
+// multi_compile_fwdadd_fullshadows ties keywords together.
+//
+// Source: Unity Manual, "Declare shader keywords" (SL-MultipleProgramVariants-declare).
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+#include "hlsl/stage.h"
+#include "variants/place.h"
+
+namespace penumbra::variants {
+
+using Keywords = std::vector<std::string>;
+
+// Which stages a set is for. Ray tracing stages are known by name and never compiled here.
+class StageSet {
+ public:
+  StageSet() = default;
+  StageSet(std::initializer_list<hlsl::Stage> stages) {
+    for (const hlsl::Stage stage : stages) add(stage);
+  }
+  static StageSet all() {
+    StageSet stages;
+    for (const hlsl::Stage stage : hlsl::all_stages) stages.add(stage);
+    return stages;
+  }
+  void add(hlsl::Stage stage) { bits_ |= bit(stage); }
+  void add(StageSet other) { bits_ |= other.bits_; }
+  bool has(hlsl::Stage stage) const { return (bits_ & bit(stage)) != 0; }
+  bool empty() const { return bits_ == 0; }
+  bool operator==(const StageSet&) const = default;
+
+ private:
+  static unsigned bit(hlsl::Stage stage) { return 1U << static_cast<unsigned>(stage); }
+  unsigned bits_ = 0;
+};
+
+struct KeywordSet {
+  enum class Kind { multi_compile, shader_feature };
+  Kind kind = Kind::multi_compile;
+  std::string pragma;  // as written: "multi_compile_local_fragment", "multi_compile_fog"
+  bool local = false;
+  StageSet stages = StageSet::all();
+  std::vector<Keywords> alternatives;  // in the order written, no two equal
+  Place place;
+};
+
+// A dynamic_branch keyword: no variant, but a uniform of type int that is 0 or 1 and has the keyword's name,
+// so that `if (NAME)` compiles; no macro NAME is defined (Unity Manual, "How Unity compiles branching
+// shaders").
+struct DynamicKeyword {
+  std::string name;
+  bool local = false;
+  Place place;
+};
+
+// Every keyword of the set once, in the order written.
+Keywords keywords_of(const KeywordSet& set);
+
+// "_ A B": the set as a person would write it.
+std::string label_of(const KeywordSet& set);
+
+}  // namespace penumbra::variants

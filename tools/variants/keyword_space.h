@@ -1,0 +1,109 @@
+// The variants of one program: every combination of its keyword sets that the narrowing leaves.
+//
+// A variant takes one alternative of every set; what it is, is the set of keywords that are then defined.
+// Sets are independent unless they share a keyword or a clause ties them; those are joined, and of their
+// combinations each distinct one that satisfies the clauses counts once. So counts are exact, and nothing is
+// enumerated to get them. A stage sees the keywords of the sets that are for it: variants that differ only in
+// others are one.
+//
+// `dynamic_branch` keywords multiply nothing (keyword_set.h says what they become).
+// `shader_feature` sets span every combination, or, with `materials`, just what the materials have on: all
+// those sets together then have one alternative for each distinct material.
+//
+// Stage suffixes (_fragment and so on) hold for every target here. Unity ignores them for OpenGL and Vulkan,
+// where a program's stages are compiled together (Unity Manual, "Declare shader keywords"); ask for the
+// variants of the whole program to have those combinations.
+//
+// Guarantees: the same program and narrowing give the same variants in the same order, the first set varying
+// slowest; a variant can be had by its index. Throws InputError when sets that depend on each other span more
+// than 65,536 combinations: its message names them.
+// Source: Unity Manual, "How Unity compiles branching shaders", "Shader variant stripping".
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hlsl/stage.h"
+#include "variants/clause.h"
+#include "variants/keyword_join.h"
+#include "variants/keyword_set.h"
+#include "variants/pragmas.h"
+#include "variants/variant_count.h"
+
+namespace penumbra::variants {
+
+struct Narrowing {
+  std::vector<Clause> clauses;
+  std::optional<std::vector<Keywords>> materials;  // absent: shader_feature sets span all combinations
+  Keywords stereo_modes;                           // see stereo_set() in built_in_sets.h; empty: no XR
+  std::string tiers_for;                           // renderer for which hardware_tier_variants count
+};
+
+class VariantList {
+ public:
+  VariantCount count() const;
+  // The keywords that are defined, in the order of their declaration. Throws std::out_of_range.
+  Keywords at(std::uint64_t index) const;
+
+  class Iterator {
+   public:
+    using iterator_category = std::input_iterator_tag;
+    using value_type = Keywords;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const Keywords*;
+    using reference = Keywords;
+    Iterator() = default;
+    Iterator(const VariantList* list, std::uint64_t index) : list_(list), index_(index) {}
+    Keywords operator*() const { return list_->at(index_); }
+    Iterator& operator++() {
+      ++index_;
+      return *this;
+    }
+    void operator++(int) { ++index_; }
+    bool operator==(const Iterator& other) const { return index_ == other.index_; }
+
+   private:
+    const VariantList* list_ = nullptr;
+    std::uint64_t index_ = 0;
+  };
+  Iterator begin() const { return {this, 0}; }
+  Iterator end() const { return {this, count().value()}; }
+
+ private:
+  friend class KeywordSpace;
+  std::vector<std::vector<Choice>> axes_;
+  std::shared_ptr<const Keywords> names_;
+};
+
+class KeywordSpace {
+ public:
+  explicit KeywordSpace(const Pragmas& pragmas, const Narrowing& narrowing = {});
+
+  const VariantList& variants(hlsl::Stage stage) const;
+  const VariantList& whole_program() const { return whole_; }
+
+  const std::vector<KeywordSet>& sets() const { return sets_; }  // after what narrows each alone
+  const std::vector<DynamicKeyword>& dynamic_keywords() const { return dynamic_; }
+
+  // How many variants the stage (without one: the whole program) would have left if the set stood still: at
+  // its empty keyword, or at its first alternative where it has none.
+  VariantCount count_without(std::size_t set, std::optional<hlsl::Stage> stage) const;
+
+  // Why there is no variant at all, or empty.
+  const std::string& emptied_by() const { return emptied_by_; }
+
+ private:
+  std::vector<KeywordSet> sets_;
+  std::vector<std::size_t> axis_of_set_;
+  std::vector<DynamicKeyword> dynamic_;
+  VariantList whole_;
+  std::vector<VariantList> of_stage_;  // by hlsl::Stage
+  std::string emptied_by_;
+};
+
+}  // namespace penumbra::variants

@@ -1,0 +1,121 @@
+#include "variants/plan.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace penumbra::variants {
+namespace {
+
+constexpr std::size_t most_shown = 8;
+
+struct Saving {
+  std::string label;
+  std::string pin;
+  VariantCount left;
+};
+
+// How --keywords says that a set stands still.
+std::string pin_of(const KeywordSet& set) {
+  const bool can_be_off = std::any_of(set.alternatives.begin(), set.alternatives.end(),
+                                      [](const Keywords& alternative) { return alternative.empty(); });
+  std::string pin;
+  if (can_be_off) {
+    for (const std::string& keyword : keywords_of(set)) pin += (pin.empty() ? "-" : " -") + keyword;
+  } else {
+    for (const std::string& keyword : set.alternatives.front()) pin += (pin.empty() ? "+" : " +") + keyword;
+  }
+  return pin;
+}
+
+VariantCount total_without(const PlannedProgram& program, const std::string& label) {
+  const std::vector<KeywordSet>& sets = program.space->sets();
+  const auto set = std::find_if(sets.begin(), sets.end(),
+                                [&](const KeywordSet& candidate) { return label_of(candidate) == label; });
+  VariantCount total;
+  for (const hlsl::Stage stage : program.stages) {
+    total += set == sets.end()
+                 ? program.space->variants(stage).count()
+                 : program.space->count_without(static_cast<std::size_t>(set - sets.begin()), stage);
+  }
+  return total;
+}
+
+std::vector<Saving> savings(const std::vector<PlannedProgram>& programs, VariantCount total) {
+  std::map<std::string, std::string> pins;  // by label
+  for (const PlannedProgram& program : programs) {
+    for (const KeywordSet& set : program.space->sets())
+      if (set.alternatives.size() > 1) pins.try_emplace(label_of(set), pin_of(set));
+  }
+  std::vector<Saving> result;
+  for (const auto& [label, pin] : pins) {
+    Saving saving{label, pin, {}};
+    for (const PlannedProgram& program : programs) saving.left += total_without(program, label);
+    if (saving.left < total || total.saturated()) result.push_back(std::move(saving));
+  }
+  std::stable_sort(result.begin(), result.end(),
+                   [](const Saving& a, const Saving& b) { return a.left < b.left; });
+  return result;
+}
+
+std::string line_of(const ProgramPlan& program) {
+  std::string line = "  " + program.name;
+  for (const StagePlan& stage : program.stages) {
+    line += std::string("   ") + hlsl::stage_name(stage.stage) + " " + text_of(stage.variants);
+  }
+  return line + "\n";
+}
+
+std::string shortened(const std::string& text, std::size_t longest) {
+  return text.size() <= longest ? text : text.substr(0, longest - 3) + "...";
+}
+
+}  // namespace
+
+Plan plan(const std::vector<PlannedProgram>& programs) {
+  Plan result;
+  for (const PlannedProgram& program : programs) {
+    ProgramPlan counted{program.name, {}, {}};
+    for (const hlsl::Stage stage : program.stages) {
+      counted.stages.push_back({stage, program.space->variants(stage).count()});
+      counted.total += counted.stages.back().variants;
+    }
+    result.total += counted.total;
+    result.programs.push_back(std::move(counted));
+  }
+  return result;
+}
+
+std::string text_of(const Plan& plan) {
+  std::string text;
+  for (const ProgramPlan& program : plan.programs) text += line_of(program);
+  return text + "  in all " + text_of(plan.total) + "\n";
+}
+
+std::string refusal(const std::vector<PlannedProgram>& programs, std::uint64_t limit) {
+  const Plan counted = plan(programs);
+  if (counted.total.value() <= limit) return {};
+  std::string text =
+      text_of(counted.total) + " variants to compile; the limit is " + text_of(VariantCount(limit)) + "\n";
+  std::vector<const ProgramPlan*> largest;
+  for (const ProgramPlan& program : counted.programs) largest.push_back(&program);
+  std::stable_sort(largest.begin(), largest.end(),
+                   [](const ProgramPlan* a, const ProgramPlan* b) { return a->total > b->total; });
+  text += "most of them in\n";
+  for (std::size_t i = 0; i < std::min(largest.size(), most_shown); ++i) text += line_of(*largest[i]);
+  if (largest.size() > most_shown) {
+    text += "  and " + std::to_string(largest.size() - most_shown) + " more programs\n";
+  }
+  const std::vector<Saving> candidates = savings(programs, counted.total);
+  if (!candidates.empty()) text += "what multiplies most, and what is left when it stands still\n";
+  for (std::size_t i = 0; i < std::min(candidates.size(), most_shown); ++i) {
+    const Saving& saving = candidates[i];
+    text += "  " + text_of(saving.left) + " left   --keywords '" + shortened(saving.pin, 200) + "'\n";
+  }
+  return text +
+         "narrow the keywords (+NAME always, -NAME never, A|B only these), give a stripping file with what "
+         "the "
+         "project uses (URP settings, materials), or raise the limit\n";
+}
+
+}  // namespace penumbra::variants

@@ -1,0 +1,45 @@
+// How much work there is, counted before any of it starts.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hlsl/stage.h"
+#include "variants/keyword_space.h"
+#include "variants/variant_count.h"
+
+namespace penumbra::variants {
+
+struct PlannedProgram {
+  std::string name;  // "Lit.shader: ForwardLit"
+  const KeywordSpace* space = nullptr;
+  std::vector<hlsl::Stage> stages;  // for kernels one compute each
+};
+
+struct StagePlan {
+  hlsl::Stage stage = hlsl::Stage::vertex;
+  VariantCount variants;
+};
+
+struct ProgramPlan {
+  std::string name;
+  std::vector<StagePlan> stages;
+  VariantCount total;
+};
+
+struct Plan {
+  std::vector<ProgramPlan> programs;
+  VariantCount total;
+};
+
+Plan plan(const std::vector<PlannedProgram>& programs);
+
+// "Lit.shader: ForwardLit   vertex 512   fragment 8,192" a line, and the total.
+std::string text_of(const Plan& plan);
+
+// Empty while the total is within the limit. Else: the count, the largest programs, the sets that multiply
+// most with what would be left if each stood still at its empty keyword (or its first), over all programs
+// together, and how to write that.
+std::string refusal(const std::vector<PlannedProgram>& programs, std::uint64_t limit);
+
+}  // namespace penumbra::variants

@@ -1,0 +1,37 @@
+// The names that #pragma lines know: what is checked for spelling. Internal to this room.
+//
+// Sources: Unity Manual, "pragma directives in HLSL" (SL-PragmaDirectives), "Targeting shader models and GPU
+// features" (SL-ShaderCompileTargets), "Targeting graphics APIs and platforms" (SL-ShaderCompilationAPIs),
+// "GPU instancing" (instancing_options); Microsoft's HLSL reference for pragmas of the language itself.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "variants/keyword_set.h"
+
+namespace penumbra::variants {
+
+// multi_compile_local_fragment, taken apart; suffixes stand in any order, each at most once.
+struct KeywordPragmaName {
+  enum class Base { multi_compile, shader_feature, dynamic_branch };
+  Base base = Base::multi_compile;
+  bool local = false;
+  StageSet stages = StageSet::all();
+};
+std::optional<KeywordPragmaName> keyword_pragma_name(std::string_view name);
+
+// Pragmas that are known, and of which nothing is needed here.
+bool is_option_pragma(std::string_view name);
+
+const std::vector<std::string>& pragma_names();  // every known name, for "did you mean"
+const std::vector<std::string>& renderer_names();
+const std::vector<std::string>& feature_names();  // of #pragma require
+const std::vector<std::string>& instancing_option_names();
+
+// "4.5", "es3.1": the value of SHADER_TARGET, or nothing.
+std::optional<int> shader_model(std::string_view name);
+
+}  // namespace penumbra::variants

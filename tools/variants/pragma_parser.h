@@ -1,0 +1,57 @@
+// Reads one #pragma line after another into Pragmas. Internal to this room.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "hlsl/diagnostic.h"
+#include "variants/directive_lines.h"
+#include "variants/pragmas.h"
+
+namespace penumbra::variants {
+
+// Where messages go: severity, place, text.
+using Say = std::function<void(hlsl::Severity, const Place&, const std::string&)>;
+
+class PragmaParser {
+ public:
+  PragmaParser(Pragmas& pragmas, Say say) : pragmas_(pragmas), say_(std::move(say)) {}
+
+  void read(const DirectiveLine& line, const std::string& file);
+
+  // What can be known only once all lines are read: procedural instancing, dynamic keywords that are static,
+  // too.
+  void finish();
+
+ private:
+  struct Line {
+    std::string name;
+    std::vector<Word> words;  // after the name
+    Place place;
+  };
+
+  bool read_entry_point(const Line& line);
+  bool read_keywords(const Line& line);
+  bool read_list(const Line& line);
+  bool read_other(const Line& line);
+
+  void read_kernel(const Line& line);
+  void read_surface(const Line& line);
+  void read_target(const Line& line);
+  void read_requirement(const Line& line);
+  void read_renderers(const Line& line, std::vector<std::string>& renderers);
+  void read_instancing_options(const Line& line);
+  void add_built_in(const Line& line);
+  void add_dynamic(const Line& line, bool local);
+  KeywordSet set_of(const Line& line);
+  bool is_keyword(const Word& word, const Line& line);
+
+  Place place_of(const Line& line, const Word& word) const;
+  void error(const Place& place, const std::string& message) { say_(hlsl::Severity::error, place, message); }
+  void warn(const Place& place, const std::string& message) { say_(hlsl::Severity::warning, place, message); }
+
+  Pragmas& pragmas_;
+  Say say_;
+};
+
+}  // namespace penumbra::variants

@@ -1,0 +1,123 @@
+// The #pragma lines of a shader program: entry points, keywords, targets and the rest of what Unity's
+// importer reads before anything is compiled.
+//
+// What counts, as Unity has it (Unity Manual, "pragma directives in HLSL", SL-PragmaDirectives, and "include
+// and include_with_pragmas directives"):
+//   - the program's own text, with the blocks that the .shader file puts before it, and files that it reaches
+//   by
+//     #include_with_pragmas, step by step. What a plain #include brings has no say: neither its pragmas nor,
+//     here, its #defines;
+//   - under #if, what holds with `defines` and with the #defines of the text read so far. Unity evaluates
+//   these
+//     conditions once, before there are variants: with the program's own #defines, UNITY_VERSION and the
+//     platform's constants (the Manual names SHADER_API_MOBILE, SHADER_API_DESKTOP, UNITY_NO_RGBM,
+//     UNITY_USE_NATIVE_HDR, UNITY_FRAMEBUFFER_FETCH_AVAILABLE, UNITY_NO_CUBEMAP_ARRAY). A keyword is never
+//     defined there, and a pragma that stands under a condition on one gets a warning. Every other unknown
+//     name is 0, as in C.
+//
+// Guarantees: linear in the size of the texts read; any text gives an answer. Files that include themselves
+// end in a message; files read are bounded to 4,096 and 64 MiB of text in all. At most 200 messages.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hlsl/diagnostic.h"
+#include "hlsl/stage.h"
+#include "variants/clause.h"
+#include "variants/keyword_set.h"
+#include "variants/place.h"
+
+namespace penumbra::variants {
+
+struct IncludedText {
+  std::string name;  // as messages call the file; two includes of one file have one name
+  std::string text;
+};
+using FindIncluded =
+    std::function<std::optional<IncludedText>(const std::string& name, const std::string& including_file)>;
+
+struct ProgramText {
+  std::string file;
+  std::string text;                            // LF line ends; lines and columns are the file's own
+  std::map<std::string, std::string> defines;  // see platform_defines.h
+  FindIncluded find_included;                  // may be empty: nothing is found
+};
+
+struct EntryPoint {
+  hlsl::Stage stage = hlsl::Stage::vertex;
+  std::string function;
+  Place place;
+};
+
+// #pragma kernel NAME MACRO=VALUE ...
+struct Kernel {
+  std::string function;
+  std::vector<std::pair<std::string, std::string>> defines;  // MACRO alone: value "1"
+  Place place;
+};
+
+// #pragma surface FUNCTION MODEL OPTION...: the editor writes the program from it, so it cannot be compiled
+// without the editor; a warning says so.
+struct SurfaceFunction {
+  std::string function;
+  std::string lighting_model;
+  Keywords options;
+  Place place;
+};
+
+// #pragma target MODEL KEYWORD...: 4.5 is 45, the value of SHADER_TARGET. Without keywords it is for every
+// variant, with keywords for those where one of them is on.
+struct ShaderTarget {
+  int model = 0;
+  Keywords keywords;
+  Place place;
+};
+
+// #pragma require FEATURE... : KEYWORD...
+struct Requirement {
+  std::vector<std::string> features;
+  Keywords keywords;
+  Place place;
+};
+
+// A pragma that is known and changes nothing here, or a list that is read by its user.
+struct PragmaOption {
+  std::string name;
+  std::vector<std::string> arguments;
+  Place place;
+};
+
+struct Pragmas {
+  std::vector<EntryPoint> entry_points;  // at most one a stage: the last one written
+  std::vector<Kernel> kernels;
+  std::optional<SurfaceFunction> surface;
+  std::vector<KeywordSet> keyword_sets;  // in the order written; shortcuts as the sets they stand for
+  std::vector<DynamicKeyword> dynamic_keywords;
+  std::vector<Clause> clauses;  // from skip_variants, and what the shortcuts know of their keywords
+  std::vector<ShaderTarget> targets;
+  std::vector<Requirement> requirements;
+  std::vector<std::string> only_renderers;  // empty: all
+  std::vector<std::string> excluded_renderers;
+  std::vector<std::string> tier_renderers;  // of hardware_tier_variants
+  std::string procedural_function;          // of instancing_options procedural:NAME
+  std::vector<PragmaOption> options;
+  std::vector<std::string> files;  // read, in order, the program's own first
+  std::vector<hlsl::Diagnostic> diagnostics;
+};
+
+Pragmas read_pragmas(const ProgramText& program);
+
+// Whether the program is meant for a graphics API, by its name in only_renderers: "vulkan", "d3d11", "gles3".
+bool compiles_for(const Pragmas& pragmas, const std::string& renderer);
+
+// SHADER_TARGET of a variant: the highest model that applies, at least 25 (the default), 40 with a geometry
+// and 46 with a tessellation stage (Unity Manual, "Targeting shader models and GPU features",
+// SL-ShaderCompileTargets).
+int shader_target(const Pragmas& pragmas, const Keywords& variant);
+
+}  // namespace penumbra::variants

@@ -1,0 +1,112 @@
+#include <algorithm>
+#include <charconv>
+#include <string>
+
+#include "input/input_error.h"
+#include "variants/urp_settings.h"
+
+namespace penumbra::variants {
+namespace {
+
+struct Line {
+  std::string where;
+  std::string_view name;
+  std::string_view value;
+};
+
+// "  m_Name: value": fields of the one object that such an asset holds. False for any other line.
+bool take_field(std::string_view text, Line& line) {
+  if (text.substr(0, 4) != "  m_") return false;
+  text.remove_prefix(2);
+  const std::size_t colon = text.find(": ");
+  if (colon == std::string_view::npos) return false;
+  line.name = text.substr(0, colon);
+  line.value = text.substr(colon + 2);
+  while (!line.value.empty() && (line.value.back() == '\r' || line.value.back() == ' ')) {
+    line.value.remove_suffix(1);
+  }
+  return true;
+}
+
+int number_of(const Line& line, int highest) {
+  int value = -1;
+  const char* const end = line.value.data() + line.value.size();
+  const auto [stop, error] = std::from_chars(line.value.data(), end, value);
+  if (error != std::errc() || stop != end || value < 0 || value > highest) {
+    throw InputError(line.where, "'" + std::string(line.name) + "' must be a whole number from 0 to " +
+                                     std::to_string(highest) + ", found '" + std::string(line.value) + "'");
+  }
+  return value;
+}
+
+struct Flag {
+  std::string_view name;
+  std::optional<bool> UrpSettings::*setting;
+};
+
+constexpr Flag flags[] = {
+    {"m_MainLightShadowsSupported", &UrpSettings::main_light_shadows},
+    {"m_AdditionalLightShadowsSupported", &UrpSettings::additional_light_shadows},
+    {"m_SoftShadowsSupported", &UrpSettings::soft_shadows},
+    {"m_SupportsLightLayers", &UrpSettings::light_layers},
+    {"m_SupportsLightCookies", &UrpSettings::light_cookies},
+    {"m_ReflectionProbeBlending", &UrpSettings::reflection_probe_blending},
+    {"m_ReflectionProbeBoxProjection", &UrpSettings::reflection_probe_box_projection},
+    {"m_MixedLightingSupported", &UrpSettings::mixed_lighting},
+    {"m_UseFastSRGBLinearConversion", &UrpSettings::fast_srgb_conversion},
+    {"m_EnableLODCrossFade", &UrpSettings::lod_cross_fade},
+    {"m_AccurateGbufferNormals", &UrpSettings::accurate_gbuffer_normals},
+};
+
+// LightRenderingMode: Disabled 0, PerVertex 2, PerPixel 1. RenderingMode: Forward 0, Deferred 1, ForwardPlus
+// 2, and from URP 17.1 DeferredPlus 3, which lights like Deferred and Forward+ at once, so nothing is
+// decided.
+bool read_field(const Line& line, UrpSettings& settings, bool& no_main_light) {
+  for (const Flag& flag : flags) {
+    if (line.name != flag.name) continue;
+    settings.*flag.setting = number_of(line, 1) == 1;
+    return true;
+  }
+  if (line.name == "m_MainLightRenderingMode") {
+    no_main_light = number_of(line, 2) == 0;
+  } else if (line.name == "m_AdditionalLightsRenderingMode") {
+    constexpr AdditionalLights modes[] = {AdditionalLights::disabled, AdditionalLights::per_pixel,
+                                          AdditionalLights::per_vertex};
+    settings.additional_lights = modes[number_of(line, 2)];
+  } else if (line.name == "m_RenderingMode") {
+    constexpr RenderingMode modes[] = {RenderingMode::forward, RenderingMode::deferred,
+                                       RenderingMode::forward_plus};
+    const int mode = number_of(line, 3);
+    if (mode < 3) settings.rendering_mode = modes[mode];
+  } else {
+    return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+UrpSettings read_urp_asset(std::string_view text, const std::string& name) {
+  if (text.find('\0') != std::string_view::npos) {
+    throw InputError(name, "is a binary asset",
+                     "set Project Settings > Editor > Asset Serialization to Force Text");
+  }
+  UrpSettings settings;
+  bool known = false;
+  bool no_main_light = false;
+  int number = 1;
+  for (std::size_t at = 0; at < text.size(); ++number) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    Line line{name + ":" + std::to_string(number), {}, {}};
+    if (take_field(text.substr(at, end - at), line)) known |= read_field(line, settings, no_main_light);
+    at = end + 1;
+  }
+  if (!known) {
+    throw InputError(name, "holds no setting of the Universal Render Pipeline",
+                     "give a UniversalRenderPipelineAsset or UniversalRendererData, a text .asset file");
+  }
+  if (no_main_light) settings.main_light_shadows = false;
+  return settings;
+}
+
+}  // namespace penumbra::variants

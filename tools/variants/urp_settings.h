@@ -1,0 +1,135 @@
+// The settings of the Universal Render Pipeline that decide which shader variants a build keeps.
+//
+// Mirrors, for one quality level and one renderer, what URP's editor code strips: ShaderPreprocessor.cs (URP
+// 10 to 13) and ShaderScriptableStripper.cs with ShaderBuildPreprocessor.cs (14 on). A setting that is absent
+// decides nothing. "never" removes a keyword's variants; "always" also removes those without it, which URP
+// does where "Strip Unused Variants" is on (the default) and its StripMultiCompile, not ...KeepOffVariant, is
+// asked.
+//
+// | JSON key                       | off                                   | on |
+// |--------------------------------|---------------------------------------|-------------------------------------|
+// | main_light_shadows             | never _MAIN_LIGHT_SHADOWS, _CASCADE   | - | | screen_space_shadows |
+// never _MAIN_LIGHT_SHADOWS_SCREEN      | -                                   | | shadow_cascades: count | 1:
+// never ..._CASCADE; 2 to 4: never _MAIN_LIGHT_SHADOWS alone. Narrower than | | | URP, which keeps both
+// because scripts may change the count                  | | additional_lights:             | "disabled":
+// never _ADDITIONAL_LIGHTS, _ADDITIONAL_LIGHTS_VERTEX;             | |                                |
+// "per_vertex", "per_pixel": never the other one                               | | additional_light_shadows
+// | never _ADDITIONAL_LIGHT_SHADOWS and   | -                                   | | |
+// _CASTING_PUNCTUAL_LIGHT_SHADOW        |                                     | | soft_shadows | never
+// _SHADOWS_SOFT and its _LOW,     | -                                   | |                                |
+// _MEDIUM, _HIGH                        |                                     | | light_layers | never
+// _LIGHT_LAYERS                   | always                              | | light_cookies                  |
+// never _LIGHT_COOKIES                  | -                                   | | reflection_probe_blending
+// | never _REFLECTION_PROBE_BLENDING      | always                              | |
+// reflection_probe_box_projection| never _REFLECTION_PROBE_BOX_PROJECTION| always | | mixed_lighting | never
+// LIGHTMAP_SHADOW_MIXING, SHADOWS_SHADOWMASK, _MIXED_LIGHTING_SUBTRACTIVE | | lightmaps | never LIGHTMAP_ON
+// | -                                   | | directional_lightmaps          | never DIRLIGHTMAP_COMBINED | - |
+// | realtime_lightmaps             | never DYNAMICLIGHTMAP_ON              | - | | fog: list of linear exp
+// exp2   | never the FOG_* that is not listed    | -                                   | | rendering_mode: |
+// "forward", "deferred": never _FORWARD_PLUS (_CLUSTERED_RENDERING up to 13,   | | | _CLUSTER_LIGHT_LOOP
+// from 17.1); "forward_plus": always that, and never the   | |                                | keywords of
+// additional_lights, which Forward+ defines itself                 | | accurate_gbuffer_normals       | never
+// _GBUFFER_NORMALS_OCT            | always                              | | render_pass                    |
+// never _RENDER_PASS_ENABLED            | - (URP up to 13: always)            | | decals: | "none",
+// "screen_space", "gbuffer": never _DBUFFER_MRT1..3; "dbuffer_albedo", | |                                |
+// "dbuffer_albedo_normal", "dbuffer_albedo_normal_maos": always _DBUFFER_MRT1, | | | 2 or 3, never the others
+// | | decal_normal_blend:            | "low", "medium", "high": always that _DECAL_NORMAL_BLEND_*; "none":
+// never    | | decal_layers                   | never _DECAL_LAYERS                   | always | | ssao:
+// "off" "on" "after_opaque"| never _SCREEN_SPACE_OCCLUSION         | always; after_opaque: -             | |
+// write_rendering_layers         | never _WRITE_RENDERING_LAYERS         | - | | fast_srgb_conversion | never
+// _USE_FAST_SRGB_LINEAR_CONVERSION| always                              | | lod_cross_fade                 |
+// never LOD_FADE_CROSSFADE              | -                                   | | debug_display | never
+// DEBUG_DISPLAY                   | -                                   | | gpu_instancing                 |
+// never INSTANCING_ON, PROCEDURAL_INSTANCING_ON | -                           | | dots_instancing | never
+// DOTS_INSTANCING_ON              | -                                   | | xr: list of instancing         |
+// (the default) no stereo keywords      | those keywords as one more set      | |     multiview single_pass
+// |                                       |                                     | | depth_normals | passes
+// only: see unused_passes()      |                                     |
+//
+// Lightmap, fog and instancing keywords are stripped by Unity itself, from the scenes and Project Settings >
+// Graphics (Unity Manual, "Shader variant stripping"), not by URP. Whatever the settings, URP strips:
+//   _SHADOWS_SOFT* without any shadow, _ADDITIONAL_LIGHT_SHADOWS without _ADDITIONAL_LIGHTS or Forward+
+//   (unless deferred), DIRLIGHTMAP_COMBINED without a lightmap, EDITOR_VISUALIZATION.
+// Variants without shadows or additional lights are kept, as URP does unless its renderer says otherwise.
+// Not mirrored: rules that name one shader (post-processing, terrain holes, HDR output, lens flares),
+// _WRITE_RENDERING_LAYERS by pass name, EVALUATE_SH_*, _FOVEATED_RENDERING_*: use "keywords" for those.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "variants/clause.h"
+#include "variants/keyword_set.h"
+
+namespace penumbra::variants {
+
+enum class AdditionalLights { disabled, per_vertex, per_pixel };
+enum class RenderingMode { forward, deferred, forward_plus };
+enum class Decals {
+  none,
+  dbuffer_albedo,
+  dbuffer_albedo_normal,
+  dbuffer_albedo_normal_maos,
+  screen_space,
+  gbuffer
+};
+enum class NormalBlend { none, low, medium, high };
+enum class AmbientOcclusion { off, on, after_opaque };
+enum class Fog { linear, exp, exp2 };
+
+struct UrpSettings {
+  std::optional<bool> main_light_shadows;
+  std::optional<bool> screen_space_shadows;
+  std::optional<int> shadow_cascades;
+  std::optional<AdditionalLights> additional_lights;
+  std::optional<bool> additional_light_shadows;
+  std::optional<bool> soft_shadows;
+  std::optional<bool> light_layers;
+  std::optional<bool> light_cookies;
+  std::optional<bool> reflection_probe_blending;
+  std::optional<bool> reflection_probe_box_projection;
+  std::optional<bool> mixed_lighting;
+  std::optional<bool> lightmaps;
+  std::optional<bool> directional_lightmaps;
+  std::optional<bool> realtime_lightmaps;
+  std::optional<std::vector<Fog>> fog;
+  std::optional<RenderingMode> rendering_mode;
+  std::optional<bool> accurate_gbuffer_normals;
+  std::optional<bool> render_pass;
+  std::optional<Decals> decals;
+  std::optional<NormalBlend> decal_normal_blend;
+  std::optional<bool> decal_layers;
+  std::optional<AmbientOcclusion> ssao;
+  std::optional<bool> write_rendering_layers;
+  std::optional<bool> fast_srgb_conversion;
+  std::optional<bool> lod_cross_fade;
+  std::optional<bool> debug_display;
+  std::optional<bool> gpu_instancing;
+  std::optional<bool> dots_instancing;
+  std::optional<bool> depth_normals;
+  Keywords xr;  // the stereo keywords of stereo_set()
+};
+
+// said_by is what messages name as their origin: the file.
+std::vector<Clause> clauses_of(const UrpSettings& settings, const std::string& said_by);
+
+// Passes (by name or LightMode tag) that URP strips whole: GBuffer unless deferred, ShadowCaster without any
+// shadows, DepthNormals where nothing reads them, and the decal passes that the decals setting does not use.
+std::vector<std::string> unused_passes(const UrpSettings& settings);
+
+// What both leave open: for projects with several quality levels or renderers, of which each needs its
+// variants.
+UrpSettings widest(const UrpSettings& a, const UrpSettings& b);
+
+// What either decides, b where both do: an asset and the renderer it uses.
+UrpSettings combined(const UrpSettings& a, const UrpSettings& b);
+
+// Reads the settings from a text-serialised .asset of URP: a UniversalRenderPipelineAsset or a
+// UniversalRendererData (rendering mode, G-buffer normals). Lines `  m_Name: value` of known names count, all
+// others are passed over; shadow_cascades is left open, as URP leaves it. Throws InputError for a value that
+// is out of range, a binary asset, and a file in which no known name stands.
+UrpSettings read_urp_asset(std::string_view text, const std::string& name);
+
+}  // namespace penumbra::variants
