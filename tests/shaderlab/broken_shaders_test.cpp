@@ -105,7 +105,8 @@ constexpr Broken kBroken[] = {
 TEST(BrokenShaders, GiveOneErrorEachWhereItIs) {
   for (const Broken& broken : kBroken) {
     std::string said;
-    for (hlsl::Diagnostic diagnostic : parse_shader(broken.text, "").diagnostics) {
+    const ParsedShader parsed = parse_shader(broken.text, "");
+    for (const hlsl::Diagnostic& diagnostic : parsed.diagnostics) {
       if (diagnostic.severity != hlsl::Severity::error) continue;
       said += (said.empty() ? "" : " | ") + std::to_string(diagnostic.line) + ":" +
               std::to_string(diagnostic.column) + ": " + diagnostic.message;

@@ -11,7 +11,6 @@ namespace {
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::Field;
-using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
@@ -135,6 +134,7 @@ TEST(Properties, TypesAndDefaultsAreThoseWritten) {
   const std::vector<Property> properties = parsed(kLitSample).properties;
   ASSERT_THAT(properties, SizeIs(15));
   std::vector<std::string> types;
+  types.reserve(properties.size());
   for (const Property& property : properties) types.push_back(property.type_name);
   EXPECT_THAT(types, ElementsAre("2D", "Color", "Float", "Int", "Range", "Range", "Vector", "2DArray", "Cube",
                                  "3D", "CubeArray", "Any", "Rect", "Integer", "Float"));

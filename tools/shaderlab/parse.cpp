@@ -32,8 +32,9 @@ void warn_of_idle_includes(Cursor& cursor, const Lexed& lexed) {
   for (const CodeBlock& include : lexed.includes) {
     if (has_program(lexed, include.language)) continue;
     const std::string name = language_name(include.language);
-    cursor.warn(include.keyword,
-                name + "INCLUDE goes into " + name + "PROGRAM blocks, of which this file has none");
+    std::string message = name + "INCLUDE goes into ";
+    message += name + "PROGRAM blocks, of which this file has none";
+    cursor.warn(include.keyword, message);
   }
 }
 

@@ -68,6 +68,7 @@ class PropertyParser {
 
   [[noreturn]] void unknown_type() {
     std::vector<std::string> names;
+    names.reserve(kTypes.size());
     for (const TypeName& type : kTypes) names.emplace_back(type.name);
     std::string hint;
     if (cursor_.at(Token::Kind::word)) hint = near_name_hint(cursor_.peek().spelling, names);
