@@ -35,6 +35,7 @@ class ProjectFolder {
 
   std::filesystem::path write(const std::string& name, const std::string& text) const {
     std::filesystem::create_directories(path(name).parent_path());
+    std::filesystem::remove(path(name));  // ext4 waits for the disk when a file is cut and written again
     std::ofstream(path(name), std::ios::binary) << text;
     return path(name);
   }

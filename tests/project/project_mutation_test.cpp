@@ -4,6 +4,7 @@
 
 #include <random>
 #include <string>
+#include <utility>
 
 #include "input/input_error.h"
 #include "project/package_versions.h"
@@ -67,16 +68,19 @@ TEST(ProjectMutation, EndsInAProjectOrInAnInputError) {
   const ProjectFolder files;
   files.package("b", "com.x.b", "1.0.0");
   files.package("Library/PackageCache/com.x.c@24c1c38f35", "com.x.c", "1.0.0");
+  const std::pair<std::string, std::string> texts[] = {
+      {"Packages/manifest.json", manifest},
+      {"Packages/packages-lock.json", lock},
+      {"Library/PackageCache/com.x.a@1.0.0/package.json", package},
+      {"Packages/e/package.json", package}};
+  for (const auto& [name, text] : texts) files.write(name, text);
   std::mt19937 random(20240607);
   Outcomes outcomes;
   for (int i = 0; i < 3000; ++i) {
-    const std::size_t which = random() % 4;
-    files.write("Packages/manifest.json", which == 0 ? mutated(manifest, random) : manifest);
-    files.write("Packages/packages-lock.json", which == 1 ? mutated(lock, random) : lock);
-    files.write("Library/PackageCache/com.x.a@1.0.0/package.json",
-                which == 2 ? mutated(package, random) : package);
-    files.write("Packages/e/package.json", which == 3 ? mutated(package, random) : package);
+    const auto& [name, text] = texts[random() % std::size(texts)];
+    files.write(name, mutated(text, random));
     read_once(files, outcomes);
+    files.write(name, text);
   }
   EXPECT_GT(outcomes.projects, 500);
   EXPECT_GT(outcomes.refused, 500);
