@@ -23,6 +23,14 @@ const std::string lock =
 const std::string package =
     R"({"name": "com.x.a", "version": "1.0.0-pre.1", "dependencies": {"com.x.b": "1.0.0"}})";
 
+// A string, value or key, gives its place to something else that JSON knows.
+void replace_a_string(std::string& text, std::size_t from, std::mt19937& random) {
+  static const std::string others[] = {"null", "3", "[]", "{}", "true", "\"\"", "[[\"a\"]]", "{\"a\": {}}"};
+  const std::size_t start = text.find('"', from);
+  const std::size_t end = start == std::string::npos ? start : text.find('"', start + 1);
+  if (end != std::string::npos) text.replace(start, end + 1 - start, others[random() % std::size(others)]);
+}
+
 // One to four edits: a byte changed, a piece cut, a piece doubled, a token that JSON knows put in.
 std::string mutated(std::string text, std::mt19937& random) {
   static const std::string tokens[] = {"{", "}",    "[",      "]",       "\"",   ",",
@@ -30,7 +38,7 @@ std::string mutated(std::string text, std::mt19937& random) {
   for (std::size_t edits = 1 + random() % 4; edits > 0 && !text.empty(); --edits) {
     const std::size_t at = random() % text.size();
     const std::size_t length = random() % 12;
-    switch (random() % 4) {
+    switch (random() % 5) {
       case 0:
         text[at] = static_cast<char>(random() % 256);
         break;
@@ -39,6 +47,9 @@ std::string mutated(std::string text, std::mt19937& random) {
         break;
       case 2:
         text.insert(at, text.substr(at, length));
+        break;
+      case 3:
+        replace_a_string(text, at, random);
         break;
       default:
         text.insert(at, tokens[random() % std::size(tokens)]);

@@ -34,7 +34,6 @@ std::optional<fs::path> local_folder(const std::string& version, const fs::path&
     return std::nullopt;
   std::string path = version.substr(file_scheme.size());
   std::replace(path.begin(), path.end(), '\\', '/');
-  if (starts_with(path, "//")) path.erase(0, path.find_first_not_of('/') - 1);
   return (packages / path).lexically_normal();
 }
 
