@@ -42,16 +42,6 @@ std::string normalised(std::string_view asked) {
   return fs::path(text).lexically_normal().generic_string();
 }
 
-Place beside(const fs::path& includer, const std::string& header) {
-  Place place{includer.parent_path(), header};
-  // "../" goes up from a folder that exists under its own name: only what follows can be misspelt.
-  while (!place.rest.empty() && *place.rest.begin() == "..") {
-    place.base /= "..";
-    place.rest = place.rest.lexically_relative("..");
-  }
-  return place;
-}
-
 void add_package_places(const IncludeRoots& roots, const std::string& header, Places& places) {
   const std::size_t slash = header.find('/', packages.size());
   const std::string with_version = header.substr(packages.size(), slash - packages.size());
@@ -84,7 +74,7 @@ Places places_of(const IncludeRoots& roots, const std::string& header, const fs:
   Places places;
   if (starts_with_ignoring_case(header, packages)) add_package_places(roots, header, places);
   if (starts_with_ignoring_case(header, assets)) add_asset_places(roots, header, places);
-  places.tried.push_back(beside(includer, header));
+  places.tried.push_back({includer.parent_path(), header});
   for (const fs::path& directory : roots.directories) places.tried.push_back({directory, header});
   return places;
 }
