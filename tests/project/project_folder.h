@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -70,8 +71,8 @@ class ProjectFolder {
 };
 
 inline std::vector<std::string> formatted(const std::vector<hlsl::Diagnostic>& diagnostics) {
-  std::vector<std::string> texts;
-  for (const hlsl::Diagnostic& diagnostic : diagnostics) texts.push_back(format(diagnostic));
+  std::vector<std::string> texts(diagnostics.size());
+  std::transform(diagnostics.begin(), diagnostics.end(), texts.begin(), hlsl::format);
   return texts;
 }
 

@@ -226,6 +226,9 @@ TEST(UnityProject, EditorVersionThatCannotBeReadIsSaid) {
   const ProjectFolder files;
   std::filesystem::create_directories(files.path("Assets"));
   const std::string file = files.text("ProjectSettings/ProjectVersion.txt");
+  EXPECT_THAT(formatted(read_project(files.path()).problems),
+              ElementsAre(file + ": note: is missing or empty; the project's UNITY_VERSION is not known"));
+  files.write("ProjectSettings/ProjectVersion.txt", "m_Version: 1\n");
   EXPECT_THAT(
       formatted(read_project(files.path()).problems),
       ElementsAre(file + ": note: names no m_EditorVersion; the project's UNITY_VERSION is not known"));

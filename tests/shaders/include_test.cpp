@@ -171,18 +171,18 @@ TEST(Include, ProjectEditorFolderAndVersionedPackageResolve) {
 TEST(Include, OtherCaseIsOneWarningAtTheIncludeThatHasIt) {
   const ShaderFiles files;
   files.write("Lib/Math.hlsl", "#define A 1\n");
-  files.write("a.hlsl", "// Lib/math.hlsl\n  #include \"lib/math.hlsl\"\n");
+  files.write("a.hlsl", "// lib/math.hlsl\n  # include \"lib/math.hlsl\"\n");
   files.write("main.hlsl", compute_shader("A", "#include \"a.hlsl\"\n#include \"a.hlsl\"\n"));
   CompileRequest request = files.request("main.hlsl");
-  const std::string expected = files.path("a.hlsl").string() + ":2:13: warning: 'lib/math.hlsl' names " +
+  const std::string expected = files.path("a.hlsl").string() + ":2:14: warning: 'lib/math.hlsl' names " +
                                files.path("Lib/Math.hlsl").string() +
                                " in another case; only disks that ignore case find it\n"
-                               "      #include \"lib/math.hlsl\"\n                ^";
+                               "      # include \"lib/math.hlsl\"\n                 ^";
   EXPECT_EQ(only_message(compile(request)), expected);
-  request.merge_precision_twins = true;
-  const CompileResult merged = compile(request);
-  EXPECT_EQ(only_message(merged), expected);
-  EXPECT_FALSE(merged.spirv.empty());
+  request.prepare = true;
+  const CompileResult prepared = compile(request);
+  EXPECT_EQ(only_message(prepared), expected);
+  EXPECT_FALSE(prepared.spirv.empty());
 }
 
 TEST(Include, MissingEditorIncludeIsToldApartFromAMistake) {
@@ -190,9 +190,9 @@ TEST(Include, MissingEditorIncludeIsToldApartFromAMistake) {
   files.write("lib.hlsl", "\n#include \"UnityCG.cginc\"\n");
   files.write("main.hlsl", compute_shader("1", "#include \"lib.hlsl\"\n#include \"Lighting.cginc\"\n"));
   files.write("wrong.hlsl", compute_shader("1", "#include \"gone.hlsl\"\n#include \"UnityCG.cginc\"\n"));
-  for (const bool merged : {false, true}) {
+  for (const bool prepared : {false, true}) {
     CompileRequest request = files.request("main.hlsl");
-    request.merge_precision_twins = merged;
+    request.prepare = prepared;
     const CompileResult result = compile(request);
     EXPECT_EQ(result.missing_editor_include, "UnityCG.cginc");
     EXPECT_THAT(

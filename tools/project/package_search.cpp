@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <queue>
 #include <system_error>
 #include <utility>
 
@@ -49,7 +50,11 @@ class PackageSearch {
     for (const auto& [name, locked] : sources_.manifest.locked) want(name);
     if (!sources_.manifest.found)
       for (const auto& [name, cached] : sources_.cache.by_name) want(name);
-    for (std::size_t i = 0; i < waiting_.size(); ++i) visit(waiting_[i]);
+    while (!waiting_.empty()) {
+      const std::string name = std::move(waiting_.front());
+      waiting_.pop();
+      visit(name);
+    }
     report_missing();
     std::vector<PackageRoot> roots;
     for (auto& [name, root] : found_)
@@ -59,10 +64,10 @@ class PackageSearch {
 
  private:
   void want(const std::string& name) {
-    if (found_.emplace(name, std::nullopt).second) waiting_.push_back(name);
+    if (found_.emplace(name, std::nullopt).second) waiting_.push(name);
   }
 
-  void visit(const std::string name) {  // a copy: want() moves the names in waiting_
+  void visit(const std::string& name) {
     std::optional<PackageRoot> root = find(name);
     if (root) want_dependencies(*root);
     const bool missing = !root && !starts_with(name, engine_module);
@@ -151,7 +156,7 @@ class PackageSearch {
     constexpr std::size_t shown = 6;
     std::string list;
     for (std::size_t i = 0; i < std::min(shown, missing_.size()); ++i)
-      list += (i == 0 ? "" : ", ") + missing_[i];
+      list.append(i == 0 ? "" : ", ").append(missing_[i]);
     if (missing_.size() > shown) list += " and " + std::to_string(missing_.size() - shown) + " more";
     say(sources_.manifest.requested.at(missing_.front()).where, hlsl::Severity::warning,
         std::to_string(missing_.size()) + " packages are nowhere, because the project has no " +
@@ -166,7 +171,7 @@ class PackageSearch {
   const PackageSources& sources_;
   std::vector<hlsl::Diagnostic>& problems_;
   std::map<std::string, std::optional<PackageRoot>> found_;
-  std::vector<std::string> waiting_;
+  std::queue<std::string> waiting_;
   std::vector<std::string> missing_;
 };
 

@@ -52,8 +52,10 @@ std::optional<EditorVersion> read_editor_version(const fs::path& file,
                           line});
     return version;
   }
-  problems.push_back(diagnostic_of(file, hlsl::Severity::note,
-                                   "names no m_EditorVersion; the project's UNITY_VERSION is not known"));
+  problems.push_back(
+      diagnostic_of(file, hlsl::Severity::note,
+                    std::string(number == 0 ? "is missing or empty" : "names no m_EditorVersion") +
+                        "; the project's UNITY_VERSION is not known"));
   return std::nullopt;
 }
 

@@ -17,14 +17,21 @@ struct Place {
   int column = 0;
 };
 
-// Where the text first says #include and the name in one line; the first line when a macro hides it.
-Place place_of_include(const std::string& text, const std::string& asked) {
+// Where a line has an #include and the name behind it.
+std::size_t column_of_include(std::string_view line, std::string_view asked) {
+  const std::size_t hash = line.find('#');
+  if (hash == std::string_view::npos) return hash;
+  const std::size_t word = line.find_first_not_of(" \t", hash + 1);
+  if (word == std::string_view::npos || line.substr(word, 7) != "include") return std::string_view::npos;
+  return line.find(asked, word);
+}
+
+// The first line that includes the name; the file's first when a macro hides it.
+Place place_of_include(std::string_view text, std::string_view asked) {
   int number = 0;
   for (std::size_t start = 0; start < text.size(); ++number) {
     const std::size_t end = std::min(text.find('\n', start), text.size());
-    const std::string_view line = std::string_view(text).substr(start, end - start);
-    const std::size_t directive = line.find("#include");
-    const std::size_t name = directive == std::string_view::npos ? directive : line.find(asked, directive);
+    const std::size_t name = column_of_include(text.substr(start, end - start), asked);
     if (name != std::string_view::npos) return {number + 1, static_cast<int>(name) + 1};
     start = end + 1;
   }
