@@ -150,5 +150,68 @@ TEST(Include, MistakeInAnOverlayNamesTheOverlay) {
               HasSubstr(files.path("overlay.hlsl").string() + ":1:20: error"));
 }
 
+TEST(Include, ProjectEditorFolderAndVersionedPackageResolve) {
+  const ShaderFiles files;
+  files.write("Assets/Lib/A.hlsl", "\xEF\xBB\xBF#define A 1\r\n");
+  files.write("CGIncludes/UnityCG.cginc", "#define B 2\n");
+  files.write("core/C.hlsl", "#define C 3\n");
+  files.write("main.hlsl", compute_shader("A + B + C",
+                                          "#include \"Assets\\Lib\\A.hlsl\"\r\n#include <UnityCG.cginc>\r\n"
+                                          "#include \"Packages/com.x.core@14.0.9/C.hlsl\"\r\n"));
+  CompileRequest request = files.request("main.hlsl");
+  request.project = files.path("");
+  request.cginc_root = files.path("CGIncludes");
+  request.package_roots = {{"com.x.core", files.path("core")}};
+  const CompileResult result = compile(request);
+  EXPECT_TRUE(result.diagnostics.empty()) << only_message(result);
+  EXPECT_THAT(result.dependencies, Contains(files.path("Assets/Lib/A.hlsl")));
+  EXPECT_EQ(result.missing_editor_include, "");
+}
+
+TEST(Include, OtherCaseIsOneWarningAtTheIncludeThatHasIt) {
+  const ShaderFiles files;
+  files.write("Lib/Math.hlsl", "#define A 1\n");
+  files.write("a.hlsl", "// lib/math.hlsl\n  # include \"lib/math.hlsl\"\n");
+  files.write("main.hlsl", compute_shader("A", "#include \"a.hlsl\"\n#include \"a.hlsl\"\n"));
+  CompileRequest request = files.request("main.hlsl");
+  const std::string expected = files.path("a.hlsl").string() + ":2:14: warning: 'lib/math.hlsl' names " +
+                               files.path("Lib/Math.hlsl").string() +
+                               " in another case; only disks that ignore case find it\n"
+                               "      # include \"lib/math.hlsl\"\n                 ^";
+  EXPECT_EQ(only_message(compile(request)), expected);
+  request.prepare = true;
+  const CompileResult prepared = compile(request);
+  EXPECT_EQ(only_message(prepared), expected);
+  EXPECT_FALSE(prepared.spirv.empty());
+}
+
+TEST(Include, MissingEditorIncludeIsToldApartFromAMistake) {
+  const ShaderFiles files;
+  files.write("lib.hlsl", "\n#include \"UnityCG.cginc\"\n");
+  files.write("main.hlsl", compute_shader("1", "#include \"lib.hlsl\"\n#include \"Lighting.cginc\"\n"));
+  files.write("wrong.hlsl", compute_shader("1", "#include \"gone.hlsl\"\n#include \"UnityCG.cginc\"\n"));
+  for (const bool prepared : {false, true}) {
+    CompileRequest request = files.request("main.hlsl");
+    request.prepare = prepared;
+    const CompileResult result = compile(request);
+    EXPECT_EQ(result.missing_editor_include, "UnityCG.cginc");
+    EXPECT_THAT(
+        only_message(result),
+        HasSubstr(files.path("lib.hlsl").string() +
+                  ":2:1: error: cannot find 'UnityCG.cginc': it ships with the Unity editor "
+                  "(Editor/Data/CGIncludes) and in no package; --cginc-root DIR names that folder\n"));
+    request.file = files.path("wrong.hlsl");
+    EXPECT_EQ(compile(request).missing_editor_include, "");
+  }
+}
+
+TEST(Include, EditorIncludeInADeadBranchIsNotMissed) {
+  const ShaderFiles files;
+  files.write("main.hlsl", compute_shader("1", "#if 0\n#include \"UnityCG.cginc\"\n#endif\n"));
+  const CompileResult result = compile(files.request("main.hlsl"));
+  EXPECT_TRUE(result.diagnostics.empty());
+  EXPECT_EQ(result.missing_editor_include, "");
+}
+
 }  // namespace
 }  // namespace penumbra::shaders

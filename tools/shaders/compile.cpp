@@ -174,6 +174,8 @@ void expand(const Source& source, PreprocessedSource& out) {
                                                 messages, &out.text, resolver);
   const std::string log = shader.get().getInfoLog();
   out.diagnostics = warnings(log, out.sources);
+  out.diagnostics.insert(out.diagnostics.end(), resolver.warnings().begin(), resolver.warnings().end());
+  out.missing_editor_include = resolver.missing_editor_include();
   if (expanded && !resolver.failure()) {
     std::optional<hlsl::Diagnostic> bad = bad_character(out.text, source.name, out.sources);
     if (!bad) return;
@@ -238,6 +240,7 @@ CompileResult compile(const CompileRequest& request, PreprocessedSource source) 
   CompileResult result;
   result.diagnostics = std::move(source.diagnostics);
   result.dependencies = std::move(source.dependencies);
+  result.missing_editor_include = std::move(source.missing_editor_include);
   if (hlsl::has_errors(result.diagnostics)) return result;
   if (!build({request, request.file.string(), source.text, {}}, source.sources, result)) result.spirv.clear();
   return result;

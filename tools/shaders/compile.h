@@ -11,14 +11,11 @@
 #include "hlsl/diagnostic.h"
 #include "hlsl/source_text.h"
 #include "hlsl/stage.h"
+#include "project/package_root.h"
 
 namespace penumbra::shaders {
 
-// "#include "Packages/<name>/..." resolves under directory.
-struct PackageRoot {
-  std::string name;  // for example com.unity.render-pipelines.core
-  std::filesystem::path directory;
-};
+using project::PackageRoot;
 
 // After the file whose resolved path ends in `suffix` has been included, the text of `file` follows it: how
 // the fetch-counting macros replace a pipeline's own without touching its sources.
@@ -35,6 +32,8 @@ struct CompileRequest {
   std::vector<std::pair<std::string, std::string>> defines;
   std::vector<PackageRoot> package_roots;
   std::vector<std::filesystem::path> include_directories;
+  std::filesystem::path project;     // "#include "Assets/..." resolves under it; empty: no project
+  std::filesystem::path cginc_root;  // the Unity editor's CGIncludes; empty: not at hand
   std::vector<IncludeOverlay> overlays;
   // The stage in which what Unity's compilers accept and glslang does not is said in another way
   // (preparation/prepare.h). The library's own shaders do without.
@@ -48,12 +47,16 @@ struct PreprocessedSource {
   std::vector<hlsl::Diagnostic> diagnostics;
   hlsl::SourceFiles sources;                        // every text that was read, by the name messages call it
   std::vector<std::filesystem::path> dependencies;  // every file that was read
+  // The include that ended the compilation, when it is one that ships with the Unity editor and in no package
+  // (project/editor_includes.h): a report counts these apart from shaders that are wrong.
+  std::string missing_editor_include{};
 };
 
 struct CompileResult {
   std::vector<std::uint32_t> spirv;  // empty when a diagnostic is an error
   std::vector<hlsl::Diagnostic> diagnostics;
   std::vector<std::filesystem::path> dependencies;  // every file that was read
+  std::string missing_editor_include{};             // as in PreprocessedSource
 };
 
 // Neither ever throws for a bad shader; preprocess() throws InputError only when `file` itself cannot be

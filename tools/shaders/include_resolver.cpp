@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
-#include "input/nearest_name.h"
 #include "preparation/source_directives.h"
 
 namespace penumbra::shaders {
@@ -14,77 +12,49 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view packages = "Packages/";
-
-struct Candidates {
-  std::vector<fs::path> files;
-  std::string hint;  // said when none of them is there
+struct Place {
+  int line = 0;
+  int column = 0;
 };
 
-Candidates package_candidates(const CompileRequest& request, const std::string& header) {
-  const std::size_t slash = header.find('/', packages.size());
-  const std::string package = header.substr(packages.size(), slash - packages.size());
-  Candidates candidates;
-  std::vector<std::string> known;
-  for (const PackageRoot& root : request.package_roots) {
-    known.push_back(root.name);
-    if (root.name == package && slash != std::string::npos)
-      candidates.files.push_back((root.directory / header.substr(slash + 1)).lexically_normal());
-  }
-  if (candidates.files.empty()) {
-    const std::string nearest = nearest_name(package, known);
-    candidates.hint = "no package root is given for '" + package + "'" +
-                      (nearest.empty() ? "" : "; did you mean '" + nearest + "'?");
-  }
-  return candidates;
+// Where a line has an #include and the name behind it.
+std::size_t column_of_include(std::string_view line, std::string_view asked) {
+  const std::size_t hash = line.find('#');
+  if (hash == std::string_view::npos) return hash;
+  const std::size_t word = line.find_first_not_of(" \t", hash + 1);
+  if (word == std::string_view::npos || line.substr(word, 7) != "include") return std::string_view::npos;
+  return line.find(asked, word);
 }
 
-// The name of an existing file that is closest to the one asked for, in the folders that were tried.
-std::string nearest_file(const std::vector<fs::path>& tried) {
-  for (const fs::path& file : tried) {
-    std::vector<std::string> names;
-    std::error_code error;
-    for (fs::directory_iterator entry(file.parent_path().empty() ? "." : file.parent_path(), error), end;
-         !error && entry != end; entry.increment(error))
-      names.push_back(entry->path().filename().string());
-    std::sort(names.begin(), names.end());
-    const std::string nearest = nearest_name(file.filename().string(), names);
-    if (!nearest.empty()) return (file.parent_path() / nearest).string();
+// The first line that includes the name; the file's first when a macro hides it.
+Place place_of_include(std::string_view text, std::string_view asked) {
+  int number = 0;
+  for (std::size_t start = 0; start < text.size(); ++number) {
+    const std::size_t end = std::min(text.find('\n', start), text.size());
+    const std::size_t name = column_of_include(text.substr(start, end - start), asked);
+    if (name != std::string_view::npos) return {number + 1, static_cast<int>(name) + 1};
+    start = end + 1;
   }
-  return {};
-}
-
-std::string missing_message(const std::string& header, const Candidates& candidates) {
-  std::string message = "cannot find '" + header + "'";
-  const char* separator = "; tried ";
-  for (const fs::path& file : candidates.files) {
-    message += separator + file.string();
-    separator = ", ";
-  }
-  if (!candidates.hint.empty()) message += "; " + candidates.hint;
-  const std::string nearest = nearest_file(candidates.files);
-  if (!nearest.empty()) message += "; did you mean " + nearest + "?";
-  return message;
+  return {1, 0};
 }
 
 }  // namespace
 
 IncludeResolver::IncludeResolver(const CompileRequest& request, hlsl::SourceFiles& sources)
-    : request_(request), sources_(sources), open_{request.file.string()} {}
+    : request_(request),
+      roots_{request.package_roots, request.include_directories, request.project, request.cginc_root},
+      sources_(sources),
+      open_{request.file.string()} {}
 
 IncludeResolver::IncludeResult* IncludeResolver::includeLocal(const char* header, const char* includer,
                                                               std::size_t /*depth*/) {
-  const std::string asked = header;
-  Candidates candidates;
-  if (asked.compare(0, packages.size(), packages) == 0) candidates = package_candidates(request_, asked);
-  candidates.files.push_back((fs::path(includer).parent_path() / asked).lexically_normal());
-  for (const fs::path& directory : request_.include_directories)
-    candidates.files.push_back((directory / asked).lexically_normal());
-  for (const fs::path& file : candidates.files) {
-    std::error_code ignored;
-    if (fs::exists(fs::symlink_status(file, ignored))) return open(file.string());
+  const project::IncludeSearch search = project::find_include(roots_, header, includer);
+  if (!search.file) {
+    if (!failure_) missing_editor_include_ = search.missing_editor_include;
+    return fail(search.problem);
   }
-  return fail(missing_message(asked, candidates));
+  if (!search.warning.empty()) warn(includer, header, search.warning);
+  return open(search.file->string());
 }
 
 // glslang asks here when includeLocal has failed; <...> is looked for as "..." is.
@@ -124,6 +94,19 @@ std::string IncludeResolver::text_to_read(const std::string& name) {
   preparation::PreparedSource prepared = preparation::prepare_source(sources_.text(name));
   if (prepared.once) read_once_.insert(name);
   return std::move(prepared.text);
+}
+
+// Once for each #include, however often its file is read.
+void IncludeResolver::warn(const std::string& includer, const std::string& asked,
+                           const std::string& problem) {
+  const Place place =
+      sources_.contains(includer) ? place_of_include(sources_.text(includer), asked) : Place{};
+  const bool known = std::any_of(warnings_.begin(), warnings_.end(), [&](const hlsl::Diagnostic& other) {
+    return other.file == includer && other.line == place.line && other.message == problem;
+  });
+  if (known) return;
+  warnings_.push_back({includer, place.line, place.column, hlsl::Severity::warning, problem,
+                       sources_.line(includer, place.line)});
 }
 
 std::string IncludeResolver::with_overlays(const std::string& name, std::string text) const {

@@ -1,6 +1,6 @@
-// Finds what #include names, in Unity's order, for glslang: package roots, then beside the including file,
-// then the include directories. Knows the chain of files that are open, so that a cycle without guards ends
-// in one message that names it. Internal to this room.
+// Finds what #include names, in Unity's order (project/include_search.h), for glslang. Knows the chain of
+// files that are open, so that a cycle without guards ends in one message that names it. Internal to this
+// room.
 #pragma once
 
 #include <glslang/Public/ShaderLang.h>
@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "hlsl/source_text.h"
+#include "project/include_search.h"
 #include "shaders/compile.h"
 
 namespace penumbra::shaders {
@@ -28,18 +29,27 @@ class IncludeResolver final : public glslang::TShader::Includer {
   // Why the first #include that failed did.
   const std::optional<std::string>& failure() const { return failure_; }
 
+  // The editor-only include that the first failure is about; empty when it is about another.
+  const std::string& missing_editor_include() const { return missing_editor_include_; }
+  // Includes that were found, but not by their own spelling.
+  const std::vector<hlsl::Diagnostic>& warnings() const { return warnings_; }
+
  private:
   IncludeResult* open(const std::string& name);
+  void warn(const std::string& includer, const std::string& asked, const std::string& problem);
   IncludeResult* fail(const std::string& problem);
   std::string text_to_read(const std::string& name);
   std::string with_overlays(const std::string& name, std::string text) const;
   std::string chain_to(const std::string& name) const;
 
   const CompileRequest& request_;
+  project::IncludeRoots roots_;
   hlsl::SourceFiles& sources_;
   std::set<std::string> read_once_;  // files that said `#pragma once`
   std::vector<std::string> open_;    // the main file, then every include being read
   std::optional<std::string> failure_;
+  std::string missing_editor_include_;
+  std::vector<hlsl::Diagnostic> warnings_;
 };
 
 // One file per include depth of an honest library; deeper is a cycle.

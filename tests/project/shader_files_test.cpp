@@ -1,0 +1,105 @@
+// Which files of a project are shaders to compile.
+#include "project/shader_files.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "input/input_error_matcher.h"
+#include "project_folder.h"
+
+namespace penumbra::project {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+std::vector<std::string> shown(const ShaderFiles& found) {
+  std::vector<std::string> names;
+  for (const ShaderFile& file : found.files) names.push_back(file.shown);
+  return names;
+}
+
+TEST(ShaderFiles, AreTheShadersOfAssetsAndPackagesInOrder) {
+  const ProjectFolder files;
+  for (const char* name : {"Assets/b.shader", "Assets/A/z.compute", "Assets/a.SHADER", "Assets/lib.hlsl",
+                           "Assets/a.cginc", "Packages/x/Shaders/p.shader", "Packages/x/package.json",
+                           "Packages/loose/q.shader", "Library/PackageCache/y/r.shader", "Other/s.shader"})
+    files.write(name, "");
+  const ShaderFiles found = find_shader_files(files.path(), {});
+  EXPECT_THAT(shown(found), ElementsAre("Assets/A/z.compute", "Assets/a.SHADER", "Assets/b.shader",
+                                        "Packages/x/Shaders/p.shader"));
+  EXPECT_EQ(found.files.front().path, files.path("Assets/A/z.compute"));
+  EXPECT_THAT(found.problems, IsEmpty());
+}
+
+TEST(ShaderFiles, WhatUnityPassesOverIsPassedOver) {
+  const ProjectFolder files;
+  for (const char* name :
+       {"Assets/Samples~/a.shader", "Assets/.git/a.shader", "Assets/.a.shader", "Assets/CVS/a.shader",
+        "Assets/x.tmp/a.shader", "Assets/a.shader~", "Assets/Tilde~x/a.shader",
+        "Packages/x/Samples~/a.shader", "Packages/x/package.json"})
+    files.write(name, "");
+  fs::create_directories(files.path("Assets/folder.shader"));
+  EXPECT_THAT(shown(find_shader_files(files.path(), {})), ElementsAre("Assets/Tilde~x/a.shader"));
+}
+
+TEST(ShaderFiles, LinksAreFollowedAndCyclesEnd) {
+  const ProjectFolder files;
+  files.write("Assets/A/a.shader", "");
+  files.write("Outside/b.shader", "");
+  fs::create_directory_symlink(files.path("Assets"), files.path("Assets/A/again"));
+  fs::create_directory_symlink(files.path("Assets/A"), files.path("Assets/0"));
+  fs::create_directory_symlink(files.path("Outside"), files.path("Assets/linked"));
+  fs::create_symlink(files.path("nowhere"), files.path("Assets/dangling.shader"));
+  EXPECT_THAT(shown(find_shader_files(files.path(), {})),
+              ElementsAre("Assets/A/a.shader", "Assets/linked/b.shader"));
+}
+
+TEST(ShaderFiles, PatternsChooseAndDrop) {
+  const ProjectFolder files;
+  for (const char* name : {"Assets/Water/a.shader", "Assets/Water/Old/b.shader", "Assets/Fire/c.shader"})
+    files.write(name, "");
+  ShaderSelection selection;
+  selection.include = {"Assets/Water/**"};
+  EXPECT_THAT(shown(find_shader_files(files.path(), selection)),
+              ElementsAre("Assets/Water/Old/b.shader", "Assets/Water/a.shader"));
+  selection.exclude = {"**/Old/**"};
+  EXPECT_THAT(shown(find_shader_files(files.path(), selection)), ElementsAre("Assets/Water/a.shader"));
+  selection.include = {"Assets/Wtaer/**", "c.shader"};
+  const ShaderFiles found = find_shader_files(files.path(), selection);
+  EXPECT_THAT(shown(found), ElementsAre("Assets/Fire/c.shader"));
+  EXPECT_THAT(formatted(found.problems),
+              ElementsAre("warning: --include 'Assets/Wtaer/**' matches no shader file"));
+}
+
+TEST(ShaderFiles, NamedPlacesStandForThemselves) {
+  const ProjectFolder files;
+  for (const char* name :
+       {"Assets/a.shader", "Assets/Samples~/b.shader", "Assets/Samples~/lib.hlsl", "x/c.compute"})
+    files.write(name, "");
+  ShaderSelection selection;
+  selection.places = {files.path("Assets/Samples~"), files.path("Assets/Samples~/lib.hlsl"), files.path("x"),
+                      files.path("Assets/Samples~/b.shader")};
+  EXPECT_THAT(shown(find_shader_files(files.path(), selection)),
+              ElementsAre("Assets/Samples~/b.shader", "Assets/Samples~/lib.hlsl", "x/c.compute"));
+  EXPECT_THAT(shown(find_shader_files({}, selection)),
+              ElementsAre(files.text("Assets/Samples~/b.shader"), files.text("Assets/Samples~/lib.hlsl"),
+                          files.text("x/c.compute")));
+}
+
+TEST(ShaderFiles, PlaceThatIsNoneIsBadInput) {
+  const ProjectFolder files;
+  files.write("readme.txt", "");
+  ShaderSelection selection;
+  selection.places = {files.path("gone")};
+  expect_input_error([&] { find_shader_files(files.path(), selection); },
+                     files.text("gone") + ": no such file or folder");
+  selection.places = {files.path("readme.txt")};
+  expect_input_error([&] { find_shader_files(files.path(), selection); },
+                     files.text("readme.txt") +
+                         ": is no shader file\n  give a folder, or a .shader, .compute or .hlsl file");
+}
+
+}  // namespace
+}  // namespace penumbra::project

@@ -1,0 +1,18 @@
+// Names compared as a disk of Windows or macOS compares them, ASCII letters only. Internal to this room.
+#pragma once
+
+#include <algorithm>
+#include <string_view>
+
+namespace penumbra::project {
+
+inline char lower(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+inline bool equal_ignoring_case(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](char x, char y) { return lower(x) == lower(y); });
+}
+
+}  // namespace penumbra::project

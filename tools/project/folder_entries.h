@@ -1,0 +1,12 @@
+// What a folder holds, sorted by name, so that nothing depends on the order of a disk. Internal to this room.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+namespace penumbra::project {
+
+// The folders in a folder, links to folders included. Throws InputError when it cannot be listed.
+std::vector<std::filesystem::path> folders_in(const std::filesystem::path& folder);
+
+}  // namespace penumbra::project

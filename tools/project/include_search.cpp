@@ -1,0 +1,171 @@
+#include "project/include_search.h"
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+#include "input/nearest_name.h"
+#include "project/ascii_case.h"
+#include "project/caseless_file.h"
+#include "project/editor_includes.h"
+
+namespace penumbra::project {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view packages = "Packages/";
+constexpr std::string_view assets = "Assets/";
+
+// A place where the file may be: `rest` below a folder whose own spelling is not in question.
+struct Place {
+  fs::path base;
+  fs::path rest;
+  fs::path file() const { return (base / rest).lexically_normal(); }
+};
+
+struct Places {
+  std::vector<Place> tried;
+  std::vector<Place> other_case;  // a package or folder that differs in case from what is asked
+  std::string hint;               // said when the file is nowhere
+};
+
+bool starts_with_ignoring_case(std::string_view text, std::string_view start) {
+  return text.size() >= start.size() && equal_ignoring_case(text.substr(0, start.size()), start);
+}
+
+// Slashes for backslashes, without doubled slashes, "./", and "../" where a folder stands before it.
+std::string normalised(std::string_view asked) {
+  std::string text(asked);
+  std::replace(text.begin(), text.end(), '\\', '/');
+  return fs::path(text).lexically_normal().generic_string();
+}
+
+void add_package_places(const IncludeRoots& roots, const std::string& header, Places& places) {
+  const std::size_t slash = header.find('/', packages.size());
+  const std::string with_version = header.substr(packages.size(), slash - packages.size());
+  const std::string package = with_version.substr(0, with_version.find('@', 1));
+  const bool exact = header.compare(0, packages.size(), packages) == 0;
+  std::vector<std::string> known;
+  bool found = false;
+  for (const PackageRoot& root : roots.packages) {
+    known.push_back(root.name);
+    if (slash == std::string::npos || !equal_ignoring_case(root.name, package)) continue;
+    found = true;
+    const Place place{root.directory, header.substr(slash + 1)};
+    (exact && root.name == package ? places.tried : places.other_case).push_back(place);
+  }
+  if (found) return;
+  const std::string nearest = nearest_name(package, known);
+  places.hint = "no package root is given for '" + package + "'" +
+                (nearest.empty() ? "" : "; did you mean '" + nearest + "'?");
+}
+
+void add_asset_places(const IncludeRoots& roots, const std::string& header, Places& places) {
+  if (roots.project.empty()) {
+    places.hint = "--project DIR names the folder that holds Assets/";
+    return;
+  }
+  places.tried.push_back({roots.project, header});
+}
+
+Places places_of(const IncludeRoots& roots, const std::string& header, const fs::path& includer) {
+  Places places;
+  if (starts_with_ignoring_case(header, packages)) add_package_places(roots, header, places);
+  if (starts_with_ignoring_case(header, assets)) add_asset_places(roots, header, places);
+  places.tried.push_back({includer.parent_path(), header});
+  for (const fs::path& directory : roots.directories) places.tried.push_back({directory, header});
+  return places;
+}
+
+bool is_there(const fs::path& file) {
+  std::error_code ignored;
+  return fs::exists(fs::symlink_status(file, ignored));
+}
+
+std::string ambiguous_message(std::string_view asked, const std::vector<fs::path>& files) {
+  std::string list;
+  for (const fs::path& file : files) list += (list.empty() ? "" : ", ") + file.string();
+  return "cannot find '" + std::string(asked) + "'; more than one file differs from it only in case: " + list;
+}
+
+// Files that differ from what is asked only in case, at the first place that has one.
+bool find_other_case(const Places& places, std::string_view asked, IncludeSearch& search) {
+  std::vector<Place> all = places.other_case;
+  all.insert(all.end(), places.tried.begin(), places.tried.end());
+  for (const Place& place : all) {
+    const std::vector<fs::path> files = files_ignoring_case(place.base, place.rest);
+    if (files.empty()) continue;
+    if (files.size() > 1) {
+      search.problem = ambiguous_message(asked, files);
+      return true;
+    }
+    search.file = files.front().lexically_normal();
+    search.warning = "'" + std::string(asked) + "' names " + search.file->string() +
+                     " in another case; only disks that ignore case find it";
+    return true;
+  }
+  return false;
+}
+
+// The name of an existing file that is closest to the one asked for, in the folders that were tried.
+std::string nearest_file(const std::vector<Place>& tried) {
+  for (const Place& place : tried) {
+    const fs::path file = place.file();
+    std::vector<std::string> names;
+    std::error_code error;
+    for (fs::directory_iterator entry(file.parent_path().empty() ? "." : file.parent_path(), error), end;
+         !error && entry != end; entry.increment(error))
+      names.push_back(entry->path().filename().string());
+    std::sort(names.begin(), names.end());
+    const std::string nearest = nearest_name(file.filename().string(), names);
+    if (!nearest.empty()) return (file.parent_path() / nearest).string();
+  }
+  return {};
+}
+
+std::string missing_message(std::string_view asked, const Places& places) {
+  std::string message = "cannot find '" + std::string(asked) + "'";
+  std::vector<Place> tried = places.other_case;
+  tried.insert(tried.end(), places.tried.begin(), places.tried.end());
+  const char* separator = "; tried ";
+  for (const Place& place : tried) {
+    message += separator + place.file().string();
+    separator = ", ";
+  }
+  if (!places.hint.empty()) message += "; " + places.hint;
+  const std::string nearest = nearest_file(tried);
+  if (!nearest.empty()) message += "; did you mean " + nearest + "?";
+  return message;
+}
+
+std::string missing_editor_message(std::string_view name, const fs::path& cginc) {
+  const std::string start = "cannot find '" + std::string(name) + "'";
+  const std::string ships = "it ships with the Unity editor (Editor/Data/CGIncludes) and in no package";
+  if (cginc.empty()) return start + ": " + ships + "; --cginc-root DIR names that folder";
+  return start + " in " + cginc.string() + ", which --cginc-root names: " + ships +
+         "; is this the folder of an editor that has it?";
+}
+
+}  // namespace
+
+IncludeSearch find_include(const IncludeRoots& roots, std::string_view asked, const fs::path& includer) {
+  const std::string header = normalised(asked);
+  Places places = places_of(roots, header, includer);
+  const std::string_view editor_name = editor_include(header);
+  if (!roots.cginc.empty()) places.tried.push_back({roots.cginc, header});
+  IncludeSearch search;
+  for (const Place& place : places.tried) {
+    if (!is_there(place.file())) continue;
+    search.file = place.file();
+    return search;
+  }
+  if (find_other_case(places, asked, search)) return search;
+  search.missing_editor_include = editor_name;
+  search.problem =
+      editor_name.empty() ? missing_message(asked, places) : missing_editor_message(editor_name, roots.cginc);
+  return search;
+}
+
+}  // namespace penumbra::project

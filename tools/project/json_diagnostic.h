@@ -1,0 +1,24 @@
+// Messages about JSON files as Diagnostics, so that one report holds them beside those about shaders.
+// Internal to this room.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "hlsl/diagnostic.h"
+#include "input/input_error.h"
+
+namespace penumbra::project {
+
+// where: "file", "file:line" or "file:line:column", as LocatedJson and JsonObject give it.
+hlsl::Diagnostic diagnostic_at(const std::string& where, hlsl::Severity severity, std::string message);
+
+// A whole file or folder, without a line.
+hlsl::Diagnostic diagnostic_of(const std::filesystem::path& file, hlsl::Severity severity,
+                               std::string message);
+
+// An InputError about `file`: its place, and its way out behind the problem.
+hlsl::Diagnostic diagnostic_from(const InputError& error, const std::filesystem::path& file,
+                                 hlsl::Severity severity);
+
+}  // namespace penumbra::project

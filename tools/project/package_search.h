@@ -1,0 +1,27 @@
+// From what a project asks for and what its folders hold to one root for each package. Internal to this room.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "hlsl/diagnostic.h"
+#include "project/package_cache.h"
+#include "project/package_root.h"
+#include "project/project_manifest.h"
+
+namespace penumbra::project {
+
+struct PackageSources {
+  std::map<std::string, PackageRoot> by_hand;
+  std::map<std::string, PackageRoot> embedded;
+  ProjectManifest manifest;
+  PackageCache cache;
+};
+
+// By name. A package of manifest.json that is nowhere is a warning at its line there; when the whole cache is
+// missing, one warning for all.
+std::vector<PackageRoot> find_packages(const PackageSources& sources,
+                                       std::vector<hlsl::Diagnostic>& problems);
+
+}  // namespace penumbra::project

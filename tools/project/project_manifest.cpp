@@ -1,0 +1,43 @@
+#include "project/project_manifest.h"
+
+#include <system_error>
+
+#include "input/located_json.h"
+
+namespace penumbra::project {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool is_there(const fs::path& file) {
+  std::error_code ignored;
+  return fs::exists(fs::symlink_status(file, ignored));
+}
+
+}  // namespace
+
+ProjectManifest read_project_manifest(const fs::path& packages) {
+  ProjectManifest manifest;
+  manifest.file = packages / "manifest.json";
+  if (is_there(manifest.file)) {
+    manifest.found = true;
+    const LocatedJson document = LocatedJson::read(manifest.file);
+    JsonObject dependencies = JsonObject(document).object("dependencies");
+    for (const std::string& name : dependencies.keys())
+      manifest.requested[name] = {dependencies.text(name, ""), dependencies.where(name)};
+  }
+  const fs::path lock = packages / "packages-lock.json";
+  if (is_there(lock)) {
+    manifest.found = true;
+    const LocatedJson document = LocatedJson::read(lock);
+    JsonObject dependencies = JsonObject(document).object("dependencies");
+    for (const std::string& name : dependencies.keys()) {
+      JsonObject package = dependencies.object(name);
+      manifest.locked[name] = {package.text("version", ""), package.text("hash", "")};
+    }
+  }
+  return manifest;
+}
+
+}  // namespace penumbra::project

@@ -1,0 +1,160 @@
+#include "project/shader_files.h"
+
+#include <algorithm>
+#include <set>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "input/input_error.h"
+#include "project/ascii_case.h"
+#include "project/json_diagnostic.h"
+#include "project/package_manifest.h"
+#include "project/path_pattern.h"
+
+namespace penumbra::project {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool has_extension(const fs::path& file, std::string_view extension) {
+  return equal_ignoring_case(file.extension().string(), extension);
+}
+
+bool is_imported_shader(const fs::path& file) {
+  return has_extension(file, ".shader") || has_extension(file, ".compute");
+}
+
+bool is_hidden(const fs::path& path) {
+  const std::string name = path.filename().string();
+  return name.empty() || name.front() == '.' || name.back() == '~' || equal_ignoring_case(name, "cvs") ||
+         has_extension(path, ".tmp");
+}
+
+// Folders first as they are, links to folders after all of them, so that what a link shows twice keeps its
+// own path.
+class ShaderWalk {
+ public:
+  // `packages`: the project's Packages/, where only a folder with a package.json counts.
+  ShaderWalk(const fs::path& packages, std::vector<hlsl::Diagnostic>& problems) : problems_(problems) {
+    std::error_code ignored;
+    packages_ = fs::canonical(packages, ignored);
+  }
+
+  void add(const fs::path& folder) { folders_.push_back(folder); }
+
+  std::vector<fs::path> run() {
+    while (!folders_.empty() || !links_.empty()) {
+      std::vector<fs::path>& next = folders_.empty() ? links_ : folders_;
+      const fs::path folder = std::move(next.back());
+      next.pop_back();
+      enter(folder);
+    }
+    return std::move(files_);
+  }
+
+ private:
+  void enter(const fs::path& folder) {
+    std::error_code error;
+    const fs::path real = fs::canonical(folder, error);
+    if (error || !entered_.insert(real).second) return;
+    const bool packages = real == packages_;
+    fs::directory_iterator entry(folder, error);
+    for (const fs::directory_iterator end; !error && entry != end; entry.increment(error)) {
+      if (is_hidden(entry->path())) continue;
+      std::error_code ignored;
+      if (!entry->is_directory(ignored)) {
+        if (is_imported_shader(entry->path()) && entry->is_regular_file(ignored))
+          files_.push_back(entry->path());
+      } else if (!packages || has_package_manifest(entry->path())) {
+        (entry->is_symlink(ignored) ? links_ : folders_).push_back(entry->path());
+      }
+    }
+    if (error)
+      problems_.push_back(
+          diagnostic_of(folder, hlsl::Severity::warning, "cannot be listed: " + error.message()));
+  }
+
+  std::vector<hlsl::Diagnostic>& problems_;
+  fs::path packages_;
+  std::vector<fs::path> folders_;
+  std::vector<fs::path> links_;
+  std::set<fs::path> entered_;
+  std::vector<fs::path> files_;
+};
+
+std::string shown_name(const fs::path& file, const fs::path& project) {
+  const fs::path relative = project.empty() ? fs::path() : file.lexically_relative(project);
+  const bool below = !relative.empty() && *relative.begin() != "..";
+  return (below ? relative : file).lexically_normal().generic_string();
+}
+
+// Takes what is a file out of the places; the rest are folders to walk.
+void add_place(const fs::path& place, ShaderWalk& walk, std::vector<fs::path>& named) {
+  std::error_code ignored;
+  if (fs::is_directory(place, ignored)) return walk.add(place);
+  if (!fs::exists(place, ignored)) throw InputError(place.string(), "no such file or folder");
+  if (!is_imported_shader(place) && !has_extension(place, ".hlsl"))
+    throw InputError(place.string(), "is no shader file",
+                     "give a folder, or a .shader, .compute or .hlsl file");
+  named.push_back(place);
+}
+
+class Filter {
+ public:
+  explicit Filter(const ShaderSelection& selection)
+      : selection_(selection), used_(selection.include.size(), false) {}
+
+  bool lets_pass(const std::string& shown) {
+    bool included = selection_.include.empty();
+    for (std::size_t i = 0; i < selection_.include.size(); ++i)
+      if (path_matches(selection_.include[i], shown)) included = used_[i] = true;
+    return included && std::none_of(selection_.exclude.begin(), selection_.exclude.end(),
+                                    [&](const std::string& pattern) { return path_matches(pattern, shown); });
+  }
+
+  void report_unused(std::vector<hlsl::Diagnostic>& problems) const {
+    for (std::size_t i = 0; i < selection_.include.size(); ++i)
+      if (!used_[i])
+        problems.push_back({{},
+                            0,
+                            0,
+                            hlsl::Severity::warning,
+                            "--include '" + selection_.include[i] + "' matches no shader file",
+                            {}});
+  }
+
+ private:
+  const ShaderSelection& selection_;
+  std::vector<bool> used_;
+};
+
+}  // namespace
+
+ShaderFiles find_shader_files(const fs::path& project, const ShaderSelection& selection) {
+  ShaderFiles result;
+  ShaderWalk walk(project / "Packages", result.problems);
+  std::vector<fs::path> named;
+  for (const fs::path& place : selection.places) add_place(place, walk, named);
+  if (selection.places.empty()) {
+    for (const char* folder : {"Assets", "Packages"}) {
+      std::error_code ignored;
+      if (fs::is_directory(project / folder, ignored)) walk.add(project / folder);
+    }
+  }
+  Filter filter(selection);
+  for (const fs::path& file : named) result.files.push_back({file, shown_name(file, project)});
+  for (const fs::path& file : walk.run()) {
+    std::string shown = shown_name(file, project);
+    if (filter.lets_pass(shown)) result.files.push_back({file, std::move(shown)});
+  }
+  filter.report_unused(result.problems);
+  std::sort(result.files.begin(), result.files.end(),
+            [](const ShaderFile& a, const ShaderFile& b) { return a.shown < b.shown; });
+  const auto same = [](const ShaderFile& a, const ShaderFile& b) { return a.shown == b.shown; };
+  result.files.erase(std::unique(result.files.begin(), result.files.end(), same), result.files.end());
+  return result;
+}
+
+}  // namespace penumbra::project

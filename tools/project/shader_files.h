@@ -1,0 +1,42 @@
+// The shader files of a Unity project or of given folders: every .shader and .compute that Unity would
+// import.
+//
+// Unity passes over files and folders whose name begins with '.', ends with '~', is "cvs", or ends in ".tmp"
+// (Unity manual, "Reserved folder name reference", hidden assets), and over folders of Packages/ without a
+// package.json. Every folder is entered once, however links lead to it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "hlsl/diagnostic.h"
+
+namespace penumbra::project {
+
+struct ShaderSelection {
+  // Folders and files to look at; empty: Assets/ and Packages/ of the project. An .hlsl file is found only
+  // when it is named here itself.
+  std::vector<std::filesystem::path> places;
+  // Patterns (path_pattern.h) on ShaderFile::shown; without `include` every file counts. They do not apply to
+  // files named in `places`.
+  std::vector<std::string> include;
+  std::vector<std::string> exclude;
+};
+
+struct ShaderFile {
+  std::filesystem::path path;
+  std::string shown;  // relative to the project where it is below it, with '/'
+};
+
+struct ShaderFiles {
+  std::vector<ShaderFile> files;  // by `shown`
+  std::vector<hlsl::Diagnostic>
+      problems;  // warnings: a folder that cannot be listed, a pattern without a match
+};
+
+// `project` may be empty when `places` are given. Throws InputError for a place that is missing or is a file
+// of another kind.
+ShaderFiles find_shader_files(const std::filesystem::path& project, const ShaderSelection& selection);
+
+}  // namespace penumbra::project

@@ -1,0 +1,37 @@
+// A Unity project folder, read without Unity: where its packages lie and which editor it is for.
+//
+// A package is looked for where Unity's Package Manager looks, in its order (Unity manual, "Embedded
+// dependencies", "Local folder or tarball paths", "Git dependencies", "Lock files"):
+//   1. roots given by hand;
+//   2. a folder of Packages/ that holds a package.json; the name in there counts, not the folder's;
+//   3. "file:PATH" in Packages/manifest.json, relative to Packages/;
+//   4. Library/PackageCache: of several versions the one that packages-lock.json names, then manifest.json,
+//   else
+//      the highest, with a note.
+// The packages are those that manifest and lock ask for and what these depend on; without either file all
+// that the cache holds. Engine modules (com.unity.modules.*) are built into the editor and have no files.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "hlsl/diagnostic.h"
+#include "project/editor_version.h"
+#include "project/package_root.h"
+
+namespace penumbra::project {
+
+struct UnityProject {
+  std::filesystem::path directory;
+  std::optional<EditorVersion> editor;     // ProjectSettings/ProjectVersion.txt
+  std::vector<PackageRoot> packages;       // one for each name, by name
+  std::vector<hlsl::Diagnostic> problems;  // what was not as it should be, and choices made: notes to errors
+};
+
+// Throws InputError when the folder is missing or no Unity project (it holds neither Assets/ nor Packages/),
+// when Packages/ or Library/PackageCache/ cannot be listed, and when manifest.json or packages-lock.json is
+// broken.
+UnityProject read_project(const std::filesystem::path& directory, const std::vector<PackageRoot>& given = {});
+
+}  // namespace penumbra::project
