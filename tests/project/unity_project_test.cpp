@@ -71,9 +71,9 @@ TEST(UnityProject, RootGivenByHandComesBeforeAll) {
   files.package(cached("com.x.deep@1.0.0"), "com.x.deep", "1.0.0");
   const UnityProject project =
       read_project(files.path(), {{"com.x.core", files.path("mine")}, {"com.x.gone", files.path()}});
-  EXPECT_THAT(
-      roots(project, files),
-      ElementsAre("com.x.core  mine", "com.x.deep 1.0.0 " + cached("com.x.deep@1.0.0"), "com.x.gone  ."));
+  EXPECT_THAT(roots(project, files),
+              ElementsAre("com.x.core 9.0.0 mine", "com.x.deep 1.0.0 " + cached("com.x.deep@1.0.0"),
+                          "com.x.gone  ."));
   EXPECT_THAT(warnings_of(project.problems), IsEmpty());
 }
 
@@ -149,6 +149,7 @@ TEST(UnityProject, DependencyThatIsNowhereNamesItsLineAndTheWayOut) {
   const ProjectFolder files;
   files.manifest({R"("com.x.core": "1.0.0")", R"("com.x.gone": "2.0.0")", R"("com.x.here": "file:../here")"});
   files.package(cached("com.x.core@1.0.0"), "com.x.core", "1.0.0");
+  files.package(cached("com.x.here@1.0.0"), "com.x.here", "1.0.0");  // is not what "file:" asks for
   EXPECT_THAT(
       warnings_of(read_project(files.path()).problems),
       ElementsAre(

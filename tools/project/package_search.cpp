@@ -69,17 +69,18 @@ class PackageSearch {
 
   void visit(const std::string& name) {
     std::optional<PackageRoot> root = find(name);
-    if (root) want_dependencies(*root);
+    if (root) read_manifest(*root);
     const bool missing = !root && !starts_with(name, engine_module);
     if (missing && sources_.manifest.requested.count(name) != 0) missing_.push_back(name);
     found_[name] = std::move(root);
   }
 
-  void want_dependencies(const PackageRoot& root) {
+  void read_manifest(PackageRoot& root) {
     if (!has_package_manifest(root.directory)) return;
     try {
-      for (const PackageDependency& dependency : read_package_manifest(root.directory).dependencies)
-        want(dependency.name);
+      const PackageManifest manifest = read_package_manifest(root.directory);
+      if (root.version.empty()) root.version = manifest.version;
+      for (const PackageDependency& dependency : manifest.dependencies) want(dependency.name);
     } catch (const InputError&) {
       // said where the folder was found; a root given by hand is read again by version_problems()
     }
@@ -89,29 +90,27 @@ class PackageSearch {
     if (const auto given = sources_.by_hand.find(name); given != sources_.by_hand.end()) return given->second;
     if (const auto folder = sources_.embedded.find(name); folder != sources_.embedded.end())
       return folder->second;
-    if (std::optional<PackageRoot> local = find_local(name)) return local;
-    return find_cached(name);
-  }
-
-  std::optional<PackageRoot> find_local(const std::string& name) {
     const auto requested = sources_.manifest.requested.find(name);
-    if (requested == sources_.manifest.requested.end()) return std::nullopt;
+    if (requested == sources_.manifest.requested.end()) return find_cached(name);
     const auto& [version, where] = requested->second;
     const std::optional<fs::path> folder = local_folder(version, sources_.manifest.file.parent_path());
+    return folder ? find_local(name, *folder, where) : find_cached(name);
+  }
+
+  std::optional<PackageRoot> find_local(const std::string& name, const fs::path& folder,
+                                        const std::string& where) {
     std::error_code ignored;
-    if (!folder || !fs::is_directory(*folder, ignored)) return std::nullopt;
-    PackageRoot root{name, *folder, {}, PackageOrigin::local};
+    if (!fs::is_directory(folder, ignored)) return std::nullopt;
     try {
-      const PackageManifest manifest = read_package_manifest(*folder);
-      root.version = manifest.version;
+      const PackageManifest manifest = read_package_manifest(folder);
       if (!manifest.name.empty() && manifest.name != name)
         say(where, hlsl::Severity::warning,
-            "'" + name + "' is asked for, but " + folder->string() + " holds the package '" + manifest.name +
+            "'" + name + "' is asked for, but " + folder.string() + " holds the package '" + manifest.name +
                 "'; correct the name or the path");
     } catch (const InputError& error) {
-      problems_.push_back(diagnostic_from(error, *folder / "package.json", hlsl::Severity::warning));
+      problems_.push_back(diagnostic_from(error, folder / "package.json", hlsl::Severity::warning));
     }
-    return root;
+    return PackageRoot{name, folder, {}, PackageOrigin::local};
   }
 
   std::optional<PackageRoot> find_cached(const std::string& name) {
@@ -140,16 +139,17 @@ class PackageSearch {
       report_missing_cache();
       return;
     }
-    for (const std::string& name : missing_) {
-      const RequestedPackage& request = sources_.manifest.requested.at(name);
-      const std::optional<fs::path> folder =
-          local_folder(request.version, sources_.manifest.file.parent_path());
-      say(request.where, hlsl::Severity::warning,
-          "'" + name + "' (" + request.version + ") is nowhere: " +
-              (folder ? "there is no folder " + folder->string()
-                      : std::string("it is neither embedded in Packages/ nor in Library/PackageCache")) +
-              "; open the project once in the Unity editor, or give --package-root " + name + "=DIR");
-    }
+    for (const std::string& name : missing_) report_missing(name, sources_.manifest.requested.at(name));
+  }
+
+  void report_missing(const std::string& name, const RequestedPackage& request) {
+    const std::optional<fs::path> folder =
+        local_folder(request.version, sources_.manifest.file.parent_path());
+    const std::string tried = folder ? "there is no folder " + folder->string()
+                                     : "it is neither embedded in Packages/ nor in Library/PackageCache";
+    say(request.where, hlsl::Severity::warning,
+        "'" + name + "' (" + request.version + ") is nowhere: " + tried +
+            "; open the project once in the Unity editor, or give --package-root " + name + "=DIR");
   }
 
   void report_missing_cache() {
