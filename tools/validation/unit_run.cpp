@@ -79,6 +79,7 @@ std::optional<platform::WorkerMessage> UnitRun::next() {
 }
 
 std::string UnitRun::answer_question(std::size_t place, const std::string& question) {
+  if (!options_.share) return std::string(answer_mine);
   auto& owners = question.front() == question_text ? texts_ : modules_;
   const bool mine = owners.emplace(question.substr(1), place).first->second == place;
   return std::string(mine ? answer_mine : answer_known);
