@@ -20,7 +20,7 @@ ValidationRequest library_request() {
   ValidationRequest request;
   request.techniques = shaders::read_technique_list(std::filesystem::path(PENUMBRA_SOURCE_DIR) /
                                                     "ShaderLibrary" / "techniques.json");
-  request.jobs = 2;
+  request.engine.jobs = 2;
   return request;
 }
 
@@ -70,7 +70,7 @@ TEST(Validate, KeywordsDecideAndOrderIsThatOfTheRequest) {
   request.files[0].keyword_sets = {{}, {"BROKEN"}};
   request.targets = {"spirv", "msl23"};
   for (const unsigned jobs : {1U, 4U}) {
-    request.jobs = jobs;
+    request.engine.jobs = jobs;
     const ValidationReport report = validate(request);
     std::vector<VariantStatus> statuses;
     for (const VariantRecord& record : report.records) statuses.push_back(record.status);
@@ -168,9 +168,9 @@ TEST(Validate, ProgressReachesTheTotal) {
   ValidationRequest request = file_request(files);
   request.files[0].keyword_sets = {{}, {"A"}, {"B"}};
   request.targets = {"spirv"};
-  request.jobs = 2;
+  request.engine.jobs = 2;
   std::vector<std::size_t> seen;
-  request.progress = [&seen](std::size_t done, std::size_t total) {
+  request.engine.progress = [&seen](std::size_t done, std::size_t total) {
     EXPECT_EQ(total, 3U);
     seen.push_back(done);
   };

@@ -3,10 +3,12 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string_view>
 
 #include "cli/subcommand.h"
 #include "input/input_error.h"
 #include "platform/interrupt.h"
+#include "validation/engine.h"
 
 namespace {
 
@@ -47,6 +49,8 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
+    if (argc == 2 && std::string_view(argv[1]) == penumbra::validation::worker_mode)
+      return penumbra::validation::serve_units();
     return run(argc, argv);
   } catch (const penumbra::platform::Interrupted&) {
     return report("", "interrupted; finished work is kept and the same command goes on from there",

@@ -29,6 +29,8 @@ struct ValidateOptions {
   std::string report = "text";
   std::string output;
   std::string emit_parameters;
+  std::string cache;
+  bool no_cache = false;
   unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
 };
 
@@ -74,7 +76,11 @@ void add_files(const ValidateOptions& options, validation::ValidationRequest& re
 validation::ValidationRequest make_request(const ValidateOptions& options) {
   validation::ValidationRequest request;
   request.targets = checked_targets(options.targets);
-  request.jobs = options.jobs;
+  request.engine.jobs = options.jobs;
+  request.engine.worker_arguments = {validation::worker_mode};
+  if (!options.no_cache) {
+    request.engine.cache = options.cache.empty() ? validation::default_cache() : fs::path(options.cache);
+  }
   add_files(options, request);
   for (const std::string& define : options.defines) {
     const std::size_t equals = std::min(define.find('='), define.size());
@@ -105,7 +111,7 @@ void run_validate(const ValidateOptions& options, Context& context) {
   validation::ValidationReport report;
   {
     Progress progress(context, "validate");
-    request.progress = [&](std::size_t done, std::size_t total) {
+    request.engine.progress = [&](std::size_t done, std::size_t total) {
       progress.update(static_cast<double>(done), static_cast<double>(total), "shaders");
     };
     report = validation::validate(request);
@@ -146,7 +152,11 @@ void add_validate(CLI::App& app, Context& context) {
       ->check(CLI::IsMember({"text", "json"}))
       ->capture_default_str();
   command->add_option("-o,--output", options->output, "File to write; standard output without");
-  command->add_option("--jobs", options->jobs, "Threads")->check(CLI::Range(1U, 256U))->capture_default_str();
+  command->add_option("--jobs", options->jobs, "Worker processes")
+      ->check(CLI::Range(1U, 256U))
+      ->capture_default_str();
+  command->add_option("--cache", options->cache, "Folder that keeps answers between runs");
+  command->add_flag("--no-cache", options->no_cache, "Keep nothing, and use nothing that was kept");
   command->add_option("--emit-parameters", options->emit_parameters,
                       "Write the techniques' parameter structs as HLSL to this file (- for standard output), "
                       "and validate nothing");

@@ -1,5 +1,6 @@
 #include "hlsl/source_text.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -13,12 +14,11 @@ std::string normalise_source(std::string_view bytes) {
   if (bytes.substr(0, 3) == "\xEF\xBB\xBF") bytes.remove_prefix(3);
   std::string text;
   text.reserve(bytes.size());
-  for (std::size_t i = 0; i < bytes.size(); ++i) {
-    if (bytes[i] != '\r') {
-      text += bytes[i];
-    } else if (i + 1 == bytes.size() || bytes[i + 1] != '\n') {
-      text += '\n';
-    }
+  for (std::size_t at = 0; at < bytes.size();) {
+    const std::size_t end = std::min(bytes.find('\r', at), bytes.size());
+    text.append(bytes.substr(at, end - at));
+    if (end < bytes.size() && (end + 1 == bytes.size() || bytes[end + 1] != '\n')) text += '\n';
+    at = end + 1;
   }
   return text;
 }

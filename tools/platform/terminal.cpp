@@ -32,16 +32,20 @@ bool colour_wanted() {
   return stderr_is_terminal() && environment("NO_COLOR").empty();
 }
 
-std::filesystem::path program_directory() {
+std::filesystem::path program_path() {
 #ifdef _WIN32
   wchar_t buffer[MAX_PATH];
   const DWORD length = GetModuleFileNameW(nullptr, buffer, MAX_PATH);
-  return std::filesystem::path(std::wstring(buffer, length)).parent_path();
+  return std::wstring(buffer, length);
 #else
   std::error_code error;
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
-  return error ? std::filesystem::current_path() : program.parent_path();
+  return std::filesystem::read_symlink("/proc/self/exe", error);
 #endif
+}
+
+std::filesystem::path program_directory() {
+  const std::filesystem::path program = program_path();
+  return program.empty() ? std::filesystem::current_path() : program.parent_path();
 }
 
 std::filesystem::path cache_directory() {

@@ -7,7 +7,8 @@ namespace penumbra::platform {
 
 bool stderr_is_terminal();
 bool colour_wanted();                       // a terminal, and NO_COLOR unset or empty
-std::filesystem::path program_directory();  // folder of the running executable
+std::filesystem::path program_path();       // the running executable
+std::filesystem::path program_directory();  // its folder
 std::filesystem::path cache_directory();    // $PENUMBRA_CACHE, else $XDG_CACHE_HOME or ~/.cache, /penumbra
 
 }  // namespace penumbra::platform

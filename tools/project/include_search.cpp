@@ -157,9 +157,11 @@ IncludeSearch find_include(const IncludeRoots& roots, std::string_view asked, co
   if (!roots.cginc.empty()) places.tried.push_back({roots.cginc, header});
   IncludeSearch search;
   for (const Place& place : places.tried) {
-    if (!is_there(place.file())) continue;
-    search.file = place.file();
-    return search;
+    if (is_there(place.file())) {
+      search.file = place.file();
+      return search;
+    }
+    search.absent.push_back(place.file());
   }
   if (find_other_case(places, asked, search)) return search;
   search.missing_editor_include = editor_name;

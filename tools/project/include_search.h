@@ -26,6 +26,7 @@ struct IncludeRoots {
 
 struct IncludeSearch {
   std::optional<std::filesystem::path> file;  // lexically normal
+  std::vector<std::filesystem::path> absent;  // places before it in the order, where there is nothing
   std::string warning;                        // the file was found, but not by its own spelling
   std::string problem;                        // why there is none, places tried and way out
   std::string missing_editor_include;         // its name, when it is one that only the editor has

@@ -9,8 +9,8 @@
 
 #include "input/input_error.h"
 #include "platform/atomic_file.h"
+#include "platform/content_hash.h"
 #include "platform/terminal.h"
-#include "scene/content_hash.h"
 
 namespace penumbra::reference {
 namespace {
@@ -21,7 +21,7 @@ constexpr std::string_view beginning_title = "penumbra reference rows 1\n";
 constexpr std::size_t hash_size = 32;
 
 std::string hash_of(std::string_view content) {
-  return scene::ContentHash().update(content).hex().substr(0, hash_size);
+  return platform::ContentHash().update(content).hex().substr(0, hash_size);
 }
 
 class EntryWriter {

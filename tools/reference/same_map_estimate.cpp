@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "input/input_error.h"
+#include "platform/content_hash.h"
 #include "reference/disc_coverage.h"
 #include "reference/lit_receiver.h"
 #include "reference/tile_search.h"
@@ -30,7 +31,7 @@ void check(const MapView& view) {
 }
 
 std::string key_of(const MapView& view) {
-  scene::ContentHash hash;
+  platform::ContentHash hash;
   hash.update(std::string_view("T2")).update(algorithm_version);
   hash.update(view.atlas.width).update(view.atlas.height).update(static_cast<int>(view.atlas.format));
   hash.update(std::span<const float>(view.atlas.depth));

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "input/input_error.h"
+#include "platform/content_hash.h"
 #include "reference/disc_tracer.h"
 #include "reference/embree_scene.h"
 #include "reference/lit_receiver.h"
@@ -30,7 +31,7 @@ void check(const TraceOptions& options) {
 
 std::string key_of(const scene::Mesh& mesh, const scene::Receivers& receivers, const parameters::Light& light,
                    const TraceOptions& options) {
-  scene::ContentHash hash;
+  platform::ContentHash hash;
   hash.update(std::string_view("T1")).update(algorithm_version);
   hash.update(std::span<const glm::vec3>(mesh.positions));
   hash.update(std::span<const std::uint32_t>(mesh.indices));

@@ -1,66 +1,20 @@
 #include "scene/content_hash.h"
 
-#include <xxhash.h>
-
-#include <array>
 #include <glm/vec3.hpp>
-#include <new>
 
+#include "platform/content_hash.h"
 #include "scene/scene.h"
 
 namespace penumbra::scene {
 namespace {
+
+using platform::ContentHash;
 
 void update(ContentHash& hash, const glm::dvec3& vector) {
   hash.update(vector.x).update(vector.y).update(vector.z);
 }
 
 }  // namespace
-
-void ContentHash::Free::operator()(XXH3_state_s* state) const {
-  XXH3_freeState(state);
-}
-
-ContentHash::ContentHash() : state_(XXH3_createState()) {
-  if (!state_) throw std::bad_alloc();
-  XXH3_128bits_reset(state_.get());
-}
-
-ContentHash::~ContentHash() = default;
-ContentHash::ContentHash(ContentHash&&) noexcept = default;
-ContentHash& ContentHash::operator=(ContentHash&&) noexcept = default;
-
-ContentHash& ContentHash::update(std::span<const std::byte> bytes) {
-  update_integer(bytes.size());
-  XXH3_128bits_update(state_.get(), bytes.data(), bytes.size());
-  return *this;
-}
-
-ContentHash& ContentHash::update(std::string_view text) {
-  return update(std::as_bytes(std::span(text)));
-}
-
-ContentHash& ContentHash::update(double number) {
-  XXH3_128bits_update(state_.get(), &number, sizeof number);
-  return *this;
-}
-
-ContentHash& ContentHash::update_integer(std::uint64_t number) {
-  XXH3_128bits_update(state_.get(), &number, sizeof number);
-  return *this;
-}
-
-std::string ContentHash::hex() const {
-  XXH128_canonical_t canonical;
-  XXH128_canonicalFromHash(&canonical, XXH3_128bits_digest(state_.get()));
-  constexpr std::string_view digits = "0123456789abcdef";
-  std::string text;
-  for (const unsigned char byte : canonical.digest) {
-    text += digits[byte >> 4];
-    text += digits[byte & 15];
-  }
-  return text;
-}
 
 std::string content_hash(const Scene& scene) {
   static_assert(sizeof(glm::vec3) == 3 * sizeof(float), "vertices are hashed as packed floats");

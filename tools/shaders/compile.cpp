@@ -176,6 +176,8 @@ void expand(const Source& source, PreprocessedSource& out) {
   out.diagnostics = warnings(log, out.sources);
   out.diagnostics.insert(out.diagnostics.end(), resolver.warnings().begin(), resolver.warnings().end());
   out.missing_editor_include = resolver.missing_editor_include();
+  out.absent.assign(resolver.absent().begin(), resolver.absent().end());
+  out.found_by_case = resolver.found_by_case();
   if (expanded && !resolver.failure()) {
     std::optional<hlsl::Diagnostic> bad = bad_character(out.text, source.name, out.sources);
     if (!bad) return;

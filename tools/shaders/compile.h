@@ -47,6 +47,9 @@ struct PreprocessedSource {
   std::vector<hlsl::Diagnostic> diagnostics;
   hlsl::SourceFiles sources;                        // every text that was read, by the name messages call it
   std::vector<std::filesystem::path> dependencies;  // every file that was read
+  // Looked for and not there, before the file that was: one that appears would be read instead.
+  std::vector<std::filesystem::path> absent{};
+  bool found_by_case = false;  // an #include was found in another case: what else its folder holds matters
   // The include that ended the compilation, when it is one that ships with the Unity editor and in no package
   // (project/editor_includes.h): a report counts these apart from shaders that are wrong.
   std::string missing_editor_include{};

@@ -53,7 +53,11 @@ IncludeResolver::IncludeResult* IncludeResolver::includeLocal(const char* header
     if (!failure_) missing_editor_include_ = search.missing_editor_include;
     return fail(search.problem);
   }
-  if (!search.warning.empty()) warn(includer, header, search.warning);
+  for (const fs::path& absent : search.absent) absent_.insert(absent.string());
+  if (!search.warning.empty()) {
+    found_by_case_ = true;
+    warn(includer, header, search.warning);
+  }
   return open(search.file->string());
 }
 

@@ -26,6 +26,10 @@ class IncludeResolver final : public glslang::TShader::Includer {
   IncludeResult* includeSystem(const char* header, const char* includer, std::size_t depth) override;
   void releaseInclude(IncludeResult* result) override;
 
+  // What an #include could have named, and what was not there, before the file that was.
+  const std::set<std::string>& absent() const { return absent_; }
+  bool found_by_case() const { return found_by_case_; }
+
   // Why the first #include that failed did.
   const std::optional<std::string>& failure() const { return failure_; }
 
@@ -46,7 +50,9 @@ class IncludeResolver final : public glslang::TShader::Includer {
   project::IncludeRoots roots_;
   hlsl::SourceFiles& sources_;
   std::set<std::string> read_once_;  // files that said `#pragma once`
-  std::vector<std::string> open_;    // the main file, then every include being read
+  std::set<std::string> absent_;
+  bool found_by_case_ = false;
+  std::vector<std::string> open_;  // the main file, then every include being read
   std::optional<std::string> failure_;
   std::string missing_editor_include_;
   std::vector<hlsl::Diagnostic> warnings_;

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "input/input_error.h"
+#include "platform/content_hash.h"
 #include "platform/interrupt.h"
 #include "reference/reference_cache.h"
 #include "reference/same_map_estimate.h"
@@ -54,7 +55,7 @@ std::string map_format_name(scene::DepthFormat format) {
 }
 
 std::string stage_key(const scene::Scene& scene, const scene::Frame& frame) {
-  scene::ContentHash hash;
+  platform::ContentHash hash;
   hash.update(scene::content_hash(scene)).update(frame.settings.angular_diameter_degrees);
   hash.update(std::span<const std::byte>(frame.atlas.texels));
   hash.update(std::span<const glm::vec4>(frame.receivers.position_ws));
@@ -63,7 +64,7 @@ std::string stage_key(const scene::Scene& scene, const scene::Frame& frame) {
 }
 
 std::string unlimited_key(const Stage& stage, const resolve::CompiledShadowShader& shader) {
-  scene::ContentHash hash;
+  platform::ContentHash hash;
   hash.update(kUnlimitedVersion).update(stage.key).update(std::span<const std::uint32_t>(shader.plain));
   hash.update(shader.source.parameters.fingerprint());
   return hash.hex();

@@ -53,16 +53,19 @@ SourceVariant technique_variant(const ValidationRequest& request, const shaders:
   const shaders::TechniqueCall call = shaders::emit_technique_call(list, technique, "_Penumbra");
   SourceVariant variant;
   variant.technique = &technique;
-  variant.compile = base_request(request, keywords);
-  variant.compile.include_directories.push_back(list.file.parent_path());
-  variant.compile.file = "technique " + technique.name + " (" + hlsl::stage_name(stage) + " entry)";
-  variant.compile.text = "#include \"Platform/Platform.hlsl\"\n" + call.includes +
-                         "#include \"Core/ShadowStructs.hlsl\"\n" + call.declarations + call.function +
-                         (stage == hlsl::Stage::fragment ? fragment_entry : compute_entry);
-  variant.compile.entry = stage == hlsl::Stage::fragment ? "Fragment" : "Compute";
-  variant.compile.stage = stage;
-  variant.reported_file = (list.file.parent_path() / technique.chain.back().file).lexically_normal().string();
-  variant.keywords = keywords;
+  variant.unit.technique = technique.name;
+  variant.unit.targets = request.targets;
+  variant.unit.keywords = keywords;
+  variant.unit.file = (list.file.parent_path() / technique.chain.back().file).lexically_normal().string();
+  shaders::CompileRequest& compile = variant.unit.compile;
+  compile = base_request(request, keywords);
+  compile.include_directories.push_back(list.file.parent_path());
+  compile.file = "technique " + technique.name + " (" + hlsl::stage_name(stage) + " entry)";
+  compile.text = "#include \"Platform/Platform.hlsl\"\n" + call.includes +
+                 "#include \"Core/ShadowStructs.hlsl\"\n" + call.declarations + call.function +
+                 (stage == hlsl::Stage::fragment ? fragment_entry : compute_entry);
+  compile.entry = stage == hlsl::Stage::fragment ? "Fragment" : "Compute";
+  compile.stage = stage;
   return variant;
 }
 
@@ -86,12 +89,13 @@ std::vector<SourceVariant> source_variants(const ValidationRequest& request) {
   for (const ShaderToValidate& shader : request.files) {
     for (const std::vector<std::string>& keywords : shader.keyword_sets) {
       SourceVariant variant;
-      variant.compile = base_request(request, keywords);
-      variant.compile.file = shader.file;
-      variant.compile.entry = shader.entry;
-      variant.compile.stage = shader.stage;
-      variant.reported_file = shader.file.string();
-      variant.keywords = keywords;
+      variant.unit.file = shader.file.string();
+      variant.unit.keywords = keywords;
+      variant.unit.targets = request.targets;
+      variant.unit.compile = base_request(request, keywords);
+      variant.unit.compile.file = shader.file;
+      variant.unit.compile.entry = shader.entry;
+      variant.unit.compile.stage = shader.stage;
       variants.push_back(std::move(variant));
     }
   }

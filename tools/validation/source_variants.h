@@ -10,9 +10,7 @@ namespace penumbra::validation {
 
 struct SourceVariant {
   const shaders::Technique* technique = nullptr;  // null for a user's file
-  shaders::CompileRequest compile;
-  std::string reported_file;
-  std::vector<std::string> keywords;
+  CompileUnit unit;
 };
 
 std::vector<SourceVariant> source_variants(const ValidationRequest& request);

@@ -7,14 +7,13 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <functional>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "shaders/compile.h"
 #include "shaders/technique_list.h"
+#include "validation/engine.h"
 #include "validation/report.h"
 
 namespace penumbra::validation {
@@ -34,8 +33,7 @@ struct ValidationRequest {
   std::vector<std::pair<std::string, std::string>> defines;
   std::vector<shaders::PackageRoot> package_roots;
   std::vector<std::filesystem::path> include_directories;
-  unsigned jobs = 1;
-  std::function<void(std::size_t done, std::size_t total)> progress;  // called by one thread at a time
+  EngineOptions engine;
 };
 
 // Throws InputError when a file cannot be read, EnvironmentError when GL is needed and not there, and

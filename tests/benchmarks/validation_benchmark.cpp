@@ -1,0 +1,266 @@
+// Time per variant: the engine of `penumbra validate` beside the shell pipeline that people have today.
+//
+// The pipeline makes, for each variant, seven processes under xargs: glslangValidator -E, glslangValidator,
+// spirv-val, and spirv-cross for ESSL 310, GLSL 450, MSL 2.3 and HLSL 50; as many variants at once as the
+// engine has workers. What it compiles is the text that the engine's own preparation has made, because
+// glslang does not accept Unity's sources as they are; that costs it nothing here. The engine does the same
+// and besides has the emitted GLSL and ESSL compiled by this machine's GL driver. Counters, in milliseconds
+// of time that passes, per variant:
+//   shell_ms       the pipeline
+//   cold_ms        the engine with nothing kept, every variant for itself: no text and no module is shared
+//   shared_ms      the engine with nothing kept, equal texts and equal modules once
+//   warm_ms        the engine once more, everything kept
+//   cold_ratio, shared_ratio, warm_ratio      shell_ms over these
+//   texts, modules                            different ones among the variants
+// Runs alternate, so that a change of the machine's load meets all. Mesa's own cache is off.
+//
+// PENUMBRA_URP_PACKAGES names a folder with com.unity.render-pipelines.core, .universal and
+// .universal-config: then 72 keyword sets of URP's Lighting.hlsl are measured besides the library's
+// techniques.
+#include <benchmark/benchmark.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "platform/child_process.h"
+#include "shaders/technique_list.h"
+#include "validation/engine.h"
+#include "validation/source_variants.h"
+
+namespace penumbra::validation {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr unsigned jobs = 2;
+
+const char* const targets[] = {"spirv", "essl310", "glsl450", "msl23", "hlsl50"};
+
+constexpr const char* lit_shader = R"(
+#include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"
+#include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
+#include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Lighting.hlsl"
+
+float4 Main(float4 positionCS : SV_Position, float3 positionWS : TEXCOORD0, float3 normalWS : TEXCOORD1,
+            float2 uv : TEXCOORD2) : SV_Target
+{
+    InputData place = (InputData)0;
+    place.positionWS = positionWS;
+    place.positionCS = positionCS;
+    place.normalWS = normalize(normalWS);
+    place.viewDirectionWS = GetWorldSpaceNormalizeViewDir(positionWS);
+    place.shadowCoord = TransformWorldToShadowCoord(positionWS);
+    place.bakedGI = SampleSH(place.normalWS);
+    place.normalizedScreenSpaceUV = uv;
+    place.shadowMask = half4(1, 1, 1, 1);
+    SurfaceData surface = (SurfaceData)0;
+    surface.albedo = half3(0.5, 0.5, 0.5);
+    surface.smoothness = 0.5;
+    surface.occlusion = 1.0;
+    surface.alpha = 1.0;
+    return UniversalFragmentPBR(place, surface);
+}
+)";
+
+// A folder that goes with the benchmark.
+class Scratch {
+ public:
+  Scratch() : path_(fs::temp_directory_path() / "penumbra-validation-benchmark") {
+    fs::remove_all(path_);
+    fs::create_directories(path_);
+  }
+  ~Scratch() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  fs::path operator/(const std::string& name) const { return path_ / name; }
+
+ private:
+  fs::path path_;
+};
+
+std::vector<CompileUnit> technique_units() {
+  ValidationRequest request;
+  const fs::path root = PENUMBRA_SOURCE_DIR;
+  request.techniques = shaders::read_technique_list(root / "ShaderLibrary" / "techniques.json");
+  request.package_roots = {{"com.penumbra.shadows", root}};
+  request.targets.assign(std::begin(targets), std::end(targets));
+  std::vector<CompileUnit> units;
+  for (const SourceVariant& variant : source_variants(request)) units.push_back(variant.unit);
+  return units;
+}
+
+std::vector<CompileUnit> lighting_units(const fs::path& packages) {
+  CompileUnit unit;
+  unit.file = "Lit.hlsl";
+  unit.targets.assign(std::begin(targets), std::end(targets));
+  unit.compile.file = unit.file;
+  unit.compile.text = lit_shader;
+  unit.compile.stage = hlsl::Stage::fragment;
+  unit.compile.prepare = true;
+  unit.compile.defines = {{"SHADER_API_VULKAN", "1"}, {"UNITY_COMPILER_HLSL", "1"}};
+  for (const char* name : {"com.unity.render-pipelines.core", "com.unity.render-pipelines.universal",
+                           "com.unity.render-pipelines.universal-config"})
+    unit.compile.package_roots.push_back({name, packages / name});
+  std::vector<CompileUnit> units{unit};
+  for (const std::vector<const char*>& one_of :
+       std::vector<std::vector<const char*>>{{"", "_MAIN_LIGHT_SHADOWS", "_MAIN_LIGHT_SHADOWS_CASCADE"},
+                                             {"", "_ADDITIONAL_LIGHTS_VERTEX", "_ADDITIONAL_LIGHTS"},
+                                             {"", "_ADDITIONAL_LIGHT_SHADOWS"},
+                                             {"", "_SHADOWS_SOFT"},
+                                             {"", "LIGHTMAP_ON"}}) {
+    std::vector<CompileUnit> more;
+    for (const CompileUnit& before : units) {
+      for (const std::string keyword : one_of) {
+        more.push_back(before);
+        if (keyword.empty()) continue;
+        more.back().keywords.push_back(keyword);
+        more.back().compile.defines.emplace_back(keyword, "1");
+      }
+    }
+    units = std::move(more);
+  }
+  return units;
+}
+
+void write(const fs::path& file, const std::string& text) {
+  fs::create_directories(file.parent_path());
+  std::ofstream(file, std::ios::binary) << text;
+}
+
+const char* short_stage(hlsl::Stage stage) {
+  return stage == hlsl::Stage::fragment ? "frag" : "comp";
+}
+
+// Each variant's folder: the source with its includes, the prepared text, and a script of the seven steps.
+fs::path write_pipeline(const Scratch& scratch, const CompileUnit& unit, std::size_t number) {
+  const fs::path folder = scratch / std::to_string(number);
+  shaders::PreprocessedSource prepared = shaders::preprocess(unit.compile);
+  write(folder / "source.hlsl", *unit.compile.text);
+  write(folder / "prepared.hlsl", prepared.text);
+  std::string front = "glslangValidator -D -S " + std::string(short_stage(unit.compile.stage)) + " -e " +
+                      unit.compile.entry + " ";
+  std::string search = " -I" + folder.string();
+  for (const shaders::PackageRoot& root : unit.compile.package_roots) {
+    fs::create_directories(folder / "Packages");
+    fs::create_directory_symlink(root.directory, folder / "Packages" / root.name);
+  }
+  for (const fs::path& directory : unit.compile.include_directories) search += " -I" + directory.string();
+  for (const auto& [name, value] : unit.compile.defines)
+    search.append(" -D").append(name).append("=").append(value);
+  write(folder / "run.sh",
+        "set -e\ncd '" + folder.string() + "'\n" + front + "-E" + search + " source.hlsl > expanded.hlsl\n" +
+            front +
+            "-V --target-env vulkan1.1 --auto-map-bindings --auto-map-locations prepared.hlsl -o m.spv >"
+            " /dev/null\nspirv-val --target-env vulkan1.1 m.spv\n"
+            "spirv-cross m.spv --es --version 310 --output m.essl\n"
+            "spirv-cross m.spv --version 450 --no-420pack-extension --output m.glsl\n"
+            "spirv-cross m.spv --msl --msl-version 20300 --output m.msl\n"
+            "spirv-cross m.spv --hlsl --shader-model 50 --output m.hlsl\n");
+  return folder / "run.sh";
+}
+
+template <typename Work>
+double milliseconds(const Work& work) {
+  const auto start = Clock::now();
+  work();
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+void run_shell(const std::string& scripts) {
+  platform::ChildCommand command{"xargs", {"-P", std::to_string(jobs), "-n", "1", "sh"}, scripts};
+  command.timeout = std::chrono::minutes(30);
+  const platform::ChildResult result = platform::run_child(command);
+  if (!result.succeeded()) throw std::runtime_error("the pipeline fails: " + result.output + result.errors);
+}
+
+EngineOptions options(const fs::path& cache, bool share) {
+  EngineOptions options;
+  options.jobs = jobs;
+  options.cache = cache;
+  options.share = share;
+  options.worker_arguments = {worker_mode};
+  return options;
+}
+
+void measure(benchmark::State& state, std::vector<CompileUnit> units) {
+  if (static_cast<std::size_t>(state.range(0)) < units.size()) {  // spread over all
+    std::vector<CompileUnit> some;
+    for (std::int64_t i = 0; i < state.range(0); ++i)
+      some.push_back(
+          units[static_cast<std::size_t>(i) * units.size() / static_cast<std::size_t>(state.range(0))]);
+    units = std::move(some);
+  }
+  const Scratch scratch;
+  std::string scripts;
+  for (std::size_t i = 0; i < units.size(); ++i)
+    scripts += write_pipeline(scratch, units[i], i).string() + "\n";
+  double shell = 0.0;
+  double cold = 0.0;
+  double shared = 0.0;
+  double warm = 0.0;
+  EngineRun run;
+  for ([[maybe_unused]] auto iteration : state) {
+    shell += milliseconds([&] { run_shell(scripts); });
+    fs::remove_all(scratch / "alone");
+    cold += milliseconds([&] { run = run_units(units, options(scratch / "alone", false)); });
+    fs::remove_all(scratch / "shared");
+    shared += milliseconds([&] { run = run_units(units, options(scratch / "shared", true)); });
+    warm += milliseconds([&] { run = run_units(units, options(scratch / "shared", true)); });
+  }
+  for (const UnitResult& result : run.results)
+    if (!result.cached) return state.SkipWithError("not everything was kept");
+  const double variants = static_cast<double>(units.size()) * static_cast<double>(state.iterations());
+  state.counters["shell_ms"] = shell / variants;
+  state.counters["cold_ms"] = cold / variants;
+  state.counters["shared_ms"] = shared / variants;
+  state.counters["warm_ms"] = warm / variants;
+  state.counters["cold_ratio"] = shell / cold;
+  state.counters["shared_ratio"] = shell / shared;
+  state.counters["warm_ratio"] = shell / warm;
+  state.counters["texts"] = static_cast<double>(run.unique_texts);
+  state.counters["modules"] = static_cast<double>(run.unique_modules);
+}
+
+void techniques(benchmark::State& state) {
+  measure(state, technique_units());
+}
+BENCHMARK(techniques)
+    ->ArgName("variants")
+    ->Arg(8)
+    ->Arg(1000)
+    ->Unit(benchmark::kSecond)
+    ->UseRealTime()
+    ->Iterations(1);
+
+void urp_lighting(benchmark::State& state) {
+  measure(state, lighting_units(std::getenv("PENUMBRA_URP_PACKAGES")));  // NOLINT(concurrency-mt-unsafe)
+}
+
+}  // namespace
+}  // namespace penumbra::validation
+
+int main(int argc, char** argv) {
+  using namespace penumbra::validation;  // NOLINT(google-build-using-namespace)
+  if (argc == 2 && std::string_view(argv[1]) == worker_mode) return serve_units();
+  ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);     // NOLINT(concurrency-mt-unsafe)
+  if (std::getenv("PENUMBRA_URP_PACKAGES") != nullptr)  // NOLINT(concurrency-mt-unsafe)
+    benchmark::RegisterBenchmark("urp_lighting", urp_lighting)
+        ->ArgName("variants")
+        ->Arg(72)
+        ->Unit(benchmark::kSecond)
+        ->UseRealTime()
+        ->Iterations(1);
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}

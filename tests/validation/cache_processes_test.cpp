@@ -1,0 +1,127 @@
+// Processes that share a cache, one of which is killed at random, over and over: no answer is ever wrong.
+#include "validation/cache_processes.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <random>
+#include <thread>
+
+#include "platform/terminal.h"
+#include "validation/validation_units.h"
+
+extern char** environ;  // NOLINT(readability-redundant-declaration): not every system declares it
+
+namespace penumbra::validation {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int units_of_a_salt = 4;
+constexpr const char* shader =
+    "float4 Main(float2 u : TEXCOORD0) : SV_Target\n{\n#if PLACE % 2\n    return missing_SALT;\n#endif\n"
+    "    return u.xyxy * SALT + PLACE;\n}\n";
+
+// Four texts of their own for every salt, two of which fail.
+std::vector<CompileUnit> salted_units(const std::filesystem::path& file, int first, int last) {
+  std::vector<CompileUnit> units;
+  for (int salt = first; salt <= last; ++salt) {
+    for (int place = 0; place < units_of_a_salt; ++place) {
+      CompileUnit unit = fragment_unit(file);
+      unit.compile.defines = {{"SALT", std::to_string(salt)},
+                              {"missing_SALT", "missing_" + std::to_string(salt)},
+                              {"PLACE", std::to_string(place)}};
+      units.push_back(std::move(unit));
+    }
+  }
+  return units;
+}
+
+EngineOptions keeping(const std::filesystem::path& cache) {
+  EngineOptions options;
+  options.cache = cache;
+  return options;
+}
+
+// Right by what the shader says, not by another run.
+void expect_right(const EngineRun& run, int first) {
+  for (const UnitResult& result : run.results) {
+    const int salt = first + static_cast<int>(result.unit) / units_of_a_salt;
+    const bool fails = result.unit % 2 == 1;
+    EXPECT_EQ(result.targets[0].status, fails ? VariantStatus::failed : VariantStatus::passed);
+    if (fails) {
+      ASSERT_EQ(result.targets[0].diagnostics.size(), 1U);
+      EXPECT_THAT(result.targets[0].diagnostics[0].message,
+                  testing::HasSubstr("missing_" + std::to_string(salt) + "'"));
+    }
+  }
+}
+
+pid_t start_cache_user(const std::filesystem::path& cache, const std::filesystem::path& file, int first,
+                       int last) {
+  std::vector<std::string> words{platform::program_path().string(),
+                                 cache_user_mode,
+                                 cache.string(),
+                                 file.string(),
+                                 std::to_string(first),
+                                 std::to_string(last)};
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  pid_t process = 0;
+  EXPECT_EQ(::posix_spawn(&process, argv[0], nullptr, nullptr, argv.data(), environ), 0);
+  return process;
+}
+
+TEST(CacheProcesses, OneOfTwoKilledAHundredTimesNoAnswerIsWrong) {
+  const shaders::ShaderFiles files;
+  const std::filesystem::path file = files.write("f.hlsl", shader);
+  const std::filesystem::path cache = files.path("cache");
+  std::mt19937 random(20240);
+  auto typical = std::chrono::microseconds(0);
+  int ended_early = 0;
+  for (int salt = 0; salt < 101; ++salt) {
+    // The victim writes this salt's entries while we do, and reads those that the last victim left.
+    const int first = std::max(0, salt - 1);
+    const auto start = Clock::now();
+    const pid_t victim = start_cache_user(cache, file, first, salt);
+    if (salt > 0) {
+      std::this_thread::sleep_for(typical * (random() % 1000) / 1000);
+      EngineRun beside;
+      std::thread we([&] { beside = run_units(salted_units(file, first, salt), keeping(cache)); });
+      std::this_thread::sleep_for(typical * (random() % 1000) / 2000);
+      ::kill(victim, SIGKILL);
+      we.join();
+      expect_right(beside, first);
+    }
+    int status = 0;
+    ::waitpid(victim, &status, 0);
+    ended_early += WIFSIGNALED(status) ? 1 : 0;
+    if (salt == 0) typical = std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - start);
+  }
+  EXPECT_GT(ended_early, 30) << "the others had finished before they were killed";
+  const std::vector<CompileUnit> all = salted_units(file, 0, 100);
+  const EngineRun kept = run_units(all, keeping(cache));
+  expect_right(kept, 0);
+  EXPECT_EQ(told(kept), told(run_units(all, {})));
+  EXPECT_GT(cached_count(kept), all.size() * 9 / 10);
+}
+
+}  // namespace
+
+int use_cache(int argc, char** argv) {
+  if (argc != 6) return 2;
+  EngineOptions options = keeping(argv[2]);
+  options.worker_arguments = {worker_mode};
+  const int first = std::atoi(argv[4]);
+  run_units(salted_units(argv[3], first, std::atoi(argv[5])), options);
+  return 0;
+}
+
+}  // namespace penumbra::validation

@@ -1,0 +1,103 @@
+// What goes to workers and into the cache comes back as it was, or not at all.
+#include "validation/unit.h"
+
+#include <gtest/gtest.h>
+
+#include "validation/source_record.h"
+#include "validation/unit_message.h"
+
+namespace penumbra::validation {
+namespace {
+
+hlsl::Diagnostic diagnostic() {
+  return {"a.hlsl", 12, 7, hlsl::Severity::warning, "said", "the line", "rule"};
+}
+
+UnitJob full_job() {
+  UnitJob job;
+  CompileUnit& unit = job.unit;
+  unit.technique = "t";
+  unit.file = "folder/f.shader";
+  unit.shader = std::string("with \0 inside", 13);
+  unit.pass = "p";
+  unit.keywords = {"A", "", "B"};
+  unit.compile.file = "f.hlsl";
+  unit.compile.text = std::string(1000, 'x');
+  unit.compile.entry = "e";
+  unit.compile.stage = hlsl::Stage::hull;
+  unit.compile.defines = {{"D", "1"}, {"E", ""}};
+  unit.compile.package_roots = {{"name", "dir"}};
+  unit.compile.include_directories = {"i", "j"};
+  unit.compile.overlays = {{"suffix", "file"}};
+  unit.compile.prepare = true;
+  unit.compile.optimise = false;
+  unit.targets = {"spirv", "msl23"};
+  job.context = {"cache", "build", {{"essl310", "Mesa"}}};
+  job.given_up = {"msl23"};
+  job.text_only = true;
+  return job;
+}
+
+UnitReply full_reply() {
+  UnitReply reply;
+  reply.text_key = "0123";
+  reply.compile = CompileAnswer{{diagnostic()}, "4567", {{"a.hlsl", "89ab"}}};
+  reply.emitted = EmittedAnswer{{}, {diagnostic(), diagnostic()}};
+  reply.dependencies = {"a.hlsl", "b.hlsl"};
+  reply.compile_cached = true;
+  reply.text = "text";
+  reply.damaged = 3;
+  reply.written = 1'000'000'007;
+  return reply;
+}
+
+// Equal bytes again after a round trip, and no beginning of them is taken for the whole.
+template <typename Decode>
+void expect_round_trip(const std::string& bytes, const Decode& decode) {
+  const auto decoded = decode(bytes);
+  ASSERT_TRUE(decoded.has_value());
+  EXPECT_EQ(encode(*decoded), bytes);
+  for (std::size_t length = 0; length < bytes.size(); ++length)
+    EXPECT_FALSE(decode(std::string_view(bytes).substr(0, length)).has_value()) << length;
+  EXPECT_FALSE(decode(bytes + "x").has_value());
+}
+
+TEST(UnitEncoding, GoesThereAndBack) {
+  expect_round_trip(encode(full_job()), decode_job);
+  expect_round_trip(encode(full_job().unit), decode_unit);
+  expect_round_trip(encode(full_reply()), decode_reply);
+  expect_round_trip(encode(*full_reply().compile), decode_compile_answer);
+  expect_round_trip(encode(SourceRecord{"key", {{"f", "h"}, {"g", "i"}}, {"absent"}}), decode_source_record);
+}
+
+TEST(UnitEncoding, KeepsEveryMember) {
+  const UnitJob job = *decode_job(encode(full_job()));
+  EXPECT_EQ(job.unit.compile.stage, hlsl::Stage::hull);
+  EXPECT_EQ(job.unit.compile.overlays.at(0).file, "file");
+  EXPECT_FALSE(job.unit.compile.optimise);
+  EXPECT_TRUE(job.unit.compile.prepare);
+  EXPECT_EQ(job.unit.shader.size(), 13U);
+  EXPECT_EQ(job.context.drivers.at("essl310"), "Mesa");
+  UnitJob without = full_job();
+  without.unit.compile.text.reset();
+  EXPECT_FALSE(decode_job(encode(without))->unit.compile.text.has_value());
+  const UnitReply reply = *decode_reply(encode(full_reply()));
+  EXPECT_EQ(reply.emitted->at(1).at(1).source_line, "the line");
+  EXPECT_EQ(reply.emitted->at(1).at(1).rule, "rule");
+  EXPECT_EQ(reply.written, 1'000'000'007U);
+}
+
+TEST(UnitEncoding, DamagedBytesEndNoProgram) {
+  const std::string bytes = encode(full_reply());
+  for (std::size_t at = 0; at < bytes.size(); ++at) {
+    for (unsigned bit = 0; bit < 8; ++bit) {
+      std::string damaged = bytes;
+      damaged[at] = static_cast<char>(damaged[at] ^ (1U << bit));
+      const std::optional<UnitReply> reply = decode_reply(damaged);
+      EXPECT_TRUE(!reply || encode(*reply).size() <= damaged.size() + 16);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace penumbra::validation

@@ -1,0 +1,82 @@
+// The test program is its own worker, as the product is. One kind of worker behaves as the product's; another
+// does on demand what compilers do at their worst, which the product cannot be told to do.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <thread>
+
+#include "validation/answer_unit.h"
+#include "validation/cache_processes.h"
+#include "validation/unit_message.h"
+#include "validation/validation_units.h"
+
+namespace penumbra::validation {
+namespace {
+
+void misbehave(const std::string& how) {
+  if (how == "crash") std::abort();
+  if (how == "kill") std::raise(SIGKILL);
+  // "kill-once:FILE", which is there from the first time on.
+  if (how.starts_with("kill-once:") && !std::filesystem::exists(how.substr(10))) {
+    std::ofstream(how.substr(10)) << "was here";
+    std::raise(SIGKILL);
+  }
+  if (how == "hang") std::this_thread::sleep_for(std::chrono::hours(1));
+  while (how == "eat") {
+    constexpr std::size_t bite = std::size_t{8} << 20U;
+    if (void* memory = std::malloc(bite)) std::memset(memory, 1, bite);  // NOLINT: it is to be lost
+  }
+}
+
+// Goes wrong at one place of the work: where the text is made, before it is compiled, or in a target.
+class MisbehavingLink final : public platform::WorkerLink {
+ public:
+  MisbehavingLink(platform::WorkerLink& link, const std::string& order)
+      : link_(link), how_(order.substr(0, order.find('@'))), where_(order.substr(order.find('@') + 1)) {}
+
+  std::string ask(std::string_view question) override {
+    std::string answer = link_.ask(question);
+    const bool compiles = question.front() == question_text && answer == answer_mine;
+    if (compiles && where_ == "spirv") misbehave(how_);
+    return answer;
+  }
+  void note(std::string_view text) override {
+    link_.note(text);
+    if (where_ == (text == note_compile ? "preprocess" : text)) misbehave(how_);
+  }
+
+ private:
+  platform::WorkerLink& link_;
+  std::string how_;
+  std::string where_;
+};
+
+std::string answer_or_misbehave(const std::string& job, platform::WorkerLink& link) {
+  const std::optional<UnitJob> decoded = decode_job(job);
+  for (const auto& [name, value] : decoded->unit.compile.defines) {
+    if (name != "MISBEHAVE") continue;
+    MisbehavingLink bad(link, value);
+    return answer_unit(job, bad);
+  }
+  return answer_unit(job, link);
+}
+
+}  // namespace
+}  // namespace penumbra::validation
+
+int main(int argc, char** argv) {
+  namespace validation = penumbra::validation;
+  const std::string mode = argc > 1 ? argv[1] : "";
+  if (mode == validation::worker_mode) return validation::serve_units();
+  if (mode == validation::misbehaving_mode)
+    return penumbra::platform::serve_worker(validation::answer_or_misbehave);
+  if (mode == validation::cache_user_mode) return validation::use_cache(argc, argv);
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}

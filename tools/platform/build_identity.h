@@ -1,0 +1,12 @@
+// Which build this is: answers that are kept for later hold only for the very code that found them.
+#pragma once
+
+#include <string>
+
+namespace penumbra::platform {
+
+// Changes with this program and with every shared library it has loaded by the first call: their build ids
+// (the linker's note, elf(5) NT_GNU_BUILD_ID), or size and date of a file that has none. 32 hex digits.
+const std::string& build_identity();
+
+}  // namespace penumbra::platform

@@ -1,0 +1,52 @@
+// A name for content: equal bytes have equal names, so that an expensive answer can be kept and found again.
+//
+// XXH3, 128 bits: not a guard against forgers, but no two contents met by accident will share a name. Numbers
+// are hashed by their bits (0.0 and -0.0 differ), and everything of varying length is preceded by its length,
+// so that {"ab", "c"} and {"a", "bc"} differ. Names are equal across machines of the same byte order.
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+struct XXH3_state_s;
+
+namespace penumbra::platform {
+class ContentHash {
+ public:
+  ContentHash();
+  ~ContentHash();
+  ContentHash(ContentHash&&) noexcept;
+  ContentHash& operator=(ContentHash&&) noexcept;
+
+  ContentHash& update(std::span<const std::byte> bytes);
+  ContentHash& update(std::string_view text);
+  ContentHash& update(double number);
+  // Integers of every width and bool hash as the same 64 bits, so a field may be widened without new names.
+  template <std::integral Integer>
+  ContentHash& update(Integer number) {
+    return update_integer(static_cast<std::uint64_t>(number));
+  }
+  // Elements must have no padding bytes.
+  template <typename Element>
+  ContentHash& update(std::span<const Element> elements) {
+    return update(std::as_bytes(elements));
+  }
+
+  std::string hex() const;  // 32 lower-case digits; more may be added after
+
+ private:
+  struct Free {
+    void operator()(XXH3_state_s* state) const;
+  };
+
+  ContentHash& update_integer(std::uint64_t number);
+
+  std::unique_ptr<XXH3_state_s, Free> state_;
+};
+
+}  // namespace penumbra::platform

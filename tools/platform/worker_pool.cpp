@@ -1,0 +1,239 @@
+#include "platform/worker_pool.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "input/input_error.h"
+#include "platform/interrupt.h"
+#include "platform/terminal.h"
+#include "platform/worker_process.h"
+
+#ifndef _WIN32
+#include <poll.h>
+#include <signal.h>
+#include <sys/wait.h>
+#endif
+
+namespace penumbra::platform {
+
+#ifndef _WIN32
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// How often a message that is at work is looked at: memory, time, Ctrl-C.
+constexpr std::chrono::milliseconds watch_interval{10};
+// A worker that takes longer than this to say that it is there never will.
+constexpr std::chrono::seconds start_limit{60};
+
+std::string signal_name(int number) {
+  switch (number) {
+    case SIGSEGV:
+      return "SIGSEGV";
+    case SIGABRT:
+      return "SIGABRT";
+    case SIGBUS:
+      return "SIGBUS";
+    case SIGFPE:
+      return "SIGFPE";
+    case SIGILL:
+      return "SIGILL";
+    case SIGTRAP:
+      return "SIGTRAP";
+    case SIGSYS:
+      return "SIGSYS";
+    case SIGKILL:
+      return "SIGKILL";
+    case SIGTERM:
+      return "SIGTERM";
+    default:
+      return "signal " + std::to_string(number);
+  }
+}
+
+std::string seconds_text(std::chrono::milliseconds time) {
+  const auto count = time.count();
+  return count % 1000 == 0 ? std::to_string(count / 1000) + " s" : std::to_string(count) + " ms";
+}
+
+std::string memory_text(std::size_t bytes) {
+  return std::to_string(bytes >> 20U) + " MiB of memory";
+}
+
+// A worker and the message it works at.
+class Seat {
+ public:
+  Seat(const WorkerPool& pool, WorkSource& source) : pool_(pool), source_(source) {}
+
+  bool busy() const { return busy_; }
+  bool started() const { return process_ != nullptr; }
+  const WorkerProcess& process() const { return *process_; }
+
+  void hand_out(WorkerMessage message) {
+    if (!process_) start();
+    busy_ = true;
+    number_ = message.number;
+    outcome_ = {};
+    since_ = Clock::now();
+    process_->send(FrameKind::message, message.content);
+  }
+
+  void read(bool frames, bool noise) {
+    if (noise) process_->read_noise();
+    if (!frames) return;
+    const bool lives = process_->read_frames();
+    while (process_) {
+      std::optional<Frame> frame = process_->next_frame();
+      if (!frame) break;
+      take(*std::move(frame));
+    }
+    if (!lives && process_) ended();
+  }
+
+  void write() { process_->send_more(); }
+
+  void watch() {
+    if (!process_) return;
+    const auto spent = Clock::now() - since_;
+    if (!ready_ && spent > start_limit) throw EnvironmentError("a worker process does not start");
+    if (!busy_ || spent < watch_interval) return;
+    if (spent > pool_.limits.time) return fail("took longer than " + seconds_text(pool_.limits.time));
+    if (process_->resident_bytes() > pool_.limits.memory)
+      fail("took more than " + memory_text(pool_.limits.memory));
+  }
+
+ private:
+  void start() {
+    process_ = std::make_unique<WorkerProcess>(pool_.arguments);
+    ready_ = false;
+    process_->send(FrameKind::settings, std::to_string(pool_.limits.processor_time.count()));
+  }
+
+  void take(Frame frame) {
+    switch (frame.kind) {
+      case FrameKind::ready:
+        ready_ = true;
+        since_ = Clock::now();
+        return;
+      case FrameKind::question:
+        return process_->send(FrameKind::reply, source_.answer_question(number_, frame.content));
+      case FrameKind::note:
+        outcome_.note = std::move(frame.content);
+        return;
+      case FrameKind::answer:
+        outcome_.answer = std::move(frame.content);
+        outcome_.note.clear();
+        return finish();
+      case FrameKind::failure:
+        outcome_.failure = std::move(frame.content);
+        return finish();
+      case FrameKind::environment:
+        throw EnvironmentError(frame.content);
+      case FrameKind::settings:
+      case FrameKind::message:
+      case FrameKind::reply:
+        return fail("lost its way");  // these go the other way: memory was overwritten
+    }
+    fail("lost its way");
+  }
+
+  // The worker has closed its end without being told to.
+  void ended() {
+    const int status = process_->end();
+    if (!ready_) {
+      throw EnvironmentError("a worker process ended before it began; it said:\n" + process_->last_words());
+    }
+    if (!busy_) {  // between two messages: nobody's fault that is waiting
+      process_.reset();
+      return;
+    }
+    if (!WIFSIGNALED(status)) return fail("ended with exit code " + std::to_string(WEXITSTATUS(status)));
+    const int signal = WTERMSIG(status);
+    if (signal == SIGXCPU)
+      return fail("took more than " + seconds_text(pool_.limits.processor_time) + " of processor time");
+    outcome_.from_outside = signal == SIGKILL || signal == SIGTERM || signal == SIGHUP || signal == SIGINT;
+    fail((outcome_.from_outside ? "was ended from outside with " : "crashed with ") + signal_name(signal));
+  }
+
+  void fail(std::string reason) {
+    process_->end();
+    outcome_.failure = std::move(reason);
+    outcome_.last_words = process_->last_words();
+    process_.reset();
+    finish();
+  }
+
+  void finish() {
+    busy_ = false;
+    // What compilers leave behind adds up: a worker that has grown is replaced before it counts against one.
+    if (process_ && process_->resident_bytes() > pool_.limits.memory / 2) process_.reset();
+    source_.finished(number_, std::exchange(outcome_, {}));
+  }
+
+  const WorkerPool& pool_;
+  WorkSource& source_;
+  std::unique_ptr<WorkerProcess> process_;
+  bool ready_ = false;
+  bool busy_ = false;
+  std::size_t number_ = 0;
+  WorkerOutcome outcome_;
+  Clock::time_point since_;
+};
+
+// Waits until something is to be read or written, or the next look is due.
+void serve_seats(std::vector<Seat>& seats) {
+  std::vector<pollfd> waiting;
+  std::vector<Seat*> owners;
+  for (Seat& seat : seats) {
+    if (!seat.started()) continue;
+    const short events = seat.process().has_more_to_send() ? POLLIN | POLLOUT : POLLIN;
+    waiting.push_back({seat.process().socket(), events, 0});
+    waiting.push_back({seat.process().noise(), POLLIN, 0});
+    owners.push_back(&seat);
+  }
+  ::poll(waiting.data(), static_cast<nfds_t>(waiting.size()), static_cast<int>(watch_interval.count()));
+  for (std::size_t i = 0; i < owners.size(); ++i) {
+    const short socket = waiting[2 * i].revents;
+    if ((socket & POLLOUT) != 0) owners[i]->write();
+    owners[i]->read((socket & ~POLLOUT) != 0, (waiting[2 * i + 1].revents & POLLIN) != 0);
+    owners[i]->watch();
+  }
+}
+
+}  // namespace
+
+bool worker_processes_supported() {
+  return !program_path().empty();
+}
+
+void run_workers(const WorkerPool& pool, WorkSource& source) {
+  std::vector<Seat> seats;
+  seats.reserve(pool.workers + 1);
+  for (unsigned i = 0; i < std::max(1U, pool.workers); ++i) seats.emplace_back(pool, source);
+  for (;;) {
+    throw_if_interrupted();
+    bool busy = false;
+    for (Seat& seat : seats) {
+      if (!seat.busy())
+        if (std::optional<WorkerMessage> message = source.next()) seat.hand_out(*std::move(message));
+      busy = busy || seat.busy();
+    }
+    if (!busy) return;
+    serve_seats(seats);
+  }
+}
+
+#else
+
+bool worker_processes_supported() {
+  return false;
+}
+
+void run_workers(const WorkerPool&, WorkSource&) {
+  throw EnvironmentError("worker processes are made on POSIX systems only");
+}
+
+#endif
+
+}  // namespace penumbra::platform

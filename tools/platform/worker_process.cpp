@@ -1,0 +1,202 @@
+#include "platform/worker_process.h"
+
+#ifndef _WIN32
+
+#include <fcntl.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <utility>
+
+#include "input/input_error.h"
+#include "platform/terminal.h"
+
+extern char** environ;  // NOLINT(readability-redundant-declaration): not every system declares it
+
+namespace penumbra::platform {
+namespace {
+
+constexpr std::size_t last_words_kept = 2048;
+
+#ifdef MSG_NOSIGNAL
+constexpr int no_signal = MSG_NOSIGNAL;
+#else
+constexpr int no_signal = 0;
+#endif
+
+[[noreturn]] void fail(const char* what) {
+  throw EnvironmentError(std::string("a worker process cannot be started: ") + what + ": " +
+                         std::strerror(errno));
+}
+
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor() {
+    if (number_ >= 0) ::close(number_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int get() const { return number_; }
+  int release() { return std::exchange(number_, -1); }
+
+ private:
+  int number_;
+};
+
+// Above the numbers that a worker's own descriptors get, and closed in every other child.
+int out_of_the_way(int descriptor) {
+  const Descriptor original(descriptor);
+  const int copy = ::fcntl(descriptor, F_DUPFD_CLOEXEC, worker_frames_descriptor + 1);
+  if (copy < 0) fail("too many open files");
+  return copy;
+}
+
+struct Ends {
+  explicit Ends(const int (&pair)[2]) : ours(out_of_the_way(pair[0])), theirs(out_of_the_way(pair[1])) {
+    ::fcntl(ours.get(), F_SETFL, O_NONBLOCK);
+  }
+  Descriptor ours;
+  Descriptor theirs;
+};
+
+std::unique_ptr<Ends> socket_ends() {
+  int pair[2];
+  if (::socketpair(AF_UNIX, SOCK_STREAM, 0, pair) != 0) fail("no socket");
+#ifdef SO_NOSIGPIPE
+  const int on = 1;
+  ::setsockopt(pair[0], SOL_SOCKET, SO_NOSIGPIPE, &on, sizeof on);
+#endif
+  return std::make_unique<Ends>(pair);
+}
+
+std::unique_ptr<Ends> pipe_ends() {
+  int pair[2];
+  if (::pipe(pair) != 0) fail("no pipe");
+  return std::make_unique<Ends>(pair);
+}
+
+// The worker's descriptors: nothing to read on 0, its noise on 1 and 2, the frames on 3.
+class SpawnSettings {
+ public:
+  SpawnSettings(int frames, int noise) {
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_adddup2(&actions, noise, 1);
+    posix_spawn_file_actions_adddup2(&actions, noise, 2);
+    posix_spawn_file_actions_adddup2(&actions, frames, worker_frames_descriptor);
+    posix_spawnattr_init(&attributes);
+    // A group of its own: Ctrl-C at the terminal is the pool's to answer, and what it starts ends with it.
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
+    posix_spawnattr_setpgroup(&attributes, 0);
+    sigset_t every;
+    sigfillset(&every);
+    posix_spawnattr_setsigdefault(&attributes, &every);
+  }
+  ~SpawnSettings() {
+    posix_spawn_file_actions_destroy(&actions);
+    posix_spawnattr_destroy(&attributes);
+  }
+  SpawnSettings(const SpawnSettings&) = delete;
+  SpawnSettings& operator=(const SpawnSettings&) = delete;
+
+  posix_spawn_file_actions_t actions{};
+  posix_spawnattr_t attributes{};
+};
+
+}  // namespace
+
+WorkerProcess::WorkerProcess(const std::vector<std::string>& arguments) {
+  const std::unique_ptr<Ends> frames = socket_ends();
+  const std::unique_ptr<Ends> noise = pipe_ends();
+  std::vector<std::string> words{program_path().string()};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> argv;
+  argv.reserve(words.size() + 1);
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  const SpawnSettings settings(frames->theirs.get(), noise->theirs.get());
+  errno = ::posix_spawn(&process_, argv[0], &settings.actions, &settings.attributes, argv.data(), environ);
+  if (errno != 0) fail(argv[0]);
+  socket_ = frames->ours.release();
+  noise_ = noise->ours.release();
+}
+
+WorkerProcess::~WorkerProcess() {
+  end();
+  ::close(socket_);
+  ::close(noise_);
+}
+
+void WorkerProcess::send(FrameKind kind, std::string_view content) {
+  outbox_ += frame_bytes(kind, content);
+  send_more();
+}
+
+void WorkerProcess::send_more() {
+  while (!outbox_.empty()) {
+    const ssize_t sent = ::send(socket_, outbox_.data(), outbox_.size(), no_signal);
+    if (sent > 0) {
+      outbox_.erase(0, static_cast<std::size_t>(sent));
+    } else if (errno == EPIPE || errno == ECONNRESET) {
+      outbox_.clear();  // it has ended; reading says so
+    } else if (errno != EINTR) {
+      return;
+    }
+  }
+}
+
+bool WorkerProcess::read_frames() {
+  char buffer[65536];
+  for (;;) {
+    const ssize_t count = ::read(socket_, buffer, sizeof buffer);
+    if (count > 0) {
+      reader_.add(buffer, static_cast<std::size_t>(count));
+    } else if (count == 0 || (errno != EINTR && errno != EAGAIN && errno != EWOULDBLOCK)) {
+      return false;
+    } else if (errno != EINTR) {
+      return true;
+    }
+  }
+}
+
+void WorkerProcess::read_noise() {
+  char buffer[4096];
+  for (ssize_t count = 0; (count = ::read(noise_, buffer, sizeof buffer)) > 0;) {
+    last_words_.append(buffer, static_cast<std::size_t>(count));
+    if (last_words_.size() > last_words_kept) last_words_.erase(0, last_words_.size() - last_words_kept);
+  }
+}
+
+std::size_t WorkerProcess::resident_bytes() const {
+  char name[64];
+  std::snprintf(name, sizeof name, "/proc/%d/statm", static_cast<int>(process_));
+  const Descriptor file(::open(name, O_RDONLY | O_CLOEXEC));
+  char text[128] = {};
+  unsigned long pages = 0;
+  if (file.get() < 0 || ::read(file.get(), text, sizeof text - 1) <= 0) return 0;
+  if (std::sscanf(text, "%*u %lu", &pages) != 1) return 0;
+  return static_cast<std::size_t>(pages) * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+}
+
+int WorkerProcess::end() {
+  if (status_) return *status_;
+  ::kill(-process_, SIGKILL);
+  int status = 0;
+  while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+  }
+  read_noise();
+  status_ = status;
+  return status;
+}
+
+}  // namespace penumbra::platform
+
+#endif

@@ -1,0 +1,54 @@
+// One worker as the pool sees it: started, written to, read from, watched, ended. POSIX; internal to this
+// room.
+#pragma once
+
+#ifndef _WIN32
+
+#include <sys/types.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "platform/worker_frame.h"
+
+namespace penumbra::platform {
+
+class WorkerProcess {
+ public:
+  // Throws EnvironmentError when the system starts no process.
+  explicit WorkerProcess(const std::vector<std::string>& arguments);
+  ~WorkerProcess();  // ends it, with everything it started
+  WorkerProcess(const WorkerProcess&) = delete;
+  WorkerProcess& operator=(const WorkerProcess&) = delete;
+
+  void send(FrameKind kind, std::string_view content);  // never blocks: keeps what the socket does not take
+  bool has_more_to_send() const { return !outbox_.empty(); }
+  void send_more();
+
+  // Both read all that is there now. read_frames is false when the worker has closed its end: it has ended.
+  bool read_frames();
+  void read_noise();
+  std::optional<Frame> next_frame() { return reader_.next(); }
+
+  int socket() const { return socket_; }
+  int noise() const { return noise_; }
+  const std::string& last_words() const { return last_words_; }
+  std::size_t resident_bytes() const;  // 0 where the system does not say
+
+  int end();  // kills it if it lives; its wait status
+
+ private:
+  pid_t process_ = 0;
+  int socket_ = -1;
+  int noise_ = -1;  // the reading end of its standard output and standard error
+  std::string outbox_;
+  FrameReader reader_;
+  std::string last_words_;
+  std::optional<int> status_;
+};
+
+}  // namespace penumbra::platform
+
+#endif

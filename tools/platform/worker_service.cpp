@@ -1,0 +1,118 @@
+#include <cstdlib>
+#include <exception>
+#include <new>
+
+#include "input/input_error.h"
+#include "platform/worker_frame.h"
+#include "platform/worker_pool.h"
+
+#ifndef _WIN32
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <unistd.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
+#include <cerrno>
+#include <csignal>
+#endif
+
+namespace penumbra::platform {
+
+#ifndef _WIN32
+namespace {
+
+// Exits at once, quietly, when the parent has gone: nobody is left to be told anything.
+class ParentLink final : public WorkerLink {
+ public:
+  std::string ask(std::string_view question) override {
+    write(FrameKind::question, question);
+    return read().content;
+  }
+  void note(std::string_view text) override { write(FrameKind::note, text); }
+
+  void write(FrameKind kind, std::string_view content) const {
+    const std::string bytes = frame_bytes(kind, content);
+    for (std::size_t at = 0; at < bytes.size();) {
+      const ssize_t count = ::write(worker_frames_descriptor, bytes.data() + at, bytes.size() - at);
+      if (count > 0)
+        at += static_cast<std::size_t>(count);
+      else if (errno != EINTR)
+        ::_exit(EXIT_SUCCESS);
+    }
+  }
+
+  Frame read() {
+    char buffer[65536];
+    for (;;) {
+      if (std::optional<Frame> frame = reader_.next()) return *std::move(frame);
+      const ssize_t count = ::read(worker_frames_descriptor, buffer, sizeof buffer);
+      if (count > 0)
+        reader_.add(buffer, static_cast<std::size_t>(count));
+      else if (count == 0 || errno != EINTR)
+        ::_exit(EXIT_SUCCESS);
+    }
+  }
+
+ private:
+  FrameReader reader_;
+};
+
+void bind_to_parent() {
+#ifdef __linux__
+  // A parent that ended before this is noticed at the first read.
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
+  const rlimit no_core{0, 0};
+  ::setrlimit(RLIMIT_CORE, &no_core);
+  std::signal(SIGPIPE, SIG_IGN);  // NOLINT(cert-err33-c): a closed socket is noticed where it is written
+}
+
+// The system ends us with SIGXCPU once this message has had its share.
+void limit_processor_time(rlim_t seconds) {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  rlimit limit{};
+  ::getrlimit(RLIMIT_CPU, &limit);
+  const auto used = static_cast<rlim_t>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec);
+  limit.rlim_cur = std::min(limit.rlim_max, used + seconds + 1);
+  ::setrlimit(RLIMIT_CPU, &limit);
+}
+
+void handle(const WorkHandler& handler, const std::string& message, ParentLink& link) {
+  try {
+    link.write(FrameKind::answer, handler(message, link));
+  } catch (const EnvironmentError& error) {
+    link.write(FrameKind::environment, error.what());
+  } catch (const std::bad_alloc&) {
+    link.write(FrameKind::failure, "ran out of memory");
+  } catch (const std::exception& error) {
+    link.write(FrameKind::failure, std::string("failed: ") + error.what());
+  }
+}
+
+}  // namespace
+
+int serve_worker(const WorkHandler& handler) {
+  bind_to_parent();
+  ParentLink link;
+  link.write(FrameKind::ready, {});
+  rlim_t seconds = 0;
+  for (;;) {
+    const Frame frame = link.read();
+    if (frame.kind == FrameKind::settings) seconds = std::strtoul(frame.content.c_str(), nullptr, 10);
+    if (frame.kind != FrameKind::message) continue;
+    limit_processor_time(seconds);
+    handle(handler, frame.content, link);
+  }
+}
+
+#else
+
+int serve_worker(const WorkHandler&) {
+  throw EnvironmentError("worker processes are made on POSIX systems only");
+}
+
+#endif
+
+}  // namespace penumbra::platform

@@ -1,0 +1,169 @@
+#include "validation/answer_cache.h"
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <random>
+#include <system_error>
+#include <vector>
+
+#include "platform/content_hash.h"
+
+namespace penumbra::validation {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view title = "penumbra validation 1\n";
+constexpr std::string_view part_extension = ".part";
+constexpr std::size_t hash_size = 32;
+// A use is written down at most this often: the order of removal need be no finer.
+constexpr std::chrono::minutes use_grain{10};
+
+const char* extension(EntryKind kind) {
+  switch (kind) {
+    case EntryKind::sources:
+      return ".sources";
+    case EntryKind::compile:
+      return ".compile";
+    case EntryKind::emitted:
+      break;
+  }
+  return ".emitted";
+}
+
+std::string hash_of(std::string_view content) {
+  return platform::ContentHash().update(content).hex();
+}
+
+std::optional<std::string> read_file(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) return std::nullopt;
+  stream.seekg(0, std::ios::end);
+  std::string content(static_cast<std::size_t>(std::max<std::streamoff>(stream.tellg(), 0)), '\0');
+  stream.seekg(0);
+  stream.read(content.data(), static_cast<std::streamsize>(content.size()));
+  content.resize(static_cast<std::size_t>(stream.gcount()));
+  return content;
+}
+
+// A name no other process and no other thread takes.
+std::string part_name() {
+  static const std::uint64_t process = [] {
+    std::random_device random;
+    return (static_cast<std::uint64_t>(random()) << 32U) | random();
+  }();
+  static std::atomic<std::uint64_t> count{0};
+  return "." + std::to_string(process) + "-" + std::to_string(count++) + std::string(part_extension);
+}
+
+bool write_file(const fs::path& file, std::string_view content) {
+  std::error_code error;
+  const fs::path part = file.parent_path() / part_name();
+  std::ofstream stream(part, std::ios::binary);
+  if (!stream) {
+    fs::create_directories(file.parent_path(), error);
+    stream.open(part, std::ios::binary);
+  }
+  stream.write(content.data(), static_cast<std::streamsize>(content.size()));
+  stream.close();
+  if (stream) fs::rename(part, file, error);
+  if (stream && !error) return true;
+  fs::remove(part, error);
+  return false;
+}
+
+void mark_used(const fs::path& file) {
+  std::error_code error;
+  const fs::file_time_type now = fs::file_time_type::clock::now();
+  const fs::file_time_type before = fs::last_write_time(file, error);
+  if (!error && now - before > use_grain) fs::last_write_time(file, now, error);
+}
+
+struct Entry {
+  fs::path file;
+  fs::file_time_type used;
+  std::uint64_t size = 0;
+};
+
+// Whether this file is ours to remove, whatever else lies in the folder.
+bool is_own(const fs::path& file) {
+  const std::string extension = file.extension().string();
+  const std::string folder = file.parent_path().filename().string();
+  const std::string name = file.stem().string();
+  constexpr const char* digits = "0123456789abcdef";
+  if (folder.size() != 2 || folder.find_first_not_of(digits) != std::string::npos) return false;
+  if (extension == part_extension) return name.front() == '.';
+  return name.size() == hash_size - 2 && name.find_first_not_of(digits) == std::string::npos &&
+         (extension == ".sources" || extension == ".compile" || extension == ".emitted");
+}
+
+// All entries; half-written ones of the dead are removed on the way.
+std::vector<Entry> entries_in(const fs::path& directory) {
+  const fs::file_time_type long_ago = fs::file_time_type::clock::now() - std::chrono::hours(1);
+  std::vector<Entry> entries;
+  std::error_code error;
+  for (fs::recursive_directory_iterator it(directory, error), end; !error && it != end; it.increment(error)) {
+    std::error_code gone;  // another process may remove it meanwhile
+    if (!it->is_regular_file(gone) || gone || !is_own(it->path())) continue;
+    Entry entry{it->path(), it->last_write_time(gone), it->file_size(gone)};
+    if (gone) continue;
+    if (entry.file.extension() != part_extension)
+      entries.push_back(std::move(entry));
+    else if (entry.used < long_ago)
+      fs::remove(entry.file, gone);
+  }
+  return entries;
+}
+
+}  // namespace
+
+fs::path AnswerCache::file(EntryKind kind, const std::string& key) const {
+  return directory_ / key.substr(0, 2) / (key.substr(2) + extension(kind));
+}
+
+std::optional<std::string> AnswerCache::find(EntryKind kind, const std::string& key) {
+  if (directory_.empty()) return std::nullopt;
+  const fs::path place = file(kind, key);
+  std::optional<std::string> content = read_file(place);
+  if (!content) return std::nullopt;
+  const std::size_t head = title.size() + key.size();
+  const std::string_view whole = *content;
+  const bool sound =
+      whole.size() >= head + hash_size && whole.substr(0, title.size()) == title &&
+      whole.substr(title.size(), key.size()) == key &&
+      hash_of(whole.substr(0, whole.size() - hash_size)) == whole.substr(whole.size() - hash_size);
+  if (!sound) {
+    ++damaged_;
+    return std::nullopt;
+  }
+  mark_used(place);
+  return std::string(whole.substr(head, whole.size() - head - hash_size));
+}
+
+void AnswerCache::store(EntryKind kind, const std::string& key, std::string_view content) {
+  if (directory_.empty()) return;
+  std::string entry(title);
+  entry.append(key).append(content);
+  entry += hash_of(entry);
+  if (write_file(file(kind, key), entry)) written_ += entry.size();
+}
+
+std::uint64_t trim_cache(const fs::path& directory, std::uint64_t limit) {
+  std::vector<Entry> entries = entries_in(directory);
+  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+    return a.used != b.used ? a.used < b.used : a.file < b.file;
+  });
+  std::uint64_t total = 0;
+  for (const Entry& entry : entries) total += entry.size;
+  for (const Entry& entry : entries) {
+    if (total <= limit) break;
+    std::error_code error;
+    fs::remove(entry.file, error);
+    if (!error) total -= entry.size;
+  }
+  return total;
+}
+
+}  // namespace penumbra::validation

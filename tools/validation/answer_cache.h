@@ -1,0 +1,50 @@
+// Answers on disk, each under the hash of all it depends on. Safe for any number of processes at once.
+//
+// An entry is one file, written beside its place and renamed, and carries its key and a checksum of all of
+// it: a reader sees a whole entry or none. One that is truncated or damaged reads as absent, is counted, and
+// is written again. There are no locks, and nothing is flushed to the disk: after a power cut entries may be
+// damaged, which is found. Writing is an attempt: a full or read-only disk costs the next run its time.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace penumbra::validation {
+
+enum class EntryKind {
+  sources,  // the files a text is made of, and its key (source_record.h)
+  compile,  // a CompileAnswer
+  emitted,  // an EmittedAnswer
+};
+
+class AnswerCache {
+ public:
+  // An empty path keeps nothing.
+  explicit AnswerCache(std::filesystem::path directory) : directory_(std::move(directory)) {}
+
+  // key: 32 hexadecimal digits (platform::ContentHash).
+  std::optional<std::string> find(EntryKind kind, const std::string& key);
+  void store(EntryKind kind, const std::string& key, std::string_view content);
+
+  std::filesystem::path file(EntryKind kind, const std::string& key) const;
+
+  std::size_t damaged() const { return damaged_; }          // entries met that were not whole
+  std::uint64_t bytes_written() const { return written_; }  // by this object
+
+ private:
+  std::filesystem::path directory_;
+  std::atomic<std::size_t> damaged_{0};
+  std::atomic<std::uint64_t> written_{0};
+};
+
+// Removes the entries that were used longest ago until the rest has at most `limit` bytes, and what killed
+// processes left half-written an hour ago or more. Entries in use are whole until their readers close them.
+// The bytes that are left.
+std::uint64_t trim_cache(const std::filesystem::path& directory, std::uint64_t limit);
+
+}  // namespace penumbra::validation

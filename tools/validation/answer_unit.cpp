@@ -1,0 +1,126 @@
+#include "validation/answer_unit.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "input/input_error.h"
+#include "validation/answer_cache.h"
+#include "validation/kept_answers.h"
+#include "validation/source_record.h"
+#include "validation/target_check.h"
+#include "validation/unit_message.h"
+
+namespace penumbra::validation {
+
+namespace {
+
+class UnitAtWork {
+ public:
+  UnitAtWork(const UnitJob& job, platform::WorkerLink& link)
+      : job_(job), link_(link), cache_(job.context.cache) {}
+
+  UnitReply answer() {
+    link_.note(note_compile);
+    make_text();
+    reply_.damaged = cache_.damaged();
+    reply_.written = cache_.bytes_written();
+    return std::move(reply_);
+  }
+
+ private:
+  void make_text() {
+    try {
+      source_ = shaders::preprocess(job_.unit.compile);
+    } catch (const InputError& error) {  // the file was there when the run began
+      reply_.compile = CompileAnswer{};
+      reply_.compile->diagnostics.push_back(
+          {job_.unit.compile.file.string(), 0, 0, hlsl::Severity::error, error.what(), {}});
+      return;
+    }
+    reply_.dependencies = source_.dependencies;
+    if (job_.text_only) {
+      reply_.text = std::move(source_.text);
+    } else if (hlsl::has_errors(source_.diagnostics)) {
+      reply_.compile = CompileAnswer{std::move(source_.diagnostics), {}, source_.missing_editor_include, {}};
+    } else {
+      answer_text();
+    }
+  }
+
+  void answer_text() {
+    reply_.text_key = text_key(job_.context, job_.unit.compile, source_);
+    if (!source_.found_by_case)  // else a record of files does not say all
+      cache_.store(EntryKind::sources, sources_key(job_.context, job_.unit.compile),
+                   encode(source_record(source_, reply_.text_key)));
+    if (!is_mine(question_text, reply_.text_key)) return;
+    reply_.compile = kept_compile_answer(cache_, reply_.text_key,
+                                         [this](const std::string& file) { return hash_as_read(file); });
+    reply_.compile_cached = reply_.compile.has_value();
+    if (!reply_.compile) compile();
+    if (!reply_.compile->module_key.empty() && emits(job_.unit)) answer_module();
+  }
+
+  void answer_module() {
+    const std::string key = emitted_key(job_.context, job_.unit, reply_.compile->module_key);
+    if (!is_mine(question_module, key)) return;
+    reply_.emitted = kept_emitted_answer(cache_, key);
+    reply_.emitted_cached = reply_.emitted.has_value();
+    if (reply_.emitted) return;
+    if (spirv_.empty()) compile();
+    emit();
+    if (job_.given_up.empty()) cache_.store(EntryKind::emitted, key, encode(*reply_.emitted));
+  }
+
+  void compile() {
+    std::vector<std::pair<std::string, std::string>> hashes;
+    for (const std::string& file : source_.sources.names())
+      hashes.emplace_back(file, source_hash(source_.sources.text(file)));
+    shaders::CompileResult result = shaders::compile(job_.unit.compile, std::move(source_));
+    spirv_ = std::move(result.spirv);
+    CompileAnswer answer{std::move(result.diagnostics), {}, {}, {}};
+    if (!spirv_.empty()) answer.module_key = module_key(spirv_);
+    for (auto& file : hashes)
+      if (std::any_of(answer.diagnostics.begin(), answer.diagnostics.end(),
+                      [&](const hlsl::Diagnostic& said) { return said.line > 0 && said.file == file.first; }))
+        answer.quoted.push_back(std::move(file));
+    cache_.store(EntryKind::compile, reply_.text_key, encode(answer));
+    reply_.compile = std::move(answer);
+    reply_.compile_cached = false;
+  }
+
+  void emit() {
+    reply_.emitted.emplace();
+    for (const std::string& target : job_.unit.targets) {
+      if (target == "spirv") continue;
+      std::vector<hlsl::Diagnostic>& said = reply_.emitted->emplace_back();
+      if (std::find(job_.given_up.begin(), job_.given_up.end(), target) != job_.given_up.end()) continue;
+      link_.note(target);
+      said = check_target(spirv_, job_.unit.compile.stage, target);
+    }
+  }
+
+  bool is_mine(char kind, const std::string& key) { return link_.ask(kind + key) == answer_mine; }
+
+  std::optional<std::string> hash_as_read(const std::string& file) const {
+    if (!source_.sources.contains(file)) return std::nullopt;
+    return source_hash(source_.sources.text(file));
+  }
+
+  const UnitJob& job_;
+  platform::WorkerLink& link_;
+  AnswerCache cache_;
+  shaders::PreprocessedSource source_;
+  std::vector<std::uint32_t> spirv_;
+  UnitReply reply_;
+};
+
+}  // namespace
+
+std::string answer_unit(const std::string& job, platform::WorkerLink& link) {
+  const std::optional<UnitJob> decoded = decode_job(job);
+  if (!decoded) throw std::logic_error("a job that cannot be read");
+  return encode(UnitAtWork(*decoded, link).answer());
+}
+
+}  // namespace penumbra::validation

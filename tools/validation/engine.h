@@ -1,0 +1,57 @@
+// Runs units: from the cache where their sources are unchanged, in worker processes otherwise, each text and
+// each module once.
+//
+// Results do not depend on the number of jobs, on the cache, or on whether processes are used: only `cached`
+// and the time do. A unit that crashes, hangs or eats memory in a compiler fails in the target that did it,
+// with the signal or the limit in its message and the text that does it in a file of its own; every other
+// unit and target gets its answer. Such failures are not kept in the cache.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "platform/worker_pool.h"
+#include "validation/shard.h"
+#include "validation/unit.h"
+
+namespace penumbra::validation {
+
+// How the program is started to be a worker of run_units(): it hands these arguments to serve_units().
+inline constexpr const char* worker_mode = "validation-worker";
+
+struct EngineOptions {
+  unsigned jobs = 1;
+  Shard shard;
+  // The folder of the cache; empty keeps nothing. default_cache() is where the program keeps its own.
+  std::filesystem::path cache;
+  std::uint64_t cache_limit = std::uint64_t{512} << 20;  // bytes; the entries used longest ago go first
+  // The arguments that start this program as a worker, {worker_mode} for one whose main() knows it. Without
+  // any, threads do the work, and a crash ends the program.
+  std::vector<std::string> worker_arguments;
+  platform::WorkerLimits limits;
+  bool share = true;           // each text and each module once; without, every unit pays for itself (to measure)
+  std::filesystem::path keep;  // folder for texts that crash a compiler; empty: below the cache, or temporary
+  std::function<void(std::size_t done, std::size_t total)> progress;  // called by one thread at a time
+};
+
+struct EngineRun {
+  std::vector<UnitResult> results;  // of the shard's units, in their order
+  std::size_t unique_texts = 0;     // different texts among them: what there was to compile
+  std::size_t unique_modules = 0;   // different SPIR-V modules
+  std::size_t compiled = 0;         // texts that were compiled in this run, not shared and not cached
+  std::size_t damaged_entries = 0;  // of the cache: found, left aside and written again
+};
+
+std::filesystem::path default_cache();  // "validation" in platform::cache_directory()
+
+// Throws InputError when a unit's own file cannot be read or the cache's folder cannot be made,
+// EnvironmentError when a driver or the worker processes are not to be had, and platform::Interrupted.
+EngineRun run_units(const std::vector<CompileUnit>& units, const EngineOptions& options);
+
+int serve_units();  // the worker's side; the exit code of the process
+
+}  // namespace penumbra::validation

@@ -1,0 +1,78 @@
+#include "validation/kept_answers.h"
+
+#include <algorithm>
+#include <span>
+
+#include "platform/content_hash.h"
+
+namespace penumbra::validation {
+
+namespace {
+
+platform::ContentHash keyed(const char* purpose, const AnswerContext& context) {
+  platform::ContentHash hash;
+  hash.update(purpose).update(context.build);
+  return hash;
+}
+
+}  // namespace
+
+std::string sources_key(const AnswerContext& context, const shaders::CompileRequest& request) {
+  return keyed("sources", context).update(encode(request)).hex();
+}
+
+// What only the preprocessor reads has done its work; all else may matter to the compiler.
+std::string text_key(const AnswerContext& context, const shaders::CompileRequest& request,
+                     const shaders::PreprocessedSource& source) {
+  shaders::CompileRequest rest = request;
+  rest.text.reset();
+  rest.defines.clear();
+  rest.package_roots.clear();
+  rest.include_directories.clear();
+  rest.project.clear();
+  rest.cginc_root.clear();
+  rest.overlays.clear();
+  return keyed("text", context)
+      .update(encode(rest))
+      .update(source.text)
+      .update(encode(source.diagnostics))
+      .hex();
+}
+
+std::string module_key(const std::vector<std::uint32_t>& spirv) {
+  return platform::ContentHash().update(std::span<const std::uint32_t>(spirv)).hex();
+}
+
+std::string emitted_key(const AnswerContext& context, const CompileUnit& unit, const std::string& module) {
+  platform::ContentHash hash = keyed("emitted", context);
+  hash.update(module).update(static_cast<int>(unit.compile.stage));
+  for (const std::string& target : unit.targets) {
+    if (target == "spirv") continue;
+    const auto driver = context.drivers.find(target);
+    hash.update(target).update(driver == context.drivers.end() ? "" : driver->second);
+  }
+  return hash.hex();
+}
+
+std::optional<CompileAnswer> kept_compile_answer(AnswerCache& cache, const std::string& text_key,
+                                                 const HashNow& hash_now) {
+  const std::optional<std::string> entry = cache.find(EntryKind::compile, text_key);
+  if (!entry) return std::nullopt;
+  std::optional<CompileAnswer> answer = decode_compile_answer(*entry);
+  if (!answer) return std::nullopt;
+  const bool holds = std::all_of(answer->quoted.begin(), answer->quoted.end(),
+                                 [&](const auto& quoted) { return hash_now(quoted.first) == quoted.second; });
+  return holds ? answer : std::nullopt;
+}
+
+std::optional<EmittedAnswer> kept_emitted_answer(AnswerCache& cache, const std::string& key) {
+  const std::optional<std::string> entry = cache.find(EntryKind::emitted, key);
+  return entry ? decode_emitted_answer(*entry) : std::nullopt;
+}
+
+bool emits(const CompileUnit& unit) {
+  return std::any_of(unit.targets.begin(), unit.targets.end(),
+                     [](const std::string& target) { return target != "spirv"; });
+}
+
+}  // namespace penumbra::validation

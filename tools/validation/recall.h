@@ -1,0 +1,29 @@
+// The answers of earlier runs, as far as the files are what they were. Internal to this room.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "validation/kept_answers.h"
+#include "validation/source_record.h"
+#include "validation/unit_message.h"
+
+namespace penumbra::validation {
+
+class Recall {
+ public:
+  explicit Recall(const AnswerContext& context) : context_(context), cache_(context.cache) {}
+
+  // All that a worker would reply, without making the text; nothing when any of it is not known.
+  // Throws InputError when the unit's own file cannot be read.
+  std::optional<UnitReply> reply_to(const CompileUnit& unit);
+
+  std::size_t damaged() const { return cache_.damaged(); }
+
+ private:
+  const AnswerContext& context_;
+  AnswerCache cache_;
+  FilesNow files_;
+};
+
+}  // namespace penumbra::validation

@@ -1,0 +1,65 @@
+#include "validation/reproduction.h"
+
+#include <system_error>
+
+#include "hlsl/source_text.h"
+#include "input/input_error.h"
+#include "platform/atomic_file.h"
+#include "platform/content_hash.h"
+
+namespace penumbra::validation {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// A comment ends with its line, whatever a name holds.
+std::string one_line(std::string text) {
+  for (char& character : text)
+    if (character == '\n' || character == '\r' || character == '\\') character = ' ';
+  return text;
+}
+
+std::string source_of(const CompileUnit& unit) {
+  if (unit.compile.text) return *unit.compile.text;
+  return hlsl::read_source(unit.compile.file).text;
+}
+
+std::string name_of(const CompileUnit& unit, const std::string& content) {
+  std::string stem = unit.technique.empty() ? fs::path(unit.file).stem().string() : unit.technique;
+  for (char& character : stem) {
+    const bool plain = (character >= '0' && character <= '9') || (character >= 'a' && character <= 'z') ||
+                       (character >= 'A' && character <= 'Z') || character == '-' || character == '_';
+    if (!plain) character = '_';
+  }
+  return stem + "-" + platform::ContentHash().update(content).hex().substr(0, 16) + ".hlsl";
+}
+
+std::string head(const CompileUnit& unit, const Crash& crash, const std::string& file_name) {
+  const std::string stage = hlsl::stage_name(unit.compile.stage);
+  std::string text =
+      "// " + crash.target + ": the compiler " + crash.failure + ".\n// Of " + one_line(unit.file);
+  if (!unit.shader.empty()) text += ", shader " + one_line(unit.shader) + ", pass " + one_line(unit.pass);
+  text += "; entry " + one_line(unit.compile.entry) + ", stage " + stage + "\n// Defines:";
+  for (const auto& [name, value] : unit.compile.defines) text += one_line(" " + name + "=" + value);
+  if (crash.text.empty()) text += "\n// The source as it is: the preprocessor does not come to its end.";
+  return text + "\n// See it: penumbra validate " + file_name + " --entry " + one_line(unit.compile.entry) +
+         " --stage " + stage + " --targets " + crash.target + "\n";
+}
+
+}  // namespace
+
+std::string write_reproduction(const fs::path& folder, const CompileUnit& unit, const Crash& crash) {
+  const std::string text = crash.text.empty() ? source_of(unit) : crash.text;
+  const std::string name = name_of(unit, text + crash.target);
+  std::error_code error;
+  fs::create_directories(folder, error);
+  try {
+    platform::write_file_atomically(folder / name, head(unit, crash, name) + text);
+  } catch (const InputError&) {
+    return {};
+  }
+  return (folder / name).string();
+}
+
+}  // namespace penumbra::validation

@@ -1,0 +1,31 @@
+#include "validation/target_check.h"
+
+#include <optional>
+
+#include "shaders/cross_compile.h"
+#include "shaders/gl_check.h"
+
+namespace penumbra::validation {
+
+std::vector<hlsl::Diagnostic> check_target(const std::vector<std::uint32_t>& spirv, hlsl::Stage stage,
+                                           const std::string& target) {
+  const std::optional<shaders::Target> known = shaders::find_target(target);
+  if (!known) return {};
+  shaders::CrossCompileResult emitted = shaders::cross_compile(spirv, *known);
+  if (hlsl::has_errors(emitted.diagnostics) || !shaders::is_gl(*known)) return emitted.diagnostics;
+  return shaders::gl_check({{stage, emitted.text}}, *known);
+}
+
+std::string checking_driver(const std::string& target) {
+  const std::optional<shaders::Target> known = shaders::find_target(target);
+  return known && shaders::is_gl(*known) ? shaders::gl_driver(*known) : std::string();
+}
+
+std::string checked_by(const std::string& target) {
+  if (target == "spirv") return "glslang, then SPIRV-Tools for Vulkan 1.1";
+  const std::string driver = checking_driver(target);
+  if (!driver.empty()) return "compiled and linked by OpenGL driver " + driver;
+  return "emitted by SPIRV-Cross, not compiled";
+}
+
+}  // namespace penumbra::validation

@@ -1,0 +1,25 @@
+// What one target says to a module: emitted by SPIRV-Cross and, where this machine has a driver for it,
+// compiled and linked. Internal to this room.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "hlsl/diagnostic.h"
+#include "hlsl/stage.h"
+
+namespace penumbra::validation {
+
+// Nothing for "spirv": a module that is there has passed. Throws EnvironmentError when GL is needed and not
+// there.
+std::vector<hlsl::Diagnostic> check_target(const std::vector<std::uint32_t>& spirv, hlsl::Stage stage,
+                                           const std::string& target);
+
+// The driver that checks the target; empty where none does. Throws EnvironmentError as above.
+std::string checking_driver(const std::string& target);
+
+// Who checks the target, for reports: "compiled and linked by OpenGL driver ..." and the like.
+std::string checked_by(const std::string& target);
+
+}  // namespace penumbra::validation

@@ -1,0 +1,71 @@
+// One thing to validate, and what came of it: what goes to a worker, and what comes back and is kept.
+//
+// The encoded forms are bytes of this build's own: both ends are the same program, and the cache's keys hold
+// the identity of the build. Decoding refuses what is truncated or damaged.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "hlsl/diagnostic.h"
+#include "shaders/compile.h"
+#include "validation/report.h"
+
+namespace penumbra::validation {
+
+// One entry point of one file with one keyword set. All but the request and the targets is for the report:
+// answers do not depend on it.
+struct CompileUnit {
+  std::string technique;
+  std::string file;
+  std::string shader;
+  std::string pass;
+  std::vector<std::string> keywords;
+  shaders::CompileRequest compile;
+  std::vector<std::string> targets;  // "spirv" and names of shaders::Target
+};
+
+struct TargetResult {
+  VariantStatus status = VariantStatus::passed;  // passed, failed, unreached or unchecked
+  std::vector<hlsl::Diagnostic> diagnostics;
+  std::string reproduction;  // a file with the text that crashed or hung a compiler; empty without
+};
+
+struct UnitResult {
+  std::size_t unit = 0;               // its place among the units of the run
+  std::vector<TargetResult> targets;  // in the order of CompileUnit::targets
+  std::string text_key;    // equal for units that are one to the parser; empty when there is no text
+  std::string module_key;  // of the SPIR-V; empty when there is none
+  // The include that only the Unity editor has, for want of which every target is unchecked; empty without.
+  std::string missing_editor_include;
+  std::vector<std::filesystem::path> dependencies;  // every file that was read
+  bool cached = false;                              // the answer is of an earlier run
+};
+
+// What became of one text, up to valid SPIR-V.
+struct CompileAnswer {
+  std::vector<hlsl::Diagnostic> diagnostics;
+  std::string module_key;              // empty when there is no SPIR-V
+  std::string missing_editor_include;  // as in shaders::PreprocessedSource
+  // The files that the messages quote, with the hash of what they held. Comments are no part of a text key:
+  // the answer of an equal text is taken only where the quoted lines are the same.
+  std::vector<std::pair<std::string, std::string>> quoted;
+};
+
+// What became of one module in every target but "spirv", in the order of CompileUnit::targets.
+using EmittedAnswer = std::vector<std::vector<hlsl::Diagnostic>>;
+
+std::string encode(const shaders::CompileRequest& request);
+std::string encode(const CompileUnit& unit);
+std::string encode(const std::vector<hlsl::Diagnostic>& diagnostics);
+std::string encode(const CompileAnswer& answer);
+std::string encode(const EmittedAnswer& answer);
+std::optional<CompileUnit> decode_unit(std::string_view bytes);
+std::optional<CompileAnswer> decode_compile_answer(std::string_view bytes);
+std::optional<EmittedAnswer> decode_emitted_answer(std::string_view bytes);
+
+}  // namespace penumbra::validation

@@ -1,0 +1,95 @@
+#include "validation/unit_message.h"
+
+#include <utility>
+
+#include "validation/byte_stream.h"
+
+namespace penumbra::validation {
+
+namespace {
+
+bool read_flag(ByteReader& in) {
+  return in.number() != 0;
+}
+
+// Nothing, or what `decode` makes of the text; spoils the reader when it makes nothing of it.
+template <typename Value, typename Decode>
+std::optional<Value> read_optional(ByteReader& in, const Decode& decode) {
+  if (!read_flag(in)) return std::nullopt;
+  std::optional<Value> value = decode(in.text());
+  if (!value) in.spoil();
+  return value;
+}
+
+template <typename Value>
+void write_optional(ByteWriter& out, const std::optional<Value>& value) {
+  out.number(value ? 1 : 0);
+  if (value) out.text(encode(*value));
+}
+
+}  // namespace
+
+std::string encode(const UnitJob& job) {
+  ByteWriter out;
+  out.text(encode(job.unit));
+  out.text(job.context.cache.string());
+  out.text(job.context.build);
+  out.list(job.context.drivers, [&](const auto& driver) {
+    out.text(driver.first);
+    out.text(driver.second);
+  });
+  out.list(job.given_up, [&](const std::string& target) { out.text(target); });
+  out.number(job.text_only ? 1 : 0);
+  return out.take();
+}
+
+std::optional<UnitJob> decode_job(std::string_view bytes) {
+  ByteReader in(bytes);
+  std::optional<CompileUnit> unit = decode_unit(in.text());
+  if (!unit) return std::nullopt;
+  UnitJob job;
+  job.unit = *std::move(unit);
+  job.context.cache = in.text();
+  job.context.build = in.text();
+  for (auto& driver : in.list<std::pair<std::string, std::string>>([&] {
+         std::string target = in.text();
+         return std::pair(std::move(target), in.text());
+       }))
+    job.context.drivers.insert(std::move(driver));
+  job.given_up = in.list<std::string>([&] { return in.text(); });
+  job.text_only = read_flag(in);
+  if (!in.exhausted()) return std::nullopt;
+  return job;
+}
+
+std::string encode(const UnitReply& reply) {
+  ByteWriter out;
+  out.text(reply.text_key);
+  write_optional(out, reply.compile);
+  write_optional(out, reply.emitted);
+  out.list(reply.dependencies, [&](const std::filesystem::path& file) { out.text(file.string()); });
+  out.number(reply.compile_cached ? 1 : 0);
+  out.number(reply.emitted_cached ? 1 : 0);
+  out.text(reply.text);
+  out.number(reply.damaged);
+  out.number(reply.written);
+  return out.take();
+}
+
+std::optional<UnitReply> decode_reply(std::string_view bytes) {
+  ByteReader in(bytes);
+  UnitReply reply;
+  reply.text_key = in.text();
+  reply.compile = read_optional<CompileAnswer>(in, decode_compile_answer);
+  reply.emitted = read_optional<EmittedAnswer>(in, decode_emitted_answer);
+  reply.dependencies = in.list<std::filesystem::path>([&] { return std::filesystem::path(in.text()); });
+  reply.compile_cached = read_flag(in);
+  reply.emitted_cached = read_flag(in);
+  reply.text = in.text();
+  reply.damaged = in.number();
+  reply.written = in.number();
+  if (!in.exhausted()) return std::nullopt;
+  return reply;
+}
+
+}  // namespace penumbra::validation

@@ -1,0 +1,53 @@
+// What a unit's worker is told, and what it tells.
+//
+// Units of one run share answers: once the text is there the worker asks whether another unit has the same,
+// and once the module is there whether another has that. The run, which knows all that are at work, answers
+// "mine" to the first alone; the others leave their answer to it.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "validation/kept_answers.h"
+#include "validation/unit.h"
+
+namespace penumbra::validation {
+
+struct UnitJob {
+  CompileUnit unit;
+  AnswerContext context;
+  std::vector<std::string> given_up;  // targets in which it has crashed or hung before
+  bool text_only = false;             // only what the parser would read, for a file that reproduces a crash
+};
+
+struct UnitReply {
+  std::string text_key;                  // empty when there is no text; then `compile` says why
+  std::optional<CompileAnswer> compile;  // nothing when another unit with this text has it
+  std::optional<EmittedAnswer> emitted;  // nothing without a module, or when another unit with it has it
+  std::vector<std::filesystem::path> dependencies;
+  bool compile_cached = false;
+  bool emitted_cached = false;
+  std::string text;           // when that was asked for
+  std::uint64_t damaged = 0;  // cache entries that were met
+  std::uint64_t written = 0;  // bytes of the cache
+};
+
+std::string encode(const UnitJob& job);
+std::string encode(const UnitReply& reply);
+std::optional<UnitJob> decode_job(std::string_view bytes);
+std::optional<UnitReply> decode_reply(std::string_view bytes);
+
+// A question is one of these letters and a key; the answer is one of these words.
+inline constexpr char question_text = 't';
+inline constexpr char question_module = 'm';
+inline constexpr std::string_view answer_mine = "mine";
+inline constexpr std::string_view answer_known = "known";
+
+// The note while the text is made and compiled; after that each target's name.
+inline constexpr std::string_view note_compile = "spirv";
+
+}  // namespace penumbra::validation

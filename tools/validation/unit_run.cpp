@@ -1,0 +1,228 @@
+#include "validation/unit_run.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "platform/build_identity.h"
+#include "platform/interrupt.h"
+#include "validation/answer_unit.h"
+#include "validation/recall.h"
+#include "validation/target_check.h"
+
+namespace penumbra::validation {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+AnswerContext context_of(const std::vector<CompileUnit>& units, const EngineOptions& options) {
+  AnswerContext context;
+  context.cache = options.cache;
+  context.build = platform::build_identity();
+  for (const CompileUnit& unit : units)
+    for (const std::string& target : unit.targets)
+      if (context.drivers.count(target) == 0) context.drivers[target] = checking_driver(target);
+  return context;
+}
+
+// The target that tells what the compilation said.
+std::size_t speaks_for_compile(const CompileUnit& unit) {
+  const auto spirv = std::find(unit.targets.begin(), unit.targets.end(), note_compile);
+  return spirv == unit.targets.end() ? 0 : static_cast<std::size_t>(spirv - unit.targets.begin());
+}
+
+}  // namespace
+
+UnitRun::UnitRun(const std::vector<CompileUnit>& units, const EngineOptions& options)
+    : units_(units),
+      options_(options),
+      context_(context_of(units, options)),
+      own_(units_of_shard(units, options.shard)),
+      states_(own_.size()) {}
+
+void UnitRun::recall() {
+  Recall known(context_);
+  for (std::size_t place = 0; place < own_.size(); ++place) {
+    platform::throw_if_interrupted();
+    std::optional<UnitReply> reply = known.reply_to(unit(place));
+    if (!reply) {
+      waiting_.push_back(place);
+      continue;
+    }
+    texts_.emplace(reply->text_key, place);
+    if (reply->emitted)
+      modules_.emplace(emitted_key(context_, unit(place), reply->compile->module_key), place);
+    states_[place].reply = *std::move(reply);
+    say_done();
+  }
+  damaged_ += known.damaged();
+}
+
+void UnitRun::work() {
+  if (waiting_.empty()) return;
+  const auto jobs =
+      static_cast<unsigned>(std::min<std::size_t>(std::max(1U, options_.jobs), waiting_.size()));
+  if (options_.worker_arguments.empty())
+    platform::run_in_threads(jobs, answer_unit, *this);
+  else
+    platform::run_workers({options_.worker_arguments, jobs, options_.limits}, *this);
+}
+
+std::optional<platform::WorkerMessage> UnitRun::next() {
+  if (waiting_.empty()) return std::nullopt;
+  const std::size_t place = waiting_.front();
+  waiting_.pop_front();
+  UnitJob job{unit(place), context_, {}, states_[place].reproducing.has_value()};
+  for (const auto& [target, failure] : states_[place].failures) job.given_up.push_back(target);
+  return platform::WorkerMessage{place, encode(job)};
+}
+
+std::string UnitRun::answer_question(std::size_t place, const std::string& question) {
+  if (!options_.share) return std::string(answer_mine);
+  auto& owners = question.front() == question_text ? texts_ : modules_;
+  const bool mine = owners.emplace(question.substr(1), place).first->second == place;
+  return std::string(mine ? answer_mine : answer_known);
+}
+
+void UnitRun::finished(std::size_t place, platform::WorkerOutcome outcome) {
+  State& state = states_[place];
+  if (state.reproducing) return reproduced(place, outcome);
+  std::optional<UnitReply> reply;
+  if (outcome.failure.empty()) {
+    reply = decode_reply(outcome.answer);
+    if (!reply) outcome.failure = "gave an answer that cannot be read";
+  }
+  if (!reply) {
+    if (outcome.from_outside && !std::exchange(state.sent_again, true)) return send_first(place);
+    return crashed(place, outcome);
+  }
+  damaged_ += reply->damaged;
+  written_ += reply->written;
+  state.reply = *std::move(reply);
+  say_done();
+}
+
+void UnitRun::say_done() {
+  ++done_;
+  if (options_.progress) options_.progress(done_, own_.size());
+}
+
+void UnitRun::crashed(std::size_t place, const platform::WorkerOutcome& outcome) {
+  const std::string target = outcome.note.empty() ? std::string(note_compile) : outcome.note;
+  std::string message = "the compiler " + outcome.failure;
+  if (!outcome.last_words.empty()) message += "; it said: " + outcome.last_words;
+  states_[place].failures[target] = {std::move(message), {}};
+  states_[place].reproducing = Crash{target, outcome.failure, {}};
+  send_first(place);
+}
+
+// Its text is there, or making it crashes as well. What crashed in one target has the others to go.
+void UnitRun::reproduced(std::size_t place, const platform::WorkerOutcome& outcome) {
+  State& state = states_[place];
+  Crash crash = *std::exchange(state.reproducing, std::nullopt);
+  if (std::optional<UnitReply> reply = decode_reply(outcome.answer)) {
+    crash.text = std::move(reply->text);
+    state.reply.dependencies = std::move(reply->dependencies);
+  }
+  state.failures[crash.target].reproduction = write_reproduction(keep_folder(), unit(place), crash);
+  if (crash.target == note_compile) return say_done();
+  send_first(place);
+}
+
+fs::path UnitRun::keep_folder() const {
+  if (!options_.keep.empty()) return options_.keep;
+  if (!options_.cache.empty()) return options_.cache / "failures";
+  return fs::temp_directory_path() / "penumbra-failures";
+}
+
+const UnitRun::State& UnitRun::with_text_of(const State& state) const {
+  if (state.reply.compile || state.reply.text_key.empty()) return state;
+  return states_[texts_.at(state.reply.text_key)];
+}
+
+const UnitRun::State& UnitRun::with_module_of(const CompileUnit& unit, const State& compiled) const {
+  if (compiled.reply.emitted || !compiled.reply.compile || !emits(unit)) return compiled;
+  return states_[modules_.at(emitted_key(context_, unit, compiled.reply.compile->module_key))];
+}
+
+UnitResult UnitRun::result_of(std::size_t place) const {
+  const CompileUnit& unit = this->unit(place);
+  const State& compiled = with_text_of(states_[place]);
+  UnitResult result;
+  result.unit = own_[place];
+  result.targets.resize(unit.targets.size());
+  result.text_key = states_[place].reply.text_key;
+  result.dependencies = states_[place].reply.dependencies;
+  add_compile_answer(unit, compiled, result);
+  if (result.module_key.empty()) {
+    result.cached = compiled.reply.compile_cached;
+  } else {
+    const State& emitted = with_module_of(unit, compiled);
+    result.cached = compiled.reply.compile_cached && (!emits(unit) || emitted.reply.emitted_cached);
+    add_emitted_answers(unit, emitted, result);
+  }
+  for (TargetResult& target : result.targets)
+    if (!result.missing_editor_include.empty())
+      target.status = VariantStatus::unchecked;
+    else if (hlsl::has_errors(target.diagnostics))
+      target.status = VariantStatus::failed;
+  return result;
+}
+
+// Told by one target; without a module the others are not reached.
+void UnitRun::add_compile_answer(const CompileUnit& unit, const State& compiled, UnitResult& result) const {
+  const std::size_t speaker = speaks_for_compile(unit);
+  if (compiled.reply.compile) {
+    result.targets[speaker].diagnostics = compiled.reply.compile->diagnostics;
+    result.module_key = compiled.reply.compile->module_key;
+    result.missing_editor_include = compiled.reply.compile->missing_editor_include;
+  } else {
+    add_failure(unit, compiled, note_compile, result.targets[speaker]);
+  }
+  if (!result.module_key.empty()) return;
+  for (std::size_t i = 0; i < result.targets.size(); ++i)
+    if (i != speaker) result.targets[i].status = VariantStatus::unreached;
+}
+
+void UnitRun::add_emitted_answers(const CompileUnit& unit, const State& emitted, UnitResult& result) const {
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < unit.targets.size(); ++i) {
+    if (unit.targets[i] == note_compile) continue;
+    std::vector<hlsl::Diagnostic>& diagnostics = result.targets[i].diagnostics;
+    if (emitted.reply.emitted) {
+      const std::vector<hlsl::Diagnostic>& said = emitted.reply.emitted->at(next++);
+      diagnostics.insert(diagnostics.end(), said.begin(), said.end());
+      add_failure(unit, emitted, unit.targets[i], result.targets[i]);
+    } else {  // the module came out once, and then a second try at it crashed before
+      add_failure(unit, emitted, note_compile, result.targets[i]);
+    }
+  }
+}
+
+void UnitRun::add_failure(const CompileUnit& unit, const State& state, std::string_view target,
+                          TargetResult& result) {
+  const auto failure = state.failures.find(std::string(target));
+  if (failure == state.failures.end()) return;
+  result.diagnostics.push_back({unit.file, 0, 0, hlsl::Severity::error, failure->second.message, {}});
+  result.reproduction = failure->second.reproduction;
+}
+
+EngineRun UnitRun::take() const {
+  EngineRun run;
+  std::set<std::string> texts;
+  std::set<std::string> modules;
+  for (std::size_t place = 0; place < own_.size(); ++place) {
+    const UnitReply& reply = states_[place].reply;
+    if (reply.compile && !reply.text_key.empty() && !reply.compile_cached) ++run.compiled;
+    run.results.push_back(result_of(place));
+    if (!run.results.back().text_key.empty()) texts.insert(run.results.back().text_key);
+    if (!run.results.back().module_key.empty()) modules.insert(run.results.back().module_key);
+  }
+  run.unique_texts = texts.size();
+  run.unique_modules = modules.size();
+  run.damaged_entries = damaged_;
+  return run;
+}
+
+}  // namespace penumbra::validation

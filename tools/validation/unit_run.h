@@ -1,0 +1,74 @@
+// The state of a run: which units wait, which are known, who has the answer that others share. Internal to
+// this room.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "platform/worker_pool.h"
+#include "validation/engine.h"
+#include "validation/reproduction.h"
+#include "validation/unit_message.h"
+
+namespace penumbra::validation {
+
+class UnitRun final : public platform::WorkSource {
+ public:
+  // Both outlive the run. Throws EnvironmentError when a target's driver is not there.
+  UnitRun(const std::vector<CompileUnit>& units, const EngineOptions& options);
+
+  void recall();  // from the cache
+  void work();    // what is left
+  EngineRun take() const;
+  std::uint64_t written() const { return written_; }
+
+  std::optional<platform::WorkerMessage> next() override;
+  std::string answer_question(std::size_t place, const std::string& question) override;
+  void finished(std::size_t place, platform::WorkerOutcome outcome) override;
+
+ private:
+  struct Failure {
+    std::string message;
+    std::string reproduction;
+  };
+  // What is known of one unit so far.
+  struct State {
+    UnitReply reply;
+    std::map<std::string, Failure> failures;  // by target: crashes, hangs, memory
+    std::optional<Crash> reproducing;         // the text of this one is being made
+    bool sent_again = false;                  // after a worker was ended from outside
+  };
+
+  const CompileUnit& unit(std::size_t place) const { return units_[own_[place]]; }
+  void send_first(std::size_t place) { waiting_.push_front(place); }
+  void say_done();
+  void crashed(std::size_t place, const platform::WorkerOutcome& outcome);
+  void reproduced(std::size_t place, const platform::WorkerOutcome& outcome);
+  std::filesystem::path keep_folder() const;
+  const State& with_text_of(const State& state) const;
+  const State& with_module_of(const CompileUnit& unit, const State& compiled) const;
+  UnitResult result_of(std::size_t place) const;
+  void add_compile_answer(const CompileUnit& unit, const State& compiled, UnitResult& result) const;
+  void add_emitted_answers(const CompileUnit& unit, const State& emitted, UnitResult& result) const;
+  static void add_failure(const CompileUnit& unit, const State& state, std::string_view target,
+                          TargetResult& result);
+
+  const std::vector<CompileUnit>& units_;
+  const EngineOptions& options_;
+  AnswerContext context_;
+  std::vector<std::size_t> own_;  // the shard's; a place is an index of this
+  std::vector<State> states_;
+  std::deque<std::size_t> waiting_;
+  std::map<std::string, std::size_t> texts_;    // text key -> the place whose answer it is
+  std::map<std::string, std::size_t> modules_;  // emitted key -> likewise
+  std::size_t done_ = 0;
+  std::size_t damaged_ = 0;
+  std::uint64_t written_ = 0;
+};
+
+}  // namespace penumbra::validation
