@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <thread>
 
@@ -31,6 +32,17 @@ TEST(ChildProcess, KeepsOutputErrorsAndExitCodeApart) {
   EXPECT_EQ(result.errors, "err\n");
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_FALSE(result.succeeded());
+}
+
+TEST(ChildProcess, SeesOurEnvironmentWithWhatIsAddedAndReplaced) {
+  ::setenv("PENUMBRA_TEST_KEPT", "kept", 1);
+  ::setenv("PENUMBRA_TEST_REPLACED", "old", 1);
+  ChildCommand command = shell(
+      "echo $PENUMBRA_TEST_KEPT $PENUMBRA_TEST_ADDED $PENUMBRA_TEST_REPLACED; env | grep -c TEST_REPLACED");
+  command.environment = {{"PENUMBRA_TEST_ADDED", "a b=c"}, {"PENUMBRA_TEST_REPLACED", "new"}};
+  EXPECT_EQ(run_child(command).output, "kept a b=c new\n1\n");
+  EXPECT_EQ(std::getenv("PENUMBRA_TEST_ADDED"), nullptr);
+  EXPECT_STREQ(std::getenv("PENUMBRA_TEST_REPLACED"), "old");
 }
 
 TEST(ChildProcess, ALotOfTextGoesThroughBothWays) {
