@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "cost/families.h"
 #include "cost/made_up_report.h"
 #include "input/input_error_matcher.h"
 
@@ -39,7 +40,8 @@ TEST(CostBlock, TheSummaryPutsFamiliesSideBySide) {
   report.rows[3].measured.figures.instructions = 77;
   const std::string block = cost_summary_block(report);
   EXPECT_THAT(block,
-              HasSubstr("| Technique | instructions, old | instructions, new | cycles, old | cycles, new |"));
+              HasSubstr("| Technique | instructions, old | instructions, new | cycles per 64 lanes, old | "
+                        "cycles per 64 lanes, new |"));
   EXPECT_THAT(block, HasSubstr("| hard | 90 | 77 | - | - |"));
   EXPECT_THAT(block, HasSubstr("| tent-3 | - | - | - | - |"));
 }
@@ -67,6 +69,14 @@ TEST_P(Published, ShowsTheCommittedFigures) {
   const CostReport report = read_cost_report(root / "Documentation~" / "results" / "cost.json");
   const std::string text = file_text(root / GetParam());
   EXPECT_EQ(text, replace_cost_blocks(text, report, GetParam()));
+}
+
+TEST(CostDocumentation, NamesEveryKnownFamilyAndEveryFigure) {
+  const std::string text =
+      file_text(std::filesystem::path(PENUMBRA_SOURCE_DIR) / "Documentation~" / "cost.md");
+  for (const KnownFamily& family : known_families()) EXPECT_THAT(text, HasSubstr(family.name));
+  for (const FigureName& name : figure_names())
+    EXPECT_THAT(text, HasSubstr("`" + std::string(name.key) + "`"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Page, Published, testing::Values("README.md", "Documentation~/cost.md"),

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "cost/cost_report.h"
 #include "cost/families.h"
 #include "input/input_error.h"
 #include "input/input_error_matcher.h"
@@ -62,6 +63,15 @@ TEST(NullRadv, AnUnknownFamilyIsNamedWithTheNearest) {
   expect_input_error([] { open_family(radv("navi-21")); },
                      AllOf(HasSubstr("--family: this machine's RADV knows no family 'navi-21'"),
                            HasSubstr("did you mean 'navi21'?")));
+}
+
+// The list is of the Mesa version that the committed figures are of; others know more, fewer or other names.
+TEST(NullRadv, KnownFamiliesOpen) {
+  const std::string committed =
+      read_cost_report(PENUMBRA_SOURCE_DIR "/Documentation~/results/cost.json").driver;
+  const bool same_driver = open_family(radv()).driver == committed;
+  const std::vector<std::string> names = same_driver ? known_family_names() : default_families();
+  for (const std::string& name : names) EXPECT_NO_THROW(open_family(radv(name))) << name;
 }
 
 TEST(NullRadv, EveryFigureIsThere) {

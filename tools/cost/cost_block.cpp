@@ -68,7 +68,7 @@ std::string cost_summary_block(const CostReport& report) {
                                     "tent-7", "pcss-poisson-25", "pcss-angular-24-16"};
   static constexpr std::array figures{&Figures::instructions, &Figures::inverse_throughput_cycles};
   std::vector<std::string> heads{"Technique"};
-  for (const char* figure : {"instructions, ", "cycles, "})
+  for (const char* figure : {"instructions, ", "cycles per 64 lanes, "})
     for (const RadvFamily& family : report.families) heads.push_back(figure + markdown_cell(family.name));
   std::string text = head_of(report) + table_head(heads);
   for (const char* technique : shown) {
