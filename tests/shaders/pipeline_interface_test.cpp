@@ -68,11 +68,11 @@ TEST(PipelineInterface, LocationsOfMatricesArraysAndIntegers) {
 }
 
 TEST(PipelineInterface, PushConstantsFromTheStart) {
-  const PipelineInterface interface = pipeline_interface(
-      compiled("struct Pushed { float4 a; float2 b; }; [[vk::push_constant]] Pushed pushed;\n"
-               "float4 Main() : SV_Target { return pushed.a + pushed.b.xyxy; }",
-               hlsl::Stage::fragment),
-      "Main");
+  const PipelineInterface interface =
+      pipeline_interface(compiled("[[vk::push_constant]] cbuffer Pushed { float4 a; float2 b; };\n"
+                                  "float4 Main() : SV_Target { return a + b.xyxy; }",
+                                  hlsl::Stage::fragment),
+                         "Main");
   EXPECT_EQ(interface.push_constant_bytes, 24U);
 }
 
