@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <thread>
 
@@ -31,6 +32,20 @@ TEST(ChildProcess, KeepsOutputErrorsAndExitCodeApart) {
   EXPECT_EQ(result.errors, "err\n");
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_FALSE(result.succeeded());
+}
+
+TEST(ChildProcess, SeesOurEnvironmentWithWhatIsAddedAndReplaced) {
+  ::setenv("PENUMBRA_TEST_KEPT", "kept", 1);
+  ::setenv("PENUMBRA_TEST_REPLACED", "old", 1);
+  ChildCommand command{"env", {}, {}};  // no shell between, which would tidy up
+  command.environment = {{"PENUMBRA_TEST_ADDED", "a b=c"}, {"PENUMBRA_TEST_REPLACED", "new"}};
+  const std::string seen = "\n" + run_child(command).output;
+  EXPECT_THAT(seen, HasSubstr("\nPENUMBRA_TEST_KEPT=kept\n"));
+  EXPECT_THAT(seen, HasSubstr("\nPENUMBRA_TEST_ADDED=a b=c\n"));
+  EXPECT_THAT(seen, HasSubstr("\nPENUMBRA_TEST_REPLACED=new\n"));
+  EXPECT_THAT(seen, testing::Not(HasSubstr("PENUMBRA_TEST_REPLACED=old")));
+  EXPECT_EQ(std::getenv("PENUMBRA_TEST_ADDED"), nullptr);
+  EXPECT_STREQ(std::getenv("PENUMBRA_TEST_REPLACED"), "old");
 }
 
 TEST(ChildProcess, ALotOfTextGoesThroughBothWays) {

@@ -1,10 +1,12 @@
 #include "platform/child_process.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <sstream>
+#include <string_view>
 #include <thread>
 
 #include "input/input_error.h"
@@ -95,18 +97,40 @@ class SpawnSettings {
   posix_spawnattr_t attributes{};
 };
 
+// NAME=VALUE of every variable the child sees.
+std::vector<std::string> variables_of(const ChildCommand& command) {
+  std::vector<std::string> variables;
+  for (char** at = environ; *at != nullptr; ++at) {
+    const std::string_view variable = *at;
+    const std::string_view name = variable.substr(0, variable.find('='));
+    const bool replaced = std::any_of(command.environment.begin(), command.environment.end(),
+                                      [name](const auto& given) { return given.first == name; });
+    if (!replaced) variables.emplace_back(variable);
+  }
+  for (const auto& [name, value] : command.environment) variables.push_back(name + "=" + value);
+  return variables;
+}
+
+// As the system wants a list of texts: pointers, the last one null.
+std::vector<char*> pointers_to(std::vector<std::string>& texts) {
+  std::vector<char*> pointers;
+  pointers.reserve(texts.size() + 1);
+  for (std::string& text : texts) pointers.push_back(text.data());
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
 pid_t start(const ChildCommand& command, const Streams& streams) {
   std::vector<std::string> words{command.program};
   words.insert(words.end(), command.arguments.begin(), command.arguments.end());
-  std::vector<char*> argv;
-  argv.reserve(words.size() + 1);
-  for (std::string& word : words) argv.push_back(word.data());
-  argv.push_back(nullptr);
+  const std::vector<char*> argv = pointers_to(words);
+  std::vector<std::string> variables = variables_of(command);
+  const std::vector<char*> environment = pointers_to(variables);
 
   const SpawnSettings settings(streams);
   pid_t child = 0;
-  const int error =
-      ::posix_spawnp(&child, argv[0], &settings.actions, &settings.attributes, argv.data(), environ);
+  const int error = ::posix_spawnp(&child, argv[0], &settings.actions, &settings.attributes, argv.data(),
+                                   environment.data());
   if (error != 0) {
     throw EnvironmentError("'" + command.program + "' cannot be started: " + std::strerror(error));
   }

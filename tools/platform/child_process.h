@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace penumbra::platform {
@@ -15,7 +16,8 @@ struct ChildCommand {
   std::vector<std::string> arguments;
   std::string input;  // all of its standard input
   std::chrono::milliseconds timeout{30'000};
-  std::size_t output_limit = std::size_t{256} << 20;  // bytes of output and errors together
+  std::size_t output_limit = std::size_t{256} << 20;               // bytes of output and errors together
+  std::vector<std::pair<std::string, std::string>> environment{};  // added to ours, or in place of ours
 };
 
 struct ChildResult {

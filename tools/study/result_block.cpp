@@ -2,36 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "input/input_error.h"
+#include "input/markdown.h"
 #include "study/summary.h"
 
 namespace penumbra::study {
 namespace {
-
-// Text in a Markdown table: a bar would end the cell, a line break the table, and HTML would be obeyed.
-std::string markdown(std::string_view text) {
-  std::string safe;
-  for (const char c : text) {
-    switch (c) {
-      case '|':
-        safe += "\\|";
-        break;
-      case '<':
-        safe += "&lt;";
-        break;
-      case '&':
-        safe += "&amp;";
-        break;
-      case '\n':
-      case '\r':
-        safe += ' ';
-        break;
-      default:
-        safe += c;
-    }
-  }
-  return safe;
-}
 
 std::string figure(const std::optional<double>& value, int digits) {
   return value ? fmt::format("{:.{}f}", *value, digits) : "–";
@@ -81,7 +56,7 @@ std::string mean_table(const Results& results) {
                        (partial ? fmt::format(" ({} scenes)", found->scenes) : ""));
       fetches.push_back(figure(found != nullptr ? found->fetches : std::nullopt, 1));
     }
-    std::vector<std::string> cells{markdown(choice.label)};
+    std::vector<std::string> cells{markdown_cell(choice.label)};
     cells.insert(cells.end(), errors.begin(), errors.end());
     cells.insert(cells.end(), fetches.begin(), fetches.end());
     table.add(cells);
@@ -91,10 +66,10 @@ std::string mean_table(const Results& results) {
 
 std::string scene_table(const Results& results, double light) {
   std::vector<std::string> heads{"Technique"};
-  for (const std::string& scene : scene_names(results)) heads.push_back(markdown(scene));
+  for (const std::string& scene : scene_names(results)) heads.push_back(markdown_cell(scene));
   Table table(heads);
   for (const Choice& choice : choices(results)) {
-    std::vector<std::string> cells{markdown(choice.label)};
+    std::vector<std::string> cells{markdown_cell(choice.label)};
     for (const std::string& scene : scene_names(results)) {
       const Record* record = find_record(results, choice.label, scene, light);
       cells.push_back(figure(record != nullptr ? record->metrics.rmse_penumbra : std::nullopt, 3));
@@ -104,25 +79,13 @@ std::string scene_table(const Results& results, double light) {
   return table.text();
 }
 
-std::size_t only_position(const std::string& text, std::string_view marker, const std::string& name) {
-  const std::size_t first = text.find(marker);
-  if (first == std::string::npos) {
-    throw InputError(
-        name, fmt::format("the marker '{}' is missing", marker),
-        fmt::format("put {} and {} where the results belong", kResultBlockBegin, kResultBlockEnd));
-  }
-  if (text.find(marker, first + 1) != std::string::npos) {
-    throw InputError(name, fmt::format("the marker '{}' stands twice", marker), "remove one of them");
-  }
-  return first;
-}
-
 }  // namespace
 
 std::string result_block(const Results& results, const std::string& chart_path) {
-  std::string block = fmt::format(
-      "Hardware: {}. Device: {}. Driver: {}. Penumbra {}.  \nCommand: `{}`\n\n", markdown(results.hardware),
-      markdown(results.device), markdown(results.driver), markdown(results.library_version), results.command);
+  std::string block =
+      fmt::format("Hardware: {}. Device: {}. Driver: {}. Penumbra {}.  \nCommand: `{}`\n\n",
+                  markdown_cell(results.hardware), markdown_cell(results.device),
+                  markdown_cell(results.driver), markdown_cell(results.library_version), results.command);
   block += fmt::format(
       "Penumbra RMSE against ray tracing and texture fetches per pixel, by the light's angular diameter; "
       "mean over {} "
@@ -138,10 +101,7 @@ std::string result_block(const Results& results, const std::string& chart_path) 
 }
 
 std::string replace_result_block(const std::string& text, const std::string& block, const std::string& name) {
-  const std::size_t begin = only_position(text, kResultBlockBegin, name) + kResultBlockBegin.size();
-  const std::size_t end = only_position(text, kResultBlockEnd, name);
-  if (end < begin) throw InputError(name, "the results' end marker stands before their beginning");
-  return text.substr(0, begin) + "\n" + block + text.substr(end);
+  return replace_block(text, kResultBlock, block, name);
 }
 
 }  // namespace penumbra::study

@@ -8,8 +8,7 @@
 
 namespace penumbra::study {
 
-inline constexpr std::string_view kResultBlockBegin = "<!-- results:begin -->";
-inline constexpr std::string_view kResultBlockEnd = "<!-- results:end -->";
+inline constexpr std::string_view kResultBlock = "results";  // as input/markdown.h names blocks
 
 // Markdown: penumbra RMSE and fetches of every technique by light, mean over scenes, then every scene for
 // itself. chart_path is written as given. No time stands in it: a software device's ranks nothing.

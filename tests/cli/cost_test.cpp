@@ -1,0 +1,122 @@
+#include "cli/program.h"
+
+namespace penumbra {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::StartsWith;
+
+class Cost : public ProgramTest {
+ protected:
+  std::string shader() const {
+    return write("tinted.hlsl",
+                 "float4 tint; float4 Main(float4 colour : COLOR) : SV_Target {\n"
+                 "#ifdef DARK\n  colour = sqrt(colour);\n#endif\n  return colour * tint; }\n")
+        .string();
+  }
+  // A baseline of the shader, with the first `from` in it made `to`.
+  std::string baseline(const std::string& from, const std::string& to) const {
+    const auto written = run({"cost", shader(), "--family", "navi21", "--format", "json"});
+    EXPECT_EQ(written.exit_code, 0) << written.errors;
+    std::string text = written.output;
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from << " in\n" << text;
+    return write("baseline.json", text.replace(at, from.size(), to)).string();
+  }
+};
+
+TEST_F(Cost, TheWorkersSubcommandIsNotInHelp) {
+  const auto help = run({"--help"});
+  EXPECT_THAT(help.output, HasSubstr("\n  cost "));
+  EXPECT_THAT(help.output, Not(HasSubstr("cost-worker")));
+}
+
+TEST_F(Cost, AUsersFileWithKeywordSetsGivesTheSameBytesTwice) {
+  const std::vector<std::string> command{"cost",   shader(),     "--family", "navi21",   "--keywords",
+                                         "UNUSED", "--keywords", "DARK",     "--format", "csv"};
+  const auto once = run(command);
+  EXPECT_EQ(once.exit_code, 0) << once.errors;
+  EXPECT_THAT(once.output, StartsWith("family,techniques,file,entry,stage,keywords,instructions,"));
+  EXPECT_THAT(once.output, HasSubstr("Main,fragment,+UNUSED,"));
+  EXPECT_THAT(once.output, HasSubstr("Main,fragment,+DARK,"));
+  EXPECT_EQ(run(command).output, once.output);
+}
+
+TEST_F(Cost, ItsOwnBaselinePasses) {
+  const auto result = run({"cost", shader(), "--family", "navi21", "--baseline", baseline("{", "{")});
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(result.errors, HasSubstr("1 rows compared, 0 figures worse"));
+}
+
+TEST_F(Cost, AWorseFigureIsAFindingAndATolerancePermitsIt) {
+  baseline("{", "{");
+  std::string text = read("baseline.json");
+  const std::size_t at = text.find("\"code_size_bytes\": ") + std::string("\"code_size_bytes\": ").size();
+  const std::size_t end = text.find(',', at);
+  const int bytes = std::stoi(text.substr(at, end - at));
+  text.replace(at, end - at, std::to_string(bytes - 4));
+  const std::string file = write("baseline.json", text).string();
+  std::vector<std::string> command{"cost", shader(), "--family", "navi21", "--baseline", file};
+  const auto result = run(command);
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.errors, HasSubstr("tinted.hlsl Main: code bytes " + std::to_string(bytes - 4) + " -> " +
+                                       std::to_string(bytes)));
+  command.insert(command.end(), {"--tolerance", "900"});
+  EXPECT_EQ(run(command).exit_code, 0);
+}
+
+TEST_F(Cost, ABaselineOfAnotherDriverIsRefusedUnlessAsked) {
+  const std::string file = baseline("radv Mesa ", "radv Mesa 1.");
+  std::vector<std::string> command{"cost", shader(), "--family", "navi21", "--baseline", file};
+  const auto refused = run(command);
+  EXPECT_EQ(refused.exit_code, 3);
+  EXPECT_THAT(refused.output, IsEmpty()) << "it is said before anything is measured";
+  EXPECT_THAT(refused.errors, AllOf(HasSubstr("measured with radv Mesa 1."), HasSubstr("--any-driver")));
+  command.emplace_back("--any-driver");
+  const auto compared = run(command);
+  EXPECT_EQ(compared.exit_code, 0) << compared.errors;
+  EXPECT_THAT(compared.errors, HasSubstr("note: "));
+}
+
+TEST_F(Cost, BadInputIsTwo) {
+  const auto family = run({"cost", shader(), "--family", "navi2l"});
+  EXPECT_EQ(family.exit_code, 2);
+  EXPECT_THAT(family.errors, HasSubstr("did you mean 'navi21'?"));
+  const auto technique = run({"cost", "--technique", "tent5"});
+  EXPECT_EQ(technique.exit_code, 2);
+  EXPECT_THAT(technique.errors, HasSubstr("tent-5"));
+  EXPECT_EQ(run({"cost", path("absent.hlsl").string()}).exit_code, 2);
+  const auto baseline_file = write("bad.json", "{\"rows\": [}");
+  const auto baseline = run({"cost", shader(), "--baseline", baseline_file.string()});
+  EXPECT_EQ(baseline.exit_code, 2);
+  EXPECT_THAT(baseline.errors, HasSubstr("bad.json:1:"));
+}
+
+TEST_F(Cost, AShaderThatDoesNotCompileIsAFindingAtItsLine) {
+  const auto file = write("broken.hlsl", "float4 Main() : SV_Target\n{ return undeclared; }\n");
+  const auto result = run({"cost", file.string(), "--family", "navi21"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.errors, HasSubstr("broken.hlsl:2:10: error:"));
+}
+
+TEST_F(Cost, WithoutRadvItSaysWhatToInstall) {
+  const auto result = shell("VK_DRIVER_FILES=/no/such.json VK_ICD_FILENAMES=/no/such.json " PENUMBRA_PROGRAM
+                            " cost --technique hard --family navi21");
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.errors, AllOf(HasSubstr("no RADV"), HasSubstr("mesa-vulkan-drivers")));
+}
+
+TEST_F(Cost, TheDocumentationIsWrittenFromAFile) {
+  const std::string figures = baseline("{", "{");
+  const auto page = write("page.md", "# Mine\n<!-- cost:begin -->\n<!-- cost:end -->\nend\n");
+  const auto result = run({"cost", "--from", figures, "--readme", page.string()});
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(read("page.md"),
+              AllOf(StartsWith("# Mine\n"), HasSubstr("tinted.hlsl Main | "), HasSubstr("\nend\n")));
+}
+
+}  // namespace
+}  // namespace penumbra

@@ -1,0 +1,118 @@
+#include "cost/baseline.h"
+
+#include <gmock/gmock.h>
+
+#include "cost/made_up_report.h"
+#include "input/input_error.h"
+
+namespace penumbra::cost {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+void set_instructions(CostRow& row, std::uint64_t instructions) {
+  row.measured.figures.instructions = instructions;
+}
+
+TEST(Baseline, EqualFiguresPass) {
+  const BaselineComparison comparison = compare_with_baseline(made_up::report(), made_up::report(), {}, 0.0);
+  EXPECT_TRUE(comparison.passed());
+  EXPECT_THAT(comparison.better, IsEmpty());
+  EXPECT_EQ(comparison.compared, 6U);
+}
+
+TEST(Baseline, OneInstructionMoreIsWorseAndOneLessBetter) {
+  CostReport now = made_up::report();
+  set_instructions(now.rows[0], 91);
+  set_instructions(now.rows[1], 90);
+  const BaselineComparison comparison = compare_with_baseline(now, made_up::report(), {}, 0.0);
+  ASSERT_THAT(comparison.worse, SizeIs(1));
+  ASSERT_THAT(comparison.better, SizeIs(1));
+  EXPECT_FALSE(comparison.passed());
+  EXPECT_THAT(comparison_text(comparison), HasSubstr("worse: old hard: instructions 90 -> 91\n"));
+  EXPECT_THAT(comparison_text(comparison), HasSubstr("better: old hard +REVERSED: instructions 91 -> 90\n"));
+}
+
+TEST(Baseline, LessOccupancyIsWorse) {
+  CostReport now = made_up::report();
+  now.rows[0].measured.figures.occupancy = 15;
+  now.rows[1].measured.figures.occupancy = 17;
+  const BaselineComparison comparison = compare_with_baseline(now, made_up::report(), {}, 0.0);
+  ASSERT_THAT(comparison.worse, SizeIs(1));
+  EXPECT_EQ(comparison.worse[0].after, 15U);
+  EXPECT_THAT(comparison.better, SizeIs(1));
+}
+
+TEST(Baseline, TheToleranceIsOfTheEarlierFigure) {
+  CostReport now = made_up::report();
+  set_instructions(now.rows[0], 99);  // 10 % of 90 more
+  EXPECT_TRUE(compare_with_baseline(now, made_up::report(), {}, 10.0).passed());
+  EXPECT_FALSE(compare_with_baseline(now, made_up::report(), {}, 9.9).passed());
+}
+
+TEST(Baseline, SpillsWhereNoneWereAreBeyondAnyPercentage) {
+  CostReport before = made_up::report();
+  CostReport now = made_up::report();
+  before.rows[0].measured.figures.spilled_vgprs = 0;
+  now.rows[0].measured.figures.spilled_vgprs = 1;
+  EXPECT_FALSE(compare_with_baseline(now, before, {}, 1000.0).passed());
+}
+
+TEST(Baseline, NewAndGoneRowsAreFindings) {
+  CostReport now = made_up::report();
+  now.rows[0].variants = {{"soft", {}}};
+  const BaselineComparison comparison = compare_with_baseline(now, made_up::report(), {}, 0.0);
+  EXPECT_THAT(comparison.unknown, ElementsAre("old soft"));
+  EXPECT_THAT(comparison.gone, ElementsAre("old hard"));
+  EXPECT_FALSE(comparison.passed());
+}
+
+TEST(Baseline, ARunOfPartOfItMissesNothing) {
+  CostReport now = made_up::report();
+  now.rows = {now.rows[0], now.rows[1]};
+  const ComparedExtent extent{{"old"}, {"hard"}, {}};
+  EXPECT_TRUE(compare_with_baseline(now, made_up::report(), extent, 0.0).passed());
+  EXPECT_THAT(compare_with_baseline(now, made_up::report(), {{"old"}, {}, {}}, 0.0).gone,
+              ElementsAre("old box-3", "old box-5"));
+}
+
+TEST(Baseline, AUsersFileExpectsItselfAlone) {
+  CostReport before = made_up::report();
+  before.rows.push_back(made_up::row("old", {{"", {"A"}}}, 50));
+  before.rows.back().file = "My.hlsl";
+  CostReport now = before;
+  now.rows = {before.rows.back()};
+  EXPECT_TRUE(compare_with_baseline(now, before, {{"old"}, {}, {"My.hlsl"}}, 0.0).passed());
+  now.rows.clear();
+  EXPECT_THAT(compare_with_baseline(now, before, {{"old"}, {}, {"My.hlsl"}}, 0.0).gone,
+              ElementsAre("old My.hlsl Fragment +A"));
+}
+
+TEST(Baseline, TechniquesThatPartStillMeetTheirSharedFigures) {
+  CostReport now = made_up::report();
+  now.rows[2].variants = {{"box-3", {}}};
+  now.rows.push_back(made_up::row("old", {{"box-5", {}}}, 150));
+  const BaselineComparison comparison = compare_with_baseline(now, made_up::report(), {}, 0.0);
+  EXPECT_THAT(comparison.unknown, IsEmpty());
+  EXPECT_THAT(comparison_text(comparison), HasSubstr("worse: old box-5: instructions 140 -> 150\n"));
+}
+
+TEST(Baseline, OtherCompilersAreRefusedWithTheWayOut) {
+  const CostReport baseline = made_up::report();
+  EXPECT_NO_THROW(require_same_compilers(baseline.driver, baseline.compiler, baseline, "cost.json"));
+  try {
+    require_same_compilers("radv Mesa 9", baseline.compiler, baseline, "cost.json");
+    FAIL() << "figures of two drivers were compared";
+  } catch (const EnvironmentError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("cost.json: measured with radv Mesa 1.2.3"));
+    EXPECT_THAT(error.what(), HasSubstr("this machine has radv Mesa 9"));
+    EXPECT_THAT(error.what(), HasSubstr("--any-driver"));
+  }
+  EXPECT_THROW(require_same_compilers(baseline.driver, "glslang 9", baseline, "cost.json"), EnvironmentError);
+}
+
+}  // namespace
+}  // namespace penumbra::cost

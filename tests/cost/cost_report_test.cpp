@@ -1,0 +1,94 @@
+#include "cost/cost_report.h"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "cost/made_up_report.h"
+#include "input/input_error_matcher.h"
+
+namespace penumbra::cost {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+std::filesystem::path written(const std::string& text) {
+  const std::filesystem::path file =
+      std::filesystem::path(testing::TempDir()) /
+      (std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + "-cost.json");
+  std::ofstream(file, std::ios::binary) << text;
+  return file;
+}
+
+TEST(CostReport, JsonReadsBackAsItWasWritten) {
+  CostReport report = made_up::report();
+  report.rows[1].measured = {};
+  report.rows[1].measured.failure = "the driver's compiler was ended by signal 11";
+  const std::string json = cost_json(report);
+  const CostReport again = read_cost_report(written(json));
+  EXPECT_EQ(again.driver, report.driver);
+  EXPECT_EQ(again.compiler, report.compiler);
+  ASSERT_EQ(again.rows.size(), report.rows.size());
+  for (std::size_t i = 0; i < report.rows.size(); ++i) {
+    EXPECT_EQ(again.rows[i].variants, report.rows[i].variants);
+    EXPECT_EQ(again.rows[i].spirv, report.rows[i].spirv);
+    EXPECT_EQ(again.rows[i].measured.figures, report.rows[i].measured.figures);
+    EXPECT_EQ(again.rows[i].measured.failure, report.rows[i].measured.failure);
+  }
+  EXPECT_EQ(again.failures(), 1U);
+}
+
+TEST(CostReport, JsonHoldsTheDriversOwnNamesButNoHash) {
+  const std::string json = cost_json(made_up::report());
+  EXPECT_THAT(json, HasSubstr("\"Branches\": 3"));
+  EXPECT_THAT(json, HasSubstr("\"Subgroups per SIMD\": 16"));
+  EXPECT_THAT(json, Not(HasSubstr("hash"))) << "two builds of one driver differ in it";
+}
+
+TEST(CostReport, ABadFileIsNamedWithItsPlace) {
+  const auto reading = [](const std::string& text) { return [text] { read_cost_report(written(text)); }; };
+  expect_input_error(reading("{}"), HasSubstr("is no report of penumbra cost"));
+  expect_input_error(reading("{\"driver\": \"d\",\n \"rows\": [\n {\"figures\": {\"instructions\": -1}}]}"),
+                     HasSubstr("-cost.json:3:"));
+  expect_input_error(reading("{\"driver\": \"d\", \"rows\": [{\"figures\": {\"instructoins\": 1}}]}"),
+                     HasSubstr("instructoins"));
+}
+
+TEST(CostReport, NamesSayWhatSharesAModule) {
+  const CostReport report = made_up::report();
+  EXPECT_EQ(row_name(report.rows[0]), "hard");
+  EXPECT_EQ(row_name(report.rows[1]), "hard +REVERSED");
+  EXPECT_EQ(row_name(report.rows[2]), "box-3 (and 1 more)");
+  CostRow same = report.rows[0];
+  same.variants.push_back({"hard", {"NO_EFFECT"}});
+  EXPECT_EQ(row_name(same), "hard or +NO_EFFECT");
+  same.variants = {{"", {"A", "B"}}};
+  same.file = "My.hlsl";
+  EXPECT_EQ(row_name(same), "My.hlsl Fragment +A +B");
+}
+
+TEST(CostReport, TheTableHasARowAFamilyAndExplainsItself) {
+  CostReport report = made_up::report();
+  report.rows[5].measured = {};
+  report.rows[5].measured.failure = "the driver's compiler was ended by signal 8";
+  const std::string table = cost_table(report);
+  EXPECT_THAT(table, HasSubstr("old: Old GPU, radv Mesa 1.2.3\n"));
+  EXPECT_THAT(table, HasSubstr("box-3 is the same shader as box-5: they differ in uniforms\n"));
+  EXPECT_THAT(table, HasSubstr("0 in every row: SGPRs, spilled VGPRs"));
+  EXPECT_THAT(table,
+              HasSubstr("failed: box-3 (and 1 more), new: the driver's compiler was ended by signal 8"));
+}
+
+TEST(CostReport, CsvQuotesWhatWouldBreakALine) {
+  CostReport report = made_up::report();
+  report.rows.resize(1);
+  report.rows[0].file = "a,\"b\".hlsl";
+  const std::string csv = cost_csv(report);
+  EXPECT_THAT(csv, HasSubstr("old,hard,\"a,\"\"b\"\".hlsl\",Fragment,fragment,,90,24,"));
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 2);
+}
+
+}  // namespace
+}  // namespace penumbra::cost

@@ -1,0 +1,128 @@
+// The library's own figures: a change of a shader that costs an instruction more is seen here.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+
+#include "cost/baseline.h"
+#include "cost/measure_cost.h"
+
+namespace penumbra::cost {
+namespace {
+
+using testing::IsEmpty;
+
+constexpr const char* family = "navi21";
+
+CostRequest library_request() {
+  const std::filesystem::path root = PENUMBRA_SOURCE_DIR;
+  CostRequest request;
+  request.techniques = shaders::read_technique_list(root / "ShaderLibrary" / "techniques.json");
+  request.families = {family};
+  request.worker = PENUMBRA_PROGRAM;
+  request.jobs = 2;
+  return request;
+}
+
+void keep(CostRequest& request, const std::vector<std::string>& names) {
+  std::erase_if(request.techniques->techniques, [&names](const shaders::Technique& technique) {
+    return std::find(names.begin(), names.end(), technique.name) == names.end();
+  });
+}
+
+const Figures& figures_of_technique(const CostReport& report, const std::string& technique) {
+  for (const CostRow& row : report.rows)
+    for (const CostVariant& variant : row.variants)
+      if (variant == CostVariant{technique, {"UNITY_REVERSED_Z"}}) return row.measured.figures;
+  ADD_FAILURE() << "no row of " << technique;
+  static const Figures none;
+  return none;
+}
+
+// True of any compiler worth the name.
+void expect_order(const CostReport& report) {
+  const auto instructions = [&report](const char* technique) {
+    return figures_of_technique(report, technique).instructions.value_or(0);
+  };
+  EXPECT_LT(instructions("hard"), instructions("bilinear"));
+  EXPECT_LT(instructions("bilinear"), instructions("four-tap"));
+  EXPECT_LT(instructions("hard"), instructions("tent-3"));
+  EXPECT_LT(instructions("tent-3"), instructions("tent-5"));
+  EXPECT_LT(instructions("tent-5"), instructions("tent-7"));
+  EXPECT_LT(instructions("tent-5"), instructions("tent-5-plane"));
+  EXPECT_LT(instructions("bilinear"), instructions("pcss-poisson-25"));
+  for (const CostRow& row : report.rows) {
+    EXPECT_EQ(row.measured.failure, "") << row_name(row);
+    EXPECT_EQ(row.measured.figures.spilled_vgprs, 0U) << row_name(row);
+    EXPECT_EQ(row.measured.figures.spilled_sgprs, 0U) << row_name(row);
+    EXPECT_EQ(row.measured.figures.scratch_bytes, 0U) << row_name(row);
+  }
+}
+
+TEST(LibraryCost, IsTheCommittedOne) {
+  const std::filesystem::path file = PENUMBRA_SOURCE_DIR "/Documentation~/results/cost.json";
+  const CostReport committed = read_cost_report(file);
+  const CostOutcome measured = measure_cost(library_request());
+  EXPECT_THAT(measured.diagnostics, IsEmpty());
+  expect_order(measured.report);
+
+  const BaselineComparison comparison =
+      compare_with_baseline(measured.report, committed, {{family}, {}, {}}, 0.0);
+  EXPECT_THAT(comparison.unknown, IsEmpty()) << "techniques without committed figures: run scripts/publish";
+  EXPECT_THAT(comparison.gone, IsEmpty()) << "committed figures without a technique: run scripts/publish";
+  if (measured.report.driver != committed.driver || measured.report.compiler != committed.compiler) {
+    std::cout << "the committed figures are of " << committed.driver << " and " << committed.compiler
+              << "; here are " << measured.report.driver << " and " << measured.report.compiler
+              << ": only rows, order and spills were compared\n";
+    return;
+  }
+  EXPECT_TRUE(comparison.worse.empty() && comparison.better.empty())
+      << comparison_text(comparison) << "when that is meant, scripts/publish writes the new figures";
+  for (const CostRow& row : committed.rows) {
+    if (row.family != family) continue;
+    const auto same = std::find_if(measured.report.rows.begin(), measured.report.rows.end(),
+                                   [&row](const CostRow& other) { return other.variants == row.variants; });
+    ASSERT_NE(same, measured.report.rows.end()) << row_name(row) << " shares its module with others now";
+    EXPECT_EQ(same->spirv, row.spirv) << row_name(row);
+    EXPECT_EQ(same->measured.subgroup_size, row.measured.subgroup_size) << row_name(row);
+  }
+}
+
+TEST(LibraryCost, TwoRunsGiveTheSameBytesWhateverTheThreads) {
+  CostRequest request = library_request();
+  keep(request, {"hard", "four-tap", "box-3", "box-5", "pcss-angular-24-16"});
+  const std::string once = cost_json(measure_cost(request).report);
+  request.jobs = 5;
+  EXPECT_EQ(cost_json(measure_cost(request).report), once);
+}
+
+// box-3 and box-5 differ in a uniform alone, so their figures are one row; keywords make rows of their own.
+TEST(LibraryCost, PresetsThatAreUniformsShareARow) {
+  CostRequest request = library_request();
+  keep(request, {"hard", "box-3", "box-5"});
+  const CostReport report = measure_cost(request).report;
+  ASSERT_EQ(report.rows.size(), 4U);
+  EXPECT_EQ(row_name(report.rows[0]), "hard");
+  EXPECT_EQ(row_name(report.rows[1]), "hard +UNITY_REVERSED_Z");
+  const std::vector<CostVariant> both{{"box-3", {}}, {"box-5", {}}};
+  EXPECT_EQ(report.rows[2].variants, both);
+}
+
+TEST(LibraryCost, AFileThatDoesNotCompileIsADiagnosticAndTheRestGoesOn) {
+  const std::filesystem::path folder = testing::TempDir();
+  std::ofstream(folder / "cost-good.hlsl") << "float4 Main() : SV_Target { return 1; }\n";
+  std::ofstream(folder / "cost-bad.hlsl") << "float4 Main() : SV_Target { return undeclared; }\n";
+  CostRequest request;
+  request.families = {family};
+  request.worker = PENUMBRA_PROGRAM;
+  request.files = {{folder / "cost-bad.hlsl"}, {folder / "cost-good.hlsl"}};
+  const CostOutcome outcome = measure_cost(request);
+  ASSERT_EQ(outcome.diagnostics.size(), 1U);
+  EXPECT_EQ(outcome.diagnostics[0].line, 1);
+  ASSERT_EQ(outcome.report.rows.size(), 1U);
+  EXPECT_EQ(outcome.report.failures(), 0U);
+}
+
+}  // namespace
+}  // namespace penumbra::cost

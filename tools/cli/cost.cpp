@@ -1,0 +1,257 @@
+// penumbra cost: what every technique, or shader files of your own, cost on AMD GPUs, without one.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <memory>
+#include <thread>
+
+#include "cli/shader_arguments.h"
+#include "cli/subcommand.h"
+#include "cost/baseline.h"
+#include "cost/cost_block.h"
+#include "cost/families.h"
+#include "cost/measure_cost.h"
+#include "cost/radv_worker.h"
+#include "input/input_error.h"
+#include "platform/atomic_file.h"
+#include "platform/data_directory.h"
+#include "platform/terminal.h"
+#include "shaders/compiler_version.h"
+
+namespace penumbra::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct CostOptions {
+  std::vector<std::string> files;
+  std::vector<std::string> techniques;
+  std::vector<std::string> families;
+  std::string entry = "Main";
+  std::string stage = "fragment";
+  std::vector<std::string> defines;
+  std::vector<std::string> keywords;  // one set each, its keywords parted by commas
+  std::vector<std::string> package_roots;
+  std::vector<std::string> include_directories;
+  std::string format = "table";
+  std::string output;
+  std::string baseline;
+  double tolerance = 0.0;
+  bool any_driver = false;
+  std::string from;    // earlier JSON: nothing is measured
+  std::string readme;  // file whose blocks of figures are written anew
+  unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
+  unsigned time_limit_seconds = 60;
+};
+
+std::vector<std::string> families_of(const CostOptions& options) {
+  return options.families.empty() ? cost::default_families() : options.families;
+}
+
+// This very program: its "cost-worker" is below.
+fs::path worker_program() {
+  return platform::program_directory() / "penumbra";
+}
+
+void add_techniques(const CostOptions& options, const fs::path& library, cost::CostRequest& request) {
+  if (!options.files.empty() && options.techniques.empty()) return;
+  request.techniques = shaders::read_technique_list(library / "ShaderLibrary" / "techniques.json");
+  if (options.techniques.empty()) return;
+  std::vector<shaders::Technique> chosen;
+  for (const std::string& name : options.techniques) chosen.push_back(request.techniques->find(name));
+  request.techniques->techniques = std::move(chosen);
+}
+
+cost::CostRequest make_request(const CostOptions& options) {
+  cost::CostRequest request;
+  const fs::path library = platform::data_directory();
+  add_techniques(options, library, request);
+  for (const std::string& file : options.files) {
+    cost::ShaderFile shader{file, options.entry, *hlsl::find_stage(options.stage), {}};
+    for (const std::string& set : options.keywords) shader.keyword_sets.push_back(parse_keyword_set(set));
+    if (shader.keyword_sets.empty()) shader.keyword_sets.emplace_back();
+    request.files.push_back(std::move(shader));
+  }
+  for (const std::string& define : options.defines) request.defines.push_back(parse_define(define));
+  for (const std::string& root : options.package_roots)
+    request.package_roots.push_back(parse_package_root(root));
+  request.package_roots.push_back({"com.penumbra.shadows", library});
+  for (const std::string& directory : options.include_directories) {
+    if (!fs::is_directory(directory)) throw InputError("-I", "'" + directory + "' is no folder");
+    request.include_directories.emplace_back(directory);
+  }
+  request.families = families_of(options);
+  request.worker = worker_program();
+  request.time_limit = std::chrono::seconds(options.time_limit_seconds);
+  request.jobs = options.jobs;
+  return request;
+}
+
+// The command that gives the same rows again: what was asked for, without this machine's folders.
+std::string reproducing_command(const CostOptions& options) {
+  std::string command = "penumbra cost";
+  for (const std::string& file : options.files) command += " " + file;
+  const auto add = [&command](const char* name, const std::vector<std::string>& values) {
+    for (const std::string& value : values) command += std::string(" ") + name + " " + value;
+  };
+  if (!options.files.empty()) add("--entry", {options.entry});
+  if (!options.files.empty()) add("--stage", {options.stage});
+  add("--technique", options.techniques);
+  add("--family", families_of(options));
+  add("--keywords", options.keywords);
+  add("--define", options.defines);
+  for (const std::string& root : options.package_roots)
+    command += " --package-root " + root.substr(0, root.find('=')) + "=DIR";
+  return command;
+}
+
+std::string in_form(const cost::CostReport& report, const std::string& format) {
+  if (format == "json") return cost::cost_json(report);
+  return format == "csv" ? cost::cost_csv(report) : cost::cost_table(report);
+}
+
+cost::CostReport measure(const CostOptions& options, Context& context) {
+  cost::CostRequest request = make_request(options);
+  cost::CostOutcome outcome;
+  {
+    Progress progress(context, "cost");
+    request.progress = [&](std::size_t done, std::size_t total) {
+      progress.update(static_cast<double>(done), static_cast<double>(total), "shaders");
+    };
+    outcome = cost::measure_cost(request);
+  }
+  for (const hlsl::Diagnostic& diagnostic : outcome.diagnostics)
+    std::fprintf(stderr, "%s\n", hlsl::format(diagnostic).c_str());
+  if (!outcome.diagnostics.empty()) context.exit_code = findings;
+  outcome.report.command = reproducing_command(options);
+  return std::move(outcome.report);
+}
+
+std::string read_text(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw InputError(file.string(), "cannot be opened");
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+// Said before anything is measured: figures that cannot be compared help nobody.
+cost::CostReport checked_baseline(const CostOptions& options) {
+  cost::CostReport baseline = cost::read_cost_report(options.baseline);
+  if (options.any_driver) return baseline;
+  cost::CostReport ours;
+  if (!options.from.empty()) {
+    ours = cost::read_cost_report(options.from);
+  } else {
+    ours.driver = cost::open_family({families_of(options).front(), worker_program()}).driver;
+    ours.compiler = shaders::compiler_version();
+  }
+  cost::require_same_compilers(ours.driver, ours.compiler, baseline, options.baseline);
+  return baseline;
+}
+
+void compare(const CostOptions& options, const cost::CostReport& report, const cost::CostReport& baseline,
+             Context& context) {
+  const std::vector<std::string> families = options.from.empty() ? families_of(options) : options.families;
+  const cost::BaselineComparison comparison = cost::compare_with_baseline(
+      report, baseline, {families, options.techniques, options.files}, options.tolerance);
+  if (report.driver != baseline.driver || report.compiler != baseline.compiler)
+    std::fprintf(stderr, "note: %s is of %s and %s, this run of %s and %s\n", options.baseline.c_str(),
+                 baseline.driver.c_str(), baseline.compiler.c_str(), report.driver.c_str(),
+                 report.compiler.c_str());
+  if (!context.quiet || !comparison.passed())
+    std::fprintf(stderr, "%s", cost::comparison_text(comparison).c_str());
+  if (!comparison.passed()) context.exit_code = findings;
+}
+
+void run_cost(const CostOptions& options, Context& context) {
+  std::optional<cost::CostReport> baseline;
+  if (!options.baseline.empty()) baseline = checked_baseline(options);
+  const cost::CostReport report =
+      options.from.empty() ? measure(options, context) : cost::read_cost_report(options.from);
+  if (report.failures() != 0) context.exit_code = findings;
+  if (options.readme.empty()) {
+    write_output(options.output, in_form(report, options.format));
+  } else {
+    if (!options.output.empty()) write_output(options.output, in_form(report, options.format));
+    platform::write_file_atomically(
+        options.readme, cost::replace_cost_blocks(read_text(options.readme), report, options.readme));
+  }
+  if (baseline) compare(options, report, *baseline, context);
+}
+
+void add_what(CLI::App& command, CostOptions& options) {
+  command.add_option("files", options.files, "HLSL files of your own; without any, the library's techniques");
+  command
+      .add_option("--technique", options.techniques, "Technique of techniques.json; repeatable; all without")
+      ->allow_extra_args(false);
+  command.add_option("--entry", options.entry, "Entry point of the files")->capture_default_str();
+  command.add_option("--stage", options.stage, "Stage of the files")
+      ->check(CLI::IsMember({"vertex", "fragment", "compute"}))
+      ->capture_default_str();
+  command.add_option("-D,--define", options.defines, "NAME or NAME=VALUE, for every variant")->take_all();
+  command
+      .add_option("--keywords", options.keywords, "One keyword set of the files: A,B; repeat for more sets")
+      ->allow_extra_args(false);
+  command.add_option("--package-root", options.package_roots, "NAME=DIR: where Packages/NAME/... lies")
+      ->allow_extra_args(false);
+  command.add_option("-I,--include", options.include_directories, "Folder to look for includes in")
+      ->allow_extra_args(false);
+  command
+      .add_option("--family", options.families,
+                  "GPU family as Mesa names it; repeatable; polaris10, navi21 and gfx1100 without")
+      ->allow_extra_args(false);
+}
+
+void add_comparison(CLI::App& command, CostOptions& options) {
+  command.add_option("--baseline", options.baseline,
+                     "Compare with this JSON of an earlier run; exit code 1 when a figure is worse");
+  command.add_option("--tolerance", options.tolerance, "Per cent by which a figure may be worse")
+      ->check(CLI::Range(0.0, 1000.0))
+      ->capture_default_str();
+  command.add_flag("--any-driver", options.any_driver,
+                   "Compare also with figures of other versions of driver and compiler");
+}
+
+// The process of one shader, which `cost` starts: not for people, and not in --help.
+void add_worker(CLI::App& app) {
+  CLI::App* worker = app.add_subcommand("cost-worker", "")->group("");
+  auto stage = std::make_shared<std::string>();
+  auto entry = std::make_shared<std::string>();
+  worker->add_option("stage", *stage);
+  worker->add_option("entry", *entry);
+  worker->callback([stage, entry] { cost::run_radv_worker(*stage, *entry, std::cin, std::cout); });
+}
+
+}  // namespace
+
+void add_cost(CLI::App& app, Context& context) {
+  CLI::App* command = app.add_subcommand(
+      "cost",
+      "Instructions, registers, occupancy and cycles on AMD GPUs, from Mesa's compiler, without a GPU");
+  auto options = std::make_shared<CostOptions>();
+  add_what(*command, *options);
+  command->add_option("--format", options->format, "What to print")
+      ->check(CLI::IsMember({"table", "json", "csv"}))
+      ->capture_default_str();
+  command->add_option("-o,--output", options->output, "File to write; standard output without");
+  add_comparison(*command, *options);
+  command->add_option("--from", options->from, "Take the figures from this JSON; measure nothing");
+  command->add_option("--readme", options->readme, "Write this file's blocks of figures anew");
+  command->add_option("--jobs", options->jobs, "Shaders at a time")
+      ->check(CLI::Range(1U, 256U))
+      ->capture_default_str();
+  command->add_option("--time-limit", options->time_limit_seconds, "Seconds for one shader")
+      ->check(CLI::Range(1U, 3600U))
+      ->capture_default_str();
+  command->footer(
+      "Exit code 1 when a shader fails or a figure is worse than the baseline's, 3 when RADV is missing or "
+      "the\n"
+      "baseline is of other compilers. The figures are static: no cache miss and no overdraw is in "
+      "them.");
+  command->callback([options, &context] { run_cost(*options, context); });
+  add_worker(app);
+}
+
+}  // namespace penumbra::cli

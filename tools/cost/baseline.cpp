@@ -1,0 +1,110 @@
+#include "cost/baseline.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "input/input_error.h"
+
+namespace penumbra::cost {
+namespace {
+
+using Key =
+    std::tuple<std::string, std::string, std::string, std::string, std::string, std::vector<std::string>>;
+
+Key key_of(const CostRow& row, const CostVariant& variant) {
+  return {row.family, row.file, row.entry, row.stage, variant.technique, variant.keywords};
+}
+
+std::map<Key, const CostRow*> rows_by_key(const CostReport& report) {
+  std::map<Key, const CostRow*> rows;
+  for (const CostRow& row : report.rows)
+    for (const CostVariant& variant : row.variants) rows.emplace(key_of(row, variant), &row);
+  return rows;
+}
+
+bool within(const std::vector<std::string>& wanted, const std::string& name) {
+  return wanted.empty() || std::find(wanted.begin(), wanted.end(), name) != wanted.end();
+}
+
+bool expected(const CostRow& row, const CostVariant& variant, const ComparedExtent& extent) {
+  if (!within(extent.families, row.family)) return false;
+  if (variant.technique.empty()) return !extent.files.empty() && within(extent.files, row.file);
+  return (extent.files.empty() || !extent.techniques.empty()) && within(extent.techniques, variant.technique);
+}
+
+std::string named(const CostRow& row, const CostVariant& variant) {
+  CostRow alone = row;
+  alone.variants = {variant};
+  return row.family + " " + row_name(alone);
+}
+
+void compare_rows(const CostRow& now, const CostRow& before, const std::string& name,
+                  double tolerance_percent, BaselineComparison& comparison) {
+  ++comparison.compared;
+  for (const FigureName& figure : figure_names()) {
+    const Figure& was = before.measured.figures.*figure.value;
+    const Figure& is = now.measured.figures.*figure.value;
+    if (!was || !is || *was == *is) continue;
+    const double sign = figure.more_is_better ? -1.0 : 1.0;
+    const double growth = sign * (static_cast<double>(*is) - static_cast<double>(*was));
+    const bool beyond = growth > static_cast<double>(*was) * tolerance_percent / 100.0;
+    if (growth < 0) comparison.better.push_back({name, figure.heading, *was, *is});
+    if (growth > 0 && beyond) comparison.worse.push_back({name, figure.heading, *was, *is});
+  }
+}
+
+std::string change_text(const char* kind, const BaselineChange& change) {
+  return std::string(kind) + ": " + change.row + ": " + change.figure + " " + std::to_string(change.before) +
+         " -> " + std::to_string(change.after) + "\n";
+}
+
+}  // namespace
+
+BaselineComparison compare_with_baseline(const CostReport& report, const CostReport& baseline,
+                                         const ComparedExtent& extent, double tolerance_percent) {
+  BaselineComparison comparison;
+  const std::map<Key, const CostRow*> before = rows_by_key(baseline);
+  const std::map<Key, const CostRow*> now = rows_by_key(report);
+  for (const CostRow& row : report.rows) {
+    std::set<const CostRow*> met;  // variants of one module met in one module before: said once
+    for (const CostVariant& variant : row.variants) {
+      const auto found = before.find(key_of(row, variant));
+      if (found == before.end()) {
+        comparison.unknown.push_back(named(row, variant));
+      } else if (met.insert(found->second).second && row.measured.failure.empty()) {
+        compare_rows(row, *found->second, row.family + " " + row_name(row), tolerance_percent, comparison);
+      }
+    }
+  }
+  for (const CostRow& row : baseline.rows)
+    for (const CostVariant& variant : row.variants)
+      if (expected(row, variant, extent) && !now.contains(key_of(row, variant)))
+        comparison.gone.push_back(named(row, variant));
+  return comparison;
+}
+
+void require_same_compilers(const std::string& driver, const std::string& compiler,
+                            const CostReport& baseline, const std::string& file) {
+  if (driver == baseline.driver && compiler == baseline.compiler) return;
+  throw EnvironmentError(
+      file + ": measured with " + baseline.driver + " and " + baseline.compiler + ", but this machine has " +
+      driver + " and " + compiler +
+      "\n  install those versions, or write the baseline anew here with --format json -o " + file +
+      ", or compare all the same with --any-driver");
+}
+
+std::string comparison_text(const BaselineComparison& comparison) {
+  std::string text;
+  for (const BaselineChange& change : comparison.worse) text += change_text("worse", change);
+  for (const BaselineChange& change : comparison.better) text += change_text("better", change);
+  for (const std::string& row : comparison.unknown) text += "not in the baseline: " + row + "\n";
+  for (const std::string& row : comparison.gone) text += "only in the baseline: " + row + "\n";
+  return text + std::to_string(comparison.compared) + " rows compared, " +
+         std::to_string(comparison.worse.size()) + " figures worse, " +
+         std::to_string(comparison.better.size()) + " better, " + std::to_string(comparison.unknown.size()) +
+         " rows not in the baseline, " + std::to_string(comparison.gone.size()) + " only there\n";
+}
+
+}  // namespace penumbra::cost

@@ -1,0 +1,49 @@
+// This run's figures against those of a committed report.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "cost/cost_report.h"
+
+namespace penumbra::cost {
+
+struct BaselineChange {
+  std::string row;     // family and row_name() of this run's row
+  std::string figure;  // FigureName::heading
+  std::uint64_t before = 0;
+  std::uint64_t after = 0;
+};
+
+struct BaselineComparison {
+  std::vector<BaselineChange> worse;  // beyond the tolerance
+  std::vector<BaselineChange> better;
+  std::vector<std::string> unknown;  // rows of this run that the baseline lacks
+  std::vector<std::string> gone;     // rows of the baseline that a run of this extent should have given
+  std::size_t compared = 0;          // rows
+
+  bool passed() const { return worse.empty() && unknown.empty() && gone.empty(); }
+};
+
+// What the run was asked for: a baseline may hold more. Empty lists mean everything.
+struct ComparedExtent {
+  std::vector<std::string> families;
+  std::vector<std::string> techniques;
+  std::vector<std::string> files;  // a user's own; without techniques, these alone are expected
+};
+
+// A figure is worse when it is larger (occupancy: smaller) than before by more than tolerance_percent; rows
+// are matched by family, file, entry, stage, technique and keywords, so techniques that come to share a
+// module, or cease to, still meet their own earlier figures.
+BaselineComparison compare_with_baseline(const CostReport& report, const CostReport& baseline,
+                                         const ComparedExtent& extent, double tolerance_percent);
+
+// Throws EnvironmentError when the driver or the compiler of the SPIR-V is another: figures of two compilers
+// say nothing about a shader. `file` names the baseline.
+void require_same_compilers(const std::string& driver, const std::string& compiler,
+                            const CostReport& baseline, const std::string& file);
+
+std::string comparison_text(const BaselineComparison& comparison);
+
+}  // namespace penumbra::cost

@@ -1,0 +1,95 @@
+#include "cost/cost_block.h"
+
+#include <algorithm>
+#include <array>
+
+#include "cost/row_text.h"
+#include "input/markdown.h"
+
+namespace penumbra::cost {
+namespace {
+
+constexpr const char* full_block = "cost";
+constexpr const char* summary_block = "cost-summary";
+
+std::string head_of(const CostReport& report) {
+  return "Driver: " + markdown_cell(report.driver) +
+         ", without hardware. SPIR-V: " + markdown_cell(report.compiler) + ".  \nCommand: `" +
+         report.command + "`\n\n";
+}
+
+std::string table_line(const std::vector<std::string>& cells) {
+  std::string line = "|";
+  for (const std::string& cell : cells) line += " " + cell + " |";
+  return line + "\n";
+}
+
+std::string table_head(const std::vector<std::string>& heads) {
+  std::string rule = "|:--|";
+  for (std::size_t i = 1; i < heads.size(); ++i) rule += "--:|";
+  return table_line(heads) + rule + "\n";
+}
+
+std::string family_table(const CostReport& report, const RadvFamily& family) {
+  std::string text = table_head(column_heads(report));
+  for (const CostRow& row : report.rows) {
+    if (row.family != family.name) continue;
+    std::vector<std::string> cells;
+    for (const std::string& cell : column_cells(report, row)) cells.push_back(markdown_cell(cell));
+    text += table_line(cells);
+  }
+  return text;
+}
+
+const CostRow* find_row(const CostReport& report, const std::string& family, const CostVariant& variant) {
+  for (const CostRow& row : report.rows)
+    if (row.family == family &&
+        std::find(row.variants.begin(), row.variants.end(), variant) != row.variants.end())
+      return &row;
+  return nullptr;
+}
+
+bool has_block(const std::string& text, const char* name) {
+  return text.find(block_begin(name)) != std::string::npos || text.find(block_end(name)) != std::string::npos;
+}
+
+}  // namespace
+
+std::string cost_block(const CostReport& report) {
+  std::string text = head_of(report);
+  for (const RadvFamily& family : report.families)
+    text += "**" + markdown_cell(family.name) + "** (" + markdown_cell(family.device) + ")\n\n" +
+            family_table(report, family) + "\n";
+  return text + absent_figures(report);
+}
+
+std::string cost_summary_block(const CostReport& report) {
+  static constexpr std::array shown{"hard",   "tent-3",          "tent-5",
+                                    "tent-7", "pcss-poisson-25", "pcss-angular-24-16"};
+  static constexpr std::array figures{&Figures::instructions, &Figures::inverse_throughput_cycles};
+  std::vector<std::string> heads{"Technique"};
+  for (const char* figure : {"instructions, ", "cycles per 64 lanes, "})
+    for (const RadvFamily& family : report.families) heads.push_back(figure + markdown_cell(family.name));
+  std::string text = head_of(report) + table_head(heads);
+  for (const char* technique : shown) {
+    std::vector<std::string> cells{technique};
+    for (const auto figure : figures)
+      for (const RadvFamily& family : report.families) {
+        const CostRow* row = find_row(report, family.name, {technique, {"UNITY_REVERSED_Z"}});
+        cells.push_back(row == nullptr ? "-" : figure_text(row->measured.figures.*figure));
+      }
+    text += table_line(cells);
+  }
+  return text;
+}
+
+std::string replace_cost_blocks(const std::string& text, const CostReport& report, const std::string& file) {
+  const bool summary = has_block(text, summary_block);
+  const bool full = has_block(text, full_block) || !summary;
+  std::string replaced = text;
+  if (full) replaced = replace_block(replaced, full_block, cost_block(report), file);
+  if (summary) replaced = replace_block(replaced, summary_block, cost_summary_block(report), file);
+  return replaced;
+}
+
+}  // namespace penumbra::cost

@@ -1,0 +1,20 @@
+// A report's figures as Markdown, for the documentation.
+#pragma once
+
+#include <string>
+
+#include "cost/cost_report.h"
+
+namespace penumbra::cost {
+
+// Driver and command, then a table a family with every row.
+std::string cost_block(const CostReport& report);
+
+// A few techniques as Unity runs them on these GPUs (reversed Z), all families side by side.
+std::string cost_summary_block(const CostReport& report);
+
+// The text with its block "cost" and its block "cost-summary", whichever it has, written anew. Throws
+// InputError naming `file` when it has neither, or a marker without its fellow.
+std::string replace_cost_blocks(const std::string& text, const CostReport& report, const std::string& file);
+
+}  // namespace penumbra::cost

@@ -1,0 +1,25 @@
+// The distinct modules of a request, before any driver sees them. Internal to this room.
+#pragma once
+
+#include <vector>
+
+#include "cost/measure_cost.h"
+
+namespace penumbra::cost {
+
+struct CostModule {
+  std::string file;
+  std::string entry;
+  hlsl::Stage stage = hlsl::Stage::fragment;
+  std::vector<CostVariant> variants;
+  std::vector<std::uint32_t> spirv;
+};
+
+struct CostModules {
+  std::vector<CostModule> modules;  // in the order of the request, by their first variant
+  std::vector<hlsl::Diagnostic> diagnostics;
+};
+
+CostModules compile_modules(const CostRequest& request);
+
+}  // namespace penumbra::cost

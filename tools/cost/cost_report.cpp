@@ -1,0 +1,100 @@
+#include "cost/cost_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "cost/row_text.h"
+
+namespace penumbra::cost {
+namespace {
+
+std::string csv_cell(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+// Columns as wide as their widest cell; the first to the left, the others to the right.
+std::string aligned(const std::vector<std::vector<std::string>>& lines) {
+  std::vector<std::size_t> widths;
+  for (const std::vector<std::string>& line : lines) {
+    widths.resize(std::max(widths.size(), line.size()));
+    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], line[i].size());
+  }
+  std::string text;
+  for (const std::vector<std::string>& line : lines) {
+    for (std::size_t i = 0; i < line.size(); ++i)
+      text +=
+          i == 0 ? fmt::format("{:<{}}", line[i], widths[i]) : fmt::format("  {:>{}}", line[i], widths[i]);
+    text += "\n";
+  }
+  return text;
+}
+
+// Which techniques stand behind "(and 3 more)".
+std::string shared_modules(const CostReport& report) {
+  std::set<std::string> said;
+  std::string text;
+  for (const CostRow& row : report.rows) {
+    const std::vector<std::string> names = technique_names(row);
+    if (names.size() < 2 || !said.insert(names.front()).second) continue;
+    text += names.front() + " is the same shader as";
+    for (std::size_t i = 1; i < names.size(); ++i) text += (i == 1 ? " " : ", ") + names[i];
+    text += ": they differ in uniforms\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::size_t CostReport::failures() const {
+  return static_cast<std::size_t>(std::count_if(
+      rows.begin(), rows.end(), [](const CostRow& row) { return !row.measured.failure.empty(); }));
+}
+
+std::string cost_csv(const CostReport& report) {
+  std::string text = "family,techniques,file,entry,stage,keywords";
+  for (const FigureName& name : figure_names()) text.append(",").append(name.key);
+  text +=
+      ",subgroup_size,spirv_instructions,spirv_alu,spirv_texture,spirv_memory,spirv_control,failure,driver\n";
+  for (const CostRow& row : report.rows) {
+    std::string names;
+    for (const std::string& name : technique_names(row)) names += (names.empty() ? "" : " ") + name;
+    const std::string keywords = keywords_text(row);
+    for (const std::string& cell : {row.family, names, row.file, row.entry, row.stage,
+                                    keywords.empty() ? keywords : keywords.substr(1)})
+      text += csv_cell(cell) + ",";
+    for (const FigureName& name : figure_names()) {
+      const Figure& figure = row.measured.figures.*name.value;
+      text += (figure ? std::to_string(*figure) : "") + ",";
+    }
+    text += fmt::format("{},{},{},{},{},{},", row.measured.subgroup_size, row.spirv.instructions,
+                        row.spirv.alu, row.spirv.texture, row.spirv.memory, row.spirv.control);
+    text += csv_cell(row.measured.failure) + "," + csv_cell(report.driver) + "\n";
+  }
+  return text;
+}
+
+std::string cost_table(const CostReport& report) {
+  std::string text;
+  std::string failures;
+  for (const RadvFamily& family : report.families) {
+    std::vector<std::vector<std::string>> lines{column_heads(report)};
+    for (const CostRow& row : report.rows) {
+      if (row.family != family.name) continue;
+      if (row.measured.failure.empty()) {
+        lines.push_back(column_cells(report, row));
+      } else {
+        failures += "failed: " + row_name(row) + ", " + family.name + ": " + row.measured.failure + "\n";
+      }
+    }
+    if (lines.size() > 1)
+      text += family.name + ": " + family.device + ", " + family.driver + "\n" + aligned(lines) + "\n";
+  }
+  return text + absent_figures(report) + shared_modules(report) + failures;
+}
+
+}  // namespace penumbra::cost

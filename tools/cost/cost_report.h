@@ -1,0 +1,57 @@
+// What shaders cost, row by row: one row per GPU family and distinct module.
+//
+// As JSON: {"command", "driver", "compiler", "families": [{name, device, driver}], "rows": [{family, file,
+// entry, stage, variants: [{technique, keywords}], spirv: {instructions, alu, texture, memory, control},
+// subgroup_size, figures: {...}, statistics: {driver's name: value}} or, without figures, {..., failure}]}.
+// The same shaders, families and driver give the same bytes: no time, path of a machine or hash is in it.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "cost/null_radv.h"
+#include "cost/spirv_counts.h"
+
+namespace penumbra::cost {
+
+// One of the choices that gave a module.
+struct CostVariant {
+  std::string technique;  // empty for a user's file
+  std::vector<std::string> keywords;
+
+  bool operator==(const CostVariant&) const = default;
+};
+
+struct CostRow {
+  std::string family;
+  std::string file;
+  std::string entry;
+  std::string stage;
+  std::vector<CostVariant> variants;  // all that compile to this one module
+  SpirvCounts spirv;
+  Measurement measured;
+};
+
+struct CostReport {
+  std::string command;   // that gives it again
+  std::string driver;    // the GPU compiler, with its version
+  std::string compiler;  // shaders::compiler_version(), which made the SPIR-V
+  std::vector<RadvFamily> families;
+  std::vector<CostRow> rows;
+
+  std::size_t failures() const;
+};
+
+// "tent-5 +UNITY_REVERSED_Z", "box-3 (and 3 more)", "My.hlsl Main +A"
+std::string row_name(const CostRow& row);
+
+std::string cost_json(const CostReport& report);
+std::string cost_csv(const CostReport& report);    // one line a row, figures only
+std::string cost_table(const CostReport& report);  // for a terminal: a table a family, then the failures
+
+// Of a file that cost_json() wrote; throws InputError with file:line:column.
+CostReport read_cost_report(const std::filesystem::path& file);
+
+}  // namespace penumbra::cost

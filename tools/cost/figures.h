@@ -1,0 +1,52 @@
+// The figures of a compiled shader that mean the same on every AMD family, by names of our own.
+//
+// Each is one of the driver's statistics (VK_KHR_pipeline_executable_properties), taken over as it is; a
+// driver that does not give one leaves it empty. Documentation~/cost.md says what each means.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace penumbra::cost {
+
+using Figure = std::optional<std::uint64_t>;
+
+struct Figures {
+  Figure instructions;
+  Figure vgprs;  // vector registers a subgroup is given
+  Figure sgprs;  // scalar registers
+  Figure spilled_vgprs;
+  Figure spilled_sgprs;
+  Figure code_size_bytes;
+  Figure occupancy;                  // most subgroups a SIMD unit keeps in flight
+  Figure latency_cycles;             // issue and stalls, estimated
+  Figure inverse_throughput_cycles;  // busy cycles per 64 lanes, estimated
+  Figure lds_bytes;                  // shared memory of a workgroup
+  Figure scratch_bytes;              // private memory of a subgroup
+
+  bool operator==(const Figures&) const = default;
+};
+
+struct FigureName {
+  const char* key;          // in JSON and CSV
+  const char* heading;      // of a table's column
+  const char* driver_name;  // of the driver's statistic
+  Figure Figures::*value;
+  bool more_is_better = false;
+};
+
+std::span<const FigureName> figure_names();  // in the order of tables
+
+struct DriverStatistic {
+  std::string name;  // the driver's own
+  std::uint64_t value = 0;
+
+  bool operator==(const DriverStatistic&) const = default;
+};
+
+Figures figures_of(const std::vector<DriverStatistic>& statistics);
+
+}  // namespace penumbra::cost

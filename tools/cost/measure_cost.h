@@ -1,0 +1,49 @@
+// Compiles techniques and files and has every distinct module measured for every family.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cost/cost_report.h"
+#include "hlsl/diagnostic.h"
+#include "shaders/compile.h"
+#include "shaders/technique_list.h"
+
+namespace penumbra::cost {
+
+struct ShaderFile {
+  std::filesystem::path file;
+  std::string entry = "Main";
+  hlsl::Stage stage = hlsl::Stage::fragment;
+  std::vector<std::vector<std::string>> keyword_sets{{}};
+};
+
+struct CostRequest {
+  // Every technique of the list as the fragment shader that `penumbra validate` compiles: its resolve
+  // function with its parameters as uniforms, for every keyword set.
+  std::optional<shaders::TechniqueList> techniques;
+  std::vector<ShaderFile> files;
+  std::vector<std::pair<std::string, std::string>> defines;
+  std::vector<shaders::PackageRoot> package_roots;
+  std::vector<std::filesystem::path> include_directories;
+  std::vector<std::string> families;
+  std::filesystem::path worker;                  // as in NullRadv
+  std::chrono::milliseconds time_limit{60'000};  // of one shader
+  unsigned jobs = 1;
+  std::function<void(std::size_t done, std::size_t total)> progress;  // called by one thread at a time
+};
+
+struct CostOutcome {
+  CostReport report;                          // rows by family, then in the order of the request
+  std::vector<hlsl::Diagnostic> diagnostics;  // of shaders that do not compile: they have no row
+};
+
+// Throws InputError for an unknown family or a file that cannot be read, EnvironmentError without RADV,
+// platform::Interrupted. What the driver makes of a single shader is its row's.
+CostOutcome measure_cost(const CostRequest& request);
+
+}  // namespace penumbra::cost

@@ -1,0 +1,125 @@
+#include "cost/null_radv.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cost/families.h"
+#include "input/input_error.h"
+#include "input/nearest_name.h"
+#include "platform/child_process.h"
+#include "shaders/spirv_module.h"
+
+namespace penumbra::cost {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr const char* install_it =
+    "\n  scripts/setup installs it (Debian: mesa-vulkan-drivers); no AMD hardware is needed. VK_DRIVER_FILES "
+    "or "
+    "VK_ICD_FILENAMES, when set, must name RADV's radeon_icd";
+
+platform::ChildCommand worker_command(const NullRadv& radv) {
+  platform::ChildCommand command;
+  command.program = radv.worker.string();
+  command.arguments = {"cost-worker"};
+  command.timeout = radv.time_limit;
+  command.output_limit = std::size_t{16} << 20;
+  command.environment = {
+      {"RADV_FORCE_FAMILY", radv.family},
+      {"VK_LOADER_DRIVERS_SELECT", "*radeon*"},    // the loader need not open the others
+      {"VK_LOADER_LAYERS_DISABLE", "~implicit~"},  // overlays and recorders
+      {"MESA_SHADER_CACHE_DISABLE", "true"},
+      {"RADV_DEBUG", ""},
+      {"RADV_PERFTEST", ""},
+      {"ACO_DEBUG", ""},
+      {"NIR_DEBUG", ""},
+  };
+  return command;
+}
+
+std::string first_line(const std::string& text) {
+  return text.substr(0, text.find('\n'));
+}
+
+std::string last_line(std::string text) {
+  while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
+  return text.substr(text.rfind('\n') + 1);
+}
+
+// Why the worker gave no answer at all.
+std::string sudden_end(const platform::ChildResult& result, const NullRadv& radv) {
+  if (result.timed_out)
+    return fmt::format("the driver's compiler did not finish within {:g} s",
+                       std::chrono::duration<double>(radv.time_limit).count());
+  std::string reason =
+      result.overflowed ? "the driver wrote without end"
+      : result.exit_code > 128
+          ? "the driver's compiler was ended by signal " + std::to_string(result.exit_code - 128)
+          : "the worker ended with exit code " + std::to_string(result.exit_code) + " and no answer";
+  if (const std::string said = last_line(result.errors); !said.empty()) reason += ": " + said;
+  return reason;
+}
+
+// Empty when the output is no answer.
+Json answer_in(const platform::ChildResult& result) {
+  if (!result.succeeded()) return {};
+  Json answer = Json::parse(result.output, nullptr, false);
+  return answer.is_object() ? answer : Json();
+}
+
+void read_answer(const Json& answer, Measurement& measurement) {
+  for (const char* reason : {"no_device", "failure"})
+    if (answer.contains(reason)) measurement.failure = answer.at(reason).get<std::string>();
+  if (!answer.contains("measured")) return;
+  const Json& measured = answer.at("measured");
+  measurement.subgroup_size = measured.at("subgroup_size").get<std::uint32_t>();
+  for (const Json& statistic : measured.at("statistics"))
+    measurement.statistics.push_back(
+        {statistic.at("name").get<std::string>(), statistic.at("value").get<std::uint64_t>()});
+  measurement.figures = figures_of(measurement.statistics);
+}
+
+}  // namespace
+
+RadvFamily open_family(const NullRadv& radv) {
+  const platform::ChildResult result = platform::run_child(worker_command(radv));
+  const Json answer = answer_in(result);
+  if (answer.contains("no_device"))
+    throw EnvironmentError("no RADV, Mesa's Vulkan driver for AMD: " +
+                           first_line(answer["no_device"].get<std::string>()) + install_it);
+  if (answer.contains("device"))
+    return {radv.family, answer["device"].get<std::string>(), answer["driver"].get<std::string>()};
+  if (answer.contains("failure")) throw EnvironmentError("RADV: " + answer["failure"].get<std::string>());
+  // RADV ends the process when it does not know the family.
+  if (result.errors.find("Unknown family") != std::string::npos)
+    throw InputError("--family", "this machine's RADV knows no family '" + radv.family + "'",
+                     unknown_name_way_out(radv.family, known_family_names()));
+  throw EnvironmentError("RADV does not start for family '" + radv.family + "': " + sudden_end(result, radv));
+}
+
+Measurement measure(const NullRadv& radv, const ModuleToMeasure& module) {
+  Measurement measurement;
+  // Drivers may do anything with a module that is not valid.
+  const std::vector<std::string> problems = shaders::validation_problems(module.spirv, false);
+  if (!problems.empty()) {
+    measurement.failure = "no valid SPIR-V for Vulkan 1.1: " + problems.front();
+    return measurement;
+  }
+  platform::ChildCommand command = worker_command(radv);
+  command.arguments.insert(command.arguments.end(), {hlsl::stage_name(module.stage), module.entry});
+  command.input.assign(reinterpret_cast<const char*>(module.spirv.data()),
+                       module.spirv.size() * sizeof(std::uint32_t));
+  const platform::ChildResult result = platform::run_child(command);
+  try {
+    read_answer(answer_in(result), measurement);
+  } catch (const Json::exception& error) {
+    measurement.failure = std::string("the worker's answer is not one: ") + error.what();
+  }
+  if (measurement.failure.empty() && measurement.statistics.empty())
+    measurement.failure = sudden_end(result, radv);
+  return measurement;
+}
+
+}  // namespace penumbra::cost

@@ -1,0 +1,56 @@
+// Figures of a shader from Mesa's AMD Vulkan driver, RADV, compiled for a GPU that is not there.
+//
+// With RADV_FORCE_FAMILY set, RADV offers a device without hardware, whose pipelines go through its real
+// compiler (ACO). Each call runs a process of its own: the variable holds for one process, and a driver that
+// crashes, hangs or is killed costs one answer. Variables that change RADV's code generation are cleared
+// there, so that the figures depend on shader, family and Mesa version alone.
+//
+// Based on Mesa's documentation, "Environment Variables", RADV_FORCE_FAMILY;
+// VK_KHR_pipeline_executable_properties.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "cost/figures.h"
+#include "hlsl/stage.h"
+
+namespace penumbra::cost {
+
+struct NullRadv {
+  std::string family;            // as RADV_FORCE_FAMILY takes it, for example navi21
+  std::filesystem::path worker;  // the program whose "cost-worker" runs run_radv_worker(): penumbra itself
+  std::chrono::milliseconds time_limit{60'000};  // of one shader
+};
+
+struct RadvFamily {
+  std::string name;    // as asked for
+  std::string device;  // as the driver calls it
+  std::string driver;  // with its version, for example "radv Mesa 22.3.6"
+};
+
+// Throws InputError naming the nearest family when the driver knows none of that name, EnvironmentError when
+// there is no RADV.
+RadvFamily open_family(const NullRadv& radv);
+
+struct ModuleToMeasure {
+  std::vector<std::uint32_t> spirv;
+  hlsl::Stage stage = hlsl::Stage::fragment;  // vertex, fragment or compute
+  std::string entry = "Main";
+};
+
+struct Measurement {
+  std::string failure;                      // why there are no figures; empty when there are
+  std::uint32_t subgroup_size = 0;          // lanes the driver chose
+  std::vector<DriverStatistic> statistics;  // all of the driver's, in its order
+  Figures figures;
+};
+
+// Never throws for a bad shader or a driver's crash: that is a failure with its reason. Throws
+// EnvironmentError when the worker cannot be started, platform::Interrupted.
+Measurement measure(const NullRadv& radv, const ModuleToMeasure& module);
+
+}  // namespace penumbra::cost

@@ -1,0 +1,21 @@
+// Parts of a row as text, for every form a report has. Internal to this room.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cost/cost_report.h"
+
+namespace penumbra::cost {
+
+std::vector<std::string> technique_names(const CostRow& row);  // each once, in order; none of a user's file
+std::string keywords_text(const CostRow& row);                 // " +A +B or none", or nothing
+std::string figure_text(const Figure& figure);                 // "-" when the driver gave none
+
+// The columns of a table: every figure but those that are 0 in all rows, which absent_figures() names in a
+// sentence ("" when there are none), the lanes of a subgroup and the counts of SPIR-V.
+std::vector<std::string> column_heads(const CostReport& report);
+std::vector<std::string> column_cells(const CostReport& report, const CostRow& row);
+std::string absent_figures(const CostReport& report);
+
+}  // namespace penumbra::cost

@@ -1,0 +1,28 @@
+// How many instructions a SPIR-V module has, by what they do: a count no driver has touched.
+//
+// Based on the SPIR-V specification 1.6, section 3 "Instructions". Counted are the instructions in function
+// bodies that compute or move something: labels, merge declarations, variables, undefined values and debug
+// lines are not. Loops count once.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace penumbra::cost {
+
+struct SpirvCounts {
+  std::size_t instructions = 0;  // of these:
+  std::size_t alu = 0;      // arithmetic, conversion, comparison, selection, bits, derivatives, GLSL.std.450
+  std::size_t texture = 0;  // samples, fetches, gathers, reads, writes and queries of images
+  std::size_t memory = 0;   // loads, stores, addresses, atomics
+  std::size_t control = 0;  // branches, phis, calls, returns, kills
+  // the rest builds and takes apart composites
+
+  bool operator==(const SpirvCounts&) const = default;
+};
+
+// Throws std::invalid_argument for words that are no SPIR-V.
+SpirvCounts count_spirv(const std::vector<std::uint32_t>& spirv);
+
+}  // namespace penumbra::cost

@@ -1,0 +1,45 @@
+// From the Vulkan loader to a physical device, for this room's sources only.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gpu/device_state.h"
+
+namespace penumbra::gpu {
+
+// Throws EnvironmentError when there is no loader.
+vk::raii::Context load_vulkan();
+
+// `log` asks for validation; null means without.
+vk::raii::Instance make_instance(const vk::raii::Context& context, MessageLog* log);
+vk::DebugUtilsMessengerCreateInfoEXT messenger_of(MessageLog& log);
+
+struct Candidate {
+  vk::raii::PhysicalDevice physical;
+  std::uint32_t queue_family;
+  DeviceInfo info;
+};
+
+// All devices with Vulkan 1.1 and a queue for graphics and compute; EnvironmentError when there is none.
+std::vector<Candidate> candidates_of(const vk::raii::Instance& instance);
+
+// The one that answers to `wanted`, as DeviceOptions::name says; EnvironmentError naming all when none does.
+Candidate choose(std::vector<Candidate> candidates, const std::string& wanted);
+
+bool offers(const std::vector<vk::ExtensionProperties>& extensions, std::string_view name);
+
+// Runs what happens before there is a device to name in the error.
+template <typename Action>
+auto starting_vulkan(Action&& action) {
+  try {
+    return action();
+  } catch (const vk::SystemError& error) {
+    throw EnvironmentError(std::string("Vulkan does not start: ") + error.what() +
+                           "\n  a driver is missing; scripts/setup installs the software device "
+                           "(Debian: mesa-vulkan-drivers)");
+  }
+}
+
+}  // namespace penumbra::gpu

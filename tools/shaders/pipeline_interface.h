@@ -1,0 +1,55 @@
+// What a Vulkan pipeline must know of one of its modules: descriptors, push constants, and the variables that
+// pass from stage to stage. For a host that makes pipelines of shaders it has never seen.
+//
+// Based on the Vulkan specification, "Shader Interfaces": locations, components and descriptor types.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace penumbra::shaders {
+
+enum class DescriptorKind {
+  uniform_buffer,
+  storage_buffer,
+  sampled_image,
+  storage_image,
+  uniform_texel_buffer,
+  storage_texel_buffer,
+  combined_image_sampler,
+  sampler,
+  input_attachment
+};
+
+struct Descriptor {
+  DescriptorKind kind = DescriptorKind::uniform_buffer;
+  std::string name;
+  std::uint32_t set = 0;
+  std::uint32_t binding = 0;
+  std::uint32_t count = 1;  // elements of an array; 1 for an array without a size
+};
+
+enum class ScalarType { float32, int32, uint32 };
+
+// One location of a stage's inputs or outputs; matrices and arrays take several.
+struct StageLocation {
+  std::uint32_t location = 0;
+  std::uint32_t component = 0;   // first
+  std::uint32_t components = 4;  // 1 to 4
+  ScalarType type = ScalarType::float32;
+};
+
+struct PipelineInterface {
+  std::vector<Descriptor> descriptors;
+  std::uint32_t push_constant_bytes = 0;  // from offset 0
+  std::vector<StageLocation> inputs;      // built-ins are not among them; by location
+  std::vector<StageLocation> outputs;
+};
+
+// Of what the entry point can reach. Throws std::invalid_argument when the words are no SPIR-V module or have
+// no such entry point, when an input or output is of a type with other than 32 bits, and for arrays larger
+// than any device binds.
+PipelineInterface pipeline_interface(const std::vector<std::uint32_t>& spirv, const std::string& entry);
+
+}  // namespace penumbra::shaders
