@@ -115,8 +115,8 @@ std::string log_of(const Source& source, const std::string& text) {
 }
 
 // What the diagnosis of a parse or a link that failed may draw on.
-ParseFailure failure_of(const Source& source, const std::string& log) {
-  return {log, source.name, std::nullopt, source.text,
+ParseFailure failure_of(const Source& source, const std::string& log, const std::string& expanded) {
+  return {log, source.name, std::nullopt, expanded,
           [&source](const std::string& text) { return log_of(source, text); }};
 }
 
@@ -128,7 +128,7 @@ bool parse(const Source& source, glslang::TShader& shader, const hlsl::SourceFil
   const std::string log = shader.getInfoLog();
   for (hlsl::Diagnostic& warning : warnings(log, sources)) result.diagnostics.push_back(std::move(warning));
   if (parsed) return true;
-  result.diagnostics.push_back(first_error(failure_of(source, log), sources));
+  result.diagnostics.push_back(first_error(failure_of(source, log, source.text), sources));
   return false;
 }
 
@@ -136,7 +136,7 @@ bool link(const Source& source, const hlsl::SourceFiles& sources, glslang::TProg
           CompileResult& result) {
   if (program.link(messages) && program.mapIO()) return true;
   const std::string log = program.getInfoLog();
-  result.diagnostics.push_back(link_error(failure_of(source, log), source.request.entry, sources));
+  result.diagnostics.push_back(link_error(failure_of(source, log, source.text), source.request.entry, sources));
   return false;
 }
 
@@ -194,7 +194,9 @@ void expand(const Source& source, PreprocessedSource& out) {
     if (!bad) return;
     out.diagnostics.push_back(*std::move(bad));
   } else {
-    out.diagnostics.push_back(first_error({log, source.name, resolver.failure(), out.text, {}}, out.sources));
+    ParseFailure failure = failure_of(source, log, out.text);
+    failure.include_failure = resolver.failure();
+    out.diagnostics.push_back(first_error(failure, out.sources));
   }
   out.text.clear();
 }
