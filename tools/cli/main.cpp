@@ -31,6 +31,7 @@ int run(int argc, char** argv) {
   penumbra::cli::add_constants(app, context);
   penumbra::cli::add_tables(app, context);
   penumbra::cli::add_validate(app, context);
+  penumbra::cli::add_merge(app, context);
   penumbra::cli::add_render(app, context);
   penumbra::cli::add_measure(app, context);
 

@@ -40,6 +40,7 @@ class Progress {
 void add_constants(CLI::App& app, Context& context);
 void add_tables(CLI::App& app, Context& context);
 void add_validate(CLI::App& app, Context& context);
+void add_merge(CLI::App& app, Context& context);
 void add_render(CLI::App& app, Context& context);
 void add_measure(CLI::App& app, Context& context);
 
