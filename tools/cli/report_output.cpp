@@ -15,6 +15,9 @@ void add_report_options(CLI::App& command, ReportOptions& options) {
       ->check(CLI::IsMember(forms))
       ->capture_default_str();
   command.add_option("-o,--output", options.output, "File to write; standard output without");
+  command.add_option(
+      "--root", options.root,
+      "Name files relative to this folder in sarif, junit and github; the current one without");
   command.add_flag("--verbose", options.verbose, "Show every note in the text report");
 }
 
@@ -24,7 +27,8 @@ void write_report(const ReportOptions& options, const validation::ValidationRepo
   const bool to_stdout = options.output.empty() || options.output == "-";
   style.colour = to_stdout && platform::colour_wanted_on_stdout();
   style.verbose = options.verbose;
-  style.root = std::filesystem::current_path();
+  style.folder = std::filesystem::current_path();
+  style.root = std::filesystem::absolute(options.root.empty() ? "." : options.root);
   write_output(options.output,
                validation::format_report(report, *validation::find_report_form(options.form), style));
   if (report.count(validation::VariantStatus::failed) != 0) context.exit_code = findings;

@@ -12,14 +12,14 @@ namespace penumbra::cli {
 struct ReportOptions {
   std::string form = "text";
   std::string output;
+  std::string root;
   bool verbose = false;
 };
 
-// --report, -o and --verbose.
+// --report, -o, --root and --verbose.
 void add_report_options(CLI::App& command, ReportOptions& options);
 
-// Files below the current folder are named relative to it. Sets the exit code to findings where a variant
-// failed.
+// Sets the exit code to findings where a variant failed.
 void write_report(const ReportOptions& options, const validation::ValidationReport& report, Context& context);
 
 }  // namespace penumbra::cli

@@ -65,9 +65,12 @@ const char* form_name(ReportForm form);  // as the enumerator is spelt
 std::optional<ReportForm> find_report_form(std::string_view name);
 
 struct ReportStyle {
-  bool colour = false;         // text: ANSI colours
-  bool verbose = false;        // text: every note
-  std::filesystem::path root;  // sarif, junit, github: files below it are named relative to it
+  bool colour = false;   // text: ANSI colours
+  bool verbose = false;  // text: every note
+  // sarif, junit, github: files below root are named relative to it; names that are relative already start
+  // from folder. Both absolute, or empty: names stay as they are.
+  std::filesystem::path root;
+  std::filesystem::path folder;
 };
 
 std::string format_report(const ValidationReport& report, ReportForm form, const ReportStyle& style = {});

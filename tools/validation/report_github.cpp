@@ -44,7 +44,7 @@ std::string annotation(const Finding& finding, const ValidationReport& report, c
                        const ReportStyle& style) {
   const hlsl::Diagnostic& diagnostic = finding.diagnostic;
   std::string text = command(diagnostic.severity);
-  text += "file=" + property(relative_file(diagnostic.file, style.root));
+  text += "file=" + property(relative_file(diagnostic.file, style));
   if (diagnostic.line > 0) text += ",line=" + std::to_string(diagnostic.line);
   if (diagnostic.line > 0 && diagnostic.column > 0)
     text += ",col=" + std::to_string(column_in_characters(diagnostic.source_line, diagnostic.column));

@@ -110,7 +110,7 @@ class JunitReport {
   std::string write_suite(const Suite& suite) {
     Counts count;
     std::string cases;
-    const std::string file = relative_file(suite.file, style_.root);
+    const std::string file = relative_file(suite.file, style_);
     for (const TestCase& test : suite.cases) cases += write_case(file, test, count);
     total_.tests += count.tests;
     total_.failures += count.failures;

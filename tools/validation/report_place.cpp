@@ -30,10 +30,11 @@ std::size_t character_length(std::string_view text) {
 
 }  // namespace
 
-std::string relative_file(const std::string& file, const std::filesystem::path& root) {
-  const std::filesystem::path path = std::filesystem::path(file).lexically_normal();
-  if (root.empty() || !path.is_absolute()) return path.generic_string();
-  const std::filesystem::path relative = path.lexically_relative(root.lexically_normal());
+std::string relative_file(const std::string& file, const ReportStyle& style) {
+  const std::filesystem::path given = std::filesystem::path(file).lexically_normal();
+  const std::filesystem::path path = (style.folder / given).lexically_normal();
+  if (style.root.empty() || !path.is_absolute()) return given.generic_string();
+  const std::filesystem::path relative = path.lexically_relative(style.root.lexically_normal());
   const bool below = !relative.empty() && *relative.begin() != "..";
   return (below ? relative : path).generic_string();
 }

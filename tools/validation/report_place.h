@@ -1,14 +1,15 @@
 // Names of files and columns as other programs want them. Internal to this room.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 
+#include "validation/report.h"
+
 namespace penumbra::validation {
 
-// The path below `root`, with '/'; as it is where it lies elsewhere or root is empty.
-std::string relative_file(const std::string& file, const std::filesystem::path& root);
+// The path below the style's root, with '/'; as it is where it lies elsewhere or there is no root.
+std::string relative_file(const std::string& file, const ReportStyle& style);
 
 // RFC 3986: a relative reference, or file:///... for an absolute path. Every byte outside of the unreserved
 // set and '/' is percent-encoded.

@@ -91,7 +91,7 @@ class SarifLog {
   }
 
   Json location(const hlsl::Diagnostic& diagnostic) {
-    const std::string file = relative_file(diagnostic.file, style_.root);
+    const std::string file = relative_file(diagnostic.file, style_);
     Json place;
     place["artifactLocation"] = artifact_location(file);
     place["artifactLocation"]["index"] = artifact_index(file);
@@ -127,7 +127,7 @@ class SarifLog {
   // 3.27.17: stays when lines move. Equal findings of one file are told apart by their number.
   std::string fingerprint(const Finding& finding) {
     const hlsl::Diagnostic& diagnostic = finding.diagnostic;
-    const std::string code = digest(finding.rule + '\n' + relative_file(diagnostic.file, style_.root) + '\n' +
+    const std::string code = digest(finding.rule + '\n' + relative_file(diagnostic.file, style_) + '\n' +
                                     diagnostic.message + '\n' + diagnostic.source_line);
     return code + ":" + std::to_string(++fingerprints_[code]);
   }
