@@ -34,6 +34,7 @@ int run(int argc, char** argv) {
   penumbra::cli::add_tables(app, context);
   penumbra::cli::add_validate(app, context);
   penumbra::cli::add_cost(app, context);
+  penumbra::cli::add_merge(app, context);
   penumbra::cli::add_render(app, context);
   penumbra::cli::add_measure(app, context);
 

@@ -41,6 +41,7 @@ void add_constants(CLI::App& app, Context& context);
 void add_tables(CLI::App& app, Context& context);
 void add_validate(CLI::App& app, Context& context);
 void add_cost(CLI::App& app, Context& context);
+void add_merge(CLI::App& app, Context& context);
 void add_render(CLI::App& app, Context& context);
 void add_measure(CLI::App& app, Context& context);
 

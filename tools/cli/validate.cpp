@@ -4,6 +4,7 @@
 #include <memory>
 #include <thread>
 
+#include "cli/report_output.h"
 #include "cli/subcommand.h"
 #include "input/input_error.h"
 #include "input/nearest_name.h"
@@ -26,8 +27,7 @@ struct ValidateOptions {
   std::vector<std::string> package_roots;
   std::vector<std::string> include_directories;
   std::vector<std::string> targets;
-  std::string report = "text";
-  std::string output;
+  ReportOptions report;
   std::string emit_parameters;
   std::string cache;
   bool no_cache = false;
@@ -116,9 +116,7 @@ void run_validate(const ValidateOptions& options, Context& context) {
     };
     report = validation::validate(request);
   }
-  write_output(options.output,
-               options.report == "json" ? validation::report_json(report) : validation::report_text(report));
-  if (report.count(validation::VariantStatus::failed) != 0) context.exit_code = findings;
+  write_report(options.report, report, context);
 }
 
 void add_what(CLI::App& command, ValidateOptions& options) {
@@ -148,10 +146,7 @@ void add_validate(CLI::App& app, Context& context) {
       "validate", "Compile every technique, keyword set and target, and say exactly what is wrong");
   auto options = std::make_shared<ValidateOptions>();
   add_what(*command, *options);
-  command->add_option("--report", options->report, "Form of the report")
-      ->check(CLI::IsMember({"text", "json"}))
-      ->capture_default_str();
-  command->add_option("-o,--output", options->output, "File to write; standard output without");
+  add_report_options(*command, options->report);
   command->add_option("--jobs", options->jobs, "Worker processes")
       ->check(CLI::Range(1U, 256U))
       ->capture_default_str();

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cstdlib>
 #include <sstream>
+#include <string_view>
+
+#include "hlsl/token_place.h"
 
 namespace penumbra::hlsl {
 
@@ -34,12 +37,74 @@ char closer_of(char opener) {
 struct Bracket {
   char character;
   const CodeLine* line;
+  std::size_t offset;  // in its line
 };
 
-OpenPlace place_of(const Bracket& bracket, const std::string& rest) {
+OpenPlace place_of(const Bracket& bracket, const std::string& rest, const SourceFiles& sources) {
   const std::string token(1, bracket.character);
-  return {bracket.line->file, bracket.line->line, 0, token, "'" + token + "' " + rest};
+  const std::string& text = bracket.line->text;
+  const auto here = text.begin() + static_cast<std::ptrdiff_t>(bracket.offset);
+  const auto rank = static_cast<std::size_t>(std::count(text.begin(), here, bracket.character));
+  const auto count = static_cast<std::size_t>(std::count(text.begin(), text.end(), bracket.character));
+  const std::string source_line = sources.line(bracket.line->file, bracket.line->line);
+  return {bracket.line->file, bracket.line->line, column_in(source_line, token, rank, count), token,
+          "'" + token + "' " + rest};
 }
+
+bool leads_its_line(const Bracket& bracket) {
+  return bracket.line->text.find_first_not_of(blanks) == bracket.offset;
+}
+
+// Pairs brackets up as they come, until one has no partner.
+class BracketPairs {
+ public:
+  explicit BracketPairs(const SourceFiles& sources) : sources_(sources) {}
+
+  // False when it closes nothing, or closes over the head of another; fault() then says which.
+  bool take(const Bracket& bracket) {
+    const char c = bracket.character;
+    if (c == '(' || c == '[' || c == '{') {
+      open_.push_back(bracket);
+      return true;
+    }
+    const auto partner = std::find_if(open_.rbegin(), open_.rend(), [&](const Bracket& opener) {
+      return closer_of(opener.character) == c;
+    });
+    const bool lost = partner == open_.rend();
+    if (lost && (open_.empty() || open_.back().line != bracket.line)) {
+      fault_ = place_of(bracket, "closes nothing", sources_);
+    } else if (lost || partner != open_.rbegin()) {
+      fault_ = place_of(open_.back(), "is never closed", sources_);
+    } else {
+      close(bracket);
+    }
+    return !fault_;
+  }
+
+  std::optional<OpenPlace> fault() const {
+    if (fault_ || open_.empty()) return fault_;
+    const bool suspected = suspect_ && suspect_depth_ > open_.size();
+    return place_of(suspected ? *suspect_ : open_.back(), "is never closed", sources_);
+  }
+
+ private:
+  void close(const Bracket& closer) {
+    const Bracket opener = open_.back();
+    const std::size_t indent = opener.line->text.find_first_not_of(blanks);
+    if (!suspect_ && closer.character == '}' && leads_its_line(closer) && closer.offset < indent) {
+      suspect_ = opener;
+      suspect_depth_ = open_.size();
+    }
+    open_.pop_back();
+    if (open_.empty()) suspect_.reset();  // what is whole so far needs no suspect
+  }
+
+  const SourceFiles& sources_;
+  std::vector<Bracket> open_;
+  std::optional<Bracket> suspect_;
+  std::size_t suspect_depth_ = 0;
+  std::optional<OpenPlace> fault_;
+};
 
 // The words of a preprocessor line after '#', or empty; comments and continuation lines are skipped.
 class DirectiveReader {
@@ -99,10 +164,10 @@ std::optional<OpenPlace> open_condition_in(const std::string& file, const std::s
 
 }  // namespace
 
-std::vector<CodeLine> expanded_lines(const std::string& preprocessed) {
+std::vector<CodeLine> expanded_lines(const std::string& preprocessed, const std::string& main_file) {
   std::vector<CodeLine> lines;
   std::istringstream stream(preprocessed);
-  CodeLine place{{}, 1, {}};
+  CodeLine place{main_file, 1, {}};
   for (std::string text; std::getline(stream, text);) {
     if (take_line_directive(text, place)) continue;
     lines.push_back({place.file, place.line, text});
@@ -111,47 +176,20 @@ std::vector<CodeLine> expanded_lines(const std::string& preprocessed) {
   return lines;
 }
 
-std::optional<OpenPlace> unbalanced_bracket(const std::vector<CodeLine>& lines) {
-  std::vector<Bracket> open;
-  for (const CodeLine& line : lines) {
-    for (const char character : line.text) {
-      const Bracket bracket{character, &line};
-      if (character == '(' || character == '[' || character == '{') {
-        open.push_back(bracket);
-      } else if (character == ')' || character == ']' || character == '}') {
-        if (open.empty()) return place_of(bracket, "closes nothing");
-        if (closer_of(open.back().character) != character) return place_of(open.back(), "is never closed");
-        open.pop_back();
-      }
-    }
-  }
-  return open.empty() ? std::nullopt : std::optional<OpenPlace>(place_of(open.back(), "is never closed"));
+std::optional<OpenPlace> unbalanced_bracket(const std::vector<CodeLine>& lines, const SourceFiles& sources) {
+  BracketPairs pairs(sources);
+  constexpr std::string_view brackets = "()[]{}";
+  for (const CodeLine& line : lines)
+    for (std::size_t at = line.text.find_first_of(brackets); at != std::string::npos;
+         at = line.text.find_first_of(brackets, at + 1))
+      if (!pairs.take({line.text[at], &line, at})) return pairs.fault();
+  return pairs.fault();
 }
 
 std::optional<OpenPlace> open_condition(const SourceFiles& sources) {
   for (const std::string& name : sources.names())
     if (std::optional<OpenPlace> open = open_condition_in(name, sources.text(name))) return open;
   return std::nullopt;
-}
-
-std::optional<CodeLine> unfinished_line_before(const std::vector<CodeLine>& lines, const std::string& file,
-                                               int line) {
-  auto at = std::find_if(lines.begin(), lines.end(),
-                         [&](const CodeLine& code) { return code.file == file && code.line == line; });
-  while (at != lines.begin() && at != lines.end()) {
-    --at;
-    const std::size_t last = at->text.find_last_not_of(blanks);
-    if (last == std::string::npos) continue;
-    const bool finished = std::string_view(";{}(),:").find(at->text[last]) != std::string_view::npos;
-    return finished && at->text[last] != '}' && at->text[last] != ')' ? std::nullopt : std::optional(*at);
-  }
-  return std::nullopt;
-}
-
-int column_after_code(std::string_view line) {
-  const std::string_view code = line.substr(0, line.find("//"));
-  const std::size_t last = code.find_last_not_of(blanks);
-  return last == std::string_view::npos ? 1 : static_cast<int>(last) + 2;
 }
 
 }  // namespace penumbra::hlsl

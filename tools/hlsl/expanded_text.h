@@ -4,7 +4,6 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "hlsl/source_text.h"
@@ -25,20 +24,15 @@ struct OpenPlace {
   std::string message;
 };
 
-// Splits preprocessor output at its #line directives.
-std::vector<CodeLine> expanded_lines(const std::string& preprocessed);
+// Splits preprocessor output at its #line directives; `main_file` names what stands before the first.
+std::vector<CodeLine> expanded_lines(const std::string& preprocessed, const std::string& main_file);
 
-// A bracket that is never closed, closed by another kind, or closed without having been opened.
-std::optional<OpenPlace> unbalanced_bracket(const std::vector<CodeLine>& lines);
+// A bracket that is never closed, closed by another kind, or closed without having been opened. Of several
+// open braces it is the one whose '}' seems to have gone to another: the first that is closed further left
+// than the line that opened it.
+std::optional<OpenPlace> unbalanced_bracket(const std::vector<CodeLine>& lines, const SourceFiles& sources);
 
 // An #if without #endif, or the other way round, within one file.
 std::optional<OpenPlace> open_condition(const SourceFiles& sources);
-
-// The last line with code before the given one, when no ';', bracket or comma ends it.
-std::optional<CodeLine> unfinished_line_before(const std::vector<CodeLine>& lines, const std::string& file,
-                                               int line);
-
-// 1-based column just after the last character that is neither blank nor a // comment.
-int column_after_code(std::string_view line);
 
 }  // namespace penumbra::hlsl

@@ -28,8 +28,20 @@ bool stderr_is_terminal() {
 #endif
 }
 
+bool stdout_is_terminal() {
+#ifdef _WIN32
+  return _isatty(1) != 0;
+#else
+  return ::isatty(STDOUT_FILENO) != 0;
+#endif
+}
+
 bool colour_wanted() {
   return stderr_is_terminal() && environment("NO_COLOR").empty();
+}
+
+bool colour_wanted_on_stdout() {
+  return stdout_is_terminal() && environment("NO_COLOR").empty();
 }
 
 std::filesystem::path program_path() {

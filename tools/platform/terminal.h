@@ -6,7 +6,9 @@
 namespace penumbra::platform {
 
 bool stderr_is_terminal();
-bool colour_wanted();                       // a terminal, and NO_COLOR unset or empty
+bool stdout_is_terminal();
+bool colour_wanted();                       // stderr is a terminal, and NO_COLOR unset or empty
+bool colour_wanted_on_stdout();             // the same of standard output
 std::filesystem::path program_path();       // the running executable
 std::filesystem::path program_directory();  // its folder
 std::filesystem::path cache_directory();    // $PENUMBRA_CACHE, else $XDG_CACHE_HOME or ~/.cache, /penumbra

@@ -105,6 +105,21 @@ hlsl::Diagnostic whole_file(const Source& source, hlsl::Severity severity, std::
   return {source.name, 0, 0, severity, std::move(message), {}};
 }
 
+// What the parser says of another text in place of the source's.
+std::string log_of(const Source& source, const std::string& text) {
+  glslang::TShader::ForbidIncluder nothing_left_to_include;
+  const Source instead{source.request, source.name, text, {}};
+  SourceShader shader(instead);
+  shader.get().parse(GetDefaultResources(), hlsl_version, false, messages, nothing_left_to_include);
+  return shader.get().getInfoLog();
+}
+
+// What the diagnosis of a parse or a link that failed may draw on.
+ParseFailure failure_of(const Source& source, const std::string& log, const std::string& expanded) {
+  return {log, source.name, std::nullopt, expanded,
+          [&source](const std::string& text) { return log_of(source, text); }};
+}
+
 bool parse(const Source& source, glslang::TShader& shader, const hlsl::SourceFiles& sources,
            CompileResult& result) {
   glslang::TShader::ForbidIncluder nothing_left_to_include;
@@ -113,17 +128,15 @@ bool parse(const Source& source, glslang::TShader& shader, const hlsl::SourceFil
   const std::string log = shader.getInfoLog();
   for (hlsl::Diagnostic& warning : warnings(log, sources)) result.diagnostics.push_back(std::move(warning));
   if (parsed) return true;
-  result.diagnostics.push_back(first_error({log, source.name, std::nullopt, source.text}, sources));
+  result.diagnostics.push_back(first_error(failure_of(source, log, source.text), sources));
   return false;
 }
 
-bool link(const Source& source, glslang::TProgram& program, CompileResult& result) {
+bool link(const Source& source, const hlsl::SourceFiles& sources, glslang::TProgram& program,
+          CompileResult& result) {
   if (program.link(messages) && program.mapIO()) return true;
   const std::string log = program.getInfoLog();
-  const bool no_entry = log.find("Entry point not found") != std::string::npos;
-  result.diagnostics.push_back(whole_file(
-      source, hlsl::Severity::error,
-      no_entry ? "there is no function '" + source.request.entry + "' to enter at" : "link: " + log));
+  result.diagnostics.push_back(link_error(failure_of(source, log, source.text), source.request.entry, sources));
   return false;
 }
 
@@ -161,7 +174,7 @@ bool build(const Source& source, const hlsl::SourceFiles& sources, CompileResult
   if (!parse(source, shader.get(), sources, result)) return false;
   glslang::TProgram program;
   program.addShader(&shader.get());
-  return link(source, program, result) &&
+  return link(source, sources, program, result) &&
          generate(source, *program.getIntermediate(language(source.request.stage)), result) &&
          finish_module(source, result);
 }
@@ -183,7 +196,9 @@ void expand(const Source& source, PreprocessedSource& out) {
     if (!bad) return;
     out.diagnostics.push_back(*std::move(bad));
   } else {
-    out.diagnostics.push_back(first_error({log, source.name, resolver.failure(), out.text}, out.sources));
+    ParseFailure failure = failure_of(source, log, out.text);
+    failure.include_failure = resolver.failure();
+    out.diagnostics.push_back(first_error(failure, out.sources));
   }
   out.text.clear();
 }
@@ -205,7 +220,9 @@ std::optional<hlsl::Diagnostic> nul_byte(const hlsl::SourceFiles& sources) {
     if (at == std::string::npos) continue;
     const auto before = text.begin() + static_cast<std::ptrdiff_t>(at);
     const auto line = static_cast<int>(std::count(text.begin(), before, '\n')) + 1;
-    return hlsl::Diagnostic{name, line, 0, hlsl::Severity::error, "a NUL byte; is this a text file?", {}};
+    const auto column = static_cast<int>(at - (text.rfind('\n', at) + 1)) + 1;
+    return hlsl::Diagnostic{name, line, column, hlsl::Severity::error, "a NUL byte; is this a text file?",
+                            {}};
   }
   return std::nullopt;
 }

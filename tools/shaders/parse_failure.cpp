@@ -1,180 +1,293 @@
 #include "shaders/parse_failure.h"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <sstream>
+#include <utility>
 
 #include "hlsl/expanded_text.h"
+#include "hlsl/token_place.h"
+#include "shaders/parse_log.h"
+#include "shaders/parse_message.h"
 
 namespace penumbra::shaders {
 
 namespace {
 
-struct Prefix {
-  std::string_view text;
-  hlsl::Severity severity;
-};
-constexpr std::array<Prefix, 4> prefixes{{{"ERROR: ", hlsl::Severity::error},
-                                          {"INTERNAL ERROR: ", hlsl::Severity::error},
-                                          {"UNIMPLEMENTED: ", hlsl::Severity::error},
-                                          {"WARNING: ", hlsl::Severity::warning}}};
-
-bool starts_with(std::string_view text, std::string_view start) {
-  return text.substr(0, start.size()) == start;
+bool is_directive(const std::string& token) {
+  return !token.empty() && token.front() == '#';
 }
 
-bool is_word(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+bool of_preprocessor(const LogLine& line) {
+  return is_directive(line.token) || line.token == "preprocessor evaluation" ||
+         line.token == "macro expansion" || line.message == "End of input in comment";
 }
 
-// Takes ":123: " (or "(123): ") off the front of `rest`.
-bool take_line_number(std::string_view& rest, int& line) {
-  std::size_t end = 1;
-  while (end < rest.size() && std::isdigit(static_cast<unsigned char>(rest[end])) != 0 && end < 9) ++end;
-  if (rest.empty() || rest[0] != ':' || end == 1 || rest.substr(end, 2) != ": ") return false;
-  line = std::stoi(std::string(rest.substr(1, end - 1)));
-  rest.remove_prefix(end + 2);
-  return true;
+// glslang names the line after one that ends too early.
+void step_back_to_directive(LogLine& line, const hlsl::SourceFiles& sources) {
+  const bool condition = line.token == "preprocessor evaluation";
+  if (!condition && !is_directive(line.token)) return;
+  const auto is_there = [&](int number) {
+    const std::string text = sources.line(line.file, number);
+    if (!condition) return text.find(line.token) != std::string::npos;
+    return text.find("#if") != std::string::npos || text.find("#elif") != std::string::npos;
+  };
+  if (!is_there(line.line) && is_there(line.line - 1)) --line.line;
 }
 
-// The file may hold colons and blanks: it is found by the names this compilation has read, longest first.
-void take_place(std::string_view& rest, const hlsl::SourceFiles& sources, LogLine& out) {
-  std::vector<std::string> names = sources.names();
-  std::sort(names.begin(), names.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
-  for (const std::string& name : names) {
-    if (!starts_with(rest, name)) continue;
-    std::string_view after = rest.substr(name.size());
-    if (!take_line_number(after, out.line)) continue;
-    out.file = name;
-    rest = after;
-    return;
-  }
+// The text of #error as it was written: glslang's has a blank between any two tokens.
+std::string error_directive(const std::string& text) {
+  const std::size_t word = text.find("error");
+  const std::size_t start = word == std::string::npos ? word : text.find_first_not_of(" \t", word + 5);
+  return start == std::string::npos ? "'#error'" : "'#error': " + text.substr(start);
 }
 
-// "'token' : message"; the token may hold quotes.
-void take_token(std::string_view& rest, LogLine& out) {
-  const std::size_t end = rest.find("' : ");
-  if (rest.empty() || rest[0] != '\'' || end == std::string_view::npos) return;
-  out.token = rest.substr(1, end - 1);
-  rest.remove_prefix(end + 4);
+std::string last_word(const std::string& message) {
+  return message.substr(message.rfind(' ') + 1);
 }
 
-std::string without(std::string text, const std::string& part, const std::string& instead) {
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + instead.size()))
-    text.replace(at, part.size(), instead);
-  return text;
+int column_of_directive(const LogLine& line, const std::string& text) {
+  if (line.token == "macro expansion") return column_of(last_word(line.message), text);
+  const std::size_t hash = text.find('#');
+  return hash == std::string::npos ? 0 : static_cast<int>(hash) + 1;
 }
 
-bool is_name(const std::string& token) {
-  return !token.empty() && std::all_of(token.begin(), token.end(), is_word);
-}
-
-// glslang gives the token first and then what is wrong with it; a name reads better at the end.
-std::string sentence(const LogLine& line) {
-  if (line.message == "Expected") return "expected '" + line.token + "'";
-  std::string message = without(without(line.message, "from ' ", "from '"), "to ' ", "to '");
-  if (line.token.empty()) return message;
-  if (is_name(line.token) || message == "unexpected token") return message + " '" + line.token + "'";
-  return "'" + line.token + "': " + message;
-}
-
-hlsl::Diagnostic to_diagnostic(const LogLine& line, const hlsl::SourceFiles& sources) {
+hlsl::Diagnostic at_directive(LogLine line, const hlsl::SourceFiles& sources) {
+  step_back_to_directive(line, sources);
   const std::string text = sources.line(line.file, line.line);
   if (line.message == "End of input in comment") {
     const auto column = static_cast<int>(text.rfind("/*") + 1);  // 0 when it is not there
     return {line.file, line.line, column, line.severity, "'/*' is never closed", text};
   }
+  const std::string message = line.token == "#error" ? error_directive(text) : sentence(line, {});
+  return {line.file, line.line, column_of_directive(line, text), line.severity, message, text};
+}
+
+hlsl::Diagnostic at_line(const LogLine& line, const hlsl::SourceFiles& sources) {
+  if (of_preprocessor(line)) return at_directive(line, sources);
+  const std::string text = sources.line(line.file, line.line);
   const int column = line.message == "Expected" ? 0 : column_of(line.token, text);
-  return {line.file, line.line, column, line.severity, sentence(line), text};
+  return {line.file, line.line, column, line.severity, sentence(line, {}), text};
 }
 
-hlsl::Diagnostic at_end_of(const hlsl::CodeLine& code, const std::string& message,
-                           const hlsl::SourceFiles& sources) {
-  const std::string text = sources.line(code.file, code.line);
-  return {code.file, code.line, hlsl::column_after_code(text), hlsl::Severity::error, message, text};
+const LogLine* first_error_line(const std::vector<LogLine>& lines) {
+  const auto error = std::find_if(lines.begin(), lines.end(),
+                                  [](const LogLine& line) { return line.severity == hlsl::Severity::error; });
+  return error == lines.end() ? nullptr : &*error;
 }
 
-// A missing ';' or ')' is noticed at the next token, often a line or a file later; it is mended where the
-// code before that token ends.
-hlsl::Diagnostic place_expected(const LogLine& line, const std::vector<hlsl::CodeLine>& code,
-                                const hlsl::SourceFiles& sources) {
-  const std::optional<hlsl::CodeLine> before = hlsl::unfinished_line_before(code, line.file, line.line);
-  return before && line.token == ";" ? at_end_of(*before, sentence(line), sources)
-                                     : to_diagnostic(line, sources);
+hlsl::Diagnostic at_place(const hlsl::TokenPlace& place, std::string message,
+                          const hlsl::SourceFiles& sources) {
+  return {place.file,         place.line,
+          place.column,       hlsl::Severity::error,
+          std::move(message), sources.line(place.file, place.line)};
+}
+
+// The index of the token that the parser complained of; nothing when it complains of something else now.
+std::optional<std::size_t> find_token(const ParseFailure& failure, const LogLine& error,
+                                      const hlsl::TokenPlaces& places, const hlsl::SourceFiles& sources) {
+  if (!failure.log_of || places.size() == 0) return std::nullopt;
+  const std::vector<LogLine> lines = parse_log(failure.log_of(places.one_a_line()), sources);
+  const LogLine* again = first_error_line(lines);
+  const bool same = again != nullptr && again->message == error.message && again->token == error.token;
+  if (!same || again->line < 1 || static_cast<std::size_t>(again->line) > places.size()) return std::nullopt;
+  return static_cast<std::size_t>(again->line) - 1;
+}
+
+Surroundings surroundings(const hlsl::TokenPlaces& places, std::size_t at) {
+  Surroundings around;
+  around.found = places[at].spelling;
+  around.found_is_word = places[at].kind == hlsl::Token::Kind::word;
+  if (at + 1 < places.size()) {
+    around.next = places[at + 1].spelling;
+    around.next_is_word = places[at + 1].kind == hlsl::Token::Kind::word;
+  }
+  around.same_line_as_before =
+      at > 0 && places[at - 1].line == places[at].line && places[at - 1].file == places[at].file;
+  return around;
+}
+
+// Of "1.5.5" the parser reads 1.5 and then .5: both together, or empty.
+std::string number_in_two(const hlsl::TokenPlaces& places, std::size_t at) {
+  const bool numbers = at > 0 && places[at].kind == hlsl::Token::Kind::number &&
+                       places[at - 1].kind == hlsl::Token::Kind::number;
+  return numbers ? std::string(places[at - 1].spelling).append(places[at].spelling) : std::string();
+}
+
+// The '-' of "float name[-2]": the parser accepts it and then finds every index outside.
+std::optional<std::size_t> negative_size(const hlsl::TokenPlaces& places, std::size_t index) {
+  std::size_t bracket = index;
+  while (bracket > 0 && places[bracket].spelling != "[") --bracket;
+  if (bracket == 0) return std::nullopt;
+  const std::string_view name = places[bracket - 1].spelling;
+  for (std::size_t i = 1; i + 2 < places.size(); ++i)
+    if (places[i].spelling == name && places[i + 1].spelling == "[" && places[i + 2].spelling == "-" &&
+        places[i - 1].kind == hlsl::Token::Kind::word)
+      return i + 2;
+  return std::nullopt;
+}
+
+// glslang complains of a constructor behind its ')'.
+std::size_t start_of_call(const hlsl::TokenPlaces& places, std::size_t at) {
+  std::size_t depth = 0;
+  for (std::size_t i = at; i > 1; --i) {
+    if (places[i].spelling == ")") ++depth;
+    if (places[i].spelling == "(" && (depth == 0 || --depth == 0)) return i - 1;
+  }
+  return at;
+}
+
+// "Blend(float a, float b)" from its name on.
+std::string signature(const hlsl::TokenPlaces& places, std::size_t name) {
+  constexpr std::size_t longest = 160;
+  std::string text;
+  for (std::size_t i = name; i < places.size() && text.size() < longest; ++i) {
+    const std::string_view token = places[i].spelling;
+    const bool apart = places[i].kind == hlsl::Token::Kind::word && i > name && text.back() != '(';
+    text.append(apart ? " " : "").append(token);
+    if (token == ")") return text;
+  }
+  return text + " ...";
+}
+
+bool names_something_unknown(const LogLine& error) {
+  return error.message == "unknown variable" || error.message == "no matching overloaded function found" ||
+         error.message == "no such field in structure";
+}
+
+// A method's name comes as "__BI_Sample"; a function that the text does not have at all is unknown.
+std::string unknown_name(LogLine error, const Surroundings& around, const hlsl::TokenPlaces& places) {
+  const std::string built_in = "__BI_";
+  if (error.token.starts_with(built_in)) {
+    error.token.erase(0, built_in.size());
+    return "no method '" + error.token + "' takes these arguments" + nearest_method(error.token);
+  }
+  if (error.message != "no matching overloaded function found")
+    return sentence(error, around) + nearest_word(error.token, places);
+  const std::size_t function = places.function(error.token);
+  if (function != places.size()) return sentence(error, around) + "; there is " + signature(places, function);
+  return is_intrinsic(error.token)
+             ? sentence(error, around)
+             : "unknown function '" + error.token + "'" + nearest_word(error.token, places);
+}
+
+// A missing ';' is noticed at the next token, often a line or a file later; it belongs behind the one before.
+// So does the ';' of a list that goes on in the next line without ','.
+bool is_missing_semicolon(const LogLine& error, const Surroundings& around, std::size_t at) {
+  return error.message == "Expected" && at > 0 &&
+         (error.token == ";" || (error.token == "," && !around.same_line_as_before));
+}
+
+hlsl::Diagnostic missing_semicolon(LogLine error, std::size_t at, const Surroundings& around,
+                                   const hlsl::TokenPlaces& places, const hlsl::SourceFiles& sources) {
+  error.token = ";";
+  if (const std::string number = number_in_two(places, at); !number.empty()) {
+    hlsl::TokenPlace place = places.at(at, sources);
+    place.column = column_of(number, sources.line(place.file, place.line));
+    return at_place(place, "'" + number + "' is no number", sources);
+  }
+  return at_place(places.after(at - 1, sources), sentence(error, around), sources);
+}
+
+hlsl::Diagnostic at_token(const LogLine& error, std::size_t at, const hlsl::TokenPlaces& places,
+                          const hlsl::SourceFiles& sources) {
+  const Surroundings around = surroundings(places, at);
+  if (is_missing_semicolon(error, around, at)) return missing_semicolon(error, at, around, places, sources);
+  if (error.message == "Expected" && error.token.starts_with("loop") && at > 0)  // noticed behind 'break'
+    return at_place(places.at(at - 1, sources), sentence(error, around), sources);
+  if (error.message.starts_with("array index out of range"))
+    if (const std::optional<std::size_t> minus = negative_size(places, at))
+      return at_place(places.at(*minus, sources), "an array's size must be positive", sources);
+  hlsl::TokenPlace place = places.at(error.token == "constructor" ? start_of_call(places, at) : at, sources);
+  if (error.message != "Expected" && place.file == error.file && place.line == error.line)
+    if (const int column = column_of(error.token, sources.line(error.file, error.line)); column != 0)
+      place.column = column;
+  return at_place(
+      place, names_something_unknown(error) ? unknown_name(error, around, places) : sentence(error, around),
+      sources);
+}
+
+hlsl::Diagnostic of_include(LogLine line, const std::string& problem, const hlsl::SourceFiles& sources) {
+  line.token.clear();
+  line.message = problem;
+  hlsl::Diagnostic diagnostic = at_line(line, sources);
+  diagnostic.message = problem;
+  diagnostic.column = column_of("#include", diagnostic.source_line);
+  return diagnostic;
+}
+
+hlsl::Diagnostic of_open_place(const hlsl::OpenPlace& open, const hlsl::SourceFiles& sources) {
+  return at_place({open.file, open.line, open.column}, open.message, sources);
+}
+
+// glslang reads on behind the last line, into text of its own.
+bool past_the_end(const LogLine& error, const hlsl::SourceFiles& sources) {
+  if (!sources.contains(error.file)) return false;
+  const std::string& text = sources.text(error.file);
+  return error.line > std::count(text.begin(), text.end(), '\n') + (text.ends_with('\n') ? 0 : 1);
+}
+
+// "Fade(f1;" is glslang's name of a function with its parameters' types.
+std::string plain_name(const std::string& mangled) {
+  return mangled.substr(0, mangled.find('('));
+}
+
+std::string recursion(const std::string& caller, const std::string& callee) {
+  if (caller == callee) return "'" + caller + "' calls itself: HLSL has no recursion";
+  return "'" + caller + "' calls '" + callee + "', which leads back to it: HLSL has no recursion";
 }
 
 }  // namespace
 
-std::vector<LogLine> parse_log(std::string_view log, const hlsl::SourceFiles& sources) {
-  std::vector<LogLine> lines;
-  std::istringstream stream{std::string(log)};
-  for (std::string text; std::getline(stream, text);) {
-    for (const Prefix& prefix : prefixes) {
-      if (!starts_with(text, prefix.text)) continue;
-      LogLine line;
-      line.severity = prefix.severity;
-      std::string_view rest = std::string_view(text).substr(prefix.text.size());
-      take_place(rest, sources, line);
-      take_token(rest, line);
-      while (!rest.empty() && rest.back() == ' ') rest.remove_suffix(1);
-      while (!rest.empty() && rest.front() == ' ') rest.remove_prefix(1);
-      line.message = rest;
-      lines.push_back(line);
-    }
-  }
-  return lines;
-}
-
-int column_of(std::string_view token, std::string_view line) {
-  if (token.empty()) return 0;
-  int column = 0;
-  for (std::size_t at = line.find(token); at != std::string_view::npos; at = line.find(token, at + 1)) {
-    const bool inside_word =
-        (at > 0 && is_word(line[at - 1]) && is_word(token.front())) ||
-        (at + token.size() < line.size() && is_word(line[at + token.size()]) && is_word(token.back()));
-    if (inside_word) continue;
-    if (column != 0) return 0;
-    column = static_cast<int>(at) + 1;
-  }
-  return column;
-}
-
 hlsl::Diagnostic first_error(const ParseFailure& failure, const hlsl::SourceFiles& sources) {
   const std::vector<LogLine> lines = parse_log(failure.log, sources);
-  const auto error = std::find_if(lines.begin(), lines.end(),
-                                  [](const LogLine& line) { return line.severity == hlsl::Severity::error; });
-  const std::vector<hlsl::CodeLine> code = hlsl::expanded_lines(failure.preprocessed);
-  if (error != lines.end() && failure.include_failure) {
-    LogLine line = *error;
-    line.token.clear();
-    line.message = *failure.include_failure;
-    hlsl::Diagnostic diagnostic = to_diagnostic(line, sources);
-    diagnostic.column = column_of("#include", diagnostic.source_line);
-    return diagnostic;
-  }
+  const LogLine* error = first_error_line(lines);
+  if (error != nullptr && failure.include_failure)
+    return of_include(*error, *failure.include_failure, sources);
   // Before anything the parser says about it: a bracket or condition that a file leaves open.
   if (const std::optional<hlsl::OpenPlace> open = hlsl::open_condition(sources))
-    return {open->file,    open->line,
-            open->column,  hlsl::Severity::error,
-            open->message, sources.line(open->file, open->line)};
-  const bool vague = error == lines.end() || error->message == "Expected" || error->line == 0;
-  if (vague) {
-    if (const std::optional<hlsl::OpenPlace> open = hlsl::unbalanced_bracket(code)) {
-      const std::string text = sources.line(open->file, open->line);
-      return {open->file,    open->line, column_of(open->token, text), hlsl::Severity::error,
-              open->message, text};
-    }
+    return of_open_place(*open, sources);
+  const bool placed = error != nullptr && error->line > 0;
+  if (!placed || error->message == "Expected" || past_the_end(*error, sources)) {
+    const auto code = hlsl::expanded_lines(failure.preprocessed, failure.main_file);
+    if (const std::optional<hlsl::OpenPlace> open = hlsl::unbalanced_bracket(code, sources))
+      return of_open_place(*open, sources);
   }
-  if (error == lines.end() || error->line == 0)
-    return {failure.main_file,
-            0,
-            0,
-            hlsl::Severity::error,
-            "the HLSL front end gave up: " + std::string(failure.log),
-            {}};
-  return error->message == "Expected" ? place_expected(*error, code, sources)
-                                      : to_diagnostic(*error, sources);
+  if (!placed)
+    return at_place({failure.main_file, 0, 0}, "the HLSL front end gave up: " + std::string(failure.log),
+                    sources);
+  if (!of_preprocessor(*error)) {
+    const hlsl::TokenPlaces places(failure.preprocessed, failure.main_file);
+    if (const std::optional<std::size_t> at = find_token(failure, *error, places, sources))
+      return at_token(*error, *at, places, sources);
+  }
+  return at_line(*error, sources);
+}
+
+hlsl::Diagnostic link_error(const ParseFailure& failure, const std::string& entry,
+                            const hlsl::SourceFiles& sources) {
+  const hlsl::TokenPlaces places(failure.preprocessed, failure.main_file);
+  const auto at_function = [&](const std::string& name, const std::string& message) {
+    const std::size_t at = places.function(name);
+    if (at == places.size()) return at_place({failure.main_file, 0, 0}, message, sources);
+    return at_place(places.at(at, sources), message, sources);
+  };
+  if (failure.log.find("Entry point not found") != std::string_view::npos)
+    return at_place({failure.main_file, 0, 0}, "there is no function '" + entry + "' to enter at", sources);
+  std::istringstream lines{std::string(failure.log)};
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string function;
+    std::string calling;
+    std::string callee;
+    if (line.find("No function definition (body) found") != std::string::npos) {
+      lines >> function;
+      return at_function(plain_name(function),
+                         "function '" + plain_name(function) + "' is called and has no body");
+    }
+    if (words >> function >> calling >> callee && calling == "calling")
+      return at_function(plain_name(function), recursion(plain_name(function), plain_name(callee)));
+  }
+  return at_place({failure.main_file, 0, 0}, "link: " + std::string(failure.log), sources);
 }
 
 std::vector<hlsl::Diagnostic> warnings(std::string_view log, const hlsl::SourceFiles& sources) {
@@ -182,7 +295,7 @@ std::vector<hlsl::Diagnostic> warnings(std::string_view log, const hlsl::SourceF
   std::vector<std::string> seen;
   for (const LogLine& line : parse_log(log, sources)) {
     if (line.severity != hlsl::Severity::warning) continue;
-    const hlsl::Diagnostic diagnostic = to_diagnostic(line, sources);
+    const hlsl::Diagnostic diagnostic = at_line(line, sources);
     if (std::find(seen.begin(), seen.end(), format(diagnostic)) != seen.end()) continue;
     seen.push_back(format(diagnostic));
     diagnostics.push_back(diagnostic);

@@ -2,9 +2,11 @@
 //
 // Rule: of a failed parse the first error is reported and the rest is dropped. glslang's HLSL parser does not
 // recover: after an error it gives up one production after the other, each with a message of its own, most of
-// them at the wrong file. Warnings are all kept, once each.
+// them at the wrong file. Warnings are all kept, once each. glslang tells lines alone; the column comes from
+// reading the expanded text again with one token a line (hlsl/token_place.h).
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,29 +17,18 @@
 
 namespace penumbra::shaders {
 
-// One line of the log: "ERROR: file:line: 'token' : message".
-struct LogLine {
-  hlsl::Severity severity = hlsl::Severity::error;
-  std::string file;
-  int line = 0;
-  std::string token;
-  std::string message;
-};
-
-std::vector<LogLine> parse_log(std::string_view log, const hlsl::SourceFiles& sources);
-
 // What the diagnosis of a failure may draw on.
 struct ParseFailure {
   std::string_view log;
   std::string main_file;
   std::optional<std::string> include_failure;
   std::string preprocessed;  // glslang's own preprocessor output, may be empty
+  std::function<std::string(const std::string& text)> log_of;  // of the same shader with another text
 };
 
 hlsl::Diagnostic first_error(const ParseFailure& failure, const hlsl::SourceFiles& sources);
+hlsl::Diagnostic link_error(const ParseFailure& failure, const std::string& entry,
+                            const hlsl::SourceFiles& sources);
 std::vector<hlsl::Diagnostic> warnings(std::string_view log, const hlsl::SourceFiles& sources);
-
-// 1-based column of the token where it stands alone and only once in the line, else 0.
-int column_of(std::string_view token, std::string_view line);
 
 }  // namespace penumbra::shaders

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "hlsl/diagnostic.h"
@@ -31,20 +34,51 @@ struct VariantRecord {
   std::string reason;        // why it is absent or unchecked
   bool cached = false;       // the answer is of an earlier run
   std::string reproduction;  // a file with the text that crashed or hung a compiler; empty without
+  std::string module;        // names the SPIR-V: records of equal module and target are one piece of work
+  std::size_t place = 0;     // of the variant in the order of the whole request, other shards' included
 };
 
 struct ValidationReport {
-  std::vector<VariantRecord> records;  // in the order of the request, whatever the number of jobs
-  std::size_t unique = 0;              // distinct pairs of SPIR-V module and target among them
-  double seconds = 0.0;
+  std::vector<VariantRecord> records;         // in the order of the request, whatever the number of jobs
+  std::size_t unique = 0;                     // distinct pairs of SPIR-V module and target among them
+  double seconds = 0.0;                       // of a merged report: of all machines together
   std::map<std::string, std::string> checks;  // target -> who has checked it
+  std::map<std::string, std::string> rules;   // lint rule -> what it finds, in one sentence
+  unsigned shard = 1;                         // this report is shard `shard` of `shards`, from 1
+  unsigned shards = 1;                        // 1: the whole run
+  std::string fingerprint;  // of the request without its shard: only reports that share it can be merged
 
   std::size_t count(VariantStatus status) const;
 };
 
 const char* status_name(VariantStatus status);  // as the enumerator is spelt
+std::optional<VariantStatus> find_status(std::string_view name);
 
-std::string report_text(const ValidationReport& report);  // findings, then one line of totals
+// text: for people. json: everything, and what read_report_json() takes. sarif: SARIF 2.1.0, for code
+// scanning. junit: JUnit XML, for test reports. github: workflow commands that GitHub shows as annotations.
+enum class ReportForm { text, json, sarif, junit, github };
+
+inline constexpr ReportForm all_report_forms[] = {ReportForm::text, ReportForm::json, ReportForm::sarif,
+                                                  ReportForm::junit, ReportForm::github};
+
+const char* form_name(ReportForm form);  // as the enumerator is spelt
+std::optional<ReportForm> find_report_form(std::string_view name);
+
+struct ReportStyle {
+  bool colour = false;   // text: ANSI colours
+  bool verbose = false;  // text: every note
+  // sarif, junit, github: files below root are named relative to it; names that are relative already start
+  // from folder. Both absolute, or empty: names stay as they are.
+  std::filesystem::path root;
+  std::filesystem::path folder;
+};
+
+std::string format_report(const ValidationReport& report, ReportForm form, const ReportStyle& style = {});
+
+std::string report_text(const ValidationReport& report, const ReportStyle& style = {});
 std::string report_json(const ValidationReport& report);
+std::string report_sarif(const ValidationReport& report, const ReportStyle& style = {});
+std::string report_junit(const ValidationReport& report, const ReportStyle& style = {});
+std::string report_github(const ValidationReport& report, const ReportStyle& style = {});
 
 }  // namespace penumbra::validation

@@ -1,0 +1,146 @@
+// action.yml as GitHub reads it, and its script as a runner runs it.
+#include <yaml-cpp/yaml.h>
+
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
+
+#include "ci/project_folder.h"
+
+namespace penumbra::ci {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::UnorderedElementsAreArray;
+
+YAML::Node action() {
+  return YAML::LoadFile(repository + "/action.yml");
+}
+
+std::set<std::string> names_of(const std::string& kind, const std::string& text) {
+  std::set<std::string> names;
+  const std::regex pattern("\\b" + kind + "\\.([A-Za-z_-]+)");
+  for (std::sregex_iterator it(text.begin(), text.end(), pattern), end; it != end; ++it)
+    names.insert((*it)[1]);
+  return names;
+}
+
+TEST(GithubAction, DeclaresTheInputsItUsesAndUsesThoseItDeclares) {
+  std::set<std::string> declared;
+  for (const auto& input : action()["inputs"]) {
+    declared.insert(input.first.as<std::string>());
+    EXPECT_FALSE(input.second["description"].as<std::string>().empty());
+    EXPECT_TRUE(input.second["default"]) << input.first;
+  }
+  EXPECT_THAT(names_of("inputs", YAML::Dump(action()["runs"])), UnorderedElementsAreArray(declared));
+}
+
+TEST(GithubAction, StepsNameOnlyStepsThatAreThere) {
+  std::set<std::string> ids;
+  for (const auto& step : action()["runs"]["steps"])
+    if (step["id"]) ids.insert(step["id"].as<std::string>());
+  EXPECT_THAT(names_of("steps", YAML::Dump(action())), UnorderedElementsAreArray(ids));
+}
+
+TEST(GithubAction, EveryScriptHasAShellAndNoExpression) {
+  EXPECT_EQ(action()["runs"]["using"].as<std::string>(), "composite");
+  for (const auto& step : action()["runs"]["steps"]) {
+    if (!step["run"]) continue;
+    EXPECT_EQ(step["shell"].as<std::string>(), "bash");
+    EXPECT_THAT(step["run"].as<std::string>(), Not(HasSubstr("${{"))) << "an input could become a command";
+  }
+}
+
+// The last step with its inputs, as the runner sets its environment.
+class GithubRun : public ProjectFolder {
+ protected:
+  platform::ChildResult run_step(std::map<std::string, std::string> inputs) {
+    for (const auto& input : action()["inputs"])
+      inputs.try_emplace(input.first.as<std::string>(), input.second["default"].as<std::string>());
+    const YAML::Node steps = action()["runs"]["steps"];
+    const YAML::Node step = steps[steps.size() - 1];
+    std::vector<std::string> variables{"GITHUB_ACTIONS=true", "GITHUB_ACTION_PATH=" + repository,
+                                       "GITHUB_WORKSPACE=" + path("").parent_path().string(),
+                                       "GITHUB_OUTPUT=" + path("output").string(),
+                                       "GITHUB_STEP_SUMMARY=" + path("summary.md").string()};
+    for (const auto& variable : step["env"]) {
+      const std::string expression = variable.second.as<std::string>();
+      const std::string input = *names_of("inputs", expression).begin();
+      EXPECT_EQ(expression, "${{ inputs." + input + " }}");
+      variables.push_back(variable.first.as<std::string>() + "=" + inputs.at(input));
+    }
+    return run_in_project(step["run"].as<std::string>(), variables);
+  }
+
+  nlohmann::json read_json(const std::string& name) const { return nlohmann::json::parse(read(name)); }
+};
+
+TEST_F(GithubRun, AMistakeIsAnAnnotationASarifResultAndAFailedTest) {
+  const auto result =
+      run_step({{"program", PENUMBRA_PROGRAM},
+                {"arguments", "Assets/Good.hlsl \"Assets/Broken.hlsl\" --targets spirv,msl23"}});
+  EXPECT_EQ(result.exit_code, 1) << result.errors;
+  EXPECT_THAT(result.output, HasSubstr("::error file=Assets/Broken.hlsl,line=3,col=22,title=penumbra%3A "
+                                       "hlsl::unknown variable 'glow'%0A"));
+  EXPECT_EQ(read_json("penumbra-reports/penumbra.json").at("summary").at("variants"), 4);
+  EXPECT_EQ(read_json("penumbra-reports/penumbra.sarif").at("runs").at(0).at("results").size(), 1u);
+  EXPECT_THAT(read("penumbra-reports/penumbra.xml"), HasSubstr("failures=\"1\""));
+  EXPECT_THAT(read("summary.md"), AllOf(HasSubstr("Broken.hlsl:3:22: error:"), HasSubstr("``````````\n")));
+  EXPECT_EQ(read("output"),
+            "json=penumbra-reports/penumbra.json\nsarif=penumbra-reports/penumbra.sarif\n"
+            "junit=penumbra-reports/penumbra.xml\n");
+}
+
+TEST_F(GithubRun, GoodShadersAreSuccess) {
+  const auto result = run_step({{"program", PENUMBRA_PROGRAM}, {"arguments", "Assets/Good.hlsl"}});
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(result.output, Not(HasSubstr("::error")));
+}
+
+TEST_F(GithubRun, BadInputKeepsItsCodeAndLeavesNoReport) {
+  const auto result = run_step({{"program", PENUMBRA_PROGRAM}, {"arguments", "Assets/Missing.hlsl"}});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.errors, HasSubstr("Missing.hlsl"));
+  EXPECT_FALSE(std::filesystem::exists(path("penumbra-reports/penumbra.json")));
+  EXPECT_EQ(run_step({{"program", PENUMBRA_PROGRAM}, {"arguments", "'Assets/Good.hlsl"}}).exit_code, 2);
+}
+
+TEST_F(GithubRun, AMissingProgramIsTheEnvironmentsFault) {
+  EXPECT_EQ(run_step({{"program", "/no/such/penumbra"}}).exit_code, 3);
+}
+
+TEST_F(GithubRun, ArgumentsAreNeverRun) {
+  const std::string hostile = "$(touch ran) `touch ran` ; touch ran";
+  run_step({{"program", stub_program(2).string()}, {"arguments", hostile}});
+  EXPECT_FALSE(std::filesystem::exists(path("ran")));
+  EXPECT_THAT(read("called"), HasSubstr("$(touch\nran)\n`touch\nran`\n;\ntouch\nran\n"));
+}
+
+TEST_F(GithubRun, AShardIsHandedOnAndItsReportIsLeftForTheMerge) {
+  const auto result = run_step({{"program", stub_program(0).string()}, {"shard", "2/4"}});
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_EQ(read("called"), "validate\n--shard\n2/4\n--report\njson\n-o\npenumbra-reports/penumbra.json\n");
+}
+
+TEST_F(GithubRun, ReportsOfAllShardsAreJoined) {
+  std::string shards;
+  for (const std::string name : {"Good", "Broken"}) {
+    const std::string file = path(name + ".json").string();
+    run({"validate", path("Assets/" + name + ".hlsl").string(), "--report", "json", "-o", file});
+    nlohmann::json shard = read_json(name + ".json");
+    shard["shard"] = {{"index", name == "Good" ? 1 : 2}, {"count", 2}};
+    write(name + ".json", shard.dump());
+    shards += file + "\n\n";
+  }
+  const auto result = run_step({{"program", PENUMBRA_PROGRAM}, {"merge", shards}});
+  EXPECT_EQ(result.exit_code, 1) << result.errors;
+  EXPECT_EQ(read_json("penumbra-reports/penumbra.json").at("summary").at("variants"), 10);
+  EXPECT_THAT(result.output, HasSubstr("::error file=Assets/Broken.hlsl,line=3"));
+}
+
+}  // namespace
+}  // namespace penumbra::ci

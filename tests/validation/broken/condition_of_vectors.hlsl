@@ -1,0 +1,7 @@
+// condition_of_vectors.hlsl:4:5: error: a condition must be one value, not a vector
+float4 Main(float4 position : SV_Position, float2 uv : TEXCOORD0) : SV_Target
+{
+    if (uv > 0.5)
+        return 1.0;
+    return 0.0;
+}

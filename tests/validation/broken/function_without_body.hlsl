@@ -1,0 +1,6 @@
+// function_without_body.hlsl:2:7: error: function 'Fade' is called and has no body
+float Fade(float x);
+float4 Main(float4 position : SV_Position, float2 uv : TEXCOORD0) : SV_Target
+{
+    return Fade(uv.x);
+}

@@ -1,0 +1,8 @@
+// missing_brace.hlsl:5:5: error: '{' is never closed
+float4 Main(float4 position : SV_Position, float2 uv : TEXCOORD0) : SV_Target
+{
+    if (uv.x > 0.5)
+    {
+        return 1.0;
+    return 0.0;
+}

@@ -1,0 +1,6 @@
+// missing_semicolon.hlsl:4:29: error: expected ';'
+float4 Main(float4 position : SV_Position, float2 uv : TEXCOORD0) : SV_Target
+{
+    float shade = uv.x * 2.0
+    return shade.xxxx;
+}

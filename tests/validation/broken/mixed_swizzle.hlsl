@@ -1,0 +1,6 @@
+// mixed_swizzle.hlsl:5:19: error: '.xyba' mixes xyzw with rgba
+float4 Main(float4 position : SV_Position, float2 uv : TEXCOORD0) : SV_Target
+{
+    float4 colour = uv.xyxy;
+    return colour.xyba;
+}

@@ -1,0 +1,1 @@
+static const float paletteScale = 0.5;

@@ -1,0 +1,9 @@
+// recursion_of_functions.hlsl:2:7: error: 'Fade' calls itself: HLSL has no recursion
+float Fade(float x)
+{
+    return x < 0.1 ? x : Fade(x * 0.5);
+}
+float4 Main(float4 position : SV_Position, float2 uv : TEXCOORD0) : SV_Target
+{
+    return Fade(uv.x);
+}

@@ -1,0 +1,6 @@
+// wrong_bracket.hlsl:5:19: error: '[' is never closed
+static const float weights[2] = { 0.25, 0.75 };
+float4 Main(float4 position : SV_Position, float2 uv : TEXCOORD0) : SV_Target
+{
+    return weights[0) * uv.xyxy;
+}

@@ -1,0 +1,165 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "validation/report_fixture.h"
+
+namespace penumbra::validation {
+namespace {
+
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+const hlsl::Diagnostic cause = error_at("Water.hlsl", 3, 9, "unknown variable 'x'");
+
+// The report of all subsets of the keywords, of which those fail that `fails` picks.
+template <typename Fails>
+ValidationReport report_of(const std::vector<std::string>& keywords, const Fails& fails) {
+  ValidationReport report;
+  for (const std::vector<std::string>& set : subsets(keywords))
+    report.records.push_back(fails(set) ? failed(water(set), cause) : water(set));
+  return report;
+}
+
+bool has(const std::vector<std::string>& set, const std::string& keyword) {
+  return std::find(set.begin(), set.end(), keyword) != set.end();
+}
+
+std::string first_line_after_headline(const std::string& text) {
+  const std::size_t start = text.find('\n') + 1;
+  return text.substr(start, text.find('\n', start) - start);
+}
+
+TEST(ReportText, OneCauseOfManyVariantsIsOneMessage) {
+  const std::string text =
+      report_text(report_of({"A", "B", "C", "D", "E", "F", "G"}, [](const auto&) { return true; }));
+  EXPECT_THAT(text,
+              StartsWith("Water.hlsl:3:9: error: unknown variable 'x'\n"
+                         "  pass ForwardLit of Custom/Water, fragment entry Frag, in all 128 variants\n"));
+  EXPECT_THAT(text,
+              EndsWith("128 variants for 1 target: 128 results (0 unique, 0 cached), 128 failed, 0.0 s\n"));
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3);
+}
+
+TEST(ReportText, TheKeywordsThatDecideAreFound) {
+  const auto sentence = [](const auto& fails) {
+    return first_line_after_headline(report_text(report_of({"A", "B", "C"}, fails)));
+  };
+  EXPECT_THAT(sentence([](const auto& set) { return has(set, "B"); }),
+              EndsWith("in 4 of 8 variants: all with B"));
+  EXPECT_THAT(sentence([](const auto& set) { return has(set, "A") && !has(set, "C"); }),
+              EndsWith("in 2 of 8 variants: all with A and without C"));
+  EXPECT_THAT(sentence([](const auto& set) { return !has(set, "C"); }),
+              EndsWith("in 4 of 8 variants: all without C"));
+  EXPECT_THAT(sentence([](const auto& set) { return has(set, "A") && (has(set, "B") || has(set, "C")); }),
+              EndsWith("in 3 of 8 variants; always with A; for example with A B"));
+  EXPECT_THAT(sentence([](const auto& set) { return set.size() == 3; }),
+              EndsWith("in 1 of 8 variants: with A B C"));
+}
+
+TEST(ReportText, AKeywordThatAllVariantsHaveExplainsNothing) {
+  ValidationReport report = report_of({"A", "B"}, [](const auto& set) { return has(set, "B"); });
+  for (VariantRecord& record : report.records) record.keywords.push_back("ALWAYS");
+  EXPECT_THAT(report_text(report), HasSubstr("in 2 of 4 variants: all with B\n"));
+}
+
+TEST(ReportText, TargetsOfOneCauseAreFolded) {
+  ValidationReport report;
+  for (const char* target : {"spirv", "essl310", "glsl450", "msl23"}) {
+    const std::string name = target;
+    const bool fails = name == "essl310" || name == "glsl450";
+    // gl_check() names the emitted text by its target, and its line is nobody's.
+    report.records.push_back(
+        fails ? failed(water({}, name), error_at(name, name == "essl310" ? 4 : 7, 1, "bad"))
+              : water({}, name));
+  }
+  EXPECT_THAT(report_text(report), StartsWith("Assets/Water.shader: error: the emitted text is refused: bad\n"
+                                              "  pass ForwardLit of Custom/Water, fragment entry Frag, "
+                                              "for essl310, glsl450\n"));
+}
+
+TEST(ReportText, SeveralEntryPointsAreCounted) {
+  ValidationReport report;
+  for (const char* pass : {"ForwardLit", "ShadowCaster", "DepthOnly"}) {
+    report.records.push_back(failed(water({}), cause));
+    report.records.back().pass = pass;
+  }
+  EXPECT_THAT(
+      report_text(report),
+      HasSubstr("  pass ForwardLit of Custom/Water, fragment entry Frag and 2 more, in all 3 variants\n"));
+}
+
+TEST(ReportText, LintFindingsNameTheirRule) {
+  EXPECT_THAT(report_text(mixed_report()),
+              HasSubstr("Assets/Water.shader:30:5: warning: 'colour' is <unset> & \"odd\" [unset-output]\n"));
+}
+
+TEST(ReportText, NotesAboutLinesAreFoldedUnlessAskedFor) {
+  const ValidationReport report = mixed_report();
+  EXPECT_THAT(report_text(report), HasSubstr("\n1 note; --verbose shows it\n"));
+  EXPECT_THAT(report_text(report), Not(HasSubstr("kept the body")));
+  ReportStyle verbose;
+  verbose.verbose = true;
+  EXPECT_THAT(report_text(report, verbose),
+              HasSubstr("Assets/Water.shader:31:1: note: kept the body of float\n"));
+  EXPECT_THAT(report_text(report, verbose), Not(HasSubstr("--verbose")));
+}
+
+TEST(ReportText, ReasonsForWhatWasNotJudgedAreSaidOnce) {
+  ValidationReport report;
+  for (const std::vector<std::string>& set : subsets({"A", "B"})) {
+    report.records.push_back(water(set));
+    report.records.back().status = VariantStatus::unchecked;
+    report.records.back().reason = "needs UnityCG.cginc";
+  }
+  const std::string text = report_text(report);
+  EXPECT_THAT(text, StartsWith("unchecked: 4 variants: needs UnityCG.cginc\n"));
+  EXPECT_THAT(text, EndsWith("0 failed, 4 unchecked, 0.0 s\n"));
+  EXPECT_EQ(text.find("UnityCG", 40), std::string::npos);
+}
+
+TEST(ReportText, ACrashNamesTheFileThatReproducesIt) {
+  EXPECT_THAT(report_text(mixed_report()), HasSubstr("\n  to reproduce: build/crashes/1a2b.hlsl\n"));
+}
+
+TEST(ReportText, ErrorsStandLast) {
+  const std::string text = report_text(mixed_report());
+  EXPECT_LT(text.find("unchecked: "), text.find("warning: "));
+  EXPECT_LT(text.rfind("warning: "), text.find("error: "));
+}
+
+TEST(ReportText, AFailureWithoutAMessageIsStillSaid) {
+  ValidationReport report;
+  report.records.push_back(water({}));
+  report.records.back().status = VariantStatus::failed;
+  EXPECT_THAT(report_text(report), StartsWith("Assets/Water.shader: error: failed without a message\n"));
+}
+
+TEST(ReportText, ColourIsOnlyThereWhenAskedFor) {
+  EXPECT_THAT(report_text(mixed_report()), Not(HasSubstr("\x1b[")));
+  ReportStyle style;
+  style.colour = true;
+  std::string coloured = report_text(mixed_report(), style);
+  EXPECT_THAT(coloured, HasSubstr("\x1b[1;31merror: \x1b[0m"));
+  for (const char* code : {"\x1b[0m", "\x1b[1m", "\x1b[1;31m", "\x1b[1;35m", "\x1b[1;36m"})
+    for (std::size_t at = coloured.find(code); at != std::string::npos; at = coloured.find(code))
+      coloured.erase(at, std::string(code).size());
+  EXPECT_EQ(coloured, report_text(mixed_report())) << "colour changes no word";
+}
+
+TEST(ReportText, AVeryLongLineIsShownAroundItsColumn) {
+  hlsl::Diagnostic far = error_at("a.hlsl", 1, 50001, "no such thing");
+  far.source_line = std::string(50000, '-') + "HERE" + std::string(50000, '+');
+  ValidationReport report;
+  report.records.push_back(failed(water({}), far));
+  const std::string text = report_text(report);
+  EXPECT_LT(text.size(), 1000u);
+  EXPECT_THAT(text, StartsWith("a.hlsl:1:50001: error: no such thing\n    ...--"));
+  const std::size_t excerpt = text.find('\n') + 1;
+  const std::size_t caret_line = text.find('\n', excerpt) + 1;
+  EXPECT_EQ(text.find('^', caret_line) - caret_line, text.find("HERE") - excerpt);
+}
+
+}  // namespace
+}  // namespace penumbra::validation

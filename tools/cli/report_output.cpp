@@ -1,0 +1,37 @@
+#include "cli/report_output.h"
+
+#include <filesystem>
+#include <vector>
+
+#include "platform/terminal.h"
+
+namespace penumbra::cli {
+
+void add_report_options(CLI::App& command, ReportOptions& options) {
+  std::vector<std::string> forms;
+  for (const validation::ReportForm form : validation::all_report_forms)
+    forms.emplace_back(validation::form_name(form));
+  command.add_option("--report", options.form, "Form of the report")
+      ->check(CLI::IsMember(forms))
+      ->capture_default_str();
+  command.add_option("-o,--output", options.output, "File to write; standard output without");
+  command.add_option(
+      "--root", options.root,
+      "Name files relative to this folder in sarif, junit and github; the current one without");
+  command.add_flag("--verbose", options.verbose, "Show every note in the text report");
+}
+
+void write_report(const ReportOptions& options, const validation::ValidationReport& report,
+                  Context& context) {
+  validation::ReportStyle style;
+  const bool to_stdout = options.output.empty() || options.output == "-";
+  style.colour = to_stdout && platform::colour_wanted_on_stdout();
+  style.verbose = options.verbose;
+  style.folder = std::filesystem::current_path();
+  style.root = std::filesystem::absolute(options.root.empty() ? "." : options.root);
+  write_output(options.output,
+               validation::format_report(report, *validation::find_report_form(options.form), style));
+  if (report.count(validation::VariantStatus::failed) != 0) context.exit_code = findings;
+}
+
+}  // namespace penumbra::cli

@@ -1,0 +1,25 @@
+// How the subcommands that end in a validation report print it.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "cli/subcommand.h"
+#include "validation/report.h"
+
+namespace penumbra::cli {
+
+struct ReportOptions {
+  std::string form = "text";
+  std::string output;
+  std::string root;
+  bool verbose = false;
+};
+
+// --report, -o, --root and --verbose.
+void add_report_options(CLI::App& command, ReportOptions& options);
+
+// Sets the exit code to findings where a variant failed.
+void write_report(const ReportOptions& options, const validation::ValidationReport& report, Context& context);
+
+}  // namespace penumbra::cli

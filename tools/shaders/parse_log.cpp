@@ -1,0 +1,93 @@
+#include "shaders/parse_log.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <sstream>
+
+namespace penumbra::shaders {
+
+namespace {
+
+struct Prefix {
+  std::string_view text;
+  hlsl::Severity severity;
+};
+constexpr std::array<Prefix, 4> prefixes{{{"ERROR: ", hlsl::Severity::error},
+                                          {"INTERNAL ERROR: ", hlsl::Severity::error},
+                                          {"UNIMPLEMENTED: ", hlsl::Severity::error},
+                                          {"WARNING: ", hlsl::Severity::warning}}};
+
+bool is_word(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+// Takes ":123: " (or "(123): ") off the front of `rest`.
+bool take_line_number(std::string_view& rest, int& line) {
+  std::size_t end = 1;
+  while (end < rest.size() && std::isdigit(static_cast<unsigned char>(rest[end])) != 0 && end < 9) ++end;
+  if (rest.empty() || rest[0] != ':' || end == 1 || rest.substr(end, 2) != ": ") return false;
+  line = std::stoi(std::string(rest.substr(1, end - 1)));
+  rest.remove_prefix(end + 2);
+  return true;
+}
+
+// The file may hold colons and blanks: it is found by the names this compilation has read, longest first.
+void take_place(std::string_view& rest, const hlsl::SourceFiles& sources, LogLine& out) {
+  std::vector<std::string> names = sources.names();
+  std::sort(names.begin(), names.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
+  for (const std::string& name : names) {
+    if (!rest.starts_with(name)) continue;
+    std::string_view after = rest.substr(name.size());
+    if (!take_line_number(after, out.line)) continue;
+    out.file = name;
+    rest = after;
+    return;
+  }
+}
+
+// "'token' : message"; the token may hold quotes.
+void take_token(std::string_view& rest, LogLine& out) {
+  const std::size_t end = rest.find("' : ");
+  if (rest.empty() || rest[0] != '\'' || end == std::string_view::npos) return;
+  out.token = rest.substr(1, end - 1);
+  rest.remove_prefix(end + 4);
+}
+
+}  // namespace
+
+std::vector<LogLine> parse_log(std::string_view log, const hlsl::SourceFiles& sources) {
+  std::vector<LogLine> lines;
+  std::istringstream stream{std::string(log)};
+  for (std::string text; std::getline(stream, text);) {
+    for (const Prefix& prefix : prefixes) {
+      if (!text.starts_with(prefix.text)) continue;
+      LogLine line;
+      line.severity = prefix.severity;
+      std::string_view rest = std::string_view(text).substr(prefix.text.size());
+      take_place(rest, sources, line);
+      take_token(rest, line);
+      while (!rest.empty() && rest.back() == ' ') rest.remove_suffix(1);
+      while (!rest.empty() && rest.front() == ' ') rest.remove_prefix(1);
+      line.message = rest;
+      lines.push_back(line);
+    }
+  }
+  return lines;
+}
+
+int column_of(std::string_view token, std::string_view line) {
+  if (token.empty()) return 0;
+  int column = 0;
+  for (std::size_t at = line.find(token); at != std::string_view::npos; at = line.find(token, at + 1)) {
+    const bool inside_word =
+        (at > 0 && is_word(line[at - 1]) && is_word(token.front())) ||
+        (at + token.size() < line.size() && is_word(line[at + token.size()]) && is_word(token.back()));
+    if (inside_word) continue;
+    if (column != 0) return 0;
+    column = static_cast<int>(at) + 1;
+  }
+  return column;
+}
+
+}  // namespace penumbra::shaders

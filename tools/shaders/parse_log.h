@@ -1,0 +1,27 @@
+// glslang's log, line by line. Internal to this room.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hlsl/diagnostic.h"
+#include "hlsl/source_text.h"
+
+namespace penumbra::shaders {
+
+// One line of the log: "ERROR: file:line: 'token' : message".
+struct LogLine {
+  hlsl::Severity severity = hlsl::Severity::error;
+  std::string file;
+  int line = 0;
+  std::string token;
+  std::string message;
+};
+
+std::vector<LogLine> parse_log(std::string_view log, const hlsl::SourceFiles& sources);
+
+// 1-based column of the token where it stands alone and only once in the line, else 0.
+int column_of(std::string_view token, std::string_view line);
+
+}  // namespace penumbra::shaders

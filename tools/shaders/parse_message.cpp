@@ -1,0 +1,348 @@
+#include "shaders/parse_message.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <map>
+#include <set>
+#include <sstream>
+#include <vector>
+
+#include "hlsl/identifier.h"
+#include "input/nearest_name.h"
+#include "shaders/parse_log.h"
+
+namespace penumbra::shaders {
+
+namespace {
+
+// {token, the message's start, our words}: empty token for any. In our words % is the token and $ what the
+// message says after its start.
+struct Phrase {
+  std::string_view token;
+  std::string_view message;
+  std::string_view words;
+};
+
+constexpr std::array<Phrase, 34> phrases{{
+    {"assign", "l-value required (can't modify a const)", "what stands left of '=' is const"},
+    {"assign", "l-value required", "what stands left of '=' cannot be written$"},
+    {"", "l-value required", "'%' needs a variable that can be written$"},
+    {"", "no matching overloaded function found", "no function '%' takes these arguments"},
+    {"", "function already has a body", "function '%' has a body already"},
+    {"", "redefinition", "'%' is declared already$"},
+    {"[", "array index out of range", "the index $ is outside of the array"},
+    {"constructor", "not enough data provided for construction", "too few components for this constructor"},
+    {"constructor", "too many arguments", "too many components for this constructor"},
+    {"conditional expression", "", "a condition must be one value, not a vector"},
+    {"", "vector swizzle selection out of range", "'.%' asks for components that the vector does not have"},
+    {"", "vector swizzle selectors not from the same set", "'.%' mixes xyzw with rgba"},
+    {"", "unknown swizzle selection", "'.%' is no swizzle"},
+    {"", "no such field in structure", "the structure has no member '%'"},
+    {"register", "ignoring unrecognized register type", "'$' is no kind of register: b, t, s, u or c"},
+    {"\\", "illegal use of escape character", "'\\' may only end a line"},
+    {"", "Could not perform requested binary operation", "'@' cannot combine these two types"},
+    {"", "array size must be a constant integer expression", "an array's size must be a constant integer"},
+    {"return", "void function cannot return a value", "a void function returns no value"},
+    {"", "function does not return a value:", "function '$' must return a value"},
+    {"return", "type does not match, or is not convertible to, the function's return type",
+     "this cannot become the function's return type"},
+    {"", "numeric literal too big", "this number is too big for an int"},
+    {"", "octal literal digit too large", "a number that starts with 0 is octal: no digit is above 7"},
+    {"preprocessor evaluation", "bad expression", "this condition has no value"},
+    {"preprocessor evaluation", "", "in this condition: $"},
+    {"macro expansion", "Too few args in Macro", "too few arguments for macro '$'"},
+    {"macro expansion", "Too many args in macro", "too many arguments for macro '$'"},
+    {"macro expansion", "End of input in macro", "the call of macro '$' is never closed"},
+    {"#define",
+     "Macro redefined; different substitutions:", "macro '$' is defined already as something else"},
+    {"#define", "must be followed by macro name", "'#define' names no macro"},
+    {"#include", "must be followed by a header name", "'#include' needs a \"file\" or a <file>"},
+    {"#elif", "#elif after #else", "'#elif' stands after '#else'"},
+    {"#else", "#else after #else", "'#else' stands after another '#else'"},
+    {"#", "invalid directive:", "unknown directive '#$'"},
+}};
+
+// Without blanks and quotes around it.
+std::string trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(' ');
+  if (first == std::string_view::npos) return {};
+  text = text.substr(first, text.find_last_not_of(' ') - first + 1);
+  const bool quoted = text.size() > 2 && text.front() == '\'' && text.back() == '\'';
+  return std::string(quoted ? text.substr(1, text.size() - 2) : text);
+}
+
+// " (can't read from writeonly object)" as ": can't read ..."; " 4" as it is.
+std::string as_reason(const std::string& rest) {
+  if (rest.size() > 2 && rest.front() == '(' && rest.back() == ')')
+    return ": " + rest.substr(1, rest.size() - 2);
+  return rest.empty() ? "" : " " + rest;
+}
+
+std::string fill(std::string_view words, const LogLine& line, std::string_view rest,
+                 const Surroundings& around) {
+  std::string text;
+  for (const char c : words) {
+    if (c == '%') {
+      text += line.token;
+    } else if (c == '@') {
+      text += around.found.empty() ? "this operator" : around.found;
+    } else if (c == '$') {
+      const bool quoted = !text.empty() && (text.back() == '\'' || text.back() == '#' || text.back() == ' ');
+      text += quoted ? trimmed(rest) : as_reason(trimmed(rest));
+    } else {
+      text += c;
+    }
+  }
+  return text;
+}
+
+// What the grammar calls the part it misses; a mark or a word of HLSL is quoted.
+std::string in_words(const std::string& part) {
+  static const std::map<std::string, std::string> words{
+      {"declaration", "a declaration"},
+      {"identifier", "a name"},
+      {"type", "a type"},
+      {"literal", "a number or a text"},
+      {"expression", "an expression"},
+      {"assignment expression", "an expression"},
+      {"initializer", "an initial value"},
+      {"layout, semantic, packoffset, or register", "a semantic, packoffset or register"}};
+  const auto found = words.find(part);
+  return found == words.end() ? "'" + part + "'" : found->second;
+}
+
+std::string expected(const LogLine& line, const Surroundings& around) {
+  if (line.token == "loop or switch") return "'break' stands outside of every loop and switch";
+  if (line.token == "loop") return "'continue' stands outside of every loop";
+  if (around.found == "else") return "'else' has no 'if'";
+  const std::string found = std::string(around.found);
+  if (around.found_is_word && around.next_is_word && line.token == ")") return "unknown type '" + found + "'";
+  std::string text = "expected " + in_words(line.token);
+  if (found.empty() || (line.token == ";" && !around.same_line_as_before)) return text;
+  text += ", found '" + found + "'";
+  if (line.token == "declaration" && around.found_is_word && around.next == "(")
+    text += "; is its return type missing?";
+  return text;
+}
+
+bool is_storage(const std::string& word) {
+  static const std::set<std::string> words{"temp",    "global", "const",  "in",     "out",
+                                           "uniform", "inout",  "buffer", "shared", "noContraction"};
+  return words.count(word) != 0;
+}
+
+std::string vector_or_matrix(const std::string& size, const std::string& kind, const std::string& type) {
+  if (kind == "vector") return type + size.substr(0, size.find('-'));
+  std::string shape = size;  // glslang's 4X3 counts HLSL's rows and columns as they are written
+  std::replace(shape.begin(), shape.end(), 'X', 'x');
+  return type + shape;
+}
+
+// Inside one quoted type: storage words go, "N-component vector of T" is T N.
+std::string hlsl_type(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;)
+    if (!is_storage(word)) words.push_back(word);
+  std::string type;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (!type.empty()) type += ' ';
+    const bool built = i + 3 < words.size() && (words[i + 1] == "vector" || words[i + 1] == "matrix") &&
+                       words[i + 2] == "of";
+    type += built ? vector_or_matrix(words[i], words[i + 1], words[i + 3]) : words[i];
+    if (built) i += 3;
+  }
+  return type;
+}
+
+}  // namespace
+
+std::string with_hlsl_types(const std::string& message) {
+  std::string text;
+  std::size_t at = 0;
+  while (true) {
+    const std::size_t open = message.find('\'', at);
+    const std::size_t close = open == std::string::npos ? open : message.find('\'', open + 1);
+    if (close == std::string::npos) return text + message.substr(at);
+    const std::string quoted = message.substr(open + 1, close - open - 1);
+    const std::string type = hlsl_type(quoted);
+    text += message.substr(at, open - at) + "'" + (type.empty() ? quoted : type) + "'";
+    at = close + 1;
+  }
+}
+
+std::string sentence(const LogLine& line, const Surroundings& around) {
+  if (line.message == "Expected") return expected(line, around);
+  constexpr std::string_view argument = "cannot convert input argument, argument ";
+  if (std::string_view(line.message).substr(0, argument.size()) == argument)  // counts from 0
+    return "argument " + std::to_string(std::atoi(line.message.c_str() + argument.size()) + 1) +
+           " does not fit its parameter";
+  if (line.message == "unknown variable" && around.found == line.token && around.next_is_word)
+    return "unknown type '" + line.token + "'";
+  for (const Phrase& phrase : phrases) {
+    const bool known = (phrase.token.empty() || phrase.token == line.token) &&
+                       std::string_view(line.message).substr(0, phrase.message.size()) == phrase.message;
+    if (known)
+      return fill(phrase.words, line, std::string_view(line.message).substr(phrase.message.size()), around);
+  }
+  const std::string message = with_hlsl_types(line.message);
+  if (line.token.empty()) return message;
+  if (hlsl::is_identifier(line.token) || message == "unexpected token")
+    return message + " '" + line.token + "'";
+  return "'" + line.token + "': " + message;
+}
+
+std::string nearest_method(const std::string& unknown) {
+  static const std::vector<std::string> methods{"Append",
+                                                "CalculateLevelOfDetail",
+                                                "CalculateLevelOfDetailUnclamped",
+                                                "Consume",
+                                                "Gather",
+                                                "GatherAlpha",
+                                                "GatherBlue",
+                                                "GatherCmp",
+                                                "GatherGreen",
+                                                "GatherRed",
+                                                "GetDimensions",
+                                                "GetSamplePosition",
+                                                "InterlockedAdd",
+                                                "Load",
+                                                "Load2",
+                                                "Load3",
+                                                "Load4",
+                                                "RestartStrip",
+                                                "Sample",
+                                                "SampleBias",
+                                                "SampleCmp",
+                                                "SampleCmpLevelZero",
+                                                "SampleGrad",
+                                                "SampleLevel",
+                                                "Store",
+                                                "Store2",
+                                                "Store3",
+                                                "Store4"};
+  if (std::find(methods.begin(), methods.end(), unknown) != methods.end()) return {};
+  const std::string nearest = nearest_name(unknown, methods);
+  return nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
+}
+
+bool is_intrinsic(const std::string& name) {
+  static const std::set<std::string> names{"abs",
+                                           "acos",
+                                           "all",
+                                           "any",
+                                           "asdouble",
+                                           "asfloat",
+                                           "asin",
+                                           "asint",
+                                           "asuint",
+                                           "atan",
+                                           "atan2",
+                                           "ceil",
+                                           "clamp",
+                                           "clip",
+                                           "cos",
+                                           "cosh",
+                                           "countbits",
+                                           "cross",
+                                           "D3DCOLORtoUBYTE4",
+                                           "ddx",
+                                           "ddx_coarse",
+                                           "ddx_fine",
+                                           "ddy",
+                                           "ddy_coarse",
+                                           "ddy_fine",
+                                           "degrees",
+                                           "determinant",
+                                           "distance",
+                                           "dot",
+                                           "dst",
+                                           "exp",
+                                           "exp2",
+                                           "f16tof32",
+                                           "f32tof16",
+                                           "faceforward",
+                                           "firstbithigh",
+                                           "firstbitlow",
+                                           "floor",
+                                           "fma",
+                                           "fmod",
+                                           "frac",
+                                           "frexp",
+                                           "fwidth",
+                                           "InterlockedAdd",
+                                           "InterlockedAnd",
+                                           "InterlockedCompareExchange",
+                                           "InterlockedCompareStore",
+                                           "InterlockedExchange",
+                                           "InterlockedMax",
+                                           "InterlockedMin",
+                                           "InterlockedOr",
+                                           "InterlockedXor",
+                                           "isfinite",
+                                           "isinf",
+                                           "isnan",
+                                           "ldexp",
+                                           "length",
+                                           "lerp",
+                                           "lit",
+                                           "log",
+                                           "log10",
+                                           "log2",
+                                           "mad",
+                                           "max",
+                                           "min",
+                                           "modf",
+                                           "mul",
+                                           "normalize",
+                                           "pow",
+                                           "radians",
+                                           "rcp",
+                                           "reflect",
+                                           "refract",
+                                           "reversebits",
+                                           "round",
+                                           "rsqrt",
+                                           "saturate",
+                                           "sign",
+                                           "sin",
+                                           "sincos",
+                                           "sinh",
+                                           "smoothstep",
+                                           "sqrt",
+                                           "step",
+                                           "tan",
+                                           "tanh",
+                                           "tex1D",
+                                           "tex2D",
+                                           "tex2Dbias",
+                                           "tex2Dgrad",
+                                           "tex2Dlod",
+                                           "tex2Dproj",
+                                           "tex3D",
+                                           "texCUBE",
+                                           "texCUBElod",
+                                           "transpose",
+                                           "trunc"};
+  return names.count(name) != 0;
+}
+
+std::string nearest_word(std::string_view unknown, const hlsl::TokenPlaces& text) {
+  constexpr std::size_t longest = 64;
+  if (unknown.size() < 4 || unknown.size() > longest) return {};
+  std::set<std::string> words{"float",  "float2",    "float3",       "float4",    "float3x3", "float4x4",
+                              "half",   "half2",     "half3",        "half4",     "int",      "uint",
+                              "bool",   "return",    "saturate",     "normalize", "length",   "smoothstep",
+                              "struct", "Texture2D", "SamplerState", "sampler",   "discard",  "matrix"};
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const std::string_view word = text[i].spelling;
+    const bool near = word.size() + 3 >= unknown.size() && word.size() <= unknown.size() + 3;
+    if (text[i].kind == hlsl::Token::Kind::word && near && word.size() >= 3) words.emplace(word);
+  }
+  words.erase(std::string(unknown));
+  const std::string nearest = nearest_name(unknown, {words.begin(), words.end()});
+  return nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
+}
+
+}  // namespace penumbra::shaders

@@ -1,0 +1,261 @@
+#include "validation/report_findings.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+
+namespace penumbra::validation {
+
+namespace {
+
+// Of text that SPIRV-Cross emitted: gl_check() names the target in place of a file.
+bool in_emitted_text(const hlsl::Diagnostic& diagnostic, const VariantRecord& record) {
+  return diagnostic.file == record.target;
+}
+
+bool worth_telling(const hlsl::Diagnostic& diagnostic, const VariantRecord& record) {
+  const bool of_source = diagnostic.line > 0 && !in_emitted_text(diagnostic, record);
+  return diagnostic.severity != hlsl::Severity::warning || record.target == "spirv" || of_source;
+}
+
+std::string rule_of(const hlsl::Diagnostic& diagnostic, const VariantRecord& record) {
+  if (!diagnostic.rule.empty()) return diagnostic.rule;
+  if (!record.reproduction.empty() && diagnostic.severity == hlsl::Severity::error) return "compiler-crash";
+  if (diagnostic.message.starts_with("SPIR-V ")) return "spirv";
+  if (diagnostic.line > 0 && !in_emitted_text(diagnostic, record)) return "hlsl";
+  return record.target == "spirv" ? "hlsl" : "target-" + record.target;
+}
+
+// The place a person can open: a line of emitted text is none.
+hlsl::Diagnostic as_told(hlsl::Diagnostic diagnostic, const VariantRecord& record) {
+  if (in_emitted_text(diagnostic, record)) {
+    diagnostic.message = "the emitted text is refused: " + diagnostic.message;
+    diagnostic.file.clear();
+    diagnostic.line = diagnostic.column = 0;
+    diagnostic.source_line.clear();
+  }
+  if (diagnostic.file.empty()) diagnostic.file = record.file;
+  return diagnostic;
+}
+
+class Folder {
+ public:
+  void add(const hlsl::Diagnostic& diagnostic, const VariantRecord& record, std::size_t index) {
+    hlsl::Diagnostic told = as_told(diagnostic, record);
+    const Key key{told.file, told.line, told.column, told.severity, told.message, told.rule};
+    const auto [at, is_new] = index_.try_emplace(key, findings_.size());
+    if (is_new) findings_.push_back({std::move(told), rule_of(diagnostic, record), {}});
+    std::vector<std::size_t>& records = findings_[at->second].records;
+    if (records.empty() || records.back() != index) records.push_back(index);
+  }
+
+  std::vector<Finding> take() { return std::move(findings_); }
+
+ private:
+  using Key = std::tuple<std::string, int, int, hlsl::Severity, std::string, std::string>;
+  std::map<Key, std::size_t> index_;
+  std::vector<Finding> findings_;
+};
+
+bool has(const std::vector<std::string>& sorted, const std::string& keyword) {
+  return std::binary_search(sorted.begin(), sorted.end(), keyword);
+}
+
+// A variant of the finding's programs, and whether it has the finding.
+struct Candidate {
+  const std::vector<std::string>* keywords = nullptr;  // sorted
+  bool has_it = false;
+
+  bool fits(const std::vector<std::string>& with, const std::vector<std::string>& without) const {
+    const auto is_there = [this](const std::string& keyword) { return has(*keywords, keyword); };
+    return std::all_of(with.begin(), with.end(), is_there) &&
+           std::none_of(without.begin(), without.end(), is_there);
+  }
+};
+
+std::vector<Candidate> candidates(const Finding& finding, const Variants& variants) {
+  std::set<std::size_t> programs;
+  std::set<std::size_t> having;
+  for (const std::size_t record : finding.records) {
+    having.insert(variants.of_record(record));
+    programs.insert(variants[variants.of_record(record)].program);
+  }
+  std::vector<Candidate> all;
+  for (const std::size_t program : programs)
+    for (const std::size_t variant : variants.of_program(program))
+      all.push_back({&variants[variant].keywords, having.count(variant) != 0});
+  return all;
+}
+
+// How many candidates have each keyword, among those that have the finding and among the others.
+using Counts = std::map<std::string, std::pair<std::size_t, std::size_t>>;
+
+Counts count_keywords(const std::vector<Candidate>& all) {
+  Counts counts;
+  for (const Candidate& candidate : all)
+    for (const std::string& keyword : *candidate.keywords)
+      ++(candidate.has_it ? counts[keyword].first : counts[keyword].second);
+  return counts;
+}
+
+bool says_it(const std::vector<Candidate>& all, const std::vector<std::string>& with,
+             const std::vector<std::string>& without) {
+  return std::all_of(all.begin(), all.end(), [&](const Candidate& candidate) {
+    return candidate.fits(with, without) == candidate.has_it;
+  });
+}
+
+// Takes out every keyword that the rest says without.
+void drop_needless(const std::vector<Candidate>& all, KeywordFold& fold) {
+  for (std::vector<std::string>* list : {&fold.without, &fold.with}) {
+    for (std::size_t i = list->size(); i-- > 0;) {
+      const std::string keyword = (*list)[i];
+      list->erase(list->begin() + static_cast<std::ptrdiff_t>(i));
+      if (!says_it(all, fold.with, fold.without))
+        list->insert(list->begin() + static_cast<std::ptrdiff_t>(i), keyword);
+    }
+  }
+}
+
+std::string keyword_list(const std::vector<std::string>& keywords) {
+  return keywords.empty() ? "no keyword" : shortened(keywords, " ", 6);
+}
+
+}  // namespace
+
+std::vector<Finding> findings(const ValidationReport& report) {
+  Folder folder;
+  for (std::size_t i = 0; i < report.records.size(); ++i) {
+    const VariantRecord& record = report.records[i];
+    // Their reason is told instead; what there is to see is told at "spirv" or cannot be judged here.
+    const bool told_otherwise =
+        record.status == VariantStatus::absent || record.status == VariantStatus::unchecked;
+    bool has_error = false;
+    for (const hlsl::Diagnostic& diagnostic : record.diagnostics) {
+      const bool error = diagnostic.severity == hlsl::Severity::error;
+      has_error = has_error || error;
+      if (worth_telling(diagnostic, record) && !(told_otherwise && error)) folder.add(diagnostic, record, i);
+    }
+    if (record.status == VariantStatus::failed && !has_error)
+      folder.add({record.file, 0, 0, hlsl::Severity::error, "failed without a message", {}}, record, i);
+  }
+  return folder.take();
+}
+
+Variants::Variants(const ValidationReport& report) {
+  using Program = std::tuple<std::string, std::string, std::string, std::string, std::string, hlsl::Stage>;
+  std::map<Program, std::size_t> programs;
+  std::map<std::pair<std::size_t, std::vector<std::string>>, std::size_t> known;
+  for (std::size_t i = 0; i < report.records.size(); ++i) {
+    const VariantRecord& record = report.records[i];
+    const Program names{record.technique, record.file,  record.shader,
+                        record.pass,      record.entry, record.stage};
+    const std::size_t program = programs.try_emplace(names, programs.size()).first->second;
+    of_program_.resize(programs.size());
+    const auto [at, is_new] = known.try_emplace({program, record.keywords}, variants_.size());
+    if (is_new) {
+      variants_.push_back({program, record.keywords});
+      std::sort(variants_.back().keywords.begin(), variants_.back().keywords.end());
+      of_program_[program].push_back(at->second);
+    }
+    of_record_.push_back(at->second);
+  }
+}
+
+KeywordFold fold_keywords(const Finding& finding, const Variants& variants) {
+  const std::vector<Candidate> all = candidates(finding, variants);
+  KeywordFold fold;
+  fold.of = all.size();
+  const Candidate* smallest = nullptr;
+  for (const Candidate& candidate : all) {
+    if (!candidate.has_it) continue;
+    ++fold.in;
+    if (smallest == nullptr || candidate.keywords->size() < smallest->keywords->size()) smallest = &candidate;
+  }
+  if (smallest != nullptr) fold.example = *smallest->keywords;
+  if (fold.in == fold.of) return fold;
+  std::vector<std::string> never;
+  for (const auto& [keyword, count] : count_keywords(all)) {
+    if (count.first == fold.in && count.second < fold.of - fold.in) fold.with.push_back(keyword);
+    if (count.first == 0) never.push_back(keyword);
+  }
+  fold.exact = says_it(all, fold.with, never);
+  if (!fold.exact) return fold;
+  fold.without = std::move(never);
+  drop_needless(all, fold);
+  return fold;
+}
+
+std::string program_title(const VariantRecord& record) {
+  std::string text = record.technique.empty() ? "" : "technique " + record.technique + ", ";
+  if (!record.pass.empty()) text += "pass " + record.pass + (record.shader.empty() ? ", " : " of ");
+  if (!record.shader.empty()) text += record.shader + ", ";
+  return text + hlsl::stage_name(record.stage) + " entry " + record.entry;
+}
+
+std::string fold_sentence(const KeywordFold& fold) {
+  if (fold.of == 1) return fold.example.empty() ? "" : "with " + keyword_list(fold.example);
+  if (fold.in == fold.of) return "in all " + std::to_string(fold.of) + " variants";
+  std::string text = "in " + std::to_string(fold.in) + " of " + std::to_string(fold.of) + " variants";
+  if (fold.in == 1) return text + ": with " + keyword_list(fold.example);
+  if (fold.exact) {
+    if (!fold.with.empty()) text += ": all with " + shortened(fold.with, " ", 6);
+    if (!fold.without.empty())
+      text += (fold.with.empty() ? ": all without " : " and without ") + shortened(fold.without, " ", 6);
+    return text;
+  }
+  if (!fold.with.empty()) text += "; always with " + shortened(fold.with, " ", 6);
+  return text + "; for example with " + keyword_list(fold.example);
+}
+
+std::vector<std::string> targets_of(const Finding& finding, const ValidationReport& report) {
+  std::vector<std::string> targets;
+  std::set<std::string> known;
+  for (const std::size_t record : finding.records)
+    if (known.insert(report.records[record].target).second) targets.push_back(report.records[record].target);
+  return targets;
+}
+
+std::string totals_line(const ValidationReport& report, const Variants& variants) {
+  std::size_t cached = 0;
+  std::set<std::string> targets;
+  for (const VariantRecord& record : report.records) {
+    cached += record.cached ? 1 : 0;
+    targets.insert(record.target);
+  }
+  std::string text;
+  if (report.shards > 1)
+    text = "shard " + std::to_string(report.shard) + " of " + std::to_string(report.shards) + ": ";
+  text += counted(variants.size(), "variant") + " for " + counted(targets.size(), "target") + ": " +
+          counted(report.records.size(), "result") + " (" + std::to_string(report.unique) + " unique, " +
+          std::to_string(cached) + " cached), " + std::to_string(report.count(VariantStatus::failed)) +
+          " failed";
+  for (const VariantStatus status :
+       {VariantStatus::absent, VariantStatus::unreached, VariantStatus::unchecked})
+    if (const std::size_t count = report.count(status); count != 0)
+      text += ", " + std::to_string(count) + " " + status_name(status);
+  char seconds[32];
+  std::snprintf(seconds, sizeof seconds, ", %.1f s", report.seconds);
+  return text + seconds;
+}
+
+std::string counted(std::size_t count, const std::string& thing) {
+  return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
+}
+
+std::string joined(const std::vector<std::string>& parts, const char* separator) {
+  std::string text;
+  for (const std::string& part : parts) text.append(text.empty() ? "" : separator).append(part);
+  return text;
+}
+
+std::string shortened(const std::vector<std::string>& parts, const char* separator, std::size_t most) {
+  if (parts.size() <= most + 1) return joined(parts, separator);
+  const std::vector<std::string> first(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(most));
+  return joined(first, separator) + " and " + std::to_string(parts.size() - most) + " more";
+}
+
+}  // namespace penumbra::validation

@@ -1,0 +1,76 @@
+// The records of a report folded: one cause, however many variants and targets it fails, is one finding.
+// Internal to this room.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "validation/report.h"
+
+namespace penumbra::validation {
+
+struct Finding {
+  hlsl::Diagnostic diagnostic;
+  std::string rule;  // the lint rule, or the kind of a compiler's message: "hlsl", "spirv", ...
+  std::vector<std::size_t> records;  // indices of those that have it, in their order
+};
+
+// In the order of their first record. Left out is what a driver warns of in text that no person wrote; a
+// failed record without a message has a finding that says so.
+std::vector<Finding> findings(const ValidationReport& report);
+
+// One entry point with one keyword set, whatever the target: what a person calls a variant.
+struct Variant {
+  std::size_t program = 0;            // the entry point: variants of equal program differ in keywords alone
+  std::vector<std::string> keywords;  // sorted
+};
+
+class Variants {
+ public:
+  explicit Variants(const ValidationReport& report);
+
+  std::size_t size() const { return variants_.size(); }
+  std::size_t of_record(std::size_t record) const { return of_record_[record]; }
+  const Variant& operator[](std::size_t index) const { return variants_[index]; }
+  const std::vector<std::size_t>& of_program(std::size_t program) const { return of_program_[program]; }
+
+ private:
+  std::vector<Variant> variants_;
+  std::vector<std::size_t> of_record_;
+  std::vector<std::vector<std::size_t>> of_program_;
+};
+
+// Which of a program's variants a finding is in, as few keywords as say it.
+struct KeywordFold {
+  std::size_t in = 0;                // variants that have the finding
+  std::size_t of = 0;                // variants of the same programs
+  std::vector<std::string> with;     // keywords of all that have it, where not all have them
+  std::vector<std::string> without;  // only where `exact`: keywords that none of them has
+  bool exact = false;                // those with `with` and without `without` are just those that have it
+  std::vector<std::string> example;  // the smallest keyword set that has it
+};
+
+KeywordFold fold_keywords(const Finding& finding, const Variants& variants);
+
+// "ForwardLit of Custom/Water, fragment entry Frag": all that names a record's program but its file.
+std::string program_title(const VariantRecord& record);
+
+// "4 of 6 variants, always with A": the sentence for a fold, as every form of the report has it; empty where
+// there is one variant in all, without keywords.
+std::string fold_sentence(const KeywordFold& fold);
+
+// The targets of the records, each once, in order.
+std::vector<std::string> targets_of(const Finding& finding, const ValidationReport& report);
+
+// "240 variants for 5 targets: 1200 results (31 unique, 0 cached), 3 failed, ..., 12.3 s".
+std::string totals_line(const ValidationReport& report, const Variants& variants);
+
+std::string counted(std::size_t count, const std::string& thing);  // "1 variant", "2 variants"
+
+std::string joined(const std::vector<std::string>& parts, const char* separator);
+
+// The first of them and how many more there are: "A B C and 4 more".
+std::string shortened(const std::vector<std::string>& parts, const char* separator, std::size_t most);
+
+}  // namespace penumbra::validation

@@ -1,0 +1,81 @@
+// Workflow commands of GitHub Actions: ::error file=,line=,col=,title=::message
+// (docs.github.com, "Workflow commands for GitHub Actions"). One a finding: GitHub shows ten of a kind a
+// step.
+// The last line is the totals, for the log.
+//
+// Escaped as the toolkit's command.ts does: % CR LF in messages, and : , in properties besides.
+#include <algorithm>
+
+#include "validation/report_findings.h"
+#include "validation/report_place.h"
+
+namespace penumbra::validation {
+
+namespace {
+
+std::string escaped(const std::string& text, std::string_view characters) {
+  constexpr char digits[] = "0123456789ABCDEF";
+  std::string out;
+  for (const char c : valid_utf8(text)) {
+    if (characters.find(c) == std::string_view::npos) {
+      out += c;
+    } else {
+      const auto byte = static_cast<unsigned char>(c);
+      out.append(1, '%').append(1, digits[byte >> 4U]).append(1, digits[byte & 15U]);
+    }
+  }
+  return out;
+}
+
+std::string message_text(const std::string& text) {
+  return escaped(text, "%\r\n");
+}
+
+std::string property(const std::string& text) {
+  return escaped(text, "%\r\n:,");
+}
+
+const char* command(hlsl::Severity severity) {
+  if (severity == hlsl::Severity::error) return "::error ";
+  return severity == hlsl::Severity::warning ? "::warning " : "::notice ";
+}
+
+std::string annotation(const Finding& finding, const ValidationReport& report, const Variants& variants,
+                       const ReportStyle& style) {
+  const hlsl::Diagnostic& diagnostic = finding.diagnostic;
+  std::string text = command(diagnostic.severity);
+  text += "file=" + property(relative_file(diagnostic.file, style));
+  if (diagnostic.line > 0) text += ",line=" + std::to_string(diagnostic.line);
+  if (diagnostic.line > 0 && diagnostic.column > 0)
+    text += ",col=" + std::to_string(column_in_characters(diagnostic.source_line, diagnostic.column));
+  text += ",title=" + property("penumbra: " + finding.rule) + "::";
+  std::string message = diagnostic.message + "\n" + program_title(report.records[finding.records.front()]);
+  if (const std::string sentence = fold_sentence(fold_keywords(finding, variants)); !sentence.empty())
+    message += ", " + sentence;
+  message += ", for " + joined(targets_of(finding, report), ", ");
+  return text + message_text(message) + "\n";
+}
+
+// What was decided about a line interests nobody who reads a pull request.
+bool is_shown(const Finding& finding) {
+  return finding.diagnostic.severity != hlsl::Severity::note || !finding.diagnostic.rule.empty();
+}
+
+}  // namespace
+
+std::string report_github(const ValidationReport& report, const ReportStyle& style) {
+  const Variants variants(report);
+  std::vector<Finding> shown = findings(report);
+  shown.erase(
+      std::remove_if(shown.begin(), shown.end(), [](const Finding& finding) { return !is_shown(finding); }),
+      shown.end());
+  // Errors first: those beyond the tenth are not shown.
+  std::stable_sort(shown.begin(), shown.end(), [](const Finding& a, const Finding& b) {
+    return a.diagnostic.severity > b.diagnostic.severity;
+  });
+  std::string text;
+  for (const Finding& finding : shown) text += annotation(finding, report, variants, style);
+  return text + totals_line(report, variants) + "\n";
+}
+
+}  // namespace penumbra::validation

@@ -1,0 +1,184 @@
+// The report for people: reasons for what was not judged, warnings, errors, and one line of totals at the
+// end, where a terminal stops scrolling.
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "validation/report_findings.h"
+
+namespace penumbra::validation {
+
+namespace {
+
+constexpr const char* bold = "\x1b[1m";
+constexpr const char* plain = "\x1b[0m";
+
+const char* colour_of(hlsl::Severity severity) {
+  if (severity == hlsl::Severity::error) return "\x1b[1;31m";
+  return severity == hlsl::Severity::warning ? "\x1b[1;35m" : "\x1b[1;36m";
+}
+
+std::string painted(const std::string& text, const char* colour, const ReportStyle& style) {
+  return style.colour ? colour + text + plain : text;
+}
+
+// A line of generated code may be a megabyte: what is near the column is shown. Cut between characters.
+std::string excerpt(const hlsl::Diagnostic& diagnostic) {
+  constexpr std::size_t widest = 160;
+  hlsl::Diagnostic shown{{}, 1, diagnostic.column, hlsl::Severity::note, {}, diagnostic.source_line};
+  std::string& line = shown.source_line;
+  if (line.size() > widest) {
+    const auto inside_character = [&](std::size_t at) {
+      return at < line.size() && (static_cast<unsigned char>(line[at]) & 0xC0U) == 0x80U;
+    };
+    const auto column = static_cast<std::size_t>(std::max(diagnostic.column, 1));
+    std::size_t start = std::min(column > widest / 2 ? column - widest / 2 : 0, line.size() - widest);
+    while (inside_character(start)) ++start;
+    std::size_t end = start + widest;
+    while (inside_character(end)) ++end;
+    line = (start == 0 ? "" : "...") + line.substr(start, end - start) + (end < line.size() ? "..." : "");
+    if (shown.column > 0) shown.column = shown.column - static_cast<int>(start) + (start == 0 ? 0 : 3);
+  }
+  const std::string text = format(shown);
+  const std::size_t end_of_headline = text.find('\n');
+  return end_of_headline == std::string::npos ? "" : text.substr(end_of_headline);
+}
+
+// As a compiler prints it, so that editors find the place: file:line:column: severity: message [rule].
+std::string headline(const hlsl::Diagnostic& diagnostic, const ReportStyle& style) {
+  hlsl::Diagnostic place = diagnostic;
+  place.source_line.clear();
+  place.message.clear();
+  std::string text = format(place);  // "file:line:column: severity: "
+  const std::size_t severity = text.rfind(' ', text.size() - 2) + 1;
+  text = painted(text.substr(0, severity), bold, style) +
+         painted(text.substr(severity), colour_of(diagnostic.severity), style) +
+         painted(diagnostic.message, bold, style);
+  return diagnostic.rule.empty() ? text : text + " [" + diagnostic.rule + "]";
+}
+
+class TextReport {
+ public:
+  TextReport(const ValidationReport& report, const ReportStyle& style)
+      : report_(report), style_(style), variants_(report), findings_(findings(report)) {}
+
+  std::string write() {
+    std::string text = absences() + unchecked();
+    for (const hlsl::Severity severity :
+         {hlsl::Severity::note, hlsl::Severity::warning, hlsl::Severity::error})
+      for (const Finding& finding : findings_)
+        if (finding.diagnostic.severity == severity) text += is_folded(finding) ? "" : block(finding);
+    return text + folded_notes() + totals();
+  }
+
+ private:
+  // What was decided about a line, such as which of two equal bodies was kept, interests whoever looks into
+  // it.
+  bool is_folded(const Finding& finding) const {
+    const hlsl::Diagnostic& diagnostic = finding.diagnostic;
+    return !style_.verbose && diagnostic.severity == hlsl::Severity::note && diagnostic.rule.empty() &&
+           diagnostic.line > 0;
+  }
+
+  std::string folded_notes() const {
+    const auto count = std::count_if(findings_.begin(), findings_.end(),
+                                     [this](const Finding& finding) { return is_folded(finding); });
+    if (count == 0) return {};
+    return count == 1 ? "1 note; --verbose shows it\n"
+                      : std::to_string(count) + " notes; --verbose shows them\n";
+  }
+
+  std::string block(const Finding& finding) const {
+    std::string text = headline(finding.diagnostic, style_) + excerpt(finding.diagnostic) + "\n";
+    text += "  " + programs(finding);
+    if (const std::string sentence = fold_sentence(fold_keywords(finding, variants_)); !sentence.empty())
+      text += ", " + sentence;
+    const std::vector<std::string> targets = targets_of(finding, report_);
+    if (targets != std::vector<std::string>{"spirv"}) text += ", for " + joined(targets, ", ");
+    return text + "\n" + reproduction(finding);
+  }
+
+  // The entry point that has it, and how many others do.
+  std::string programs(const Finding& finding) const {
+    std::vector<std::string> titles;
+    std::set<std::size_t> known;
+    for (const std::size_t record : finding.records)
+      if (known.insert(variants_[variants_.of_record(record)].program).second)
+        titles.push_back(program_title(report_.records[record]));
+    return shortened(titles, " and ", 1);
+  }
+
+  std::string reproduction(const Finding& finding) const {
+    if (finding.diagnostic.severity != hlsl::Severity::error) return {};
+    for (const std::size_t record : finding.records)
+      if (const std::string& file = report_.records[record].reproduction; !file.empty())
+        return "  to reproduce: " + file + "\n";
+    return {};
+  }
+
+  struct Reason {
+    std::set<std::size_t> variants;
+    std::vector<std::string> targets;
+  };
+
+  // Records of one status, by who has the reason and by the reason, in order of appearance.
+  template <typename Title>
+  std::string by_reason(VariantStatus status, const Title& line_of) const {
+    std::vector<std::pair<std::string, std::string>> order;
+    std::map<std::pair<std::string, std::string>, Reason> reasons;
+    for (std::size_t i = 0; i < report_.records.size(); ++i) {
+      const VariantRecord& record = report_.records[i];
+      if (record.status != status) continue;
+      const std::string owner = status == VariantStatus::unchecked ? std::string()
+                                : record.technique.empty()         ? record.file
+                                                                   : record.technique;
+      const auto [at, is_new] = reasons.try_emplace({owner, record.reason});
+      if (is_new) order.push_back(at->first);
+      at->second.variants.insert(variants_.of_record(i));
+      if (std::find(at->second.targets.begin(), at->second.targets.end(), record.target) ==
+          at->second.targets.end())
+        at->second.targets.push_back(record.target);
+    }
+    std::string text;
+    for (const auto& key : order) text += line_of(key.first, key.second, reasons.at(key)) + "\n";
+    return text;
+  }
+
+  std::string absences() const {
+    return by_reason(VariantStatus::absent,
+                     [](const std::string& owner, const std::string& reason, const Reason& who) {
+                       return "absent: " + owner + ", " + joined(who.targets, ", ") + ": " + reason + " (" +
+                              counted(who.variants.size(), "variant") + ")";
+                     });
+  }
+
+  std::string unchecked() const {
+    return by_reason(VariantStatus::unchecked,
+                     [](const std::string&, const std::string& reason, const Reason& who) {
+                       return "unchecked: " + counted(who.variants.size(), "variant") + ": " + reason;
+                     });
+  }
+
+  std::string totals() const {
+    std::string text;
+    for (const auto& [target, check] : report_.checks)
+      text.append(target).append(": ").append(check).append("\n");
+    const bool failed = report_.count(VariantStatus::failed) != 0;
+    const char* colour = failed ? colour_of(hlsl::Severity::error) : bold;
+    return text + painted(totals_line(report_, variants_), colour, style_) + "\n";
+  }
+
+  const ValidationReport& report_;
+  const ReportStyle& style_;
+  Variants variants_;
+  std::vector<Finding> findings_;
+};
+
+}  // namespace
+
+std::string report_text(const ValidationReport& report, const ReportStyle& style) {
+  return TextReport(report, style).write();
+}
+
+}  // namespace penumbra::validation

@@ -1,0 +1,223 @@
+#include "validation/shader_sources.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "hlsl/source_text.h"
+#include "input/input_error.h"
+#include "shaderlab/compute.h"
+#include "shaderlab/parse.h"
+#include "shaderlab/programs.h"
+
+namespace penumbra::validation {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string read(const project::ShaderFile& file) {
+  hlsl::SourceRead source = hlsl::read_source(file.path);
+  if (!source.problem.empty()) throw InputError(file.path.string(), "cannot be read: " + source.problem);
+  return std::move(source.text);
+}
+
+// Files that #include_with_pragmas names.
+variants::FindIncluded finder(const project::IncludeRoots& roots) {
+  return [&roots](const std::string& name,
+                  const std::string& includer) -> std::optional<variants::IncludedText> {
+    const project::IncludeSearch found = project::find_include(roots, name, includer);
+    if (!found.file) return std::nullopt;
+    hlsl::SourceRead source = hlsl::read_source(*found.file);
+    if (!source.problem.empty()) return std::nullopt;
+    return variants::IncludedText{found.file->string(), std::move(source.text)};
+  };
+}
+
+std::string pass_label(const shaderlab::Program& program) {
+  const std::string_view name = shaderlab::pass_name(program);
+  if (!name.empty()) return std::string(name);
+  return std::to_string(program.sub_shader_index) + "." + std::to_string(std::max(0, program.pass_index));
+}
+
+// What Unity puts before CGPROGRAM code (docs.unity3d.com/Manual/SL-BuiltinIncludes.html); the program then
+// keeps its lines.
+std::string with_implicit_includes(const std::string& text, const std::string& file) {
+  return "#include \"HLSLSupport.cginc\"\n#include \"UnityShaderVariables.cginc\"\n#line 1 \"" + file +
+         "\"\n" + text;
+}
+
+std::string uniforms_of(const std::vector<variants::DynamicKeyword>& keywords) {
+  std::string text;
+  for (const variants::DynamicKeyword& keyword : keywords) text += "uniform int " + keyword.name + "; ";
+  return text;
+}
+
+}  // namespace
+
+void ShaderSources::add(const project::ShaderFile& file) {
+  const std::string text = read(file);
+  const std::string extension = file.path.extension().string();
+  if (extension == ".shader") {
+    add_shader(file, text);
+  } else if (extension == ".compute" || extension == ".raytrace") {
+    add_compute(file, text);
+  } else {
+    add_hlsl(file, text);
+  }
+}
+
+// Diagnostics of a file as a whole: it fails when one of them is an error.
+void ShaderSources::say(const std::string& file, const std::string& shader, const std::string& pass,
+                        std::vector<hlsl::Diagnostic> diagnostics) {
+  if (diagnostics.empty()) return;
+  VariantRecord record;
+  record.file = file;
+  record.shader = shader;
+  record.pass = pass;
+  record.target = "source";
+  record.status = hlsl::has_errors(diagnostics) ? VariantStatus::failed : VariantStatus::passed;
+  record.diagnostics = std::move(diagnostics);
+  records_.push_back(std::move(record));
+}
+
+void ShaderSources::leave_unchecked(const SourceProgram& program, const std::string& reason) {
+  VariantRecord record;
+  record.file = program.file;
+  record.shader = program.shader;
+  record.pass = program.pass;
+  record.target = "source";
+  record.status = VariantStatus::unchecked;
+  record.reason = reason;
+  records_.push_back(std::move(record));
+}
+
+void ShaderSources::add_shader(const project::ShaderFile& file, const std::string& text) {
+  shaderlab::ParsedShader parsed = shaderlab::parse_shader(text, file.path.string());
+  const shaderlab::Shader& shader = parsed.shader;
+  const bool broken = hlsl::has_errors(parsed.diagnostics);
+  say(file.path.string(), shader.name.text, {}, std::move(parsed.diagnostics));
+  if (broken) return;
+  for (const shaderlab::Program& found : shaderlab::programs(shader)) {
+    SourceProgram program;
+    program.file = file.path.string();
+    program.shader = shader.name.text;
+    program.pass = pass_label(found);
+    program.text = found.implicit_includes ? with_implicit_includes(found.text, program.file) : found.text;
+    if (found.language == shaderlab::Language::glsl) {
+      leave_unchecked(program, "a GLSLPROGRAM is for OpenGL alone and is not compiled here");
+    } else if (found.is_surface_shader) {
+      leave_unchecked(program, "a surface shader: the Unity editor writes its passes");
+    } else if (found.is_ray_tracing) {
+      leave_unchecked(program, "a ray tracing program: no target here has its stages");
+    } else {
+      add_program(std::move(program));
+    }
+  }
+}
+
+void ShaderSources::add_compute(const project::ShaderFile& file, const std::string& text) {
+  shaderlab::ComputeKernels kernels = shaderlab::compute_kernels(text, file.path.string());
+  const bool broken = hlsl::has_errors(kernels.diagnostics);
+  say(file.path.string(), {}, {}, std::move(kernels.diagnostics));
+  if (broken) return;
+  SourceProgram program;
+  program.file = file.path.string();
+  program.text = text;
+  add_program(std::move(program));
+}
+
+void ShaderSources::add_hlsl(const project::ShaderFile& file, const std::string& text) {
+  SourceProgram program;
+  program.file = file.path.string();
+  program.text = text;
+  program.entries = options_.entries;
+  add_program(std::move(program));
+}
+
+void ShaderSources::add_program(SourceProgram program) {
+  bool said = false;
+  for (const PlatformTargets& platform : options_.platforms) {
+    SourceProgram one = program;
+    one.platform = platform.platform;
+    one.targets = platform.targets;
+    one.pragmas = variants::read_pragmas(
+        {one.file, one.text, variants::pragma_defines(one.platform), finder(options_.roots)});
+    const bool broken = hlsl::has_errors(one.pragmas.diagnostics);
+    if (!std::exchange(said, true)) say(one.file, one.shader, one.pass, one.pragmas.diagnostics);
+    if (broken || !variants::compiles_for(one.pragmas, variants::renderer_name(one.platform.api))) continue;
+    if (one.entries.empty())
+      for (const variants::EntryPoint& entry : one.pragmas.entry_points)
+        one.entries.emplace_back(entry.function, entry.stage);
+    one.kernels = one.pragmas.kernels;
+    one.space = std::make_shared<variants::KeywordSpace>(one.pragmas, options_.narrowing);
+    programs_.push_back(std::move(one));
+  }
+}
+
+std::vector<variants::PlannedProgram> ShaderSources::planned() const {
+  std::vector<variants::PlannedProgram> list;
+  for (const SourceProgram& program : programs_) {
+    variants::PlannedProgram planned;
+    planned.name = fs::path(program.file).filename().string();
+    if (!program.pass.empty()) planned.name += ": " + program.pass;
+    if (options_.platforms.size() > 1)
+      planned.name += std::string(" for ") + variants::renderer_name(program.platform.api);
+    planned.space = program.space.get();
+    for (const auto& [function, stage] : program.entries) planned.stages.push_back(stage);
+    planned.stages.insert(planned.stages.end(), program.kernels.size(), hlsl::Stage::compute);
+    list.push_back(std::move(planned));
+  }
+  return list;
+}
+
+variants::Plan ShaderSources::plan() const {
+  return variants::plan(planned());
+}
+
+std::string ShaderSources::refusal(std::uint64_t limit) const {
+  return variants::refusal(planned(), limit);
+}
+
+CompileUnit ShaderSources::unit(const SourceProgram& program, const std::string& entry, hlsl::Stage stage,
+                                const variants::Keywords& keywords) const {
+  CompileUnit unit;
+  unit.file = program.file;
+  unit.shader = program.shader;
+  unit.pass = program.pass;
+  unit.keywords = keywords;
+  unit.targets = program.targets;
+  unit.compile.file = program.file;
+  unit.compile.text = uniforms_of(program.space->dynamic_keywords()) + program.text;
+  unit.compile.entry = entry;
+  unit.compile.stage = stage;
+  unit.compile.prepare = true;
+  const int target = variants::shader_target(program.pragmas, keywords);
+  for (const auto& [name, value] : variants::platform_defines(program.platform, stage, target))
+    unit.compile.defines.emplace_back(name, value);
+  unit.compile.defines.insert(unit.compile.defines.end(), options_.defines.begin(), options_.defines.end());
+  for (const std::string& keyword : keywords) unit.compile.defines.emplace_back(keyword, "1");
+  unit.compile.package_roots = options_.roots.packages;
+  unit.compile.include_directories = options_.roots.directories;
+  unit.compile.project = options_.roots.project;
+  unit.compile.cginc_root = options_.roots.cginc;
+  return unit;
+}
+
+std::vector<CompileUnit> ShaderSources::units() const {
+  std::vector<CompileUnit> units;
+  for (const SourceProgram& program : programs_) {
+    for (const auto& [function, stage] : program.entries)
+      for (const variants::Keywords& keywords : program.space->variants(stage))
+        units.push_back(unit(program, function, stage, keywords));
+    for (const variants::Kernel& kernel : program.kernels) {
+      for (const variants::Keywords& keywords : program.space->variants(hlsl::Stage::compute)) {
+        units.push_back(unit(program, kernel.function, hlsl::Stage::compute, keywords));
+        CompileUnit& made = units.back();
+        made.compile.defines.insert(made.compile.defines.end(), kernel.defines.begin(), kernel.defines.end());
+      }
+    }
+  }
+  return units;
+}
+
+}  // namespace penumbra::validation

@@ -1,0 +1,87 @@
+// What there is to compile in shader files: the programs of a .shader, the kernels of a .compute, the entry
+// point of an .hlsl, each with its variants; counted before anything is compiled.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hlsl/diagnostic.h"
+#include "hlsl/stage.h"
+#include "project/include_search.h"
+#include "project/shader_files.h"
+#include "validation/report.h"
+#include "validation/unit.h"
+#include "variants/keyword_space.h"
+#include "variants/plan.h"
+#include "variants/platform_defines.h"
+#include "variants/pragmas.h"
+
+namespace penumbra::validation {
+
+// One graphics API and what is made for it: sources are compiled once for each platform, with the macros
+// Unity defines there.
+struct PlatformTargets {
+  variants::Platform platform;
+  std::vector<std::string> targets;
+};
+
+struct SourceOptions {
+  std::vector<PlatformTargets> platforms;
+  variants::Narrowing narrowing;
+  project::IncludeRoots roots;
+  std::vector<std::pair<std::string, std::string>> defines;  // for every variant
+  // Of .hlsl files: entry points named by hand. Keyword pragmas of the file count.
+  std::vector<std::pair<std::string, hlsl::Stage>> entries;
+};
+
+// One program of a file for one platform.
+struct SourceProgram {
+  std::string file;
+  std::string shader;  // see VariantRecord
+  std::string pass;
+  std::string text;  // lines and columns are the file's own
+  std::vector<std::string> targets;
+  variants::Platform platform;
+  variants::Pragmas pragmas;
+  std::vector<std::pair<std::string, hlsl::Stage>> entries;
+  std::vector<variants::Kernel> kernels;
+  std::shared_ptr<const variants::KeywordSpace> space;
+};
+
+class ShaderSources {
+ public:
+  explicit ShaderSources(SourceOptions options) : options_(std::move(options)) {}
+
+  // A file that cannot be read throws InputError; what is wrong inside becomes a failed or unchecked record.
+  void add(const project::ShaderFile& file);
+
+  const std::vector<SourceProgram>& programs() const { return programs_; }
+  // Files, programs and passes that are not compiled, and why: a syntax error, a surface shader, GLSL.
+  const std::vector<VariantRecord>& records() const { return records_; }
+
+  variants::Plan plan() const;
+  std::string refusal(std::uint64_t limit) const;  // empty while the count is within the limit
+  std::vector<CompileUnit> units() const;
+
+ private:
+  void add_shader(const project::ShaderFile& file, const std::string& bytes);
+  void add_compute(const project::ShaderFile& file, const std::string& bytes);
+  void add_hlsl(const project::ShaderFile& file, const std::string& bytes);
+  void add_program(SourceProgram program);
+  void say(const std::string& file, const std::string& shader, const std::string& pass,
+           std::vector<hlsl::Diagnostic> diagnostics);
+  void leave_unchecked(const SourceProgram& program, const std::string& reason);
+  std::vector<variants::PlannedProgram> planned() const;
+  CompileUnit unit(const SourceProgram& program, const std::string& entry, hlsl::Stage stage,
+                   const variants::Keywords& keywords) const;
+
+  SourceOptions options_;
+  std::vector<SourceProgram> programs_;
+  std::vector<VariantRecord> records_;
+};
+
+}  // namespace penumbra::validation
