@@ -1,15 +1,27 @@
-// penumbra validate: every technique, keyword set and target; or shader files of your own.
+// penumbra validate: shader files, or a Unity project, or the library's own techniques; every variant, every
+// target.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
+#include <cstdio>
+#include <map>
 #include <memory>
 #include <thread>
 
 #include "cli/report_output.h"
+#include "cli/shader_arguments.h"
 #include "cli/subcommand.h"
 #include "input/input_error.h"
 #include "input/nearest_name.h"
 #include "platform/data_directory.h"
+#include "project/package_versions.h"
+#include "project/shader_files.h"
+#include "project/unity_project.h"
+#include "shaders/cross_compile.h"
+#include "validation/shader_sources.h"
 #include "validation/validate_techniques.h"
+#include "variants/keyword_expression.h"
+#include "variants/stripping.h"
 
 namespace penumbra::cli {
 
@@ -18,96 +30,232 @@ namespace {
 namespace fs = std::filesystem;
 
 struct ValidateOptions {
+  // What.
+  std::vector<std::string> places;
+  std::string project;
+  std::vector<std::string> only;
+  std::vector<std::string> skip;
   std::string techniques;
-  std::vector<std::string> files;
   std::string entry = "Main";
   std::string stage = "fragment";
-  std::vector<std::string> defines;
-  std::vector<std::string> keywords;  // one set each, its keywords parted by commas
+  // With what.
   std::vector<std::string> package_roots;
+  std::string cginc_root;
   std::vector<std::string> include_directories;
+  std::vector<std::string> defines;
+  std::string unity_version;
+  bool mobile = false;
+  // Which variants and targets.
+  std::vector<std::string> keywords;
+  std::vector<std::string> keyword_sets;
+  std::string stripping;
+  std::uint64_t limit = 20'000;
+  bool list = false;
   std::vector<std::string> targets;
-  ReportOptions report;
-  std::string emit_parameters;
+  std::string api;
+  // How.
+  unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
+  std::string shard;
   std::string cache;
   bool no_cache = false;
-  unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
+  std::string keep;
+  unsigned time_limit = 30;
+  unsigned memory_limit = 2048;
+  ReportOptions report;
+  std::string emit_parameters;
 };
 
-std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> parts;
-  for (std::size_t start = 0; start < text.size();) {
-    const std::size_t end = std::min(text.find(separator, start), text.size());
-    if (end > start) parts.push_back(text.substr(start, end - start));
-    start = end + 1;
-  }
-  return parts;
+const std::vector<std::string> default_targets{"spirv", "essl310", "glsl450", "msl23", "hlsl50"};
+
+std::vector<std::string> known_targets() {
+  std::vector<std::string> known{"spirv"};
+  for (const shaders::Target target : shaders::all_targets) known.emplace_back(shaders::target_name(target));
+  return known;
 }
 
-shaders::PackageRoot package_root(const std::string& text) {
-  const std::size_t equals = text.find('=');
-  if (equals == std::string::npos || equals == 0)
-    throw InputError("--package-root", "'" + text + "' is not NAME=DIR",
-                     "for example com.unity.render-pipelines.core=/packages/core");
-  shaders::PackageRoot root{text.substr(0, equals), text.substr(equals + 1)};
-  if (!fs::is_directory(root.directory))
-    throw EnvironmentError("package root of " + root.name + " is no folder: '" + root.directory.string() +
-                           "'");
-  return root;
-}
-
-std::vector<std::string> checked_targets(const std::vector<std::string>& given) {
-  const std::vector<std::string> known = validation::ValidationRequest().targets;
+std::vector<std::string> chosen_targets(const std::vector<std::string>& given) {
+  const std::vector<std::string> known = known_targets();
   for (const std::string& target : given)
     if (std::find(known.begin(), known.end(), target) == known.end())
       throw InputError("--targets", "unknown target '" + target + "'", unknown_name_way_out(target, known));
-  return given.empty() ? known : given;
+  return given.empty() ? default_targets : given;
 }
 
-void add_files(const ValidateOptions& options, validation::ValidationRequest& request) {
-  for (const std::string& file : options.files) {
-    validation::ShaderToValidate shader{file, options.entry, *hlsl::find_stage(options.stage), {}};
-    for (const std::string& set : options.keywords) shader.keyword_sets.push_back(split(set, ','));
-    if (shader.keyword_sets.empty()) shader.keyword_sets.emplace_back();
-    request.files.push_back(std::move(shader));
-  }
+validation::Shard chosen_shard(const std::string& text) {
+  validation::Shard shard;
+  if (text.empty()) return shard;
+  const char* end = text.data() + text.size();
+  const auto [slash, first] = std::from_chars(text.data(), end, shard.index);
+  const bool has_slash = first == std::errc() && slash != end && *slash == '/';
+  const auto [last, second] =
+      has_slash ? std::from_chars(slash + 1, end, shard.count) : std::from_chars_result{slash, first};
+  if (!has_slash || second != std::errc() || last != end || shard.index < 1 || shard.index > shard.count)
+    throw InputError("--shard", "'" + text + "' is not K/N", "for example 1/4, up to 4/4");
+  return shard;
 }
 
-validation::ValidationRequest make_request(const ValidateOptions& options) {
-  validation::ValidationRequest request;
-  request.targets = checked_targets(options.targets);
-  request.engine.jobs = options.jobs;
-  request.engine.worker_arguments = {validation::worker_mode};
-  if (!options.no_cache) {
-    request.engine.cache = options.cache.empty() ? validation::default_cache() : fs::path(options.cache);
+validation::EngineOptions engine_options(const ValidateOptions& options) {
+  validation::EngineOptions engine;
+  engine.jobs = options.jobs;
+  engine.shard = chosen_shard(options.shard);
+  engine.worker_arguments = {validation::worker_mode};
+  if (!options.no_cache)
+    engine.cache = options.cache.empty() ? validation::default_cache() : fs::path(options.cache);
+  engine.keep = options.keep;
+  engine.limits.processor_time = std::chrono::seconds(options.time_limit);
+  engine.limits.memory = std::size_t{options.memory_limit} << 20;
+  return engine;
+}
+
+// The graphics API whose shaders a target is for.
+variants::GraphicsApi api_of(const std::string& target) {
+  const std::optional<shaders::Target> known = shaders::find_target(target);
+  if (!known) return variants::GraphicsApi::vulkan;
+  switch (shaders::target_language(*known)) {
+    case shaders::TargetLanguage::essl:
+      return variants::GraphicsApi::gles3;
+    case shaders::TargetLanguage::glsl:
+      return variants::GraphicsApi::glcore;
+    case shaders::TargetLanguage::msl:
+      return variants::GraphicsApi::metal;
+    case shaders::TargetLanguage::hlsl:
+      break;
   }
-  add_files(options, request);
-  for (const std::string& define : options.defines) {
-    const std::size_t equals = std::min(define.find('='), define.size());
-    request.defines.emplace_back(define.substr(0, equals),
-                                 equals == define.size() ? "1" : define.substr(equals + 1));
+  return variants::GraphicsApi::d3d11;
+}
+
+std::vector<validation::PlatformTargets> platforms(const ValidateOptions& options,
+                                                   const std::vector<std::string>& targets,
+                                                   int unity_version) {
+  std::map<variants::GraphicsApi, std::vector<std::string>> of_api;
+  const std::optional<variants::GraphicsApi> one = variants::find_graphics_api(options.api);
+  for (const std::string& target : targets) of_api[one ? *one : api_of(target)].push_back(target);
+  std::vector<validation::PlatformTargets> list;
+  for (auto& [api, made] : of_api) {
+    variants::Platform platform;
+    platform.api = api;
+    platform.mobile = options.mobile || api == variants::GraphicsApi::gles3;
+    platform.unity_version = unity_version;
+    list.push_back({platform, std::move(made)});
   }
-  for (const std::string& root : options.package_roots) request.package_roots.push_back(package_root(root));
-  const fs::path library = platform::data_directory();
-  request.package_roots.push_back({"com.penumbra.shadows", library});
+  return list;
+}
+
+variants::Narrowing narrowing(const ValidateOptions& options) {
+  variants::Narrowing narrowing;
+  if (!options.stripping.empty()) narrowing = variants::read_stripping(options.stripping);
+  for (const std::string& expression : options.keywords)
+    for (variants::Clause& clause : variants::parse_keyword_expression(expression))
+      narrowing.clauses.push_back(std::move(clause));
+  return narrowing;
+}
+
+std::vector<project::PackageRoot> given_roots(const ValidateOptions& options) {
+  std::vector<project::PackageRoot> roots;
+  for (const std::string& root : options.package_roots) roots.push_back(parse_package_root(root));
+  return roots;
+}
+
+// On standard error, like progress.
+void say(const Context& context, const std::string& line) {
+  if (!context.quiet) std::fprintf(stderr, "%s\n", line.c_str());
+}
+
+struct Found {
+  project::IncludeRoots roots;
+  int unity_version = variants::Platform().unity_version;
+  std::vector<hlsl::Diagnostic> said;  // about the project and its packages
+};
+
+Found look_around(const ValidateOptions& options) {
+  Found found;
+  found.roots.packages = given_roots(options);
+  if (!options.project.empty()) {
+    project::UnityProject project = project::read_project(options.project, found.roots.packages);
+    found.roots.packages = std::move(project.packages);
+    found.roots.project = project.directory;
+    if (project.editor) found.unity_version = project::unity_version_number(*project.editor);
+    found.said = std::move(project.problems);
+  }
+  for (hlsl::Diagnostic& problem : project::version_problems(found.roots.packages))
+    found.said.push_back(std::move(problem));
+  const bool has_library =
+      std::any_of(found.roots.packages.begin(), found.roots.packages.end(),
+                  [](const project::PackageRoot& root) { return root.name == "com.penumbra.shadows"; });
+  if (!has_library) found.roots.packages.push_back({"com.penumbra.shadows", platform::data_directory()});
   for (const std::string& directory : options.include_directories) {
     if (!fs::is_directory(directory)) throw InputError("-I", "'" + directory + "' is no folder");
-    request.include_directories.emplace_back(directory);
+    found.roots.directories.emplace_back(directory);
   }
-  if (!options.techniques.empty() || options.files.empty())
-    request.techniques = shaders::read_technique_list(options.techniques.empty()
-                                                          ? library / "ShaderLibrary" / "techniques.json"
-                                                          : fs::path(options.techniques));
-  return request;
+  if (!options.cginc_root.empty() && !fs::is_directory(options.cginc_root))
+    throw EnvironmentError("--cginc-root: '" + options.cginc_root +
+                           "' is no folder; it is Editor/Data/CGIncludes of a Unity editor");
+  found.roots.cginc = options.cginc_root;
+  if (options.unity_version.empty()) return found;
+  const std::optional<int> version = variants::unity_version_number(options.unity_version);
+  if (!version)
+    throw InputError("--unity-version", "'" + options.unity_version + "' is no version",
+                     "for example 2022.3.20f1");
+  found.unity_version = *version;
+  return found;
+}
+
+void add_sources(const ValidateOptions& options, validation::ValidationRequest& request, Context& context) {
+  Found found = look_around(options);
+  project::ShaderSelection selection;
+  selection.places.assign(options.places.begin(), options.places.end());
+  selection.include = options.only;
+  selection.exclude = options.skip;
+  const project::ShaderFiles files = project::find_shader_files(options.project, selection);
+  for (const hlsl::Diagnostic& problem : files.problems) found.said.push_back(problem);
+
+  validation::SourceOptions source;
+  source.platforms = platforms(options, request.targets, found.unity_version);
+  source.narrowing = narrowing(options);
+  source.roots = found.roots;
+  source.defines = request.defines;
+  source.entries = {{options.entry, *hlsl::find_stage(options.stage)}};
+  for (const std::string& set : options.keyword_sets) source.keyword_sets.push_back(parse_keyword_set(set));
+  validation::ShaderSources sources(std::move(source));
+  for (const project::ShaderFile& file : files.files) sources.add(file);
+
+  for (const hlsl::Diagnostic& problem : found.said) say(context, hlsl::format(problem));
+  const variants::Plan plan = sources.plan();
+  say(context, variants::text_of(plan.total) + " variants in " + std::to_string(sources.programs().size()) +
+                   " programs of " + std::to_string(files.files.size()) + " files");
+  if (options.list) {
+    write_output(options.report.output, variants::text_of(plan));
+    return;
+  }
+  const std::string refusal = sources.refusal(options.limit);
+  if (!refusal.empty()) throw InputError("--limit", refusal);
+  request.units = sources.units();
+  request.records = sources.records();
 }
 
 void run_validate(const ValidateOptions& options, Context& context) {
-  validation::ValidationRequest request = make_request(options);
+  const bool sources_given = !options.places.empty() || !options.project.empty();
+  validation::ValidationRequest request;
+  request.targets = chosen_targets(options.targets);
+  request.engine = engine_options(options);
+  for (const std::string& define : options.defines) request.defines.push_back(parse_define(define));
+  if (!options.techniques.empty() || !sources_given) {
+    const fs::path library = platform::data_directory();
+    request.techniques = shaders::read_technique_list(options.techniques.empty()
+                                                          ? library / "ShaderLibrary" / "techniques.json"
+                                                          : fs::path(options.techniques));
+    request.package_roots = given_roots(options);
+    request.package_roots.push_back({"com.penumbra.shadows", library});
+    request.include_directories.assign(options.include_directories.begin(),
+                                       options.include_directories.end());
+  }
   if (!options.emit_parameters.empty()) {
     if (!request.techniques) throw InputError("--emit-parameters", "needs a technique list, not files alone");
     write_output(options.emit_parameters, shaders::emit_parameter_structs_hlsl(*request.techniques));
     return;
   }
+  if (sources_given) add_sources(options, request, context);
+  if (options.list) return;
   validation::ValidationReport report;
   {
     Progress progress(context, "validate");
@@ -120,45 +268,94 @@ void run_validate(const ValidateOptions& options, Context& context) {
 }
 
 void add_what(CLI::App& command, ValidateOptions& options) {
-  command.add_option("files", options.files, "HLSL files of your own; without any, the library's techniques");
-  command.add_option("--techniques", options.techniques, "Technique list; the library's without");
-  command.add_option("--entry", options.entry, "Entry point of the files")->capture_default_str();
-  command.add_option("--stage", options.stage, "Stage of the files")
-      ->check(CLI::IsMember({"vertex", "fragment", "compute"}))
-      ->capture_default_str();
-  command.add_option("-D,--define", options.defines, "NAME or NAME=VALUE, for every variant")->take_all();
-  command
-      .add_option("--keywords", options.keywords, "One keyword set of the files: A,B; repeat for more sets")
+  command.add_option(
+      "files", options.places,
+      ".shader, .compute and .hlsl files, or folders of them; without any and without --project, the "
+      "library's techniques");
+  command.add_option("--project", options.project,
+                     "Unity project: its Assets/ and Packages/, and where packages lie");
+  command.add_option("--only", options.only, "Pattern of files to take: 'Assets/Water/**'")
       ->allow_extra_args(false);
+  command.add_option("--skip", options.skip, "Pattern of files to leave out")->allow_extra_args(false);
+  command.add_option("--techniques", options.techniques, "Technique list; the library's without");
+  command.add_option("--entry", options.entry, "Entry point of .hlsl files")->capture_default_str();
+  command.add_option("--stage", options.stage, "Stage of .hlsl files")
+      ->check(CLI::IsMember({"vertex", "hull", "domain", "geometry", "fragment", "compute"}))
+      ->capture_default_str();
+}
+
+void add_with_what(CLI::App& command, ValidateOptions& options) {
   command.add_option("--package-root", options.package_roots, "NAME=DIR: where Packages/NAME/... lies")
       ->allow_extra_args(false);
+  command.add_option("--cginc-root", options.cginc_root, "Editor/Data/CGIncludes of a Unity editor");
   command.add_option("-I,--include", options.include_directories, "Folder to look for includes in")
       ->allow_extra_args(false);
-  command.add_option("--targets", options.targets, "Of spirv, essl310, glsl450, msl23, hlsl50; all without")
+  command.add_option("-D,--define", options.defines, "NAME or NAME=VALUE, for every variant")->take_all();
+  command.add_option("--unity-version", options.unity_version,
+                     "For UNITY_VERSION; the project's, else 2022.3");
+  command.add_flag("--mobile", options.mobile, "SHADER_API_MOBILE for every target, as it is for ESSL");
+}
+
+void add_which(CLI::App& command, ValidateOptions& options) {
+  command.add_option("--keywords", options.keywords, "Narrow the variants: '+ON -OFF A|B'")
+      ->allow_extra_args(false);
+  command
+      .add_option("--keyword-set", options.keyword_sets,
+                  "One keyword set of .hlsl files instead of their pragmas: A,B; repeat for more")
+      ->allow_extra_args(false);
+  command.add_option("--stripping", options.stripping, "What the project really uses, as JSON")
+      ->check(CLI::ExistingFile);
+  command.add_option("--limit", options.limit, "Refuse more variants than this")->capture_default_str();
+  command.add_flag("--list", options.list, "Count the variants and compile nothing");
+  command
+      .add_option("--targets", options.targets,
+                  "Of spirv, essl300, essl310, glsl410, glsl450, msl20, msl22, msl23, hlsl50, hlsl51; spirv, "
+                  "essl310, "
+                  "glsl450, msl23 and hlsl50 without")
       ->delimiter(',')
       ->allow_extra_args(false);
+  command.add_option("--api", options.api, "Compile for this API alone and make every target from that")
+      ->check(CLI::IsMember({"vulkan", "d3d11", "metal", "glcore", "gles3", "switch"}));
+}
+
+void add_how(CLI::App& command, ValidateOptions& options) {
+  add_report_options(command, options.report);
+  command.add_option("--jobs", options.jobs, "Worker processes")
+      ->check(CLI::Range(1U, 256U))
+      ->capture_default_str();
+  command.add_option("--shard", options.shard,
+                     "K/N: the K-th of N parts; `penumbra merge` joins their JSON reports");
+  command.add_option("--cache", options.cache, "Folder that keeps answers between runs");
+  command.add_flag("--no-cache", options.no_cache, "Keep nothing, and use nothing that was kept");
+  command.add_option("--keep", options.keep, "Folder for texts that crash or hang a compiler");
+  command.add_option("--time-limit", options.time_limit, "Seconds of processor time for one variant")
+      ->check(CLI::Range(1U, 3600U))
+      ->capture_default_str();
+  command.add_option("--memory-limit", options.memory_limit, "MiB for one worker")
+      ->check(CLI::Range(64U, 65536U))
+      ->capture_default_str();
+  command.add_option("--emit-parameters", options.emit_parameters,
+                     "Write the techniques' parameter structs as HLSL to this file (- for standard output), "
+                     "and validate nothing");
 }
 
 }  // namespace
 
 void add_validate(CLI::App& app, Context& context) {
   CLI::App* command = app.add_subcommand(
-      "validate", "Compile every technique, keyword set and target, and say exactly what is wrong");
+      "validate",
+      "Compile every variant of shaders for every target, without Unity, and say exactly what is wrong");
   auto options = std::make_shared<ValidateOptions>();
   add_what(*command, *options);
-  add_report_options(*command, options->report);
-  command->add_option("--jobs", options->jobs, "Worker processes")
-      ->check(CLI::Range(1U, 256U))
-      ->capture_default_str();
-  command->add_option("--cache", options->cache, "Folder that keeps answers between runs");
-  command->add_flag("--no-cache", options->no_cache, "Keep nothing, and use nothing that was kept");
-  command->add_option("--emit-parameters", options->emit_parameters,
-                      "Write the techniques' parameter structs as HLSL to this file (- for standard output), "
-                      "and validate nothing");
+  add_with_what(*command, *options);
+  add_which(*command, *options);
+  add_how(*command, *options);
   command->footer(
-      "Exit code 1 when a variant fails. msl23 and hlsl50 are emitted and not compiled: no compiler for "
-      "them\n"
-      "runs here. essl310 and glsl450 are compiled and linked by this machine's OpenGL driver through EGL.");
+      "Each target is made from the source as Unity compiles it for that graphics API; --api takes one for "
+      "all.\n"
+      "Exit code 1 when a variant fails. MSL and HLSL are emitted and not compiled: no compiler for them "
+      "runs here.\n"
+      "ESSL and GLSL are compiled and linked by this machine's OpenGL driver through EGL.");
   command->callback([options, &context] { run_validate(*options, context); });
 }
 

@@ -6,7 +6,7 @@
 
 #include "cost/worker_threads.h"
 #include "input/input_error.h"
-#include "validation/validation_variants.h"
+#include "validation/source_variants.h"
 
 namespace penumbra::cost {
 namespace {
@@ -24,7 +24,7 @@ validation::ValidationRequest as_validated(const CostRequest& request) {
 
 // The library's file without the folder it happens to lie in.
 std::string shown_file(const validation::SourceVariant& variant) {
-  if (variant.technique == nullptr) return variant.reported_file;
+  if (variant.technique == nullptr) return variant.unit.file;
   return "ShaderLibrary/" + variant.technique->chain.back().file;
 }
 
@@ -44,11 +44,11 @@ CostModules compile_modules(const CostRequest& request) {
   std::vector<validation::SourceVariant> variants = validation::source_variants(validated);
   // Techniques are per-pixel functions: their cost is that of the fragment shader that calls them.
   std::erase_if(variants, [](const validation::SourceVariant& variant) {
-    return variant.technique != nullptr && variant.compile.stage != hlsl::Stage::fragment;
+    return variant.technique != nullptr && variant.unit.compile.stage != hlsl::Stage::fragment;
   });
   std::vector<shaders::CompileResult> compiled(variants.size());
   run_all(variants.size(), request.jobs,
-          [&](std::size_t i) { compiled[i] = shaders::compile(variants[i].compile); });
+          [&](std::size_t i) { compiled[i] = shaders::compile(variants[i].unit.compile); });
 
   CostModules made;
   std::map<std::tuple<std::string, hlsl::Stage, std::string, std::vector<std::uint32_t>>, std::size_t> places;
@@ -60,12 +60,12 @@ CostModules compile_modules(const CostRequest& request) {
     }
     const std::string file = shown_file(variant);
     const auto [place, is_new] = places.try_emplace(
-        {file, variant.compile.stage, variant.compile.entry, compiled[i].spirv}, made.modules.size());
+        {file, variant.unit.compile.stage, variant.unit.compile.entry, compiled[i].spirv}, made.modules.size());
     if (is_new)
       made.modules.push_back(
-          {file, variant.compile.entry, variant.compile.stage, {}, std::move(compiled[i].spirv)});
+          {file, variant.unit.compile.entry, variant.unit.compile.stage, {}, std::move(compiled[i].spirv)});
     made.modules[place->second].variants.push_back(
-        {variant.technique == nullptr ? "" : variant.technique->name, variant.keywords});
+        {variant.technique == nullptr ? "" : variant.technique->name, variant.unit.keywords});
   }
   return made;
 }

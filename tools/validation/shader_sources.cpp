@@ -131,6 +131,7 @@ void ShaderSources::add_hlsl(const project::ShaderFile& file, const std::string&
   program.file = file.path.string();
   program.text = text;
   program.entries = options_.entries;
+  program.keyword_sets = options_.keyword_sets;
   add_program(std::move(program));
 }
 
@@ -206,9 +207,15 @@ CompileUnit ShaderSources::unit(const SourceProgram& program, const std::string&
 std::vector<CompileUnit> ShaderSources::units() const {
   std::vector<CompileUnit> units;
   for (const SourceProgram& program : programs_) {
-    for (const auto& [function, stage] : program.entries)
-      for (const variants::Keywords& keywords : program.space->variants(stage))
-        units.push_back(unit(program, function, stage, keywords));
+    for (const auto& [function, stage] : program.entries) {
+      if (program.keyword_sets.empty()) {
+        for (const variants::Keywords& keywords : program.space->variants(stage))
+          units.push_back(unit(program, function, stage, keywords));
+      } else {
+        for (const variants::Keywords& keywords : program.keyword_sets)
+          units.push_back(unit(program, function, stage, keywords));
+      }
+    }
     for (const variants::Kernel& kernel : program.kernels) {
       for (const variants::Keywords& keywords : program.space->variants(hlsl::Stage::compute)) {
         units.push_back(unit(program, kernel.function, hlsl::Stage::compute, keywords));

@@ -36,6 +36,7 @@ struct SourceOptions {
   std::vector<std::pair<std::string, std::string>> defines;  // for every variant
   // Of .hlsl files: entry points named by hand. Keyword pragmas of the file count.
   std::vector<std::pair<std::string, hlsl::Stage>> entries;
+  std::vector<variants::Keywords> keyword_sets;  // of .hlsl files, instead of what their pragmas span
 };
 
 // One program of a file for one platform.
@@ -49,6 +50,7 @@ struct SourceProgram {
   variants::Pragmas pragmas;
   std::vector<std::pair<std::string, hlsl::Stage>> entries;
   std::vector<variants::Kernel> kernels;
+  std::vector<variants::Keywords> keyword_sets;  // instead of the space, when there are any
   std::shared_ptr<const variants::KeywordSpace> space;
 };
 

@@ -58,15 +58,18 @@ ValidationReport validate(const ValidationRequest& request) {
   const auto start = std::chrono::steady_clock::now();
   ValidationReport report;
   for (const std::string& target : request.targets) report.checks[target] = checked_by(target);
-  const std::vector<SourceVariant> variants = source_variants(request);
+  if (request.engine.shard.index == 1) report.records = request.records;
+  std::vector<SourceVariant> variants = source_variants(request);
+  for (const CompileUnit& unit : request.units) variants.push_back({nullptr, unit});
   std::vector<CompileUnit> units;
+  units.reserve(variants.size());
   for (const SourceVariant& variant : variants) units.push_back(variant.unit);
   const EngineRun run = run_units(units, request.engine);
   std::set<std::pair<std::string, std::string>> unique;
   for (const UnitResult& result : run.results) {
     add_records(variants[result.unit], result, report);
     if (result.module_key.empty()) continue;
-    for (const std::string& target : request.targets) unique.emplace(result.module_key, target);
+    for (const std::string& target : units[result.unit].targets) unique.emplace(result.module_key, target);
   }
   report.unique = unique.size();
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

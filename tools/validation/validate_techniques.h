@@ -33,6 +33,8 @@ struct ValidationRequest {
   std::vector<std::pair<std::string, std::string>> defines;
   std::vector<shaders::PackageRoot> package_roots;
   std::vector<std::filesystem::path> include_directories;
+  std::vector<CompileUnit> units;      // besides: what ShaderSources made of shader files
+  std::vector<VariantRecord> records;  // besides: what it said before anything was compiled
   EngineOptions engine;
 };
 
