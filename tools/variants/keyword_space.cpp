@@ -197,10 +197,7 @@ std::vector<std::vector<Choice>> seen_by(hlsl::Stage stage, const std::vector<st
 VariantCount VariantList::count() const {
   VariantCount count(1);
   for (const std::vector<Choice>& choices : axes_) count *= VariantCount(choices.size());
-  // A product that saturated may still be none.
-  const bool none =
-      std::any_of(axes_.begin(), axes_.end(), [](const auto& choices) { return choices.empty(); });
-  return none ? VariantCount(0) : count;
+  return count;
 }
 
 Keywords VariantList::at(std::uint64_t index) const {
