@@ -81,9 +81,9 @@ TEST(KeywordSpace, ASharedKeywordIsSeenWhereAnyOfItsSetsIs) {
 
 TEST(KeywordSpace, ShortcutsCountTheirCombinations) {
   EXPECT_EQ(space_of("#pragma multi_compile_fwdadd_fullshadows\n").whole_program().count(),
-            VariantCount(13 * 4));
+            VariantCount(13U * 4U));
   // 7 of the 8 lightmap combinations, 5 free keywords.
-  EXPECT_EQ(space_of("#pragma multi_compile_fwdbase\n").whole_program().count(), VariantCount(7 * 32));
+  EXPECT_EQ(space_of("#pragma multi_compile_fwdbase\n").whole_program().count(), VariantCount(7U * 32U));
   EXPECT_THAT(texts_of(space_of("#pragma multi_compile_fwdbase\n"
                                 "#pragma skip_variants LIGHTMAP_ON DYNAMICLIGHTMAP_ON LIGHTMAP_SHADOW_MIXING "
                                 "SHADOWS_SHADOWMASK VERTEXLIGHT_ON\n")

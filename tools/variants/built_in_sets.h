@@ -6,24 +6,23 @@
 // spot, SHADOWS_CUBE to point and SHADOWS_SCREEN to directional lights (AutoLight.cginc of the built-in
 // shaders); the editor's list for fwdbase shows LIGHTPROBE_SH, SHADOWS_SCREEN and VERTEXLIGHT_ON as
 // independent; DIRLIGHTMAP_COMBINED without a lightmap has no meaning (URP strips it, too). All else is a
-// free choice, so the variants of a shortcut contain Unity's own.
+// free choice, so that no documented keyword is missed; Unity may compile fewer combinations.
 //
-// | shortcut             | sets |
-// |----------------------|------------------------------------------------------------------------------------|
-// | _fog                 | _ FOG_LINEAR FOG_EXP FOG_EXP2 | | _instancing          | _ INSTANCING_ON, and
-// PROCEDURAL_INSTANCING_ON with `instancing_options procedural` | |                      | (the Manual writes
-// PROCEDURAL_ON; the instancing libraries test the longer name)   | | _particles           | _
-// SOFTPARTICLES_ON                                                                 | | _shadowcaster        |
-// SHADOWS_DEPTH SHADOWS_CUBE                                                         | | _shadowcollector |
-// nothing: passes of that type are no longer drawn                                   | | _fwdadd | POINT
-// DIRECTIONAL SPOT POINT_COOKIE DIRECTIONAL_COOKIE                             | | _fwdadd_fullshadows, |
-// those, each with and without its shadows, point and spot also with SHADOWS_SOFT;   | | _lightpass |
-// LIGHTMAP_SHADOW_MIXING and SHADOWS_SHADOWMASK free                                 | | _fwdbase |
-// DIRECTIONAL; free: LIGHTMAP_ON DIRLIGHTMAP_COMBINED DYNAMICLIGHTMAP_ON             | | |
-// LIGHTMAP_SHADOW_MIXING SHADOWS_SHADOWMASK SHADOWS_SCREEN LIGHTPROBE_SH VERTEXLIGHT_ON | | _fwdbasealpha |
-// the same without shadows                                                           | | _prepassfinal |
-// free: LIGHTMAP_ON DIRLIGHTMAP_COMBINED DYNAMICLIGHTMAP_ON UNITY_HDR_ON             | | | SHADOWS_SHADOWMASK
-// LIGHTPROBE_SH                                                   |
+//   _fog                  _ FOG_LINEAR FOG_EXP FOG_EXP2
+//   _instancing           _ INSTANCING_ON, and PROCEDURAL_INSTANCING_ON with `instancing_options procedural`
+//                         (the Manual writes PROCEDURAL_ON; the instancing libraries test the longer name)
+//   _particles            _ SOFTPARTICLES_ON
+//   _shadowcaster         SHADOWS_DEPTH SHADOWS_CUBE
+//   _shadowcollector      nothing: passes of that type are no longer drawn
+//   _fwdadd               POINT DIRECTIONAL SPOT POINT_COOKIE DIRECTIONAL_COOKIE
+//   _fwdadd_fullshadows,  those, each with and without its shadows, point and spot also with SHADOWS_SOFT;
+//   _lightpass            LIGHTMAP_SHADOW_MIXING and SHADOWS_SHADOWMASK free
+//   _fwdbase              DIRECTIONAL; free: LIGHTMAP_ON DIRLIGHTMAP_COMBINED DYNAMICLIGHTMAP_ON
+//                         LIGHTMAP_SHADOW_MIXING SHADOWS_SHADOWMASK SHADOWS_SCREEN LIGHTPROBE_SH
+//                         VERTEXLIGHT_ON
+//   _fwdbasealpha         DIRECTIONAL; free: the lightmaps as above, LIGHTMAP_SHADOW_MIXING LIGHTPROBE_SH
+//                         VERTEXLIGHT_ON
+//   _prepassfinal         free: the lightmaps as above, UNITY_HDR_ON SHADOWS_SHADOWMASK LIGHTPROBE_SH
 #pragma once
 
 #include <optional>

@@ -1,11 +1,12 @@
 // What every variant that is compiled must satisfy: the one form all narrowing of a keyword space takes.
 //
-//   never K          {when: K, any_of: {}}          no variant has K
-//   K needs A or B   {when: K, any_of: {A, B}}      a variant with K has A or B
-//   always K         {when: "", any_of: {K}}        every variant of a program that declares K has it
-//   one of A, B      {when: "", any_of: {A, B}}     ... that declares A or B (with whole: both) has one of
-//   them only A, B or _   {when: "", any_of: {A, B}, of_their_sets: true}
-//                    the sets that hold A or B keep A and B (with or_none: the empty keyword, too)
+//   never K            {when: K, any_of: {}}       no variant has K
+//   K needs A or B     {when: K, any_of: {A, B}}   a variant with K has A or B
+//   always K           {when: "", any_of: {K}}     every variant of a program that declares K has it
+//   one of A, B        {when: "", any_of: {A, B}}  of a program that declares A or B (with whole: both) every
+//                                                  variant has one of them
+//   only A and B       the same, of_their_sets     the sets that hold A or B keep only A and B, and with
+//                                                  or_none the empty keyword, too
 #pragma once
 
 #include <string>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <ranges>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -196,20 +197,17 @@ std::vector<std::vector<Choice>> seen_by(hlsl::Stage stage, const std::vector<st
 VariantCount VariantList::count() const {
   VariantCount count(1);
   for (const std::vector<Choice>& choices : axes_) count *= VariantCount(choices.size());
-  // A product that saturated may still be none.
-  const bool none =
-      std::any_of(axes_.begin(), axes_.end(), [](const auto& choices) { return choices.empty(); });
-  return none ? VariantCount(0) : count;
+  return count;
 }
 
 Keywords VariantList::at(std::uint64_t index) const {
   const VariantCount all = count();
   if (!all.saturated() && index >= all.value()) throw std::out_of_range("no such variant");
   Choice on;
-  for (auto choices = axes_.rbegin(); choices != axes_.rend(); ++choices) {
-    const Choice& choice = (*choices)[index % choices->size()];
+  for (const std::vector<Choice>& choices : std::views::reverse(axes_)) {
+    const Choice& choice = choices[index % choices.size()];
     on.insert(on.end(), choice.begin(), choice.end());
-    index /= choices->size();
+    index /= choices.size();
   }
   std::sort(on.begin(), on.end());
   Keywords keywords;

@@ -10,9 +10,11 @@
 // `shader_feature` sets span every combination, or, with `materials`, just what the materials have on: all
 // those sets together then have one alternative for each distinct material.
 //
-// Stage suffixes (_fragment and so on) hold for every target here. Unity ignores them for OpenGL and Vulkan,
-// where a program's stages are compiled together (Unity Manual, "Declare shader keywords"); ask for the
-// variants of the whole program to have those combinations.
+// Stage suffixes (_fragment and so on) hold for every target here. For OpenGL and Vulkan the editor reverts
+// them to plain directives, and for Metal a keyword of the vertex stage is one of the tessellation stages,
+// too (Unity Manual 2020.3, "Declaring and using shader keywords", stage-specific directives): there a vertex
+// shader is also compiled with the fragment stage's keywords defined. Ask for the variants of the whole
+// program to have those.
 //
 // Guarantees: the same program and narrowing give the same variants in the same order, the first set varying
 // slowest; a variant can be had by its index. Throws InputError when sets that depend on each other span more

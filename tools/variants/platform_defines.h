@@ -1,33 +1,33 @@
 // The macros that Unity's importer defines before it compiles a program: per graphics API, stage and version.
 //
-// | macro                         | value                      | source |
-// |-------------------------------|----------------------------|-----------------------------------------------------|
-// | SHADER_API_D3D11 _VULKAN      | 1, one of them             | Unity Manual, "Platform and graphics API
-// macros"    | | _METAL _GLCORE _GLES3         |                            | (shader-branching-api) | |
-// SHADER_API_SWITCH             | 1                          | core ShaderLibrary, Common.hlsl, picks
-// Switch.hlsl  | | SHADER_API_MOBILE, _DESKTOP   | 1, one of them; none for a | the same page: iOS, Android,
-// tvOS; Windows, Mac,    | |                               | console                    | Linux, Web | |
-// SHADER_TARGET                 | 45 for #pragma target 4.5  | "Branch based on shader model";
-// SL-BuiltinMacros    | | SHADER_STAGE_VERTEX, ...      | 1, the stage's             | SL-BuiltinMacros,
-// "Shader stage being compiled"     | | UNITY_VERSION                 | 202230 for 2022.3.0f1,     | "Branch
-// based on Unity version": YYYYMP with M and  | |                               | 60020003 for 6000.2.3f1 | P
-// up to 9 (a larger P counts as 9 here); 6MMMPPPP   | | UNITY_COMPILER_HLSL           | 1 | HLSLSupport.cginc
-// of the built-in shaders: every    | |                               |                            | API
-// here; Common.hlsl tests it, no package sets it  | | UNITY_COMPILER_HLSLCC         | 1; not D3D11, not
-// Switch   | the same: what is translated from D3D bytecode      | | SHADER_TARGET_GLSL            | 1 for
-// GLCORE and GLES3     | shader-branching-api: always for OpenGL and GLES    |
+//   SHADER_API_D3D11, _VULKAN,   1, one of them. Unity Manual, "Platform and graphics API macros"
+//   _METAL, _GLCORE, _GLES3      (shader-branching-api)
+//   SHADER_API_SWITCH            1. Common.hlsl of the core package takes API/Switch.hlsl for it
+//   SHADER_API_MOBILE, _DESKTOP  1, one of them, none for a console. The same page: iOS, Android, tvOS;
+//                                Windows, Mac, Linux, Web
+//   SHADER_TARGET                45 for #pragma target 4.5. Manual, "Branch based on shader model"
+//   SHADER_STAGE_VERTEX, ...     1, the stage's. Manual, SL-BuiltinMacros, "Shader stage being compiled"
+//   UNITY_VERSION                202230 for 2022.3.0f1: YYYYMP, M and P up to 9 (a larger one counts as 9
+//                                here); 60020003 for 6000.2.3f1: 6MMMPPPP. Manual, "Branch based on Unity
+//                                version" (shader-branching-unity-version)
+//   UNITY_COMPILER_HLSL          1. HLSLSupport.cginc of the built-in shaders sets it for every API here;
+//                                Common.hlsl asks for it, and no package sets it
+//   UNITY_COMPILER_HLSLCC        1 for Vulkan, Metal, GLCORE and GLES3, whose shaders are translated from
+//                                D3D bytecode. The same source
+//   SHADER_TARGET_GLSL           1 for GLCORE and GLES3. shader-branching-api: for OpenGL and GLES, always
 //
 // Deliberately absent, because a library defines them from the macros above and would define them twice:
 //   - from the core package, API/D3D11.hlsl, Vulkan.hlsl, Metal.hlsl, Switch.hlsl, GLCore.hlsl, GLES3.hlsl:
-//     UNITY_UV_STARTS_AT_TOP, UNITY_REVERSED_Z (first four), UNITY_NEAR_CLIP_VALUE, UNITY_RAW_FAR_CLIP_VALUE,
-//     CBUFFER_START, TEXTURE2D and its kin, PLATFORM_SUPPORTS_*, UNITY_BRANCH, UNITY_LOOP, ...;
+//     UNITY_UV_STARTS_AT_TOP, UNITY_REVERSED_Z (first four), UNITY_NEAR_CLIP_VALUE,
+//     UNITY_RAW_FAR_CLIP_VALUE, CBUFFER_START, TEXTURE2D and its kin, PLATFORM_SUPPORTS_*, UNITY_BRANCH, ...;
 //   - from UnityInstancing.hlsl (core) or UnityInstancing.cginc: UNITY_INSTANCING_ENABLED of INSTANCING_ON,
 //     UNITY_PROCEDURAL_INSTANCING_ENABLED of PROCEDURAL_INSTANCING_ON, UNITY_DOTS_INSTANCING_ENABLED of
 //     DOTS_INSTANCING_ON, UNITY_STEREO_INSTANCING_ENABLED of STEREO_INSTANCING_ON;
 //   - from HLSLSupport.cginc, which CGPROGRAM blocks include unasked and HLSLPROGRAM blocks do not:
-//     UNITY_STEREO_MULTIVIEW_ENABLED of STEREO_MULTIVIEW_ON, and its own UNITY_COMPILER_*, UNITY_REVERSED_Z,
-//     UNITY_UV_STARTS_AT_TOP, CBUFFER_START, ...
-// The keywords on the left of those are defined by their variant (built_in_sets.h), like every keyword.
+//     UNITY_STEREO_MULTIVIEW_ENABLED of STEREO_MULTIVIEW_ON, and its own UNITY_COMPILER_*,
+//     UNITY_REVERSED_Z, UNITY_UV_STARTS_AT_TOP, CBUFFER_START, ...
+// The keywords these are made of are defined by their variant (built_in_sets.h), like every keyword;
+// UNITY_SINGLE_PASS_STEREO is one that the libraries test directly.
 #pragma once
 
 #include <map>

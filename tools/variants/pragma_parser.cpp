@@ -25,6 +25,7 @@ std::string hint(const std::string& given, const std::vector<std::string>& known
 
 std::vector<std::string> texts_of(const std::vector<Word>& words) {
   std::vector<std::string> texts;
+  texts.reserve(words.size());
   for (const Word& word : words) texts.push_back(word.text);
   return texts;
 }

@@ -17,7 +17,7 @@ class PragmaParser {
  public:
   PragmaParser(Pragmas& pragmas, Say say) : pragmas_(pragmas), say_(std::move(say)) {}
 
-  void read(const DirectiveLine& line, const std::string& file);
+  void read(const DirectiveLine& directive, const std::string& file);
 
   // What can be known only once all lines are read: procedural instancing, dynamic keywords that are static,
   // too.

@@ -3,14 +3,12 @@
 //
 // What counts, as Unity has it (Unity Manual, "pragma directives in HLSL", SL-PragmaDirectives, and "include
 // and include_with_pragmas directives"):
-//   - the program's own text, with the blocks that the .shader file puts before it, and files that it reaches
-//   by
-//     #include_with_pragmas, step by step. What a plain #include brings has no say: neither its pragmas nor,
-//     here, its #defines;
+//   - the program's own text, with the blocks that the .shader file puts before it, and files that it
+//     reaches by #include_with_pragmas, step by step. What a plain #include brings has no say: neither its
+//     pragmas nor, here, its #defines;
 //   - under #if, what holds with `defines` and with the #defines of the text read so far. Unity evaluates
-//   these
-//     conditions once, before there are variants: with the program's own #defines, UNITY_VERSION and the
-//     platform's constants (the Manual names SHADER_API_MOBILE, SHADER_API_DESKTOP, UNITY_NO_RGBM,
+//     these conditions once, before there are variants: with the program's own #defines, UNITY_VERSION and
+//     the platform's constants (the Manual names SHADER_API_MOBILE, SHADER_API_DESKTOP, UNITY_NO_RGBM,
 //     UNITY_USE_NATIVE_HDR, UNITY_FRAMEBUFFER_FETCH_AVAILABLE, UNITY_NO_CUBEMAP_ARRAY). A keyword is never
 //     defined there, and a pragma that stands under a condition on one gets a warning. Every other unknown
 //     name is 0, as in C.

@@ -1,50 +1,53 @@
 // The settings of the Universal Render Pipeline that decide which shader variants a build keeps.
 //
-// Mirrors, for one quality level and one renderer, what URP's editor code strips: ShaderPreprocessor.cs (URP
-// 10 to 13) and ShaderScriptableStripper.cs with ShaderBuildPreprocessor.cs (14 on). A setting that is absent
-// decides nothing. "never" removes a keyword's variants; "always" also removes those without it, which URP
-// does where "Strip Unused Variants" is on (the default) and its StripMultiCompile, not ...KeepOffVariant, is
-// asked.
+// Mirrors, for one quality level and one renderer, what URP's editor code strips: ShaderPreprocessor.cs
+// (URP 10 to 13) and ShaderScriptableStripper.cs with ShaderBuildPreprocessor.cs (from 14). A setting that is
+// absent decides nothing. "never K": no variant has the keyword. "always K": variants without it go, too,
+// which URP does where "Strip Unused Variants" is on (the default) and it asks StripMultiCompile; where it
+// asks StripMultiCompileKeepOffVariant, true decides nothing.
 //
-// | JSON key                       | off                                   | on |
-// |--------------------------------|---------------------------------------|-------------------------------------|
-// | main_light_shadows             | never _MAIN_LIGHT_SHADOWS, _CASCADE   | - | | screen_space_shadows |
-// never _MAIN_LIGHT_SHADOWS_SCREEN      | -                                   | | shadow_cascades: count | 1:
-// never ..._CASCADE; 2 to 4: never _MAIN_LIGHT_SHADOWS alone. Narrower than | | | URP, which keeps both
-// because scripts may change the count                  | | additional_lights:             | "disabled":
-// never _ADDITIONAL_LIGHTS, _ADDITIONAL_LIGHTS_VERTEX;             | |                                |
-// "per_vertex", "per_pixel": never the other one                               | | additional_light_shadows
-// | never _ADDITIONAL_LIGHT_SHADOWS and   | -                                   | | |
-// _CASTING_PUNCTUAL_LIGHT_SHADOW        |                                     | | soft_shadows | never
-// _SHADOWS_SOFT and its _LOW,     | -                                   | |                                |
-// _MEDIUM, _HIGH                        |                                     | | light_layers | never
-// _LIGHT_LAYERS                   | always                              | | light_cookies                  |
-// never _LIGHT_COOKIES                  | -                                   | | reflection_probe_blending
-// | never _REFLECTION_PROBE_BLENDING      | always                              | |
-// reflection_probe_box_projection| never _REFLECTION_PROBE_BOX_PROJECTION| always | | mixed_lighting | never
-// LIGHTMAP_SHADOW_MIXING, SHADOWS_SHADOWMASK, _MIXED_LIGHTING_SUBTRACTIVE | | lightmaps | never LIGHTMAP_ON
-// | -                                   | | directional_lightmaps          | never DIRLIGHTMAP_COMBINED | - |
-// | realtime_lightmaps             | never DYNAMICLIGHTMAP_ON              | - | | fog: list of linear exp
-// exp2   | never the FOG_* that is not listed    | -                                   | | rendering_mode: |
-// "forward", "deferred": never _FORWARD_PLUS (_CLUSTERED_RENDERING up to 13,   | | | _CLUSTER_LIGHT_LOOP
-// from 17.1); "forward_plus": always that, and never the   | |                                | keywords of
-// additional_lights, which Forward+ defines itself                 | | accurate_gbuffer_normals       | never
-// _GBUFFER_NORMALS_OCT            | always                              | | render_pass                    |
-// never _RENDER_PASS_ENABLED            | - (URP up to 13: always)            | | decals: | "none",
-// "screen_space", "gbuffer": never _DBUFFER_MRT1..3; "dbuffer_albedo", | |                                |
-// "dbuffer_albedo_normal", "dbuffer_albedo_normal_maos": always _DBUFFER_MRT1, | | | 2 or 3, never the others
-// | | decal_normal_blend:            | "low", "medium", "high": always that _DECAL_NORMAL_BLEND_*; "none":
-// never    | | decal_layers                   | never _DECAL_LAYERS                   | always | | ssao:
-// "off" "on" "after_opaque"| never _SCREEN_SPACE_OCCLUSION         | always; after_opaque: -             | |
-// write_rendering_layers         | never _WRITE_RENDERING_LAYERS         | - | | fast_srgb_conversion | never
-// _USE_FAST_SRGB_LINEAR_CONVERSION| always                              | | lod_cross_fade                 |
-// never LOD_FADE_CROSSFADE              | -                                   | | debug_display | never
-// DEBUG_DISPLAY                   | -                                   | | gpu_instancing                 |
-// never INSTANCING_ON, PROCEDURAL_INSTANCING_ON | -                           | | dots_instancing | never
-// DOTS_INSTANCING_ON              | -                                   | | xr: list of instancing         |
-// (the default) no stereo keywords      | those keywords as one more set      | |     multiview single_pass
-// |                                       |                                     | | depth_normals | passes
-// only: see unused_passes()      |                                     |
+// true or false in JSON              false                                  true
+//   main_light_shadows               never _MAIN_LIGHT_SHADOWS, _CASCADE
+//   screen_space_shadows             never _MAIN_LIGHT_SHADOWS_SCREEN
+//   additional_light_shadows         never _ADDITIONAL_LIGHT_SHADOWS,
+//                                    _CASTING_PUNCTUAL_LIGHT_SHADOW
+//   soft_shadows                     never _SHADOWS_SOFT, _LOW, _MEDIUM, _HIGH
+//   light_layers                     never _LIGHT_LAYERS                    always
+//   light_cookies                    never _LIGHT_COOKIES
+//   reflection_probe_blending        never _REFLECTION_PROBE_BLENDING       always
+//   reflection_probe_box_projection  never _REFLECTION_PROBE_BOX_PROJECTION always
+//   mixed_lighting                   never LIGHTMAP_SHADOW_MIXING, SHADOWS_SHADOWMASK,
+//                                    _MIXED_LIGHTING_SUBTRACTIVE
+//   lightmaps                        never LIGHTMAP_ON
+//   directional_lightmaps            never DIRLIGHTMAP_COMBINED
+//   realtime_lightmaps               never DYNAMICLIGHTMAP_ON
+//   accurate_gbuffer_normals         never _GBUFFER_NORMALS_OCT             always
+//   render_pass                      never _RENDER_PASS_ENABLED             (URP up to 13: always)
+//   decal_layers                     never _DECAL_LAYERS                    always
+//   write_rendering_layers           never _WRITE_RENDERING_LAYERS
+//   fast_srgb_conversion             never _USE_FAST_SRGB_LINEAR_CONVERSION always
+//   lod_cross_fade                   never LOD_FADE_CROSSFADE
+//   debug_display                    never DEBUG_DISPLAY
+//   gpu_instancing                   never INSTANCING_ON, PROCEDURAL_INSTANCING_ON
+//   dots_instancing                  never DOTS_INSTANCING_ON
+//   depth_normals                    passes only: see unused_passes()
+//
+// one of several values
+//   shadow_cascades     1: never _MAIN_LIGHT_SHADOWS_CASCADE; 2 to 4: never _MAIN_LIGHT_SHADOWS. Narrower
+//                       than URP, which keeps both because scripts may change the count
+//   additional_lights   "disabled": never _ADDITIONAL_LIGHTS, _ADDITIONAL_LIGHTS_VERTEX;
+//                       "per_vertex", "per_pixel": never the other one
+//   rendering_mode      "forward", "deferred": never _FORWARD_PLUS, which is _CLUSTERED_RENDERING up to
+//                       URP 13 and _CLUSTER_LIGHT_LOOP from 17.1; "forward_plus": always that one, and never
+//                       the keywords of additional_lights, which Forward+ defines itself
+//   decals              "none", "screen_space", "gbuffer": never _DBUFFER_MRT1, 2, 3; "dbuffer_albedo",
+//                       "dbuffer_albedo_normal", "dbuffer_albedo_normal_maos": always 1, 2 or 3, no other
+//   decal_normal_blend  "low", "medium", "high": always that _DECAL_NORMAL_BLEND_*; "none": never
+//   ssao                "off": never _SCREEN_SPACE_OCCLUSION; "on": always; "after_opaque": either
+//
+// lists
+//   fog  of linear, exp, exp2: never the FOG_* that is not listed
+//   xr   of instancing, multiview, single_pass: the stereo keywords, as one more set; none without it
 //
 // Lightmap, fog and instancing keywords are stripped by Unity itself, from the scenes and Project Settings >
 // Graphics (Unity Manual, "Shader variant stripping"), not by URP. Whatever the settings, URP strips:

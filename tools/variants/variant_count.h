@@ -1,7 +1,6 @@
 // How many variants: exact up to 2^64 - 2, and "that or more" beyond, without ever wrapping.
 #pragma once
 
-#include <compare>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -26,7 +25,9 @@ class VariantCount {
   }
   friend constexpr VariantCount operator+(VariantCount a, VariantCount b) { return a += b; }
   friend constexpr VariantCount operator*(VariantCount a, VariantCount b) { return a *= b; }
-  constexpr auto operator<=>(const VariantCount&) const = default;
+  constexpr bool operator==(const VariantCount&) const = default;
+  friend constexpr bool operator<(VariantCount a, VariantCount b) { return a.value_ < b.value_; }
+  friend constexpr bool operator>(VariantCount a, VariantCount b) { return b < a; }
 
   static constexpr VariantCount at_least_limit() { return VariantCount(limit); }
 
