@@ -64,11 +64,6 @@ std::string shell_word(const std::string& text) {
   return plain ? text : "'" + text + "'";
 }
 
-// This very program: its "cost-worker" is below.
-fs::path worker_program() {
-  return platform::program_directory() / "penumbra";
-}
-
 void add_techniques(const CostOptions& options, const fs::path& library, cost::CostRequest& request) {
   if (!options.files.empty() && options.techniques.empty()) return;
   request.techniques = shaders::read_technique_list(library / "ShaderLibrary" / "techniques.json");
@@ -98,7 +93,7 @@ cost::CostRequest make_request(const CostOptions& options) {
     request.include_directories.emplace_back(directory);
   }
   request.families = families_of(options);
-  request.worker = worker_program();
+  request.worker = platform::program_path();
   request.time_limit = std::chrono::seconds(options.time_limit_seconds);
   request.jobs = options.jobs;
   return request;
@@ -158,7 +153,7 @@ cost::CostReport checked_baseline(const CostOptions& options) {
   if (!options.from.empty()) {
     ours = cost::read_cost_report(options.from);
   } else {
-    ours.driver = cost::open_family({families_of(options).front(), worker_program()}).driver;
+    ours.driver = cost::open_family({families_of(options).front(), platform::program_path()}).driver;
     ours.compiler = shaders::compiler_version();
   }
   cost::require_same_compilers(ours.driver, ours.compiler, baseline, options.baseline);

@@ -35,12 +35,13 @@ std::vector<Source> sources_of(const CostRequest& request) {
   std::vector<Source> sources;
   for (validation::SourceVariant& variant : validation::source_variants(validated)) {
     const shaders::Technique* technique = variant.technique;
-    if (technique != nullptr && variant.compile.stage != hlsl::Stage::fragment) continue;
-    std::string file =
-        technique == nullptr ? variant.reported_file : "ShaderLibrary/" + technique->chain.back().file;
-    sources.push_back({std::move(variant.compile),
+    validation::CompileUnit& unit = variant.unit;
+    unit.compile.prepare = technique == nullptr;
+    if (technique != nullptr && unit.compile.stage != hlsl::Stage::fragment) continue;
+    std::string file = technique == nullptr ? unit.file : "ShaderLibrary/" + technique->chain.back().file;
+    sources.push_back({std::move(unit.compile),
                        std::move(file),
-                       {technique == nullptr ? "" : technique->name, std::move(variant.keywords)}});
+                       {technique == nullptr ? "" : technique->name, std::move(unit.keywords)}});
   }
   return sources;
 }
