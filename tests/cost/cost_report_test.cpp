@@ -42,8 +42,8 @@ TEST(CostReport, JsonReadsBackAsItWasWritten) {
 
 TEST(CostReport, JsonHoldsTheDriversOwnNamesButNoHash) {
   const std::string json = cost_json(made_up::report());
-  EXPECT_THAT(json, HasSubstr("\"Branches\": 3"));
-  EXPECT_THAT(json, HasSubstr("\"Subgroups per SIMD\": 16"));
+  EXPECT_THAT(json, HasSubstr("\"Branches\":3"));
+  EXPECT_THAT(json, HasSubstr("\"Subgroups per SIMD\":16"));
   EXPECT_THAT(json, Not(HasSubstr("hash"))) << "two builds of one driver differ in it";
 }
 

@@ -109,6 +109,22 @@ TEST(LibraryCost, PresetsThatAreUniformsShareARow) {
   EXPECT_EQ(report.rows[2].variants, both);
 }
 
+// Two bodies that differ in precision alone, as Unity's libraries have them: glslang refuses the second.
+TEST(LibraryCost, AUsersFileMayBeWrittenAsUnitysAre) {
+  const std::filesystem::path folder = testing::TempDir();
+  std::ofstream(folder / "cost-twins.hlsl") << "half4 Tint(half4 a) { return a * a; }\n"
+                                               "float4 Tint(float4 a) { return a * a; }\n"
+                                               "half4 Main(float4 a : A) : SV_Target { return Tint(a); };;\n";
+  CostRequest request;
+  request.families = {family};
+  request.worker = PENUMBRA_PROGRAM;
+  request.files = {{folder / "cost-twins.hlsl"}};
+  const CostOutcome outcome = measure_cost(request);
+  EXPECT_THAT(outcome.diagnostics, IsEmpty());
+  ASSERT_EQ(outcome.report.rows.size(), 1U);
+  EXPECT_EQ(outcome.report.failures(), 0U);
+}
+
 TEST(LibraryCost, AFileThatDoesNotCompileIsADiagnosticAndTheRestGoesOn) {
   const std::filesystem::path folder = testing::TempDir();
   std::ofstream(folder / "cost-good.hlsl") << "float4 Main() : SV_Target { return 1; }\n";

@@ -1,5 +1,6 @@
 // penumbra cost: what every technique, or shader files of your own, cost on AMD GPUs, without one.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <iostream>
@@ -47,13 +48,20 @@ struct CostOptions {
   unsigned time_limit_seconds = 60;
 };
 
-std::vector<std::string> families_of(const CostOptions& options) {
-  return options.families.empty() ? cost::default_families() : options.families;
+std::vector<std::string> each_once(const std::vector<std::string>& names) {
+  std::vector<std::string> unique;
+  for (const std::string& name : names)
+    if (std::find(unique.begin(), unique.end(), name) == unique.end()) unique.push_back(name);
+  return unique;
 }
 
-// This very program: its "cost-worker" is below.
-fs::path worker_program() {
-  return platform::program_directory() / "penumbra";
+std::vector<std::string> families_of(const CostOptions& options) {
+  return options.families.empty() ? cost::default_families() : each_once(options.families);
+}
+
+std::string shell_word(const std::string& text) {
+  const bool plain = text.find_first_of(" ;&|<>()$`\"'\\*?") == std::string::npos;
+  return plain ? text : "'" + text + "'";
 }
 
 void add_techniques(const CostOptions& options, const fs::path& library, cost::CostRequest& request) {
@@ -61,7 +69,8 @@ void add_techniques(const CostOptions& options, const fs::path& library, cost::C
   request.techniques = shaders::read_technique_list(library / "ShaderLibrary" / "techniques.json");
   if (options.techniques.empty()) return;
   std::vector<shaders::Technique> chosen;
-  for (const std::string& name : options.techniques) chosen.push_back(request.techniques->find(name));
+  for (const std::string& name : each_once(options.techniques))
+    chosen.push_back(request.techniques->find(name));
   request.techniques->techniques = std::move(chosen);
 }
 
@@ -84,7 +93,7 @@ cost::CostRequest make_request(const CostOptions& options) {
     request.include_directories.emplace_back(directory);
   }
   request.families = families_of(options);
-  request.worker = worker_program();
+  request.worker = platform::program_path();
   request.time_limit = std::chrono::seconds(options.time_limit_seconds);
   request.jobs = options.jobs;
   return request;
@@ -93,9 +102,9 @@ cost::CostRequest make_request(const CostOptions& options) {
 // The command that gives the same rows again: what was asked for, without this machine's folders.
 std::string reproducing_command(const CostOptions& options) {
   std::string command = "penumbra cost";
-  for (const std::string& file : options.files) command += " " + file;
+  for (const std::string& file : options.files) command += " " + shell_word(file);
   const auto add = [&command](const char* name, const std::vector<std::string>& values) {
-    for (const std::string& value : values) command += std::string(" ") + name + " " + value;
+    for (const std::string& value : values) command += std::string(" ") + name + " " + shell_word(value);
   };
   if (!options.files.empty()) add("--entry", {options.entry});
   if (!options.files.empty()) add("--stage", {options.stage});
@@ -144,7 +153,7 @@ cost::CostReport checked_baseline(const CostOptions& options) {
   if (!options.from.empty()) {
     ours = cost::read_cost_report(options.from);
   } else {
-    ours.driver = cost::open_family({families_of(options).front(), worker_program()}).driver;
+    ours.driver = cost::open_family({families_of(options).front(), platform::program_path()}).driver;
     ours.compiler = shaders::compiler_version();
   }
   cost::require_same_compilers(ours.driver, ours.compiler, baseline, options.baseline);

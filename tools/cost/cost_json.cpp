@@ -47,6 +47,17 @@ Json row_json(const CostRow& row) {
   return json;
 }
 
+// A user's file name and a driver's message may be in any encoding.
+std::string line(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string lines(const std::vector<Json>& list) {
+  std::string text = "[";
+  for (std::size_t i = 0; i < list.size(); ++i) text += (i == 0 ? "\n" : ",\n") + line(list[i]);
+  return text + "\n]";
+}
+
 std::uint64_t read_count(JsonObject& json, const std::string& key) {
   const double number = json.number(key, 0.0);
   if (number < 0 || number > 9007199254740992.0 ||
@@ -103,15 +114,16 @@ CostRow read_row(JsonObject json) {
 
 }  // namespace
 
+// A line a row: a change of one shader is a change of one line.
 std::string cost_json(const CostReport& report) {
-  Json json{{"command", report.command}, {"driver", report.driver}, {"compiler", report.compiler}};
-  json["families"] = Json::array();
+  std::vector<Json> families;
   for (const RadvFamily& family : report.families)
-    json["families"].push_back({{"name", family.name}, {"device", family.device}, {"driver", family.driver}});
-  json["rows"] = Json::array();
-  for (const CostRow& row : report.rows) json["rows"].push_back(row_json(row));
-  // A user's file name and a driver's message may be in any encoding.
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    families.push_back({{"name", family.name}, {"device", family.device}, {"driver", family.driver}});
+  std::vector<Json> rows;
+  for (const CostRow& row : report.rows) rows.push_back(row_json(row));
+  return "{\n\"command\": " + line(report.command) + ",\n\"driver\": " + line(report.driver) +
+         ",\n\"compiler\": " + line(report.compiler) + ",\n\"families\": " + lines(families) +
+         ",\n\"rows\": " + lines(rows) + "\n}\n";
 }
 
 CostReport read_cost_report(const std::filesystem::path& file) {

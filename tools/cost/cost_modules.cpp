@@ -22,10 +22,28 @@ validation::ValidationRequest as_validated(const CostRequest& request) {
   return validated;
 }
 
-// The library's file without the folder it happens to lie in.
-std::string shown_file(const validation::SourceVariant& variant) {
-  if (variant.technique == nullptr) return variant.unit.file;
-  return "ShaderLibrary/" + variant.technique->chain.back().file;
+struct Source {
+  shaders::CompileRequest compile;
+  std::string file;
+  CostVariant variant;
+};
+
+// Techniques are per-pixel functions: their cost is that of the fragment shader that calls them, and their
+// file is the library's, without the folder it happens to lie in.
+std::vector<Source> sources_of(const CostRequest& request) {
+  const validation::ValidationRequest validated = as_validated(request);
+  std::vector<Source> sources;
+  for (validation::SourceVariant& variant : validation::source_variants(validated)) {
+    const shaders::Technique* technique = variant.technique;
+    validation::CompileUnit& unit = variant.unit;
+    unit.compile.prepare = technique == nullptr;
+    if (technique != nullptr && unit.compile.stage != hlsl::Stage::fragment) continue;
+    std::string file = technique == nullptr ? unit.file : "ShaderLibrary/" + technique->chain.back().file;
+    sources.push_back({std::move(unit.compile),
+                       std::move(file),
+                       {technique == nullptr ? "" : technique->name, std::move(unit.keywords)}});
+  }
+  return sources;
 }
 
 void add_new(std::vector<hlsl::Diagnostic>& said, const std::vector<hlsl::Diagnostic>& more) {
@@ -40,32 +58,24 @@ void add_new(std::vector<hlsl::Diagnostic>& said, const std::vector<hlsl::Diagno
 }  // namespace
 
 CostModules compile_modules(const CostRequest& request) {
-  const validation::ValidationRequest validated = as_validated(request);
-  std::vector<validation::SourceVariant> variants = validation::source_variants(validated);
-  // Techniques are per-pixel functions: their cost is that of the fragment shader that calls them.
-  std::erase_if(variants, [](const validation::SourceVariant& variant) {
-    return variant.technique != nullptr && variant.unit.compile.stage != hlsl::Stage::fragment;
-  });
-  std::vector<shaders::CompileResult> compiled(variants.size());
-  run_all(variants.size(), request.jobs,
-          [&](std::size_t i) { compiled[i] = shaders::compile(variants[i].unit.compile); });
+  const std::vector<Source> sources = sources_of(request);
+  std::vector<shaders::CompileResult> compiled(sources.size());
+  run_all(sources.size(), request.jobs,
+          [&](std::size_t i) { compiled[i] = shaders::compile(sources[i].compile); });
 
   CostModules made;
   std::map<std::tuple<std::string, hlsl::Stage, std::string, std::vector<std::uint32_t>>, std::size_t> places;
-  for (std::size_t i = 0; i < variants.size(); ++i) {
-    const validation::SourceVariant& variant = variants[i];
-    if (compiled[i].spirv.empty()) {
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    const auto& [compile, file, variant] = sources[i];
+    const std::vector<std::uint32_t>& spirv = compiled[i].spirv;
+    if (spirv.empty()) {
       add_new(made.diagnostics, compiled[i].diagnostics);
       continue;
     }
-    const std::string file = shown_file(variant);
-    const auto [place, is_new] = places.try_emplace(
-        {file, variant.unit.compile.stage, variant.unit.compile.entry, compiled[i].spirv}, made.modules.size());
-    if (is_new)
-      made.modules.push_back(
-          {file, variant.unit.compile.entry, variant.unit.compile.stage, {}, std::move(compiled[i].spirv)});
-    made.modules[place->second].variants.push_back(
-        {variant.technique == nullptr ? "" : variant.technique->name, variant.unit.keywords});
+    const auto [place, is_new] =
+        places.try_emplace({file, compile.stage, compile.entry, spirv}, made.modules.size());
+    if (is_new) made.modules.push_back({file, compile.entry, compile.stage, {}, spirv});
+    made.modules[place->second].variants.push_back(variant);
   }
   return made;
 }

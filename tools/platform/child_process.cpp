@@ -107,7 +107,8 @@ std::vector<std::string> variables_of(const ChildCommand& command) {
                                       [name](const auto& given) { return given.first == name; });
     if (!replaced) variables.emplace_back(variable);
   }
-  for (const auto& [name, value] : command.environment) variables.push_back(name + "=" + value);
+  for (const auto& [name, value] : command.environment)
+    variables.emplace_back(name).append("=").append(value);
   return variables;
 }
 
