@@ -33,7 +33,7 @@ struct EngineOptions {
   // any, threads do the work, and a crash ends the program.
   std::vector<std::string> worker_arguments;
   platform::WorkerLimits limits;
-  bool share = true;           // each text and each module once; without, every unit pays for itself (to measure)
+  bool share = true;  // each text and each module once; without, every unit pays for itself (to measure)
   std::filesystem::path keep;  // folder for texts that crash a compiler; empty: below the cache, or temporary
   std::function<void(std::size_t done, std::size_t total)> progress;  // called by one thread at a time
 };
