@@ -34,6 +34,7 @@ std::vector<VariantStatus> statuses(const UnitResult& result) {
 constexpr auto passed = VariantStatus::passed;
 constexpr auto failed = VariantStatus::failed;
 constexpr auto unreached = VariantStatus::unreached;
+constexpr auto unchecked = VariantStatus::unchecked;
 
 // Two files over one include; keywords that matter, that do not, and that break.
 class Engine : public testing::Test {
@@ -167,6 +168,23 @@ TEST_F(Engine, AnIncludeThatWasMissingIsLookedForAgain) {
   EXPECT_EQ(statuses(run(options).results[0])[0], failed);
   files_.write("Later.hlsl", "float Later() { return 1.0; }\n");
   EXPECT_EQ(statuses(run(options).results[0])[0], passed);
+}
+
+TEST_F(Engine, AFileThatOnlyTheEditorHasLeavesTheUnitUnchecked) {
+  files_.write("C.hlsl", "#include \"UnityCG.cginc\"\nfloat4 Main() : SV_Target { return 1; }\n");
+  units_ = {fragment_unit(files_.path("C.hlsl"))};
+  const UnitResult result = run().results[0];
+  EXPECT_EQ(result.missing_editor_include, "UnityCG.cginc");
+  EXPECT_THAT(statuses(result), ElementsAre(unchecked, unchecked, unchecked));
+}
+
+TEST_F(Engine, AnIncludeFoundInAnotherCaseIsLookedForEveryTime) {
+  files_.write("C.hlsl", "#include \"shared.hlsl\"\nfloat4 Main() : SV_Target { return Shared(0); }\n");
+  units_ = {fragment_unit(files_.path("C.hlsl"))};
+  const EngineOptions options = cached();
+  EXPECT_EQ(statuses(run(options).results[0])[0], passed);
+  files_.write("SHARED.hlsl", "");
+  EXPECT_EQ(statuses(run(options).results[0])[0], failed) << "two files are as good as each other";
 }
 
 TEST_F(Engine, EverythingThatDecidesAnAnswerIsPartOfItsKey) {

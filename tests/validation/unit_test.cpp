@@ -28,6 +28,8 @@ UnitJob full_job() {
   unit.compile.defines = {{"D", "1"}, {"E", ""}};
   unit.compile.package_roots = {{"name", "dir"}};
   unit.compile.include_directories = {"i", "j"};
+  unit.compile.project = "project";
+  unit.compile.cginc_root = "cginc";
   unit.compile.overlays = {{"suffix", "file"}};
   unit.compile.prepare = true;
   unit.compile.optimise = false;
@@ -41,7 +43,7 @@ UnitJob full_job() {
 UnitReply full_reply() {
   UnitReply reply;
   reply.text_key = "0123";
-  reply.compile = CompileAnswer{{diagnostic()}, "4567", {{"a.hlsl", "89ab"}}};
+  reply.compile = CompileAnswer{{diagnostic()}, "4567", "UnityCG.cginc", {{"a.hlsl", "89ab"}}};
   reply.emitted = EmittedAnswer{{}, {diagnostic(), diagnostic()}};
   reply.dependencies = {"a.hlsl", "b.hlsl"};
   reply.compile_cached = true;

@@ -59,12 +59,13 @@ class MisbehavingLink final : public platform::WorkerLink {
 
 std::string answer_or_misbehave(const std::string& job, platform::WorkerLink& link) {
   const std::optional<UnitJob> decoded = decode_job(job);
+  static UnitService service;
   for (const auto& [name, value] : decoded->unit.compile.defines) {
     if (name != "MISBEHAVE") continue;
     MisbehavingLink bad(link, value);
-    return answer_unit(job, bad);
+    return service.answer(job, bad);
   }
-  return answer_unit(job, link);
+  return service.answer(job, link);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 #ifdef __linux__
+#include <malloc.h>
 #include <sys/prctl.h>
 #endif
 #include <cerrno>
@@ -68,6 +69,16 @@ void bind_to_parent() {
   std::signal(SIGPIPE, SIG_IGN);  // NOLINT(cert-err33-c): a closed socket is noticed where it is written
 }
 
+// Compilers take and return the same memory for every message: giving it back to the system in between, and
+// clearing it anew, costs several per cent of their time.
+void keep_memory() {
+#ifdef __GLIBC__
+  ::mallopt(M_TRIM_THRESHOLD, 1 << 30);
+  ::mallopt(M_TOP_PAD, 16 << 20);
+  ::mallopt(M_MMAP_THRESHOLD, 32 << 20);
+#endif
+}
+
 // The system ends us with SIGXCPU once this message has had its share.
 void limit_processor_time(rlim_t seconds) {
   rusage usage{};
@@ -95,6 +106,7 @@ void handle(const WorkHandler& handler, const std::string& message, ParentLink& 
 
 int serve_worker(const WorkHandler& handler) {
   bind_to_parent();
+  keep_memory();
   ParentLink link;
   link.write(FrameKind::ready, {});
   rlim_t seconds = 0;

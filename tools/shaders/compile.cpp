@@ -16,6 +16,7 @@
 #include "shaders/bad_character.h"
 #include "shaders/include_resolver.h"
 #include "shaders/parse_failure.h"
+#include "shaders/source_memory.h"
 #include "shaders/spirv_module.h"
 
 namespace penumbra::shaders {
@@ -180,8 +181,8 @@ bool build(const Source& source, const hlsl::SourceFiles& sources, CompileResult
 }
 
 // Includes and macros. An empty text of a source that is not empty is a failure, told in `diagnostics`.
-void expand(const Source& source, PreprocessedSource& out) {
-  IncludeResolver resolver(source.request, out.sources);
+void expand(const Source& source, SourceMemory& memory, PreprocessedSource& out) {
+  IncludeResolver resolver(source.request, out.sources, memory);
   SourceShader shader(source);
   const bool expanded = shader.get().preprocess(GetDefaultResources(), hlsl_version, ENoProfile, false, false,
                                                 messages, &out.text, resolver);
@@ -227,23 +228,28 @@ std::optional<hlsl::Diagnostic> nul_byte(const hlsl::SourceFiles& sources) {
   return std::nullopt;
 }
 
-std::string source_text(const CompileRequest& request) {
+std::string source_text(const CompileRequest& request, SourceMemory& memory) {
   if (request.text) return hlsl::normalise_source(*request.text);
-  hlsl::SourceRead read = hlsl::read_source(request.file);
+  const hlsl::SourceRead& read = memory.read(request.file.string());
   if (!read.problem.empty()) throw InputError(request.file.string(), "cannot be read: " + read.problem);
-  return std::move(read.text);
+  return read.text;
 }
 
 }  // namespace
 
 PreprocessedSource preprocess(const CompileRequest& request) {
+  SourceMemory memory;
+  return preprocess(request, memory);
+}
+
+PreprocessedSource preprocess(const CompileRequest& request, SourceMemory& memory) {
   initialise_glslang_once();
   const std::string name = request.file.string();
-  const std::string text = source_text(request);
+  const std::string text = source_text(request, memory);
   PreprocessedSource out;
   out.sources.add(name, text);
   const std::string to_expand = request.prepare ? preparation::prepare_source(text).text : text;
-  expand({request, name, to_expand, preamble(request)}, out);
+  expand({request, name, to_expand, preamble(request)}, memory, out);
   if (std::optional<hlsl::Diagnostic> nul = nul_byte(out.sources)) {
     out.diagnostics = {*std::move(nul)};
     out.text.clear();

@@ -55,6 +55,8 @@ struct PreprocessedSource {
   std::string missing_editor_include{};
 };
 
+class SourceMemory;  // source_memory.h: files read once for many compilations
+
 struct CompileResult {
   std::vector<std::uint32_t> spirv;  // empty when a diagnostic is an error
   std::vector<hlsl::Diagnostic> diagnostics;
@@ -65,6 +67,7 @@ struct CompileResult {
 // Neither ever throws for a bad shader; preprocess() throws InputError only when `file` itself cannot be
 // read. Reentrant. A module that comes out has passed SPIR-V validation for Vulkan 1.1.
 PreprocessedSource preprocess(const CompileRequest& request);
+PreprocessedSource preprocess(const CompileRequest& request, SourceMemory& memory);
 CompileResult compile(const CompileRequest& request, PreprocessedSource source);
 CompileResult compile(const CompileRequest& request);  // both
 

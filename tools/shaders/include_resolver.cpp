@@ -4,7 +4,7 @@
 #include <string_view>
 #include <utility>
 
-#include "preparation/source_directives.h"
+#include "shaders/source_memory.h"
 
 namespace penumbra::shaders {
 
@@ -40,15 +40,18 @@ Place place_of_include(std::string_view text, std::string_view asked) {
 
 }  // namespace
 
-IncludeResolver::IncludeResolver(const CompileRequest& request, hlsl::SourceFiles& sources)
+IncludeResolver::IncludeResolver(const CompileRequest& request, hlsl::SourceFiles& sources,
+                                 SourceMemory& memory)
     : request_(request),
       roots_{request.package_roots, request.include_directories, request.project, request.cginc_root},
+      roots_key_(key_of(roots_)),
       sources_(sources),
+      memory_(memory),
       open_{request.file.string()} {}
 
 IncludeResolver::IncludeResult* IncludeResolver::includeLocal(const char* header, const char* includer,
                                                               std::size_t /*depth*/) {
-  const project::IncludeSearch search = project::find_include(roots_, header, includer);
+  const project::IncludeSearch& search = memory_.find(roots_, roots_key_, header, includer);
   if (!search.file) {
     if (!failure_) missing_editor_include_ = search.missing_editor_include;
     return fail(search.problem);
@@ -77,9 +80,9 @@ void IncludeResolver::releaseInclude(IncludeResult* result) {
 IncludeResolver::IncludeResult* IncludeResolver::open(const std::string& name) {
   if (open_.size() > max_include_depth) return fail("includes without end: " + chain_to(name));
   if (!sources_.contains(name)) {
-    hlsl::SourceRead read = hlsl::read_source(name);
+    const hlsl::SourceRead& read = memory_.read(name);
     if (!read.problem.empty()) return fail("cannot read '" + name + "': " + read.problem);
-    sources_.add(name, std::move(read.text));
+    sources_.add(name, read.text);
   }
   auto* text = new std::string(with_overlays(name, text_to_read(name)));
   open_.push_back(name);
@@ -95,9 +98,9 @@ IncludeResolver::IncludeResult* IncludeResolver::fail(const std::string& problem
 std::string IncludeResolver::text_to_read(const std::string& name) {
   if (!request_.prepare) return sources_.text(name);
   if (read_once_.count(name) != 0) return {};
-  preparation::PreparedSource prepared = preparation::prepare_source(sources_.text(name));
+  const preparation::PreparedSource& prepared = memory_.prepared(name);
   if (prepared.once) read_once_.insert(name);
-  return std::move(prepared.text);
+  return prepared.text;
 }
 
 // Once for each #include, however often its file is read.

@@ -19,8 +19,8 @@ namespace penumbra::shaders {
 
 class IncludeResolver final : public glslang::TShader::Includer {
  public:
-  // Texts that were read are added to `sources`, which outlives the resolver.
-  IncludeResolver(const CompileRequest& request, hlsl::SourceFiles& sources);
+  // Texts that were read are added to `sources`, which outlives the resolver, as the memory does.
+  IncludeResolver(const CompileRequest& request, hlsl::SourceFiles& sources, SourceMemory& memory);
 
   IncludeResult* includeLocal(const char* header, const char* includer, std::size_t depth) override;
   IncludeResult* includeSystem(const char* header, const char* includer, std::size_t depth) override;
@@ -48,7 +48,9 @@ class IncludeResolver final : public glslang::TShader::Includer {
 
   const CompileRequest& request_;
   project::IncludeRoots roots_;
+  std::string roots_key_;
   hlsl::SourceFiles& sources_;
+  SourceMemory& memory_;
   std::set<std::string> read_once_;  // files that said `#pragma once`
   std::set<std::string> absent_;
   bool found_by_case_ = false;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "input/input_error.h"
+#include "shaders/source_memory.h"
 #include "validation/answer_cache.h"
 #include "validation/kept_answers.h"
 #include "validation/source_record.h"
@@ -17,8 +18,8 @@ namespace {
 
 class UnitAtWork {
  public:
-  UnitAtWork(const UnitJob& job, platform::WorkerLink& link)
-      : job_(job), link_(link), cache_(job.context.cache) {}
+  UnitAtWork(const UnitJob& job, platform::WorkerLink& link, shaders::SourceMemory& memory)
+      : job_(job), link_(link), memory_(memory), cache_(job.context.cache) {}
 
   UnitReply answer() {
     link_.note(note_compile);
@@ -31,7 +32,7 @@ class UnitAtWork {
  private:
   void make_text() {
     try {
-      source_ = shaders::preprocess(job_.unit.compile);
+      source_ = shaders::preprocess(job_.unit.compile, memory_);
     } catch (const InputError& error) {  // the file was there when the run began
       reply_.compile = CompileAnswer{};
       reply_.compile->diagnostics.push_back(
@@ -109,6 +110,7 @@ class UnitAtWork {
 
   const UnitJob& job_;
   platform::WorkerLink& link_;
+  shaders::SourceMemory& memory_;
   AnswerCache cache_;
   shaders::PreprocessedSource source_;
   std::vector<std::uint32_t> spirv_;
@@ -117,10 +119,25 @@ class UnitAtWork {
 
 }  // namespace
 
-std::string answer_unit(const std::string& job, platform::WorkerLink& link) {
+UnitService::UnitService() = default;
+UnitService::~UnitService() = default;
+
+std::string UnitService::answer(const std::string& job, platform::WorkerLink& link) {
   const std::optional<UnitJob> decoded = decode_job(job);
   if (!decoded) throw std::logic_error("a job that cannot be read");
-  return encode(UnitAtWork(*decoded, link).answer());
+  std::unique_ptr<shaders::SourceMemory> memory;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!free_.empty()) {
+      memory = std::move(free_.back());
+      free_.pop_back();
+    }
+  }
+  if (!memory) memory = std::make_unique<shaders::SourceMemory>();
+  const UnitReply reply = UnitAtWork(*decoded, link, *memory).answer();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  free_.push_back(std::move(memory));
+  return encode(reply);
 }
 
 }  // namespace penumbra::validation

@@ -53,7 +53,9 @@ EngineRun run_units(const std::vector<CompileUnit>& units, const EngineOptions& 
 }
 
 int serve_units() {
-  return platform::serve_worker(answer_unit);
+  UnitService service;
+  return platform::serve_worker(
+      [&](const std::string& job, platform::WorkerLink& link) { return service.answer(job, link); });
 }
 
 }  // namespace penumbra::validation

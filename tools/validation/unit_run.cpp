@@ -63,8 +63,12 @@ void UnitRun::work() {
   if (waiting_.empty()) return;
   const auto jobs =
       static_cast<unsigned>(std::min<std::size_t>(std::max(1U, options_.jobs), waiting_.size()));
+  UnitService service;
   if (options_.worker_arguments.empty())
-    platform::run_in_threads(jobs, answer_unit, *this);
+    platform::run_in_threads(
+        jobs,
+        [&service](const std::string& job, platform::WorkerLink& link) { return service.answer(job, link); },
+        *this);
   else
     platform::run_workers({options_.worker_arguments, jobs, options_.limits}, *this);
 }

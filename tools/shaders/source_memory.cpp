@@ -1,0 +1,56 @@
+#include "shaders/source_memory.h"
+
+#include <filesystem>
+
+namespace penumbra::shaders {
+
+namespace {
+
+constexpr char separator = '\0';  // in no path
+
+}  // namespace
+
+SourceMemory::File& SourceMemory::file(const std::string& name) {
+  const auto [place, first] = files_.try_emplace(name);
+  if (first) place->second.read = hlsl::read_source(name);
+  return place->second;
+}
+
+const hlsl::SourceRead& SourceMemory::read(const std::string& name) {
+  return file(name).read;
+}
+
+const preparation::PreparedSource& SourceMemory::prepared(const std::string& name) {
+  File& known = file(name);
+  if (!known.prepared) known.prepared = preparation::prepare_source(known.read.text);
+  return *known.prepared;
+}
+
+// The includer matters by its folder alone.
+const project::IncludeSearch& SourceMemory::find(const project::IncludeRoots& roots,
+                                                 const std::string& roots_key, std::string_view asked,
+                                                 const std::string& includer) {
+  std::string key = roots_key;
+  key.append(asked).push_back(separator);
+  key.append(includer, 0, includer.find_last_of("/\\") + 1);
+  const auto [place, first] = searches_.try_emplace(std::move(key));
+  if (first) place->second = project::find_include(roots, asked, includer);
+  return place->second;
+}
+
+std::string key_of(const project::IncludeRoots& roots) {
+  std::string key;
+  const auto add = [&](const std::string& text) { key.append(text).push_back(separator); };
+  for (const project::PackageRoot& root : roots.packages) {
+    add(root.name);
+    add(root.directory.string());
+  }
+  add({});  // a name is never empty: the packages end here
+  for (const std::filesystem::path& directory : roots.directories) add(directory.string());
+  add("/");
+  add(roots.project.string());
+  add(roots.cginc.string());
+  return key;
+}
+
+}  // namespace penumbra::shaders
