@@ -186,7 +186,7 @@ std::string sentence(const LogLine& line, const Surroundings& around) {
     if (known)
       return fill(phrase.words, line, std::string_view(line.message).substr(phrase.message.size()), around);
   }
-  const std::string message = with_hlsl_types(line.message);
+  std::string message = with_hlsl_types(line.message);
   if (line.token.empty()) return message;
   if (hlsl::is_identifier(line.token) || message == "unexpected token")
     return message + " '" + line.token + "'";
