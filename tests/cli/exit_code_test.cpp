@@ -11,7 +11,7 @@ class ExitCode : public ProgramTest {};
 TEST_F(ExitCode, HelpAndVersionAreSuccess) {
   const auto help = run({"--help"});
   EXPECT_EQ(help.exit_code, 0);
-  for (const char* name : {"constants", "tables", "validate", "cost", "render", "measure"}) {
+  for (const char* name : {"constants", "tables", "validate", "merge", "cost", "render", "measure"}) {
     EXPECT_THAT(help.output, HasSubstr(name));
   }
   EXPECT_EQ(run({"--version"}).exit_code, 0);

@@ -83,7 +83,8 @@ TEST(Compile, FileWithoutTheEntryPointSaysWhichIsMissing) {
   request.entry = "Mian";
   const CompileResult result = compile(request);
   ASSERT_EQ(result.diagnostics.size(), 1U);
-  EXPECT_EQ(first_message(result), "shader.hlsl: error: there is no function 'Mian' to enter at");
+  EXPECT_EQ(first_message(result),
+            "shader.hlsl: error: there is no function 'Mian' to enter at; did you mean 'Main'?");
 }
 
 TEST(Compile, ByteOrderMarkAndCrLfChangeNothing) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <map>
 #include <sstream>
 #include <string_view>
 
@@ -51,14 +52,47 @@ OpenPlace place_of(const Bracket& bracket, const std::string& rest, const Source
           "'" + token + "' " + rest};
 }
 
-bool leads_its_line(const Bracket& bracket) {
-  return bracket.line->text.find_first_not_of(blanks) == bracket.offset;
-}
+// Where the code of a source line starts, in constant time for each line asked for.
+class Indentation {
+ public:
+  explicit Indentation(const SourceFiles& sources) : sources_(sources) {}
+
+  std::string_view code(const CodeLine& place) {
+    const std::vector<std::string_view>& lines = lines_of(place.file);
+    if (place.line < 1 || static_cast<std::size_t>(place.line) > lines.size()) return {};
+    const std::string_view line = lines[static_cast<std::size_t>(place.line) - 1];
+    return line.substr(std::min(line.find_first_not_of(blanks), line.size()));
+  }
+
+  std::size_t of(const CodeLine& place) {
+    const std::string_view rest = code(place);
+    if (rest.empty()) return 0;
+    return static_cast<std::size_t>(rest.data() -
+                                    lines_of(place.file)[static_cast<std::size_t>(place.line) - 1].data());
+  }
+
+ private:
+  const std::vector<std::string_view>& lines_of(const std::string& file) {
+    const auto [at, is_new] = files_.try_emplace(file);
+    if (is_new && sources_.contains(file)) {
+      const std::string_view text = sources_.text(file);
+      for (std::size_t start = 0; start <= text.size();) {
+        const std::size_t end = std::min(text.find('\n', start), text.size());
+        at->second.push_back(text.substr(start, end - start));
+        start = end + 1;
+      }
+    }
+    return at->second;
+  }
+
+  const SourceFiles& sources_;
+  std::map<std::string, std::vector<std::string_view>> files_;
+};
 
 // Pairs brackets up as they come, until one has no partner.
 class BracketPairs {
  public:
-  explicit BracketPairs(const SourceFiles& sources) : sources_(sources) {}
+  explicit BracketPairs(const SourceFiles& sources) : sources_(sources), indentation_(sources) {}
 
   // False when it closes nothing, or closes over the head of another; fault() then says which.
   bool take(const Bracket& bracket) {
@@ -90,8 +124,9 @@ class BracketPairs {
  private:
   void close(const Bracket& closer) {
     const Bracket opener = open_.back();
-    const std::size_t indent = opener.line->text.find_first_not_of(blanks);
-    if (!suspect_ && closer.character == '}' && leads_its_line(closer) && closer.offset < indent) {
+    // By the source: what is expanded may have lost its indentation.
+    if (!suspect_ && closer.character == '}' && indentation_.code(*closer.line).starts_with('}') &&
+        indentation_.of(*closer.line) < indentation_.of(*opener.line)) {
       suspect_ = opener;
       suspect_depth_ = open_.size();
     }
@@ -100,6 +135,7 @@ class BracketPairs {
   }
 
   const SourceFiles& sources_;
+  Indentation indentation_;
   std::vector<Bracket> open_;
   std::optional<Bracket> suspect_;
   std::size_t suspect_depth_ = 0;

@@ -272,7 +272,9 @@ hlsl::Diagnostic link_error(const ParseFailure& failure, const std::string& entr
     return at_place(places.at(at, sources), message, sources);
   };
   if (failure.log.find("Entry point not found") != std::string_view::npos)
-    return at_place({failure.main_file, 0, 0}, "there is no function '" + entry + "' to enter at", sources);
+    return at_place({failure.main_file, 0, 0},
+                    "there is no function '" + entry + "' to enter at" + nearest_function(entry, places),
+                    sources);
   std::istringstream lines{std::string(failure.log)};
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line);

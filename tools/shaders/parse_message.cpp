@@ -186,11 +186,22 @@ std::string sentence(const LogLine& line, const Surroundings& around) {
     if (known)
       return fill(phrase.words, line, std::string_view(line.message).substr(phrase.message.size()), around);
   }
-  const std::string message = with_hlsl_types(line.message);
+  std::string message = with_hlsl_types(line.message);
   if (line.token.empty()) return message;
   if (hlsl::is_identifier(line.token) || message == "unexpected token")
     return message + " '" + line.token + "'";
   return "'" + line.token + "': " + message;
+}
+
+std::string nearest_function(const std::string& unknown, const hlsl::TokenPlaces& text) {
+  std::set<std::string> functions;
+  for (std::size_t i = 1; i + 1 < text.size(); ++i)
+    if (text[i].kind == hlsl::Token::Kind::word && text[i].spelling.size() <= 64 &&
+        text[i - 1].kind == hlsl::Token::Kind::word && text[i + 1].spelling == "(")
+      functions.emplace(text[i].spelling);
+  functions.erase("return");
+  const std::string nearest = nearest_name(unknown, {functions.begin(), functions.end()});
+  return nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
 }
 
 std::string nearest_method(const std::string& unknown) {

@@ -30,6 +30,9 @@ std::string with_hlsl_types(const std::string& message);
 // "; did you mean 'x'?", of the words in the text and HLSL's own, or empty.
 std::string nearest_word(std::string_view unknown, const hlsl::TokenPlaces& text);
 
+// The same among the functions that the text defines.
+std::string nearest_function(const std::string& unknown, const hlsl::TokenPlaces& text);
+
 // The same among HLSL's texture and buffer methods.
 std::string nearest_method(const std::string& unknown);
 

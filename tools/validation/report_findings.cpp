@@ -149,8 +149,7 @@ Variants::Variants(const ValidationReport& report) {
   using Program = std::tuple<std::string, std::string, std::string, std::string, std::string, hlsl::Stage>;
   std::map<Program, std::size_t> programs;
   std::map<std::pair<std::size_t, std::vector<std::string>>, std::size_t> known;
-  for (std::size_t i = 0; i < report.records.size(); ++i) {
-    const VariantRecord& record = report.records[i];
+  for (const VariantRecord& record : report.records) {
     const Program names{record.technique, record.file,  record.shader,
                         record.pass,      record.entry, record.stage};
     const std::size_t program = programs.try_emplace(names, programs.size()).first->second;
