@@ -2,16 +2,48 @@
 
 #include <array>
 
+#include "preparation/buffer_aliases.h"
+#include "preparation/cbuffer_resources.h"
+#include "preparation/constructor_statements.h"
+#include "preparation/dx9_samplers.h"
+#include "preparation/flat_initialisers.h"
+#include "preparation/intrinsic_calls.h"
+#include "preparation/matrix_swizzles.h"
+#include "preparation/member_calls.h"
+#include "preparation/namespace_structs.h"
+#include "preparation/partial_texel_writes.h"
 #include "preparation/precision_twins.h"
+#include "preparation/register_annotations.h"
+#include "preparation/resource_arrays.h"
 #include "preparation/stray_semicolons.h"
 #include "preparation/texture_precision.h"
+#include "preparation/texture_reads.h"
+#include "preparation/uniform_structs.h"
+#include "preparation/uniform_writes.h"
+#include "preparation/zeroed_resource_structs.h"
 
 namespace penumbra::preparation {
 
 std::span<const Pass> passes() {
-  static constexpr std::array<Pass, 3> all{{{"texture-precision", drop_texture_precision},
-                                            {"precision-twins", merge_precision_twins},
-                                            {"stray-semicolons", drop_stray_semicolons}}};
+  static constexpr std::array<Pass, 19> all{{{"texture-precision", drop_texture_precision},
+                                             {"namespace-structs", write_out_namespaces},
+                                             {"plain-registers", plain_registers},
+                                             {"uniform-structs", take_apart_uniform_structs},
+                                             {"cbuffer-resources", hoist_cbuffer_resources},
+                                             {"dx9-samplers", separate_dx9_samplers},
+                                             {"member-calls", call_members_on_variables},
+                                             {"buffer-aliases", resolve_buffer_aliases},
+                                             {"zeroed-resource-structs", zero_resource_structs},
+                                             {"resource-arrays", assign_resource_arrays},
+                                             {"texture-reads", separate_texture_reads},
+                                             {"precision-twins", merge_precision_twins},
+                                             {"stray-semicolons", drop_stray_semicolons},
+                                             {"flat-initialisers", group_flat_initialisers},
+                                             {"partial-texel-writes", write_whole_texels},
+                                             {"matrix-swizzles", write_out_matrix_swizzles},
+                                             {"constructor-statements", wrap_constructor_statements},
+                                             {"uniform-writes", copy_written_uniforms},
+                                             {"intrinsic-calls", write_out_intrinsic_calls}}};
   return all;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "preparation/value_types.h"
+
 namespace penumbra::preparation {
 
 namespace {
@@ -77,17 +79,35 @@ std::string TokenText::spelled(std::size_t first, std::size_t count) const {
   return text;
 }
 
+const ValueTypes& TokenText::types() const {
+  if (types_ == nullptr) types_ = std::make_shared<const ValueTypes>(*this);
+  return *types_;
+}
+
+std::string TokenText::free_name(std::string wanted) const {
+  if (known_words_.empty())
+    for (const Token& token : tokens_)
+      if (token.kind == Token::Kind::word) known_words_.insert(token.spelling);
+  while (known_words_.count(wanted) != 0) wanted += "_";
+  return wanted;
+}
+
 void TokenText::replace(std::size_t first, std::size_t count, std::string_view hlsl) {
   edits_.push_back({first, count, std::string(hlsl)});
+}
+
+void TokenText::insert_from(std::size_t place, std::size_t before, std::string_view hlsl) {
+  edits_.push_back({before, 0, std::string(hlsl), place});
 }
 
 void TokenText::append_made(std::vector<Token>& to, const Edit& edit) {
   if (edit.text.empty()) return;
   made_.push_back(edit.text);
   const bool replaces = edit.count > 0 || to.empty();
-  const Token* place = replaces && edit.first < tokens_.size() ? &tokens_[edit.first]
-                       : !to.empty()                           ? &to.back()
-                                                               : nullptr;
+  const Token* place = edit.place < tokens_.size()               ? &tokens_[edit.place]
+                       : replaces && edit.first < tokens_.size() ? &tokens_[edit.first]
+                       : !to.empty()                             ? &to.back()
+                                                                 : nullptr;
   const std::string_view file = place == nullptr ? std::string_view(main_file_) : place->file;
   const int line = place == nullptr ? 1 : place->line;
   for (Token token : hlsl::lex(made_.back())) {
@@ -114,6 +134,8 @@ void TokenText::apply() {
   for (; at < tokens_.size(); ++at) tokens.push_back(tokens_[at]);
   tokens_ = std::move(tokens);
   edits_.clear();
+  types_.reset();
+  known_words_.clear();
   find_partners();
 }
 

@@ -9,8 +9,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <vector>
 
 #include "hlsl/diagnostic.h"
@@ -19,6 +21,8 @@
 namespace penumbra::preparation {
 
 inline constexpr std::size_t npos = static_cast<std::size_t>(-1);
+
+class ValueTypes;
 
 class TokenText {
  public:
@@ -42,9 +46,17 @@ class TokenText {
   std::size_t partner(std::size_t at) const { return at < tokens_.size() ? partners_[at] : npos; }
   std::string spelled(std::size_t first, std::size_t count) const;  // as printed, in one line
 
+  // What the names in the text stand for (value_types.h). Read once for all passes until one of them edits;
+  // the reference is good until apply().
+  const ValueTypes& types() const;
+  // `wanted`, with underscores after it where the text has that word already.
+  std::string free_name(std::string wanted) const;
+
   // Edits; ranges of two edits must not overlap, and several inserts at one place keep their order.
   void replace(std::size_t first, std::size_t count, std::string_view hlsl);
   void insert(std::size_t before, std::string_view hlsl) { replace(before, 0, hlsl); }
+  // The same on the line of the token `place`, for text that only moves.
+  void insert_from(std::size_t place, std::size_t before, std::string_view hlsl);
   void erase(std::size_t first, std::size_t count) { replace(first, count, {}); }
   void apply();  // all of them at once
 
@@ -60,6 +72,7 @@ class TokenText {
     std::size_t first;
     std::size_t count;
     std::string text;
+    std::size_t place = npos;  // whose line it stands on; npos: that of what it replaces or follows
   };
 
   void find_partners();
@@ -72,6 +85,8 @@ class TokenText {
   std::vector<Edit> edits_;
   std::deque<std::string> made_;  // the spellings that edits put in
   std::vector<hlsl::Diagnostic> notes_;
+  mutable std::shared_ptr<const ValueTypes> types_;           // made when asked for, until apply()
+  mutable std::unordered_set<std::string_view> known_words_;  // likewise
 };
 
 }  // namespace penumbra::preparation

@@ -15,6 +15,7 @@
 #include "preparation/source_directives.h"
 #include "shaders/bad_character.h"
 #include "shaders/include_resolver.h"
+#include "shaders/lost_resources.h"
 #include "shaders/parse_failure.h"
 #include "shaders/source_memory.h"
 #include "shaders/spirv_module.h"
@@ -121,6 +122,13 @@ ParseFailure failure_of(const Source& source, const std::string& log, const std:
           [&source](const std::string& text) { return log_of(source, text); }};
 }
 
+// "INTERNAL ERROR" and "UNIMPLEMENTED" come with success as well.
+bool tells_an_error(const std::string& log, const hlsl::SourceFiles& sources) {
+  const std::vector<LogLine> lines = parse_log(log, sources);
+  return std::any_of(lines.begin(), lines.end(),
+                     [](const LogLine& line) { return line.severity == hlsl::Severity::error; });
+}
+
 bool parse(const Source& source, glslang::TShader& shader, const hlsl::SourceFiles& sources,
            CompileResult& result) {
   glslang::TShader::ForbidIncluder nothing_left_to_include;
@@ -128,15 +136,16 @@ bool parse(const Source& source, glslang::TShader& shader, const hlsl::SourceFil
       shader.parse(GetDefaultResources(), hlsl_version, false, messages, nothing_left_to_include);
   const std::string log = shader.getInfoLog();
   for (hlsl::Diagnostic& warning : warnings(log, sources)) result.diagnostics.push_back(std::move(warning));
-  if (parsed) return true;
+  if (parsed && !tells_an_error(log, sources)) return true;
   result.diagnostics.push_back(first_error(failure_of(source, log, source.text), sources));
   return false;
 }
 
 bool link(const Source& source, const hlsl::SourceFiles& sources, glslang::TProgram& program,
           CompileResult& result) {
-  if (program.link(messages) && program.mapIO()) return true;
+  const bool linked = program.link(messages) && program.mapIO();
   const std::string log = program.getInfoLog();
+  if (linked && !tells_an_error(log, sources)) return true;
   result.diagnostics.push_back(link_error(failure_of(source, log, source.text), source.request.entry, sources));
   return false;
 }
@@ -164,6 +173,11 @@ bool finish_module(const Source& source, CompileResult& result) {
   std::vector<std::string> problems;
   const bool optimised = !source.request.optimise || optimise(result.spirv, problems);
   number_bindings(result.spirv);  // after the unused ones are gone
+  if (optimised && source.request.optimise) {
+    for (const std::string& lost : lost_resources(result.spirv))
+      result.diagnostics.push_back(whole_file(source, hlsl::Severity::error, lost));
+    if (hlsl::has_errors(result.diagnostics)) return false;
+  }
   if (optimised) problems = validation_problems(result.spirv, !source.request.optimise);
   for (const std::string& problem : problems)
     result.diagnostics.push_back(whole_file(source, hlsl::Severity::error, "SPIR-V validation: " + problem));

@@ -1,0 +1,67 @@
+#include "preparation/executed.h"
+
+#include <span>
+#include <stdexcept>
+
+#include "gpu/compute_pass.h"
+#include "gpu/device.h"
+#include "gpu/resources.h"
+#include "shaders/compile.h"
+#include "shaders/reflect.h"
+
+namespace penumbra::preparation {
+namespace {
+
+gpu::Device& device() {
+  static gpu::Device shared({.name = "", .validation = true});
+  return shared;
+}
+
+std::vector<std::uint32_t> compiled(const Execution& execution, bool prepare) {
+  shaders::CompileRequest request;
+  request.file = "executed.hlsl";
+  request.text = "StructuredBuffer<float> In; RWStructuredBuffer<float> Out;\n" + execution.body;
+  request.prepare = prepare;
+  shaders::CompileResult result = shaders::compile(request);
+  if (!hlsl::has_errors(result.diagnostics)) return std::move(result.spirv);
+  std::string messages;
+  for (const hlsl::Diagnostic& diagnostic : result.diagnostics) messages += format(diagnostic) + "\n";
+  throw std::runtime_error(messages);
+}
+
+std::vector<float> run(const Execution& execution, bool prepare) {
+  const std::vector<std::uint32_t> spirv = compiled(execution, prepare);
+  const gpu::Buffer in(device(), std::span<const float>(execution.in));
+  const gpu::Buffer out(device(), execution.outputs * sizeof(float));
+  gpu::ComputePass pass(device(), {.spirv = spirv});
+  for (const shaders::Resource& resource : shaders::reflect(spirv).resources) {
+    const gpu::Slot slot{resource.set, resource.binding};
+    const auto uniform = execution.uniforms.find(resource.name);
+    if (resource.name == "In") {
+      pass.bindings().storage_buffer(slot, in);
+    } else if (resource.name == "Out") {
+      pass.bindings().storage_buffer(slot, out);
+    } else if (uniform != execution.uniforms.end()) {
+      pass.bindings().uniform_bytes(slot, std::as_bytes(std::span<const float>(uniform->second)));
+    } else if (resource.kind == shaders::ResourceKind::storage_image) {
+      pass.bindings().storage_image(slot, gpu::Image(device(), gpu::Format::rgba32f, 8, 8));
+    } else {
+      throw std::runtime_error("nothing is given for '" + resource.name + "'");
+    }
+  }
+  pass.dispatch({1, 1, 1});
+  for (const std::string& message : device().validation_log()->messages()) throw std::runtime_error(message);
+  return out.download<float>();
+}
+
+}  // namespace
+
+std::vector<float> run_prepared(const Execution& execution) {
+  return run(execution, true);
+}
+
+std::vector<float> run_unprepared(const Execution& execution) {
+  return run(execution, false);
+}
+
+}  // namespace penumbra::preparation

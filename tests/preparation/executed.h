@@ -1,0 +1,23 @@
+// A small compute shader run on the device, with or without the preparation stage.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace penumbra::preparation {
+
+// `body` stands after `StructuredBuffer<float> In; RWStructuredBuffer<float> Out;` and defines Main(), which
+// runs once. `uniforms`: the floats of each constant buffer, by its name. Throws with the messages when it
+// does not compile or the device complains.
+struct Execution {
+  std::string body;
+  std::vector<float> in;
+  std::map<std::string, std::vector<float>> uniforms{};
+  std::size_t outputs = 8;
+};
+
+std::vector<float> run_prepared(const Execution& execution);
+std::vector<float> run_unprepared(const Execution& execution);
+
+}  // namespace penumbra::preparation

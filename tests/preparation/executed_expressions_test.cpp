@@ -1,0 +1,191 @@
+// What the rewritten expressions compute, run on the device, against answers worked out here.
+#include <gmock/gmock.h>
+
+#include <array>
+#include <cmath>
+#include <random>
+
+#include "preparation/executed.h"
+
+namespace penumbra::preparation {
+namespace {
+
+using testing::ElementsAre;
+using testing::ElementsAreArray;
+
+// Row-major 4x4 of In[0..15].
+const std::string kMatrix =
+    "float4x4 Read() { float4x4 m; for (int i = 0; i < 16; ++i) m[i / 4][i % 4] = In[i]; return m; }\n";
+
+std::vector<float> sixteen() {
+  std::vector<float> values(16);
+  std::mt19937 random(11);
+  for (float& value : values) value = static_cast<float>(random() % 1000) / 8.0F;
+  return values;
+}
+
+float element(const std::vector<float>& m, int row, int column) {
+  return m[static_cast<std::size_t>(4 * row + column)];
+}
+
+TEST(ExecutedMatrixSwizzles, ReadsEveryElementInItsOrder) {
+  const std::vector<float> m = sixteen();
+  const Execution execution{kMatrix + R"([numthreads(1, 1, 1)] void Main() {
+    float4x4 m = Read();
+    float3 a = m._14_24_34;
+    float4 b = Read()._m33_m00_m21_m00 * 2.0;
+    Out[0] = a.x; Out[1] = a.y; Out[2] = a.z;
+    Out[3] = b.x; Out[4] = b.y; Out[5] = b.z; Out[6] = b.w;
+    Out[7] = m._m01_m02.y + m._m12; })",
+                            m};
+  EXPECT_THAT(run_prepared(execution),
+              ElementsAre(element(m, 0, 3), element(m, 1, 3), element(m, 2, 3), 2 * element(m, 3, 3),
+                          2 * element(m, 0, 0), 2 * element(m, 2, 1), 2 * element(m, 0, 0),
+                          element(m, 0, 2) + element(m, 1, 2)));
+}
+
+TEST(ExecutedMatrixSwizzles, ReadsMatricesThatAreNotSquareAndWholeNumbers) {
+  const Execution execution{R"(struct S { float2x3 m[2]; };
+[numthreads(1, 1, 1)] void Main() {
+    S s; s.m[0] = float2x3(1, 2, 3, 4, 5, 6); s.m[1] = 10 * s.m[0];
+    int i = 1;
+    float2 a = s.m[i]._13_21;
+    int2x2 n = int2x2(16777217, 2, 3, 4);
+    int2 b = n._m00_m11;
+    Out[0] = a.x; Out[1] = a.y; Out[2] = b.x - 16777216; Out[3] = b.y; })",
+                            {0.0F},
+                            {},
+                            4};
+  EXPECT_THAT(run_prepared(execution), ElementsAre(30.0F, 40.0F, 1.0F, 4.0F));
+}
+
+TEST(ExecutedMatrixSwizzles, AssignsElementByElement) {
+  std::vector<float> expected = sixteen();
+  const Execution execution{kMatrix + R"(struct S { float4x4 m; };
+[numthreads(1, 1, 1)] void Main() {
+    S s; s.m = Read();
+    s.m._11_22 = s.m._22_11;
+    s.m._m30_m31_m32 += float3(1, 2, 3);
+    if (In[0] >= 0) s.m._m03_m13 *= 2;
+    s.m._24_34_44 = 7;
+    for (int i = 0; i < 16; ++i) Out[i] = s.m[i / 4][i % 4]; })",
+                            expected,
+                            {},
+                            16};
+  std::swap(expected[0], expected[5]);
+  for (std::size_t i = 0; i < 3; ++i) expected[12 + i] += static_cast<float>(i + 1);
+  expected[3] *= 2;
+  expected[7] = expected[11] = expected[15] = 7;
+  EXPECT_THAT(run_prepared(execution), ElementsAreArray(expected));
+}
+
+TEST(ExecutedMatrixSwizzles, SingleElementsAreAsTheyWere) {
+  const Execution execution{kMatrix + R"([numthreads(1, 1, 1)] void Main() {
+    float4x4 m = Read(); m._m01 += 3; m._44 = m._m10;
+    for (int i = 0; i < 16; ++i) Out[i] = m[i / 4][i % 4]; })",
+                            sixteen(),
+                            {},
+                            16};
+  EXPECT_EQ(run_prepared(execution), run_unprepared(execution));
+}
+
+TEST(ExecutedConstructorStatements, CallsInsideStillHappen) {
+  const Execution execution{R"(float Count() { Out[0] += 1; return 1; }
+[numthreads(1, 1, 1)] void Main() {
+    Out[0] = 0;
+    float3(1, 2, 3);
+    if (In[0] > 0) float(Count());
+    half4(1, 1, 1, Count()) * 2;
+    for (int i = 0; i < 2; ++i) uint2(Count(), 3); })",
+                            {1.0F},
+                            {},
+                            1};
+  EXPECT_THAT(run_prepared(execution), ElementsAre(4.0F));
+}
+
+TEST(ExecutedUniformWrites, ChangeTheInvocationsCopy) {
+  const Execution execution{R"(cbuffer C { float4 a; float b; float c; float d[2]; };
+void Twice(inout float x) { x *= 2; }
+float Sum() { return a.x + a.y + a.z + a.w; }
+[numthreads(1, 1, 1)] void Main() {
+    a.yz = In[0];
+    Twice(b);
+    c++;
+    d[1] -= 1;
+    { float d = 100; d += 1; Out[5] = d; }
+    Out[0] = Sum(); Out[1] = b; Out[2] = c; Out[4] = a.w; })",
+                            {5.0F},
+                            {{"C", {1, 2, 3, 4, 6, 7, 0, 0, 8, 0, 0, 0, 9, 0, 0, 0}}},
+                            6};
+  const std::vector<float> out = run_prepared(execution);
+  EXPECT_EQ(out[0], 1.0F + 5.0F + 5.0F + 4.0F);
+  EXPECT_EQ(out[1], 12.0F);  // without the pass it stays 6
+  EXPECT_EQ(out[2], 8.0F);
+  EXPECT_EQ(out[4], 4.0F);
+  EXPECT_EQ(out[5], 101.0F);
+}
+
+TEST(ExecutedIntrinsicCalls, MadAndLdexpOfEveryType) {
+  const Execution execution{R"([numthreads(1, 1, 1)] void Main() {
+    int2 i = mad(int2(2, 3), 4, int(In[0]));
+    uint u = mad(2u, 3u, mad(1u, 1u, 1u));
+    float4 f = mad(float4(1, 2, 3, 4), In[0], 0.5);
+    Out[0] = i.x; Out[1] = i.y; Out[2] = u; Out[3] = f.w;
+    Out[4] = ldexp(3.0, 2.0); Out[5] = ldexp(float2(1, In[0]), -1).y; })",
+                            {5.0F},
+                            {},
+                            6};
+  EXPECT_THAT(run_prepared(execution), ElementsAre(13.0F, 17.0F, 8.0F, 20.5F, 12.0F, 2.5F));
+}
+
+TEST(ExecutedPartialTexelWrites, OtherComponentsStay) {
+  const Execution execution{R"(RWTexture2D<float4> Image; RWTexture2D<float> Single;
+[numthreads(1, 1, 1)] void Main() {
+    uint2 at = uint2(1, 2);
+    Image[at] = float4(1, 2, 3, 4);
+    Image[at].yw = float2(In[0], In[0] + 1);
+    if (In[0] > 0) Image[at].z *= 10;
+    Out[0] = Image[at].x; Out[1] = Image[at].y; Out[2] = Image[at].z; Out[3] = Image[at].w; })",
+                            {7.0F},
+                            {},
+                            4};
+  EXPECT_THAT(run_prepared(execution), ElementsAre(1.0F, 7.0F, 30.0F, 8.0F));
+}
+
+TEST(ExecutedFlatInitialisers, FillInOrder) {
+  const Execution execution{R"(static const float2 pairs[2] = { 1, 2, 3, 4 };
+[numthreads(1, 1, 1)] void Main() {
+    int i = int(In[0]);
+    float table[2][3] = { 1, 2, 3, 4, 5, 6, };
+    float2x2 matrices[2] = { 1, 2, 3, 4, 5, 6, 7, In[0] + 7 };
+    Out[0] = pairs[i].x; Out[1] = pairs[i].y; Out[2] = table[i][0]; Out[3] = table[i][2];
+    Out[4] = matrices[i][0][1]; Out[5] = matrices[i][1][1]; })",
+                            {1.0F},
+                            {},
+                            6};
+  EXPECT_THAT(run_prepared(execution), ElementsAre(3.0F, 4.0F, 4.0F, 6.0F, 6.0F, 8.0F));
+}
+
+TEST(ExecutedNamespaces, EveryNameIsFound) {
+  const Execution execution{R"(namespace A {
+    static const float two = 2;
+    struct S { float two; float Twice() { return two * A::two; } float Plus(float x) { return Twice() + x; } };
+    namespace B {
+        S Make(float two) { S s; s.two = two; return s; }
+        float Use(S s) { return s.Plus(two); }
+    }
+    float B_free(float x) { return x + two; }
+}
+float two() { return 20; }
+[numthreads(1, 1, 1)] void Main() {
+    A::S s = A::B::Make(In[0]);
+    Out[0] = s.Twice(); Out[1] = s.Plus(1); Out[2] = A::two; Out[3] = two(); Out[4] = A::B_free(s.two);
+    Out[5] = A::B::Use(s); })",
+                            {5.0F},
+                            {},
+                            6};
+  EXPECT_THAT(run_prepared(execution), ElementsAre(10.0F, 11.0F, 2.0F, 20.0F, 7.0F, 12.0F));
+}
+
+}  // namespace
+}  // namespace penumbra::preparation

@@ -1,0 +1,174 @@
+// The rewriting of expressions: what is put where, and what is left alone.
+#include <gmock/gmock.h>
+
+#include "preparation/constructor_statements.h"
+#include "preparation/declarators.h"
+#include "preparation/flat_initialisers.h"
+#include "preparation/intrinsic_calls.h"
+#include "preparation/matrix_swizzles.h"
+#include "preparation/namespace_structs.h"
+#include "preparation/partial_texel_writes.h"
+#include "preparation/uniform_writes.h"
+
+namespace penumbra::preparation {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+// One blank between any two tokens.
+std::string spaced(const TokenText& tokens) {
+  std::string text;
+  for (const hlsl::Token& token : tokens.tokens())
+    text += (text.empty() ? "" : " ") + std::string(token.spelling);
+  return text;
+}
+std::string spaced(const std::string& text) {
+  return spaced(TokenText(text, "m"));
+}
+
+template <void (*Pass)(TokenText&)>
+std::string after(const std::string& text) {
+  TokenText tokens(text, "m");
+  Pass(tokens);
+  return spaced(tokens);
+}
+
+template <void (*Pass)(TokenText&)>
+void expect_untouched(const std::string& text) {
+  EXPECT_EQ(after<Pass>(text), spaced(text));
+}
+
+TEST(MatrixSwizzles, ReadsBecomeCalls) {
+  EXPECT_THAT(after<write_out_matrix_swizzles>("float f() { return mul(A[i], B)._m00_m11.x; }"),
+              HasSubstr(spaced("return penumbra_swizzle_m00_m11 ( mul(A[i], B) ).x;")));
+  EXPECT_THAT(
+      after<write_out_matrix_swizzles>("float f() { return -(a + b)._11_22.x * s.m._11_22.y; }"),
+      HasSubstr(spaced("return - penumbra_swizzle_11_22 ( (a + b) ).x * penumbra_swizzle_11_22 ( s.m ).y;")));
+}
+
+TEST(MatrixSwizzles, SinglesOddNamesAndMembersStay) {
+  for (const char* text : {"float f() { return m._m00 + m._11; }", "float f() { return m._m00_m; }",
+                           "float f() { return m._m00_11 + m._45_11 + m._m04_m00 + _m00_m11; }",
+                           "struct S { float2 _11_22; }; float f(S s) { return s._11_22.x; }"})
+    expect_untouched<write_out_matrix_swizzles>(text);
+}
+
+TEST(MatrixSwizzles, AssignmentsThatCannotBeRepeatedStay) {
+  expect_untouched<write_out_matrix_swizzles>("void f() { m[i++]._11_22 = v; }");
+  expect_untouched<write_out_matrix_swizzles>("void f() { a = m._11_22 += v; }");
+}
+
+TEST(ConstructorStatements, OnlyStatementsAreWrapped) {
+  EXPECT_EQ(
+      after<wrap_constructor_statements>("void f() { float3(1, 2, 3); if (a) half(b) * c; else int(d); }"),
+      spaced("void f() { (float3(1, 2, 3)); if (a) (half(b) * c); else (int(d)); }"));
+  expect_untouched<wrap_constructor_statements>(
+      "void f() { float3 a = float3(1, 2, 3); return float4(a, 1); g(int(2)); }");
+  expect_untouched<wrap_constructor_statements>("static const float3 a = float3(1, 2, 3); float f(float x);");
+}
+
+TEST(UniformWrites, OnlyWrittenUniformsGetACopy) {
+  const auto run = after<copy_written_uniforms>;
+  EXPECT_THAT(
+      run("float a, b[2]; void f() { b[1] += a; }"),
+      HasSubstr(spaced(
+          "float a, b[2]; static float penumbra_copy_b [2] = b ; void f() { penumbra_copy_b [1] += a; }")));
+  EXPECT_THAT(run("cbuffer C { float4 a; } void f() { a.x = 1; } float g() { return a.y; }"),
+              HasSubstr(spaced("float g() { return penumbra_copy_a .y; }")));
+  EXPECT_THAT(run("float a; void g(float x, out float y) { y = x; } void f() { g(1, a); }"),
+              HasSubstr(spaced("g(1, penumbra_copy_a )")));
+}
+
+TEST(UniformWrites, ReadsLocalsMembersAndStaticsStay) {
+  for (const char* text :
+       {"float a; float f() { return a == 1; }", "float a; void f() { float a = 1; a += 2; }",
+        "float a; void f(float a) { a += 2; }", "static float a; void f() { a = 1; }",
+        "float a; void f() { s.a = 1; }", "float a; void g(float x); void f() { g(a); }",
+        "RWTexture2D<float> a; void f() { a[int2(0, 0)] = 1; }", "groupshared float a; void f() { a = 1; }"})
+    expect_untouched<copy_written_uniforms>(text);
+}
+
+TEST(IntrinsicCalls, FunctionsOfTheTextAndOtherNamesStay) {
+  expect_untouched<write_out_intrinsic_calls>(
+      "float mad(float a, float b, float c) { return a; } float f() { return mad(1, 2, 3); }");
+  expect_untouched<write_out_intrinsic_calls>(
+      "float f() { return s.mad(1, 2, 3) + mad2(1, 2, 3) + InterlockedAdd(a, 1); }");
+  EXPECT_EQ(
+      after<write_out_intrinsic_calls>(
+          "void f() { b.InterlockedAdd(4, 1, o); b.InterlockedCompareExchange(0, 1, v, o); }"),
+      spaced(
+          "void f() { b.InterlockedAdd(4, uint(1), o); b.InterlockedCompareExchange(0, uint(1), v, o); }"));
+}
+
+TEST(FlatInitialisers, OnlyListsThatFitAreGrouped) {
+  EXPECT_EQ(after<group_flat_initialisers>("float2 a[2] = { 1, f(2, 3), 3, 4 };"),
+            spaced("float2 a[2] = { {1, f(2, 3)}, {3, 4} };"));
+  for (const char* text :
+       {"float2 a[2] = { u, v };", "float2 a[2] = { {1, 2}, {3, 4} };", "float a[2] = { 1, 2 };",
+        "float2 a[] = { 1, 2, 3, 4 };", "float2 a[N] = { 1, 2 };", "float2 a[2];",
+        "float2 a[2][2] = { 1, 2, 3, 4, 5, 6, 7, 8 };", "S a[2] = { 1, 2, 3, 4 };"})
+    expect_untouched<group_flat_initialisers>(text);
+}
+
+TEST(PartialTexelWrites, WholeTexelsOtherBuffersAndUnrepeatableIndicesStay) {
+  for (const char* text : {"RWTexture2D<float4> t; void f() { t[i] = v; t[i] += v; }",
+                           "RWStructuredBuffer<float4> t; void f() { t[i].x = 1; }",
+                           "RWTexture2D<float4> t; void f() { t[i++].x = 1; }",
+                           "RWTexture2D<float4> t; void f() { a = t[i].x; }"})
+    expect_untouched<write_whole_texels>(text);
+  EXPECT_EQ(after<write_whole_texels>("RWTexture2D<unorm float4> t; void f() { t[i].x = 1; }"),
+            spaced("RWTexture2D<unorm float4> t; void f() { { float4 penumbra_texel = t[i]; penumbra_texel.x "
+                   "= 1; t[i] = "
+                   "penumbra_texel; } }"));
+}
+
+TEST(NamespaceStructs, NamespacesWithoutMemberFunctionsStay) {
+  expect_untouched<write_out_namespaces>(
+      "namespace A { struct S { float a; }; float f(S s) { return s.a; } } float g() { return A::f(x); }");
+  EXPECT_EQ(
+      after<write_out_namespaces>("namespace A { struct S { float f() { return 1; } }; } A::S s; float S;"),
+      spaced("struct A_S { float f() { return 1; } }; A_S s; float S;"));
+}
+
+TEST(Declarators, AreReadWithTheirTypeAndSize) {
+  const TokenText text("row_major static const float4x4 a, b[2][3] = { 1 }, c : register(c1);", "m");
+  const std::vector<Declarator> list = declarators(text, 0, text.size() - 1);
+  ASSERT_EQ(list.size(), 3u);
+  EXPECT_EQ(list[1].type, "float4x4");
+  EXPECT_TRUE(list[1].is_static && list[1].is_const);
+  EXPECT_EQ(text.spelled(list[1].dimensions, list[1].dimension_count), "[2][3]");
+  EXPECT_EQ(text[list[1].initialiser].spelling, "{");
+  EXPECT_EQ(text[list[2].name].spelling, "c");
+  const TokenText function("float f(int x)", "m");
+  EXPECT_TRUE(declarators(function, 0, function.size()).empty());
+}
+
+// No text makes a pass read out of bounds or run without end: run under the sanitizers.
+TEST(ExpressionPasses, AnyTokensAreRead) {
+  const std::vector<std::string> words{
+      "float",     "f",        "(",      ")",   "{",     "}",       "[", "]",
+      ";",         ",",        ".",      "=",   "+",     "-",       "<", ">",
+      "a",         "_m00_m11", "_11_22", "mad", "ldexp", "cbuffer", "C", "struct",
+      "return",    "if",       "else",   ":",   "case",  "out",     "1", "InterlockedAdd",
+      "namespace", "static"};
+  std::uint32_t state = 1;
+  const auto next = [&] { return (state = state * 1664525u + 1013904223u) >> 8; };
+  for (int round = 0; round < 20000; ++round) {
+    std::string text;
+    for (std::uint32_t i = next() % 30; i > 0; --i)
+      text += words[next() % words.size()] + (next() % 2 == 0 ? " " : "");
+    TokenText tokens(text, "m");
+    write_out_matrix_swizzles(tokens);
+    wrap_constructor_statements(tokens);
+    copy_written_uniforms(tokens);
+    write_out_intrinsic_calls(tokens);
+    write_out_namespaces(tokens);
+    group_flat_initialisers(tokens);
+    write_whole_texels(tokens);
+    EXPECT_LT(tokens.size(), 20000u);
+  }
+}
+
+}  // namespace
+}  // namespace penumbra::preparation

@@ -1,0 +1,386 @@
+// The passes over textures, samplers and buffers: what they put where, and that it compiles.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <chrono>
+#include <random>
+
+#include "preparation/buffer_aliases.h"
+#include "preparation/cbuffer_resources.h"
+#include "preparation/dx9_functions.h"
+#include "preparation/dx9_samplers.h"
+#include "preparation/member_calls.h"
+#include "preparation/prepare.h"
+#include "preparation/register_annotations.h"
+#include "preparation/resource_arrays.h"
+#include "preparation/texture_reads.h"
+#include "preparation/uniform_structs.h"
+#include "preparation/zeroed_resource_structs.h"
+#include "shaders/compile.h"
+
+namespace penumbra::preparation {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+struct Passed {
+  std::string text;  // the tokens with one blank between them
+  std::vector<hlsl::Diagnostic> notes;
+};
+
+std::string spaced(const std::string& hlsl) {
+  std::string text;
+  for (const hlsl::Token& token : hlsl::lex(hlsl)) text += std::string(token.spelling) + " ";
+  return text;
+}
+
+Passed pass(void (*run)(TokenText&), const std::string& hlsl) {
+  TokenText text(hlsl, "m.hlsl");
+  run(text);
+  return {spaced(text.print()), text.notes()};
+}
+
+void expect(void (*run)(TokenText&), const std::string& before, const std::string& after) {
+  const Passed passed = pass(run, before);
+  EXPECT_EQ(passed.text, spaced(after));
+  EXPECT_THAT(passed.notes, IsEmpty());
+}
+
+void expect_untouched(void (*run)(TokenText&), const std::string& hlsl) {
+  expect(run, hlsl, hlsl);
+}
+
+void expect_error(void (*run)(TokenText&), const std::string& hlsl, const std::string& part) {
+  const Passed passed = pass(run, hlsl);
+  ASSERT_THAT(passed.notes, SizeIs(1)) << hlsl;
+  EXPECT_EQ(passed.notes[0].severity, hlsl::Severity::error);
+  EXPECT_EQ(passed.notes[0].line, 1);
+  EXPECT_THAT(passed.notes[0].message, HasSubstr(part));
+}
+
+TEST(CbufferResources, StandBeforeTheirCbuffer) {
+  expect(hoist_cbuffer_resources,
+         "cbuffer C : register(b1) { float a; Texture2D<half4> t : register(t3), u[2]; SamplerState s; float "
+         "b; }",
+         "Texture2D<half4> t : register(t3), u[2]; SamplerState s; cbuffer C : register(b1) { float a; float "
+         "b; }");
+  expect(hoist_cbuffer_resources, "tbuffer C { StructuredBuffer<float> b; };",
+         "StructuredBuffer<float> b; ;");
+  expect_untouched(hoist_cbuffer_resources,
+                   "cbuffer C { float4 Texture; }; Texture2D t; struct S { Texture2D u; };");
+}
+
+TEST(CbufferResources, KeepTheirLine) {
+  TokenText text("cbuffer C\n{\n float a;\n Texture2D t;\n}", "m");
+  hoist_cbuffer_resources(text);
+  const auto line_of = [&](std::string_view word) {
+    const auto found = std::find_if(text.tokens().begin(), text.tokens().end(),
+                                    [&](const hlsl::Token& token) { return token.spelling == word; });
+    return found == text.tokens().end() ? 0 : found->line;
+  };
+  EXPECT_EQ(line_of("t"), 4);
+  EXPECT_EQ(line_of("C"), 1);
+  EXPECT_EQ(line_of("a"), 3);
+}
+
+TEST(UniformStructs, AreTakenApartAndPutTogether) {
+  const std::string type = "struct S { Texture2D map; float4 a[2]; };";
+  expect(take_apart_uniform_structs,
+         type + "S s; float4 f() { return g(s) + s.a[1]; } float4 h(S s) { return s.a[0]; }",
+         type +
+             "Texture2D s_map; float4 s_a[2]; S s_whole() { S whole; whole.map = s_map; whole.a = s_a; "
+             "return whole; }"
+             "float4 f() { return g(s_whole()) + s_a[1]; } float4 h(S s) { return s.a[0]; }");
+  expect_untouched(take_apart_uniform_structs,
+                   "struct S { float a; }; S s; static S t; float f() { return s.a; }");
+  expect_error(take_apart_uniform_structs, type + " S many[3];", "'many'");
+}
+
+TEST(MemberCalls, OnValuesGoThroughAFunction) {
+  const std::string type = "struct S { float a; float get(float x) { return a; } void set() { a = 1; } };";
+  const auto functions = [](const std::string& receiver, const std::string& suffix) {
+    return "float S_get" + suffix + "(" + receiver + ", float x) { return receiver.get(x); } void S_set" +
+           suffix + "(" + receiver + ") { receiver.set(); }";
+  };
+  const std::string value = functions("S receiver", "_of_value");
+  expect(call_members_on_variables, type + "S make(); float f() { return make().get(2); }",
+         type + value + "S make(); float f() { return S_get_of_value(make(), 2); }");
+  expect(call_members_on_variables, type + "float f(const S s) { return s.get(1); }",
+         type + value + "float f(const S s) { return S_get_of_value(s, 1); }");
+  expect(call_members_on_variables, type + "StructuredBuffer<S> b; float f() { return b[1].get(1); }",
+         type + value + "StructuredBuffer<S> b; float f() { return S_get_of_value(b[1], 1); }");
+  expect(call_members_on_variables, type + "static S s; void f() { s.set(); }",
+         type + functions("inout S receiver", "_of_variable") +
+             "static S s; void f() { S_set_of_variable(s); }");
+}
+
+TEST(MemberCalls, OnVariablesStay) {
+  expect_untouched(
+      call_members_on_variables,
+      "struct S { float a; float get() { return a; } float twice() { return get() + this.get(); } };"
+      "struct T { S s[2]; }; float f(T t, inout S u) { S s; return s.get() + t.s[1].get() + u.get(); }"
+      "Texture2D map; float4 g() { return map.Load(0); }");
+}
+
+TEST(BufferAliases, AreTheBufferItself) {
+  expect(resolve_buffer_aliases,
+         "StructuredBuffer<int> A; struct S { StructuredBuffer<int> b; float x; };"
+         "void fill(StructuredBuffer<int> p, out S s) { s.b = p; s.x = 1; }"
+         "int f() { S s; fill(A, s); StructuredBuffer<int> l = s.b; return s.b[1] + l[2]; }",
+         "StructuredBuffer<int> A; struct S { float x; };"
+         "void fill(StructuredBuffer<int> p, out S s) { ; s.x = 1; }"
+         "int f() { S s; fill(A, s); return A[1] + A[2]; }");
+  expect_untouched(resolve_buffer_aliases,
+                   "StructuredBuffer<int> A; int g(StructuredBuffer<int> p) { return p[0]; }");
+}
+
+TEST(BufferAliases, OfTwoBuffersAreAnError) {
+  const std::string head =
+      "StructuredBuffer<int> A; StructuredBuffer<int> B; struct S { StructuredBuffer<int> b; }; ";
+  expect_error(resolve_buffer_aliases, head + "void f() { S s; s.b = A; S t; t.b = B; }",
+               "'b' stands for 'A' and for 'B'");
+  expect_error(resolve_buffer_aliases,
+               head + "void f(int A) { S s; s.b = B; } void g() { S s; s.b = A; s.b = A; }",
+               "'b' stands for");
+  expect_error(resolve_buffer_aliases, head + "void f(int A) { } void g() { S s; s.b = A; }",
+               "give that another name");
+}
+
+TEST(ZeroedResourceStructs, AreMadeByAFunction) {
+  const std::string type = "struct S { float4 a; SamplerState s; int n[2]; };";
+  expect(zero_resource_structs, type + "void f() { S s = (S)0; }",
+         type +
+             "S zero_S() { S zero; zero.a = (float4)0; for (int i0 = 0; i0 < 2; ++i0) zero.n[i0] = (int)0; "
+             "return zero; }"
+             "void f() { S s = zero_S(); }");
+  expect_untouched(
+      zero_resource_structs,
+      "struct S { float a; }; struct R { Texture2D t; }; S s = (S)0; int f(R r) { return (r).x; }");
+}
+
+TEST(ResourceArrays, AreAssignedOneByOne) {
+  expect(assign_resource_arrays,
+         "Texture2D A; void f() { Texture2D t[] = { A, B[1] }; SamplerState s = { S }; g(); }",
+         "Texture2D A; void f() { Texture2D t[2]; t[0] = A; t[1] = B[1]; SamplerState s; s = S; g(); }");
+  expect_untouched(assign_resource_arrays, "void f() { float t[2] = { 1, 2 }; Texture2D u = A; }");
+}
+
+TEST(ResourceArrays, AChoiceThatIsReadIsAnError) {
+  expect_error(assign_resource_arrays, "Texture2D A, B; float4 f(bool c) { return (c ? A : B).Load(0); }",
+               "chosen at run time");
+}
+
+TEST(TextureReads, ByComparisonStandAloneWhereTheTextureIsReadOtherwise) {
+  const std::string both = "float f(Texture2D t) { return t.Load(0).x + ";
+  expect(separate_texture_reads, both + "t.SampleCmpLevelZero(s, uv, z); }",
+         "float SampleCmpLevelZero_of(Texture2D t, SamplerComparisonState s, float2 c, float reference)"
+         "{ return t.SampleCmpLevelZero(s, c, reference); }" +
+             both + "SampleCmpLevelZero_of(t, s, uv, z); }");
+  expect_untouched(separate_texture_reads, both + "t.SampleCmpLevelZero(s, uv, z, int2(1, 0)); }");
+  expect_untouched(separate_texture_reads, "float f(Texture2D t) { return t.SampleCmp(s, uv, z); }");
+  expect_untouched(separate_texture_reads,
+                   "Texture2D t; float f() { return t.Load(0).x + t.SampleCmp(s, uv, z); }");
+}
+
+TEST(TextureReads, OfMembersOutOfReachStandAlone) {
+  const std::string head = "struct S { TextureCubeArray<float2> t; }; S make(); struct O { S in; }; ";
+  expect(separate_texture_reads,
+         head + "float2 f(S s[2]) { return s[1].t.SampleGrad(p, c, x, y) + make().t.Sample(p, c); }",
+         "float2 SampleGrad_of(TextureCubeArray<float2> t, SamplerState s, float4 c, float3 dx, float3 dy)"
+         "{ return t.SampleGrad(s, c, dx, dy); }"
+         "float2 Sample_of(TextureCubeArray<float2> t, SamplerState s, float4 c) { return t.Sample(s, c); }" +
+             head +
+             "float2 f(S s[2]) { return SampleGrad_of(s[1].t, p, c, x, y) + Sample_of(make().t, p, c); }");
+  expect_untouched(separate_texture_reads,
+                   head + "Texture2D a[3]; float4 f(S s) { return s.t.Sample(p, c) + a[1].Sample(p, c); }");
+}
+
+TEST(Dx9Samplers, DeclarationsBecomeTwo) {
+  const auto run = separate_dx9_samplers;
+  expect(run, "sampler2D _A, _B[2] : register(s3); float4 x;",
+         "Texture2D _A, _B[2] : register(t3); SamplerState sampler_A; SamplerState sampler_B[2] : "
+         "register(s3); float4 x;");
+  expect(run, "uniform samplerCUBE c : TEXUNIT0; static sampler3D v; SamplerState samplerc;",
+         "uniform TextureCube c; uniform SamplerState samplerc_; static Texture3D v; static SamplerState "
+         "samplerv;"
+         "SamplerState samplerc;");
+  expect(run, "sampler2D s = sampler_state { Filter = 1; };", "Texture2D s; SamplerState samplers;");
+  expect(run, "struct S { sampler1D m; }; void f(sampler2D, const sampler2D t[2]) { }",
+         "struct S { Texture1D m; SamplerState samplerm; };"
+         "void f(Texture2D, SamplerState, const Texture2D t[2], const SamplerState samplert[2]) { }");
+}
+
+TEST(Dx9Samplers, UsesBecomeTwoAndAreDefinedOnce) {
+  expect(separate_dx9_samplers,
+         "sampler2D t; void f(float2 t) { g(t); } void h(S s) { g(t, tex2D(t, tex2D(t, 0).xy)); }",
+         "float4 tex2D(Texture2D t, SamplerState s, float2 c) { return t.Sample(s, c); }"
+         "Texture2D t; SamplerState samplert; void f(float2 t) { g(t); }"
+         "void h(S s) { g(t, samplert, tex2D(t, samplert, tex2D(t, samplert, 0).xy)); }");
+  expect(separate_dx9_samplers,
+         "float4 tex2D(sampler2D s, float3 c) { return 0; } sampler2D t; void f() { tex2D(t, c); }",
+         "float4 tex2D(Texture2D s, SamplerState samplers, float3 c) { return 0; } Texture2D t; SamplerState "
+         "samplert;"
+         "void f() { tex2D(t, samplert, c); }");
+}
+
+TEST(Dx9Samplers, PlainSamplersAreWhatReadsThem) {
+  expect(separate_dx9_samplers,
+         "float4 f(sampler a) { return texCUBElod(a, 0); } sampler s; sampler t; void g() { f(s); "
+         "T.Sample(t, 0); }",
+         "float4 texCUBElod(TextureCube t, SamplerState s, float4 c) { return t.SampleLevel(s, c.xyz, c.w); }"
+         "float4 f(TextureCube a, SamplerState samplera) { return texCUBElod(a, samplera, 0); }"
+         "TextureCube s; SamplerState samplers; sampler t; void g() { f(s, samplers); T.Sample(t, 0); }");
+  expect_error(separate_dx9_samplers, "sampler s; void f() { tex2D(s, 0); tex3D(s, 0); }",
+               "sampler of Texture2D");
+  expect_untouched(separate_dx9_samplers, "sampler s; Texture2D t; float4 f() { return t.Sample(s, 0); }");
+}
+
+TEST(Dx9Samplers, WhatCannotBeSaidIsAnError) {
+  expect_error(separate_dx9_samplers, "sampler2D s; void f() { return s; }",
+               "declare a texture and a SamplerState");
+  expect_error(separate_dx9_samplers, "sampler2D s; void f() { g(c ? s : 0); }", "nothing else");
+}
+
+TEST(Dx9Functions, AreAllOfTheDocumentation) {
+  for (const char* dimension : {"1D", "2D", "3D", "CUBE"}) {
+    const std::string name = std::string("tex") + dimension;
+    for (const char* kind : {"", "bias", "lod", "proj"})
+      EXPECT_THAT(dx9_definition(name + kind, 2), HasSubstr("float4 " + name + kind + "(Texture")) << kind;
+    for (const char* kind : {"", "grad"})
+      EXPECT_THAT(dx9_definition(name + kind, 4), HasSubstr(".SampleGrad("));
+    EXPECT_THAT(dx9_definition(name + "lod", 4), IsEmpty());
+    EXPECT_THAT(dx9_definition(name + "grad", 2), IsEmpty());
+  }
+  EXPECT_EQ(dx9_definition("tex3Dproj", 2),
+            "float4 tex3Dproj(Texture3D t, SamplerState s, float4 c) { return t.Sample(s, c.xyz / c.w); }");
+  EXPECT_EQ(dx9_definition("tex1Dbias", 2),
+            "float4 tex1Dbias(Texture1D t, SamplerState s, float4 c) { return t.SampleBias(s, c.x, c.w); }");
+  for (const char* name : {"tex", "tex4D", "tex2Dfetch", "texture", "sampler2D"})
+    EXPECT_FALSE(dx9_function(name)) << name;
+}
+
+TEST(PlainRegisters, SayTheirKindAndSpace) {
+  expect(plain_registers, "Texture2D t : register(ps_5_0, t1, space2); sampler s : register(ps, s[3]) ;",
+         "Texture2D t : register(t1, space2); sampler s : register(s3);");
+  expect(plain_registers, "float4 a : register(c4), b : register(C1.y); int i : register(i0);",
+         "float4 a, b; int i;");
+  expect(plain_registers, "sampler s : register(vs, s1) : register(ps, s2);", "sampler s : register(s2);");
+  expect_untouched(plain_registers, "cbuffer C : register(b1, space1) { float a : packoffset(c1.y); }");
+}
+
+shaders::CompileResult compile_fragment(const std::string& text, bool prepare) {
+  shaders::CompileRequest request;
+  request.file = "resources.hlsl";
+  request.text = text;
+  request.stage = hlsl::Stage::fragment;
+  request.prepare = prepare;
+  return shaders::compile(request);
+}
+
+struct Refused {
+  const char* what;
+  const char* text;
+};
+// Printed by name.
+void PrintTo(const Refused& refused, std::ostream* out) {
+  *out << refused.what;
+}
+
+class RefusedWithoutTheStage : public testing::TestWithParam<Refused> {};
+
+TEST_P(RefusedWithoutTheStage, IsAcceptedWithIt) {
+  const std::string text = std::string("float4 Main(float4 uv : TEXCOORD0) : SV_Target { return f(uv); }\n");
+  const std::string all = GetParam().text + ("\n" + text);
+  const shaders::CompileResult without = compile_fragment(all, false);
+  EXPECT_TRUE(has_errors(without.diagnostics)) << all;
+  const shaders::CompileResult with = compile_fragment(all, true);
+  EXPECT_FALSE(has_errors(with.diagnostics)) << format(with.diagnostics.at(0));
+  EXPECT_FALSE(with.spirv.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Resources, RefusedWithoutTheStage,
+    testing::Values(
+        Refused{"cbuffer",
+                "cbuffer C { float a; TextureCube t; SamplerState s; }"
+                "float4 f(float4 uv) { return t.Sample(s, uv.xyz) * a; }"},
+        Refused{"uniform_struct",
+                "struct S { Texture3D t; SamplerState s; float a; }; S u;"
+                "float4 f(float4 uv) { return u.t.Sample(u.s, uv.xyz) * u.a; }"},
+        Refused{"member_of_const",
+                "struct S { float a; float get() { return a; } };"
+                "float4 f(float4 uv) { const S s = { 1 }; return s.get(); }"},
+        Refused{"buffer_in_struct",
+                "ByteAddressBuffer B; struct S { ByteAddressBuffer b; };"
+                "float4 f(float4 uv) { S s; s.b = B; return asfloat(s.b.Load4(0)); }"},
+        Refused{"zeroed",
+                "Texture2D T; struct S { Texture2D t; float a; };"
+                "float4 f(float4 uv) { S s = (S)0; s.t = T; return s.t.Load(0) + s.a; }"},
+        Refused{"texture_array",
+                "Texture2D A, B; float4 f(float4 uv) { Texture2D t[2] = { A, B }; return t[1].Load(0); }"},
+        Refused{"comparison",
+                "Texture2DArray T; SamplerState S; SamplerComparisonState C;"
+                "float4 g(Texture2DArray t, float3 c) { return t.Sample(S, c) * t.SampleCmp(C, c, 0.5); }"
+                "float4 f(float4 uv) { return g(T, uv.xyz); }"},
+        Refused{"nested_texture",
+                "Texture1D T; SamplerState S; struct A { Texture1D t; }; struct B { A a; };"
+                "float4 f(float4 uv) { B b; b.a.t = T; return b.a.t.SampleBias(S, uv.x, 1); }"},
+        Refused{"dx9_2d", "sampler2D T; float4 f(float4 uv) { return tex2D(T, uv) + tex2Dproj(T, uv); }"},
+        Refused{"dx9_cube",
+                "samplerCUBE T; float4 f(float4 uv) { return texCUBE(T, uv) + texCUBElod(T, uv) +"
+                "texCUBEbias(T, uv) + texCUBEgrad(T, uv, 0, 0) + texCUBEproj(T, uv); }"},
+        Refused{"dx9_3d",
+                "sampler3D T; float4 f(float4 uv) { return tex3D(T, uv) + tex3Dlod(T, uv) +"
+                "tex3Dbias(T, uv) + tex3D(T, uv.xyz, 0, 0) + tex3Dproj(T, uv); }"},
+        Refused{"dx9_1d",
+                "sampler1D T; float4 f(float4 uv) { return tex1D(T, uv.x) + tex1Dlod(T, uv) +"
+                "tex1Dbias(T, uv) + tex1Dgrad(T, uv.x, 0, 0) + tex1Dproj(T, uv); }"},
+        Refused{"dx9_plain", "sampler T; float4 f(float4 uv) { return tex2Dlod(T, uv); }"},
+        Refused{"dx9_precision",
+                "sampler2D_float T; half4 g(sampler2D_half t, half2 c) { return tex2D(t, c); }"
+                "float4 f(float4 uv) { return g(T, uv.xy); }"},
+        Refused{"dx9_array",
+                "sampler2D T[2]; float4 f(float4 uv) { return tex2D(T[0], uv) + tex2D(T[1], uv); }"},
+        Refused{"register_part", "float a : register(c1.y); float4 f(float4 uv) { return a; }"}),
+    [](const auto& tested) { return std::string(tested.param.what); });
+
+// Any order of the words these passes look for is read without harm, and what is printed is read the same
+// again.
+TEST(ResourcePasses, AnyTokensAreRead) {
+  const std::vector<std::string> words{"struct",    "S",       "{",         "}",
+                                       ";",         "(",       ")",         "[",
+                                       "]",         ",",       ".",         "=",
+                                       "<",         ">",       ":",         "?",
+                                       "0",         "2",       "Texture2D", "SamplerState",
+                                       "sampler2D", "sampler", "tex2D",     "StructuredBuffer",
+                                       "float4",    "cbuffer", "static",    "const",
+                                       "a",         "b",       "f",         "register",
+                                       "s1",        "return",  "SampleCmp", "(S)0",
+                                       "a.b",       "this",    "::"};
+  std::mt19937 random(5);
+  for (int round = 0; round < 20000; ++round) {
+    std::string text;
+    for (std::size_t length = random() % 40; length > 0; --length)
+      text += words[random() % words.size()] + " ";
+    const std::string once = prepare(text, "m").text;
+    EXPECT_EQ(spaced(once), spaced(TokenText(once, "m").print())) << text;
+  }
+}
+
+TEST(ResourcePasses, ReadLongTextsInTimeThatGrowsWithThem) {
+  std::string text =
+      "struct S { Texture2D t; StructuredBuffer<int> b; float a; float get() { return a; } }; sampler2D q;\n";
+  for (int i = 0; i < 20000; ++i) {
+    const std::string n = std::to_string(i);
+    text += "sampler2D q" + n + "; StructuredBuffer<int> B" + n + "; float f" + n +
+            "(S s) { sampler2D l = q" + n + "; return s.get() + tex2D(l, 0).x + (S)0; }\n";
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  prepare(text, "m");
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
+}
+
+}  // namespace
+}  // namespace penumbra::preparation

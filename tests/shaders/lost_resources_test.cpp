@@ -1,0 +1,127 @@
+// A module that reads a texture without saying which one is refused, though SPIRV-Tools finds it valid.
+#include "shaders/lost_resources.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "shader_files.h"
+#include "shaders/compile.h"
+#include "shaders/reflect.h"
+
+namespace penumbra::shaders {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const std::string kTextures = R"(
+Texture2D A; Texture2D B; SamplerState S; SamplerComparisonState C;
+struct Pair { Texture2D t; SamplerState s; float n; };
+float Both(Texture2D t) { return t.SampleLevel(S, 0.5, 0).x + t.SampleCmpLevelZero(C, 0.5, 0.5); }
+float One(Texture2D t) { return t.SampleLevel(S, 0.5, 0).x; }
+float Other(Texture2D t) { return t.SampleCmpLevelZero(C, 0.5, 0.5); }
+float OfPair(Pair p) { return p.t.SampleLevel(p.s, 0.5, 0).x; }
+float Unset() { Texture2D t; return t.Load(0).x; }
+float UnsetSampler() { SamplerState s; return A.SampleLevel(s, 0.5, 0).x; }
+float OfUnsetPair() { Pair p; p.t = A; p.n = 1; return OfPair(p); }
+float OfPairInParts() { Pair p; p.t = A; p.s = S; return OfPair(p); }
+float Chosen(float n) { Texture2D t; if (n > 0) t = A; else t = B; return t.Load(0).x; }
+)";
+
+std::vector<std::string> messages(const std::string& expression) {
+  CompileRequest request;
+  request.file = "lost.hlsl";
+  request.text = compute_shader(expression, kTextures);
+  const CompileResult compiled = compile(request);
+  EXPECT_EQ(compiled.spirv.empty(), !compiled.diagnostics.empty());
+  std::vector<std::string> all;
+  for (const hlsl::Diagnostic& diagnostic : compiled.diagnostics) {
+    EXPECT_EQ(diagnostic.severity, hlsl::Severity::error);
+    all.push_back(diagnostic.message);
+  }
+  return all;
+}
+
+TEST(LostResources, AreNotRead) {
+  EXPECT_THAT(messages("Both(A)"), ElementsAre(HasSubstr("a texture that was never set is read")));
+  EXPECT_THAT(messages("Unset()"), ElementsAre(HasSubstr("a texture that was never set is read")));
+  EXPECT_THAT(messages("UnsetSampler()"), ElementsAre(HasSubstr("a sampler that was never set is read")));
+  EXPECT_THAT(messages("OfUnsetPair()"), ElementsAre(HasSubstr("a sampler that was never set is read")));
+}
+
+TEST(LostResources, AreNotChosenAtRunTime) {
+  EXPECT_THAT(messages("Chosen(id.x)"), ElementsAre(HasSubstr("a texture is chosen at run time")));
+}
+
+TEST(LostResources, AreNotFoundWhereAllIsKnown) {
+  for (const char* expression :
+       {"One(A) + Other(A)", "One(A) + One(B)", "OfPairInParts()", "A.Load(0).x", "1.0"})
+    EXPECT_THAT(messages(expression), IsEmpty()) << expression;
+}
+
+TEST(LostResources, AnyWordsAreRead) {
+  EXPECT_THAT(lost_resources({}), IsEmpty());
+  EXPECT_THAT(lost_resources({1, 2, 3, 4, 5, 0}), IsEmpty());
+  EXPECT_THAT(lost_resources({1, 2, 3, 4, 5, 0xFFFF0001}), IsEmpty());
+  EXPECT_THAT(lost_resources({1, 2, 3, 4, 5, 0x00010001, 0x00010056, 0x00010019, 0x0002005F, 7}), IsEmpty());
+}
+
+// OpTypeImage %1, OpUndef %1 %2, OpImageFetch %3 %4 %2 ...
+TEST(LostResources, AreFoundByTheirWords) {
+  SpirvModule module{0x07230203, 0x00010300, 0, 9, 0};
+  module.insert(module.end(), {0x00090019, 1, 8, 1, 0, 0, 0, 1, 0});
+  module.insert(module.end(), {0x00030001, 1, 2});
+  EXPECT_THAT(lost_resources(module), IsEmpty());  // nobody reads it
+  module.insert(module.end(), {0x0005005F, 7, 3, 2, 6});
+  EXPECT_THAT(lost_resources(module), ElementsAre(HasSubstr("a texture that was never set")));
+}
+
+// What glslang's back end leaves out, it says and returns success.
+TEST(MissingFunctionality, IsAnError) {
+  for (const char* expression : {"Swizzle()", "Array()"}) {
+    CompileRequest request;
+    request.file = "missing.hlsl";
+    request.text = compute_shader(expression, kTextures + R"(
+float Swizzle() { float4x4 m = 1; float3 v = m._14_24_34; return v.x; }
+float Array() { Texture2D t[2] = { A, B }; return t[0].Load(0).x; }
+)");
+    const CompileResult compiled = compile(request);
+    EXPECT_THAT(compiled.spirv, IsEmpty()) << expression;
+    ASSERT_FALSE(compiled.diagnostics.empty()) << expression;
+    EXPECT_EQ(compiled.diagnostics[0].severity, hlsl::Severity::error);
+    EXPECT_THAT(compiled.diagnostics[0].message, HasSubstr("Missing functionality"));
+  }
+}
+
+// Registers of different kinds and spaces share their numbers; bindings are numbered anew.
+TEST(Registers, OfEveryKindGetABindingOfTheirOwn) {
+  CompileRequest request;
+  request.file = "registers.hlsl";
+  request.text = R"(
+cbuffer B0 : register(b0) { float b; } cbuffer B1 : register(b0, space1) { float c; } cbuffer B2 : register(b0) { float d; }
+Texture2D T : register(t0); Buffer<float> U : register(t0); StructuredBuffer<float> V : register(t0, space1);
+ByteAddressBuffer W : register(t0); SamplerState S : register(s0); SamplerComparisonState S1 : register(s0);
+RWTexture2D<float4> X : register(u0); RWStructuredBuffer<float> Out : register(u0); RWByteAddressBuffer Y : register(u0, space3);
+float Loose : register(c0);
+[numthreads(1, 1, 1)] void Main() {
+  X[uint2(0, 0)] = 1; Y.Store(0, 1);
+  Out[0] = b + c + d + T.SampleLevel(S, 0.5, 0).x + U[0] + V[0] + W.Load(0) + T.SampleCmpLevelZero(S1, 0.5, 0) + Loose;
+})";
+  const CompileResult compiled = compile(request);
+  ASSERT_THAT(compiled.diagnostics, IsEmpty()) << format(compiled.diagnostics[0]);
+  std::map<std::uint32_t, std::string> names;
+  for (const Resource& resource : reflect(compiled.spirv).resources) {
+    EXPECT_TRUE(names.emplace(resource.binding, resource.name).second) << resource.name;
+    EXPECT_EQ(resource.set, resource.name == "B1" || resource.name == "V" ? 1U
+                            : resource.name == "Y"                        ? 3U
+                                                                          : 0U);
+  }
+  EXPECT_EQ(names.size(), 14U);  // T stands for two: one is read by comparison
+  EXPECT_EQ(names.rbegin()->first, 13U);
+}
+
+}  // namespace
+}  // namespace penumbra::shaders

@@ -1,0 +1,87 @@
+#include "preparation/declarators.h"
+
+#include <algorithm>
+#include <array>
+
+namespace penumbra::preparation {
+
+namespace {
+
+template <std::size_t N>
+bool one_of(const std::array<std::string_view, N>& words, std::string_view word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+bool is_modifier(std::string_view word) {
+  constexpr std::array<std::string_view, 19> modifiers{
+      "static",    "const",           "uniform",       "extern", "precise",         "groupshared", "volatile",
+      "row_major", "column_major",    "snorm",         "unorm",  "linear",          "centroid",    "shared",
+      "sample",    "nointerpolation", "noperspective", "inline", "globallycoherent"};
+  return one_of(modifiers, word);
+}
+
+// Over `<...>`; the index after it.
+std::size_t skip_angles(const TokenText& text, std::size_t at, std::size_t last) {
+  int depth = 0;
+  for (; at < last; ++at) {
+    if (text.is(at, "<")) ++depth;
+    if (text.is(at, ">") && --depth == 0) return at + 1;
+  }
+  return last;
+}
+
+// To the ',' or ';' that ends a declarator.
+std::size_t skip_to_end(const TokenText& text, std::size_t at, std::size_t last) {
+  while (at < last && !text.is(at, ","))
+    at = text.partner(at) != npos && text.partner(at) > at ? text.partner(at) + 1 : at + 1;
+  return std::min(at, last);
+}
+
+}  // namespace
+
+std::vector<Declarator> declarators(const TokenText& text, std::size_t first, std::size_t last) {
+  std::vector<Declarator> found;
+  Declarator common;
+  std::size_t at = first;
+  while (text.is(at, "[") && text.partner(at) != npos) at = text.partner(at) + 1;
+  for (; at < last && text.is_word(at) && is_modifier(text[at].spelling); ++at) {
+    common.is_static = common.is_static || text.is(at, "static");
+    common.is_const = common.is_const || text.is(at, "const");
+    common.is_groupshared = common.is_groupshared || text.is(at, "groupshared");
+  }
+  if (!text.is_word(at)) return {};
+  const std::size_t type = at++;
+  if (text.is(type, "struct")) ++at;
+  if (text.is(at, "<")) at = skip_angles(text, at, last);
+  common.type = text.spelled(type, at - type);
+  while (at < last) {
+    if (!text.is_word(at)) return {};
+    Declarator declarator = common;
+    declarator.name = at++;
+    declarator.dimensions = at;
+    while (at < last && text.is(at, "[") && text.partner(at) != npos) at = text.partner(at) + 1;
+    declarator.dimension_count = at - declarator.dimensions;
+    if (text.is(at, "(")) return {};                                   // a function
+    while (at < last && !text.is(at, ",") && !text.is(at, "=")) ++at;  // : register(c1)
+    if (text.is(at, "=")) declarator.initialiser = at + 1;
+    at = skip_to_end(text, at, last);
+    declarator.end = at++;
+    found.push_back(std::move(declarator));
+  }
+  return found;
+}
+
+bool is_number_type(std::string_view word) {
+  constexpr std::array<std::string_view, 12> scalars{"float",    "half",     "int",        "uint",
+                                                     "bool",     "double",   "min16float", "min10float",
+                                                     "min16int", "min12int", "min16uint",  "dword"};
+  return std::any_of(scalars.begin(), scalars.end(), [&](std::string_view scalar) {
+    if (word.substr(0, scalar.size()) != scalar) return false;
+    const std::string_view shape = word.substr(scalar.size());
+    const auto size = [](char c) { return c >= '1' && c <= '4'; };
+    return shape.empty() || (shape.size() == 1 && size(shape[0])) ||
+           (shape.size() == 3 && size(shape[0]) && shape[1] == 'x' && size(shape[2]));
+  });
+}
+
+}  // namespace penumbra::preparation

@@ -1,0 +1,33 @@
+// The variables one declaration declares: `static float4 a, b[2][3] = { ... }, c : register(c1);`. Internal
+// to this room.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "preparation/token_text.h"
+
+namespace penumbra::preparation {
+
+struct Declarator {
+  std::string type;  // without storage classes and modifiers: "float4", "Texture2D<float4>"
+  bool is_static = false;
+  bool is_const = false;
+  bool is_groupshared = false;
+  std::size_t name = 0;
+  std::size_t dimensions = 0;       // the first '[' after the name
+  std::size_t dimension_count = 0;  // tokens of all [..] together; 0 for no array
+  std::size_t initialiser = npos;   // the token after '='
+  std::size_t end = 0;              // the ',' or ';' after it
+};
+
+// Of the declaration that begins at `first` (attributes skipped) and ends at the ';' at `last`. Empty when
+// the tokens are no such declaration.
+std::vector<Declarator> declarators(const TokenText& text, std::size_t first, std::size_t last);
+
+// float, half3, min16float4x4, ...: a scalar, vector or matrix of numbers or bools, written as one word.
+bool is_number_type(std::string_view word);
+
+}  // namespace penumbra::preparation

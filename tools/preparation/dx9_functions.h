@@ -1,0 +1,27 @@
+// Direct3D 9's texture functions, said with Texture2D and its like. Internal to this room.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace penumbra::preparation {
+
+struct Dx9Function {
+  std::string_view dimension;  // "1D", "2D", "3D" or "CUBE"
+  std::string_view kind;       // "", "bias", "grad", "lod" or "proj"
+};
+
+// tex2Dlod is {"2D", "lod"}.
+std::optional<Dx9Function> dx9_function(std::string_view name);
+
+// "2D" of sampler2D; empty for other types.
+std::string_view dx9_dimension(std::string_view type);
+
+std::string texture_type(std::string_view dimension);  // "Texture2D"
+
+// The function of this name that takes a texture and a sampler in place of one; `arguments` counts those of
+// the call as it was written. Empty when there is no such function.
+std::string dx9_definition(std::string_view name, int arguments);
+
+}  // namespace penumbra::preparation

@@ -1,0 +1,291 @@
+#include "preparation/dx9_samplers.h"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "preparation/dx9_functions.h"
+#include "preparation/value_types.h"
+
+namespace penumbra::preparation {
+
+namespace {
+
+using Place = DeclaredValue::Place;
+
+// A sampler where it is not being declared: the tokens first to last, of which `name` names it.
+struct Use {
+  std::size_t declared = npos;
+  std::size_t first = npos;
+  std::size_t name = npos;
+  std::size_t last = npos;
+  std::size_t callee = npos;  // of the call it is a whole argument of
+  int argument = 0;           // which one
+  int arguments = 0;          // of how many
+};
+
+// One or several variables that are declared together.
+struct Statement {
+  std::size_t first = npos;
+  std::size_t last = npos;
+};
+
+class Separation {
+ public:
+  explicit Separation(TokenText& text) : text_(text), types_(text.types()) {}
+
+  void run() {
+    for (const DeclaredValue& value : declared()) dimensions_.push_back(dx9_dimension(value.type.name));
+    for (const FunctionType& function : types_.functions())
+      functions_[word(function.name)].push_back(&function);
+    find_uses();
+    infer_dimensions();
+    find_statements();
+    for (std::size_t index = 0; index < declared().size(); ++index)
+      if (is_dx9(index)) declare(index);
+    for (const Use& use : uses_)
+      if (is_dx9(use.declared)) separate(use);
+    std::string definitions;
+    for (const auto& [name, arguments] : needed_) definitions += dx9_definition(name, arguments) + " ";
+    if (!definitions.empty()) text_.insert(0, definitions);
+    text_.apply();
+  }
+
+ private:
+  const std::vector<DeclaredValue>& declared() const { return types_.declared(); }
+  std::string_view word(std::size_t at) const { return text_[at].spelling; }
+  bool is_dx9(std::size_t index) const { return !dimensions_[index].empty(); }
+  bool is_any_sampler(std::size_t index) const {
+    return is_dx9(index) || declared()[index].type.name == "sampler";
+  }
+
+  void find_uses() {
+    struct Open {
+      std::size_t bracket;
+      int argument;
+    };
+    std::vector<Open> open;
+    count_arguments();
+    for (std::size_t at = 0; at < text_.size(); ++at) {
+      if (text_.is(at, "(") || text_.is(at, "[") || text_.is(at, "{")) open.push_back({at, 0});
+      if (text_.is(at, ",") && !open.empty()) ++open.back().argument;
+      const bool closes = text_.is(at, ")") || text_.is(at, "]") || text_.is(at, "}");
+      if (closes && !open.empty()) open.pop_back();
+      Use use = use_that_ends(at);
+      if (use.declared == npos) continue;
+      if (!open.empty() && text_.is(open.back().bracket, "("))
+        as_argument(use, open.back().bracket, open.back().argument);
+      uses_.push_back(use);
+    }
+  }
+
+  // The commas between every pair of parentheses.
+  void count_arguments() {
+    commas_.assign(text_.size(), 0);
+    std::vector<std::size_t> open;
+    for (std::size_t at = 0; at < text_.size(); ++at) {
+      if (text_.partner(at) != npos && text_.partner(at) > at) open.push_back(at);
+      if (text_.partner(at) != npos && text_.partner(at) < at && !open.empty()) open.pop_back();
+      if (text_.is(at, ",") && !open.empty()) ++commas_[open.back()];
+    }
+  }
+
+  Use use_that_ends(std::size_t at) const {
+    if (types_.begin(at) == npos || text_.is(at + 1, ".") || text_.is(at + 1, "(")) return {};
+    std::size_t name = at;
+    while (text_.is(name, "]") && text_.partner(name) != npos && text_.partner(name) > 0)
+      name = text_.partner(name) - 1;
+    if (text_.is(at + 1, "[")) return {};
+    const std::size_t index = text_.is_word(name) ? types_.named(name) : npos;
+    if (index == npos || declared()[index].name == name || !is_any_sampler(index)) return {};
+    Use use;
+    use.declared = index;
+    use.first = types_.begin(at);
+    use.name = name;
+    use.last = at;
+    return use;
+  }
+
+  void as_argument(Use& use, std::size_t bracket, int argument) const {
+    const bool whole = (text_.is(use.first - 1, "(") || text_.is(use.first - 1, ",")) &&
+                       (text_.is(use.last + 1, ",") || text_.is(use.last + 1, ")"));
+    if (!whole || bracket == 0 || !text_.is_word(bracket - 1)) return;
+    use.callee = bracket - 1;
+    use.argument = argument;
+    use.arguments = commas_[bracket] + 1;
+  }
+
+  // What reads a `sampler` says what it is; through functions it is passed to as well.
+  void infer_dimensions() {
+    constexpr int deepest = 16;
+
+    for (int depth = 0; depth < deepest; ++depth) {
+      bool changed = false;
+      for (const Use& use : uses_) {
+        if (declared()[use.declared].type.name != "sampler" || use.callee == npos) continue;
+        changed = infer(use, dimension_by(use)) || changed;
+      }
+      if (!changed) return;
+    }
+  }
+
+  std::string_view dimension_by(const Use& use) const {
+    const std::optional<Dx9Function> function = dx9_function(word(use.callee));
+    if (function) return use.argument == 0 ? function->dimension : std::string_view{};
+    const auto named = functions_.find(word(use.callee));
+    if (named == functions_.end()) return {};
+    for (const FunctionType* callee : named->second) {
+      if (callee->parameters.size() != static_cast<std::size_t>(use.arguments)) continue;
+      const std::string_view dimension =
+          dimensions_[callee->parameters[static_cast<std::size_t>(use.argument)]];
+      if (!dimension.empty()) return dimension;
+    }
+    return {};
+  }
+
+  bool infer(const Use& use, std::string_view dimension) {
+    std::string_view& known = dimensions_[use.declared];
+    if (dimension.empty() || known == dimension) return false;
+    if (known.empty()) {
+      known = dimension;
+      return true;
+    }
+    if (contradicted_.insert(use.declared).second)
+      text_.note(use.name, hlsl::Severity::error,
+                 "'" + std::string(word(use.name)) + "' is a sampler of " + texture_type(known) +
+                     " elsewhere and of " + texture_type(dimension) +
+                     " here; declare one for each, as sampler" + std::string(known) + " and sampler" +
+                     std::string(dimension));
+    return false;
+  }
+
+  std::string sampler_name(std::string_view of) const { return text_.free_name("sampler" + std::string(of)); }
+
+  // `sampler2D a : register(s0), b[2];` -> `Texture2D a : register(t0), b[2]; SamplerState samplera : ...;`
+  void declare(std::size_t index) {
+    const DeclaredValue& value = declared()[index];
+    if (value.type_at == npos) return;
+    if (value.first != npos)
+      text_.replace(value.type_at, value.type_end - value.type_at, texture_type(dimensions_[index]));
+    const Statement& statement = statements_.at(value.type_at);
+    const std::size_t first = statement.first;
+    const std::string type = text_.spelled(first, value.type_at - first) + " SamplerState";
+    const std::string name = value.name == npos
+                                 ? std::string{}
+                                 : " " + sampler_name(word(value.name)) +
+                                       text_.spelled(value.name + 1, value.end - value.name - 1);
+    if (value.place == Place::parameter) {
+      text_.replace(value.end, value.last - value.end, ", " + type + name);
+      return;
+    }
+    const std::string rest = after_name(value);
+    if (!text_.is(value.last, ";") && !text_.is(value.last, ",")) return;
+    text_.insert(statement.last + 1, type + name + rest + ";");
+  }
+
+  // What follows the name of the new sampler; edits what follows the texture's.
+  std::string after_name(const DeclaredValue& value) {
+    const bool is_variable = value.place == Place::local || value.is_static;
+    if (text_.is(value.end, "=") && is_variable) {
+      const Use* initial = use_at(value.end + 1, value.last);
+      if (initial != nullptr) return " = " + partner_of(*initial);
+    }
+    std::string annotation;
+    if (text_.is(value.end, ":") && text_.is(value.end + 1, "register") && text_.is(value.end + 2, "(")) {
+      const std::size_t close = text_.partner(value.end + 2);
+      annotation = " " + text_.spelled(value.end, close - value.end + 1);
+      std::string texture = annotation;
+      const std::size_t letter = texture.find_last_of('(') + 1;
+      const std::size_t space = std::min(texture.find_first_not_of(' ', letter), texture.size() - 1);
+      if (texture[space] == 's') texture[space] = 't';
+      text_.replace(value.end, value.last - value.end, texture);
+    } else {
+      text_.erase(value.end, value.last - value.end);
+    }
+    return annotation;
+  }
+
+  // Where the statements of several variables begin and end, by the place of the type they share.
+  void find_statements() {
+    for (const DeclaredValue& value : declared()) {
+      if (value.type_at == npos) continue;
+      Statement& statement = statements_[value.type_at];
+      if (value.first != npos) statement.first = value.first;
+      statement.last = value.last;
+    }
+  }
+
+  // The use that is all there is from `first` to before `end`.
+  const Use* use_at(std::size_t first, std::size_t end) const {
+    const auto found = std::lower_bound(uses_.begin(), uses_.end(), end,
+                                        [](const Use& use, std::size_t at) { return use.last + 1 < at; });
+    const bool whole = found != uses_.end() && found->first == first && found->last + 1 == end;
+    return whole && is_dx9(found->declared) ? &*found : nullptr;
+  }
+
+  // The same chain, with the sampler's name.
+  std::string partner_of(const Use& use) const {
+    return text_.spelled(use.first, use.name - use.first) + sampler_name(word(use.name)) +
+           text_.spelled(use.name + 1, use.last - use.name);
+  }
+
+  void separate(const Use& use) {
+    if (use.callee != npos) {
+      text_.insert(use.last + 1, ", " + partner_of(use));
+      if (use.argument == 0 && !is_defined(use)) needed_.emplace(word(use.callee), use.arguments);
+      return;
+    }
+    if (text_.is(use.first - 1, "=") && text_.is(use.last + 1, ";")) return;  // told where it is assigned to
+    if (text_.is(use.last + 1, "=") && assign(use)) return;
+    text_.note(use.name, hlsl::Severity::error,
+               "'" + std::string(word(use.name)) +
+                   "' is a Direct3D 9 sampler, which here can be sampled, assigned "
+                   "or passed to a function and nothing else; declare a texture and a SamplerState instead");
+  }
+
+  bool assign(const Use& to) {
+    std::size_t end = to.last + 2;
+    while (end < text_.size() && !text_.is(end, ";")) ++end;
+    const Use* from = use_at(to.last + 2, end);
+    if (from == nullptr) return false;
+    text_.insert(end, ", " + partner_of(to) + " = " + partner_of(*from));
+    return true;
+  }
+
+  // Whether the text has a function of that name for such a sampler itself.
+  bool is_defined(const Use& use) const {
+    const auto named = functions_.find(word(use.callee));
+    if (named == functions_.end()) return false;
+    return std::any_of(named->second.begin(), named->second.end(), [&](const FunctionType* function) {
+      return function->parameters.size() == static_cast<std::size_t>(use.arguments) &&
+             dimensions_[function->parameters[0]] == dimensions_[use.declared];
+    });
+  }
+
+  TokenText& text_;
+  const ValueTypes& types_;
+  std::vector<std::string_view> dimensions_;  // of each declared value; empty: no such sampler
+  std::vector<int> commas_;
+  std::vector<Use> uses_;  // in the order of the text
+  std::set<std::size_t> contradicted_;
+  std::unordered_map<std::string_view, std::vector<const FunctionType*>> functions_;
+  std::unordered_map<std::size_t, Statement> statements_;
+  std::set<std::pair<std::string_view, int>> needed_;  // functions to be defined, with their arguments
+};
+
+}  // namespace
+
+void separate_dx9_samplers(TokenText& text) {
+  const auto& tokens = text.tokens();
+  const bool any = std::any_of(tokens.begin(), tokens.end(), [](const hlsl::Token& token) {
+    return token.spelling == "sampler" || !dx9_dimension(token.spelling).empty();
+  });
+  if (any) Separation(text).run();
+}
+
+}  // namespace penumbra::preparation

@@ -1,0 +1,79 @@
+#include "preparation/flat_initialisers.h"
+
+#include <charconv>
+#include <string_view>
+#include <vector>
+
+#include "preparation/declarators.h"
+
+namespace penumbra::preparation {
+
+namespace {
+
+// 3 of float3, 16 of float4x4, 1 of float.
+std::size_t components(std::string_view type) {
+  const auto size = [](char c) { return static_cast<std::size_t>(c - '0'); };
+  const std::size_t digits = type.find_last_not_of("1234x") + 1;
+  const std::string_view shape = type.substr(digits);
+  if (shape.size() == 1) return size(shape[0]);
+  return shape.size() == 3 ? size(shape[0]) * size(shape[2]) : 1;
+}
+
+// [2][3]; empty when a size is no plain number. `at`: the first '['; moves behind the last ']'.
+std::vector<std::size_t> sizes(const TokenText& text, std::size_t& at) {
+  std::vector<std::size_t> list;
+  for (; text.is(at, "["); at += 3) {
+    std::size_t size = 0;
+    if (at + 2 >= text.size() || !text.is(at + 2, "]")) return {};
+    const std::string_view number = text[at + 1].spelling;
+    if (std::from_chars(number.data(), number.data() + number.size(), size).ec != std::errc() || size == 0)
+      return {};
+    list.push_back(size);
+  }
+  return list;
+}
+
+// The first token of each element of the list between the braces; empty when one is itself a list.
+std::vector<std::size_t> elements(const TokenText& text, std::size_t open) {
+  std::vector<std::size_t> firsts;
+  bool at_start = true;
+  for (std::size_t at = open + 1; at < text.partner(open); ++at) {
+    if (at_start && text.is(at, "{")) return {};
+    if (at_start) firsts.push_back(at);
+    at_start = text.is(at, ",");
+    if (text.partner(at) != npos && text.partner(at) > at) at = text.partner(at);
+  }
+  return firsts;
+}
+
+void group(TokenText& text, std::size_t open, const std::vector<std::size_t>& firsts, std::size_t run) {
+  for (std::size_t i = 0; i < firsts.size(); i += run) {
+    text.insert(firsts[i], "{");
+    const bool last = i + run >= firsts.size();
+    std::size_t end = last ? text.partner(open) : firsts[i + run] - 1;
+    if (last && text.is(end - 1, ",")) --end;
+    text.insert(end, "}");
+  }
+}
+
+}  // namespace
+
+void group_flat_initialisers(TokenText& text) {
+  for (std::size_t type = 0; type + 2 < text.size(); ++type) {
+    if (!text.is_word(type) || !text.is_word(type + 1) || !text.is(type + 2, "[")) continue;
+    if (!is_number_type(text[type].spelling)) continue;
+    std::size_t at = type + 2;
+    const std::vector<std::size_t> dimensions = sizes(text, at);
+    if (dimensions.empty() || !text.is(at, "=") || !text.is(at + 1, "{") || text.partner(at + 1) == npos)
+      continue;
+    std::size_t run = components(text[type].spelling);  // of an element of the first dimension
+    for (std::size_t i = 1; i < dimensions.size(); ++i) run *= dimensions[i];
+    const std::vector<std::size_t> firsts = elements(text, at + 1);
+    const bool deeper =
+        dimensions.size() > 2 || (dimensions.size() == 2 && components(text[type].spelling) > 1);
+    if (run > 1 && !deeper && firsts.size() == run * dimensions[0]) group(text, at + 1, firsts, run);
+  }
+  text.apply();
+}
+
+}  // namespace penumbra::preparation

@@ -1,0 +1,144 @@
+#include "preparation/matrix_swizzles.h"
+
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "hlsl/outline.h"
+#include "preparation/postfix_expression.h"
+
+namespace penumbra::preparation {
+
+namespace {
+
+struct Element {
+  int row;
+  int column;
+};
+
+// The elements of "_m03_m13" (from 0) or "_14_24" (from 1); fewer than two when the word is no such swizzle.
+std::vector<Element> swizzle(std::string_view word) {
+  std::vector<Element> elements;
+  const bool from_zero = word.size() > 1 && word[1] == 'm';
+  const std::size_t length = from_zero ? 4 : 3;
+  const char first = from_zero ? '0' : '1';
+  if (word.size() % length != 0 || word.size() > 4 * length) return {};
+  for (std::size_t at = 0; at < word.size(); at += length) {
+    const int row = word[at + length - 2] - first;
+    const int column = word[at + length - 1] - first;
+    const bool fits = word[at] == '_' && (!from_zero || word[at + 1] == 'm') && row >= 0 && row < 4 &&
+                      column >= 0 && column < 4;
+    if (!fits) return {};
+    elements.push_back({row, column});
+  }
+  return elements;
+}
+
+std::string index(const Element& element) {
+  return "[" + std::to_string(element.row) + "][" + std::to_string(element.column) + "]";
+}
+
+std::string function_name(std::string_view word) {
+  return "penumbra_swizzle" + std::string(word);
+}
+
+// One overload for every shape of matrix that has all the elements. Matrices of whole numbers are rare, and a
+// float matrix would take them with a loss: they have overloads too.
+std::string function_definitions(std::string_view word) {
+  const std::vector<Element> elements = swizzle(word);
+  int rows = 1;
+  int columns = 1;
+  for (const Element& element : elements) {
+    rows = std::max(rows, element.row + 1);
+    columns = std::max(columns, element.column + 1);
+  }
+  std::string text;
+  for (const std::string type : {"float", "int", "uint"}) {
+    for (int r = rows; r <= 4; ++r) {
+      for (int c = columns; c <= 4; ++c) {
+        const std::string vector = type + std::to_string(elements.size());
+        text += vector + " " + function_name(word) + "(" + type + std::to_string(r) + "x" +
+                std::to_string(c) + " m) { return " + vector + "(";
+        for (std::size_t i = 0; i < elements.size(); ++i) text += (i == 0 ? "m" : ", m") + index(elements[i]);
+        text += "); }\n";
+      }
+    }
+  }
+  return text;
+}
+
+// Names of struct members, which look like swizzles where they are used.
+std::set<std::string_view> member_names(const TokenText& text) {
+  std::set<std::string_view> names;
+  for (const hlsl::Declaration& declaration : hlsl::outline(text.tokens())) {
+    if (declaration.kind != hlsl::Declaration::Kind::structure) continue;
+    for (std::size_t at = declaration.open; at < declaration.close; ++at)
+      if (text.is_word(at)) names.insert(text[at].spelling);
+  }
+  return names;
+}
+
+class Swizzles {
+ public:
+  explicit Swizzles(TokenText& text) : text_(text), members_(member_names(text)) {}
+
+  void run() {
+    for (std::size_t dot = 1; dot + 1 < text_.size(); ++dot) {
+      if (!text_.is(dot, ".") || !text_.is_word(dot + 1)) continue;
+      const std::string_view word = text_[dot + 1].spelling;
+      if (word[0] != '_' || swizzle(word).size() < 2 || members_.count(word) != 0) continue;
+      const std::size_t begin = postfix_begin(text_, dot - 1);
+      if (begin == npos) continue;
+      if (assignment_length(text_, dot + 2) != 0) {
+        assign(begin, dot);
+      } else {
+        read(begin, dot);
+      }
+    }
+    std::string functions;
+    for (const std::string_view word : read_) functions += function_definitions(word);
+    text_.insert(0, functions);
+    text_.apply();
+  }
+
+ private:
+  void read(std::size_t begin, std::size_t dot) {
+    const std::string_view word = text_[dot + 1].spelling;
+    read_.insert(word);
+    text_.insert(begin, function_name(word) + "(");
+    text_.replace(dot, 2, ")");
+  }
+
+  // m._11_22 += v;  becomes  { float2 penumbra_right = (float2)(v); m[0][0] += penumbra_right[0]; ... }
+  void assign(std::size_t begin, std::size_t dot) {
+    const std::size_t operation = dot + 2;
+    const std::size_t length = assignment_length(text_, operation);
+    const std::size_t end = expression_end(text_, operation + length);
+    if (end == npos || !text_.is(end, ";") || !begins_statement(text_, begin) ||
+        !may_be_repeated(text_, begin, dot))
+      return;
+    const std::vector<Element> elements = swizzle(text_[dot + 1].spelling);
+    const std::string matrix = text_.spelled(begin, dot - begin);
+    const std::string type = "float" + std::to_string(elements.size());
+    const std::string sign = text_.spelled(operation, length);
+    text_.replace(begin, operation + length - begin, "{ " + type + " penumbra_right = (" + type + ")(");
+    std::string rest = ");";
+    for (std::size_t i = 0; i < elements.size(); ++i)
+      rest += " " + matrix + index(elements[i]) + " " + sign + " penumbra_right[" + std::to_string(i) + "];";
+    text_.replace(end, 1, rest + " }");
+  }
+
+  TokenText& text_;
+  std::set<std::string_view> members_;
+  std::set<std::string_view> read_;
+};
+
+}  // namespace
+
+void write_out_matrix_swizzles(TokenText& text) {
+  Swizzles(text).run();
+}
+
+}  // namespace penumbra::preparation

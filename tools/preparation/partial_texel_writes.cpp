@@ -1,0 +1,75 @@
+#include "preparation/partial_texel_writes.h"
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "hlsl/outline.h"
+#include "preparation/declarators.h"
+#include "preparation/postfix_expression.h"
+
+namespace penumbra::preparation {
+
+namespace {
+
+bool is_vector_swizzle(std::string_view word) {
+  return !word.empty() && word.size() <= 4 && word.find_first_not_of("xyzwrgba") == std::string_view::npos;
+}
+
+// What a writable texture or typed buffer holds: float4 of RWTexture2D<unorm float4>; empty for other types.
+std::string texel_type(const std::string& type) {
+  if (type.rfind("RWTexture", 0) != 0 && type.rfind("RWBuffer", 0) != 0) return {};
+  const std::size_t open = type.find('<');
+  if (open == std::string::npos) return "float4";
+  std::string inner = type.substr(open + 1, type.rfind('>') - open - 1);
+  const std::size_t blank = inner.find_last_of(' ', inner.find_last_not_of(' '));
+  if (blank != std::string::npos) inner.erase(0, blank + 1);
+  return inner.find_first_of("<>,") == std::string::npos ? inner : std::string();
+}
+
+using Texels = std::map<std::string_view, std::string>;
+
+Texels writable_textures(const TokenText& text, const std::vector<hlsl::Declaration>& declarations) {
+  Texels texels;
+  for (const hlsl::Declaration& declaration : declarations) {
+    if (declaration.kind != hlsl::Declaration::Kind::variable) continue;
+    for (const Declarator& declarator : declarators(text, declaration.type, declaration.last)) {
+      const std::string type = texel_type(declarator.type);
+      if (!type.empty() && declarator.dimension_count == 0) texels[text[declarator.name].spelling] = type;
+    }
+  }
+  return texels;
+}
+
+void rewrite(TokenText& text, std::size_t name, const std::string& type) {
+  const std::size_t close = text.partner(name + 1);
+  const std::size_t dot = close + 1;
+  if (!text.is(dot, ".") || !text.is_word(dot + 1) || !is_vector_swizzle(text[dot + 1].spelling)) return;
+  const std::size_t operation = dot + 2;
+  const std::size_t length = assignment_length(text, operation);
+  const std::size_t end = expression_end(text, operation + length);
+  if (length == 0 || end == npos || !text.is(end, ";") || !begins_statement(text, name)) return;
+  if (!may_be_repeated(text, name + 2, close)) return;
+  const std::string texel = text.spelled(name, close - name + 1);
+  text.replace(name, dot - name, "{ " + type + " penumbra_texel = " + texel + "; penumbra_texel");
+  text.replace(end, 1, "; " + texel + " = penumbra_texel; }");
+}
+
+}  // namespace
+
+void write_whole_texels(TokenText& text) {
+  const std::vector<hlsl::Declaration> declarations = hlsl::outline(text.tokens());
+  const Texels texels = writable_textures(text, declarations);
+  if (texels.empty()) return;
+  for (const hlsl::Declaration& declaration : declarations) {
+    if (declaration.kind != hlsl::Declaration::Kind::function) continue;
+    for (std::size_t at = declaration.open; at < declaration.close; ++at) {
+      if (!text.is_word(at) || !text.is(at + 1, "[") || text.partner(at + 1) == npos) continue;
+      const auto texel = texels.find(text[at].spelling);
+      if (texel != texels.end()) rewrite(text, at, texel->second);
+    }
+  }
+  text.apply();
+}
+
+}  // namespace penumbra::preparation

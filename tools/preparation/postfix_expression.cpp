@@ -1,0 +1,122 @@
+#include "preparation/postfix_expression.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace penumbra::preparation {
+
+namespace {
+
+// Words after which an expression begins anew.
+bool is_keyword(std::string_view word) {
+  constexpr std::array<std::string_view, 8> keywords{"return", "else",  "do",  "case",
+                                                     "if",     "while", "for", "switch"};
+  return std::find(keywords.begin(), keywords.end(), word) != keywords.end();
+}
+
+bool is_name(const TokenText& text, std::size_t at) {
+  return text.is_word(at) && !is_keyword(text[at].spelling);
+}
+
+bool is_mark(const TokenText& text, std::size_t at, std::string_view marks) {
+  return at < text.size() && text[at].kind == hlsl::Token::Kind::mark &&
+         marks.find(text[at].spelling[0]) != std::string_view::npos;
+}
+
+// Two marks that stand together in the text, as in "+=" and "==".
+bool together(const TokenText& text, std::size_t left) {
+  return left + 1 < text.size() && text[left].spelling.data() + 1 == text[left + 1].spelling.data();
+}
+
+}  // namespace
+
+std::size_t postfix_begin(const TokenText& text, std::size_t last) {
+  std::size_t at = last;
+  while (at < text.size()) {
+    while (text.is(at, ")") || text.is(at, "]")) {  // f(x)[i]: the groups, then what they follow
+      const std::size_t open = text.partner(at);
+      if (open == npos) return npos;
+      const bool group_of_its_own = open == 0 || !(is_name(text, open - 1) || is_mark(text, open - 1, ")]"));
+      if (group_of_its_own) {
+        if (text.is(open, "[")) return npos;
+        at = open;
+        break;
+      }
+      at = open - 1;
+    }
+    const bool begins_here = text.is(at, "(");
+    if (!begins_here && !is_name(text, at)) return npos;
+    if (at >= 2 && !begins_here && text.is(at - 1, ".")) {
+      at -= 2;
+    } else if (at >= 3 && !begins_here && text.is(at - 1, ":") && text.is(at - 2, ":")) {
+      at -= 3;
+    } else {
+      return at;
+    }
+  }
+  return npos;
+}
+
+std::size_t postfix_end(const TokenText& text, std::size_t first) {
+  std::size_t at = first + 1;
+  while (at < text.size()) {
+    if (text.is(at, ".") && text.is_word(at + 1)) {
+      at += 2;
+    } else if ((text.is(at, "[") || text.is(at, "(")) && text.partner(at) != npos) {
+      at = text.partner(at) + 1;
+    } else {
+      break;
+    }
+  }
+  return at;
+}
+
+std::size_t expression_end(const TokenText& text, std::size_t first) {
+  for (std::size_t at = first; at < text.size(); ++at) {
+    if (text.is(at, ";") || is_mark(text, at, ")]}")) return at;
+    if (is_mark(text, at, "([{")) {
+      if (text.partner(at) == npos) return npos;
+      at = text.partner(at);
+    }
+  }
+  return npos;
+}
+
+bool begins_statement(const TokenText& text, std::size_t at) {
+  if (at == 0) return false;
+  const std::size_t before = at - 1;
+  if (is_mark(text, before, ";{}") || text.is(before, "else") || text.is(before, "do")) return true;
+  if (text.is(before, ":")) {  // case 1:  default:
+    for (std::size_t back = before; back-- > 0 && before - back < 16;) {
+      if (text.is(back, "case") || text.is(back, "default")) return true;
+      if (is_mark(text, back, ";{}?")) return false;
+    }
+    return false;
+  }
+  if (!text.is(before, ")")) return false;
+  const std::size_t open = text.partner(before);
+  if (open == npos || open == 0) return false;
+  return text.is(open - 1, "if") || text.is(open - 1, "for") || text.is(open - 1, "while");
+}
+
+std::size_t assignment_length(const TokenText& text, std::size_t at) {
+  if (text.is(at, "=")) return text.is(at + 1, "=") && together(text, at) ? 0 : 1;
+  if (is_mark(text, at, "+-*/%&|^") && text.is(at + 1, "=") && together(text, at)) return 2;
+  const bool shift = is_mark(text, at, "<>") && at + 2 < text.size() &&
+                     text[at].spelling == text[at + 1].spelling && text.is(at + 2, "=") &&
+                     together(text, at) && together(text, at + 1);
+  return shift ? 3 : 0;
+}
+
+bool may_be_repeated(const TokenText& text, std::size_t first, std::size_t end) {
+  for (std::size_t at = first; at < end; ++at) {
+    const bool call = text.is(at, "(") && at > first && text.is_word(at - 1);
+    const bool step =
+        (text.is(at, "+") && text.is(at + 1, "+")) || (text.is(at, "-") && text.is(at + 1, "-"));
+    if (call || step || assignment_length(text, at) != 0) return false;
+  }
+  return true;
+}
+
+}  // namespace penumbra::preparation

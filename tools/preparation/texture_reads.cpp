@@ -1,0 +1,180 @@
+#include "preparation/texture_reads.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "preparation/resource_types.h"
+#include "preparation/value_types.h"
+
+namespace penumbra::preparation {
+
+namespace {
+
+struct Texture {
+  std::string_view type;
+  std::string_view coordinate;  // with the layer of an array
+  std::string_view direction;   // without: what gradients are of
+};
+constexpr std::array<Texture, 7> textures{{{"Texture1D", "float", "float"},
+                                           {"Texture1DArray", "float2", "float"},
+                                           {"Texture2D", "float2", "float2"},
+                                           {"Texture2DArray", "float3", "float2"},
+                                           {"Texture3D", "float3", "float3"},
+                                           {"TextureCube", "float3", "float3"},
+                                           {"TextureCubeArray", "float4", "float3"}}};
+
+// A member function of textures. C and D in its parameters stand for the two types above.
+struct Function {
+  std::string_view name;
+  std::string_view returned;  // empty: what the texture holds
+  std::string_view parameters;
+  std::string_view arguments;
+  int count;  // of them
+};
+constexpr std::array<Function, 12> functions{
+    {{"Sample", "", "SamplerState s, C c", "s, c", 2},
+     {"SampleLevel", "", "SamplerState s, C c, float level", "s, c, level", 3},
+     {"SampleBias", "", "SamplerState s, C c, float bias", "s, c, bias", 3},
+     {"SampleGrad", "", "SamplerState s, C c, D dx, D dy", "s, c, dx, dy", 4},
+     {"SampleCmp", "float", "SamplerComparisonState s, C c, float reference", "s, c, reference", 3},
+     {"SampleCmpLevelZero", "float", "SamplerComparisonState s, C c, float reference", "s, c, reference", 3},
+     {"Gather", "float4", "SamplerState s, C c", "s, c", 2},
+     {"GatherRed", "float4", "SamplerState s, C c", "s, c", 2},
+     {"GatherGreen", "float4", "SamplerState s, C c", "s, c", 2},
+     {"GatherBlue", "float4", "SamplerState s, C c", "s, c", 2},
+     {"GatherAlpha", "float4", "SamplerState s, C c", "s, c", 2},
+     {"CalculateLevelOfDetail", "float", "SamplerState s, D c", "s, c", 2}}};
+
+template <typename Row, std::size_t Size>
+const Row* row(const std::array<Row, Size>& rows, std::string_view name, std::string_view Row::*key) {
+  const auto found = std::find_if(rows.begin(), rows.end(), [&](const Row& r) { return r.*key == name; });
+  return found == rows.end() ? nullptr : &*found;
+}
+
+bool compares(std::string_view function) {
+  return function.substr(0, 9) == "SampleCmp" || function.substr(0, 9) == "GatherCmp";
+}
+
+// One read of a texture: `texture.function(`.
+struct Read {
+  std::size_t declared = npos;  // the variable or member that names the texture
+  std::size_t first = npos;     // of the texture's chain
+  std::size_t dot = npos;
+};
+
+class Reads {
+ public:
+  explicit Reads(TokenText& text) : text_(text), types_(text.types()) {}
+
+  void run() {
+    for (std::size_t dot = 1; dot + 2 < text_.size(); ++dot)
+      if (text_.is(dot, ".") && text_.is_word(dot + 1) && text_.is(dot + 2, "(")) find(dot);
+    for (const Read& read : comparisons_)
+      if (otherwise_.count(read.declared) != 0) separate(read);
+    for (const Read& read : indirect_) separate(read);
+    std::string definitions;
+    for (const std::string& definition : needed_) definitions += definition;
+    if (!definitions.empty()) text_.insert(0, definitions);
+    text_.apply();
+  }
+
+ private:
+  std::string_view word(std::size_t at) const { return text_[at].spelling; }
+
+  void find(std::size_t dot) {
+    std::size_t name = dot - 1;
+    while (text_.is(name, "]") && text_.partner(name) != npos && text_.partner(name) > 0)
+      name = text_.partner(name) - 1;
+    const std::size_t index = text_.is_word(name) ? types_.named(name) : npos;
+    const std::size_t first = types_.begin(dot - 1);
+    if (index == npos || first == npos || !is_texture(types_.at(dot - 1).name)) return;
+    const bool comparison = compares(word(dot + 1));
+    if (!comparison) otherwise_.insert(index);
+    if (is_indirect(first, dot)) {
+      indirect_.push_back({index, first, dot});
+    } else if (comparison && !is_resource_itself(types_.declared()[index])) {
+      comparisons_.push_back({index, first, dot});
+    }
+  }
+
+  // Whether the texture is a member that is reached through another, a call or an element of an array.
+  bool is_indirect(std::size_t first, std::size_t dot) const {
+    int members = 0;
+    bool brackets = false;
+    for (std::size_t at = first; at < dot; ++at) {
+      members += text_.is(at, ".") ? 1 : 0;
+      brackets = brackets || text_.partner(at) != npos;
+    }
+    return members > 1 || (members == 1 && brackets);
+  }
+
+  static bool is_resource_itself(const DeclaredValue& value) {
+    return value.place == DeclaredValue::Place::global && !value.is_static;
+  }
+
+  int arguments(std::size_t open) const {
+    const std::size_t close = text_.partner(open);
+    if (close == npos) return 0;
+    int commas = 0;
+    for (std::size_t at = open + 1; at < close; ++at) {
+      if (text_.partner(at) != npos && text_.partner(at) > at) at = text_.partner(at);
+      commas += text_.is(at, ",") ? 1 : 0;
+    }
+    return commas + 1;
+  }
+
+  void separate(const Read& read) {
+    const ValueType& type = types_.at(read.dot - 1);
+    const Texture* texture = row(textures, type.name, &Texture::type);
+    const Function* function = row(functions, word(read.dot + 1), &Function::name);
+    if (texture == nullptr || function == nullptr || arguments(read.dot + 2) != function->count) return;
+    needed_.insert(definition(*texture, type.element, *function));
+    text_.insert(read.first, function_name(*function) + "(");
+    text_.replace(read.dot, 3, ",");
+  }
+
+  std::string function_name(const Function& function) const {
+    return text_.free_name(std::string(function.name) + "_of");
+  }
+
+  std::string definition(const Texture& texture, std::string_view element, const Function& function) const {
+    const std::string held(element.empty() ? "float4" : element);
+    std::string text = std::string(function.returned.empty() ? held : function.returned) + " ";
+    text.append(function_name(function)).append("(").append(texture.type);
+    if (!element.empty()) text.append("<").append(held).append(">");
+    text.append(" t, ");
+    for (const char c : function.parameters) {
+      if (c == 'C' && text.back() == ' ') {
+        text.append(texture.coordinate);
+      } else if (c == 'D' && text.back() == ' ') {
+        text.append(texture.direction);
+      } else {
+        text += c;
+      }
+    }
+    return text.append(") { return t.")
+        .append(function.name)
+        .append("(")
+        .append(function.arguments)
+        .append("); } ");
+  }
+
+  TokenText& text_;
+  const ValueTypes& types_;
+  std::vector<Read> comparisons_;
+  std::vector<Read> indirect_;
+  std::set<std::size_t> otherwise_;  // declared values that are read without comparison
+  std::set<std::string> needed_;     // functions
+};
+
+}  // namespace
+
+void separate_texture_reads(TokenText& text) {
+  Reads(text).run();
+}
+
+}  // namespace penumbra::preparation

@@ -1,0 +1,185 @@
+#include "preparation/uniform_writes.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hlsl/outline.h"
+#include "preparation/declarators.h"
+#include "preparation/postfix_expression.h"
+
+namespace penumbra::preparation {
+
+namespace {
+
+using Kind = hlsl::Declaration::Kind;
+
+struct Uniform {
+  Declarator declarator;
+  std::size_t insert_before = 0;  // the token after the declaration it stands in
+};
+
+class WrittenUniforms {
+ public:
+  explicit WrittenUniforms(TokenText& text) : text_(text), declarations_(hlsl::outline(text.tokens())) {}
+
+  void run() {
+    find_uniforms();
+    find_out_parameters();
+    for (const hlsl::Declaration& declaration : declarations_)
+      if (declaration.kind == Kind::function) find_writes(declaration);
+    if (written_.empty()) return;
+    for (const std::string_view name : written_) declare_copy(name, uniforms_.at(name));
+    for (const hlsl::Declaration& declaration : declarations_)
+      if (declaration.kind == Kind::function) use_copies(declaration);
+    text_.apply();
+  }
+
+ private:
+  void add_uniforms(std::size_t first, std::size_t last, std::size_t insert_before) {
+    for (Declarator& declarator : declarators(text_, first, last)) {
+      const bool uniform = !declarator.is_static && !declarator.is_groupshared && !declarator.is_const;
+      if (!uniform || !is_number_type(declarator.type)) continue;
+      const std::string_view name = text_[declarator.name].spelling;
+      uniforms_[name] = {std::move(declarator), insert_before};
+    }
+  }
+
+  void find_uniforms() {
+    for (const hlsl::Declaration& declaration : declarations_) {
+      if (declaration.kind == Kind::variable && text_.is(declaration.last, ";"))
+        add_uniforms(declaration.type, declaration.last, declaration.last + 1);
+      if (declaration.kind != Kind::buffer) continue;
+      std::size_t first = declaration.open + 1;
+      for (std::size_t at = first; at < declaration.close; ++at) {
+        if (!text_.is(at, ";")) continue;
+        add_uniforms(first, at, declaration.last + 1);
+        first = at + 1;
+      }
+    }
+  }
+
+  void find_out_parameters() {
+    for (const hlsl::Declaration& declaration : declarations_) {
+      if (declaration.kind != Kind::function && declaration.kind != Kind::prototype) continue;
+      const std::vector<std::string> types = hlsl::parameter_types(text_.tokens(), declaration);
+      for (std::size_t i = 0; i < types.size(); ++i)
+        if (types[i].rfind("out ", 0) == 0 || types[i].rfind("inout ", 0) == 0)
+          out_parameters_[text_[declaration.name].spelling].insert(i);
+    }
+  }
+
+  // `vector<float, 3> a`: whether the '>' at this token ends a type.
+  bool ends_type(std::size_t at) const {
+    if (!text_.is(at, ">")) return false;
+    for (std::size_t back = at; back-- > 0 && at - back < 6;) {
+      if (text_.is(back, "<")) return back > 0 && text_.is_word(back - 1);
+      if (!text_.is_word(back) && !text_.is(back, ",") && text_[back].kind != hlsl::Token::Kind::number)
+        return false;
+    }
+    return false;
+  }
+
+  bool declares(std::size_t at) const {
+    if (!text_.is_word(at - 1)) return ends_type(at - 1);
+    return !text_.is(at - 1, "return") && !text_.is(at - 1, "else") && !text_.is(at - 1, "do");
+  }
+
+  // Calls `use(token)` for every name in the function that means a uniform: not a member, and not a parameter
+  // or a local variable of the same name in a block around it.
+  template <typename Use>
+  void for_each_use(const hlsl::Declaration& function, Use use) const {
+    std::vector<std::set<std::string_view>> blocks(1);
+    for (std::size_t at = function.parameters_open + 1; at < function.close; ++at) {
+      if (text_.is(at, "{")) blocks.emplace_back();
+      if (text_.is(at, "}") && blocks.size() > 1) blocks.pop_back();
+      if (!text_.is_word(at) || uniforms_.count(text_[at].spelling) == 0) continue;
+      const std::string_view name = text_[at].spelling;
+      if (text_.is(at - 1, ".") || text_.is(at - 1, ":")) continue;
+      if (declares(at)) blocks.back().insert(name);
+      const bool own = std::any_of(blocks.begin(), blocks.end(),
+                                   [&](const auto& names) { return names.count(name) != 0; });
+      if (!own) use(at);
+    }
+  }
+
+  // Its elements and members; not a call.
+  std::size_t end_of_value(std::size_t at) const {
+    std::size_t end = at + 1;
+    while ((text_.is(end, "[") && text_.partner(end) != npos) ||
+           (text_.is(end, ".") && text_.is_word(end + 1)))
+      end = text_.is(end, "[") ? text_.partner(end) + 1 : end + 2;
+    return end;
+  }
+
+  bool stepped(std::size_t begin, std::size_t end) const {
+    const auto twice = [&](std::size_t at, std::string_view mark) {
+      return text_.is(at, mark) && text_.is(at + 1, mark);
+    };
+    return twice(end, "+") || twice(end, "-") ||
+           (begin >= 2 && (twice(begin - 2, "+") || twice(begin - 2, "-")));
+  }
+
+  bool passed_out(std::size_t begin, std::size_t end) const {
+    const bool whole_argument =
+        (text_.is(begin - 1, "(") || text_.is(begin - 1, ",")) && (text_.is(end, ")") || text_.is(end, ","));
+    if (!whole_argument) return false;
+    std::size_t index = 0;
+    std::size_t at = begin;
+    while (at-- > 0) {
+      if (text_.is(at, ",")) {
+        ++index;
+      } else if (text_.is(at, ")") || text_.is(at, "]") || text_.is(at, "}")) {
+        if (text_.partner(at) == npos) return false;
+        at = text_.partner(at);
+      } else if (text_.is(at, "(")) {
+        break;
+      } else if (text_.is(at, ";") || text_.is(at, "{")) {
+        return false;
+      }
+    }
+    const auto function = at > 0 && text_.is_word(at - 1) ? out_parameters_.find(text_[at - 1].spelling)
+                                                          : out_parameters_.end();
+    return function != out_parameters_.end() && function->second.count(index) != 0;
+  }
+
+  void find_writes(const hlsl::Declaration& function) {
+    for_each_use(function, [&](std::size_t at) {
+      const std::size_t end = end_of_value(at);
+      if (assignment_length(text_, end) != 0 || stepped(at, end) || passed_out(at, end))
+        written_.insert(text_[at].spelling);
+    });
+  }
+
+  static std::string copy_name(std::string_view name) { return "penumbra_copy_" + std::string(name); }
+
+  void declare_copy(std::string_view name, const Uniform& uniform) {
+    const Declarator& declarator = uniform.declarator;
+    text_.insert(uniform.insert_before, "static " + declarator.type + " " + copy_name(name) +
+                                            text_.spelled(declarator.dimensions, declarator.dimension_count) +
+                                            " = " + std::string(name) + ";");
+  }
+
+  void use_copies(const hlsl::Declaration& function) {
+    for_each_use(function, [&](std::size_t at) {
+      if (written_.count(text_[at].spelling) != 0) text_.replace(at, 1, copy_name(text_[at].spelling));
+    });
+  }
+
+  TokenText& text_;
+  std::vector<hlsl::Declaration> declarations_;
+  std::map<std::string_view, Uniform> uniforms_;
+  std::map<std::string_view, std::set<std::size_t>> out_parameters_;  // function -> which of its parameters
+  std::set<std::string_view> written_;
+};
+
+}  // namespace
+
+void copy_written_uniforms(TokenText& text) {
+  WrittenUniforms(text).run();
+}
+
+}  // namespace penumbra::preparation

@@ -1,0 +1,442 @@
+#include "preparation/value_types.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace penumbra::preparation {
+
+namespace {
+
+using Place = DeclaredValue::Place;
+
+template <std::size_t Size>
+bool among(std::string_view word, const std::array<std::string_view, Size>& words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+bool is_modifier(std::string_view word) {
+  static constexpr std::array<std::string_view, 23> modifiers{"in",
+                                                              "out",
+                                                              "inout",
+                                                              "const",
+                                                              "uniform",
+                                                              "static",
+                                                              "extern",
+                                                              "precise",
+                                                              "linear",
+                                                              "centroid",
+                                                              "sample",
+                                                              "nointerpolation",
+                                                              "noperspective",
+                                                              "volatile",
+                                                              "shared",
+                                                              "groupshared",
+                                                              "snorm",
+                                                              "unorm",
+                                                              "row_major",
+                                                              "column_major",
+                                                              "unsigned",
+                                                              "globallycoherent",
+                                                              "inline"};
+  return among(word, modifiers);
+}
+
+// Words that stand before another word without being its type.
+bool is_statement_word(std::string_view word) {
+  static constexpr std::array<std::string_view, 9> words{"return", "else",    "do",   "case",     "struct",
+                                                         "class",  "typedef", "goto", "namespace"};
+  return among(word, words);
+}
+
+ValueType named_type(std::string_view name) {
+  ValueType type;
+  type.name = name;
+  return type;
+}
+
+bool is_structured_buffer(std::string_view type) {
+  return type == "StructuredBuffer" || type == "RWStructuredBuffer";
+}
+
+constexpr std::size_t longest_template = 12;  // tokens of Texture2DMS<float4, 4>, with room
+
+}  // namespace
+
+class ValueTypesReader {
+ public:
+  ValueTypesReader(const TokenText& text, ValueTypes& to) : text_(text), to_(to) {}
+
+  void run() {
+    to_.types_.resize(text_.size());
+    to_.begins_.assign(text_.size(), npos);
+    to_.named_.assign(text_.size(), npos);
+    for (std::size_t index = 0; index < to_.outline_.size(); ++index) declare(index);
+    for (const hlsl::Declaration& declaration : to_.outline_) read(declaration);
+  }
+
+ private:
+  using Kind = hlsl::Declaration::Kind;
+
+  std::string_view word(std::size_t at) const { return text_[at].spelling; }
+
+  // First walk: what stands at file scope and in structs.
+  void declare(std::size_t index) {
+    const hlsl::Declaration& declaration = to_.outline_[index];
+    switch (declaration.kind) {
+      case Kind::variable:
+        declarators(declaration.type, declaration.last + 1, Place::global);
+        break;
+      case Kind::buffer:
+        for (std::size_t at = declaration.open + 1; at < declaration.close;)
+          at = declarators(at, declaration.close, Place::global);
+        break;
+      case Kind::structure:
+        declare_struct(index);
+        break;
+      case Kind::function:
+      case Kind::prototype:
+        declare_function(declaration);
+        break;
+      default:
+        break;
+    }
+  }
+
+  void declare_function(const hlsl::Declaration& declaration) {
+    const ValueType returned = type_before(declaration.type, declaration.name);
+    const auto [known, added] = returns_.emplace(word(declaration.name), returned);
+    if (!added && known->second.name != returned.name) known->second = {};
+  }
+
+  ValueType type_before(std::size_t first, std::size_t name) const {
+    while (first < name && is_modifier(word(first))) ++first;
+    return first < name && text_.is_word(first) ? named_type(word(first)) : ValueType{};
+  }
+
+  void declare_struct(std::size_t index) {
+    const hlsl::Declaration& declaration = to_.outline_[index];
+    if (declaration.name == hlsl::Declaration::none) return;
+    StructType type;
+    type.declaration = index;
+    if (text_.is(declaration.name + 1, ":") && text_.is_word(declaration.name + 2))
+      type.base = word(declaration.name + 2);
+    for (std::size_t at = declaration.open + 1; at < declaration.close;)
+      at = member(at, declaration.close, type);
+    to_.structs_.insert_or_assign(word(declaration.name), std::move(type));
+    declarators(declaration.close + 1, declaration.last + 1, Place::global, word(declaration.name));
+  }
+
+  // One member from `at`; where the next begins.
+  std::size_t member(std::size_t at, std::size_t end, StructType& type) {
+    std::size_t stop = at;
+    while (stop < end && !text_.is(stop, ";") && !text_.is(stop, "{") && !text_.is(stop, "(")) ++stop;
+    if (text_.is(stop, "(") && stop > at + 1) return method(at, stop, end, type);
+    const std::size_t before = to_.declared_.size();
+    const std::size_t next = declarators(at, end, Place::member);
+    for (std::size_t i = before; i < to_.declared_.size(); ++i) {
+      type.members.push_back(i);
+      type.member_names.emplace(word(to_.declared_[i].name), i);
+    }
+    return next;
+  }
+
+  std::size_t method(std::size_t at, std::size_t parameters, std::size_t end, StructType& type) {
+    hlsl::Declaration function;
+    function.kind = Kind::function;
+    function.first = function.type = at;
+    function.name = parameters - 1;
+    function.parameters_open = parameters;
+    function.parameters_close = text_.partner(parameters);
+    if (function.parameters_close == npos) return end;
+    std::size_t stop = function.parameters_close + 1;
+    while (stop < end && !text_.is(stop, "{") && !text_.is(stop, ";")) ++stop;
+    if (!text_.is(stop, "{") || text_.partner(stop) == npos) return stop + 1;
+    function.open = stop;
+    function.close = function.last = text_.partner(stop);
+    type.functions.push_back(function);
+    return function.close + 1;
+  }
+
+  // One past <...> where it opens here and a name can follow.
+  std::size_t after_template(std::size_t at, std::size_t end) const {
+    if (!text_.is(at, "<")) return at;
+    int depth = 0;
+    for (std::size_t i = at; i < std::min(end, at + longest_template); ++i) {
+      depth += text_.is(i, "<") ? 1 : text_.is(i, ">") ? -1 : 0;
+      if (depth == 0) return i + 1;
+    }
+    return at;
+  }
+
+  std::size_t skip_brackets(std::size_t at) const {
+    const std::size_t partner = text_.partner(at);
+    return partner == npos || partner < at ? at + 1 : partner + 1;
+  }
+
+  // `modifiers type<...> name[2] : semantic = value, name...;` from `at`; one past its ';'. With `type` the
+  // type has been read already. A ',' ends a parameter.
+  std::size_t declarators(std::size_t at, std::size_t end, Place place, std::string_view type = {}) {
+    DeclaredValue value;
+    value.place = place;
+    value.first = at;
+    while (at < end && text_.is(at, "[")) at = skip_brackets(at);
+    for (; at < end && is_modifier(word(at)); ++at) {
+      value.type.constant = value.type.constant || text_.is(at, "const");
+      value.is_static = value.is_static || text_.is(at, "static");
+    }
+    value.type.name = type;
+    if (type.empty() && at < end && text_.is(at, "struct")) ++at;
+    if (type.empty() && at < end && text_.is_word(at)) {
+      value.type_at = at;
+      value.type.name = word(at);
+      value.type_end = after_template(at + 1, end);
+      if (value.type_end > at + 1 && text_.is_word(at + 2)) value.type.element = word(at + 2);
+      at = value.type_end;
+    }
+    if (at >= end && place == Place::parameter) declarator(at, end, value);
+    while (at < end) {
+      at = declarator(at, end, value);
+      const bool more = at < end && text_.is(at, ",") && place != Place::parameter;
+      if (!more) return at + 1;
+      ++at;
+      value.first = npos;
+    }
+    return end;
+  }
+
+  // From its name; the ',' ';' or end after it.
+  std::size_t declarator(std::size_t at, std::size_t end, DeclaredValue value) {
+    const bool named = at < end && text_.is_word(at);
+    if (named) value.name = at++;
+    value.type.dimensions = 0;
+    for (; at < end && text_.is(at, "["); at = skip_brackets(at)) ++value.type.dimensions;
+    value.end = at;
+    while (at < end && !text_.is(at, ";") && !text_.is(at, ",")) at = skip_brackets(at);
+    value.last = at;
+    if (named || (value.place == Place::parameter && value.type_at != npos)) enter(value);
+    return at;
+  }
+
+  void enter(const DeclaredValue& value) {
+    const std::size_t index = to_.declared_.size();
+    to_.declared_.push_back(value);
+    if (value.name == npos) return;
+    to_.named_[value.name] = index;
+    if (value.place == Place::member) return;
+    std::size_t& visible = visible_.try_emplace(word(value.name), npos).first->second;
+    if (value.place != Place::global) hidden_.emplace_back(word(value.name), visible);
+    visible = index;
+  }
+
+  // Second walk: the bodies and initialisers.
+  void read(const hlsl::Declaration& declaration) {
+    if (declaration.kind == Kind::function || declaration.kind == Kind::prototype) {
+      read_function(declaration);
+    } else if (declaration.kind == Kind::structure && declaration.name != hlsl::Declaration::none) {
+      read_methods(word(declaration.name));
+    } else if (declaration.kind == Kind::variable) {
+      for (std::size_t at = declaration.first; at <= declaration.last; ++at) step(at, nullptr);
+    }
+  }
+
+  void read_methods(std::string_view name) {
+    current_struct_ = name;
+    for (const hlsl::Declaration& function : to_.structs_.at(name).functions) read_function(function);
+    current_struct_ = {};
+  }
+
+  void read_function(const hlsl::Declaration& declaration) {
+    const std::size_t before = hidden_.size();
+    FunctionType function;
+    function.name = declaration.name;
+    const std::size_t first = to_.declared_.size();
+    for (std::size_t at = declaration.parameters_open + 1; at < declaration.parameters_close;)
+      at = parameter(at, declaration.parameters_close);
+    for (std::size_t i = first; i < to_.declared_.size(); ++i) function.parameters.push_back(i);
+    if (declaration.kind == Kind::function) {
+      function.body = declaration.open;
+      body(declaration);
+    }
+    to_.functions_.push_back(std::move(function));
+    restore(before);
+  }
+
+  std::size_t parameter(std::size_t at, std::size_t end) {
+    if (text_.is(at, "void") && at + 1 == end) return end;
+    return declarators(at, end, Place::parameter);
+  }
+
+  void restore(std::size_t size) {
+    for (; hidden_.size() > size; hidden_.pop_back()) visible_[hidden_.back().first] = hidden_.back().second;
+  }
+
+  void body(const hlsl::Declaration& declaration) {
+    std::vector<std::size_t> blocks;
+    for (std::size_t at = declaration.open; at <= declaration.close; ++at) {
+      step(at, &blocks);
+      if (text_.is(at, "{")) blocks.push_back(hidden_.size());
+      if (text_.is(at, "}") && !blocks.empty()) {
+        restore(blocks.back());
+        blocks.pop_back();
+      }
+    }
+  }
+
+  void step(std::size_t at, const std::vector<std::size_t>* in_body) {
+    if (text_.is_word(at)) {
+      if (in_body != nullptr) declaration_statement(at);
+      name(at);
+    } else if (text_.is(at, "]")) {
+      element(at);
+    } else if (text_.is(at, ")")) {
+      parenthesised(at);
+    }
+  }
+
+  // Two words in a row, or a type with <> and a word, declare.
+  void declaration_statement(std::size_t at) {
+    if (at < statement_end_ || (at > 0 && text_.is(at - 1, "."))) return;
+    if (is_modifier(word(at)) || is_statement_word(word(at))) return;
+    const std::size_t name = after_template(at + 1, text_.size());
+    if (!text_.is_word(name) || is_statement_word(word(name))) return;
+    if (text_.is(name + 1, "(") && name > at + 1) return;  // a < b > c(
+    std::size_t first = at;
+    while (first > 0 && text_.is_word(first - 1) && is_modifier(word(first - 1))) --first;
+    std::size_t end = name;
+    while (end < text_.size() && !text_.is(end, ";") && !text_.is(end, ")") && !text_.is(end, "}"))
+      end = skip_brackets(end);
+    statement_end_ = end;
+    declarators(first, end, Place::local);
+  }
+
+  void name(std::size_t at) {
+    const bool called = text_.is(at + 1, "(");
+    if (at > 0 && text_.is(at - 1, ".")) {
+      to_.begins_[at] = at > 1 ? to_.begins_[at - 2] : npos;
+      if (at > 1) member_of(to_.types_[at - 2], at, called);
+      return;
+    }
+    if (at > 0 && text_.is(at - 1, ":") && at > 1 && text_.is(at - 2, ":")) return;
+    to_.begins_[at] = at;
+    if (text_.is(at, "this")) {
+      to_.types_[at] = named_type(current_struct_);
+    } else if (called) {
+      result(at, function_result(word(at)));
+    } else {
+      variable(at);
+    }
+  }
+
+  ValueType function_result(std::string_view name) const {
+    if (!current_struct_.empty()) {
+      const ValueType own = method_result(current_struct_, name);
+      if (!own.name.empty()) return own;
+    }
+    const auto known = returns_.find(name);
+    return known == returns_.end() ? ValueType{} : known->second;
+  }
+
+  void result(std::size_t callee, const ValueType& type) {
+    const std::size_t close = text_.partner(callee + 1);
+    if (close == npos || to_.begins_[callee] == npos) return;
+    to_.types_[close] = type;
+    to_.begins_[close] = to_.begins_[callee];
+  }
+
+  void variable(std::size_t at) {
+    if (to_.named_[at] != npos) return;  // its own declaration
+    const auto known = visible_.find(word(at));
+    std::size_t index = known == visible_.end() ? npos : known->second;
+    const bool may_be_member = index == npos || to_.declared_[index].place == Place::global;
+    if (may_be_member && !current_struct_.empty()) {
+      const std::size_t member = find_member(current_struct_, word(at));
+      if (member != npos) index = member;
+    }
+    if (index == npos) return;
+    to_.named_[at] = index;
+    to_.types_[at] = to_.declared_[index].type;
+  }
+
+  void member_of(const ValueType& of, std::size_t at, bool called) {
+    if (of.name.empty() || of.dimensions > 0) return;
+    if (called) return result(at, method_result(of.name, word(at)));
+    const std::size_t index = find_member(of.name, word(at));
+    if (index == npos) return;
+    to_.named_[at] = index;
+    to_.types_[at] = to_.declared_[index].type;
+    to_.types_[at].constant = to_.types_[at].constant || of.constant;
+  }
+
+  // Along the bases, which a text may have made a circle of.
+  template <typename Look>
+  void each_base(std::string_view type, Look look) const {
+    constexpr int deepest = 16;
+    for (int depth = 0; depth < deepest && !type.empty(); ++depth) {
+      const auto known = to_.structs_.find(type);
+      if (known == to_.structs_.end() || look(known->second)) return;
+      type = known->second.base;
+    }
+  }
+
+  std::size_t find_member(std::string_view type, std::string_view name) const {
+    std::size_t found = npos;
+    each_base(type, [&](const StructType& in) {
+      const auto member = in.member_names.find(name);
+      if (member != in.member_names.end()) found = member->second;
+      return found != npos;
+    });
+    return found;
+  }
+
+  ValueType method_result(std::string_view type, std::string_view name) const {
+    ValueType found;
+    bool several = false;
+    each_base(type, [&](const StructType& in) {
+      for (const hlsl::Declaration& function : in.functions) {
+        if (word(function.name) != name) continue;
+        const ValueType returned = type_before(function.type, function.name);
+        several = several || (!found.name.empty() && found.name != returned.name);
+        found = returned;
+      }
+      return !found.name.empty();
+    });
+    return several ? ValueType{} : found;
+  }
+
+  void element(std::size_t close) {
+    const std::size_t open = text_.partner(close);
+    if (open == npos || open == 0) return;
+    const ValueType& array = to_.types_[open - 1];
+    to_.begins_[close] = to_.begins_[open - 1];
+    if (array.dimensions > 0) {
+      to_.types_[close] = array;
+      --to_.types_[close].dimensions;
+    } else if (is_structured_buffer(array.name)) {
+      to_.types_[close].name = array.element;
+      to_.types_[close].constant = array.name == "StructuredBuffer";
+    }
+  }
+
+  void parenthesised(std::size_t close) {
+    const std::size_t open = text_.partner(close);
+    if (open == npos || to_.begins_[close] != npos || close == open + 1) return;
+    if (to_.begins_[close - 1] != open + 1) return;
+    to_.types_[close] = to_.types_[close - 1];
+    to_.begins_[close] = open;
+  }
+
+  const TokenText& text_;
+  ValueTypes& to_;
+  std::unordered_map<std::string_view, ValueType> returns_;
+  std::unordered_map<std::string_view, std::size_t> visible_;
+  std::vector<std::pair<std::string_view, std::size_t>> hidden_;
+  std::string_view current_struct_;
+  std::size_t statement_end_ = 0;  // of the declaration that is being read
+};
+
+ValueTypes::ValueTypes(const TokenText& text) : outline_(hlsl::outline(text.tokens())) {
+  ValueTypesReader(text, *this).run();
+}
+
+}  // namespace penumbra::preparation

@@ -1,0 +1,82 @@
+// Which value a name stands for and what type it has: enough of HLSL's rules for the passes that follow
+// textures, samplers and buffers through a text.
+//
+// Knows globals (members of cbuffers among them), members of structs, parameters and locals with their
+// blocks, what functions return where all that share a name return the same, and the chains that are built of
+// these with '.', '[]' and calls: `scene.maps[2].albedo`, `Load(x).tint`. Of everything else - operators,
+// swizzles, casts, built-in functions - it says nothing rather than guess. One walk over the tokens; linear.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "hlsl/outline.h"
+#include "preparation/token_text.h"
+
+namespace penumbra::preparation {
+
+struct ValueType {
+  std::string_view name;     // of the type, without what stands in <>; empty: not known
+  std::string_view element;  // the first word in the <>
+  int dimensions = 0;        // array sizes that follow
+  bool constant = false;     // declared const
+  bool is(std::string_view type) const { return name == type && dimensions == 0; }
+};
+
+struct DeclaredValue {
+  enum class Place { global, member, parameter, local };
+  Place place = Place::global;
+  ValueType type;
+  bool is_static = false;
+  std::size_t first = npos;     // modifiers included
+  std::size_t type_at = npos;   // the word that names the type
+  std::size_t type_end = npos;  // one past the type and its <>
+  std::size_t name = npos;      // npos for a parameter without one
+  std::size_t end = npos;       // one past the name and its array sizes
+  std::size_t last = npos;      // the ',' ';' or ')' after all that belongs to it
+};
+
+struct StructType {
+  std::size_t declaration = 0;       // index into ValueTypes::outline()
+  std::string_view base;             // of `struct S : base`
+  std::vector<std::size_t> members;  // indices into ValueTypes::declared(), in their order
+  std::unordered_map<std::string_view, std::size_t> member_names;  // the same by name
+  std::vector<hlsl::Declaration> functions;                        // with bodies
+};
+
+struct FunctionType {
+  std::size_t name = npos;              // its token
+  std::vector<std::size_t> parameters;  // indices into ValueTypes::declared()
+  std::size_t body = npos;              // its '{'; npos for a prototype
+};
+
+class ValueTypes {
+ public:
+  explicit ValueTypes(const TokenText& text);
+
+  // The type of the chain that ends with this token, and the chain's first token (npos: no known chain).
+  const ValueType& at(std::size_t token) const { return types_[token]; }
+  std::size_t begin(std::size_t token) const { return begins_[token]; }
+  // Index into declared() of the variable or member that this word names; npos for everything else.
+  std::size_t named(std::size_t token) const { return named_[token]; }
+
+  const std::vector<DeclaredValue>& declared() const { return declared_; }
+  const std::vector<hlsl::Declaration>& outline() const { return outline_; }
+  const std::unordered_map<std::string_view, StructType>& structs() const { return structs_; }
+  const std::vector<FunctionType>& functions() const { return functions_; }  // those of structs included
+
+ private:
+  friend class ValueTypesReader;
+
+  std::vector<hlsl::Declaration> outline_;
+  std::vector<DeclaredValue> declared_;
+  std::unordered_map<std::string_view, StructType> structs_;
+  std::vector<FunctionType> functions_;
+  std::vector<ValueType> types_;
+  std::vector<std::size_t> begins_;
+  std::vector<std::size_t> named_;
+};
+
+}  // namespace penumbra::preparation

@@ -1,0 +1,99 @@
+#include "shaders/lost_resources.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <span>
+
+#include <glslang/SPIRV/spirv.hpp>
+
+namespace penumbra::shaders {
+
+namespace {
+
+constexpr std::size_t header_words = 5;
+
+using Words = std::span<const std::uint32_t>;
+
+spv::Op opcode(Words instruction) {
+  return static_cast<spv::Op>(instruction[0] & 0xFFFFU);
+}
+
+// The operands of a reading instruction that may be textures and samplers.
+Words handles(Words instruction) {
+  const spv::Op op = opcode(instruction);
+  const bool reads = (op >= spv::OpImageSampleImplicitLod && op <= spv::OpImageQuerySamples) ||
+                     (op >= spv::OpImageSparseSampleImplicitLod && op <= spv::OpImageSparseRead);
+  if (op == spv::OpSampledImage && instruction.size() > 4) return instruction.subspan(3, 2);
+  if (op == spv::OpImageWrite && instruction.size() > 1) return instruction.subspan(1, 1);
+  return reads && instruction.size() > 3 ? instruction.subspan(3, 1) : Words{};
+}
+
+class Search {
+ public:
+  explicit Search(const SpirvModule& module) : module_(module) {}
+
+  std::vector<std::string> run() {
+    for (std::size_t at = header_words; at < module_.size();) {
+      const std::size_t length = module_[at] >> 16U;
+      if (length == 0 || at + length > module_.size()) break;
+      visit(Words(module_).subspan(at, length));
+      at += length;
+    }
+    return {sentences_.begin(), sentences_.end()};
+  }
+
+ private:
+  void visit(Words instruction) {
+    switch (opcode(instruction)) {
+      case spv::OpTypeImage:
+      case spv::OpTypeSampledImage:
+        if (instruction.size() > 1) kinds_[instruction[1]] = "texture";
+        break;
+      case spv::OpTypeSampler:
+        if (instruction.size() > 1) kinds_[instruction[1]] = "sampler";
+        break;
+      case spv::OpUndef:
+      case spv::OpConstantNull:
+        if (of_resource(instruction)) undefined_[instruction[2]] = kinds_[instruction[1]];
+        break;
+      case spv::OpPhi:
+      case spv::OpSelect:
+        if (of_resource(instruction))
+          sentences_.insert(
+              "a " + kinds_[instruction[1]] +
+              " is chosen at run time, which HLSL does not allow; read both and choose between the "
+              "results");
+        break;
+      default:
+        for (const std::uint32_t id : handles(instruction)) read(id);
+    }
+  }
+
+  bool of_resource(Words instruction) const {
+    return instruction.size() > 2 && kinds_.count(instruction[1]) != 0;
+  }
+
+  void read(std::uint32_t id) {
+    const auto found = undefined_.find(id);
+    if (found == undefined_.end()) return;
+    sentences_.insert("a " + found->second +
+                      " that was never set is read; if every path sets it, one function reads it both by a "
+                      "comparison sampler and otherwise, which glslang loses: give each its own function");
+  }
+
+  const SpirvModule& module_;
+  std::map<std::uint32_t, std::string> kinds_;      // of types
+  std::map<std::uint32_t, std::string> undefined_;  // values
+  std::set<std::string> sentences_;
+};
+
+}  // namespace
+
+std::vector<std::string> lost_resources(const SpirvModule& module) {
+  return Search(module).run();
+}
+
+}  // namespace penumbra::shaders
