@@ -144,6 +144,7 @@ bool link(const Source& source, glslang::TProgram& program, CompileResult& resul
 bool generate(const Source& source, const glslang::TIntermediate& tree, CompileResult& result) {
   glslang::SpvOptions options;
   options.disableOptimizer = true;  // SPIRV-Tools is called by ourselves
+  options.generateDebugInfo = source.request.debug_lines;
   spv::SpvBuildLogger logger;
   std::vector<unsigned int> words;
   glslang::GlslangToSpv(tree, words, &logger, &options);
@@ -229,6 +230,7 @@ CompileResult compile(const CompileRequest& request) {
   if (!built) result.spirv.clear();
   for (const std::string& name : sources.names())
     if (!request.text || name != source.name) result.dependencies.emplace_back(name);
+  result.sources = std::move(sources);
   return result;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hlsl/diagnostic.h"
+#include "hlsl/source_text.h"
 #include "hlsl/stage.h"
 
 namespace penumbra::shaders {
@@ -39,12 +40,14 @@ struct CompileRequest {
   // (precision_twins.h); without it they are "already has a body". Each body that goes is a note.
   bool merge_precision_twins = false;
   bool optimise = true;  // legalise, inline and optimise; false keeps the function structure and OpName
+  bool debug_lines = false;  // OpLine with file and line before the instructions of each statement
 };
 
 struct CompileResult {
   std::vector<std::uint32_t> spirv;  // empty when a diagnostic is an error
   std::vector<hlsl::Diagnostic> diagnostics;
   std::vector<std::filesystem::path> dependencies;  // every file that was read
+  hlsl::SourceFiles sources;                        // the texts behind all names in messages and OpLine
 };
 
 // Never throws for a bad shader; throws InputError only when `file` itself cannot be read. Reentrant. The
