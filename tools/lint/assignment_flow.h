@@ -33,6 +33,7 @@ struct UnsetOutput {
   Id type = 0;
   Components set;
   bool nothing_returned = false;  // a path ends without a return statement
+  bool ever_set = false;          // the function sets each component on some path
   Place place;
 };
 

@@ -93,30 +93,77 @@ class FirstRound {
     }
   }
 
-  bool may_change(const Instruction& instruction, Id variable) const {
+  // A variable, or one component of one that is a vector.
+  struct Target {
+    Id variable = 0;
+    std::optional<std::int64_t> component;
+  };
+  std::optional<Target> target(Id pointer) const {
+    if (code_.op(pointer) == spv::OpVariable) return Target{pointer, std::nullopt};
+    const Instruction* chain = code_.definition(pointer);
+    if (chain == nullptr || chain->op != spv::OpAccessChain || chain->operands.size() != 2)
+      return std::nullopt;
+    const Instruction* variable = code_.definition(chain->operands[0]);
+    const bool vector = variable != nullptr && variable->op == spv::OpVariable &&
+                        code_.op(code_.pointee(variable->type)) == spv::OpTypeVector;
+    const std::optional<std::int64_t> component = code_.integer(chain->operands[1]);
+    if (!vector || !component) return std::nullopt;
+    return Target{chain->operands[0], component};
+  }
+
+  // Whether an instruction writes to what is asked for; nothing when it writes to something of the variable
+  // that cannot be told.
+  enum class Writes { no, yes, unknown };
+  Writes writes(const Instruction& instruction, const Target& asked) const {
+    const auto names = [&](Id id) {
+      const Instruction* of = code_.definition(id);
+      return id == asked.variable ||
+             (of != nullptr && of->op == spv::OpAccessChain && of->operands[0] == asked.variable);
+    };
     if (instruction.op == spv::OpFunctionCall)
-      return std::find(instruction.operands.begin(), instruction.operands.end(), variable) !=
-             instruction.operands.end();
-    if (instruction.op != spv::OpStore) return false;
-    const Instruction* target = code_.definition(instruction.operands[0]);
-    return instruction.operands[0] == variable ||
-           (target != nullptr && target->op == spv::OpAccessChain && target->operands[0] == variable);
+      return std::any_of(instruction.operands.begin(), instruction.operands.end(), names) ? Writes::unknown
+                                                                                          : Writes::no;
+    if (instruction.op != spv::OpStore || !names(instruction.operands[0])) return Writes::no;
+    const std::optional<Target> written = target(instruction.operands[0]);
+    if (!written || (written->component && !asked.component)) return Writes::unknown;
+    return !written->component || written->component == asked.component ? Writes::yes : Writes::no;
   }
 
   // What the last store before the loop left in a variable.
-  std::optional<double> stored(Id variable, int depth) const {
-    if (code_.op(variable) != spv::OpVariable) return std::nullopt;
+  std::optional<double> stored(Id pointer, int depth) const {
+    const std::optional<Target> asked = target(pointer);
+    if (!asked) return std::nullopt;
     std::size_t node = before_;
     for (int back = 0; back < most_blocks_back; ++back) {
       const Block& block = function_.blocks[node];
       for (std::size_t i = block.end; i-- > block.begin;) {
         const Instruction& instruction = code_.instructions()[i];
-        if (!may_change(instruction, variable)) continue;
-        const bool whole = instruction.op == spv::OpStore && instruction.operands[0] == variable;
-        return whole ? value(instruction.operands[1], depth) : std::nullopt;
+        const Writes write = writes(instruction, *asked);
+        if (write == Writes::unknown) return std::nullopt;
+        if (write == Writes::no) continue;
+        const bool whole = target(instruction.operands[0])->component == std::nullopt;
+        return whole && asked->component ? component(instruction.operands[1], *asked->component, depth)
+                                         : value(instruction.operands[1], depth);
       }
       if (flow_.predecessors[node].size() != 1) return std::nullopt;
       node = flow_.predecessors[node].front();
+    }
+    return std::nullopt;
+  }
+
+  // One component of a vector that is put together from parts.
+  std::optional<double> component(Id vector, std::int64_t index, int depth) const {
+    const Instruction* of = code_.definition(vector);
+    const bool composite =
+        of != nullptr && (of->op == spv::OpCompositeConstruct || of->op == spv::OpConstantComposite);
+    if (!composite) return std::nullopt;
+    for (const Id part : of->operands) {
+      const Instruction* definition = code_.definition(part);
+      const Instruction* type = definition == nullptr ? nullptr : code_.definition(definition->type);
+      if (type == nullptr) return std::nullopt;
+      const std::int64_t number = type->op == spv::OpTypeVector ? type->operands[1] : 1;
+      if (index < number) return number == 1 ? value(part, depth) : component(part, index, depth + 1);
+      index -= number;
     }
     return std::nullopt;
   }

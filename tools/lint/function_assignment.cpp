@@ -166,8 +166,12 @@ class FunctionAssignment {
     const Components set = part_of(state_, from->variable, from->part);
     if (all(set)) return;
     const bool copied = is_aggregate(code_, instruction.type) || variable.copy_for_call;
-    if (copied || only_for_calls(instruction.result)) {
-      if (!is_given(from->variable)) remember(instruction.result, {set, from->variable, from->part, 0});
+    const bool for_calls = only_for_calls(instruction.result);
+    if (copied || for_calls) {
+      // What a caller gave counts as set once it is copied to another variable: who reads the copy reads what
+      // the caller would have to answer for, and cannot.
+      if (for_calls || !is_given(from->variable))
+        remember(instruction.result, {set, from->variable, from->part, 0});
       return;
     }
     read(from->variable, from->part, set, wanted(instruction, set.size()), instruction.place, 0);
@@ -212,6 +216,7 @@ class FunctionAssignment {
     for (std::size_t i = 0; i < part.count && i < set.size(); ++i)
       if (!set[i] && i < used.size() && used[i]) known[part.first + i] = false;
     if (all(known)) return;
+    if (of.copy_for_call) return;  // its source is reported, or what it is copied back to
     if (is_given(variable)) {
       Components& needed = effect_.parameters[static_cast<std::size_t>(of.parameter)].read;
       for (std::size_t i = 0; i < known.size(); ++i) needed[i] = needed[i] || !known[i];
@@ -342,15 +347,17 @@ class FunctionAssignment {
   }
 
   void report_outputs() {
-    if (nothing_returned_) findings.outputs.push_back({0, function_.result_type, {}, true, function_.place});
+    if (nothing_returned_)
+      findings.outputs.push_back({0, function_.result_type, {}, true, false, function_.place});
     if (!effect_.result.empty() && !all(effect_.result))
       findings.outputs.push_back(
-          {0, function_.result_type, effect_.result, false, result_place_.value_or(function_.place)});
+          {0, function_.result_type, effect_.result, false, true, result_place_.value_or(function_.place)});
     for (const LocalVariable& variable : memory_.variables()) {
       if (variable.parameter < 0) continue;
       const ParameterEffect& effect = effect_.parameters[static_cast<std::size_t>(variable.parameter)];
       if (effect.is_out && !all(effect.set))
-        findings.outputs.push_back({variable.id, variable.type, effect.set, false, function_.place});
+        findings.outputs.push_back(
+            {variable.id, variable.type, effect.set, false, all(variable.stored), function_.place});
     }
   }
 

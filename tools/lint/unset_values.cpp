@@ -53,9 +53,13 @@ Finding output_finding(const LintedCode& linted, ComponentLayout& layout, const 
                                "not every path through '" + name + "' returns a value");
   if (output.parameter != 0) {
     const std::string parameter = linted.code.name(output.parameter);
-    return finding_at_function(linted, "output-not-set", output.place, name, parameter,
-                               "out parameter " + missing(layout, parameter, output.type, output.set) +
-                                   " of '" + name + "' is not set on every path");
+    Finding finding =
+        finding_at_function(linted, "output-not-set", output.place, name, parameter,
+                            "out parameter " + missing(layout, parameter, output.type, output.set) + " of '" +
+                                name + "' is not set on every path");
+    // Direct3D refuses what is never assigned and warns of what is assigned on some paths.
+    if (output.ever_set) finding.diagnostic.severity = hlsl::Severity::warning;
+    return finding;
   }
   Finding finding = finding_at(linted, "output-not-set", output.place, {"return"},
                                "output " + missing(layout, "", output.type, output.set) + " of '" + name +
@@ -72,10 +76,10 @@ Finding read_finding(const LintedCode& linted, ComponentLayout& layout, const Un
                       "'" + path.substr(path.empty() ? 0 : 1) + "' of what '" + callee +
                           "' returns is read, but not set on every path");
   const std::string name = linted.code.name(read.variable);
-  const std::string where = callee.empty() ? "is read" : "is given to '" + callee + "', which reads it,";
+  const std::string where = callee.empty() ? " is read" : " is given to '" + callee + "', which reads it,";
   const std::string why = read.ever_set ? " before it is set on every path" : " but never set";
   return finding_at(linted, "read-before-set", read.place, words_of(name, path),
-                    "'" + name + path + "' " + where + why);
+                    missing(layout, name, read.type, read.known) + where + why);
 }
 
 }  // namespace

@@ -98,14 +98,46 @@ Range ValueRanges::of_product(Id a, Id b) {
   return a == b ? Range{std::max(0.0, absolute(of(a)).low * absolute(of(a)).low), range.high} : range;
 }
 
-Range ValueRanges::of_extract(const Instruction& instruction) {
-  const Instruction* whole = code_.definition(instruction.operands[0]);
-  const bool scalars = whole != nullptr && whole->op == spv::OpCompositeConstruct &&
-                       instruction.operands.size() == 2 && code_.op(whole->type) == spv::OpTypeVector &&
-                       whole->operands.size() == code_.definition(whole->type)->operands[1];
-  if (scalars) return of(whole->operands[instruction.operands[1]]);
-  return whole != nullptr && code_.op(whole->type) == spv::OpTypeVector ? of(instruction.operands[0])
-                                                                        : Range{};
+// Follows a vector's parts to the one that became the component.
+Range ValueRanges::of_component(Id vector, std::uint32_t component) {
+  for (int steps = 0; steps < deepest; ++steps) {
+    const Instruction* whole = code_.definition(vector);
+    if (whole == nullptr || code_.op(whole->type) != spv::OpTypeVector) return {};
+    const auto& operands = whole->operands;
+    if (whole->op == spv::OpCompositeInsert && operands.size() == 3) {
+      if (operands[2] == component) return of(operands[0]);
+      vector = operands[1];
+    } else if (whole->op == spv::OpVectorShuffle) {
+      const std::uint32_t chosen = operands[2 + component];
+      const std::uint32_t first = components(operands[0]);
+      vector = chosen < first ? operands[0] : operands[1];
+      component = chosen < first ? chosen : chosen - first;
+    } else if (whole->op == spv::OpCompositeConstruct) {
+      std::size_t part = 0;
+      for (; part + 1 < operands.size() && component >= components(operands[part]); ++part)
+        component -= components(operands[part]);
+      if (components(operands[part]) == 1) return of(operands[part]);
+      vector = operands[part];
+    } else {
+      return of(vector);
+    }
+  }
+  return {};
+}
+
+Range ValueRanges::of_shuffle(const Instruction& instruction) {
+  std::optional<Range> range;
+  for (std::uint32_t i = 0; i + 2 < instruction.operands.size(); ++i) {
+    const Range part = of_component(instruction.result, i);
+    range = range ? hull(*range, part) : part;
+  }
+  return range.value_or(Range{});
+}
+
+std::uint32_t ValueRanges::components(Id value) const {
+  const Instruction* of = code_.definition(value);
+  const Instruction* type = of == nullptr ? nullptr : code_.definition(of->type);
+  return type != nullptr && type->op == spv::OpTypeVector ? type->operands[1] : 1;
 }
 
 Range ValueRanges::compute(const Instruction& instruction) {
@@ -118,9 +150,11 @@ Range ValueRanges::compute(const Instruction& instruction) {
     case spv::OpCompositeConstruct:
       return of_operands(instruction, 0, 1);
     case spv::OpCompositeExtract:
-      return of_extract(instruction);
+      return operands.size() == 2 ? of_component(operands[0], operands[1]) : Range{};
     case spv::OpVectorShuffle:
-      return operands[0] == operands[1] ? of(operands[0]) : hull(of(operands[0]), of(operands[1]));
+      return of_shuffle(instruction);
+    case spv::OpCompositeInsert:
+      return hull(of(operands[0]), of(operands[1]));
     case spv::OpCopyObject:
     case spv::OpFConvert:
     case spv::OpQuantizeToF16:

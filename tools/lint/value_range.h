@@ -32,7 +32,9 @@ class ValueRanges {
   Range of_extended(const Instruction& instruction);
   Range of_constant(const Instruction& instruction);
   Range of_product(Id a, Id b);
-  Range of_extract(const Instruction& instruction);
+  Range of_component(Id vector, std::uint32_t component);
+  Range of_shuffle(const Instruction& instruction);
+  std::uint32_t components(Id value) const;
   Range of_operands(const Instruction& instruction, std::size_t first, std::size_t step);
 
   const SpirvCode& code_;
