@@ -43,8 +43,12 @@ std::vector<const Function*> callees_first(const SpirvCode& code) {
 // Which parameters are out: SPIR-V does not say, but a caller hands an out parameter a copy it never filled.
 std::map<Id, std::vector<bool>> out_parameters(const SpirvCode& code) {
   std::set<Id> stored;
-  for (const Instruction& instruction : code.instructions())
-    if (instruction.op == spv::OpStore) stored.insert(instruction.operands[0]);
+  for (const Instruction& instruction : code.instructions()) {
+    if (instruction.op != spv::OpStore) continue;
+    const Instruction* target = code.definition(instruction.operands[0]);
+    const bool part = target != nullptr && target->op == spv::OpAccessChain;
+    stored.insert(part ? target->operands[0] : instruction.operands[0]);
+  }
   std::map<Id, std::vector<bool>> out;
   std::set<Id> called;
   for (const Function& function : code.functions()) out[function.id].assign(function.parameters.size(), true);

@@ -17,8 +17,9 @@ using Graph = std::vector<std::vector<std::size_t>>;  // successors by node
 
 constexpr std::size_t no_node = static_cast<std::size_t>(-1);
 
-// Above this no rule that follows paths looks at a function: the algorithms are not linear in the worst case.
-constexpr std::size_t most_blocks = 20'000;
+// Above this no rule that follows paths looks at a function, nor at a module that has more in all: neither
+// our algorithms nor SPIRV-Tools' are linear in the worst case.
+constexpr std::size_t most_blocks = 4'000;
 
 struct ControlFlow {
   Graph successors;

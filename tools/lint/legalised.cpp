@@ -16,6 +16,8 @@ std::optional<std::vector<std::uint32_t>> legalised(const std::vector<std::uint3
       .RegisterPass(spvtools::CreateLocalSingleBlockLoadStoreElimPass())
       .RegisterPass(spvtools::CreateLocalSingleStoreElimPass())
       .RegisterPass(spvtools::CreateScalarReplacementPass(0))
+      .RegisterPass(spvtools::CreateLocalAccessChainConvertPass())
+      .RegisterPass(spvtools::CreateAggressiveDCEPass())  // or access chains without use hold variables back
       .RegisterPass(spvtools::CreateSSARewritePass())
       .RegisterPass(spvtools::CreateCCPPass())
       .RegisterPass(spvtools::CreateDeadBranchElimPass())
@@ -24,6 +26,7 @@ std::optional<std::vector<std::uint32_t>> legalised(const std::vector<std::uint3
       .RegisterPass(spvtools::CreateCopyPropagateArraysPass())
       .RegisterPass(spvtools::CreateVectorDCEPass())
       .RegisterPass(spvtools::CreateDeadInsertElimPass())
+      .RegisterPass(spvtools::CreateRedundancyEliminationPass())
       .RegisterPass(spvtools::CreateAggressiveDCEPass());
   spvtools::OptimizerOptions options;
   options.set_run_validator(false);

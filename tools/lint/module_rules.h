@@ -4,7 +4,8 @@
 // Compile with CompileRequest::optimise off and debug_lines on, and hand over the result's SPIR-V and
 // sources. Findings come in the order of files and lines, each once, without those a comment suppresses
 // (suppression.h). Never throws for a module that glslang made; std::invalid_argument for words that are no
-// SPIR-V. Reentrant. Functions of more than 20,000 blocks are named in a note and not followed.
+// SPIR-V. Reentrant. Work is bounded: what has more than 4,000 basic blocks is named in a note (rule
+// not-checked) and not followed.
 #pragma once
 
 #include <cstdint>

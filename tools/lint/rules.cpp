@@ -50,6 +50,8 @@ const std::vector<RuleInfo>& rules() {
       {"unused-keyword", Severity::warning, "A keyword is declared and changes no variant.",
        "https://docs.unity3d.com/Manual/shader-keywords.html"},
       {"unknown-rule", Severity::warning, "A comment disables a rule that does not exist.",
+       "Documentation~/lint.md"},
+      {"not-checked", Severity::note, "A function or shader is too large for the rules that follow paths.",
        "Documentation~/lint.md"}};
   return all;
 }

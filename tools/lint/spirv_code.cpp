@@ -7,6 +7,8 @@ namespace penumbra::lint {
 
 namespace {
 
+constexpr std::uint32_t most_ids = 0x400000;  // specification 2.17, universal limits
+
 std::uint64_t key(Id id, std::uint32_t member_plus_one = 0) {
   return (static_cast<std::uint64_t>(id) << 32U) | member_plus_one;
 }
@@ -122,6 +124,7 @@ struct SpirvReader {
 
 SpirvCode::SpirvCode(std::vector<std::uint32_t> words) : words_(std::move(words)) {
   if (words_.size() < 5 || words_[0] != spv::MagicNumber) throw std::invalid_argument("not a SPIR-V module");
+  if (words_[3] > most_ids) throw std::invalid_argument("the SPIR-V module's bound is above the limit");
   definitions_.assign(words_[3], 0);
   SpirvReader reader{*this, 5, {}};
   const spvtools::Context context(SPV_ENV_VULKAN_1_1);

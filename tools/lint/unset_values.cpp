@@ -102,12 +102,10 @@ std::vector<Finding> unset_values(const LintedCode& linted) {
                        layout.first_missing(read.type, read.known).path})
               .second)
         findings.push_back(read_finding(linted, layout, read));
-    if (!found.too_large) continue;
-    Finding note = finding_at(linted, "read-before-set", function.place, {},
-                              "'" + plain_name(linted.code.name(function.id)) +
-                                  "' is too large to follow its variables; it was not checked");
-    note.diagnostic.severity = hlsl::Severity::note;
-    findings.push_back(note);
+    if (found.too_large)
+      findings.push_back(finding_at_function(
+          linted, "not-checked", function.place, plain_name(linted.code.name(function.id)), "",
+          "'" + plain_name(linted.code.name(function.id)) + "' is too large to follow its variables"));
   }
   return findings;
 }

@@ -140,6 +140,22 @@ std::uint32_t ValueRanges::components(Id value) const {
   return type != nullptr && type->op == spv::OpTypeVector ? type->operands[1] : 1;
 }
 
+// An integer that is not negative: a constant, or a loop's counter that starts at one and grows.
+bool ValueRanges::counts_up(Id integer) const {
+  const std::optional<std::int64_t> number = code_.integer(integer);
+  if (number) return *number >= 0;
+  const Instruction* phi = code_.definition(integer);
+  if (phi == nullptr || phi->op != spv::OpPhi) return false;
+  for (std::size_t i = 0; i + 1 < phi->operands.size(); i += 2) {
+    const Instruction* next = code_.definition(phi->operands[i]);
+    const bool starts = code_.integer(phi->operands[i]).value_or(-1) >= 0;
+    const bool grows = next != nullptr && next->op == spv::OpIAdd && next->operands[0] == integer &&
+                       code_.integer(next->operands[1]).value_or(-1) >= 0;
+    if (!starts && !grows) return false;
+  }
+  return true;
+}
+
 Range ValueRanges::compute(const Instruction& instruction) {
   const auto& operands = instruction.operands;
   switch (instruction.op) {
@@ -188,6 +204,8 @@ Range ValueRanges::compute(const Instruction& instruction) {
                  : Range{};
     case spv::OpConvertUToF:
       return {0, infinity};
+    case spv::OpConvertSToF:
+      return counts_up(operands[0]) ? Range{0, infinity} : Range{};
     case spv::OpExtInst:
       return of_extended(instruction);
     default:

@@ -35,6 +35,7 @@ class ValueRanges {
   Range of_component(Id vector, std::uint32_t component);
   Range of_shuffle(const Instruction& instruction);
   std::uint32_t components(Id value) const;
+  bool counts_up(Id integer) const;
   Range of_operands(const Instruction& instruction, std::size_t first, std::size_t step);
 
   const SpirvCode& code_;
