@@ -31,8 +31,10 @@ TEST(OutputNotSet, EveryPathReturns) {
 }
 
 TEST(OutputNotSet, AnOutParameterThatIsNeverSetIsAnError) {
-  EXPECT_THAT(outputs(fragment("    float b;\n    F(uv.x, b);\n", "b",
-                               "void F(float a,\n       out float b)\n{\n    a += 1;\n}\n")),
+  const std::string text = fragment("    float b;\n    F(uv.x, b);\n", "b",
+                                    "void F(float a,\n       out float b)\n{\n    a += 1;\n}\n");
+  EXPECT_THAT(reads(text), IsEmpty()) << "one cause, one finding";
+  EXPECT_THAT(outputs(text),
               ElementsAre("2:18 error output-not-set: out parameter 'b' of 'F' is not set on every path"));
 }
 
@@ -171,6 +173,16 @@ TEST(ReadBeforeSet, AStructPartlySetIsCaughtWhereACalleeReadsTheRest) {
       reads(fragment("    Surface s;\n    s.albedo = 1;\n", "Through(s)", surface)),
       ElementsAre("9:20 warning read-before-set: 's.alpha' is given to 'Through', which reads it, but "
                   "never set"));
+}
+
+TEST(ReadBeforeSet, AMemberThatACalleeGotToChangeIsStillTheCallers) {
+  const std::string before = std::string(surface) +
+                             "void Maybe(inout float a, float b) { if (b > 2) a = b; }\n"
+                             "float Outer(Surface s) { Maybe(s.alpha, s.albedo.x); return s.alpha; }\n";
+  EXPECT_THAT(
+      reads(fragment("    Surface s;\n    s.albedo = 1;\n", "Outer(s)", before)),
+      ElementsAre("11:18 warning read-before-set: 's.alpha' is given to 'Outer', which reads it, but never "
+                  "set"));
 }
 
 TEST(ReadBeforeSet, CopiesOfStructsCarryWhatIsUnset) {

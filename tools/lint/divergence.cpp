@@ -1,6 +1,7 @@
 #include "lint/divergence.h"
 
 #include <algorithm>
+#include <ranges>
 #include <utility>
 
 #include "lint/loop_bound.h"
@@ -103,7 +104,6 @@ bool Divergence::phi_varies(const Instruction& phi, std::size_t node) const {
   const auto& here = depends_[node];
   for (const std::size_t from : flow_.predecessors[node]) {
     if (!flow_.reachable(from)) continue;
-    if (branch_varies_[from]) return true;
     for (const std::size_t branch : depends_[from]) {
       if (std::find(here.begin(), here.end(), branch) != here.end()) continue;
       if (branch_varies_[branch] || (runs_apart_[branch] && !runs_apart_[node])) return true;
@@ -193,10 +193,10 @@ std::vector<std::size_t> Divergence::varying_branches_over(std::size_t node) con
 
 // A branch leaves a loop when the loop's header depends on it: going round again is what it decides.
 std::size_t Divergence::loop_left_by(std::size_t branch, std::size_t node) const {
-  for (auto loop = loops_.rbegin(); loop != loops_.rend(); ++loop) {  // inner loops come later
-    if (!loop->body[branch] || !loop->body[node]) continue;
-    const auto& decides = depends_[loop->header];
-    if (std::find(decides.begin(), decides.end(), branch) != decides.end()) return loop->header;
+  for (const Loop& loop : loops_ | std::views::reverse) {  // inner loops come later
+    if (!loop.body[branch] || !loop.body[node]) continue;
+    const auto& decides = depends_[loop.header];
+    if (std::find(decides.begin(), decides.end(), branch) != decides.end()) return loop.header;
   }
   return no_node;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <ranges>
 #include <set>
 #include <string>
 #include <string_view>
@@ -87,12 +88,12 @@ Silenced silenced_in(const std::string& text) {
   const std::vector<Comment> comments = comments_of(text);
   int below = 0;  // the line under a run of lines that hold nothing but such comments
   int last_alone = 0;
-  for (auto comment = comments.rbegin(); comment != comments.rend(); ++comment) {
-    if (comment->alone && comment->line + 1 != last_alone) below = comment->line + 1;
-    if (comment->alone) last_alone = comment->line;
-    const int line = comment->alone ? below : comment->line;
-    for (const Comment::Name& name : comment->names) {
-      if (comment->whole_file) {
+  for (const Comment& comment : comments | std::views::reverse) {
+    if (comment.alone && comment.line + 1 != last_alone) below = comment.line + 1;
+    if (comment.alone) last_alone = comment.line;
+    const int line = comment.alone ? below : comment.line;
+    for (const Comment::Name& name : comment.names) {
+      if (comment.whole_file) {
         silenced.everywhere.insert(name.text);
       } else {
         silenced.on_line[line].insert(name.text);
