@@ -154,6 +154,7 @@ bool link(const Source& source, const hlsl::SourceFiles& sources, glslang::TProg
 bool generate(const Source& source, const glslang::TIntermediate& tree, CompileResult& result) {
   glslang::SpvOptions options;
   options.disableOptimizer = true;  // SPIRV-Tools is called by ourselves
+  options.generateDebugInfo = source.request.debug_lines;
   spv::SpvBuildLogger logger;
   std::vector<unsigned int> words;
   glslang::GlslangToSpv(tree, words, &logger, &options);
@@ -282,6 +283,7 @@ CompileResult compile(const CompileRequest& request, PreprocessedSource source) 
   result.missing_editor_include = std::move(source.missing_editor_include);
   if (hlsl::has_errors(result.diagnostics)) return result;
   if (!build({request, request.file.string(), source.text, {}}, source.sources, result)) result.spirv.clear();
+  result.sources = std::move(source.sources);
   return result;
 }
 

@@ -39,6 +39,7 @@ struct CompileRequest {
   // (preparation/prepare.h). The library's own shaders do without.
   bool prepare = false;
   bool optimise = true;  // legalise, inline and optimise; false keeps the function structure and OpName
+  bool debug_lines = false;  // OpLine with file and line before the instructions of each statement
 };
 
 // What the parser reads: the source after includes, macros and preparation.
@@ -62,6 +63,7 @@ struct CompileResult {
   std::vector<hlsl::Diagnostic> diagnostics;
   std::vector<std::filesystem::path> dependencies;  // every file that was read
   std::string missing_editor_include{};             // as in PreprocessedSource
+  hlsl::SourceFiles sources;                        // the texts behind all names in messages and OpLine
 };
 
 // Neither ever throws for a bad shader; preprocess() throws InputError only when `file` itself cannot be

@@ -1,0 +1,65 @@
+// Compiles one HLSL text and runs every rule of one module over it.
+#pragma once
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lint/module_rules.h"
+#include "shaders/compile.h"
+
+namespace penumbra::lint {
+
+inline shaders::CompileResult compiled(const std::string& text, hlsl::Stage stage = hlsl::Stage::fragment) {
+  shaders::CompileRequest request;
+  request.file = "Test.hlsl";
+  request.text = text;
+  request.stage = stage;
+  request.optimise = false;
+  request.debug_lines = true;
+  shaders::CompileResult result = shaders::compile(request);
+  for (const hlsl::Diagnostic& diagnostic : result.diagnostics)
+    if (diagnostic.severity == hlsl::Severity::error)
+      ADD_FAILURE() << hlsl::format(diagnostic) << "\n" << text;
+  return result;
+}
+
+inline std::vector<Finding> lint(const std::string& text, hlsl::Stage stage = hlsl::Stage::fragment,
+                                 int shader_target = 0) {
+  shaders::CompileResult result = compiled(text, stage);
+  if (result.spirv.empty()) return {};
+  return lint_module({std::move(result.spirv), stage, "Test.hlsl", std::move(result.sources), shader_target});
+}
+
+// "3:5 error rule: message", or "3 ..." where the column is unknown.
+inline std::string told(const Finding& finding) {
+  const hlsl::Diagnostic& at = finding.diagnostic;
+  const char* severity = at.severity == hlsl::Severity::error     ? " error "
+                         : at.severity == hlsl::Severity::warning ? " warning "
+                                                                  : " note ";
+  return std::to_string(at.line) + (at.column == 0 ? "" : ":" + std::to_string(at.column)) + severity +
+         finding.rule + ": " + at.message;
+}
+
+// Every finding of the rule, in order.
+inline std::vector<std::string> findings_of(const std::string& rule, const std::string& text,
+                                            hlsl::Stage stage = hlsl::Stage::fragment,
+                                            int shader_target = 0) {
+  std::vector<std::string> all;
+  for (const Finding& finding : lint(text, stage, shader_target))
+    if (finding.rule == rule) all.push_back(told(finding));
+  return all;
+}
+
+// A fragment shader that returns the expression, after the statements.
+inline std::string fragment(const std::string& statements, const std::string& expression,
+                            const std::string& before = {}) {
+  return before +
+         "float4 Main(float2 uv : TEXCOORD0, nointerpolation int flat : TEXCOORD1) : SV_Target\n{\n" +
+         statements + "    return " + expression + ";\n}\n";
+}
+
+}  // namespace penumbra::lint

@@ -1,0 +1,60 @@
+// Which components of a function's local variables and out parameters are set, on every path to a place.
+// Internal to this room.
+//
+// Definite assignment, as Java's language specification (chapter 16) defines it for locals, here for single
+// components: a component counts as set where every path from the function's start to there stores it.
+// Copies carry what is unset along; a read is where a value is used. Calls are looked through: what a callee
+// sets and what it reads of each parameter is found out first. An element chosen by an index that is only
+// known at run time counts as set once any element is, so arrays filled in a loop are not reported.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <vector>
+
+#include "lint/components.h"
+#include "lint/spirv_code.h"
+
+namespace penumbra::lint {
+
+// A use of components that some path leaves unset.
+struct UnsetRead {
+  Id variable = 0;  // a local or parameter; 0: the value a callee returned
+  Id callee = 0;    // that callee, or the one that reads the variable it is given; 0: read in place
+  Id type = 0;
+  Components known;       // false for those that are read though unset
+  bool ever_set = false;  // something in the function stores to some of them
+  Place place;
+};
+
+// Components of an out parameter or the result that some path leaves unset.
+struct UnsetOutput {
+  Id parameter = 0;  // 0: the result
+  Id type = 0;
+  Components set;
+  bool nothing_returned = false;  // a path ends without a return statement
+  bool ever_set = false;          // the function sets each component on some path
+  Place place;
+};
+
+// What a call does, by parameter.
+struct ParameterEffect {
+  bool is_out = false;
+  Components read;  // before being set; meaningless for out
+  Components set;   // on every path to the end
+};
+struct FunctionEffect {
+  std::vector<ParameterEffect> parameters;
+  Components result;  // set components of a returned struct or array; empty: all
+};
+
+struct AssignmentFindings {
+  std::vector<UnsetRead> reads;
+  std::vector<UnsetOutput> outputs;
+  bool too_large = false;
+};
+
+// Findings of every function but the entry point's wrapper, which only copies; in the order of the module.
+std::map<Id, AssignmentFindings> assignment_findings(const SpirvCode& code);
+
+}  // namespace penumbra::lint

@@ -1,0 +1,68 @@
+// Values and variables as rows of scalar components, for analyses that ask which of them are set.
+// Internal to this room.
+//
+// float4 has 4 components, a struct those of its members in order, an array those of its elements. A type of
+// more than `most_components` counts as one.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "lint/spirv_code.h"
+
+namespace penumbra::lint {
+
+constexpr std::size_t most_components = 256;
+
+// A set of components.
+using Components = std::vector<bool>;
+
+bool all(const Components& set);
+bool none(const Components& set);
+void intersect(Components& into, const Components& other);
+
+// Part of a variable or value: `count` components from `first`. Not exact when an index is only known when
+// the shader runs; then it spans every element the index may mean.
+struct Part {
+  std::size_t first = 0;
+  std::size_t count = 0;
+  Id type = 0;
+  bool exact = true;
+};
+
+class ComponentLayout {
+ public:
+  explicit ComponentLayout(const SpirvCode& code) : code_(code) {}
+
+  std::size_t count(Id type);
+
+  // The part of `whole` that one index more selects.
+  Part select(const Part& whole, Id index_constant);
+  Part select_literal(const Part& whole, std::uint32_t index);
+
+  // The largest part that is missing whole, the first of several; its path is ".uv.x" or "[2].color", and
+  // empty when it is all of the type.
+  struct Missing {
+    std::string path;
+    std::size_t first = 0;
+    std::size_t count = 0;
+  };
+  Missing first_missing(Id type, const Components& set);
+
+ private:
+  std::size_t uncapped(Id type);
+  struct Parts {
+    std::size_t number = 0;
+    Id type = 0;  // of every part; of structs see member
+  };
+  Parts parts(Id type) const;
+  std::string step(Id type, std::size_t index) const;
+
+  const SpirvCode& code_;
+  std::map<Id, std::size_t> counts_;
+};
+
+}  // namespace penumbra::lint

@@ -1,0 +1,15 @@
+// The constant buffers a module declares: names, members, offsets. Internal to this room; program_rules.h
+// offers them to callers.
+#pragma once
+
+#include <vector>
+
+#include "lint/program_rules.h"
+#include "lint/spirv_code.h"
+
+namespace penumbra::lint {
+
+// Of the block's struct type.
+ConstantBuffer constant_buffer(const SpirvCode& code, Id block_type);
+
+}  // namespace penumbra::lint

@@ -1,0 +1,50 @@
+// Blocks of one SPIR-V function as a graph, dominators, and which branch decides whether a block runs.
+// Internal to this room.
+//
+// Nodes are the indices of Function::blocks. Branches on a constant have one way out. Dominators after
+// Cooper, Harvey and Kennedy, "A Simple, Fast Dominance Algorithm" (2001); control dependence after Ferrante,
+// Ottenstein and Warren, "The Program Dependence Graph and Its Use in Optimization" (1987).
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "lint/spirv_code.h"
+
+namespace penumbra::lint {
+
+using Graph = std::vector<std::vector<std::size_t>>;  // successors by node
+
+constexpr std::size_t no_node = static_cast<std::size_t>(-1);
+
+// Above this no rule that follows paths looks at a function, nor at a module that has more in all: neither
+// our algorithms nor SPIRV-Tools' are linear in the worst case.
+constexpr std::size_t most_blocks = 4'000;
+
+struct ControlFlow {
+  Graph successors;
+  Graph predecessors;
+  std::vector<std::size_t> order;      // reachable nodes in reverse postorder, the entry first
+  std::vector<std::size_t> dominator;  // immediate; of the entry itself; no_node where unreachable
+  std::vector<std::size_t> merge;      // by node: the merge block it declares, or no_node
+  std::vector<std::size_t> depth;      // in the dominator tree
+
+  bool reachable(std::size_t node) const { return dominator[node] != no_node; }
+  bool dominates(std::size_t above, std::size_t below) const;
+};
+
+ControlFlow control_flow(const SpirvCode& code, const Function& function);
+
+// The last instruction of a block.
+const Instruction& terminator(const SpirvCode& code, const Block& block);
+
+Graph reversed(const Graph& graph);
+std::vector<std::size_t> reverse_postorder(const Graph& graph, std::size_t entry);
+std::vector<std::size_t> immediate_dominators(const Graph& graph, std::size_t entry);
+
+// For every node the branches it depends on directly: one of their ways leads to it for sure, another need
+// not. `discard` is not a branch away: Direct3D and Vulkan's demotion keep the pixel for derivatives, so a
+// block that ends in OpKill counts as going on where its condition ends.
+Graph control_dependence(const SpirvCode& code, const Function& function, const ControlFlow& flow);
+
+}  // namespace penumbra::lint

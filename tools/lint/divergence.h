@@ -1,0 +1,63 @@
+// Which values of a fragment shader differ between the pixels of a quad, and which blocks only some of them
+// run. Internal to this room.
+//
+// After Coutinho, Sampaio, Pereira and Meira, "Divergence Analysis and Optimizations" (2011): what varies at
+// its source (interpolated inputs, atomics, calls that could not be inlined) makes what is computed from it
+// vary; a branch on it makes what the branch decides vary, and so does a loop left after different numbers
+// of rounds for what is used behind it. Flat inputs are equal within a quad, which lies in one primitive
+// (SPIR-V specification, "derivative group").
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "lint/control_flow.h"
+#include "lint/spirv_code.h"
+
+namespace penumbra::lint {
+
+class Divergence {
+ public:
+  // For a function of a legalised module. `function` must have at most most_blocks blocks.
+  Divergence(const SpirvCode& code, const Function& function);
+
+  bool varies(Id value) const { return value < varies_.size() && varies_[value]; }
+
+  // Branches on varying conditions that decide whether a node runs, directly or through other branches.
+  std::vector<std::size_t> varying_branches_over(std::size_t node) const;
+
+  // The header of the innermost loop that has both nodes and that `branch` may leave; no_node for none.
+  std::size_t loop_left_by(std::size_t branch, std::size_t node) const;
+
+  const ControlFlow& flow() const { return flow_; }
+
+ private:
+  struct Loop {
+    std::size_t header = 0;
+    std::vector<bool> body;
+    bool left_at_different_times = false;
+  };
+
+  void find_loops();
+  void propagate();
+  bool varies_at(const Instruction& instruction, std::size_t node) const;
+  bool source_varies(const Instruction& instruction) const;
+  bool phi_varies(const Instruction& phi, std::size_t node) const;
+  bool used_behind_loop(const Instruction& instruction, std::size_t node) const;
+  void mark_control();
+  bool mark_stores();
+  bool mark_loops();
+  Id root(Id pointer) const;
+
+  const SpirvCode& code_;
+  const Function& function_;
+  ControlFlow flow_;
+  Graph depends_;  // control dependence, direct
+  std::vector<Loop> loops_;
+  std::vector<std::size_t> node_of_;  // by id: where its value is defined
+  std::vector<bool> varies_;          // by id; of a variable: what it holds
+  std::vector<bool> branch_varies_;   // by node: ends in a branch on a varying value
+  std::vector<bool> runs_apart_;      // by node: some varying branch decides whether it runs
+};
+
+}  // namespace penumbra::lint

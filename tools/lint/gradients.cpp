@@ -1,0 +1,134 @@
+#include "lint/gradients.h"
+
+#include <algorithm>
+#include <string>
+
+#include "lint/divergence.h"
+#include "lint/loop_bound.h"
+
+namespace penumbra::lint {
+
+namespace {
+
+bool is_derivative(spv::Op op) {
+  return op >= spv::OpDPdx && op <= spv::OpFwidthCoarse;
+}
+
+bool samples_implicitly(spv::Op op) {
+  switch (op) {
+    case spv::OpImageSampleImplicitLod:
+    case spv::OpImageSampleDrefImplicitLod:
+    case spv::OpImageSampleProjImplicitLod:
+    case spv::OpImageSampleProjDrefImplicitLod:
+    case spv::OpImageSparseSampleImplicitLod:
+    case spv::OpImageSparseSampleDrefImplicitLod:
+    case spv::OpImageQueryLod:
+      return true;
+    default:
+      return false;
+  }
+}
+
+// "at line 12", "at Other.hlsl:12", or nothing when the condition has no place.
+std::string where(const LintedCode& linted, const Function& function, std::size_t branch, Place from) {
+  const Instruction& end = terminator(linted.code, function.blocks[branch]);
+  Place place = end.place;
+  const Instruction* condition = linted.code.definition(end.operands[0]);
+  if (place.line == 0 && condition != nullptr) place = condition->place;
+  if (place.line == 0) return "";
+  const std::string line = std::to_string(place.line);
+  return place.file == from.file ? " at line " + line
+                                 : " at " + linted.code.file_name(place.file) + ":" + line;
+}
+
+struct Gradient {
+  const Instruction& instruction;
+  std::size_t node = 0;
+};
+
+Finding in_loop(const LintedCode& linted, const Function& function, const Divergence& divergence,
+                const Gradient& gradient, std::size_t branch) {
+  const std::size_t header = divergence.loop_left_by(branch, gradient.node);
+  const bool bounded =
+      has_constant_bound(linted.code, function, divergence.flow(), loop_body(divergence.flow(), header));
+  const Place place = gradient.instruction.place;
+  Finding finding = finding_at(
+      linted, "gradient-in-varying-loop", place, {"Sample", "ddx", "ddy", "fwidth"},
+      "derivatives are taken in a loop that pixels leave after different rounds, by the condition" +
+          where(linted, function, branch, place) +
+          (bounded ? "; Direct3D unrolls it, elsewhere they are undefined"
+                   : "; Direct3D must unroll it and finds no bound") +
+          ": use SampleLevel or SampleGrad");
+  if (bounded) finding.diagnostic.severity = hlsl::Severity::warning;
+  return finding;
+}
+
+Finding under_condition(const LintedCode& linted, const Function& function, const Gradient& gradient,
+                        std::size_t branch) {
+  const bool derivative = is_derivative(gradient.instruction.op);
+  const Place place = gradient.instruction.place;
+  return finding_at(
+      linted, "divergent-derivative", place, {"Sample", "ddx", "ddy", "fwidth"},
+      std::string(derivative ? "a derivative is taken" : "a texture is sampled with implicit derivatives") +
+          " where only some pixels of a quad may come, by the condition" +
+          where(linted, function, branch, place) +
+          (derivative ? ": take it before the condition"
+                      : ": sample before the condition, or use SampleLevel or SampleGrad"));
+}
+
+void check(const LintedCode& linted, const Function& function, const Divergence& divergence,
+           const Gradient& gradient, std::vector<Finding>& findings) {
+  const std::vector<std::size_t> branches = divergence.varying_branches_over(gradient.node);
+  if (branches.empty()) return;
+  const auto leaving = std::find_if(branches.begin(), branches.end(), [&](std::size_t branch) {
+    return divergence.loop_left_by(branch, gradient.node) != no_node;
+  });
+  findings.push_back(leaving == branches.end() ? under_condition(linted, function, gradient, branches.back())
+                                               : in_loop(linted, function, divergence, gradient, *leaving));
+}
+
+}  // namespace
+
+std::vector<Finding> gradient_findings(const LintedCode& linted) {
+  std::vector<Finding> findings;
+  for (const Function& function : linted.code.functions()) {
+    if (function.blocks.empty() || function.blocks.size() > most_blocks) continue;
+    const auto& all = linted.code.instructions();
+    const auto is_gradient = [](const Instruction& of) {
+      return is_derivative(of.op) || samples_implicitly(of.op);
+    };
+    const auto begin = all.begin() + static_cast<std::ptrdiff_t>(function.blocks.front().begin);
+    const auto end = all.begin() + static_cast<std::ptrdiff_t>(function.blocks.back().end);
+    if (std::none_of(begin, end, is_gradient)) continue;
+    const Divergence divergence(linted.code, function);
+    for (const std::size_t node : divergence.flow().order)
+      for (std::size_t i = function.blocks[node].begin; i < function.blocks[node].end; ++i)
+        if (is_gradient(all[i])) check(linted, function, divergence, {all[i], node}, findings);
+  }
+  return findings;
+}
+
+std::vector<Finding> unroll_findings(const LintedCode& linted) {
+  std::vector<Finding> findings;
+  for (const Function& function : linted.code.functions()) {
+    if (function.blocks.empty() || function.blocks.size() > most_blocks) continue;
+    const ControlFlow flow = control_flow(linted.code, function);
+    for (const std::size_t node : flow.order) {
+      const Block& block = function.blocks[node];
+      if (flow.merge[node] == no_node) continue;
+      const Instruction& merge = linted.code.instructions()[block.end - 2];
+      if (merge.op != spv::OpLoopMerge || (merge.operands[2] & spv::LoopControlUnrollMask) == 0) continue;
+      const std::vector<bool> body = loop_body(flow, node);
+      if (body.empty() || has_constant_bound(linted.code, function, flow, body)) continue;
+      Place place = merge.place;
+      if (place.line == 0) place = linted.code.instructions()[block.begin].place;
+      findings.push_back(
+          finding_at(linted, "unroll-without-bound", place, {"for", "while", "do"},
+                     "[unroll] on a loop whose rounds no constant bounds: use [loop], or break "
+                     "after a constant number of rounds"));
+    }
+  }
+  return findings;
+}
+
+}  // namespace penumbra::lint

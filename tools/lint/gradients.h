@@ -1,0 +1,23 @@
+// Rules divergent-derivative, gradient-in-varying-loop and unroll-without-bound. Internal to this room.
+//
+// Implicit derivatives (Sample, SampleCmp, SampleBias, ddx, ddy, fwidth, CalculateLevelOfDetail) are only
+// defined where all four pixels of a quad take the same way (SPIR-V specification, "Derivatives"). Direct3D's
+// compiler moves such an operation out of a varying condition with a warning (X4121) and unrolls a loop with
+// a varying number of rounds around one (X3570), which fails when nothing bounds the rounds (X3511).
+// https://learn.microsoft.com/windows/win32/direct3dhlsl/hlsl-errors-and-warnings
+#pragma once
+
+#include <vector>
+
+#include "lint/rule.h"
+#include "lint/source_place.h"
+
+namespace penumbra::lint {
+
+// Of a legalised fragment shader.
+std::vector<Finding> gradient_findings(const LintedCode& linted);
+
+// Loops marked [unroll] nothing constant bounds; any stage, legalised.
+std::vector<Finding> unroll_findings(const LintedCode& linted);
+
+}  // namespace penumbra::lint

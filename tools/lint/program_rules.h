@@ -1,0 +1,79 @@
+// The rules that only a whole shader can break: constant buffers that the SRP Batcher needs alike in every
+// pass, and keywords that never change what is compiled.
+//
+// SRP Batcher: https://docs.unity3d.com/Manual/SRPBatcher-Materials.html ("all material properties in a
+// single constant buffer named UnityPerMaterial"); the same layout in every pass of a SubShader. Keywords:
+// https://docs.unity3d.com/Manual/shader-keywords.html (every declared keyword multiplies the variants).
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "hlsl/stage.h"
+#include "lint/rule.h"
+
+namespace penumbra::lint {
+
+struct ConstantBufferMember {
+  std::string name;
+  std::uint32_t offset = 0;  // bytes, as glslang lays out: what follows an array starts a new register
+  std::uint32_t size = 0;    // bytes, padding after the last element left out
+
+  bool operator==(const ConstantBufferMember&) const = default;
+};
+
+struct ConstantBuffer {
+  std::string name;  // "$Global" for uniforms outside of every cbuffer
+  std::uint32_t size = 0;
+  std::vector<ConstantBufferMember> members;
+};
+
+// All that an unoptimised module declares, used or not. Throws std::invalid_argument for words that are no
+// SPIR-V.
+std::vector<ConstantBuffer> constant_buffers(const std::vector<std::uint32_t>& spirv);
+
+// One compiled stage of one pass.
+struct PassStage {
+  std::string pass;  // its name, for messages
+  hlsl::Stage stage = hlsl::Stage::fragment;
+  std::vector<std::string> keywords;
+  std::vector<ConstantBuffer> buffers;
+};
+
+struct NamedPlace {
+  std::string name;
+  int line = 0;
+  int column = 0;
+};
+
+// One SubShader.
+struct ShaderToLint {
+  std::string file;
+  std::vector<NamedPlace> properties;  // numbers, colours, vectors of the Properties block; no textures
+  std::vector<PassStage> stages;
+};
+
+// Rule srp-batcher: properties outside of UnityPerMaterial, and layouts of it that differ. A stage that has
+// no UnityPerMaterial at all is no layout. Engine properties (unity_*) outside of UnityPerDraw are not
+// checked.
+std::vector<Finding> srp_batcher_findings(const ShaderToLint& shader);
+
+// What the preprocessor or the compiler made of one variant.
+struct VariantText {
+  std::vector<std::string> keywords;  // those that are on
+  std::string hash;                   // equal for equal results
+};
+
+struct ProgramKeywords {
+  std::string file;
+  std::string program;               // pass and stage, for messages
+  std::vector<NamedPlace> declared;  // the keywords of its pragmas, without "_"
+  std::vector<VariantText> variants;
+};
+
+// Rule unused-keyword: a keyword is dead when every pair of variants that differ in it alone has equal
+// results and there is such a pair. Keywords that no pair tests are not reported.
+std::vector<Finding> unused_keyword_findings(const ProgramKeywords& program);
+
+}  // namespace penumbra::lint

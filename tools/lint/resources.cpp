@@ -1,0 +1,203 @@
+#include "lint/resources.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "lint/constant_buffers.h"
+#include "lint/inline_sampler.h"
+
+namespace penumbra::lint {
+
+namespace {
+
+// d3d11.h
+constexpr std::size_t most_samplers = 16;          // D3D11_COMMONSHADER_SAMPLER_SLOT_COUNT
+constexpr std::size_t most_textures = 128;         // D3D11_COMMONSHADER_INPUT_RESOURCE_SLOT_COUNT
+constexpr std::size_t most_constant_buffers = 14;  // D3D11_COMMONSHADER_CONSTANT_BUFFER_API_SLOT_COUNT
+constexpr std::size_t most_writable = 8;           // D3D11_PS_CS_UAV_REGISTER_COUNT
+constexpr std::size_t most_buffer_bytes = 65'536;  // D3D11_REQ_CONSTANT_BUFFER_ELEMENT_COUNT float4
+constexpr std::size_t most_interpolators = 32;     // D3D11_PS_INPUT_REGISTER_COUNT
+
+enum class Kind { sampler, texture, constant_buffer, writable, other };
+
+struct Used {
+  Kind kind = Kind::other;
+  Id variable = 0;
+  Id type = 0;  // without arrays
+  std::size_t slots = 1;
+};
+
+// Strips arrays: an array takes a slot for every element.
+Used described(const SpirvCode& code, const Instruction& variable) {
+  Used used{Kind::other, variable.result, code.pointee(variable.type), 1};
+  const Instruction* type = code.definition(used.type);
+  while (type != nullptr && type->op == spv::OpTypeArray) {
+    used.slots *=
+        static_cast<std::size_t>(std::max<std::int64_t>(1, code.integer(type->operands[1]).value_or(1)));
+    used.type = type->operands[0];
+    type = code.definition(used.type);
+  }
+  if (type == nullptr) return used;
+  const std::optional<spv::StorageClass> storage = code.storage_class(variable.type);
+  if (type->op == spv::OpTypeSampler) {
+    used.kind = Kind::sampler;
+  } else if (type->op == spv::OpTypeImage) {
+    used.kind = type->operands[5] == 2 ? Kind::writable : Kind::texture;
+  } else if (storage == spv::StorageClassStorageBuffer ||
+             code.decoration(used.type, spv::DecorationBufferBlock)) {
+    const bool read_only = code.decoration(variable.result, spv::DecorationNonWritable) ||
+                           code.member_decoration(used.type, 0, spv::DecorationNonWritable);
+    used.kind = read_only ? Kind::texture : Kind::writable;
+  } else if (storage == spv::StorageClassUniform) {
+    used.kind = Kind::constant_buffer;
+  }
+  return used;
+}
+
+std::vector<Used> used_resources(const SpirvCode& code) {
+  std::set<Id> mentioned;
+  for (const Function& function : code.functions())
+    for (const Block& block : function.blocks)
+      for (std::size_t i = block.begin; i < block.end; ++i)
+        for (const Id id : code.ids(code.instructions()[i])) mentioned.insert(id);
+  std::vector<Used> used;
+  for (const Id id : mentioned) {
+    const Instruction* definition = code.definition(id);
+    if (definition == nullptr || definition->op != spv::OpVariable) continue;
+    if (definition->operands[0] == spv::StorageClassFunction) continue;
+    const Used resource = described(code, *definition);
+    if (resource.kind != Kind::other) used.push_back(resource);
+  }
+  return used;
+}
+
+void check_sampler_names(const LintedCode& linted, const std::vector<Used>& used,
+                         std::vector<Finding>& findings) {
+  std::set<std::string> textures;
+  for (const Used& resource : used)
+    if (resource.kind == Kind::texture) textures.insert(linted.code.name(resource.variable));
+  for (const Used& resource : used) {
+    const std::string name = linted.code.name(resource.variable);
+    if (resource.kind != Kind::sampler || name.empty() || is_inline_sampler(name)) continue;
+    if (name.rfind("sampler", 0) == 0 && textures.contains(name.substr(7))) continue;
+    const bool of_texture = name.rfind("sampler_", 0) == 0;
+    findings.push_back(finding_at_declaration(
+        linted, "sampler-name", name, {"SamplerState", "SamplerComparisonState", "SAMPLER"},
+        "sampler '" + name + "' is named for no texture this shader samples" +
+            (of_texture ? " ('" + name.substr(7) + "' is not)" : "") +
+            ", and not for a filter and a wrap mode, as sampler_linear_clamp is"));
+  }
+}
+
+void check_count(const LintedCode& linted, const std::vector<Used>& used, const char* rule, Kind kind,
+                 std::size_t most, const std::string& what, std::vector<Finding>& findings) {
+  std::size_t slots = 0;
+  std::string names;
+  for (const Used& resource : used) {
+    if (resource.kind != kind) continue;
+    slots += resource.slots;
+    const std::string name =
+        kind == Kind::constant_buffer ? linted.code.name(resource.type) : linted.code.name(resource.variable);
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  if (slots <= most) return;
+  findings.push_back(finding_at(linted, rule, {}, {},
+                                std::to_string(slots) + " " + what + " are used; Direct3D 11 has " +
+                                    std::to_string(most) + ": " + names));
+}
+
+void check_sizes(const LintedCode& linted, const std::vector<Used>& used, std::vector<Finding>& findings) {
+  for (const Used& resource : used) {
+    if (resource.kind != Kind::constant_buffer) continue;
+    const ConstantBuffer buffer = constant_buffer(linted.code, resource.type);
+    if (buffer.size <= most_buffer_bytes) continue;
+    findings.push_back(finding_at_declaration(
+        linted, "register-limit", buffer.name, {"cbuffer", "CBUFFER_START", "ConstantBuffer"},
+        "constant buffer '" + buffer.name + "' has " + std::to_string(buffer.size) +
+            " bytes; Direct3D 11 has 65536"));
+  }
+}
+
+// Scalar components a value takes between stages, and registers when nothing is packed.
+struct Footprint {
+  std::size_t components = 0;
+  std::size_t registers = 0;
+};
+Footprint footprint(const SpirvCode& code, Id type) {
+  const Instruction* of = code.definition(type);
+  if (of == nullptr) return {};
+  const auto times = [&](Id inner, std::size_t number) {
+    const Footprint part = footprint(code, inner);
+    return Footprint{part.components * number, part.registers * number};
+  };
+  switch (of->op) {
+    case spv::OpTypeVector:
+      return {of->operands[1], 1};
+    case spv::OpTypeMatrix:
+      return times(of->operands[0], of->operands[1]);
+    case spv::OpTypeArray:
+      return times(of->operands[0], static_cast<std::size_t>(code.integer(of->operands[1]).value_or(1)));
+    default:
+      return {1, 1};
+  }
+}
+
+std::size_t interpolators_of_target(int shader_target) {
+  if (shader_target == 0 || shader_target >= 40) return most_interpolators;
+  return shader_target >= 35 ? 15 : shader_target >= 30 ? 10 : 8;
+}
+
+void check_interpolators(const LintedCode& linted, hlsl::Stage stage, int shader_target,
+                         std::vector<Finding>& findings) {
+  const bool reads = stage == hlsl::Stage::fragment;
+  if (!reads && stage != hlsl::Stage::vertex && stage != hlsl::Stage::domain) return;
+  const spv::StorageClass storage = reads ? spv::StorageClassInput : spv::StorageClassOutput;
+  Footprint sum;
+  for (const Instruction& variable : linted.code.instructions()) {
+    if (variable.op != spv::OpVariable || variable.operands[0] != static_cast<std::uint32_t>(storage))
+      continue;
+    if (!linted.code.decoration(variable.result, spv::DecorationLocation)) continue;
+    const Footprint part = footprint(linted.code, linted.code.pointee(variable.type));
+    sum.components += part.components;
+    sum.registers += part.registers;
+  }
+  const std::size_t packed = (sum.components + 3) / 4;
+  if (packed > most_interpolators) {
+    findings.push_back(finding_at(linted, "register-limit", {}, {},
+                                  "at least " + std::to_string(packed) +
+                                      " interpolators are used; Direct3D 11 has " +
+                                      std::to_string(most_interpolators)));
+    return;
+  }
+  const std::size_t most = interpolators_of_target(shader_target);
+  if (sum.registers <= most) return;
+  Finding finding =
+      finding_at(linted, "register-limit", {}, {},
+                 std::to_string(sum.registers) + " interpolators are used; #pragma target " +
+                     std::to_string(shader_target / 10) + "." + std::to_string(shader_target % 10) +
+                     " promises devices with " + std::to_string(most) + " that the shader works there");
+  finding.diagnostic.severity = hlsl::Severity::note;
+  findings.push_back(finding);
+}
+
+}  // namespace
+
+std::vector<Finding> resource_findings(const LintedCode& linted, hlsl::Stage stage, int shader_target) {
+  std::vector<Finding> findings;
+  const std::vector<Used> used = used_resources(linted.code);
+  check_sampler_names(linted, used, findings);
+  check_count(linted, used, "sampler-limit", Kind::sampler, most_samplers, "samplers", findings);
+  check_count(linted, used, "register-limit", Kind::texture, most_textures, "textures and read-only buffers",
+              findings);
+  check_count(linted, used, "register-limit", Kind::constant_buffer, most_constant_buffers,
+              "constant buffers", findings);
+  check_count(linted, used, "register-limit", Kind::writable, most_writable, "writable textures and buffers",
+              findings);
+  check_sizes(linted, used, findings);
+  check_interpolators(linted, stage, shader_target, findings);
+  return findings;
+}
+
+}  // namespace penumbra::lint

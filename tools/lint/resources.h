@@ -1,0 +1,20 @@
+// Rules sampler-name, sampler-limit and register-limit. Internal to this room.
+//
+// What counts is what the shader uses after dead code is gone, as in the compilers that enforce the limits:
+// https://learn.microsoft.com/windows/win32/direct3d11/overviews-direct3d-11-resources-limits and the
+// constants of d3d11.h named in resources.cpp; interpolators by `#pragma target` after
+// https://docs.unity3d.com/Manual/SL-ShaderCompileTargets.html and SL-Pragma-require.html.
+#pragma once
+
+#include <vector>
+
+#include "hlsl/stage.h"
+#include "lint/rule.h"
+#include "lint/source_place.h"
+
+namespace penumbra::lint {
+
+// Of a legalised module. shader_target: ten times `#pragma target`, 0 for none.
+std::vector<Finding> resource_findings(const LintedCode& linted, hlsl::Stage stage, int shader_target);
+
+}  // namespace penumbra::lint

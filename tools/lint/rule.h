@@ -1,0 +1,29 @@
+// The lint rules: what each is called, what it rests on, how severe it is, and what a finding says.
+//
+// Documentation~/lint.md has one section for each; a test compares the two lists.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hlsl/diagnostic.h"
+
+namespace penumbra::lint {
+
+struct RuleInfo {
+  std::string name;                                   // kebab-case, as suppressions and reports spell it
+  hlsl::Severity severity = hlsl::Severity::warning;  // the worst it reports
+  std::string summary;                                // one sentence
+  std::string source;                                 // the page or section it rests on
+};
+
+// In the order of the documentation.
+const std::vector<RuleInfo>& rules();
+const RuleInfo* find_rule(const std::string& name);
+
+struct Finding {
+  std::string rule;
+  hlsl::Diagnostic diagnostic;
+};
+
+}  // namespace penumbra::lint

@@ -1,0 +1,65 @@
+#include "lint/rule.h"
+
+#include <algorithm>
+
+namespace penumbra::lint {
+
+namespace {
+
+using hlsl::Severity;
+
+constexpr const char* d3d_messages =
+    "https://learn.microsoft.com/windows/win32/direct3dhlsl/hlsl-errors-and-warnings";
+constexpr const char* d3d_limits =
+    "https://learn.microsoft.com/windows/win32/direct3d11/overviews-direct3d-11-resources-limits";
+constexpr const char* spirv_derivatives =
+    "SPIR-V specification, Derivative Control and Uniform Control Flow: "
+    "https://registry.khronos.org/SPIR-V/specs/unified1/SPIRV.html";
+
+}  // namespace
+
+const std::vector<RuleInfo>& rules() {
+  static const std::vector<RuleInfo> all{
+      {"output-not-set", Severity::error,
+       "A return value, an out parameter or an output of the stage is not set on every path.",
+       std::string("Direct3D X3507, X3508, X3578: ") + d3d_messages},
+      {"read-before-set", Severity::warning, "A variable may be read before it is set.",
+       std::string("Direct3D X4000: ") + d3d_messages},
+      {"divergent-derivative", Severity::warning,
+       "A derivative is taken where only some pixels of a quad may come.",
+       std::string("Direct3D X4121; ") + spirv_derivatives},
+      {"gradient-in-varying-loop", Severity::error,
+       "A derivative is taken in a loop that pixels leave after different rounds.",
+       std::string("Direct3D X3570, X3511, X4014; ") + spirv_derivatives},
+      {"unroll-without-bound", Severity::error, "[unroll] stands before a loop that no constant bounds.",
+       std::string("Direct3D X3511: ") + d3d_messages},
+      {"negative-pow", Severity::warning, "The base of pow may be negative.",
+       "Direct3D X3571; https://learn.microsoft.com/windows/win32/direct3dhlsl/dx-graphics-hlsl-pow"},
+      {"nan-check", Severity::warning, "A test for NaN that compilers under fast mathematics remove.",
+       std::string("Direct3D X3577: ") + d3d_messages},
+      {"sampler-name", Severity::error, "A sampler's name tells Unity neither a texture nor its settings.",
+       "https://docs.unity3d.com/Manual/SL-SamplerStates.html"},
+      {"sampler-limit", Severity::error, "More samplers are used than Direct3D 11 has.", d3d_limits},
+      {"register-limit", Severity::error,
+       "More textures, buffers, constant buffer bytes or interpolators are used than Direct3D 11 or the "
+       "shader's #pragma target has.",
+       std::string(d3d_limits) + " and https://docs.unity3d.com/Manual/SL-ShaderCompileTargets.html"},
+      {"srp-batcher", Severity::warning,
+       "Material properties outside of UnityPerMaterial, or a UnityPerMaterial that differs between passes.",
+       "https://docs.unity3d.com/Manual/SRPBatcher-Materials.html"},
+      {"unused-keyword", Severity::warning, "A keyword is declared and changes no variant.",
+       "https://docs.unity3d.com/Manual/shader-keywords.html"},
+      {"unknown-rule", Severity::warning, "A comment disables a rule that does not exist.",
+       "Documentation~/lint.md"},
+      {"not-checked", Severity::note, "A function or shader is too large for the rules that follow paths.",
+       "Documentation~/lint.md"}};
+  return all;
+}
+
+const RuleInfo* find_rule(const std::string& name) {
+  const auto found =
+      std::find_if(rules().begin(), rules().end(), [&](const RuleInfo& rule) { return rule.name == name; });
+  return found == rules().end() ? nullptr : &*found;
+}
+
+}  // namespace penumbra::lint

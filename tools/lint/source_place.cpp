@@ -1,0 +1,96 @@
+#include "lint/source_place.h"
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+#include <vector>
+
+namespace penumbra::lint {
+
+namespace {
+
+constexpr int longest_signature = 40;  // lines
+
+bool is_word(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+bool stands_alone(std::string_view line, std::size_t at, std::size_t length) {
+  return (at == 0 || !is_word(line[at - 1])) && (at + length >= line.size() || !is_word(line[at + length]));
+}
+
+std::string_view without_comment(std::string_view line) {
+  return line.substr(0, line.find("//"));
+}
+
+hlsl::Severity severity_of(const std::string& rule) {
+  const RuleInfo* info = find_rule(rule);
+  return info == nullptr ? hlsl::Severity::warning : info->severity;
+}
+
+}  // namespace
+
+int column_of_word(std::string_view word, std::string_view line) {
+  if (word.empty()) return 0;
+  int column = 0;
+  for (std::size_t at = line.find(word); at != std::string_view::npos; at = line.find(word, at + 1)) {
+    if (!stands_alone(line, at, word.size())) continue;
+    if (column != 0) return 0;
+    column = static_cast<int>(at) + 1;
+  }
+  return column;
+}
+
+Finding finding_at(const LintedCode& linted, const std::string& rule, Place place,
+                   const std::vector<std::string>& words, std::string message) {
+  std::string file = linted.code.file_name(place.file);
+  if (file.empty()) file = linted.main_file;
+  const std::string line = linted.sources.line(file, place.line);
+  int column = 0;
+  for (const std::string& word : words)
+    if (column == 0) column = column_of_word(word, without_comment(line));
+  return {rule, {file, place.line, column, severity_of(rule), std::move(message), line}};
+}
+
+Finding finding_at_function(const LintedCode& linted, const std::string& rule, Place body,
+                            const std::string& name, const std::string& word, std::string message) {
+  std::string file = linted.code.file_name(body.file);
+  if (file.empty()) file = linted.main_file;
+  int header = body.line;
+  const int first = std::max(1, body.line - longest_signature);
+  while (header >= first && column_of_word(name, without_comment(linted.sources.line(file, header))) == 0)
+    --header;
+  if (header < first) header = body.line;
+  int line = header;
+  for (int at = header; !word.empty() && at <= body.line; ++at)
+    if (column_of_word(word, without_comment(linted.sources.line(file, at))) != 0) {
+      line = at;
+      break;
+    }
+  return finding_at(linted, rule, {body.file, line}, {word, name}, std::move(message));
+}
+
+Finding finding_at_declaration(const LintedCode& linted, const std::string& rule, const std::string& name,
+                               const std::vector<std::string>& declaring, std::string message) {
+  for (const std::string& file : linted.sources.names()) {
+    const std::string& text = linted.sources.text(file);
+    for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
+      if (!stands_alone(text, at, name.size())) continue;
+      const std::size_t start = at == 0 ? 0 : text.rfind('\n', at - 1) + 1;
+      const std::string line = text.substr(start, text.find('\n', start) - start);
+      const std::string_view code = without_comment(line);
+      const bool declares = at - start < code.size() &&
+                            std::any_of(declaring.begin(), declaring.end(), [&](const std::string& word) {
+                              return code.find(word) != std::string_view::npos;
+                            });
+      if (!declares) continue;
+      const auto end_of_start = text.begin() + static_cast<std::ptrdiff_t>(start);
+      const int number = static_cast<int>(std::count(text.begin(), end_of_start, '\n')) + 1;
+      const int column = static_cast<int>(at - start) + 1;
+      return {rule, {file, number, column, severity_of(rule), std::move(message), line}};
+    }
+  }
+  return {rule, {linted.main_file, 0, 0, severity_of(rule), std::move(message), {}}};
+}
+
+}  // namespace penumbra::lint

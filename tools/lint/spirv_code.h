@@ -1,0 +1,105 @@
+// A SPIR-V module as the rules walk it: instructions with the source line each comes from, definitions by id,
+// functions and their blocks. Internal to this room.
+//
+// Read once in linear time by SPIRV-Tools' parser; OpLine becomes the place of what follows it; nothing is
+// interpreted beyond what the specification (https://registry.khronos.org/SPIR-V/specs/unified1/SPIRV.html)
+// says of each instruction's layout.
+#pragma once
+
+#include <glslang/SPIRV/spirv.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace penumbra::lint {
+
+using Id = std::uint32_t;
+
+// Where OpLine says an instruction comes from; line 0: nowhere.
+struct Place {
+  Id file = 0;  // an OpString
+  int line = 0;
+};
+
+struct Instruction {
+  spv::Op op = spv::OpNop;
+  Id type = 0;
+  Id result = 0;
+  std::span<const std::uint32_t> operands;  // what follows type and result
+  Place place;
+  std::size_t ids_begin = 0;  // see SpirvCode::ids
+  std::size_t ids_end = 0;
+};
+
+struct Block {
+  Id label = 0;
+  std::size_t begin = 0;  // after the label; indices into SpirvCode::instructions()
+  std::size_t end = 0;    // after the terminator
+};
+
+struct Function {
+  Id id = 0;
+  Id result_type = 0;
+  Place place;
+  std::vector<Id> parameters;
+  std::vector<Block> blocks;  // the first is the entry
+};
+
+class SpirvCode {
+ public:
+  // Throws std::invalid_argument for words that are no SPIR-V.
+  explicit SpirvCode(std::vector<std::uint32_t> words);
+  SpirvCode(const SpirvCode&) = delete;
+  SpirvCode& operator=(const SpirvCode&) = delete;
+
+  const std::vector<Instruction>& instructions() const { return instructions_; }
+  const std::vector<Function>& functions() const { return functions_; }
+  std::size_t id_bound() const { return definitions_.size(); }
+
+  // Of the operands those that are ids, not literals.
+  std::span<const Id> ids(const Instruction& instruction) const {
+    return std::span(ids_).subspan(instruction.ids_begin, instruction.ids_end - instruction.ids_begin);
+  }
+
+  // Null when the id is defined nowhere.
+  const Instruction* definition(Id id) const;
+  spv::Op op(Id id) const;  // OpNop for an unknown id
+  const Function* function(Id id) const;
+  Id entry_function() const { return entry_function_; }  // 0: none
+
+  std::string name(Id id) const;
+  std::string member_name(Id type, std::uint32_t member) const;
+  std::string file_name(Id file) const;
+  // The first literal of the decoration, 0 when it has none; nothing when the id is not so decorated.
+  std::optional<std::uint32_t> decoration(Id id, spv::Decoration kind) const;
+  std::optional<std::uint32_t> member_decoration(Id type, std::uint32_t member, spv::Decoration kind) const;
+
+  // The type a pointer points to, and its storage class.
+  Id pointee(Id pointer_type) const;
+  std::optional<spv::StorageClass> storage_class(Id pointer_type) const;
+  // The value of an integer OpConstant (sign extended), nothing for anything else.
+  std::optional<std::int64_t> integer(Id id) const;
+
+ private:
+  friend struct SpirvReader;
+  using DecorationKey = std::pair<std::uint64_t, std::uint32_t>;  // id << 32 | member + 1, kind
+
+  std::vector<std::uint32_t> words_;
+  std::vector<Instruction> instructions_;
+  std::vector<Id> ids_;
+  std::vector<std::uint32_t> definitions_;  // by id: index into instructions_ + 1, 0 for none
+  std::vector<Function> functions_;
+  std::map<Id, std::size_t> function_index_;
+  std::map<std::uint64_t, std::string> names_;  // id << 32 | member + 1, or id << 32 for the id itself
+  std::map<Id, std::string> strings_;
+  std::map<DecorationKey, std::uint32_t> decorations_;
+  Id entry_function_ = 0;
+};
+
+}  // namespace penumbra::lint

@@ -1,0 +1,113 @@
+#include "lint/unset_values.h"
+
+#include <set>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "lint/assignment_flow.h"
+
+namespace penumbra::lint {
+
+namespace {
+
+constexpr std::size_t most_listed = 4;
+
+// "Fill(f1;f1;" -> "Fill"; glslang puts '@' before the shader's own entry function.
+std::string plain_name(const std::string& name) {
+  const std::string cut = name.substr(0, name.find('('));
+  return !cut.empty() && cut.front() == '@' ? cut.substr(1) : cut;
+}
+
+bool is_entry(const LintedCode& linted, const Function& function) {
+  return linted.code.name(function.id).rfind('@', 0) == 0;
+}
+
+// "'o.uv', 'o.fog.x' and 3 more"; for `base` empty the members alone.
+std::string missing(ComponentLayout& layout, const std::string& base, Id type, Components set) {
+  std::string list;
+  std::size_t listed = 0;
+  while (!all(set) && listed < most_listed) {
+    const ComponentLayout::Missing part = layout.first_missing(type, set);
+    const std::string shown = base.empty() && !part.path.empty() ? part.path.substr(1) : base + part.path;
+    list += (list.empty() ? "'" : ", '") + shown + "'";
+    ++listed;
+    for (std::size_t i = 0; i < part.count; ++i) set[part.first + i] = true;
+  }
+  return all(set) ? list : list + " and more";
+}
+
+std::vector<std::string> words_of(const std::string& name, const std::string& path) {
+  std::vector<std::string> words;
+  const std::size_t dot = path.rfind('.');
+  if (dot != std::string::npos) words.push_back(path.substr(dot + 1));
+  words.push_back(name);
+  return words;
+}
+
+Finding output_finding(const LintedCode& linted, ComponentLayout& layout, const Function& function,
+                       const UnsetOutput& output) {
+  const std::string name = plain_name(linted.code.name(function.id));
+  if (output.nothing_returned)
+    return finding_at_function(linted, "output-not-set", output.place, name, "",
+                               "not every path through '" + name + "' returns a value");
+  if (output.parameter != 0) {
+    const std::string parameter = linted.code.name(output.parameter);
+    Finding finding =
+        finding_at_function(linted, "output-not-set", output.place, name, parameter,
+                            "out parameter " + missing(layout, parameter, output.type, output.set) + " of '" +
+                                name + "' is not set on every path");
+    // Direct3D refuses what is never assigned and warns of what is assigned on some paths.
+    if (output.ever_set) finding.diagnostic.severity = hlsl::Severity::warning;
+    return finding;
+  }
+  Finding finding = finding_at(linted, "output-not-set", output.place, {"return"},
+                               "output " + missing(layout, "", output.type, output.set) + " of '" + name +
+                                   "' is not set on every path");
+  finding.diagnostic.severity = hlsl::Severity::warning;
+  return finding;
+}
+
+Finding read_finding(const LintedCode& linted, ComponentLayout& layout, const UnsetRead& read) {
+  const std::string callee = read.callee == 0 ? "" : plain_name(linted.code.name(read.callee));
+  const std::string path = layout.first_missing(read.type, read.known).path;
+  if (read.variable == 0)
+    return finding_at(linted, "read-before-set", read.place, words_of(callee, path),
+                      "'" + path.substr(path.empty() ? 0 : 1) + "' of what '" + callee +
+                          "' returns is read, but not set on every path");
+  const std::string name = linted.code.name(read.variable);
+  const std::string where = callee.empty() ? " is read" : " is given to '" + callee + "', which reads it,";
+  const std::string why = read.ever_set ? " before it is set on every path" : " but never set";
+  return finding_at(linted, "read-before-set", read.place, words_of(name, path),
+                    missing(layout, name, read.type, read.known) + where + why);
+}
+
+}  // namespace
+
+std::vector<Finding> unset_values(const LintedCode& linted) {
+  ComponentLayout layout(linted.code);
+  std::vector<Finding> findings;
+  std::map<Id, AssignmentFindings> by_function = assignment_findings(linted.code);
+  for (const Function& function : linted.code.functions()) {
+    const AssignmentFindings& found = by_function[function.id];
+    for (const UnsetOutput& output : found.outputs) {
+      // What a helper leaves unset in the struct it returns matters where it is read, or where it leaves.
+      const bool part_of_result = output.parameter == 0 && !output.nothing_returned;
+      if (!part_of_result || is_entry(linted, function))
+        findings.push_back(output_finding(linted, layout, function, output));
+    }
+    std::set<std::tuple<Id, Id, std::string>> told;  // a variable is reported where it is first read
+    for (const UnsetRead& read : found.reads)
+      if (told.insert({read.variable, read.variable == 0 ? read.callee : 0,
+                       layout.first_missing(read.type, read.known).path})
+              .second)
+        findings.push_back(read_finding(linted, layout, read));
+    if (found.too_large)
+      findings.push_back(finding_at_function(
+          linted, "not-checked", function.place, plain_name(linted.code.name(function.id)), "",
+          "'" + plain_name(linted.code.name(function.id)) + "' is too large to follow its variables"));
+  }
+  return findings;
+}
+
+}  // namespace penumbra::lint

@@ -1,0 +1,54 @@
+#include <map>
+#include <set>
+#include <string>
+
+#include "lint/program_rules.h"
+
+namespace penumbra::lint {
+
+namespace {
+
+struct Verdict {
+  std::size_t pairs = 0;
+  bool changes = false;
+};
+
+Verdict toggled(const std::map<std::set<std::string>, std::string>& hash_of, const std::string& keyword) {
+  Verdict verdict;
+  for (const auto& [keywords, hash] : hash_of) {
+    if (!keywords.contains(keyword)) continue;
+    std::set<std::string> without = keywords;
+    without.erase(keyword);
+    const auto other = hash_of.find(without);
+    if (other == hash_of.end()) continue;
+    ++verdict.pairs;
+    verdict.changes = verdict.changes || other->second != hash;
+  }
+  return verdict;
+}
+
+}  // namespace
+
+std::vector<Finding> unused_keyword_findings(const ProgramKeywords& program) {
+  constexpr const char* rule = "unused-keyword";
+  std::map<std::set<std::string>, std::string> hash_of;
+  for (const VariantText& variant : program.variants)
+    hash_of[{variant.keywords.begin(), variant.keywords.end()}] = variant.hash;
+  std::vector<Finding> findings;
+  for (const NamedPlace& keyword : program.declared) {
+    const Verdict verdict = toggled(hash_of, keyword.name);
+    if (verdict.pairs == 0 || verdict.changes) continue;
+    const std::string compared = std::to_string(verdict.pairs) + (verdict.pairs == 1 ? " pair" : " pairs");
+    findings.push_back({rule,
+                        {program.file,
+                         keyword.line,
+                         keyword.column,
+                         find_rule(rule)->severity,
+                         "keyword '" + keyword.name + "' changes nothing in " + program.program + " (" +
+                             compared + " of variants compared), but doubles how many are compiled",
+                         {}}});
+  }
+  return findings;
+}
+
+}  // namespace penumbra::lint

@@ -1,0 +1,46 @@
+// What range a floating-point value must lie in, from the instructions that compute it. Internal to this
+// room.
+//
+// Interval arithmetic without NaN: as compilers under fast mathematics, which Direct3D's and Unity's are.
+// A vector has one range for all its components. Values that loops carry are unknown.
+#pragma once
+
+#include <limits>
+#include <map>
+#include <optional>
+
+#include "lint/spirv_code.h"
+
+namespace penumbra::lint {
+
+struct Range {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+};
+
+class ValueRanges {
+ public:
+  explicit ValueRanges(const SpirvCode& code) : code_(code) {}
+
+  Range of(Id value);
+
+  // The value of a constant whose components are all alike.
+  std::optional<double> constant(Id value) const;
+
+ private:
+  Range compute(const Instruction& instruction);
+  Range of_extended(const Instruction& instruction);
+  Range of_constant(const Instruction& instruction);
+  Range of_product(Id a, Id b);
+  Range of_component(Id vector, std::uint32_t component);
+  Range of_shuffle(const Instruction& instruction);
+  std::uint32_t components(Id value) const;
+  bool counts_up(Id integer) const;
+  Range of_operands(const Instruction& instruction, std::size_t first, std::size_t step);
+
+  const SpirvCode& code_;
+  std::map<Id, Range> known_;
+  int depth_ = 0;
+};
+
+}  // namespace penumbra::lint
