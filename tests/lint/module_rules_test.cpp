@@ -52,7 +52,7 @@ TEST(LintModule, PlacesHoldWhenPrecisionTwinsAreMerged) {
               "half Twin(half x) { return x; }\nfloat Twin(float x) { return x; }\n#include \"Part.hlsl\"\n" +
                   fragment("", "Bent(uv.x) + pow(uv.y, 1.5)"));
   shaders::CompileRequest request = files.request("Main.hlsl", hlsl::Stage::fragment);
-  request.merge_precision_twins = true;
+  request.prepare = true;
   std::vector<std::string> places;
   for (const Finding& finding : lint_file(request))
     places.push_back(std::filesystem::path(finding.diagnostic.file).filename().string() + ":" +

@@ -50,6 +50,7 @@ struct ValidateOptions {
   std::vector<std::string> keyword_sets;
   std::string stripping;
   std::uint64_t limit = 20'000;
+  std::uint64_t sample = 0;
   bool list = false;
   std::vector<std::string> targets;
   std::string api;
@@ -214,6 +215,7 @@ void add_sources(const ValidateOptions& options, validation::ValidationRequest& 
   source.narrowing = narrowing(options);
   source.roots = found.roots;
   source.defines = request.defines;
+  source.sample = options.sample;
   source.entries = {{options.entry, *hlsl::find_stage(options.stage)}};
   for (const std::string& set : options.keyword_sets) source.keyword_sets.push_back(parse_keyword_set(set));
   validation::ShaderSources sources(std::move(source));
@@ -227,7 +229,7 @@ void add_sources(const ValidateOptions& options, validation::ValidationRequest& 
     write_output(options.report.output, variants::text_of(plan));
     return;
   }
-  const std::string refusal = sources.refusal(options.limit);
+  const std::string refusal = options.sample == 0 ? sources.refusal(options.limit) : std::string();
   if (!refusal.empty()) throw InputError("--limit", refusal);
   request.units = sources.units();
   request.records = sources.records();
@@ -306,6 +308,8 @@ void add_which(CLI::App& command, ValidateOptions& options) {
   command.add_option("--stripping", options.stripping, "What the project really uses, as JSON")
       ->check(CLI::ExistingFile);
   command.add_option("--limit", options.limit, "Refuse more variants than this")->capture_default_str();
+  command.add_option("--sample", options.sample,
+                     "Of each entry point at most so many variants, spread evenly");
   command.add_flag("--list", options.list, "Count the variants and compile nothing");
   command
       .add_option("--targets", options.targets,

@@ -17,6 +17,7 @@
 #include "shaders/include_resolver.h"
 #include "shaders/lost_resources.h"
 #include "shaders/parse_failure.h"
+#include "shaders/parse_log.h"
 #include "shaders/source_memory.h"
 #include "shaders/spirv_module.h"
 

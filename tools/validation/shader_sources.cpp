@@ -46,6 +46,26 @@ std::string with_implicit_includes(const std::string& text, const std::string& f
          "\"\n" + text;
 }
 
+// Which of `count` variants a sample of `most` takes: the first, the last, and evenly between.
+std::vector<std::uint64_t> sampled(std::uint64_t count, std::uint64_t most) {
+  std::vector<std::uint64_t> indices;
+  const std::uint64_t taken = most == 0 ? count : std::min(count, most);
+  for (std::uint64_t i = 0; i < taken; ++i) {
+    const bool all = taken == count || taken == 1;
+    // Quotient and remainder apart: count * i may not fit.
+    const std::uint64_t steps = all ? 1 : taken - 1;
+    const std::uint64_t reach = count - 1;
+    indices.push_back(all ? i : reach / steps * i + reach % steps * i / steps);
+  }
+  return indices;
+}
+
+std::vector<variants::Keywords> chosen(const variants::VariantList& all, std::uint64_t most) {
+  std::vector<variants::Keywords> list;
+  for (const std::uint64_t index : sampled(all.count().value(), most)) list.push_back(all.at(index));
+  return list;
+}
+
 std::string uniforms_of(const std::vector<variants::DynamicKeyword>& keywords) {
   std::string text;
   for (const variants::DynamicKeyword& keyword : keywords) text += "uniform int " + keyword.name + "; ";
@@ -207,17 +227,15 @@ CompileUnit ShaderSources::unit(const SourceProgram& program, const std::string&
 std::vector<CompileUnit> ShaderSources::units() const {
   std::vector<CompileUnit> units;
   for (const SourceProgram& program : programs_) {
-    for (const auto& [function, stage] : program.entries) {
-      if (program.keyword_sets.empty()) {
-        for (const variants::Keywords& keywords : program.space->variants(stage))
-          units.push_back(unit(program, function, stage, keywords));
-      } else {
-        for (const variants::Keywords& keywords : program.keyword_sets)
-          units.push_back(unit(program, function, stage, keywords));
-      }
-    }
+    const auto variants_of = [&](hlsl::Stage stage) {
+      return program.keyword_sets.empty() ? chosen(program.space->variants(stage), options_.sample)
+                                          : program.keyword_sets;
+    };
+    for (const auto& [function, stage] : program.entries)
+      for (const variants::Keywords& keywords : variants_of(stage))
+        units.push_back(unit(program, function, stage, keywords));
     for (const variants::Kernel& kernel : program.kernels) {
-      for (const variants::Keywords& keywords : program.space->variants(hlsl::Stage::compute)) {
+      for (const variants::Keywords& keywords : variants_of(hlsl::Stage::compute)) {
         units.push_back(unit(program, kernel.function, hlsl::Stage::compute, keywords));
         CompileUnit& made = units.back();
         made.compile.defines.insert(made.compile.defines.end(), kernel.defines.begin(), kernel.defines.end());

@@ -36,6 +36,8 @@ struct SourceOptions {
   std::vector<std::pair<std::string, std::string>> defines;  // for every variant
   // Of .hlsl files: entry points named by hand. Keyword pragmas of the file count.
   std::vector<std::pair<std::string, hlsl::Stage>> entries;
+  // Of each entry point at most so many variants, spread evenly over all of them; 0: all.
+  std::uint64_t sample = 0;
   std::vector<variants::Keywords> keyword_sets;  // of .hlsl files, instead of what their pragmas span
 };
 

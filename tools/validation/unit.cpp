@@ -25,7 +25,7 @@ void write(ByteWriter& out, const std::vector<Pair>& pairs) {
 // The members by name and all of them: one more in the struct, and this does not compile until it is written.
 void write(ByteWriter& out, const shaders::CompileRequest& request) {
   const auto& [file, text, entry, stage, defines, roots, directories, project, cginc_root, overlays, prepare,
-               optimise] = request;
+               optimise, debug_lines] = request;
   out.text(file.string());
   out.number(text ? 1 : 0);
   out.text(text.value_or(""));
@@ -45,6 +45,7 @@ void write(ByteWriter& out, const shaders::CompileRequest& request) {
   });
   out.number(prepare ? 1 : 0);
   out.number(optimise ? 1 : 0);
+  out.number(debug_lines ? 1 : 0);
 }
 
 void write(ByteWriter& out, const Diagnostic& diagnostic) {
@@ -110,6 +111,7 @@ shaders::CompileRequest read_request(ByteReader& in) {
   for (auto& [suffix, file] : read_pairs(in)) request.overlays.push_back({suffix, file});
   request.prepare = read_flag(in);
   request.optimise = read_flag(in);
+  request.debug_lines = read_flag(in);
   return request;
 }
 
