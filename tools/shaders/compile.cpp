@@ -147,7 +147,8 @@ bool link(const Source& source, const hlsl::SourceFiles& sources, glslang::TProg
   const bool linked = program.link(messages) && program.mapIO();
   const std::string log = program.getInfoLog();
   if (linked && !tells_an_error(log, sources)) return true;
-  result.diagnostics.push_back(link_error(failure_of(source, log, source.text), source.request.entry, sources));
+  result.diagnostics.push_back(
+      link_error(failure_of(source, log, source.text), source.request.entry, sources));
   return false;
 }
 
