@@ -20,6 +20,7 @@ class Merge : public ProgramTest {
     run({"validate", shader, "--targets", "spirv,msl23", "--report", "json", "-o", file});
     nlohmann::json report = nlohmann::json::parse(read(name + ".json"));
     report["shard"] = {{"index", index}, {"count", count}};
+    report["fingerprint"] = "of one request";
     write(name + ".json", report.dump());
     return file;
   }

@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "platform/content_hash.h"
 #include "validation/source_variants.h"
 #include "validation/target_check.h"
 
@@ -29,7 +30,8 @@ void judge(VariantRecord& record, const shaders::Technique* technique) {
   }
 }
 
-void add_records(const SourceVariant& variant, const UnitResult& result, ValidationReport& report) {
+void add_records(const SourceVariant& variant, const UnitResult& result, std::size_t report_place,
+                 ValidationReport& report) {
   const CompileUnit& unit = variant.unit;
   for (std::size_t i = 0; i < unit.targets.size(); ++i) {
     VariantRecord record;
@@ -45,11 +47,21 @@ void add_records(const SourceVariant& variant, const UnitResult& result, Validat
     record.diagnostics = result.targets[i].diagnostics;
     record.reproduction = result.targets[i].reproduction;
     record.cached = result.cached;
+    record.module = result.module_key;
+    record.place = report_place;
     if (!result.missing_editor_include.empty())
       record.reason = "'" + result.missing_editor_include + "' ships with the Unity editor alone";
     judge(record, variant.technique);
     report.records.push_back(std::move(record));
   }
+}
+
+// What was asked for, without the shard: equal for all shards of one run.
+std::string fingerprint_of(const ValidationRequest& request, const std::vector<CompileUnit>& units) {
+  platform::ContentHash hash;
+  for (const CompileUnit& unit : units) hash.update(encode(unit));
+  for (const VariantRecord& record : request.records) hash.update(record.file).update(record.pass);
+  return hash.update(std::uint64_t{request.engine.shard.count}).hex();
 }
 
 }  // namespace
@@ -58,16 +70,21 @@ ValidationReport validate(const ValidationRequest& request) {
   const auto start = std::chrono::steady_clock::now();
   ValidationReport report;
   for (const std::string& target : request.targets) report.checks[target] = checked_by(target);
+  // What was said before anything was compiled belongs to the first shard.
   if (request.engine.shard.index == 1) report.records = request.records;
+  for (std::size_t i = 0; i < report.records.size(); ++i) report.records[i].place = i;
   std::vector<SourceVariant> variants = source_variants(request);
   for (const CompileUnit& unit : request.units) variants.push_back({nullptr, unit});
   std::vector<CompileUnit> units;
   units.reserve(variants.size());
   for (const SourceVariant& variant : variants) units.push_back(variant.unit);
   const EngineRun run = run_units(units, request.engine);
+  report.shard = request.engine.shard.index;
+  report.shards = request.engine.shard.count;
+  report.fingerprint = fingerprint_of(request, units);
   std::set<std::pair<std::string, std::string>> unique;
   for (const UnitResult& result : run.results) {
-    add_records(variants[result.unit], result, report);
+    add_records(variants[result.unit], result, request.records.size() + result.unit, report);
     if (result.module_key.empty()) continue;
     for (const std::string& target : units[result.unit].targets) unique.emplace(result.module_key, target);
   }

@@ -1,0 +1,158 @@
+// penumbra validate on shader files: what is compiled, counted, refused, parted and joined.
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "cli/program.h"
+
+namespace penumbra {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr const char* kShader = R"(Shader "Test/Two"
+{
+    SubShader
+    {
+        Pass
+        {
+            Name "Colour"
+            HLSLPROGRAM
+            #pragma vertex Vert
+            #pragma fragment Frag
+            #pragma multi_compile _ WARM
+            #pragma multi_compile_fragment _ BRIGHT
+            #include "Library.hlsl"
+            float4 Vert(float3 p : POSITION) : SV_Position { return float4(p, 1); }
+            float4 Frag() : SV_Target { return Tint(0.5); }
+            ENDHLSL
+        }
+    }
+}
+)";
+
+constexpr const char* kLibrary = R"(half4 Tint(half x) { return x; }
+float4 Tint(float x)
+{
+#if defined(WARM) && defined(BRIGHT)
+    x *= FACTOR;
+#endif
+    return x;
+}
+)";
+
+class Validate : public ProgramTest {
+ protected:
+  void SetUp() override {
+    ProgramTest::SetUp();
+    write("Two.shader", kShader);
+    set_factor("2.0");
+  }
+  void set_factor(const std::string& factor) {
+    write("Library.hlsl", "#define FACTOR " + factor + "\n" + kLibrary);
+  }
+
+  std::vector<std::string> command(const std::vector<std::string>& more) const {
+    std::vector<std::string> all{"validate", path("Two.shader").string(), "--cache", path("cache").string()};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+  nlohmann::json report(const std::vector<std::string>& more) {
+    std::vector<std::string> all = command(more);
+    all.insert(all.end(), {"--report", "json", "-o", path("report.json").string()});
+    run(all);
+    return nlohmann::json::parse(read("report.json"));
+  }
+};
+
+TEST_F(Validate, CompilesEveryVariantOfEveryStageForEveryTarget) {
+  const nlohmann::json json = report({"--targets", "spirv,hlsl50"});
+  // The vertex stage has _ and WARM, the fragment stage those with and without BRIGHT; each for two targets.
+  EXPECT_EQ(json["summary"]["variants"], (2 + 4) * 2);
+  EXPECT_EQ(json["summary"]["failed"], 0);
+  std::set<std::string> passes;
+  for (const nlohmann::json& record : json["variants"])
+    if (record.contains("pass")) passes.insert(record["pass"]);
+  EXPECT_EQ(passes, std::set<std::string>{"Colour"});
+}
+
+TEST_F(Validate, AMistakeOfOneVariantIsSaidOnceAtItsLine) {
+  set_factor("undefined_factor");
+  const auto result = run(command({"--targets", "spirv,essl310,msl23"}));
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.output, AllOf(HasSubstr("Library.hlsl:6:"), HasSubstr("undefined_factor"),
+                                   HasSubstr("BRIGHT"), HasSubstr("WARM")));
+  const std::size_t first = result.output.find("Library.hlsl:6:");
+  EXPECT_EQ(result.output.find("Library.hlsl:6:", first + 1), std::string::npos) << result.output;
+}
+
+TEST_F(Validate, KeywordsNarrowAndAreCounted) {
+  EXPECT_THAT(run(command({"--targets", "spirv", "--list"})).output, HasSubstr("vertex 2   fragment 4"));
+  EXPECT_THAT(run(command({"--targets", "spirv", "--list", "--keywords=-WARM"})).output,
+              HasSubstr("vertex 1   fragment 2"));
+  const auto refused = run(command({"--targets", "spirv", "--limit", "5"}));
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.errors, AllOf(HasSubstr("--limit"), HasSubstr("--keywords"), HasSubstr("WARM")));
+  EXPECT_EQ(report({"--targets", "spirv", "--sample", "1"})["summary"]["variants"], 2);
+}
+
+TEST_F(Validate, ASecondRunIsFromTheCacheUntilAnIncludeChanges) {
+  EXPECT_EQ(report({"--targets", "spirv"})["summary"]["cached"], 0);
+  EXPECT_EQ(report({"--targets", "spirv"})["summary"]["cached"], 6);
+  set_factor("3.0");
+  // Only the fragment variant with both keywords reads it: the text of all others is what it was.
+  EXPECT_EQ(report({"--targets", "spirv"})["summary"]["cached"], 5);
+}
+
+TEST_F(Validate, ShardsJoinToTheWhole) {
+  const nlohmann::json whole = report({"--targets", "spirv", "--no-cache"});
+  std::vector<std::string> join{"merge"};
+  for (const char* shard : {"1/3", "2/3", "3/3"}) {
+    const std::string file = path(std::string("shard") + shard[0] + ".json").string();
+    run(command({"--targets", "spirv", "--no-cache", "--shard", shard, "--report", "json", "-o", file}));
+    join.push_back(file);
+  }
+  join.insert(join.end(), {"--report", "json", "-o", path("joined.json").string()});
+  EXPECT_EQ(run(join).exit_code, 0);
+  const nlohmann::json joined = nlohmann::json::parse(read("joined.json"));
+  EXPECT_EQ(joined["variants"], whole["variants"]);
+  EXPECT_EQ(joined["summary"]["unique"], whole["summary"]["unique"]);
+  EXPECT_EQ(run(command({"--shard", "4/3"})).exit_code, 2);
+}
+
+TEST_F(Validate, WhatOnlyTheEditorHasIsUncheckedAndNoFailure) {
+  write("Library.hlsl", "#include \"UnityCG.cginc\"\n");
+  const auto result = run(command({"--targets", "spirv"}));
+  EXPECT_EQ(result.exit_code, 0) << result.output;
+  EXPECT_THAT(result.output, AllOf(HasSubstr("UnityCG.cginc"), HasSubstr("--cginc-root")));
+  std::filesystem::create_directories(path("cginc"));
+  write("cginc/UnityCG.cginc", "#define FACTOR 1\nfloat4 Tint(float x) { return x * FACTOR; }\n");
+  EXPECT_EQ(report({"--targets", "spirv", "--cginc-root", path("cginc").string()})["summary"]["failed"], 0);
+}
+
+TEST_F(Validate, ABrokenShaderLabFileFailsAtItsPlace) {
+  write("Two.shader", "Shader \"Test/Broken\"\n{\n    SubShader\n    {\n        Pass {\n    }\n}\n");
+  const auto result = run(command({"--targets", "spirv"}));
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.output, HasSubstr("Two.shader:"));
+}
+
+TEST_F(Validate, EachTargetSeesTheMacrosOfItsApi) {
+  write("Library.hlsl",
+        "#if defined(SHADER_API_D3D11)\n#error only d3d11\n#endif\nfloat4 Tint(float x) { return x; }\n");
+  const nlohmann::json json = report({"--targets", "spirv,hlsl50"});
+  for (const nlohmann::json& record : json["variants"])
+    EXPECT_EQ(record["status"] == "failed", record["target"] == "hlsl50") << record.dump();
+  EXPECT_EQ(report({"--targets", "spirv,hlsl50", "--api", "vulkan"})["summary"]["failed"], 0);
+}
+
+TEST_F(Validate, UnknownTargetsAndFoldersSayTheWayOut) {
+  EXPECT_THAT(run(command({"--targets", "essl301"})).errors, HasSubstr("essl300"));
+  EXPECT_EQ(run({"validate", path("nowhere").string()}).exit_code, 2);
+  EXPECT_EQ(run(command({"--cginc-root", path("nowhere").string()})).exit_code, 3);
+  EXPECT_EQ(run({"validate", "--project", path("").string()}).exit_code, 2);
+}
+
+}  // namespace
+}  // namespace penumbra
