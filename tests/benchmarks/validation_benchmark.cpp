@@ -11,6 +11,8 @@
 //   shared_ms      the engine with nothing kept, equal texts and equal modules once
 //   warm_ms        the engine once more, everything kept
 //   cold_ratio, shared_ratio, warm_ratio      shell_ms over these
+//   shell_cpu_ms, cold_cpu_ms, cold_cpu_ratio likewise by processor time: what holds on a machine that does
+//                                             other work too
 //   texts, modules                            different ones among the variants
 // Runs alternate, so that a change of the machine's load meets all. Mesa's own cache is off.
 //
@@ -18,6 +20,7 @@
 // .universal-config: then 72 keyword sets of URP's Lighting.hlsl are measured besides the library's
 // techniques.
 #include <benchmark/benchmark.h>
+#include <sys/resource.h>
 
 #include <chrono>
 #include <cstdlib>
@@ -169,12 +172,31 @@ fs::path write_pipeline(const Scratch& scratch, const CompileUnit& unit, std::si
   return folder / "run.sh";
 }
 
-template <typename Work>
-double milliseconds(const Work& work) {
-  const auto start = Clock::now();
-  work();
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+// Of this process and of all that it started and that have ended, workers included.
+double processor_milliseconds() {
+  double total = 0.0;
+  for (const int whose : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
+    rusage usage{};
+    ::getrusage(whose, &usage);
+    for (const timeval& time : {usage.ru_utime, usage.ru_stime})
+      total += 1e3 * static_cast<double>(time.tv_sec) + 1e-3 * static_cast<double>(time.tv_usec);
+  }
+  return total;
 }
+
+struct Spent {
+  double passed = 0.0;     // milliseconds
+  double processor = 0.0;  // milliseconds
+
+  template <typename Work>
+  void add(const Work& work) {
+    const auto start = Clock::now();
+    const double processor_start = processor_milliseconds();
+    work();
+    passed += std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    processor += processor_milliseconds() - processor_start;
+  }
+};
 
 void run_shell(const std::string& scripts) {
   platform::ChildCommand command{"xargs", {"-P", std::to_string(jobs), "-n", "1", "sh"}, scripts};
@@ -204,29 +226,32 @@ void measure(benchmark::State& state, std::vector<CompileUnit> units) {
   std::string scripts;
   for (std::size_t i = 0; i < units.size(); ++i)
     scripts += write_pipeline(scratch, units[i], i).string() + "\n";
-  double shell = 0.0;
-  double cold = 0.0;
-  double shared = 0.0;
-  double warm = 0.0;
+  Spent shell;
+  Spent cold;
+  Spent shared;
+  Spent warm;
   EngineRun run;
   for ([[maybe_unused]] auto iteration : state) {
-    shell += milliseconds([&] { run_shell(scripts); });
+    shell.add([&] { run_shell(scripts); });
     fs::remove_all(scratch / "alone");
-    cold += milliseconds([&] { run = run_units(units, options(scratch / "alone", false)); });
+    cold.add([&] { run = run_units(units, options(scratch / "alone", false)); });
     fs::remove_all(scratch / "shared");
-    shared += milliseconds([&] { run = run_units(units, options(scratch / "shared", true)); });
-    warm += milliseconds([&] { run = run_units(units, options(scratch / "shared", true)); });
+    shared.add([&] { run = run_units(units, options(scratch / "shared", true)); });
+    warm.add([&] { run = run_units(units, options(scratch / "shared", true)); });
   }
   for (const UnitResult& result : run.results)
     if (!result.cached) return state.SkipWithError("not everything was kept");
   const double variants = static_cast<double>(units.size()) * static_cast<double>(state.iterations());
-  state.counters["shell_ms"] = shell / variants;
-  state.counters["cold_ms"] = cold / variants;
-  state.counters["shared_ms"] = shared / variants;
-  state.counters["warm_ms"] = warm / variants;
-  state.counters["cold_ratio"] = shell / cold;
-  state.counters["shared_ratio"] = shell / shared;
-  state.counters["warm_ratio"] = shell / warm;
+  state.counters["shell_ms"] = shell.passed / variants;
+  state.counters["cold_ms"] = cold.passed / variants;
+  state.counters["shared_ms"] = shared.passed / variants;
+  state.counters["warm_ms"] = warm.passed / variants;
+  state.counters["cold_ratio"] = shell.passed / cold.passed;
+  state.counters["shared_ratio"] = shell.passed / shared.passed;
+  state.counters["warm_ratio"] = shell.passed / warm.passed;
+  state.counters["shell_cpu_ms"] = shell.processor / variants;
+  state.counters["cold_cpu_ms"] = cold.processor / variants;
+  state.counters["cold_cpu_ratio"] = shell.processor / cold.processor;
   state.counters["texts"] = static_cast<double>(run.unique_texts);
   state.counters["modules"] = static_cast<double>(run.unique_modules);
 }

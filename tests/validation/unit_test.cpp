@@ -89,6 +89,38 @@ TEST(UnitEncoding, KeepsEveryMember) {
   EXPECT_EQ(reply.written, 1'000'000'007U);
 }
 
+TEST(Keys, HoldTheBuildAndTheDrivers) {
+  const CompileUnit unit = full_job().unit;
+  shaders::PreprocessedSource source;
+  source.text = "text";
+  AnswerContext context = full_job().context;
+  AnswerContext rebuilt = context;
+  rebuilt.build = "another";
+  EXPECT_NE(sources_key(context, unit.compile), sources_key(rebuilt, unit.compile));
+  EXPECT_NE(text_key(context, unit.compile, source), text_key(rebuilt, unit.compile, source));
+  EXPECT_NE(emitted_key(context, unit, "m"), emitted_key(rebuilt, unit, "m"));
+  AnswerContext driven = context;
+  driven.drivers["msl23"] = "one that compiles it";
+  EXPECT_NE(emitted_key(context, unit, "m"), emitted_key(driven, unit, "m"));
+  EXPECT_NE(emitted_key(context, unit, "m"), emitted_key(context, unit, "n"));
+}
+
+TEST(Keys, OfATextDoNotHoldWhereItCameFrom) {
+  const AnswerContext context = full_job().context;
+  shaders::CompileRequest request = full_job().unit.compile;
+  shaders::PreprocessedSource source;
+  source.text = "text";
+  const std::string before = text_key(context, request, source);
+  request.defines.clear();
+  request.package_roots.clear();
+  request.include_directories = {"elsewhere"};
+  EXPECT_EQ(text_key(context, request, source), before);
+  request.entry = "other";
+  EXPECT_NE(text_key(context, request, source), before);
+  source.diagnostics.push_back(diagnostic());
+  EXPECT_NE(text_key(context, full_job().unit.compile, source), before);
+}
+
 TEST(UnitEncoding, DamagedBytesEndNoProgram) {
   const std::string bytes = encode(full_reply());
   for (std::size_t at = 0; at < bytes.size(); ++at) {
