@@ -52,6 +52,12 @@ TEST(PrecisionTwins, TheFloatBodyStaysWhicheverComesFirst) {
   EXPECT_EQ(squeezed(merge(wide + narrow).text), squeezed(wide + "half2 f(half2 x) ;"));
 }
 
+TEST(PrecisionTwins, TheBodyThatDoesTheWorkStays) {
+  const std::string narrow = "half f(half x) { return x * x; }";
+  EXPECT_EQ(squeezed(merge("float f(float x) { return f(half(x)); }" + narrow).text),
+            squeezed("float f(float x) ;" + narrow));
+}
+
 TEST(PrecisionTwins, EveryNarrowTypeAndShapeIsItsWideOne) {
   for (const auto& [narrow, wide] :
        std::vector<std::pair<std::string, std::string>>{{"half", "float"},

@@ -1,6 +1,7 @@
 // Stray semicolons and the precision of textures: what goes, and what must stay.
 #include <gmock/gmock.h>
 
+#include "preparation/missing_returns.h"
 #include "preparation/prepare.h"
 #include "preparation/stray_semicolons.h"
 #include "preparation/texture_precision.h"
@@ -34,6 +35,15 @@ TEST(TexturePrecision, TheTypeLosesIt) {
             "Texture2D a; TextureCubeArray b; sampler2D c;");
   EXPECT_EQ(after<drop_texture_precision>("float my_half; Texture2D_other d; _half e;"),
             "float my_half; Texture2D_other d; _half e;");
+}
+
+TEST(MissingReturns, OnlyFunctionsWithoutAnyReturnGetOne) {
+  const auto run = after<return_from_empty_functions>;
+  EXPECT_EQ(run("static float2 f(float x) { x += 1; }"),
+            "static float2 f(float x) { x += 1; return (float2)0; }");
+  for (const char* text :
+       {"void f() { }", "float f() { if (a) return 1; }", "float f();", "struct S { float a; };"})
+    EXPECT_EQ(run(text), text);
 }
 
 shaders::CompileResult compile_text(const std::string& text, bool prepare) {

@@ -68,6 +68,22 @@ int narrow_parameters(const Function& function) {
                                         [](const std::string& type) { return widened(type) != type; }));
 }
 
+// float f(float x) { return f(half(x)); }: with one body left it would call itself.
+bool calls_its_name(const TokenText& text, const Function& function) {
+  const hlsl::Declaration& declaration = *function.declaration;
+  const std::string_view name = text[declaration.name].spelling;
+  for (std::size_t at = declaration.open; at < declaration.close; ++at)
+    if (text.is(at, name) && text.is(at + 1, "(") && !text.is(at - 1, ".")) return true;
+  return false;
+}
+
+// Which of two twins keeps its body: one that does not hand on to the other, then the one that loses less.
+bool better(const TokenText& text, const Function& a, const Function& b) {
+  const bool a_calls = calls_its_name(text, a);
+  const bool b_calls = calls_its_name(text, b);
+  return a_calls != b_calls ? b_calls : narrow_parameters(a) < narrow_parameters(b);
+}
+
 std::string list(const std::vector<std::string>& types) {
   std::string text;
   for (const std::string& type : types) text += (text.empty() ? "" : ", ") + type;
@@ -119,7 +135,7 @@ void merge_precision_twins(TokenText& text) {
   std::map<std::string, const Function*> kept;
   for (const Function& function : functions) {
     const Function*& best = kept[widened_signature(function)];
-    if (best == nullptr || narrow_parameters(function) < narrow_parameters(*best)) best = &function;
+    if (best == nullptr || better(text, function, *best)) best = &function;
   }
   for (const Function& function : functions) {
     const Function& best = *kept[widened_signature(function)];

@@ -10,6 +10,7 @@
 #include "preparation/intrinsic_calls.h"
 #include "preparation/matrix_swizzles.h"
 #include "preparation/member_calls.h"
+#include "preparation/missing_returns.h"
 #include "preparation/namespace_structs.h"
 #include "preparation/partial_texel_writes.h"
 #include "preparation/precision_twins.h"
@@ -25,7 +26,7 @@
 namespace penumbra::preparation {
 
 std::span<const Pass> passes() {
-  static constexpr std::array<Pass, 19> all{{{"texture-precision", drop_texture_precision},
+  static constexpr std::array<Pass, 20> all{{{"texture-precision", drop_texture_precision},
                                              {"namespace-structs", write_out_namespaces},
                                              {"plain-registers", plain_registers},
                                              {"uniform-structs", take_apart_uniform_structs},
@@ -36,6 +37,7 @@ std::span<const Pass> passes() {
                                              {"zeroed-resource-structs", zero_resource_structs},
                                              {"resource-arrays", assign_resource_arrays},
                                              {"texture-reads", separate_texture_reads},
+                                             {"missing-returns", return_from_empty_functions},
                                              {"precision-twins", merge_precision_twins},
                                              {"stray-semicolons", drop_stray_semicolons},
                                              {"flat-initialisers", group_flat_initialisers},

@@ -54,7 +54,7 @@ class UnitAtWork {
     if (!source_.found_by_case)  // else a record of files does not say all
       cache_.store(EntryKind::sources, sources_key(job_.context, job_.unit.compile),
                    encode(source_record(source_, reply_.text_key)));
-    if (!is_mine(question_text, reply_.text_key)) return;
+    if (!is_mine(question_text, shared_key(job_.unit, reply_.text_key))) return;
     reply_.compile = kept_compile_answer(cache_, reply_.text_key,
                                          [this](const std::string& file) { return hash_as_read(file); });
     reply_.compile_cached = reply_.compile.has_value();

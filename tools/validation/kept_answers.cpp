@@ -39,6 +39,13 @@ std::string text_key(const AnswerContext& context, const shaders::CompileRequest
       .hex();
 }
 
+std::string shared_key(const CompileUnit& unit, const std::string& text_key) {
+  std::string key = text_key;
+  for (const std::string& target : unit.targets)
+    if (target != "spirv") key.append(" ").append(target);
+  return key;
+}
+
 std::string module_key(const std::vector<std::uint32_t>& spirv) {
   return platform::ContentHash().update(std::span<const std::uint32_t>(spirv)).hex();
 }

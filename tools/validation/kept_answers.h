@@ -28,6 +28,9 @@ struct AnswerContext {
 std::string sources_key(const AnswerContext& context, const shaders::CompileRequest& request);
 std::string text_key(const AnswerContext& context, const shaders::CompileRequest& request,
                      const shaders::PreprocessedSource& source);
+// One unit answers for all that share its text and what is emitted from it. Units of one text for different
+// targets each have their own: there is a module to emit only where the text was compiled.
+std::string shared_key(const CompileUnit& unit, const std::string& text_key);
 std::string module_key(const std::vector<std::uint32_t>& spirv);
 std::string emitted_key(const AnswerContext& context, const CompileUnit& unit, const std::string& module);
 

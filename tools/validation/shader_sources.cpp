@@ -216,6 +216,10 @@ CompileUnit ShaderSources::unit(const SourceProgram& program, const std::string&
   for (const auto& [name, value] : variants::platform_defines(program.platform, stage, target))
     unit.compile.defines.emplace_back(name, value);
   unit.compile.defines.insert(unit.compile.defines.end(), options_.defines.begin(), options_.defines.end());
+  // instancing_options procedural:NAME, which the instancing library calls by this macro.
+  if (!program.pragmas.procedural_function.empty())
+    unit.compile.defines.emplace_back("UNITY_INSTANCING_PROCEDURAL_FUNC",
+                                      program.pragmas.procedural_function);
   for (const std::string& keyword : keywords) unit.compile.defines.emplace_back(keyword, "1");
   unit.compile.package_roots = options_.roots.packages;
   unit.compile.include_directories = options_.roots.directories;

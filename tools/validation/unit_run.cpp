@@ -50,7 +50,7 @@ void UnitRun::recall() {
       waiting_.push_back(place);
       continue;
     }
-    texts_.emplace(reply->text_key, place);
+    texts_.emplace(shared_key(unit(place), reply->text_key), place);
     if (reply->emitted)
       modules_.emplace(emitted_key(context_, unit(place), reply->compile->module_key), place);
     states_[place].reply = *std::move(reply);
@@ -140,9 +140,10 @@ fs::path UnitRun::keep_folder() const {
   return fs::temp_directory_path() / "penumbra-failures";
 }
 
-const UnitRun::State& UnitRun::with_text_of(const State& state) const {
+const UnitRun::State& UnitRun::with_text_of(std::size_t place) const {
+  const State& state = states_[place];
   if (state.reply.compile || state.reply.text_key.empty()) return state;
-  return states_[texts_.at(state.reply.text_key)];
+  return states_[texts_.at(shared_key(unit(place), state.reply.text_key))];
 }
 
 const UnitRun::State& UnitRun::with_module_of(const CompileUnit& unit, const State& compiled) const {
@@ -152,7 +153,7 @@ const UnitRun::State& UnitRun::with_module_of(const CompileUnit& unit, const Sta
 
 UnitResult UnitRun::result_of(std::size_t place) const {
   const CompileUnit& unit = this->unit(place);
-  const State& compiled = with_text_of(states_[place]);
+  const State& compiled = with_text_of(place);
   UnitResult result;
   result.unit = own_[place];
   result.targets.resize(unit.targets.size());

@@ -50,7 +50,7 @@ class UnitRun final : public platform::WorkSource {
   void crashed(std::size_t place, const platform::WorkerOutcome& outcome);
   void reproduced(std::size_t place, const platform::WorkerOutcome& outcome);
   std::filesystem::path keep_folder() const;
-  const State& with_text_of(const State& state) const;
+  const State& with_text_of(std::size_t place) const;
   const State& with_module_of(const CompileUnit& unit, const State& compiled) const;
   UnitResult result_of(std::size_t place) const;
   void add_compile_answer(const CompileUnit& unit, const State& compiled, UnitResult& result) const;
@@ -64,7 +64,7 @@ class UnitRun final : public platform::WorkSource {
   std::vector<std::size_t> own_;  // the shard's; a place is an index of this
   std::vector<State> states_;
   std::deque<std::size_t> waiting_;
-  std::map<std::string, std::size_t> texts_;    // text key -> the place whose answer it is
+  std::map<std::string, std::size_t> texts_;    // shared_key() -> the place whose answer it is
   std::map<std::string, std::size_t> modules_;  // emitted key -> likewise
   std::size_t done_ = 0;
   std::size_t damaged_ = 0;

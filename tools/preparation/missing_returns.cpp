@@ -1,0 +1,37 @@
+#include "preparation/missing_returns.h"
+
+#include <string>
+
+#include "hlsl/outline.h"
+
+namespace penumbra::preparation {
+
+namespace {
+
+bool is_storage(const TokenText& text, std::size_t at) {
+  return text.is(at, "static") || text.is(at, "inline") || text.is(at, "precise") || text.is(at, "const");
+}
+
+bool returns(const TokenText& text, const hlsl::Declaration& function) {
+  for (std::size_t at = function.open; at < function.close; ++at)
+    if (text.is(at, "return")) return true;
+  return false;
+}
+
+}  // namespace
+
+void return_from_empty_functions(TokenText& text) {
+  for (const hlsl::Declaration& declaration : hlsl::outline(text.tokens())) {
+    if (declaration.kind != hlsl::Declaration::Kind::function) continue;
+    std::size_t type = declaration.type;
+    while (is_storage(text, type)) ++type;
+    if (text.is(type, "void") || returns(text, declaration)) continue;
+    text.note(
+        declaration.name, hlsl::Severity::note,
+        "'" + std::string(text[declaration.name].spelling) + "' has no return statement; it returns 0 here");
+    text.insert(declaration.close, "return (" + text.spelled(type, declaration.name - type) + ")0;");
+  }
+  text.apply();
+}
+
+}  // namespace penumbra::preparation
