@@ -41,8 +41,8 @@ TEST(MissingReturns, OnlyFunctionsWithoutAnyReturnGetOne) {
   const auto run = after<return_from_empty_functions>;
   EXPECT_EQ(run("static float2 f(float x) { x += 1; }"),
             "static float2 f(float x) { x += 1; return (float2)0; }");
-  for (const char* text :
-       {"void f() { }", "float f() { if (a) return 1; }", "float f();", "struct S { float a; };"})
+  for (const char* text : {"void f() { }", "float f() { if (a) return 1; }", "float f();",
+                           "struct S { float a; };", "float f() { a); return 1; }"})
     EXPECT_EQ(run(text), text);
 }
 

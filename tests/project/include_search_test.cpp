@@ -43,7 +43,7 @@ TEST_F(IncludeSearchTest, EverySpellingThatUnityAccepts) {
         "Packages/com.x.core/Lib/../Lib/./Math.hlsl", "Packages/com.y/../com.x.core/Lib/Math.hlsl"})
     EXPECT_EQ(found(asked), "core/Lib/Math.hlsl") << asked;
   for (const char* asked : {"Assets/Shaders/Noise.hlsl", "../Noise.hlsl", "..\\Noise.hlsl",
-                            ".././/Noise.hlsl", "..\\..\\Shaders/Noise.hlsl", "/../Noise.hlsl"})
+                            ".././/Noise.hlsl", "..\\..\\Shaders/Noise.hlsl"})
     EXPECT_EQ(found(asked), "Assets/Shaders/Noise.hlsl") << asked;
 }
 

@@ -29,6 +29,13 @@ TEST(Include, PackageRootComesBeforeTheFoldersBeside) {
   EXPECT_THAT(result.dependencies, Contains(files.path("roots/core/Lib/A.hlsl")));
 }
 
+TEST(Include, ALeadingSlashMeansBesideTheIncludingFile) {
+  const ShaderFiles files;
+  files.write("inc/a.hlsl", "#define A 1\n");
+  files.write("main.hlsl", compute_shader("A", "#include \"/inc/a.hlsl\"\n"));
+  EXPECT_FALSE(hlsl::has_errors(compile(files.request("main.hlsl")).diagnostics));
+}
+
 TEST(Include, LooksBesideTheIncludingFileThenInTheIncludeFolders) {
   const ShaderFiles files;
   files.write("lib/a.hlsl", "#include \"inner/b.hlsl\"\n#include \"c.hlsl\"\n");

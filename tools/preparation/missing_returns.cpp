@@ -23,6 +23,7 @@ bool returns(const TokenText& text, const hlsl::Declaration& function) {
 void return_from_empty_functions(TokenText& text) {
   for (const hlsl::Declaration& declaration : hlsl::outline(text.tokens())) {
     if (declaration.kind != hlsl::Declaration::Kind::function) continue;
+    if (text.partner(declaration.open) != declaration.close) continue;  // brackets that do not match
     std::size_t type = declaration.type;
     while (is_storage(text, type)) ++type;
     if (text.is(type, "void") || returns(text, declaration)) continue;

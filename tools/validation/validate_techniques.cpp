@@ -50,7 +50,8 @@ void add_records(const SourceVariant& variant, const UnitResult& result, std::si
     record.module = result.module_key;
     record.place = report_place;
     if (!result.missing_editor_include.empty())
-      record.reason = "'" + result.missing_editor_include + "' ships with the Unity editor alone";
+      record.reason = "'" + result.missing_editor_include +
+                      "' ships with the Unity editor alone; --cginc-root DIR names its CGIncludes";
     judge(record, variant.technique);
     report.records.push_back(std::move(record));
   }
