@@ -47,8 +47,7 @@ TEST_P(UrpInclude, CompilesAndBindsTheMap) {
     Defines defines = more;
     defines.emplace_back(GetParam(), "1");
     const shaders::CompileResult result = compile_umbrella(defines);
-    for (const hlsl::Diagnostic& diagnostic : result.diagnostics)
-      ADD_FAILURE() << hlsl::format(diagnostic);
+    for (const hlsl::Diagnostic& diagnostic : result.diagnostics) ADD_FAILURE() << hlsl::format(diagnostic);
     ASSERT_FALSE(result.spirv.empty());
     EXPECT_TRUE(binds(result, "_MainLightShadowmapTexture"));
   }

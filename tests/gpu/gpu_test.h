@@ -27,8 +27,7 @@ inline std::vector<std::uint32_t> compile_test_shader(const std::string& file,
   request.stage = stage;
   const shaders::CompileResult result = shaders::compile(request);
   std::string messages;
-  for (const hlsl::Diagnostic& diagnostic : result.diagnostics)
-    messages += hlsl::format(diagnostic) + "\n";
+  for (const hlsl::Diagnostic& diagnostic : result.diagnostics) messages += hlsl::format(diagnostic) + "\n";
   if (result.spirv.empty()) throw std::runtime_error(messages);
   return result.spirv;
 }

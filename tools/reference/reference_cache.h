@@ -22,8 +22,8 @@ class ReferenceCache {
   // An empty path means "reference" in platform::cache_directory(). The directory is made on first write.
   explicit ReferenceCache(std::filesystem::path directory = {});
 
-  // key: letters and digits, such as platform::ContentHash::hex(). The caller puts everything into it that the
-  // image depends on, the version of its algorithm included.
+  // key: letters and digits, such as platform::ContentHash::hex(). The caller puts everything into it that
+  // the image depends on, the version of its algorithm included.
   std::optional<VisibilityImage> find(const std::string& key) const;
   // Throws InputError when the file cannot be written (full disk, permissions); nothing partial is left.
   void store(const std::string& key, const VisibilityImage& image) const;

@@ -23,8 +23,8 @@ struct ShadowShader {
   std::vector<shaders::PackageRoot> package_roots;
   std::vector<std::filesystem::path> include_directories;
   UniformValues parameters;
-  bool prepare = false;  // what only Unity's compilers accept is said in another way first
-  bool uses_noise = false;             // the result depends on the noise seed
+  bool prepare = false;     // what only Unity's compilers accept is said in another way first
+  bool uses_noise = false;  // the result depends on the noise seed
 };
 
 enum class Taps { as_listed, unlimited };  // unlimited: the technique's own T3 overrides

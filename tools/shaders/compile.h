@@ -38,7 +38,7 @@ struct CompileRequest {
   // The stage in which what Unity's compilers accept and glslang does not is said in another way
   // (preparation/prepare.h). The library's own shaders do without.
   bool prepare = false;
-  bool optimise = true;  // legalise, inline and optimise; false keeps the function structure and OpName
+  bool optimise = true;      // legalise, inline and optimise; false keeps the function structure and OpName
   bool debug_lines = false;  // OpLine with file and line before the instructions of each statement
 };
 
