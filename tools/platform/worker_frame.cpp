@@ -8,6 +8,7 @@ namespace {
 // Both ends are one program on one machine: lengths are in its own byte order.
 using Length = std::uint64_t;
 constexpr std::size_t head_size = 1 + sizeof(Length);
+constexpr Length largest_frame = Length{1} << 32U;
 
 }  // namespace
 
@@ -23,6 +24,7 @@ std::optional<Frame> FrameReader::next() {
   if (pending_.size() - at_ < head_size) return std::nullopt;
   Length length = 0;
   std::memcpy(&length, pending_.data() + at_ + 1, sizeof length);
+  if (length > largest_frame) return Frame{FrameKind{}, {}};
   if (pending_.size() - at_ - head_size < length) return std::nullopt;
   Frame frame{static_cast<FrameKind>(pending_[at_]), pending_.substr(at_ + head_size, length)};
   at_ += head_size + length;

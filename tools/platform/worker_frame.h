@@ -31,7 +31,7 @@ struct Frame {
 
 std::string frame_bytes(FrameKind kind, std::string_view content);
 
-// Takes bytes as they come and gives whole frames.
+// Takes bytes as they come and gives whole frames; one of no kind once they cannot be frames.
 class FrameReader {
  public:
   void add(const char* bytes, std::size_t count) { pending_.append(bytes, count); }
