@@ -36,14 +36,13 @@ bool holds(const std::string& name, const char* part) {
 
 gpu::Image texture(const Drawing& drawing, const std::string& name) {
   const bool depth = holds(name, "Depth");
-  const gpu::Image image(device(), depth ? gpu::Format::depth32 : gpu::Format::rgba32f, kDrawnSize,
-                         kDrawnSize);
+  gpu::Image image(device(), depth ? gpu::Format::depth32 : gpu::Format::rgba32f, kDrawnSize, kDrawnSize);
   if (depth) {
-    std::vector<float> depths;
-    for (int i = 0; i < kDrawnSize * kDrawnSize; ++i) depths.push_back(static_cast<float>(i) / 16.0F);
-    gpu::Image(image).upload(depths);
+    std::vector<float> depths(kDrawnSize * kDrawnSize);
+    for (std::size_t i = 0; i < depths.size(); ++i) depths[i] = static_cast<float>(i) / 16.0F;
+    image.upload(depths);
   } else {
-    gpu::Image(image).upload(picture([&](int x, int y) { return texel(drawing.textures.at(name), x, y); }));
+    image.upload(picture([&](int x, int y) { return texel(drawing.textures.at(name), x, y); }));
   }
   return image;
 }

@@ -172,6 +172,17 @@ float4 Main(float4 p : SV_Position) : SV_Target {
                        });
 }
 
+// glslang alone gives other numbers in other runs, so there is nothing to compare with before.
+TEST(ExecutedMatrixCasts, EveryElementIsTheNumber) {
+  const Drawing drawing{R"(
+static const int three = 3;
+float4 Sum(float4x4 m) { return m[0] + 10 * m[1] + 100 * m[2] + 1000 * m[3]; }
+float4 Main(float4 p : SV_Position) : SV_Target {
+  return Sum((float4x4)2) + Sum((float4x4)three) + Sum((float4x4)-1) + Sum((float4x4)0); })"};
+  for (int run = 0; run < 20; ++run)
+    EXPECT_EQ(draw_prepared(drawing), picture([](int, int) { return Pixel{4444, 4444, 4444, 4444}; }));
+}
+
 // tex2D reads the texel p / 4 names; tex2Dproj the one p / 4 names after a division by w; tex2Dlod and
 // tex2Dbias take their level from w and nothing from z.
 TEST(ExecutedDx9Samplers, ReadWhereTheDocumentationSays) {

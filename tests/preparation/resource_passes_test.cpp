@@ -9,6 +9,7 @@
 #include "preparation/cbuffer_resources.h"
 #include "preparation/dx9_functions.h"
 #include "preparation/dx9_samplers.h"
+#include "preparation/matrix_casts.h"
 #include "preparation/member_calls.h"
 #include "preparation/prepare.h"
 #include "preparation/register_annotations.h"
@@ -96,6 +97,8 @@ TEST(UniformStructs, AreTakenApartAndPutTogether) {
   expect_untouched(take_apart_uniform_structs,
                    "struct S { float a; }; S s; static S t; float f() { return s.a; }");
   expect_error(take_apart_uniform_structs, type + " S many[3];", "'many'");
+  expect_error(take_apart_uniform_structs, "struct S { Texture2D t; S a, b, c, d; }; S endless;",
+               "too many members");
 }
 
 TEST(MemberCalls, OnValuesGoThroughAFunction) {
@@ -270,6 +273,18 @@ TEST(PlainRegisters, SayTheirKindAndSpace) {
   expect_untouched(plain_registers, "cbuffer C : register(b1, space1) { float a : packoffset(c1.y); }");
 }
 
+TEST(MatrixCasts, OfWholeNumbersGoThroughAFloat) {
+  expect(
+      widen_matrix_casts,
+      "x = (float4x4)0 + (half3x3)-1u + float2x2(true) + (double2x2)0x1F; int k; y = (float3x4)k;",
+      "x = (float4x4)(float)0 + (half3x3)(half)-1u + float2x2((float)true) + (double2x2)(double)0x1F; int k;"
+      "y = (float3x4)(float)k;");
+  expect_untouched(
+      widen_matrix_casts,
+      "x = (float4x4)0.5 + (float4x4)1e3 + (int2x2)0 + (float4)0 + (float2x2)m + float2x2(1, 0, 0, 1)"
+      "+ (float3x3)f(0) + (float5x3)0 + float3x3(m[0]); float4x4 n; int a[2]; y = (float3x3)a[0];");
+}
+
 shaders::CompileResult compile_fragment(const std::string& text, bool prepare) {
   shaders::CompileRequest request;
   request.file = "resources.hlsl";
@@ -374,8 +389,13 @@ TEST(ResourcePasses, ReadLongTextsInTimeThatGrowsWithThem) {
       "struct S { Texture2D t; StructuredBuffer<int> b; float a; float get() { return a; } }; sampler2D q;\n";
   for (int i = 0; i < 20000; ++i) {
     const std::string n = std::to_string(i);
-    text += "sampler2D q" + n + "; StructuredBuffer<int> B" + n + "; float f" + n +
-            "(S s) { sampler2D l = q" + n + "; return s.get() + tex2D(l, 0).x + (S)0; }\n";
+    text.append("sampler2D q")
+        .append(n)
+        .append("; StructuredBuffer<int> B")
+        .append(n)
+        .append("; float f")
+        .append(n);
+    text.append("(S s) { sampler2D l = q").append(n).append("; return s.get() + tex2D(l, 0).x + (S)0; }\n");
   }
   const auto begin = std::chrono::steady_clock::now();
   prepare(text, "m");

@@ -8,6 +8,7 @@
 #include "preparation/dx9_samplers.h"
 #include "preparation/flat_initialisers.h"
 #include "preparation/intrinsic_calls.h"
+#include "preparation/matrix_casts.h"
 #include "preparation/matrix_swizzles.h"
 #include "preparation/member_calls.h"
 #include "preparation/missing_returns.h"
@@ -26,7 +27,7 @@
 namespace penumbra::preparation {
 
 std::span<const Pass> passes() {
-  static constexpr std::array<Pass, 20> all{{{"texture-precision", drop_texture_precision},
+  static constexpr std::array<Pass, 21> all{{{"texture-precision", drop_texture_precision},
                                              {"namespace-structs", write_out_namespaces},
                                              {"plain-registers", plain_registers},
                                              {"uniform-structs", take_apart_uniform_structs},
@@ -42,6 +43,7 @@ std::span<const Pass> passes() {
                                              {"stray-semicolons", drop_stray_semicolons},
                                              {"flat-initialisers", group_flat_initialisers},
                                              {"partial-texel-writes", write_whole_texels},
+                                             {"matrix-casts", widen_matrix_casts},
                                              {"matrix-swizzles", write_out_matrix_swizzles},
                                              {"constructor-statements", wrap_constructor_statements},
                                              {"uniform-writes", copy_written_uniforms},

@@ -28,8 +28,9 @@ void assign_elements(TokenText& text, const DeclaredValue& value) {
       const std::size_t partner = text.partner(end);
       end = partner == npos || partner < end ? end + 1 : partner + 1;
     }
-    const std::string element = value.type.dimensions == 0 ? "" : "[" + std::to_string(index) + "]";
-    assignments += " " + name + element + " = " + text.spelled(first, end - first) + ";";
+    assignments.append(" ").append(name);
+    if (value.type.dimensions > 0) assignments.append("[").append(std::to_string(index)).append("]");
+    assignments.append(" = ").append(text.spelled(first, end - first)).append(";");
     first = end + 1;
   }
   const bool sized = value.type.dimensions == 0 || !text.is(value.end - 2, "[");

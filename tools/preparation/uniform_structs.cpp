@@ -19,8 +19,8 @@ class UniformStructs {
 
   void run() {
     if (carriers_.empty()) return;
-    for (std::size_t index = 0; index < types_.declared().size(); ++index)
-      if (is_uniform_struct(types_.declared()[index])) take_apart(types_.declared()[index]);
+    for (const DeclaredValue& value : types_.declared())
+      if (is_uniform_struct(value)) take_apart(value);
     for (std::size_t at = 0; at < text_.size(); ++at) replace_use(at);
     text_.apply();
   }
@@ -29,6 +29,7 @@ class UniformStructs {
   struct Parts {
     std::string declarations;
     std::string assignments;
+    int left = 4096;  // structs and members to go into: more, and something is wrong with the text
   };
 
   std::string_view word(std::size_t at) const { return text_[at].spelling; }
@@ -39,16 +40,18 @@ class UniformStructs {
   }
 
   void take_apart(const DeclaredValue& value) {
-    if (value.type.dimensions > 0 || value.first == npos || !text_.is(value.last, ";")) {
+    Parts parts;
+    const bool alone = value.type.dimensions == 0 && value.first != npos && text_.is(value.last, ";");
+    if (alone) add_members(value.type.name, std::string(word(value.name)), "whole", parts);
+    if (!alone || parts.left <= 0) {
       text_.note(
           value.name, hlsl::Severity::error,
           "'" + std::string(word(value.name)) +
-              "' is one of several variables of a struct that holds resources; declare each alone, and "
-              "the resources of an array as arrays of their own");
+              (alone ? "' is a struct of resources with too many members"
+                     : "' is one of several variables of a struct that holds resources; declare each alone, "
+                       "and the resources of an array as arrays of their own"));
       return;
     }
-    Parts parts;
-    add_members(value.type.name, std::string(word(value.name)), "whole", 0, parts);
     text_.replace(value.first, value.last - value.first + 1, parts.declarations);
     text_.insert(end_of_block(value) + 1, std::string(value.type.name) + " " + function_name(value.name) +
                                               "() { " + std::string(value.type.name) + " whole; " +
@@ -56,24 +59,26 @@ class UniformStructs {
   }
 
   // `name` is what the new variable is called, `whole` the chain it is assigned to.
-  void add_members(std::string_view type, const std::string& name, const std::string& whole, int depth,
+  void add_members(std::string_view type, const std::string& name, const std::string& whole,
                    Parts& parts) const {
-    constexpr int deepest = 16;
     const auto known = types_.structs().find(type);
-    if (depth == deepest || known == types_.structs().end()) return;
-    add_members(known->second.base, name, whole, depth + 1, parts);
+    if (parts.left <= 0 || known == types_.structs().end()) return;
+    --parts.left;
+    add_members(known->second.base, name, whole, parts);
     for (const std::size_t index : known->second.members) {
       const DeclaredValue& member = types_.declared()[index];
-      if (member.type_at == npos) continue;
-      const std::string part = text_.free_name(name + "_" + std::string(word(member.name)));
-      const std::string target = whole + "." + std::string(word(member.name));
+      if (member.type_at == npos || parts.left-- <= 0) continue;
+      std::string part = text_.free_name(std::string(name).append("_").append(word(member.name)));
+      std::string target = std::string(whole).append(".").append(word(member.name));
       if (carriers_.count(member.type.name) != 0) {
-        add_members(member.type.name, part, target, depth + 1, parts);
+        add_members(member.type.name, part, target, parts);
         continue;
       }
-      parts.declarations += text_.spelled(member.type_at, member.type_end - member.type_at) + " " + part +
-                            text_.spelled(member.name + 1, member.end - member.name - 1) + "; ";
-      parts.assignments += target + " = " + part + "; ";
+      parts.declarations.append(text_.spelled(member.type_at, member.type_end - member.type_at)).append(" ");
+      parts.declarations.append(part)
+          .append(text_.spelled(member.name + 1, member.end - member.name - 1))
+          .append("; ");
+      parts.assignments.append(target).append(" = ").append(part).append("; ");
     }
   }
 
@@ -99,7 +104,7 @@ class UniformStructs {
     for (std::size_t member = at + 2; text_.is(member - 1, ".") && text_.is_word(member); member += 2) {
       const std::size_t named = types_.named(member);
       if (named == npos) break;
-      part = text_.free_name(part + "_" + std::string(word(member)));
+      part = text_.free_name(part.append("_").append(word(member)));
       if (carriers_.count(types_.declared()[named].type.name) != 0) continue;
       text_.replace(at, member - at + 1, part);
       return;

@@ -10,43 +10,11 @@ namespace {
 
 using Place = DeclaredValue::Place;
 
-template <std::size_t Size>
-bool among(std::string_view word, const std::array<std::string_view, Size>& words) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
-
-bool is_modifier(std::string_view word) {
-  static constexpr std::array<std::string_view, 23> modifiers{"in",
-                                                              "out",
-                                                              "inout",
-                                                              "const",
-                                                              "uniform",
-                                                              "static",
-                                                              "extern",
-                                                              "precise",
-                                                              "linear",
-                                                              "centroid",
-                                                              "sample",
-                                                              "nointerpolation",
-                                                              "noperspective",
-                                                              "volatile",
-                                                              "shared",
-                                                              "groupshared",
-                                                              "snorm",
-                                                              "unorm",
-                                                              "row_major",
-                                                              "column_major",
-                                                              "unsigned",
-                                                              "globallycoherent",
-                                                              "inline"};
-  return among(word, modifiers);
-}
-
 // Words that stand before another word without being its type.
 bool is_statement_word(std::string_view word) {
   static constexpr std::array<std::string_view, 9> words{"return", "else",    "do",   "case",     "struct",
                                                          "class",  "typedef", "goto", "namespace"};
-  return among(word, words);
+  return std::find(words.begin(), words.end(), word) != words.end();
 }
 
 ValueType named_type(std::string_view name) {
@@ -58,8 +26,6 @@ ValueType named_type(std::string_view name) {
 bool is_structured_buffer(std::string_view type) {
   return type == "StructuredBuffer" || type == "RWStructuredBuffer";
 }
-
-constexpr std::size_t longest_template = 12;  // tokens of Texture2DMS<float4, 4>, with room
 
 }  // namespace
 
@@ -85,11 +51,11 @@ class ValueTypesReader {
     const hlsl::Declaration& declaration = to_.outline_[index];
     switch (declaration.kind) {
       case Kind::variable:
-        declarators(declaration.type, declaration.last + 1, Place::global);
+        declare_values({declaration.type, declaration.last + 1, Place::global});
         break;
       case Kind::buffer:
         for (std::size_t at = declaration.open + 1; at < declaration.close;)
-          at = declarators(at, declaration.close, Place::global);
+          at = declare_values({at, declaration.close, Place::global});
         break;
       case Kind::structure:
         declare_struct(index);
@@ -124,7 +90,7 @@ class ValueTypesReader {
     for (std::size_t at = declaration.open + 1; at < declaration.close;)
       at = member(at, declaration.close, type);
     to_.structs_.insert_or_assign(word(declaration.name), std::move(type));
-    declarators(declaration.close + 1, declaration.last + 1, Place::global, word(declaration.name));
+    declare_values({declaration.close + 1, declaration.last + 1, Place::global, word(declaration.name)});
   }
 
   // One member from `at`; where the next begins.
@@ -133,7 +99,7 @@ class ValueTypesReader {
     while (stop < end && !text_.is(stop, ";") && !text_.is(stop, "{") && !text_.is(stop, "(")) ++stop;
     if (text_.is(stop, "(") && stop > at + 1) return method(at, stop, end, type);
     const std::size_t before = to_.declared_.size();
-    const std::size_t next = declarators(at, end, Place::member);
+    const std::size_t next = declare_values({at, end, Place::member});
     for (std::size_t i = before; i < to_.declared_.size(); ++i) {
       type.members.push_back(i);
       type.member_names.emplace(word(to_.declared_[i].name), i);
@@ -158,64 +124,11 @@ class ValueTypesReader {
     return function.close + 1;
   }
 
-  // One past <...> where it opens here and a name can follow.
-  std::size_t after_template(std::size_t at, std::size_t end) const {
-    if (!text_.is(at, "<")) return at;
-    int depth = 0;
-    for (std::size_t i = at; i < std::min(end, at + longest_template); ++i) {
-      depth += text_.is(i, "<") ? 1 : text_.is(i, ">") ? -1 : 0;
-      if (depth == 0) return i + 1;
-    }
-    return at;
-  }
-
-  std::size_t skip_brackets(std::size_t at) const {
-    const std::size_t partner = text_.partner(at);
-    return partner == npos || partner < at ? at + 1 : partner + 1;
-  }
-
-  // `modifiers type<...> name[2] : semantic = value, name...;` from `at`; one past its ';'. With `type` the
-  // type has been read already. A ',' ends a parameter.
-  std::size_t declarators(std::size_t at, std::size_t end, Place place, std::string_view type = {}) {
-    DeclaredValue value;
-    value.place = place;
-    value.first = at;
-    while (at < end && text_.is(at, "[")) at = skip_brackets(at);
-    for (; at < end && is_modifier(word(at)); ++at) {
-      value.type.constant = value.type.constant || text_.is(at, "const");
-      value.is_static = value.is_static || text_.is(at, "static");
-    }
-    value.type.name = type;
-    if (type.empty() && at < end && text_.is(at, "struct")) ++at;
-    if (type.empty() && at < end && text_.is_word(at)) {
-      value.type_at = at;
-      value.type.name = word(at);
-      value.type_end = after_template(at + 1, end);
-      if (value.type_end > at + 1 && text_.is_word(at + 2)) value.type.element = word(at + 2);
-      at = value.type_end;
-    }
-    if (at >= end && place == Place::parameter) declarator(at, end, value);
-    while (at < end) {
-      at = declarator(at, end, value);
-      const bool more = at < end && text_.is(at, ",") && place != Place::parameter;
-      if (!more) return at + 1;
-      ++at;
-      value.first = npos;
-    }
-    return end;
-  }
-
-  // From its name; the ',' ';' or end after it.
-  std::size_t declarator(std::size_t at, std::size_t end, DeclaredValue value) {
-    const bool named = at < end && text_.is_word(at);
-    if (named) value.name = at++;
-    value.type.dimensions = 0;
-    for (; at < end && text_.is(at, "["); at = skip_brackets(at)) ++value.type.dimensions;
-    value.end = at;
-    while (at < end && !text_.is(at, ";") && !text_.is(at, ",")) at = skip_brackets(at);
-    value.last = at;
-    if (named || (value.place == Place::parameter && value.type_at != npos)) enter(value);
-    return at;
+  std::size_t declare_values(const DeclarationRange& range) {
+    std::vector<DeclaredValue> values;
+    const std::size_t next = read_declaration(text_, range, values);
+    for (const DeclaredValue& value : values) enter(value);
+    return next;
   }
 
   void enter(const DeclaredValue& value) {
@@ -264,7 +177,7 @@ class ValueTypesReader {
 
   std::size_t parameter(std::size_t at, std::size_t end) {
     if (text_.is(at, "void") && at + 1 == end) return end;
-    return declarators(at, end, Place::parameter);
+    return declare_values({at, end, Place::parameter});
   }
 
   void restore(std::size_t size) {
@@ -298,16 +211,16 @@ class ValueTypesReader {
   void declaration_statement(std::size_t at) {
     if (at < statement_end_ || (at > 0 && text_.is(at - 1, "."))) return;
     if (is_modifier(word(at)) || is_statement_word(word(at))) return;
-    const std::size_t name = after_template(at + 1, text_.size());
+    const std::size_t name = after_template(text_, at + 1, text_.size());
     if (!text_.is_word(name) || is_statement_word(word(name))) return;
     if (text_.is(name + 1, "(") && name > at + 1) return;  // a < b > c(
     std::size_t first = at;
     while (first > 0 && text_.is_word(first - 1) && is_modifier(word(first - 1))) --first;
     std::size_t end = name;
     while (end < text_.size() && !text_.is(end, ";") && !text_.is(end, ")") && !text_.is(end, "}"))
-      end = skip_brackets(end);
+      end = after_brackets(text_, end);
     statement_end_ = end;
-    declarators(first, end, Place::local);
+    declare_values({first, end, Place::local});
   }
 
   void name(std::size_t at) {

@@ -13,30 +13,10 @@
 #include <vector>
 
 #include "hlsl/outline.h"
+#include "preparation/declared_values.h"
 #include "preparation/token_text.h"
 
 namespace penumbra::preparation {
-
-struct ValueType {
-  std::string_view name;     // of the type, without what stands in <>; empty: not known
-  std::string_view element;  // the first word in the <>
-  int dimensions = 0;        // array sizes that follow
-  bool constant = false;     // declared const
-  bool is(std::string_view type) const { return name == type && dimensions == 0; }
-};
-
-struct DeclaredValue {
-  enum class Place { global, member, parameter, local };
-  Place place = Place::global;
-  ValueType type;
-  bool is_static = false;
-  std::size_t first = npos;     // modifiers included
-  std::size_t type_at = npos;   // the word that names the type
-  std::size_t type_end = npos;  // one past the type and its <>
-  std::size_t name = npos;      // npos for a parameter without one
-  std::size_t end = npos;       // one past the name and its array sizes
-  std::size_t last = npos;      // the ',' ';' or ')' after all that belongs to it
-};
 
 struct StructType {
   std::size_t declaration = 0;       // index into ValueTypes::outline()

@@ -1,0 +1,64 @@
+#include "preparation/matrix_casts.h"
+
+#include <string>
+#include <string_view>
+
+#include "preparation/value_types.h"
+
+namespace penumbra::preparation {
+
+namespace {
+
+// "float" of float4x4; empty for other words and for matrices of whole numbers.
+std::string_view scalar_of_matrix(std::string_view word) {
+  for (const std::string_view scalar :
+       {std::string_view("float"), std::string_view("half"), std::string_view("double"),
+        std::string_view("min16float"), std::string_view("min10float")}) {
+    if (word.substr(0, scalar.size()) != scalar || word.size() != scalar.size() + 3) continue;
+    const std::string_view shape = word.substr(scalar.size());
+    const auto size = [](char c) { return c >= '1' && c <= '4'; };
+    if (size(shape[0]) && shape[1] == 'x' && size(shape[2])) return scalar;
+  }
+  return {};
+}
+
+bool is_whole_number(std::string_view number) {
+  const bool hexadecimal = number.size() > 1 && (number[1] == 'x' || number[1] == 'X');
+  return hexadecimal || number.find_first_not_of("0123456789uUlL") == std::string_view::npos;
+}
+
+bool is_whole_scalar(std::string_view type) {
+  return type == "int" || type == "uint" || type == "bool" || type == "dword";
+}
+
+// A whole number, with its sign, or a name of one begins here; the token after it, npos for anything else.
+std::size_t end_of_scalar(const TokenText& text, std::size_t at) {
+  while (text.is(at, "-") || text.is(at, "+")) ++at;
+  if (at >= text.size()) return npos;
+  const hlsl::Token& token = text[at];
+  if (token.kind == hlsl::Token::Kind::number) return is_whole_number(token.spelling) ? at + 1 : npos;
+  if (token.spelling == "true" || token.spelling == "false") return at + 1;
+  if (token.kind != hlsl::Token::Kind::word || text.is(at + 1, "(") || text.is(at + 1, ".") ||
+      text.is(at + 1, "["))
+    return npos;
+  const ValueType& type = text.types().at(at);
+  return is_whole_scalar(type.name) && type.dimensions == 0 ? at + 1 : npos;
+}
+
+}  // namespace
+
+void widen_matrix_casts(TokenText& text) {
+  for (std::size_t at = 1; at + 2 < text.size(); ++at) {
+    const std::string_view scalar =
+        text.is_word(at) ? scalar_of_matrix(text[at].spelling) : std::string_view{};
+    if (scalar.empty()) continue;
+    const bool cast = text.is(at - 1, "(") && text.is(at + 1, ")");
+    const bool constructor = text.is(at + 1, "(");
+    const std::size_t end = cast || constructor ? end_of_scalar(text, at + 2) : npos;
+    if (end == npos || (constructor && !text.is(end, ")"))) continue;
+    text.insert(at + 2, "(" + std::string(scalar) + ")");
+  }
+  text.apply();
+}
+
+}  // namespace penumbra::preparation
