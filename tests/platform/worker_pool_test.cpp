@@ -166,9 +166,9 @@ TEST(WorkerPool, AComputingWorkerEndsAtItsProcessorTime) {
 
 TEST(WorkerPool, ProcessorTimeIsCountedAnewForEveryMessage) {
   WorkerPool pool = small_pool(1);
-  pool.limits.processor_time = std::chrono::seconds(1);
-  // By one worker, together far beyond the limit of one.
-  for (const auto& [number, outcome] : run(std::vector<std::string>(7, "work"), pool))
+  pool.limits.processor_time = std::chrono::seconds(2);
+  // By one worker, each far below the limit of one message and together beyond it, on a busy machine too.
+  for (const auto& [number, outcome] : run(std::vector<std::string>(9, "work"), pool))
     EXPECT_THAT(outcome.answer, HasSubstr("work done"));
 }
 
