@@ -48,9 +48,10 @@ float2 FibonacciDirection(int index)
 }
 
 // Radius of point `index` of `count`. clump 1: even over the area. clump 2: even over the radius, a density of 1/r.
+// abs() costs nothing and tells compilers that the base of pow() is not negative.
 float FibonacciRadius(int index, int count, float clump)
 {
-    return pow((float(index) + 0.5) / float(count), 0.5 * clump);
+    return pow(abs((float(index) + 0.5) / float(count)), 0.5 * clump);
 }
 
 // Radius of point `index` of `count` with as many points in every octave from `innermost` to `outermost` (both > 0):

@@ -87,7 +87,7 @@ BlockerEstimate HdrpSearch(TEXTURE2D_PARAM(shadowMap, sampler_point), QuadReceiv
     for (int i = 0; i < count; ++i)
     {
         // As in HDRP the spiral starts at its centre. That tap is kept inside the tile; others outside do not count.
-        const float spread = pow(float(i) / float(count), 0.5 * clump);
+        const float spread = pow(abs(float(i) / float(count)), 0.5 * clump);
         const float2 offset = RotateDisk(FibonacciDirection(i) * spread, rotation) * radius;
         const float2 texels = i == 0 ? ClampToTile(receiver.centre, receiver.bounds) : receiver.centre + offset;
         if (InTile(texels, receiver.bounds))

@@ -146,6 +146,24 @@ TEST_F(Validate, EachTargetSeesTheMacrosOfItsApi) {
   EXPECT_EQ(report({"--targets", "spirv,hlsl50", "--api", "vulkan"})["summary"]["failed"], 0);
 }
 
+TEST_F(Validate, LintSpeaksUnlessItIsToldNotTo) {
+  write("Bent.hlsl", "float _Base;\nfloat4 Main() : SV_Target { return pow(_Base, 1.5); }\n");
+  const std::vector<std::string> command{"validate", path("Bent.hlsl").string(), "--no-cache", "--targets",
+                                         "spirv"};
+  const auto with = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all = command;
+    all.insert(all.end(), more.begin(), more.end());
+    return run(all);
+  };
+  EXPECT_EQ(with({}).exit_code, 0) << "a warning";
+  EXPECT_THAT(with({}).output, HasSubstr("Bent.hlsl:2:36: warning: pow of a base that may be negative"));
+  EXPECT_THAT(with({"--no-lint"}).output, Not(HasSubstr("negative")));
+  EXPECT_THAT(with({"--disable-rule", "nan-check,negative-pow"}).output, Not(HasSubstr("negative")));
+  const auto unknown = with({"--disable-rule", "negative-power"});
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_THAT(unknown.errors, AllOf(HasSubstr("unknown rule 'negative-power'"), HasSubstr("negative-pow")));
+}
+
 TEST_F(Validate, UnknownTargetsAndFoldersSayTheWayOut) {
   EXPECT_THAT(run(command({"--targets", "essl301"})).errors, HasSubstr("essl300"));
   EXPECT_EQ(run({"validate", path("nowhere").string()}).exit_code, 2);

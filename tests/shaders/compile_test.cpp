@@ -69,6 +69,22 @@ TEST(Compile, UnoptimisedKeepsItsFunctions) {
   EXPECT_NE(inlined.front().function, "Read");
 }
 
+TEST(Compile, WhatIsKeptUnoptimisedIsWhatWasOptimised) {
+  CompileRequest request;
+  request.file = "shader.hlsl";
+  request.text = compute_shader("Twice(id.x) + _In[id.xy]",
+                                "Texture2D<float> _In;\nfloat Twice(float x) { return 2 * x; }\n");
+  const std::vector<std::uint32_t> plain = compile(request).spirv;
+  request.keep_unoptimised = true;
+  const CompileResult both = compile(request);
+  EXPECT_EQ(both.spirv, plain);
+  request.keep_unoptimised = false;
+  request.optimise = false;
+  request.debug_lines = true;
+  EXPECT_EQ(both.unoptimised, compile(request).spirv);
+  EXPECT_NE(both.unoptimised, plain);
+}
+
 TEST(Compile, EmptyFileHasNoEntryPoint) {
   const CompileResult result = compile_text("");
   EXPECT_TRUE(result.spirv.empty());

@@ -33,7 +33,10 @@ UnitJob full_job() {
   unit.compile.overlays = {{"suffix", "file"}};
   unit.compile.prepare = true;
   unit.compile.optimise = false;
+  unit.compile.keep_unoptimised = true;
+  unit.sub_shader = 2;
   unit.targets = {"spirv", "msl23"};
+  unit.lint = {true, 45, {"nan-check"}};
   job.context = {"cache", "build", {{"essl310", "Mesa"}}};
   job.given_up = {"msl23"};
   job.text_only = true;
@@ -43,7 +46,11 @@ UnitJob full_job() {
 UnitReply full_reply() {
   UnitReply reply;
   reply.text_key = "0123";
-  reply.compile = CompileAnswer{{diagnostic()}, "4567", "UnityCG.cginc", {{"a.hlsl", "89ab"}}};
+  reply.compile = CompileAnswer{{diagnostic()},
+                                "4567",
+                                "UnityCG.cginc",
+                                {{"a.hlsl", "89ab"}},
+                                std::make_shared<const std::string>("layouts")};
   reply.emitted = EmittedAnswer{{}, {diagnostic(), diagnostic()}};
   reply.dependencies = {"a.hlsl", "b.hlsl"};
   reply.compile_cached = true;
@@ -78,6 +85,9 @@ TEST(UnitEncoding, KeepsEveryMember) {
   EXPECT_EQ(job.unit.compile.overlays.at(0).file, "file");
   EXPECT_FALSE(job.unit.compile.optimise);
   EXPECT_TRUE(job.unit.compile.prepare);
+  EXPECT_TRUE(job.unit.compile.keep_unoptimised);
+  EXPECT_EQ(job.unit.sub_shader, 2);
+  EXPECT_EQ(job.unit.lint.shader_target, 45);
   EXPECT_EQ(job.unit.shader.size(), 13U);
   EXPECT_EQ(job.context.drivers.at("essl310"), "Mesa");
   UnitJob without = full_job();
@@ -96,8 +106,8 @@ TEST(Keys, HoldTheBuildAndTheDrivers) {
   AnswerContext context = full_job().context;
   AnswerContext rebuilt = context;
   rebuilt.build = "another";
-  EXPECT_NE(sources_key(context, unit.compile), sources_key(rebuilt, unit.compile));
-  EXPECT_NE(text_key(context, unit.compile, source), text_key(rebuilt, unit.compile, source));
+  EXPECT_NE(sources_key(context, unit), sources_key(rebuilt, unit));
+  EXPECT_NE(text_key(context, unit, source), text_key(rebuilt, unit, source));
   EXPECT_NE(emitted_key(context, unit, "m"), emitted_key(rebuilt, unit, "m"));
   AnswerContext driven = context;
   driven.drivers["msl23"] = "one that compiles it";
@@ -107,18 +117,33 @@ TEST(Keys, HoldTheBuildAndTheDrivers) {
 
 TEST(Keys, OfATextDoNotHoldWhereItCameFrom) {
   const AnswerContext context = full_job().context;
-  shaders::CompileRequest request = full_job().unit.compile;
+  CompileUnit unit = full_job().unit;
   shaders::PreprocessedSource source;
   source.text = "text";
-  const std::string before = text_key(context, request, source);
-  request.defines.clear();
-  request.package_roots.clear();
-  request.include_directories = {"elsewhere"};
-  EXPECT_EQ(text_key(context, request, source), before);
-  request.entry = "other";
-  EXPECT_NE(text_key(context, request, source), before);
+  const std::string before = text_key(context, unit, source);
+  unit.compile.defines.clear();
+  unit.compile.package_roots.clear();
+  unit.compile.include_directories = {"elsewhere"};
+  EXPECT_EQ(text_key(context, unit, source), before);
+  unit.compile.entry = "other";
+  EXPECT_NE(text_key(context, unit, source), before);
   source.diagnostics.push_back(diagnostic());
-  EXPECT_NE(text_key(context, full_job().unit.compile, source), before);
+  EXPECT_NE(text_key(context, full_job().unit, source), before);
+}
+
+TEST(Keys, HoldWhatLintIsTold) {
+  const AnswerContext context = full_job().context;
+  const CompileUnit unit = full_job().unit;
+  shaders::PreprocessedSource source;
+  source.text = "text";
+  std::vector<CompileUnit> others(3, unit);
+  others[0].lint.wanted = !unit.lint.wanted;
+  others[1].lint.shader_target = unit.lint.shader_target + 5;
+  others[2].lint.left_out.push_back("negative-pow");
+  for (const CompileUnit& other : others) {
+    EXPECT_NE(sources_key(context, unit), sources_key(context, other));
+    EXPECT_NE(text_key(context, unit, source), text_key(context, other, source));
+  }
 }
 
 TEST(UnitEncoding, DamagedBytesEndNoProgram) {

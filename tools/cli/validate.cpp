@@ -13,6 +13,7 @@
 #include "cli/subcommand.h"
 #include "input/input_error.h"
 #include "input/nearest_name.h"
+#include "lint/rule.h"
 #include "platform/data_directory.h"
 #include "project/package_versions.h"
 #include "project/shader_files.h"
@@ -54,6 +55,8 @@ struct ValidateOptions {
   bool list = false;
   std::vector<std::string> targets;
   std::string api;
+  bool no_lint = false;
+  std::vector<std::string> disabled_rules;
   // How.
   unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
   std::string shard;
@@ -106,6 +109,15 @@ validation::EngineOptions engine_options(const ValidateOptions& options) {
   engine.limits.processor_time = std::chrono::seconds(options.time_limit);
   engine.limits.memory = std::size_t{options.memory_limit} << 20;
   return engine;
+}
+
+validation::LintOrder lint_order(const ValidateOptions& options) {
+  std::vector<std::string> known;
+  for (const lint::RuleInfo& rule : lint::rules()) known.push_back(rule.name);
+  for (const std::string& rule : options.disabled_rules)
+    if (lint::find_rule(rule) == nullptr)
+      throw InputError("--disable-rule", "unknown rule '" + rule + "'", unknown_name_way_out(rule, known));
+  return {!options.no_lint, 0, options.disabled_rules};
 }
 
 // The graphics API whose shaders a target is for.
@@ -215,6 +227,7 @@ void add_sources(const ValidateOptions& options, validation::ValidationRequest& 
   source.narrowing = narrowing(options);
   source.roots = found.roots;
   source.defines = request.defines;
+  source.lint = request.lint;
   source.sample = options.sample;
   source.entries = {{options.entry, *hlsl::find_stage(options.stage)}};
   for (const std::string& set : options.keyword_sets) source.keyword_sets.push_back(parse_keyword_set(set));
@@ -223,8 +236,12 @@ void add_sources(const ValidateOptions& options, validation::ValidationRequest& 
 
   for (const hlsl::Diagnostic& problem : found.said) say(context, hlsl::format(problem));
   const variants::Plan plan = sources.plan();
-  say(context, variants::text_of(plan.total) + " variants in " + std::to_string(sources.programs().size()) +
-                   " programs of " + std::to_string(files.files.size()) + " files");
+  const auto counted = [](std::size_t count, const std::string& thing) {
+    return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
+  };
+  say(context, variants::text_of(plan.total) + " variants in " +
+                   counted(sources.programs().size(), "program") + " of " +
+                   counted(files.files.size(), "file"));
   if (options.list) {
     write_output(options.report.output, variants::text_of(plan));
     return;
@@ -233,6 +250,7 @@ void add_sources(const ValidateOptions& options, validation::ValidationRequest& 
   if (!refusal.empty()) throw InputError("--limit", refusal);
   request.units = sources.units();
   request.records = sources.records();
+  request.programs = sources.to_lint();
 }
 
 void run_validate(const ValidateOptions& options, Context& context) {
@@ -240,6 +258,7 @@ void run_validate(const ValidateOptions& options, Context& context) {
   validation::ValidationRequest request;
   request.targets = chosen_targets(options.targets);
   request.engine = engine_options(options);
+  request.lint = lint_order(options);
   for (const std::string& define : options.defines) request.defines.push_back(parse_define(define));
   if (!options.techniques.empty() || !sources_given) {
     const fs::path library = platform::data_directory();
@@ -320,6 +339,10 @@ void add_which(CLI::App& command, ValidateOptions& options) {
       ->allow_extra_args(false);
   command.add_option("--api", options.api, "Compile for this API alone and make every target from that")
       ->check(CLI::IsMember({"vulkan", "d3d11", "metal", "glcore", "gles3", "switch"}));
+  command.add_flag("--no-lint", options.no_lint, "Compile alone; Documentation~/lint.md has the rules");
+  command.add_option("--disable-rule", options.disabled_rules, "Lint rules to leave out")
+      ->delimiter(',')
+      ->allow_extra_args(false);
 }
 
 void add_how(CLI::App& command, ValidateOptions& options) {

@@ -45,6 +45,7 @@ struct NamedPlace {
   std::string name;
   int line = 0;
   int column = 0;
+  std::string file{};  // empty: the shader's own
 };
 
 // One SubShader.
@@ -63,11 +64,12 @@ std::vector<Finding> srp_batcher_findings(const ShaderToLint& shader);
 struct VariantText {
   std::vector<std::string> keywords;  // those that are on
   std::string hash;                   // equal for equal results
+  std::string source{};  // the entry point and the graphics API: only variants of one are compared
 };
 
 struct ProgramKeywords {
   std::string file;
-  std::string program;               // pass and stage, for messages
+  std::string program;               // its pass, for messages
   std::vector<NamedPlace> declared;  // the keywords of its pragmas, without "_"
   std::vector<VariantText> variants;
 };

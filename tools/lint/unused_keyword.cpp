@@ -13,12 +13,14 @@ struct Verdict {
   bool changes = false;
 };
 
-Verdict toggled(const std::map<std::set<std::string>, std::string>& hash_of, const std::string& keyword) {
+using Variant = std::pair<std::string, std::set<std::string>>;  // source, keywords
+
+Verdict toggled(const std::map<Variant, std::string>& hash_of, const std::string& keyword) {
   Verdict verdict;
-  for (const auto& [keywords, hash] : hash_of) {
-    if (!keywords.contains(keyword)) continue;
-    std::set<std::string> without = keywords;
-    without.erase(keyword);
+  for (const auto& [variant, hash] : hash_of) {
+    if (!variant.second.contains(keyword)) continue;
+    Variant without = variant;
+    without.second.erase(keyword);
     const auto other = hash_of.find(without);
     if (other == hash_of.end()) continue;
     ++verdict.pairs;
@@ -31,16 +33,16 @@ Verdict toggled(const std::map<std::set<std::string>, std::string>& hash_of, con
 
 std::vector<Finding> unused_keyword_findings(const ProgramKeywords& program) {
   constexpr const char* rule = "unused-keyword";
-  std::map<std::set<std::string>, std::string> hash_of;
+  std::map<Variant, std::string> hash_of;
   for (const VariantText& variant : program.variants)
-    hash_of[{variant.keywords.begin(), variant.keywords.end()}] = variant.hash;
+    hash_of[{variant.source, {variant.keywords.begin(), variant.keywords.end()}}] = variant.hash;
   std::vector<Finding> findings;
   for (const NamedPlace& keyword : program.declared) {
     const Verdict verdict = toggled(hash_of, keyword.name);
     if (verdict.pairs == 0 || verdict.changes) continue;
     const std::string compared = std::to_string(verdict.pairs) + (verdict.pairs == 1 ? " pair" : " pairs");
     findings.push_back({rule,
-                        {program.file,
+                        {keyword.file.empty() ? program.file : keyword.file,
                          keyword.line,
                          keyword.column,
                          find_rule(rule)->severity,

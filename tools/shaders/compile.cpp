@@ -152,15 +152,20 @@ bool link(const Source& source, const hlsl::SourceFiles& sources, glslang::TProg
   return false;
 }
 
-// What the SPIR-V back end says: anything it leaves out is an error, or the module would quietly lack it.
-bool generate(const Source& source, const glslang::TIntermediate& tree, CompileResult& result) {
+std::vector<std::uint32_t> words_of(const glslang::TIntermediate& tree, bool debug_lines,
+                                    spv::SpvBuildLogger& logger) {
   glslang::SpvOptions options;
   options.disableOptimizer = true;  // SPIRV-Tools is called by ourselves
-  options.generateDebugInfo = source.request.debug_lines;
-  spv::SpvBuildLogger logger;
+  options.generateDebugInfo = debug_lines;
   std::vector<unsigned int> words;
   glslang::GlslangToSpv(tree, words, &logger, &options);
-  result.spirv.assign(words.begin(), words.end());
+  return {words.begin(), words.end()};
+}
+
+// What the SPIR-V back end says: anything it leaves out is an error, or the module would quietly lack it.
+bool generate(const Source& source, const glslang::TIntermediate& tree, CompileResult& result) {
+  spv::SpvBuildLogger logger;
+  result.spirv = words_of(tree, source.request.debug_lines, logger);
   std::istringstream lines(logger.getAllMessages());
   bool complete = true;
   for (std::string line; std::getline(lines, line);) {
@@ -192,9 +197,14 @@ bool build(const Source& source, const hlsl::SourceFiles& sources, CompileResult
   if (!parse(source, shader.get(), sources, result)) return false;
   glslang::TProgram program;
   program.addShader(&shader.get());
-  return link(source, sources, program, result) &&
-         generate(source, *program.getIntermediate(language(source.request.stage)), result) &&
-         finish_module(source, result);
+  if (!link(source, sources, program, result)) return false;
+  const glslang::TIntermediate& tree = *program.getIntermediate(language(source.request.stage));
+  if (!generate(source, tree, result) || !finish_module(source, result)) return false;
+  if (!source.request.keep_unoptimised) return true;
+  spv::SpvBuildLogger said_before;
+  result.unoptimised = words_of(tree, true, said_before);
+  number_bindings(result.unoptimised);
+  return true;
 }
 
 // Includes and macros. An empty text of a source that is not empty is a failure, told in `diagnostics`.

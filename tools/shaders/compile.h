@@ -40,6 +40,7 @@ struct CompileRequest {
   bool prepare = false;
   bool optimise = true;      // legalise, inline and optimise; false keeps the function structure and OpName
   bool debug_lines = false;  // OpLine with file and line before the instructions of each statement
+  bool keep_unoptimised = false;  // CompileResult::unoptimised
 };
 
 // What the parser reads: the source after includes, macros and preparation.
@@ -60,6 +61,8 @@ class SourceMemory;  // source_memory.h: files read once for many compilations
 
 struct CompileResult {
   std::vector<std::uint32_t> spirv;  // empty when a diagnostic is an error
+  // The same shader before optimisation and with debug_lines; empty unless kept, or when `spirv` is.
+  std::vector<std::uint32_t> unoptimised;
   std::vector<hlsl::Diagnostic> diagnostics;
   std::vector<std::filesystem::path> dependencies;  // every file that was read
   std::string missing_editor_include{};             // as in PreprocessedSource

@@ -10,11 +10,18 @@
 #include "validation/kept_answers.h"
 #include "validation/source_record.h"
 #include "validation/target_check.h"
+#include "validation/unit_lint.h"
 #include "validation/unit_message.h"
 
 namespace penumbra::validation {
 
 namespace {
+
+struct SourceState {
+  std::string name;
+  std::string hash;
+  bool silences = false;  // a lint rule, somewhere
+};
 
 class UnitAtWork {
  public:
@@ -43,16 +50,18 @@ class UnitAtWork {
     if (job_.text_only) {
       reply_.text = std::move(source_.text);
     } else if (hlsl::has_errors(source_.diagnostics)) {
-      reply_.compile = CompileAnswer{std::move(source_.diagnostics), {}, source_.missing_editor_include, {}};
+      reply_.compile = CompileAnswer{};
+      reply_.compile->diagnostics = std::move(source_.diagnostics);
+      reply_.compile->missing_editor_include = source_.missing_editor_include;
     } else {
       answer_text();
     }
   }
 
   void answer_text() {
-    reply_.text_key = text_key(job_.context, job_.unit.compile, source_);
+    reply_.text_key = text_key(job_.context, job_.unit, source_);
     if (!source_.found_by_case)  // else a record of files does not say all
-      cache_.store(EntryKind::sources, sources_key(job_.context, job_.unit.compile),
+      cache_.store(EntryKind::sources, sources_key(job_.context, job_.unit),
                    encode(source_record(source_, reply_.text_key)));
     if (!is_mine(question_text, shared_key(job_.unit, reply_.text_key))) return;
     reply_.compile = kept_compile_answer(cache_, reply_.text_key,
@@ -74,20 +83,39 @@ class UnitAtWork {
   }
 
   void compile() {
-    std::vector<std::pair<std::string, std::string>> hashes;
-    for (const std::string& file : source_.sources.names())
-      hashes.emplace_back(file, source_hash(source_.sources.text(file)));
-    shaders::CompileResult result = shaders::compile(job_.unit.compile, std::move(source_));
+    std::vector<SourceState> files;
+    for (const std::string& file : source_.sources.names()) {
+      const std::string& text = source_.sources.text(file);
+      files.push_back({file, source_hash(text), job_.unit.lint.wanted && holds_suppression(text)});
+    }
+    shaders::CompileRequest request = job_.unit.compile;
+    request.keep_unoptimised = job_.unit.lint.wanted;
+    shaders::CompileResult result = shaders::compile(request, std::move(source_));
     spirv_ = std::move(result.spirv);
-    CompileAnswer answer{std::move(result.diagnostics), {}, {}, {}};
+    CompileAnswer answer;
+    answer.diagnostics = std::move(result.diagnostics);
     if (!spirv_.empty()) answer.module_key = module_key(spirv_);
-    for (auto& file : hashes)
-      if (std::any_of(answer.diagnostics.begin(), answer.diagnostics.end(),
-                      [&](const hlsl::Diagnostic& said) { return said.line > 0 && said.file == file.first; }))
-        answer.quoted.push_back(std::move(file));
-    cache_.store(EntryKind::compile, reply_.text_key, encode(answer));
+    if (!result.unoptimised.empty() && !is_given_up(note_lint)) lint(result, answer);
+    for (SourceState& file : files)
+      if (file.silences ||
+          std::any_of(answer.diagnostics.begin(), answer.diagnostics.end(),
+                      [&](const hlsl::Diagnostic& said) { return said.line > 0 && said.file == file.name; }))
+        answer.quoted.emplace_back(std::move(file.name), std::move(file.hash));
+    if (!is_given_up(note_lint)) cache_.store(EntryKind::compile, reply_.text_key, encode(answer));
     reply_.compile = std::move(answer);
     reply_.compile_cached = false;
+  }
+
+  void lint(const shaders::CompileResult& result, CompileAnswer& answer) {
+    link_.note(note_lint);
+    for (hlsl::Diagnostic& message : lint_messages(job_.unit, result.unoptimised, result.sources))
+      answer.diagnostics.push_back(std::move(message));
+    answer.buffers = std::make_shared<const std::string>(encode(lint::constant_buffers(result.unoptimised)));
+    link_.note(note_compile);
+  }
+
+  bool is_given_up(std::string_view target) const {
+    return std::find(job_.given_up.begin(), job_.given_up.end(), target) != job_.given_up.end();
   }
 
   void emit() {
@@ -95,7 +123,7 @@ class UnitAtWork {
     for (const std::string& target : job_.unit.targets) {
       if (target == "spirv") continue;
       std::vector<hlsl::Diagnostic>& said = reply_.emitted->emplace_back();
-      if (std::find(job_.given_up.begin(), job_.given_up.end(), target) != job_.given_up.end()) continue;
+      if (is_given_up(target)) continue;
       link_.note(target);
       said = check_target(spirv_, job_.unit.compile.stage, target);
     }

@@ -17,14 +17,14 @@ platform::ContentHash keyed(const char* purpose, const AnswerContext& context) {
 
 }  // namespace
 
-std::string sources_key(const AnswerContext& context, const shaders::CompileRequest& request) {
-  return keyed("sources", context).update(encode(request)).hex();
+std::string sources_key(const AnswerContext& context, const CompileUnit& unit) {
+  return keyed("sources", context).update(encode(unit.compile)).update(encode(unit.lint)).hex();
 }
 
 // What only the preprocessor reads has done its work; all else may matter to the compiler.
-std::string text_key(const AnswerContext& context, const shaders::CompileRequest& request,
+std::string text_key(const AnswerContext& context, const CompileUnit& unit,
                      const shaders::PreprocessedSource& source) {
-  shaders::CompileRequest rest = request;
+  shaders::CompileRequest rest = unit.compile;
   rest.text.reset();
   rest.defines.clear();
   rest.package_roots.clear();
@@ -34,6 +34,7 @@ std::string text_key(const AnswerContext& context, const shaders::CompileRequest
   rest.overlays.clear();
   return keyed("text", context)
       .update(encode(rest))
+      .update(encode(unit.lint))
       .update(source.text)
       .update(encode(source.diagnostics))
       .hex();

@@ -25,8 +25,8 @@ struct AnswerContext {
   std::map<std::string, std::string> drivers;  // target -> the driver that checks it
 };
 
-std::string sources_key(const AnswerContext& context, const shaders::CompileRequest& request);
-std::string text_key(const AnswerContext& context, const shaders::CompileRequest& request,
+std::string sources_key(const AnswerContext& context, const CompileUnit& unit);
+std::string text_key(const AnswerContext& context, const CompileUnit& unit,
                      const shaders::PreprocessedSource& source);
 // One unit answers for all that share its text and what is emitted from it. Units of one text for different
 // targets each have their own: there is a module to emit only where the text was compiled.

@@ -19,6 +19,9 @@ namespace penumbra::validation {
 // could not be tried here, for a reason that is not the shader's (a file that only the Unity editor has).
 enum class VariantStatus { passed, failed, absent, unreached, unchecked };
 
+// The target of what is said of a file or a pass as a whole: no variant was compiled for it.
+inline constexpr const char* whole_source = "source";
+
 // One entry point of one file with one keyword set for one target.
 struct VariantRecord {
   std::string technique;  // of techniques.json; empty for a user's file

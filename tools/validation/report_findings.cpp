@@ -192,7 +192,8 @@ std::string program_title(const VariantRecord& record) {
   std::string text = record.technique.empty() ? "" : "technique " + record.technique + ", ";
   if (!record.pass.empty()) text += "pass " + record.pass + (record.shader.empty() ? ", " : " of ");
   if (!record.shader.empty()) text += record.shader + ", ";
-  return text + hlsl::stage_name(record.stage) + " entry " + record.entry;
+  if (!record.entry.empty()) return text + hlsl::stage_name(record.stage) + " entry " + record.entry;
+  return text.empty() ? record.file : text.substr(0, text.size() - 2);  // of a file or pass as a whole
 }
 
 std::string fold_sentence(const KeywordFold& fold) {
@@ -220,16 +221,22 @@ std::vector<std::string> targets_of(const Finding& finding, const ValidationRepo
 
 std::string totals_line(const ValidationReport& report, const Variants& variants) {
   std::size_t cached = 0;
+  std::size_t results = 0;
   std::set<std::string> targets;
-  for (const VariantRecord& record : report.records) {
+  std::set<std::size_t> compiled;
+  for (std::size_t i = 0; i < report.records.size(); ++i) {
+    const VariantRecord& record = report.records[i];
+    if (record.target == whole_source && record.status == VariantStatus::passed) continue;  // a message alone
+    ++results;
     cached += record.cached ? 1 : 0;
-    targets.insert(record.target);
+    compiled.insert(variants.of_record(i));
+    if (record.target != whole_source) targets.insert(record.target);
   }
   std::string text;
   if (report.shards > 1)
     text = "shard " + std::to_string(report.shard) + " of " + std::to_string(report.shards) + ": ";
-  text += counted(variants.size(), "variant") + " for " + counted(targets.size(), "target") + ": " +
-          counted(report.records.size(), "result") + " (" + std::to_string(report.unique) + " unique, " +
+  text += counted(compiled.size(), "variant") + " for " + counted(targets.size(), "target") + ": " +
+          counted(results, "result") + " (" + std::to_string(report.unique) + " unique, " +
           std::to_string(cached) + " cached), " + std::to_string(report.count(VariantStatus::failed)) +
           " failed";
   for (const VariantStatus status :

@@ -95,7 +95,8 @@ class TextReport {
     if (const std::string sentence = fold_sentence(fold_keywords(finding, variants_)); !sentence.empty())
       text += ", " + sentence;
     const std::vector<std::string> targets = targets_of(finding, report_);
-    if (targets != std::vector<std::string>{"spirv"}) text += ", for " + joined(targets, ", ");
+    if (targets != std::vector<std::string>{"spirv"} && targets != std::vector<std::string>{whole_source})
+      text += ", for " + joined(targets, ", ");
     return text + "\n" + reproduction(finding);
   }
 

@@ -6,6 +6,7 @@
 #include "input/input_error.h"
 #include "platform/atomic_file.h"
 #include "platform/content_hash.h"
+#include "validation/unit_message.h"
 
 namespace penumbra::validation {
 
@@ -37,14 +38,15 @@ std::string name_of(const CompileUnit& unit, const std::string& content) {
 
 std::string head(const CompileUnit& unit, const Crash& crash, const std::string& file_name) {
   const std::string stage = hlsl::stage_name(unit.compile.stage);
-  std::string text =
-      "// " + crash.target + ": the compiler " + crash.failure + ".\n// Of " + one_line(unit.file);
+  const bool by_lint = crash.target == note_lint;
+  std::string text = (by_lint ? "// lint " : "// " + crash.target + ": the compiler ") + crash.failure +
+                     ".\n// Of " + one_line(unit.file);
   if (!unit.shader.empty()) text += ", shader " + one_line(unit.shader) + ", pass " + one_line(unit.pass);
   text += "; entry " + one_line(unit.compile.entry) + ", stage " + stage + "\n// Defines:";
   for (const auto& [name, value] : unit.compile.defines) text += one_line(" " + name + "=" + value);
   if (crash.text.empty()) text += "\n// The source as it is: the preprocessor does not come to its end.";
   return text + "\n// See it: penumbra validate " + file_name + " --entry " + one_line(unit.compile.entry) +
-         " --stage " + stage + " --targets " + crash.target + "\n";
+         " --stage " + stage + " --targets " + (by_lint ? std::string(note_compile) : crash.target) + "\n";
 }
 
 }  // namespace

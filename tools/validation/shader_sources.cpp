@@ -1,6 +1,8 @@
 #include "validation/shader_sources.h"
 
 #include <algorithm>
+#include <set>
+#include <tuple>
 #include <utility>
 
 #include "hlsl/source_text.h"
@@ -44,6 +46,30 @@ std::string pass_label(const shaderlab::Program& program) {
 std::string with_implicit_includes(const std::string& text, const std::string& file) {
   return "#include \"HLSLSupport.cginc\"\n#include \"UnityShaderVariables.cginc\"\n#line 1 \"" + file +
          "\"\n" + text;
+}
+
+bool has_attribute(const shaderlab::Property& property, const char* name) {
+  return std::any_of(property.attributes.begin(), property.attributes.end(),
+                     [name](const shaderlab::Attribute& attribute) { return attribute.name.text == name; });
+}
+
+// The properties that are of the material: a renderer's own come from its MaterialPropertyBlock.
+std::vector<lint::NamedPlace> numbers_of(const shaderlab::Shader& shader) {
+  std::vector<lint::NamedPlace> numbers;
+  for (const shaderlab::Property& property : shader.properties)
+    if (property.type != shaderlab::PropertyType::texture && !has_attribute(property, "PerRendererData"))
+      numbers.push_back({property.name.text, property.name.place.line, property.name.place.column});
+  return numbers;
+}
+
+std::vector<lint::NamedPlace> declared_keywords(const variants::Pragmas& pragmas) {
+  std::vector<lint::NamedPlace> declared;
+  std::set<std::string> known;
+  for (const variants::KeywordSet& set : pragmas.keyword_sets)
+    for (const std::string& keyword : variants::keywords_of(set))
+      if (known.insert(keyword).second)
+        declared.push_back({keyword, set.place.line, set.place.column, set.place.file});
+  return declared;
 }
 
 // Which of `count` variants a sample of `most` takes: the first, the last, and evenly between.
@@ -94,7 +120,7 @@ void ShaderSources::say(const std::string& file, const std::string& shader, cons
   record.file = file;
   record.shader = shader;
   record.pass = pass;
-  record.target = "source";
+  record.target = whole_source;
   record.status = hlsl::has_errors(diagnostics) ? VariantStatus::failed : VariantStatus::passed;
   record.diagnostics = std::move(diagnostics);
   records_.push_back(std::move(record));
@@ -105,7 +131,7 @@ void ShaderSources::leave_unchecked(const SourceProgram& program, const std::str
   record.file = program.file;
   record.shader = program.shader;
   record.pass = program.pass;
-  record.target = "source";
+  record.target = whole_source;
   record.status = VariantStatus::unchecked;
   record.reason = reason;
   records_.push_back(std::move(record));
@@ -122,6 +148,9 @@ void ShaderSources::add_shader(const project::ShaderFile& file, const std::strin
     program.file = file.path.string();
     program.shader = shader.name.text;
     program.pass = pass_label(found);
+    program.sub_shader = found.sub_shader_index;
+    program.scriptable_pipeline = shaderlab::effective_tag(found, "RenderPipeline") != nullptr;
+    program.properties = numbers_of(shader);
     program.text = found.implicit_includes ? with_implicit_includes(found.text, program.file) : found.text;
     if (found.language == shaderlab::Language::glsl) {
       leave_unchecked(program, "a GLSLPROGRAM is for OpenGL alone and is not compiled here");
@@ -205,6 +234,7 @@ CompileUnit ShaderSources::unit(const SourceProgram& program, const std::string&
   unit.file = program.file;
   unit.shader = program.shader;
   unit.pass = program.pass;
+  unit.sub_shader = program.sub_shader;
   unit.keywords = keywords;
   unit.targets = program.targets;
   unit.compile.file = program.file;
@@ -213,6 +243,8 @@ CompileUnit ShaderSources::unit(const SourceProgram& program, const std::string&
   unit.compile.stage = stage;
   unit.compile.prepare = true;
   const int target = variants::shader_target(program.pragmas, keywords);
+  unit.lint = options_.lint;
+  unit.lint.shader_target = program.pragmas.targets.empty() ? 0 : target;
   for (const auto& [name, value] : variants::platform_defines(program.platform, stage, target))
     unit.compile.defines.emplace_back(name, value);
   unit.compile.defines.insert(unit.compile.defines.end(), options_.defines.begin(), options_.defines.end());
@@ -247,6 +279,25 @@ std::vector<CompileUnit> ShaderSources::units() const {
     }
   }
   return units;
+}
+
+std::vector<ProgramToLint> ShaderSources::to_lint() const {
+  const bool all_variants = options_.sample == 0 && options_.narrowing.clauses.empty();
+  std::vector<ProgramToLint> programs;
+  std::set<std::tuple<std::string, std::string, int, std::string>> known;
+  for (const SourceProgram& program : programs_) {
+    if (!known.emplace(program.file, program.shader, program.sub_shader, program.pass).second) continue;
+    ProgramToLint& made = programs.emplace_back();
+    made.file = program.file;
+    made.shader = program.shader;
+    made.pass = program.pass;
+    made.sub_shader = program.sub_shader;
+    made.scriptable_pipeline = program.scriptable_pipeline;
+    made.keywords = declared_keywords(program.pragmas);
+    made.is_whole = all_variants && program.keyword_sets.empty();
+    made.properties = program.properties;
+  }
+  return programs;
 }
 
 }  // namespace penumbra::validation

@@ -13,6 +13,7 @@
 #include "hlsl/stage.h"
 #include "project/include_search.h"
 #include "project/shader_files.h"
+#include "validation/program_lint.h"
 #include "validation/report.h"
 #include "validation/unit.h"
 #include "variants/keyword_space.h"
@@ -39,6 +40,7 @@ struct SourceOptions {
   // Of each entry point at most so many variants, spread evenly over all of them; 0: all.
   std::uint64_t sample = 0;
   std::vector<variants::Keywords> keyword_sets;  // of .hlsl files, instead of what their pragmas span
+  LintOrder lint;                                // the shader target is each variant's own
 };
 
 // One program of a file for one platform.
@@ -46,7 +48,10 @@ struct SourceProgram {
   std::string file;
   std::string shader;  // see VariantRecord
   std::string pass;
-  std::string text;  // lines and columns are the file's own
+  int sub_shader = 0;
+  bool scriptable_pipeline = false;          // as in ProgramToLint
+  std::vector<lint::NamedPlace> properties;  // likewise
+  std::string text;                          // lines and columns are the file's own
   std::vector<std::string> targets;
   variants::Platform platform;
   variants::Pragmas pragmas;
@@ -70,6 +75,7 @@ class ShaderSources {
   variants::Plan plan() const;
   std::string refusal(std::uint64_t limit) const;  // empty while the count is within the limit
   std::vector<CompileUnit> units() const;
+  std::vector<ProgramToLint> to_lint() const;  // each program once, whatever the graphics APIs
 
  private:
   void add_shader(const project::ShaderFile& file, const std::string& bytes);

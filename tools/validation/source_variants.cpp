@@ -57,6 +57,7 @@ SourceVariant technique_variant(const ValidationRequest& request, const shaders:
   variant.unit.targets = request.targets;
   variant.unit.keywords = keywords;
   variant.unit.file = (list.file.parent_path() / technique.chain.back().file).lexically_normal().string();
+  variant.unit.lint = request.lint;
   shaders::CompileRequest& compile = variant.unit.compile;
   compile = base_request(request, keywords);
   compile.include_directories.push_back(list.file.parent_path());
@@ -92,6 +93,7 @@ std::vector<SourceVariant> source_variants(const ValidationRequest& request) {
       variant.unit.file = shader.file.string();
       variant.unit.keywords = keywords;
       variant.unit.targets = request.targets;
+      variant.unit.lint = request.lint;
       variant.unit.compile = base_request(request, keywords);
       variant.unit.compile.file = shader.file;
       variant.unit.compile.entry = shader.entry;

@@ -25,7 +25,7 @@ void write(ByteWriter& out, const std::vector<Pair>& pairs) {
 // The members by name and all of them: one more in the struct, and this does not compile until it is written.
 void write(ByteWriter& out, const shaders::CompileRequest& request) {
   const auto& [file, text, entry, stage, defines, roots, directories, project, cginc_root, overlays, prepare,
-               optimise, debug_lines] = request;
+               optimise, debug_lines, keep_unoptimised] = request;
   out.text(file.string());
   out.number(text ? 1 : 0);
   out.text(text.value_or(""));
@@ -46,6 +46,14 @@ void write(ByteWriter& out, const shaders::CompileRequest& request) {
   out.number(prepare ? 1 : 0);
   out.number(optimise ? 1 : 0);
   out.number(debug_lines ? 1 : 0);
+  out.number(keep_unoptimised ? 1 : 0);
+}
+
+void write(ByteWriter& out, const LintOrder& order) {
+  const auto& [wanted, shader_target, left_out] = order;
+  out.number(wanted ? 1 : 0);
+  out.number(static_cast<std::uint64_t>(std::max(shader_target, 0)));
+  write(out, left_out);
 }
 
 void write(ByteWriter& out, const Diagnostic& diagnostic) {
@@ -112,6 +120,7 @@ shaders::CompileRequest read_request(ByteReader& in) {
   request.prepare = read_flag(in);
   request.optimise = read_flag(in);
   request.debug_lines = read_flag(in);
+  request.keep_unoptimised = read_flag(in);
   return request;
 }
 
@@ -143,12 +152,20 @@ std::string encode(const std::vector<Diagnostic>& diagnostics) {
   return out.take();
 }
 
+std::string encode(const LintOrder& order) {
+  ByteWriter out;
+  write(out, order);
+  return out.take();
+}
+
 std::string encode(const CompileUnit& unit) {
   ByteWriter out;
   for (const std::string* text : {&unit.technique, &unit.file, &unit.shader, &unit.pass}) out.text(*text);
+  out.number(static_cast<std::uint64_t>(std::max(unit.sub_shader, 0)));
   write(out, unit.keywords);
   write(out, unit.compile);
   write(out, unit.targets);
+  write(out, unit.lint);
   return out.take();
 }
 
@@ -156,9 +173,13 @@ std::optional<CompileUnit> decode_unit(std::string_view bytes) {
   ByteReader in(bytes);
   CompileUnit unit;
   for (std::string* text : {&unit.technique, &unit.file, &unit.shader, &unit.pass}) *text = in.text();
+  unit.sub_shader = read_place(in);
   unit.keywords = read_texts(in);
   unit.compile = read_request(in);
   unit.targets = read_texts(in);
+  unit.lint.wanted = read_flag(in);
+  unit.lint.shader_target = read_place(in);
+  unit.lint.left_out = read_texts(in);
   if (!in.exhausted()) return std::nullopt;
   return unit;
 }
@@ -169,6 +190,8 @@ std::string encode(const CompileAnswer& answer) {
   out.text(answer.module_key);
   out.text(answer.missing_editor_include);
   write(out, answer.quoted);
+  out.number(answer.buffers ? 1 : 0);
+  out.text(answer.buffers ? *answer.buffers : std::string());
   return out.take();
 }
 
@@ -179,6 +202,9 @@ std::optional<CompileAnswer> decode_compile_answer(std::string_view bytes) {
   answer.module_key = in.text();
   answer.missing_editor_include = in.text();
   answer.quoted = read_pairs(in);
+  const bool has_buffers = read_flag(in);
+  std::string buffers = in.text();
+  if (has_buffers) answer.buffers = std::make_shared<const std::string>(std::move(buffers));
   if (!in.exhausted()) return std::nullopt;
   return answer;
 }

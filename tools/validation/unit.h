@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,16 +18,25 @@
 
 namespace penumbra::validation {
 
-// One entry point of one file with one keyword set. All but the request and the targets is for the report:
-// answers do not depend on it.
+// What lint is told of a unit (lint/module_rules.h).
+struct LintOrder {
+  bool wanted = false;
+  int shader_target = 0;              // ten times `#pragma target`; 0: none was given
+  std::vector<std::string> left_out;  // rules
+};
+
+// One entry point of one file with one keyword set. All but the request, the targets and the lint is for the
+// report: answers do not depend on it.
 struct CompileUnit {
   std::string technique;
   std::string file;
   std::string shader;
   std::string pass;
+  int sub_shader = 0;  // of a .shader, from 0
   std::vector<std::string> keywords;
   shaders::CompileRequest compile;
   std::vector<std::string> targets;  // "spirv" and names of shaders::Target
+  LintOrder lint;
 };
 
 struct TargetResult {
@@ -44,6 +54,8 @@ struct UnitResult {
   std::string missing_editor_include;
   std::vector<std::filesystem::path> dependencies;  // every file that was read
   bool cached = false;                              // the answer is of an earlier run
+  // Its constant buffers, as decode_buffers() takes them; null when it was not linted.
+  std::shared_ptr<const std::string> buffers;
 };
 
 // What became of one text, up to valid SPIR-V.
@@ -51,15 +63,17 @@ struct CompileAnswer {
   std::vector<hlsl::Diagnostic> diagnostics;
   std::string module_key;              // empty when there is no SPIR-V
   std::string missing_editor_include;  // as in shaders::PreprocessedSource
-  // The files that the messages quote, with the hash of what they held. Comments are no part of a text key:
-  // the answer of an equal text is taken only where the quoted lines are the same.
+  // The files that the messages quote, and those that silence a lint rule, with the hash of what they held.
+  // Comments are no part of a text key: the answer of an equal text is taken only where these are the same.
   std::vector<std::pair<std::string, std::string>> quoted;
+  std::shared_ptr<const std::string> buffers;  // as in UnitResult
 };
 
 // What became of one module in every target but "spirv", in the order of CompileUnit::targets.
 using EmittedAnswer = std::vector<std::vector<hlsl::Diagnostic>>;
 
 std::string encode(const shaders::CompileRequest& request);
+std::string encode(const LintOrder& order);
 std::string encode(const CompileUnit& unit);
 std::string encode(const std::vector<hlsl::Diagnostic>& diagnostics);
 std::string encode(const CompileAnswer& answer);

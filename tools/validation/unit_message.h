@@ -47,7 +47,8 @@ inline constexpr char question_module = 'm';
 inline constexpr std::string_view answer_mine = "mine";
 inline constexpr std::string_view answer_known = "known";
 
-// The note while the text is made and compiled; after that each target's name.
+// The notes while the text is made and compiled, and while it is linted; after that each target's name.
 inline constexpr std::string_view note_compile = "spirv";
+inline constexpr std::string_view note_lint = "lint";
 
 }  // namespace penumbra::validation

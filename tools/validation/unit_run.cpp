@@ -53,6 +53,7 @@ void UnitRun::recall() {
     texts_.emplace(shared_key(unit(place), reply->text_key), place);
     if (reply->emitted)
       modules_.emplace(emitted_key(context_, unit(place), reply->compile->module_key), place);
+    share_buffers(*reply);
     states_[place].reply = *std::move(reply);
     say_done();
   }
@@ -103,8 +104,16 @@ void UnitRun::finished(std::size_t place, platform::WorkerOutcome outcome) {
   }
   damaged_ += reply->damaged;
   written_ += reply->written;
+  share_buffers(*reply);
   state.reply = *std::move(reply);
   say_done();
+}
+
+// Variants have few layouts among them.
+void UnitRun::share_buffers(UnitReply& reply) {
+  if (!reply.compile || !reply.compile->buffers) return;
+  std::shared_ptr<const std::string>& buffers = reply.compile->buffers;
+  buffers = buffers_.try_emplace(*buffers, buffers).first->second;
 }
 
 void UnitRun::say_done() {
@@ -116,6 +125,7 @@ void UnitRun::crashed(std::size_t place, const platform::WorkerOutcome& outcome)
   const std::string target = outcome.note.empty() ? std::string(note_compile) : outcome.note;
   std::string message = "the compiler " + outcome.failure;
   if (!outcome.last_words.empty()) message += "; it said: " + outcome.last_words;
+  if (target == note_lint) message = "lint " + outcome.failure + " and says nothing of this variant";
   states_[place].failures[target] = {std::move(message), {}};
   states_[place].reproducing = Crash{target, outcome.failure, {}};
   send_first(place);
@@ -182,6 +192,8 @@ void UnitRun::add_compile_answer(const CompileUnit& unit, const State& compiled,
     result.targets[speaker].diagnostics = compiled.reply.compile->diagnostics;
     result.module_key = compiled.reply.compile->module_key;
     result.missing_editor_include = compiled.reply.compile->missing_editor_include;
+    result.buffers = compiled.reply.compile->buffers;
+    add_failure(unit, compiled, note_lint, result.targets[speaker]);
   } else {
     add_failure(unit, compiled, note_compile, result.targets[speaker]);
   }
@@ -209,7 +221,14 @@ void UnitRun::add_failure(const CompileUnit& unit, const State& state, std::stri
                           TargetResult& result) {
   const auto failure = state.failures.find(std::string(target));
   if (failure == state.failures.end()) return;
-  result.diagnostics.push_back({unit.file, 0, 0, hlsl::Severity::error, failure->second.message, {}});
+  const bool lint = target == note_lint;  // the compiler was content
+  result.diagnostics.push_back({unit.file,
+                                0,
+                                0,
+                                lint ? hlsl::Severity::warning : hlsl::Severity::error,
+                                failure->second.message,
+                                {},
+                                lint ? "not-checked" : ""});
   result.reproduction = failure->second.reproduction;
 }
 

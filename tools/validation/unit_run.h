@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <deque>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,6 +48,7 @@ class UnitRun final : public platform::WorkSource {
   const CompileUnit& unit(std::size_t place) const { return units_[own_[place]]; }
   void send_first(std::size_t place) { waiting_.push_front(place); }
   void say_done();
+  void share_buffers(UnitReply& reply);
   void crashed(std::size_t place, const platform::WorkerOutcome& outcome);
   void reproduced(std::size_t place, const platform::WorkerOutcome& outcome);
   std::filesystem::path keep_folder() const;
@@ -66,6 +68,7 @@ class UnitRun final : public platform::WorkSource {
   std::deque<std::size_t> waiting_;
   std::map<std::string, std::size_t> texts_;    // shared_key() -> the place whose answer it is
   std::map<std::string, std::size_t> modules_;  // emitted key -> likewise
+  std::map<std::string, std::shared_ptr<const std::string>> buffers_;
   std::size_t done_ = 0;
   std::size_t damaged_ = 0;
   std::uint64_t written_ = 0;

@@ -90,6 +90,15 @@ ValidationReport validate(const ValidationRequest& request) {
     for (const std::string& target : units[result.unit].targets) unique.emplace(result.module_key, target);
   }
   report.unique = unique.size();
+  if (request.lint.wanted) {
+    for (const lint::RuleInfo& rule : lint::rules()) report.rules[rule.name] = rule.summary;
+    // A shard alone sees a part of the variants.
+    if (report.shards == 1)
+      for (VariantRecord& record : program_findings(request.programs, units, run.results, request.lint)) {
+        record.place = request.records.size() + units.size() + report.records.size();
+        report.records.push_back(std::move(record));
+      }
+  }
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;
 }

@@ -14,6 +14,7 @@
 #include "shaders/compile.h"
 #include "shaders/technique_list.h"
 #include "validation/engine.h"
+#include "validation/program_lint.h"
 #include "validation/report.h"
 
 namespace penumbra::validation {
@@ -33,8 +34,10 @@ struct ValidationRequest {
   std::vector<std::pair<std::string, std::string>> defines;
   std::vector<shaders::PackageRoot> package_roots;
   std::vector<std::filesystem::path> include_directories;
-  std::vector<CompileUnit> units;      // besides: what ShaderSources made of shader files
-  std::vector<VariantRecord> records;  // besides: what it said before anything was compiled
+  std::vector<CompileUnit> units;       // besides: what ShaderSources made of shader files
+  std::vector<VariantRecord> records;   // besides: what it said before anything was compiled
+  std::vector<ProgramToLint> programs;  // besides: what ShaderSources knows of their shaders
+  LintOrder lint;                       // of techniques and files; units have their own
   EngineOptions engine;
 };
 

@@ -1,0 +1,220 @@
+// What lint adds to a validation: messages of variants, messages of whole shaders, and when they stay silent.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "validation/program_lint.h"
+#include "validation/shader_sources.h"
+#include "validation/validate_techniques.h"
+#include "validation/validation_units.h"
+
+namespace penumbra::validation {
+
+using shaders::ShaderFiles;
+
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+constexpr const char* bent = "float _Base;\nfloat4 Main() : SV_Target\n{\n    return pow(_Base, 1.5);\n}\n";
+
+// "file name:line rule" of every message that a rule gave.
+std::vector<std::string> found(const ValidationReport& report) {
+  std::vector<std::string> list;
+  for (const VariantRecord& record : report.records)
+    for (const hlsl::Diagnostic& said : record.diagnostics)
+      if (!said.rule.empty())
+        list.push_back(std::filesystem::path(said.file).filename().string() + ":" +
+                       std::to_string(said.line) + " " + said.rule);
+  return list;
+}
+
+class UnitLint : public testing::Test {
+ protected:
+  ValidationRequest request(const std::string& text) {
+    files_.write("f.hlsl", text);
+    ValidationRequest request;
+    request.files = {{files_.path("f.hlsl"), "Main", hlsl::Stage::fragment, {{}}}};
+    request.targets = {"spirv"};
+    request.lint.wanted = true;
+    return request;
+  }
+
+  ShaderFiles files_;
+};
+
+TEST_F(UnitLint, FindsInTheVariantsThatHaveIt) {
+  ValidationRequest two = request(
+      "float _Base;\nfloat4 Main() : SV_Target\n{\n#ifdef BENT\n    return pow(_Base, 1.5);\n#endif\n"
+      "    return _Base;\n}\n");
+  two.files[0].keyword_sets = {{}, {"BENT"}};
+  const ValidationReport report = validate(two);
+  EXPECT_THAT(report.records.at(0).diagnostics, IsEmpty());
+  ASSERT_THAT(report.records.at(1).diagnostics, SizeIs(1));
+  EXPECT_EQ(report.records.at(1).diagnostics[0].line, 5);
+  EXPECT_EQ(report.records.at(1).diagnostics[0].source_line, "    return pow(_Base, 1.5);");
+  EXPECT_EQ(report.records.at(1).status, VariantStatus::passed) << "a warning";
+  EXPECT_THAT(report.rules, testing::Contains(testing::Key("negative-pow")));
+}
+
+TEST_F(UnitLint, WhatUnitysCompilersRejectFailsTheVariant) {
+  const ValidationReport report = validate(request(
+      "float F(out float x) { return 1; }\nfloat4 Main() : SV_Target { float x; return F(x) + x; }\n"));
+  EXPECT_THAT(found(report), testing::Contains("f.hlsl:1 output-not-set"));
+  EXPECT_EQ(report.records.at(0).status, VariantStatus::failed) << report_text(report);
+}
+
+TEST_F(UnitLint, IsSilentWhereItIsNotWantedAndForRulesLeftOut) {
+  ValidationRequest unwanted = request(bent);
+  unwanted.lint.wanted = false;
+  EXPECT_THAT(found(validate(unwanted)), IsEmpty());
+  EXPECT_THAT(validate(unwanted).rules, IsEmpty());
+  ValidationRequest left_out = request(bent);
+  EXPECT_THAT(found(validate(left_out)), ElementsAre("f.hlsl:4 negative-pow"));
+  left_out.lint.left_out = {"negative-pow"};
+  EXPECT_THAT(found(validate(left_out)), IsEmpty());
+}
+
+TEST_F(UnitLint, ChangesNoModule) {
+  ValidationRequest with = request(bent);
+  ValidationRequest without = with;
+  without.lint.wanted = false;
+  EXPECT_EQ(validate(with).records.at(0).module, validate(without).records.at(0).module);
+}
+
+// A comment is no part of the text that answers are kept by.
+TEST_F(UnitLint, CommentsThatSilenceAreSeenThroughTheCache) {
+  ValidationRequest kept = request(bent);
+  kept.engine.cache = files_.path("cache");
+  std::string silenced = bent;
+  silenced.insert(silenced.find("1.5);") + 5, " // penumbra-lint: disable=negative-pow");
+  for (int i = 0; i < 2; ++i) {
+    files_.write("f.hlsl", bent);
+    EXPECT_THAT(found(validate(kept)), SizeIs(1)) << i;
+    files_.write("f.hlsl", silenced);
+    EXPECT_THAT(found(validate(kept)), IsEmpty()) << i;
+    EXPECT_TRUE(validate(kept).records.at(0).cached);
+  }
+}
+
+TEST_F(UnitLint, ACrashInItLosesItsMessagesAlone) {
+  files_.write("f.hlsl", bent);
+  CompileUnit unit = misbehaving(fragment_unit(files_.path("f.hlsl")), "crash@lint");
+  unit.lint.wanted = true;
+  unit.targets = {"spirv"};
+  EngineOptions options;
+  options.worker_arguments = {misbehaving_mode};
+  options.keep = files_.path("kept");
+  options.cache = files_.path("cache");
+  for (int i = 0; i < 2; ++i) {
+    const UnitResult result = run_units({unit}, options).results.at(0);
+    EXPECT_EQ(result.targets[0].status, VariantStatus::passed) << i;
+    ASSERT_THAT(result.targets[0].diagnostics, SizeIs(1)) << i;
+    EXPECT_EQ(result.targets[0].diagnostics[0].rule, "not-checked");
+    EXPECT_THAT(result.targets[0].diagnostics[0].message, HasSubstr("lint crashed with SIGABRT"));
+    EXPECT_TRUE(std::filesystem::exists(result.targets[0].reproduction));
+  }
+}
+
+class ProgramLint : public testing::Test {
+ protected:
+  static std::string shader(const std::string& tags, const std::string& code) {
+    return "Shader \"T\"\n{\nProperties\n{\n_Color (\"\", Color) = (1,1,1,1)\n_Cut (\"\", Float) = 0\n"
+           "[PerRendererData] _Own (\"\", Float) = 0\n}\nSubShader\n{\nTags { " +
+           tags + " }\nPass\n{\nName \"Forward\"\nHLSLPROGRAM\n#pragma vertex Vert\n#pragma fragment Frag\n" +
+           code + "\nENDHLSL\n}\n}\n}\n";
+  }
+
+  ValidationRequest request(const std::string& text, SourceOptions options = {}) {
+    files_.write("T.shader", text);
+    variants::Platform vulkan;
+    vulkan.api = variants::GraphicsApi::vulkan;
+    options.platforms = {{vulkan, {"spirv"}}};
+    options.lint.wanted = true;
+    ShaderSources sources(options);
+    sources.add({files_.path("T.shader"), "T.shader"});
+    ValidationRequest request;
+    request.targets = {"spirv"};
+    request.units = sources.units();
+    request.records = sources.records();
+    request.programs = sources.to_lint();
+    request.lint.wanted = true;
+    return request;
+  }
+
+  ShaderFiles files_;
+};
+
+constexpr const char* stages =
+    "#pragma multi_compile _ LIVE\n#pragma multi_compile _ DEAD\n"
+    "cbuffer UnityPerMaterial { float4 _Color; };\n"
+    "float4 Vert(float3 p : POSITION) : SV_Position { return float4(p, 1); }\n"
+    "float4 Frag() : SV_Target\n{\n#ifdef LIVE\nreturn 1;\n#endif\nreturn _Color;\n}";
+
+TEST_F(ProgramLint, AKeywordThatChangesNoStageIsUnused) {
+  const ValidationReport report = validate(request(shader("", stages)));
+  EXPECT_THAT(found(report), ElementsAre("T.shader:19 unused-keyword"));
+  EXPECT_EQ(report.records.back().target, whole_source);
+  EXPECT_THAT(report.records.back().diagnostics.at(0).message, HasSubstr("'DEAD'"));
+  EXPECT_EQ(report.records.back().diagnostics.at(0).source_line, "#pragma multi_compile _ DEAD");
+  EXPECT_THAT(report_text(report), HasSubstr("8 variants for 1 target: 8 results"))
+      << "messages are no results";
+}
+
+TEST_F(ProgramLint, KeywordsAreJudgedOnlyWhereAllVariantsAre) {
+  SourceOptions sampled;
+  sampled.sample = 3;
+  EXPECT_THAT(found(validate(request(shader("", stages), sampled))), IsEmpty());
+  ValidationRequest sharded = request(shader("", stages));
+  sharded.engine.shard = {1, 2};
+  EXPECT_THAT(found(validate(sharded)), IsEmpty());
+}
+
+TEST_F(ProgramLint, AProgramThatDoesNotCompileHasNoUnusedKeywords) {
+  std::string broken = stages;
+  broken.replace(broken.find("return 1;"), 9, "return missing;");
+  EXPECT_THAT(found(validate(request(shader("", broken)))), IsEmpty());
+}
+
+TEST_F(ProgramLint, ACommentAtThePragmaSilences) {
+  std::string silenced = stages;
+  silenced.replace(silenced.find("_ DEAD"), 6, "_ DEAD // penumbra-lint: disable=unused-keyword");
+  EXPECT_THAT(found(validate(request(shader("", silenced)))), IsEmpty());
+}
+
+constexpr const char* outside =
+    "cbuffer UnityPerMaterial { float4 _Color; };\nfloat _Cut;\nfloat _Own;\n"
+    "float4 Vert(float3 p : POSITION) : SV_Position { return float4(p, 1); }\n"
+    "float4 Frag() : SV_Target { return _Color * _Cut * _Own; }";
+
+TEST_F(ProgramLint, PropertiesBelongIntoTheMaterialsBuffer) {
+  EXPECT_THAT(found(validate(request(shader("", outside)))), ElementsAre("T.shader:6 srp-batcher"));
+}
+
+TEST_F(ProgramLint, TheBatcherIsForScriptablePipelines) {
+  std::string no_buffer = outside;
+  no_buffer.replace(0, no_buffer.find('\n'), "float4 _Color;");
+  EXPECT_THAT(found(validate(request(shader("", no_buffer)))), IsEmpty());
+  EXPECT_THAT(found(validate(request(shader("\"RenderPipeline\" = \"UniversalPipeline\"", no_buffer)))),
+              ElementsAre("T.shader:5 srp-batcher", "T.shader:6 srp-batcher"));
+}
+
+TEST_F(ProgramLint, InstancedVariantsAreNotBatched) {
+  const std::string instanced =
+      "#pragma multi_compile _ INSTANCING_ON\ncbuffer UnityPerMaterial { float4 _Color;\n#ifndef "
+      "INSTANCING_ON\n"
+      "float _Cut;\n#endif\n};\n#ifdef INSTANCING_ON\nfloat _Cut;\n#endif\n"
+      "float4 Vert(float3 p : POSITION) : SV_Position { return float4(p, 1); }\n"
+      "float4 Frag() : SV_Target { return _Color * _Cut; }";
+  EXPECT_THAT(found(validate(request(shader("", instanced)))), IsEmpty());
+  std::string other = instanced;
+  for (std::size_t at; (at = other.find("INSTANCING_ON")) != std::string::npos;)
+    other.replace(at, 13, "OTHER");
+  EXPECT_THAT(found(validate(request(shader("", other)))),
+              ElementsAre("T.shader:6 srp-batcher", "T.shader:0 srp-batcher"));
+}
+
+}  // namespace
+}  // namespace penumbra::validation

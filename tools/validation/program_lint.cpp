@@ -1,0 +1,152 @@
+#include "validation/program_lint.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "hlsl/source_text.h"
+#include "lint/suppression.h"
+#include "validation/unit_lint.h"
+
+namespace penumbra::validation {
+
+namespace {
+
+using SubShaderKey = std::tuple<std::string, std::string, int>;                 // file, shader, index
+using ProgramKey = std::tuple<std::string, std::string, int, std::string>;      // and pass
+using Results = std::vector<std::pair<const CompileUnit*, const UnitResult*>>;  // in the order of the run
+
+template <typename Named>
+SubShaderKey sub_shader_of(const Named& named) {
+  return {named.file, named.shader, named.sub_shader};
+}
+
+template <typename Named>
+ProgramKey program_of(const Named& named) {
+  return {named.file, named.shader, named.sub_shader, named.pass};
+}
+
+// Units that differ in neither are compiled for one graphics API.
+std::string source_of(const CompileUnit& unit) {
+  std::string source = unit.compile.entry + " " + hlsl::stage_name(unit.compile.stage);
+  for (const std::string& target : unit.targets) source += " " + target;
+  return source;
+}
+
+bool is_instanced(const CompileUnit& unit) {
+  return std::any_of(unit.keywords.begin(), unit.keywords.end(), [](const std::string& keyword) {
+    return keyword == "INSTANCING_ON" || keyword == "PROCEDURAL_INSTANCING_ON" ||
+           keyword == "DOTS_INSTANCING_ON";
+  });
+}
+
+std::vector<lint::Finding> keyword_findings(const ProgramToLint& program, const Results& results) {
+  if (!program.is_whole || program.keywords.empty()) return {};
+  lint::ProgramKeywords keywords;
+  keywords.file = program.file;
+  keywords.program = program.pass.empty() ? "this program" : "pass '" + program.pass + "'";
+  keywords.declared = program.keywords;
+  for (const auto& [unit, result] : results) {
+    if (result->module_key.empty()) return {};  // what does not compile may be what the keyword is for
+    keywords.variants.push_back({unit->keywords, result->module_key, source_of(*unit)});
+  }
+  return lint::unused_keyword_findings(keywords);
+}
+
+// The stages whose buffers are compared: of one graphics API, each layout of each pass and stage once.
+std::vector<lint::PassStage> stages_of(const Results& results) {
+  std::vector<lint::PassStage> stages;
+  std::set<std::tuple<std::string, hlsl::Stage, std::string>> known;
+  for (const auto& [unit, result] : results) {
+    if (unit->targets != results.front().first->targets || is_instanced(*unit) || !result->buffers) continue;
+    if (!known.emplace(unit->pass, unit->compile.stage, *result->buffers).second) continue;
+    std::optional<std::vector<lint::ConstantBuffer>> buffers = decode_buffers(*result->buffers);
+    if (!buffers) continue;
+    stages.push_back({unit->pass, unit->compile.stage, unit->keywords, *std::move(buffers)});
+  }
+  return stages;
+}
+
+bool has_material(const std::vector<lint::PassStage>& stages) {
+  return std::any_of(stages.begin(), stages.end(), [](const lint::PassStage& stage) {
+    return std::any_of(stage.buffers.begin(), stage.buffers.end(),
+                       [](const lint::ConstantBuffer& buffer) { return buffer.name == "UnityPerMaterial"; });
+  });
+}
+
+std::vector<lint::Finding> buffer_findings(const ProgramToLint& program, const Results& results) {
+  lint::ShaderToLint shader{program.file, program.properties, stages_of(results)};
+  if (!program.scriptable_pipeline && !has_material(shader.stages)) return {};
+  return lint::srp_batcher_findings(shader);
+}
+
+class Findings {
+ public:
+  void add(const ProgramToLint& program, std::vector<lint::Finding> findings) {
+    if (findings.empty()) return;
+    for (lint::Finding& finding : findings) read(finding.diagnostic);
+    VariantRecord& record = record_of(program);
+    for (lint::Finding& finding : lint::without_suppressed(std::move(findings), sources_))
+      if (std::optional<hlsl::Diagnostic> message = message_of(std::move(finding), order_))
+        record.diagnostics.push_back(*std::move(message));
+  }
+
+  std::vector<VariantRecord> take() {
+    std::erase_if(records_, [](const VariantRecord& record) { return record.diagnostics.empty(); });
+    return std::move(records_);
+  }
+
+  explicit Findings(const LintOrder& order) : order_(order) {}
+
+ private:
+  void read(hlsl::Diagnostic& diagnostic) {
+    if (!sources_.contains(diagnostic.file))
+      sources_.add(diagnostic.file, hlsl::read_source(diagnostic.file).text);
+    diagnostic.source_line = sources_.line(diagnostic.file, diagnostic.line);
+  }
+
+  VariantRecord& record_of(const ProgramToLint& program) {
+    for (VariantRecord& record : records_)
+      if (record.file == program.file && record.shader == program.shader && record.pass == program.pass)
+        return record;
+    VariantRecord record;
+    record.file = program.file;
+    record.shader = program.shader;
+    record.pass = program.pass;
+    record.target = whole_source;
+    return records_.emplace_back(std::move(record));
+  }
+
+  const LintOrder& order_;
+  hlsl::SourceFiles sources_;
+  std::vector<VariantRecord> records_;
+};
+
+}  // namespace
+
+std::vector<VariantRecord> program_findings(const std::vector<ProgramToLint>& programs,
+                                            const std::vector<CompileUnit>& units,
+                                            const std::vector<UnitResult>& results, const LintOrder& order) {
+  std::map<ProgramKey, Results> of_program;
+  std::map<SubShaderKey, Results> of_sub_shader;
+  for (const UnitResult& result : results) {
+    const CompileUnit& unit = units[result.unit];
+    of_program[program_of(unit)].emplace_back(&unit, &result);
+    of_sub_shader[sub_shader_of(unit)].emplace_back(&unit, &result);
+  }
+  Findings findings(order);
+  std::set<SubShaderKey> compared;
+  for (const ProgramToLint& program : programs) {
+    if (const auto found = of_program.find(program_of(program)); found != of_program.end())
+      findings.add(program, keyword_findings(program, found->second));
+    const auto found = of_sub_shader.find(sub_shader_of(program));
+    if (found != of_sub_shader.end() && compared.insert(found->first).second)
+      findings.add(program, buffer_findings(program, found->second));
+  }
+  return findings.take();
+}
+
+}  // namespace penumbra::validation

@@ -1,0 +1,35 @@
+// Lint of whole shaders: what only all variants and all passes together show (lint/program_rules.h).
+//
+// Judged are programs whose variants were all asked for: of a sample, of narrowed keywords or of one shard of
+// several, what never changes there may change elsewhere. Constant buffers are compared whatever was run, for
+// the first graphics API of the request, in SubShaders of a scriptable pipeline: those that have the tag
+// RenderPipeline or a UnityPerMaterial. Variants with instancing keywords are not batched and not compared.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lint/program_rules.h"
+#include "validation/report.h"
+#include "validation/unit.h"
+
+namespace penumbra::validation {
+
+// One program of a pass, kernel file or .hlsl file, by the names its units have.
+struct ProgramToLint {
+  std::string file;
+  std::string shader;
+  std::string pass;
+  int sub_shader = 0;
+  bool scriptable_pipeline = false;          // its SubShader or Pass has the tag RenderPipeline
+  std::vector<lint::NamedPlace> keywords;    // that its pragmas declare
+  bool is_whole = false;                     // every variant of its keywords is among the units
+  std::vector<lint::NamedPlace> properties;  // of its shader: numbers, colours, vectors
+};
+
+// One record for each file with findings, with target whole_source. results[i] is of units[results[i].unit].
+std::vector<VariantRecord> program_findings(const std::vector<ProgramToLint>& programs,
+                                            const std::vector<CompileUnit>& units,
+                                            const std::vector<UnitResult>& results, const LintOrder& order);
+
+}  // namespace penumbra::validation

@@ -1,0 +1,30 @@
+// What lint says of one compiled unit, and what it takes from it to judge whole shaders later
+// (program_lint.h). Internal to this room.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hlsl/source_text.h"
+#include "lint/program_rules.h"
+#include "validation/unit.h"
+
+namespace penumbra::validation {
+
+// `unoptimised` as shaders::CompileResult has it. Findings of rules that are left out are not among them.
+std::vector<hlsl::Diagnostic> lint_messages(const CompileUnit& unit,
+                                            const std::vector<std::uint32_t>& unoptimised,
+                                            const hlsl::SourceFiles& sources);
+
+bool holds_suppression(std::string_view source);  // a comment that silences a rule, or seems to
+
+std::string encode(const std::vector<lint::ConstantBuffer>& buffers);
+std::optional<std::vector<lint::ConstantBuffer>> decode_buffers(std::string_view bytes);
+
+// A finding as a message of a report; nothing when its rule is left out.
+std::optional<hlsl::Diagnostic> message_of(lint::Finding finding, const LintOrder& order);
+
+}  // namespace penumbra::validation
