@@ -96,6 +96,29 @@ TEST_F(Validate, KeywordsNarrowAndAreCounted) {
   EXPECT_EQ(report({"--targets", "spirv", "--sample", "1"})["summary"]["variants"], 2);
 }
 
+TEST_F(Validate, APipelineAssetNarrowsKeywordsAndPasses) {
+  write(
+      "Lit.shader",
+      "Shader \"Lit\" { SubShader {\n"
+      "Pass { Name \"Forward\"\nHLSLPROGRAM\n#pragma vertex V\n#pragma multi_compile _ _SHADOWS_SOFT _OTHER\n"
+      "#pragma multi_compile _ _MAIN_LIGHT_SHADOWS\n"
+      "float4 V() : SV_Position { return 0; }\nENDHLSL\n}\n"
+      "Pass { Tags { \"LightMode\" = \"UniversalGBuffer\" }\nHLSLPROGRAM\n#pragma vertex V\n"
+      "float4 V() : SV_Position { return 0; }\nENDHLSL\n} } }\n");
+  const std::string asset = write("Urp.asset", "MonoBehaviour:\n  m_SoftShadowsSupported: 0\n").string();
+  const std::string renderer = write("Renderer.asset", "MonoBehaviour:\n  m_RenderingMode: 0\n").string();
+  const std::vector<std::string> lit{"validate", path("Lit.shader").string(), "--list", "--targets", "spirv"};
+  const auto listed = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all = lit;
+    all.insert(all.end(), more.begin(), more.end());
+    return run(all).output;
+  };
+  EXPECT_THAT(listed({}), AllOf(HasSubstr("Forward   vertex 6"), HasSubstr("0.1")));
+  EXPECT_THAT(listed({"--urp-asset", asset}), AllOf(HasSubstr("Forward   vertex 4"), HasSubstr("0.1")));
+  EXPECT_THAT(listed({"--urp-asset", asset, "--urp-asset", renderer}),
+              AllOf(HasSubstr("Forward   vertex 4"), Not(HasSubstr("0.1"))));
+}
+
 TEST_F(Validate, ASecondRunIsFromTheCacheUntilAnIncludeChanges) {
   EXPECT_EQ(report({"--targets", "spirv"})["summary"]["cached"], 0);
   EXPECT_EQ(report({"--targets", "spirv"})["summary"]["cached"], 6);
@@ -144,6 +167,58 @@ TEST_F(Validate, EachTargetSeesTheMacrosOfItsApi) {
   for (const nlohmann::json& record : json["variants"])
     EXPECT_EQ(record["status"] == "failed", record["target"] == "hlsl50") << record.dump();
   EXPECT_EQ(report({"--targets", "spirv,hlsl50", "--api", "vulkan"})["summary"]["failed"], 0);
+}
+
+TEST_F(Validate, ExplainShowsAVariantWithTheOriginOfEveryLine) {
+  const auto shown = run(command({"--explain", "Colour/Frag: WARM BRIGHT"}));
+  EXPECT_EQ(shown.exit_code, 0);
+  EXPECT_THAT(shown.output, AllOf(HasSubstr("Library.hlsl\n/* 2 */ float4 Tint(float x)"),
+                                  HasSubstr("/* 5 */ x *= 2.0;"), HasSubstr("/* 15 */ float4 Frag()")));
+  EXPECT_THAT(run(command({"--explain", "Frag: WARM"})).output, Not(HasSubstr("x *=")));
+  // What is shown is the whole shader.
+  const std::string file = path("Shown.hlsl").string();
+  EXPECT_EQ(run(command({"--explain", "Frag: WARM BRIGHT", "-o", file})).exit_code, 0);
+  EXPECT_EQ(run({"validate", file, "--entry", "Frag", "--no-cache"}).exit_code, 0);
+}
+
+TEST_F(Validate, ExplainAsksForOneVariantThatThereIs) {
+  const auto refused = [&](const std::string& variant) {
+    return run(command({"--explain", variant})).errors;
+  };
+  EXPECT_THAT(refused("Fragg"),
+              AllOf(HasSubstr("--explain: there is no entry point 'Fragg'"), HasSubstr("Frag")));
+  EXPECT_THAT(refused(""), AllOf(HasSubstr("names 2 entry points"), HasSubstr("Two.shader: Colour/Vert")));
+  EXPECT_THAT(refused("Vert: WORM"), AllOf(HasSubstr("declares no keyword 'WORM'"), HasSubstr("WARM")));
+  EXPECT_THAT(run({"validate", "--explain", "Frag"}).errors, HasSubstr("--explain: needs a shader file"));
+  write("Library.hlsl", "#include \"Missing.hlsl\"\n");
+  const auto failed = run(command({"--explain", "Frag"}));
+  EXPECT_EQ(failed.exit_code, 1);
+  EXPECT_THAT(failed.errors, HasSubstr("Library.hlsl:1:"));
+}
+
+TEST_F(Validate, MinimizeNamesTheKeywordsThatAnErrorNeeds) {
+  std::string shader = kShader;
+  shader.replace(shader.find("#pragma multi_compile _ WARM"), 0,
+                 "#pragma multi_compile A B\n#pragma multi_compile C D\n#pragma multi_compile _ E\n");
+  write("Two.shader", shader);
+  set_factor("undefined_factor");
+  const auto minimal = report({"--targets", "spirv", "--minimize"})["minimal_keywords"];
+  ASSERT_EQ(minimal.size(), 1U);
+  EXPECT_EQ(minimal[0]["keywords"], (std::vector<std::string>{"WARM", "BRIGHT"}));
+  EXPECT_EQ(minimal[0]["error"]["line"], 5);
+  EXPECT_THAT(run(command({"--targets", "spirv", "--minimize"})).output,
+              HasSubstr("  enough for it: WARM BRIGHT\n"));
+  // Two ways to one error: one of them is enough.
+  std::string either = kLibrary;
+  either.replace(either.find("defined(WARM) && defined(BRIGHT)"), 32, "defined(A) || defined(B)       ");
+  write("Library.hlsl", "#define FACTOR undefined_factor\n" + either);
+  const auto one = report({"--targets", "spirv", "--minimize"})["minimal_keywords"];
+  ASSERT_EQ(one.size(), 1U);
+  EXPECT_EQ(one[0]["keywords"].size(), 1U);
+  // No keyword at all.
+  write("Library.hlsl", "float4 Tint(float x) { return undefined; }\n");
+  EXPECT_THAT(run(command({"--targets", "spirv", "--minimize"})).output,
+              HasSubstr("  without any keyword as well\n"));
 }
 
 TEST_F(Validate, LintSpeaksUnlessItIsToldNotTo) {

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "input/input_error_matcher.h"
 #include "variants/program_text.h"
 
@@ -166,6 +168,25 @@ TEST(UrpAsset, NoMainLightCastsNoShadow) {
   EXPECT_EQ(read_urp_asset("  m_MainLightShadowsSupported: 1\n  m_MainLightRenderingMode: 0\n", "a")
                 .main_light_shadows,
             false);
+}
+
+// Two quality levels of which one casts soft shadows, and one renderer: both levels' variants are needed.
+TEST(UrpAsset, QualityLevelsWidenAndTheirRendererAdds) {
+  const std::filesystem::path folder = testing::TempDir();
+  const auto write = [&](const char* name, const std::string& text) {
+    std::ofstream(folder / name) << "MonoBehaviour:\n" << text;
+    return folder / name;
+  };
+  const UrpSettings settings =
+      read_urp_assets({write("low.asset", "  m_SoftShadowsSupported: 0\n  m_SupportsLightLayers: 0\n"),
+                       write("renderer.asset", "  m_RenderingMode: 1\n  m_AccurateGbufferNormals: 0\n"),
+                       write("high.asset", "  m_SoftShadowsSupported: 1\n  m_SupportsLightLayers: 0\n")});
+  EXPECT_FALSE(settings.soft_shadows.has_value());
+  EXPECT_EQ(settings.light_layers, false);
+  EXPECT_EQ(settings.rendering_mode, RenderingMode::deferred);
+  EXPECT_EQ(settings.accurate_gbuffer_normals, false);
+  expect_input_error([&] { read_urp_assets({folder / "none.asset"}); },
+                     HasSubstr("none.asset: cannot be read"));
 }
 
 TEST(UrpAsset, SaysWhatIsWrong) {

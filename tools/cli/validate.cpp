@@ -6,11 +6,11 @@
 #include <cstdio>
 #include <map>
 #include <memory>
-#include <thread>
 
 #include "cli/report_output.h"
 #include "cli/shader_arguments.h"
 #include "cli/subcommand.h"
+#include "cli/validate_options.h"
 #include "input/input_error.h"
 #include "input/nearest_name.h"
 #include "lint/rule.h"
@@ -19,8 +19,10 @@
 #include "project/shader_files.h"
 #include "project/unity_project.h"
 #include "shaders/cross_compile.h"
+#include "validation/explain.h"
 #include "validation/shader_sources.h"
 #include "validation/validate_techniques.h"
+#include "validation/variant_name.h"
 #include "variants/keyword_expression.h"
 #include "variants/stripping.h"
 
@@ -29,45 +31,6 @@ namespace penumbra::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct ValidateOptions {
-  // What.
-  std::vector<std::string> places;
-  std::string project;
-  std::vector<std::string> only;
-  std::vector<std::string> skip;
-  std::string techniques;
-  std::string entry = "Main";
-  std::string stage = "fragment";
-  // With what.
-  std::vector<std::string> package_roots;
-  std::string cginc_root;
-  std::vector<std::string> include_directories;
-  std::vector<std::string> defines;
-  std::string unity_version;
-  bool mobile = false;
-  // Which variants and targets.
-  std::vector<std::string> keywords;
-  std::vector<std::string> keyword_sets;
-  std::string stripping;
-  std::uint64_t limit = 20'000;
-  std::uint64_t sample = 0;
-  bool list = false;
-  std::vector<std::string> targets;
-  std::string api;
-  bool no_lint = false;
-  std::vector<std::string> disabled_rules;
-  // How.
-  unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
-  std::string shard;
-  std::string cache;
-  bool no_cache = false;
-  std::string keep;
-  unsigned time_limit = 30;
-  unsigned memory_limit = 2048;
-  ReportOptions report;
-  std::string emit_parameters;
-};
 
 const std::vector<std::string> default_targets{"spirv", "essl310", "glsl450", "msl23", "hlsl50"};
 
@@ -157,6 +120,14 @@ std::vector<validation::PlatformTargets> platforms(const ValidateOptions& option
 variants::Narrowing narrowing(const ValidateOptions& options) {
   variants::Narrowing narrowing;
   if (!options.stripping.empty()) narrowing = variants::read_stripping(options.stripping);
+  if (!options.urp_assets.empty()) {
+    const variants::UrpSettings settings =
+        variants::read_urp_assets({options.urp_assets.begin(), options.urp_assets.end()});
+    for (variants::Clause& clause : variants::clauses_of(settings, "--urp-asset"))
+      narrowing.clauses.push_back(std::move(clause));
+    for (std::string& pass : variants::unused_passes(settings))
+      narrowing.unused_passes.push_back(std::move(pass));
+  }
   for (const std::string& expression : options.keywords)
     for (variants::Clause& clause : variants::parse_keyword_expression(expression))
       narrowing.clauses.push_back(std::move(clause));
@@ -213,6 +184,19 @@ Found look_around(const ValidateOptions& options) {
   return found;
 }
 
+void explain(const ValidateOptions& options, const validation::ShaderSources& sources,
+             const validation::EngineOptions& engine, Context& context) {
+  for (const validation::VariantRecord& record : sources.records())
+    for (const hlsl::Diagnostic& said : record.diagnostics)
+      if (said.severity == hlsl::Severity::error) say(context, hlsl::format(said));
+  const validation::CompileUnit unit =
+      validation::find_variant(sources, validation::parse_variant_name(*options.explain));
+  const validation::Explanation explanation = validation::explain(unit, engine);
+  for (const hlsl::Diagnostic& said : explanation.diagnostics) say(context, hlsl::format(said));
+  write_output(options.report.output, explanation.text);
+  if (hlsl::has_errors(explanation.diagnostics)) context.exit_code = findings;
+}
+
 void add_sources(const ValidateOptions& options, validation::ValidationRequest& request, Context& context) {
   Found found = look_around(options);
   project::ShaderSelection selection;
@@ -235,6 +219,7 @@ void add_sources(const ValidateOptions& options, validation::ValidationRequest& 
   for (const project::ShaderFile& file : files.files) sources.add(file);
 
   for (const hlsl::Diagnostic& problem : found.said) say(context, hlsl::format(problem));
+  if (options.explain) return explain(options, sources, request.engine, context);
   const variants::Plan plan = sources.plan();
   const auto counted = [](std::size_t count, const std::string& thing) {
     return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
@@ -259,6 +244,7 @@ void run_validate(const ValidateOptions& options, Context& context) {
   request.targets = chosen_targets(options.targets);
   request.engine = engine_options(options);
   request.lint = lint_order(options);
+  request.minimise = options.minimise;
   for (const std::string& define : options.defines) request.defines.push_back(parse_define(define));
   if (!options.techniques.empty() || !sources_given) {
     const fs::path library = platform::data_directory();
@@ -275,8 +261,9 @@ void run_validate(const ValidateOptions& options, Context& context) {
     write_output(options.emit_parameters, shaders::emit_parameter_structs_hlsl(*request.techniques));
     return;
   }
+  if (options.explain && !sources_given) throw InputError("--explain", "needs a shader file");
   if (sources_given) add_sources(options, request, context);
-  if (options.list) return;
+  if (options.list || options.explain) return;
   validation::ValidationReport report;
   {
     Progress progress(context, "validate");
@@ -288,84 +275,6 @@ void run_validate(const ValidateOptions& options, Context& context) {
   write_report(options.report, report, context);
 }
 
-void add_what(CLI::App& command, ValidateOptions& options) {
-  command.add_option(
-      "files", options.places,
-      ".shader, .compute and .hlsl files, or folders of them; without any and without --project, the "
-      "library's techniques");
-  command.add_option("--project", options.project,
-                     "Unity project: its Assets/ and Packages/, and where packages lie");
-  command.add_option("--only", options.only, "Pattern of files to take: 'Assets/Water/**'")
-      ->allow_extra_args(false);
-  command.add_option("--skip", options.skip, "Pattern of files to leave out")->allow_extra_args(false);
-  command.add_option("--techniques", options.techniques, "Technique list; the library's without");
-  command.add_option("--entry", options.entry, "Entry point of .hlsl files")->capture_default_str();
-  command.add_option("--stage", options.stage, "Stage of .hlsl files")
-      ->check(CLI::IsMember({"vertex", "hull", "domain", "geometry", "fragment", "compute"}))
-      ->capture_default_str();
-}
-
-void add_with_what(CLI::App& command, ValidateOptions& options) {
-  command.add_option("--package-root", options.package_roots, "NAME=DIR: where Packages/NAME/... lies")
-      ->allow_extra_args(false);
-  command.add_option("--cginc-root", options.cginc_root, "Editor/Data/CGIncludes of a Unity editor");
-  command.add_option("-I,--include", options.include_directories, "Folder to look for includes in")
-      ->allow_extra_args(false);
-  command.add_option("-D,--define", options.defines, "NAME or NAME=VALUE, for every variant")->take_all();
-  command.add_option("--unity-version", options.unity_version,
-                     "For UNITY_VERSION; the project's, else 2022.3");
-  command.add_flag("--mobile", options.mobile, "SHADER_API_MOBILE for every target, as it is for ESSL");
-}
-
-void add_which(CLI::App& command, ValidateOptions& options) {
-  command.add_option("--keywords", options.keywords, "Narrow the variants: '+ON -OFF A|B'")
-      ->allow_extra_args(false);
-  command
-      .add_option("--keyword-set", options.keyword_sets,
-                  "One keyword set of .hlsl files instead of their pragmas: A,B; repeat for more")
-      ->allow_extra_args(false);
-  command.add_option("--stripping", options.stripping, "What the project really uses, as JSON")
-      ->check(CLI::ExistingFile);
-  command.add_option("--limit", options.limit, "Refuse more variants than this")->capture_default_str();
-  command.add_option("--sample", options.sample,
-                     "Of each entry point at most so many variants, spread evenly");
-  command.add_flag("--list", options.list, "Count the variants and compile nothing");
-  command
-      .add_option("--targets", options.targets,
-                  "Of spirv, essl300, essl310, glsl410, glsl450, msl20, msl22, msl23, hlsl50, hlsl51; spirv, "
-                  "essl310, "
-                  "glsl450, msl23 and hlsl50 without")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  command.add_option("--api", options.api, "Compile for this API alone and make every target from that")
-      ->check(CLI::IsMember({"vulkan", "d3d11", "metal", "glcore", "gles3", "switch"}));
-  command.add_flag("--no-lint", options.no_lint, "Compile alone; Documentation~/lint.md has the rules");
-  command.add_option("--disable-rule", options.disabled_rules, "Lint rules to leave out")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-}
-
-void add_how(CLI::App& command, ValidateOptions& options) {
-  add_report_options(command, options.report);
-  command.add_option("--jobs", options.jobs, "Worker processes")
-      ->check(CLI::Range(1U, 256U))
-      ->capture_default_str();
-  command.add_option("--shard", options.shard,
-                     "K/N: the K-th of N parts; `penumbra merge` joins their JSON reports");
-  command.add_option("--cache", options.cache, "Folder that keeps answers between runs");
-  command.add_flag("--no-cache", options.no_cache, "Keep nothing, and use nothing that was kept");
-  command.add_option("--keep", options.keep, "Folder for texts that crash or hang a compiler");
-  command.add_option("--time-limit", options.time_limit, "Seconds of processor time for one variant")
-      ->check(CLI::Range(1U, 3600U))
-      ->capture_default_str();
-  command.add_option("--memory-limit", options.memory_limit, "MiB for one worker")
-      ->check(CLI::Range(64U, 65536U))
-      ->capture_default_str();
-  command.add_option("--emit-parameters", options.emit_parameters,
-                     "Write the techniques' parameter structs as HLSL to this file (- for standard output), "
-                     "and validate nothing");
-}
-
 }  // namespace
 
 void add_validate(CLI::App& app, Context& context) {
@@ -373,10 +282,7 @@ void add_validate(CLI::App& app, Context& context) {
       "validate",
       "Compile every variant of shaders for every target, without Unity, and say exactly what is wrong");
   auto options = std::make_shared<ValidateOptions>();
-  add_what(*command, *options);
-  add_with_what(*command, *options);
-  add_which(*command, *options);
-  add_how(*command, *options);
+  add_validate_options(*command, *options);
   command->footer(
       "Each target is made from the source as Unity compiles it for that graphics API; --api takes one for "
       "all.\n"

@@ -49,6 +49,8 @@ class UnitAtWork {
     reply_.dependencies = source_.dependencies;
     if (job_.text_only) {
       reply_.text = std::move(source_.text);
+      reply_.compile = CompileAnswer{};
+      reply_.compile->diagnostics = std::move(source_.diagnostics);
     } else if (hlsl::has_errors(source_.diagnostics)) {
       reply_.compile = CompileAnswer{};
       reply_.compile->diagnostics = std::move(source_.diagnostics);

@@ -41,12 +41,19 @@ struct VariantRecord {
   std::size_t place = 0;     // of the variant in the order of the whole request, other shards' included
 };
 
+// Of one error, keywords that are enough for it and of which none may go (minimal_keywords.h).
+struct MinimalKeywords {
+  hlsl::Diagnostic error;
+  std::vector<std::string> keywords;  // none: every variant has it
+};
+
 struct ValidationReport {
   std::vector<VariantRecord> records;         // in the order of the request, whatever the number of jobs
   std::size_t unique = 0;                     // distinct pairs of SPIR-V module and target among them
   double seconds = 0.0;                       // of a merged report: of all machines together
   std::map<std::string, std::string> checks;  // target -> who has checked it
   std::map<std::string, std::string> rules;   // lint rule -> what it finds, in one sentence
+  std::vector<MinimalKeywords> minimal;       // of the errors, where that was asked for
   unsigned shard = 1;                         // this report is shard `shard` of `shards`, from 1
   unsigned shards = 1;                        // 1: the whole run
   std::string fingerprint;  // of the request without its shard: only reports that share it can be merged

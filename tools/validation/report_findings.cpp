@@ -29,18 +29,6 @@ std::string rule_of(const hlsl::Diagnostic& diagnostic, const VariantRecord& rec
   return record.target == "spirv" ? "hlsl" : "target-" + record.target;
 }
 
-// The place a person can open: a line of emitted text is none.
-hlsl::Diagnostic as_told(hlsl::Diagnostic diagnostic, const VariantRecord& record) {
-  if (in_emitted_text(diagnostic, record)) {
-    diagnostic.message = "the emitted text is refused: " + diagnostic.message;
-    diagnostic.file.clear();
-    diagnostic.line = diagnostic.column = 0;
-    diagnostic.source_line.clear();
-  }
-  if (diagnostic.file.empty()) diagnostic.file = record.file;
-  return diagnostic;
-}
-
 class Folder {
  public:
   void add(const hlsl::Diagnostic& diagnostic, const VariantRecord& record, std::size_t index) {
@@ -125,6 +113,18 @@ std::string keyword_list(const std::vector<std::string>& keywords) {
 }
 
 }  // namespace
+
+// The place a person can open: a line of emitted text is none.
+hlsl::Diagnostic as_told(hlsl::Diagnostic diagnostic, const VariantRecord& record) {
+  if (in_emitted_text(diagnostic, record)) {
+    diagnostic.message = "the emitted text is refused: " + diagnostic.message;
+    diagnostic.file.clear();
+    diagnostic.line = diagnostic.column = 0;
+    diagnostic.source_line.clear();
+  }
+  if (diagnostic.file.empty()) diagnostic.file = record.file;
+  return diagnostic;
+}
 
 std::vector<Finding> findings(const ValidationReport& report) {
   Folder folder;

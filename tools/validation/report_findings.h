@@ -16,6 +16,9 @@ struct Finding {
   std::vector<std::size_t> records;  // indices of those that have it, in their order
 };
 
+// The diagnostic as a finding has it: at a place that a person can open.
+hlsl::Diagnostic as_told(hlsl::Diagnostic diagnostic, const VariantRecord& record);
+
 // In the order of their first record. Left out is what a driver warns of in text that no person wrote; a
 // failed record without a message has a finding that says so.
 std::vector<Finding> findings(const ValidationReport& report);

@@ -14,18 +14,20 @@ const char* severity_name(hlsl::Severity severity) {
   return severity == hlsl::Severity::warning ? "warning" : "note";
 }
 
+Json diagnostic_json(const hlsl::Diagnostic& diagnostic) {
+  Json json{{"file", diagnostic.file},
+            {"line", diagnostic.line},
+            {"column", diagnostic.column},
+            {"severity", severity_name(diagnostic.severity)},
+            {"message", diagnostic.message}};
+  if (!diagnostic.source_line.empty()) json["source_line"] = diagnostic.source_line;
+  if (!diagnostic.rule.empty()) json["rule"] = diagnostic.rule;
+  return json;
+}
+
 Json diagnostics_json(const std::vector<hlsl::Diagnostic>& diagnostics) {
   Json list = Json::array();
-  for (const hlsl::Diagnostic& diagnostic : diagnostics) {
-    Json json{{"file", diagnostic.file},
-              {"line", diagnostic.line},
-              {"column", diagnostic.column},
-              {"severity", severity_name(diagnostic.severity)},
-              {"message", diagnostic.message}};
-    if (!diagnostic.source_line.empty()) json["source_line"] = diagnostic.source_line;
-    if (!diagnostic.rule.empty()) json["rule"] = diagnostic.rule;
-    list.push_back(std::move(json));
-  }
+  for (const hlsl::Diagnostic& diagnostic : diagnostics) list.push_back(diagnostic_json(diagnostic));
   return list;
 }
 
@@ -66,6 +68,9 @@ std::string report_json(const ValidationReport& report) {
   json["fingerprint"] = report.fingerprint;
   json["checks"] = report.checks;
   json["rules"] = report.rules;
+  for (const MinimalKeywords& minimal : report.minimal)
+    json["minimal_keywords"].push_back(
+        {{"error", diagnostic_json(minimal.error)}, {"keywords", minimal.keywords}});
   json["variants"] = Json::array();
   for (const VariantRecord& record : report.records) json["variants"].push_back(record_json(record));
   // Shader text in a message may be in any encoding.

@@ -125,6 +125,10 @@ ValidationReport read_report_json(const std::filesystem::path& file) {
   report.fingerprint = object.text("fingerprint", {});
   report.checks = read_texts(object.object("checks"));
   report.rules = read_texts(object.object("rules"));
+  for (JsonObject& minimal : object.objects("minimal_keywords")) {
+    report.minimal.push_back({read_diagnostic(minimal.object("error")), minimal.texts("keywords")});
+    minimal.finish();
+  }
   object.finish();
   return report;
 }

@@ -97,7 +97,15 @@ class TextReport {
     const std::vector<std::string> targets = targets_of(finding, report_);
     if (targets != std::vector<std::string>{"spirv"} && targets != std::vector<std::string>{whole_source})
       text += ", for " + joined(targets, ", ");
-    return text + "\n" + reproduction(finding);
+    return text + "\n" + minimal(finding) + reproduction(finding);
+  }
+
+  std::string minimal(const Finding& finding) const {
+    for (const MinimalKeywords& one : report_.minimal)
+      if (format(one.error) == format(finding.diagnostic))
+        return one.keywords.empty() ? "  without any keyword as well\n"
+                                    : "  enough for it: " + joined(one.keywords, " ") + "\n";
+    return {};
   }
 
   // The entry point that has it, and how many others do.

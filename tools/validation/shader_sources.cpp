@@ -48,6 +48,13 @@ std::string with_implicit_includes(const std::string& text, const std::string& f
          "\"\n" + text;
 }
 
+bool is_stripped(const shaderlab::Program& program, const std::vector<std::string>& passes) {
+  const std::string* light_mode = shaderlab::effective_tag(program, "LightMode");
+  return std::any_of(passes.begin(), passes.end(), [&](const std::string& pass) {
+    return pass == shaderlab::pass_name(program) || (light_mode != nullptr && pass == *light_mode);
+  });
+}
+
 bool has_attribute(const shaderlab::Property& property, const char* name) {
   return std::any_of(property.attributes.begin(), property.attributes.end(),
                      [name](const shaderlab::Attribute& attribute) { return attribute.name.text == name; });
@@ -144,6 +151,7 @@ void ShaderSources::add_shader(const project::ShaderFile& file, const std::strin
   say(file.path.string(), shader.name.text, {}, std::move(parsed.diagnostics));
   if (broken) return;
   for (const shaderlab::Program& found : shaderlab::programs(shader)) {
+    if (is_stripped(found, options_.narrowing.unused_passes)) continue;
     SourceProgram program;
     program.file = file.path.string();
     program.shader = shader.name.text;
@@ -260,22 +268,25 @@ CompileUnit ShaderSources::unit(const SourceProgram& program, const std::string&
   return unit;
 }
 
+CompileUnit ShaderSources::entry_unit(const SourceProgram& program, std::size_t index,
+                                      const variants::Keywords& keywords) const {
+  if (index < program.entries.size())
+    return unit(program, program.entries[index].first, program.entries[index].second, keywords);
+  const variants::Kernel& kernel = program.kernels[index - program.entries.size()];
+  CompileUnit made = unit(program, kernel.function, hlsl::Stage::compute, keywords);
+  made.compile.defines.insert(made.compile.defines.end(), kernel.defines.begin(), kernel.defines.end());
+  return made;
+}
+
 std::vector<CompileUnit> ShaderSources::units() const {
   std::vector<CompileUnit> units;
   for (const SourceProgram& program : programs_) {
-    const auto variants_of = [&](hlsl::Stage stage) {
-      return program.keyword_sets.empty() ? chosen(program.space->variants(stage), options_.sample)
-                                          : program.keyword_sets;
-    };
-    for (const auto& [function, stage] : program.entries)
-      for (const variants::Keywords& keywords : variants_of(stage))
-        units.push_back(unit(program, function, stage, keywords));
-    for (const variants::Kernel& kernel : program.kernels) {
-      for (const variants::Keywords& keywords : variants_of(hlsl::Stage::compute)) {
-        units.push_back(unit(program, kernel.function, hlsl::Stage::compute, keywords));
-        CompileUnit& made = units.back();
-        made.compile.defines.insert(made.compile.defines.end(), kernel.defines.begin(), kernel.defines.end());
-      }
+    for (std::size_t i = 0; i < program.entries.size() + program.kernels.size(); ++i) {
+      const hlsl::Stage stage = i < program.entries.size() ? program.entries[i].second : hlsl::Stage::compute;
+      const std::vector<variants::Keywords> all =
+          program.keyword_sets.empty() ? chosen(program.space->variants(stage), options_.sample)
+                                       : program.keyword_sets;
+      for (const variants::Keywords& keywords : all) units.push_back(entry_unit(program, i, keywords));
     }
   }
   return units;

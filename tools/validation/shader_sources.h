@@ -75,6 +75,9 @@ class ShaderSources {
   variants::Plan plan() const;
   std::string refusal(std::uint64_t limit) const;  // empty while the count is within the limit
   std::vector<CompileUnit> units() const;
+  // Of one of programs(), the entry point at `index`: its entries, then its kernels.
+  CompileUnit entry_unit(const SourceProgram& program, std::size_t index,
+                         const variants::Keywords& keywords) const;
   std::vector<ProgramToLint> to_lint() const;  // each program once, whatever the graphics APIs
 
  private:

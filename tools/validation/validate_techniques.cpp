@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "platform/content_hash.h"
+#include "validation/minimal_keywords.h"
 #include "validation/source_variants.h"
 #include "validation/target_check.h"
 
@@ -99,6 +100,8 @@ ValidationReport validate(const ValidationRequest& request) {
         report.records.push_back(std::move(record));
       }
   }
+  if (request.minimise)
+    report.minimal = minimal_keywords(report, units, request.records.size(), request.engine);
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;
 }

@@ -38,6 +38,7 @@ struct ValidationRequest {
   std::vector<VariantRecord> records;   // besides: what it said before anything was compiled
   std::vector<ProgramToLint> programs;  // besides: what ShaderSources knows of their shaders
   LintOrder lint;                       // of techniques and files; units have their own
+  bool minimise = false;                // the keywords of what fails
   EngineOptions engine;
 };
 

@@ -44,6 +44,7 @@ struct Narrowing {
   std::optional<std::vector<Keywords>> materials;  // absent: shader_feature sets span all combinations
   Keywords stereo_modes;                           // see stereo_set() in built_in_sets.h; empty: no XR
   std::string tiers_for;                           // renderer for which hardware_tier_variants count
+  std::vector<std::string> unused_passes{};  // by name or LightMode tag: none of their variants is built
 };
 
 class VariantList {

@@ -181,6 +181,7 @@ Narrowing narrowing_of(const LocatedJson& document, const std::string& name) {
     const UrpSettings settings = read_urp(root.object("urp"));
     narrowing.clauses = clauses_of(settings, name + ": \"urp\"");
     narrowing.stereo_modes = settings.xr;
+    narrowing.unused_passes = unused_passes(settings);
     std::erase_if(narrowing.clauses, [&](const Clause& clause) { return decides(clause, uses.taken_back); });
   }
   narrowing.clauses.insert(narrowing.clauses.end(), uses.clauses.begin(), uses.clauses.end());

@@ -12,6 +12,7 @@
 // first alternative the material has on, else the empty keyword. "used" without materials keeps the one with
 // all off.
 //
+// "urp" also leaves out the passes that no such project draws (urp_settings.h: unused_passes()).
 // "both" in "keywords" takes back what "urp" says of that keyword alone.
 #pragma once
 

@@ -2,6 +2,7 @@
 #include <charconv>
 #include <string>
 
+#include "hlsl/source_text.h"
 #include "input/input_error.h"
 #include "variants/urp_settings.h"
 
@@ -107,6 +108,20 @@ UrpSettings read_urp_asset(std::string_view text, const std::string& name) {
   }
   if (no_main_light) settings.main_light_shadows = false;
   return settings;
+}
+
+UrpSettings read_urp_assets(const std::vector<std::filesystem::path>& files) {
+  std::optional<UrpSettings> assets;
+  std::optional<UrpSettings> renderers;
+  for (const std::filesystem::path& file : files) {
+    const hlsl::SourceRead read = hlsl::read_source(file);
+    if (!read.problem.empty()) throw InputError(file.string(), "cannot be read: " + read.problem);
+    const UrpSettings settings = read_urp_asset(read.text, file.string());
+    const bool is_renderer = read.text.find("\n  m_RenderingMode:") != std::string::npos;
+    std::optional<UrpSettings>& kind = is_renderer ? renderers : assets;
+    kind = kind ? widest(*kind, settings) : settings;
+  }
+  return combined(assets.value_or(UrpSettings()), renderers.value_or(UrpSettings()));
 }
 
 }  // namespace penumbra::variants

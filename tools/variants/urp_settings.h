@@ -58,6 +58,7 @@
 // _WRITE_RENDERING_LAYERS by pass name, EVALUATE_SH_*, _FOVEATED_RENDERING_*: use "keywords" for those.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -134,5 +135,10 @@ UrpSettings combined(const UrpSettings& a, const UrpSettings& b);
 // others are passed over; shadow_cascades is left open, as URP leaves it. Throws InputError for a value that
 // is out of range, a binary asset, and a file in which no known name stands.
 UrpSettings read_urp_asset(std::string_view text, const std::string& name);
+
+// What a project decides with such files: all quality levels' pipeline assets (the widest of them) together
+// with all renderers (the widest). Throws InputError as read_urp_asset does, and for files that cannot be
+// read.
+UrpSettings read_urp_assets(const std::vector<std::filesystem::path>& files);
 
 }  // namespace penumbra::variants
