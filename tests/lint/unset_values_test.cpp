@@ -230,5 +230,21 @@ TEST(ReadBeforeSet, StreamsOfAGeometryShader) {
               ElementsAre("8:18 warning read-before-set: 'o.uv' is read but never set"));
 }
 
+TEST(OutputNotSet, AStreamOfAGeometryShaderIsNoValue) {
+  const auto shader = [](const std::string& helper) {
+    return "struct V { float4 p : SV_Position; };\n" + helper +
+           "[maxvertexcount(3)] void Main(triangle V i[3], inout TriangleStream<V> stream)\n{\n"
+           "    for (int k = 0; k < 3; ++k) Emit(i[k], stream);\n}\n";
+  };
+  EXPECT_THAT(outputs(shader("void Emit(V v, inout TriangleStream<V> stream) { stream.Append(v); }\n"),
+                      hlsl::Stage::geometry),
+              IsEmpty());
+  EXPECT_THAT(
+      outputs(shader("void Emit(V v, inout TriangleStream<V> stream, out float x) { stream.Append(v); }\n"
+                     "void Emit(V v, inout TriangleStream<V> stream) { float x; Emit(v, stream, x); }\n"),
+              hlsl::Stage::geometry),
+      ElementsAre(testing::HasSubstr("out parameter 'x' of 'Emit'")));
+}
+
 }  // namespace
 }  // namespace penumbra::lint

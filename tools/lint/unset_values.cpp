@@ -45,6 +45,16 @@ std::vector<std::string> words_of(const std::string& name, const std::string& pa
   return words;
 }
 
+// "inout TriangleStream<V> stream" is a way out of a geometry shader, not a value; SPIR-V has it as an output
+// parameter like any other, so its declaration tells.
+bool declares_stream(const std::string& line, const std::string& parameter) {
+  for (std::size_t at = line.find("Stream<"); at != std::string::npos; at = line.find("Stream<", at + 1)) {
+    const std::size_t name = line.find_first_not_of(" >", std::min(line.find('>', at), line.size()));
+    if (name != std::string::npos && line.compare(name, parameter.size(), parameter) == 0) return true;
+  }
+  return false;
+}
+
 Finding output_finding(const LintedCode& linted, ComponentLayout& layout, const Function& function,
                        const UnsetOutput& output) {
   const std::string name = plain_name(linted.code.name(function.id));
@@ -93,8 +103,11 @@ std::vector<Finding> unset_values(const LintedCode& linted) {
     for (const UnsetOutput& output : found.outputs) {
       // What a helper leaves unset in the struct it returns matters where it is read, or where it leaves.
       const bool part_of_result = output.parameter == 0 && !output.nothing_returned;
-      if (!part_of_result || is_entry(linted, function))
-        findings.push_back(output_finding(linted, layout, function, output));
+      if (part_of_result && !is_entry(linted, function)) continue;
+      Finding finding = output_finding(linted, layout, function, output);
+      const bool is_stream = output.parameter != 0 && declares_stream(finding.diagnostic.source_line,
+                                                                      linted.code.name(output.parameter));
+      if (!is_stream) findings.push_back(std::move(finding));
     }
     std::set<std::tuple<Id, Id, std::string>> told;  // a variable is reported where it is first read
     for (const UnsetRead& read : found.reads)
