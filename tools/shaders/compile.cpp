@@ -13,20 +13,17 @@
 #include "input/input_error.h"
 #include "preparation/prepare.h"
 #include "preparation/source_directives.h"
-#include "shaders/bad_character.h"
-#include "shaders/include_resolver.h"
 #include "shaders/lost_resources.h"
+#include "shaders/macro_expansion.h"
 #include "shaders/parse_failure.h"
 #include "shaders/parse_log.h"
 #include "shaders/source_memory.h"
+#include "shaders/source_shader.h"
 #include "shaders/spirv_module.h"
 
 namespace penumbra::shaders {
 
 namespace {
-
-constexpr int hlsl_version = 500;
-constexpr auto messages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules | EShMsgReadHlsl);
 
 // glslang counts its users; the first and the last call need to be apart from every other.
 void initialise_glslang_once() {
@@ -39,24 +36,6 @@ void initialise_glslang_once() {
   static const Process process;
 }
 
-EShLanguage language(hlsl::Stage stage) {
-  switch (stage) {
-    case hlsl::Stage::vertex:
-      return EShLangVertex;
-    case hlsl::Stage::hull:
-      return EShLangTessControl;
-    case hlsl::Stage::domain:
-      return EShLangTessEvaluation;
-    case hlsl::Stage::geometry:
-      return EShLangGeometry;
-    case hlsl::Stage::fragment:
-      return EShLangFragment;
-    case hlsl::Stage::compute:
-      break;
-  }
-  return EShLangCompute;
-}
-
 std::string preamble(const CompileRequest& request) {
   std::string text;
   for (const auto& [name, value] : request.defines)
@@ -64,63 +43,8 @@ std::string preamble(const CompileRequest& request) {
   return text;
 }
 
-// What a TShader is made of. glslang keeps the pointers it is given: all of it outlives the TShader.
-struct Source {
-  const CompileRequest& request;
-  std::string name;
-  const std::string& text;
-  std::string preamble;
-};
-
-// A TShader with everything of the request set but not parsed. glslang keeps the pointers it is given, the
-// arrays of pointers included, so they stand here beside it and in the source, which outlives both.
-class SourceShader {
- public:
-  explicit SourceShader(const Source& source)
-      : texts_{source.text.data()},
-        names_{source.name.c_str()},
-        lengths_{static_cast<int>(source.text.size())},
-        shader_(language(source.request.stage)) {
-    shader_.setStringsWithLengthsAndNames(texts_, lengths_, names_, 1);
-    shader_.setPreamble(source.preamble.c_str());
-    shader_.setEntryPoint(source.request.entry.c_str());
-    shader_.setSourceEntryPoint(source.request.entry.c_str());
-    shader_.setEnvInput(glslang::EShSourceHlsl, language(source.request.stage), glslang::EShClientVulkan,
-                        100);
-    shader_.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_1);
-    shader_.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_3);
-    shader_.setAutoMapBindings(true);
-    shader_.setAutoMapLocations(true);
-  }
-  SourceShader(const SourceShader&) = delete;
-  SourceShader& operator=(const SourceShader&) = delete;
-
-  glslang::TShader& get() { return shader_; }
-
- private:
-  const char* texts_[1];
-  const char* names_[1];
-  int lengths_[1];
-  glslang::TShader shader_;
-};
-
 hlsl::Diagnostic whole_file(const Source& source, hlsl::Severity severity, std::string message) {
   return {source.name, 0, 0, severity, std::move(message), {}};
-}
-
-// What the parser says of another text in place of the source's.
-std::string log_of(const Source& source, const std::string& text) {
-  glslang::TShader::ForbidIncluder nothing_left_to_include;
-  const Source instead{source.request, source.name, text, {}};
-  SourceShader shader(instead);
-  shader.get().parse(GetDefaultResources(), hlsl_version, false, messages, nothing_left_to_include);
-  return shader.get().getInfoLog();
-}
-
-// What the diagnosis of a parse or a link that failed may draw on.
-ParseFailure failure_of(const Source& source, const std::string& log, const std::string& expanded) {
-  return {log, source.name, std::nullopt, expanded,
-          [&source](const std::string& text) { return log_of(source, text); }};
 }
 
 // "INTERNAL ERROR" and "UNIMPLEMENTED" come with success as well.
@@ -134,7 +58,7 @@ bool parse(const Source& source, glslang::TShader& shader, const hlsl::SourceFil
            CompileResult& result) {
   glslang::TShader::ForbidIncluder nothing_left_to_include;
   const bool parsed =
-      shader.parse(GetDefaultResources(), hlsl_version, false, messages, nothing_left_to_include);
+      shader.parse(GetDefaultResources(), hlsl_version, false, shader_messages, nothing_left_to_include);
   const std::string log = shader.getInfoLog();
   for (hlsl::Diagnostic& warning : warnings(log, sources)) result.diagnostics.push_back(std::move(warning));
   if (parsed && !tells_an_error(log, sources)) return true;
@@ -144,7 +68,7 @@ bool parse(const Source& source, glslang::TShader& shader, const hlsl::SourceFil
 
 bool link(const Source& source, const hlsl::SourceFiles& sources, glslang::TProgram& program,
           CompileResult& result) {
-  const bool linked = program.link(messages) && program.mapIO();
+  const bool linked = program.link(shader_messages) && program.mapIO();
   const std::string log = program.getInfoLog();
   if (linked && !tells_an_error(log, sources)) return true;
   result.diagnostics.push_back(
@@ -207,30 +131,6 @@ bool build(const Source& source, const hlsl::SourceFiles& sources, CompileResult
   return true;
 }
 
-// Includes and macros. An empty text of a source that is not empty is a failure, told in `diagnostics`.
-void expand(const Source& source, SourceMemory& memory, PreprocessedSource& out) {
-  IncludeResolver resolver(source.request, out.sources, memory);
-  SourceShader shader(source);
-  const bool expanded = shader.get().preprocess(GetDefaultResources(), hlsl_version, ENoProfile, false, false,
-                                                messages, &out.text, resolver);
-  const std::string log = shader.get().getInfoLog();
-  out.diagnostics = warnings(log, out.sources);
-  out.diagnostics.insert(out.diagnostics.end(), resolver.warnings().begin(), resolver.warnings().end());
-  out.missing_editor_include = resolver.missing_editor_include();
-  out.absent.assign(resolver.absent().begin(), resolver.absent().end());
-  out.found_by_case = resolver.found_by_case();
-  if (expanded && !resolver.failure()) {
-    std::optional<hlsl::Diagnostic> bad = bad_character(out.text, source.name, out.sources);
-    if (!bad) return;
-    out.diagnostics.push_back(*std::move(bad));
-  } else {
-    ParseFailure failure = failure_of(source, log, out.text);
-    failure.include_failure = resolver.failure();
-    out.diagnostics.push_back(first_error(failure, out.sources));
-  }
-  out.text.clear();
-}
-
 void prepare(const std::string& name, PreprocessedSource& out) {
   preparation::PreparedShader prepared = preparation::prepare(std::move(out.text), name);
   out.text = std::move(prepared.text);
@@ -276,7 +176,7 @@ PreprocessedSource preprocess(const CompileRequest& request, SourceMemory& memor
   PreprocessedSource out;
   out.sources.add(name, text);
   const std::string to_expand = request.prepare ? preparation::prepare_source(text).text : text;
-  expand({request, name, to_expand, preamble(request)}, memory, out);
+  expand_macros({request, name, to_expand, preamble(request)}, memory, out);
   if (std::optional<hlsl::Diagnostic> nul = nul_byte(out.sources)) {
     out.diagnostics = {*std::move(nul)};
     out.text.clear();

@@ -41,12 +41,13 @@ Place place_of_include(std::string_view text, std::string_view asked) {
 }  // namespace
 
 IncludeResolver::IncludeResolver(const CompileRequest& request, hlsl::SourceFiles& sources,
-                                 SourceMemory& memory)
+                                 SourceMemory& memory, const preparation::MacroArguments& arguments)
     : request_(request),
       roots_{request.package_roots, request.include_directories, request.project, request.cginc_root},
       roots_key_(key_of(roots_)),
       sources_(sources),
       memory_(memory),
+      arguments_(arguments),
       open_{request.file.string()} {}
 
 IncludeResolver::IncludeResult* IncludeResolver::includeLocal(const char* header, const char* includer,
@@ -100,7 +101,7 @@ std::string IncludeResolver::text_to_read(const std::string& name) {
   if (read_once_.count(name) != 0) return {};
   const preparation::PreparedSource& prepared = memory_.prepared(name);
   if (prepared.once) read_once_.insert(name);
-  return prepared.text;
+  return arguments_.rewritten(prepared.text);
 }
 
 // Once for each #include, however often its file is read.

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "hlsl/source_text.h"
+#include "preparation/macro_arguments.h"
 #include "project/include_search.h"
 #include "shaders/compile.h"
 
@@ -19,8 +20,9 @@ namespace penumbra::shaders {
 
 class IncludeResolver final : public glslang::TShader::Includer {
  public:
-  // Texts that were read are added to `sources`, which outlives the resolver, as the memory does.
-  IncludeResolver(const CompileRequest& request, hlsl::SourceFiles& sources, SourceMemory& memory);
+  // Texts that were read are added to `sources`, which outlives the resolver, as all else given here does.
+  IncludeResolver(const CompileRequest& request, hlsl::SourceFiles& sources, SourceMemory& memory,
+                  const preparation::MacroArguments& arguments);
 
   IncludeResult* includeLocal(const char* header, const char* includer, std::size_t depth) override;
   IncludeResult* includeSystem(const char* header, const char* includer, std::size_t depth) override;
@@ -51,6 +53,7 @@ class IncludeResolver final : public glslang::TShader::Includer {
   std::string roots_key_;
   hlsl::SourceFiles& sources_;
   SourceMemory& memory_;
+  const preparation::MacroArguments& arguments_;
   std::set<std::string> read_once_;  // files that said `#pragma once`
   std::set<std::string> absent_;
   bool found_by_case_ = false;

@@ -24,7 +24,7 @@ struct Phrase {
   std::string_view words;
 };
 
-constexpr std::array<Phrase, 34> phrases{{
+constexpr std::array<Phrase, 37> phrases{{
     {"assign", "l-value required (can't modify a const)", "what stands left of '=' is const"},
     {"assign", "l-value required", "what stands left of '=' cannot be written$"},
     {"", "l-value required", "'%' needs a variable that can be written$"},
@@ -56,6 +56,12 @@ constexpr std::array<Phrase, 34> phrases{{
     {"macro expansion", "End of input in macro", "the call of macro '$' is never closed"},
     {"#define",
      "Macro redefined; different substitutions:", "macro '$' is defined already as something else"},
+    {"#define",
+     "Macro redefined; different argument names:", "macro '$' is defined already as something else"},
+    {"#define",
+     "Macro redefined; different number of arguments:", "macro '$' is defined already as something else"},
+    {"#define",
+     "Macro redefined; function-like versus object-like:", "macro '$' is defined already as something else"},
     {"#define", "must be followed by macro name", "'#define' names no macro"},
     {"#include", "must be followed by a header name", "'#include' needs a \"file\" or a <file>"},
     {"#elif", "#elif after #else", "'#elif' stands after '#else'"},

@@ -1,0 +1,59 @@
+#include "shaders/source_shader.h"
+
+#include <glslang/Public/ResourceLimits.h>
+
+namespace penumbra::shaders {
+
+namespace {
+
+// What the parser says of another text in place of the source's.
+std::string log_of(const Source& source, const std::string& text) {
+  glslang::TShader::ForbidIncluder nothing_left_to_include;
+  const Source instead{source.request, source.name, text, {}};
+  SourceShader shader(instead);
+  shader.get().parse(GetDefaultResources(), hlsl_version, false, shader_messages, nothing_left_to_include);
+  return shader.get().getInfoLog();
+}
+
+}  // namespace
+
+EShLanguage language(hlsl::Stage stage) {
+  switch (stage) {
+    case hlsl::Stage::vertex:
+      return EShLangVertex;
+    case hlsl::Stage::hull:
+      return EShLangTessControl;
+    case hlsl::Stage::domain:
+      return EShLangTessEvaluation;
+    case hlsl::Stage::geometry:
+      return EShLangGeometry;
+    case hlsl::Stage::fragment:
+      return EShLangFragment;
+    case hlsl::Stage::compute:
+      break;
+  }
+  return EShLangCompute;
+}
+
+SourceShader::SourceShader(const Source& source)
+    : texts_{source.text.data()},
+      names_{source.name.c_str()},
+      lengths_{static_cast<int>(source.text.size())},
+      shader_(language(source.request.stage)) {
+  shader_.setStringsWithLengthsAndNames(texts_, lengths_, names_, 1);
+  shader_.setPreamble(source.preamble.c_str());
+  shader_.setEntryPoint(source.request.entry.c_str());
+  shader_.setSourceEntryPoint(source.request.entry.c_str());
+  shader_.setEnvInput(glslang::EShSourceHlsl, language(source.request.stage), glslang::EShClientVulkan, 100);
+  shader_.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_1);
+  shader_.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_3);
+  shader_.setAutoMapBindings(true);
+  shader_.setAutoMapLocations(true);
+}
+
+ParseFailure failure_of(const Source& source, const std::string& log, const std::string& expanded) {
+  return {log, source.name, std::nullopt, expanded,
+          [&source](const std::string& text) { return log_of(source, text); }};
+}
+
+}  // namespace penumbra::shaders
