@@ -28,6 +28,18 @@ void expect_both(const Drawing& drawing, Answer answer) {
   EXPECT_EQ(draw_prepared(drawing), picture(answer));
 }
 
+// glslang takes it as it is, and makes the constant a member that nobody sets.
+TEST(ExecutedResources, StaticConstantsInCbuffersKeepTheirValue) {
+  const Drawing drawing{
+      "cbuffer C { float first; static const float kTwice = 2; float second; }\n"
+      "float4 Main(float4 p : SV_Position) : SV_Target { return float4(first, kTwice, second, first * kTwice); "
+      "}",
+      {},
+      {{"C", {5, 7, 9, 11}}}};
+  EXPECT_EQ(draw_prepared(drawing), picture([](int, int) { return Pixel{5, 2, 7, 10}; }));
+  EXPECT_NE(draw_unprepared(drawing), draw_prepared(drawing));
+}
+
 const std::string kSurface =
     "Texture2D A; Texture2D B; SamplerState Point;\n"
     "struct Surface { Texture2D map; SamplerState smp; float scale;\n"

@@ -67,6 +67,8 @@ TEST(CbufferResources, StandBeforeTheirCbuffer) {
          "b; }",
          "Texture2D<half4> t : register(t3), u[2]; SamplerState s; cbuffer C : register(b1) { float a; float "
          "b; }");
+  expect(hoist_cbuffer_resources, "cbuffer C { uint a; static const int b = 3, c = 4; float d; };",
+         "static const int b = 3, c = 4; cbuffer C { uint a; float d; };");
   expect(hoist_cbuffer_resources, "tbuffer C { StructuredBuffer<float> b; };",
          "StructuredBuffer<float> b; ;");
   expect_untouched(hoist_cbuffer_resources,

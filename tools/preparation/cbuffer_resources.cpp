@@ -36,7 +36,7 @@ class Hoist {
 
   // The whole statement, whatever it declares.
   bool move(const DeclaredValue& value, const hlsl::Declaration& buffer) {
-    if (!is_resource(value.type.name)) return false;
+    if (!is_resource(value.type.name) && !value.is_static) return false;
     std::size_t end = value.last;
     while (end < buffer.close && !text_.is(end, ";")) ++end;
     if (!text_.is(end, ";")) return false;
