@@ -32,7 +32,8 @@ void expect_both(const Drawing& drawing, Answer answer) {
 TEST(ExecutedResources, StaticConstantsInCbuffersKeepTheirValue) {
   const Drawing drawing{
       "cbuffer C { float first; static const float kTwice = 2; float second; }\n"
-      "float4 Main(float4 p : SV_Position) : SV_Target { return float4(first, kTwice, second, first * kTwice); "
+      "float4 Main(float4 p : SV_Position) : SV_Target { return float4(first, kTwice, second, first * "
+      "kTwice); "
       "}",
       {},
       {{"C", {5, 7, 9, 11}}}};

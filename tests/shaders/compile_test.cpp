@@ -49,6 +49,42 @@ TEST(Compile, DefinesReachTheSource) {
   EXPECT_THAT(first_message(compile(request)), HasSubstr("shader.hlsl:2:1: error: '#error': no keyword"));
 }
 
+std::vector<std::string> errors_for(VulkanVersion vulkan, const std::string& text) {
+  CompileRequest request;
+  request.file = "shader.hlsl";
+  request.text = text;
+  request.vulkan = vulkan;
+  const CompileResult result = compile(request);
+  EXPECT_EQ(result.spirv.empty(), hlsl::has_errors(result.diagnostics));
+  std::vector<std::string> messages;
+  for (const hlsl::Diagnostic& diagnostic : result.diagnostics) messages.push_back(diagnostic.message);
+  return messages;
+}
+
+// Wave intrinsics are of Vulkan 1.1 (GroupNonUniform, SPIR-V 1.3).
+TEST(Compile, AVersionOfVulkanTakesWhatItHas) {
+  const std::string waves = compute_shader("WaveActiveSum(1.0f)");
+  for (const VulkanVersion vulkan : all_vulkan_versions)
+    EXPECT_THAT(errors_for(vulkan, compute_shader("1")), testing::IsEmpty()) << vulkan_version_name(vulkan);
+  EXPECT_THAT(errors_for(VulkanVersion::v1_1, waves), testing::IsEmpty());
+  EXPECT_THAT(errors_for(VulkanVersion::v1_2, waves), testing::IsEmpty());
+  EXPECT_THAT(errors_for(VulkanVersion::v1_0, waves),
+              testing::Contains("SPIR-V validation for Vulkan 1.0: there is no capability GroupNonUniform"));
+}
+
+// The second word of a module is its version of SPIR-V.
+TEST(Compile, AModuleIsOfAVersionThatItsVulkanReads) {
+  for (const auto& [vulkan, version] :
+       {std::pair(VulkanVersion::v1_0, 0x00010000U), std::pair(VulkanVersion::v1_1, 0x00010300U),
+        std::pair(VulkanVersion::v1_2, 0x00010300U)}) {
+    CompileRequest request;
+    request.file = "shader.hlsl";
+    request.text = compute_shader("1");
+    request.vulkan = vulkan;
+    EXPECT_EQ(compile(request).spirv.at(1), version);
+  }
+}
+
 TEST(Compile, TextureReachedThroughParametersIsLegal) {
   const std::string text =
       compute_shader("F(_A, sampler_A, 0.5)",

@@ -35,6 +35,7 @@ UnitJob full_job() {
   unit.compile.optimise = false;
   unit.compile.keep_unoptimised = true;
   unit.sub_shader = 2;
+  unit.compile.vulkan = shaders::VulkanVersion::v1_2;
   unit.targets = {"spirv", "msl23"};
   unit.lint = {true, 45, {"nan-check"}};
   job.context = {"cache", "build", {{"essl310", "Mesa"}}};

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "input/input_error.h"
@@ -50,6 +51,34 @@ TEST(Validate, EveryTechniqueOfTheLibraryPassesEveryTarget) {
   EXPECT_EQ(report.count(VariantStatus::unreached), 0U);
   EXPECT_GT(report.unique, 0U);
   EXPECT_LE(report.unique, expected);
+}
+
+TEST(Validate, EachVersionOfVulkanHasItsOwnAnswer) {
+  const ShaderFiles files;
+  files.write("f.hlsl", "float4 Main(float2 u : TEXCOORD0) : SV_Target { return WaveActiveSum(u.x); }\n");
+  ValidationRequest request = file_request(files);
+  request.targets = {"vulkan1.2", "spirv", "vulkan1.0", "msl23", "vulkan1.1"};
+  const ValidationReport report = validate(request);
+  std::map<std::string, VariantStatus> status;
+  for (const VariantRecord& record : report.records) status[record.target] = record.status;
+  EXPECT_EQ(status.size(), 5U);
+  EXPECT_EQ(status["vulkan1.0"], VariantStatus::failed);
+  for (const char* target : {"spirv", "vulkan1.1", "vulkan1.2", "msl23"})
+    EXPECT_EQ(status[target], VariantStatus::passed) << target;
+  EXPECT_EQ(report.checks.at("vulkan1.0"), "glslang, then SPIRV-Tools for Vulkan 1.0");
+  EXPECT_THAT(report_text(report), HasSubstr("SPIR-V validation for Vulkan 1.0: there is no capability"));
+}
+
+// A failed compilation is told once for each version, and by no target made from it.
+TEST(Validate, AMistakeFailsEveryVersionOfVulkan) {
+  const ShaderFiles files;
+  files.write("f.hlsl", "float4 Main() : SV_Target { return nothing; }\n");
+  ValidationRequest request = file_request(files);
+  request.targets = {"vulkan1.0", "vulkan1.2", "msl23"};
+  const ValidationReport report = validate(request);
+  EXPECT_EQ(report.count(VariantStatus::failed), 3U);
+  request.targets.push_back("spirv");
+  EXPECT_EQ(validate(request).count(VariantStatus::unreached), 1U);
 }
 
 TEST(Validate, OneMistakeIsPrintedOnceHoweverManyVariantsItFails) {

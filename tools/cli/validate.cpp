@@ -21,6 +21,7 @@
 #include "shaders/cross_compile.h"
 #include "validation/explain.h"
 #include "validation/shader_sources.h"
+#include "validation/spirv_target.h"
 #include "validation/validate_techniques.h"
 #include "validation/variant_name.h"
 #include "variants/keyword_expression.h"
@@ -35,7 +36,7 @@ namespace fs = std::filesystem;
 const std::vector<std::string> default_targets{"spirv", "essl310", "glsl450", "msl23", "hlsl50"};
 
 std::vector<std::string> known_targets() {
-  std::vector<std::string> known{"spirv"};
+  std::vector<std::string> known = validation::spirv_targets();
   for (const shaders::Target target : shaders::all_targets) known.emplace_back(shaders::target_name(target));
   return known;
 }
@@ -107,12 +108,13 @@ std::vector<validation::PlatformTargets> platforms(const ValidateOptions& option
   const std::optional<variants::GraphicsApi> one = variants::find_graphics_api(options.api);
   for (const std::string& target : targets) of_api[one ? *one : api_of(target)].push_back(target);
   std::vector<validation::PlatformTargets> list;
-  for (auto& [api, made] : of_api) {
+  for (const auto& [api, made] : of_api) {
     variants::Platform platform;
     platform.api = api;
     platform.mobile = options.mobile || api == variants::GraphicsApi::gles3;
     platform.unity_version = unity_version;
-    list.push_back({platform, std::move(made)});
+    for (auto& [vulkan, of_version] : validation::by_vulkan_version(made))
+      list.push_back({platform, std::move(of_version), vulkan});
   }
   return list;
 }

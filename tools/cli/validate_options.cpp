@@ -55,9 +55,9 @@ void add_which(CLI::App& command, ValidateOptions& options) {
   command.add_flag("--list", options.list, "Count the variants and compile nothing");
   command
       .add_option("--targets", options.targets,
-                  "Of spirv, essl300, essl310, glsl410, glsl450, msl20, msl22, msl23, hlsl50, hlsl51; spirv, "
-                  "essl310, "
-                  "glsl450, msl23 and hlsl50 without")
+                  "Of spirv, vulkan1.0, vulkan1.1, vulkan1.2, essl300, essl310, glsl410, glsl450, msl20, "
+                  "msl22, msl23, "
+                  "hlsl50, hlsl51; spirv (for Vulkan 1.1), essl310, glsl450, msl23 and hlsl50 without")
       ->delimiter(',')
       ->allow_extra_args(false);
   command.add_option("--api", options.api, "Compile for this API alone and make every target from that")

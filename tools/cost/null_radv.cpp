@@ -102,7 +102,8 @@ RadvFamily open_family(const NullRadv& radv) {
 Measurement measure(const NullRadv& radv, const ModuleToMeasure& module) {
   Measurement measurement;
   // Drivers may do anything with a module that is not valid.
-  const std::vector<std::string> problems = shaders::validation_problems(module.spirv, false);
+  const std::vector<std::string> problems =
+      shaders::validation_problems(module.spirv, shaders::VulkanVersion::v1_1, false);
   if (!problems.empty()) {
     measurement.failure = "no valid SPIR-V for Vulkan 1.1: " + problems.front();
     return measurement;

@@ -103,16 +103,19 @@ bool generate(const Source& source, const glslang::TIntermediate& tree, CompileR
 
 bool finish_module(const Source& source, CompileResult& result) {
   std::vector<std::string> problems;
-  const bool optimised = !source.request.optimise || optimise(result.spirv, problems);
+  const bool optimised = !source.request.optimise || optimise(result.spirv, source.request.vulkan, problems);
   number_bindings(result.spirv);  // after the unused ones are gone
   if (optimised && source.request.optimise) {
     for (const std::string& lost : lost_resources(result.spirv))
       result.diagnostics.push_back(whole_file(source, hlsl::Severity::error, lost));
     if (hlsl::has_errors(result.diagnostics)) return false;
   }
-  if (optimised) problems = validation_problems(result.spirv, !source.request.optimise);
+  if (optimised)
+    problems = validation_problems(result.spirv, source.request.vulkan, !source.request.optimise);
+  const std::string validation =
+      std::string("SPIR-V validation for Vulkan ") + vulkan_version_name(source.request.vulkan) + ": ";
   for (const std::string& problem : problems)
-    result.diagnostics.push_back(whole_file(source, hlsl::Severity::error, "SPIR-V validation: " + problem));
+    result.diagnostics.push_back(whole_file(source, hlsl::Severity::error, validation + problem));
   return optimised && problems.empty();
 }
 

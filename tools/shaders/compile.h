@@ -12,6 +12,7 @@
 #include "hlsl/source_text.h"
 #include "hlsl/stage.h"
 #include "project/package_root.h"
+#include "shaders/vulkan_version.h"
 
 namespace penumbra::shaders {
 
@@ -40,7 +41,8 @@ struct CompileRequest {
   bool prepare = false;
   bool optimise = true;      // legalise, inline and optimise; false keeps the function structure and OpName
   bool debug_lines = false;  // OpLine with file and line before the instructions of each statement
-  bool keep_unoptimised = false;  // CompileResult::unoptimised
+  bool keep_unoptimised = false;               // CompileResult::unoptimised
+  VulkanVersion vulkan = VulkanVersion::v1_1;  // that the module is for
 };
 
 // What the parser reads: the source after includes, macros and preparation.
@@ -70,7 +72,7 @@ struct CompileResult {
 };
 
 // Neither ever throws for a bad shader; preprocess() throws InputError only when `file` itself cannot be
-// read. Reentrant. A module that comes out has passed SPIR-V validation for Vulkan 1.1.
+// read. Reentrant. A module that comes out has passed SPIR-V validation for `vulkan`.
 PreprocessedSource preprocess(const CompileRequest& request);
 PreprocessedSource preprocess(const CompileRequest& request, SourceMemory& memory);
 CompileResult compile(const CompileRequest& request, PreprocessedSource source);

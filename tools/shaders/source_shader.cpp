@@ -45,8 +45,11 @@ SourceShader::SourceShader(const Source& source)
   shader_.setEntryPoint(source.request.entry.c_str());
   shader_.setSourceEntryPoint(source.request.entry.c_str());
   shader_.setEnvInput(glslang::EShSourceHlsl, language(source.request.stage), glslang::EShClientVulkan, 100);
-  shader_.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_1);
-  shader_.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_3);
+  // Vulkan 1.2 takes SPIR-V 1.3, and of 1.4 and later glslang's HLSL front end makes none that is valid.
+  const bool oldest = source.request.vulkan == VulkanVersion::v1_0;
+  shader_.setEnvClient(glslang::EShClientVulkan,
+                       oldest ? glslang::EShTargetVulkan_1_0 : glslang::EShTargetVulkan_1_1);
+  shader_.setEnvTarget(glslang::EShTargetSpv, oldest ? glslang::EShTargetSpv_1_0 : glslang::EShTargetSpv_1_3);
   shader_.setAutoMapBindings(true);
   shader_.setAutoMapLocations(true);
 }

@@ -2,23 +2,67 @@
 
 #include <spirv-tools/libspirv.hpp>
 #include <spirv-tools/optimizer.hpp>
+#include <string_view>
 
 namespace penumbra::shaders {
 
 namespace {
 
-constexpr spv_target_env environment = SPV_ENV_VULKAN_1_1;
 constexpr std::size_t header_words = 5;
 constexpr std::uint32_t op_decorate = 71;         // OpDecorate target decoration operands...
 constexpr std::uint32_t decoration_binding = 33;  // SPIR-V specification 3.20
 
+spv_target_env environment(VulkanVersion vulkan) {
+  switch (vulkan) {
+    case VulkanVersion::v1_0:
+      return SPV_ENV_VULKAN_1_0;
+    case VulkanVersion::v1_1:
+      break;
+    case VulkanVersion::v1_2:
+      return SPV_ENV_VULKAN_1_2;
+  }
+  return SPV_ENV_VULKAN_1_1;
+}
+
+// "GroupNonUniform" for the capability of that number; empty for none.
+std::string capability_name(std::uint32_t number) {
+  const SpirvModule module{0x07230203, 0x00010600, 0, 1, 0, 0x00020011, number};
+  std::string text;
+  const spvtools::SpirvTools tools(SPV_ENV_UNIVERSAL_1_6);
+  if (!tools.Disassemble(module, &text, SPV_BINARY_TO_TEXT_OPTION_NO_HEADER)) return {};
+  return text.substr(text.find(' ') + 1, text.find('\n') - text.find(' ') - 1);
+}
+
+// SPIRV-Tools names a capability that the version does not know at all by its number.
+std::string with_capability_name(const std::string& message) {
+  constexpr std::string_view unknown = "Invalid capability operand: ";
+  if (!message.starts_with(unknown)) return message;
+  const std::string number = message.substr(unknown.size());
+  const bool is_number =
+      !number.empty() && number.size() < 10 && number.find_first_not_of("0123456789") == std::string::npos;
+  const std::string name = is_number ? capability_name(static_cast<std::uint32_t>(std::stoul(number))) : "";
+  return name.empty() ? message : "there is no capability " + name;
+}
+
 spvtools::MessageConsumer collect_errors(std::vector<std::string>& problems) {
   return [&problems](spv_message_level_t level, const char*, const spv_position_t&, const char* message) {
-    if (level <= SPV_MSG_ERROR) problems.emplace_back(message);
+    if (level <= SPV_MSG_ERROR) problems.push_back(with_capability_name(message));
   };
 }
 
 }  // namespace
+
+const char* vulkan_version_name(VulkanVersion version) {
+  switch (version) {
+    case VulkanVersion::v1_0:
+      return "1.0";
+    case VulkanVersion::v1_1:
+      break;
+    case VulkanVersion::v1_2:
+      return "1.2";
+  }
+  return "1.1";
+}
 
 void number_bindings(SpirvModule& module) {
   std::uint32_t next = 0;
@@ -32,8 +76,8 @@ void number_bindings(SpirvModule& module) {
   }
 }
 
-bool optimise(SpirvModule& module, std::vector<std::string>& problems) {
-  spvtools::Optimizer optimizer(environment);
+bool optimise(SpirvModule& module, VulkanVersion vulkan, std::vector<std::string>& problems) {
+  spvtools::Optimizer optimizer(environment(vulkan));
   optimizer.SetMessageConsumer(collect_errors(problems));
   // What nothing uses goes before it is copied to every call: the same module comes out, an eighth sooner.
   optimizer.RegisterPass(spvtools::CreateAggressiveDCEPass());
@@ -43,9 +87,10 @@ bool optimise(SpirvModule& module, std::vector<std::string>& problems) {
   return optimizer.Run(module.data(), module.size(), &module, options);
 }
 
-std::vector<std::string> validation_problems(const SpirvModule& module, bool before_legalisation) {
+std::vector<std::string> validation_problems(const SpirvModule& module, VulkanVersion vulkan,
+                                             bool before_legalisation) {
   std::vector<std::string> problems;
-  spvtools::SpirvTools tools(environment);
+  spvtools::SpirvTools tools(environment(vulkan));
   tools.SetMessageConsumer(collect_errors(problems));
   spvtools::ValidatorOptions options;
   options.SetBeforeHlslLegalization(before_legalisation);

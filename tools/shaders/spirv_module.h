@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "shaders/vulkan_version.h"
+
 namespace penumbra::shaders {
 
 using SpirvModule = std::vector<std::uint32_t>;
@@ -14,10 +16,11 @@ using SpirvModule = std::vector<std::uint32_t>;
 void number_bindings(SpirvModule& module);
 
 // Legalises HLSL's resource parameters, inlines and optimises. False with the reasons when it failed.
-bool optimise(SpirvModule& module, std::vector<std::string>& problems);
+bool optimise(SpirvModule& module, VulkanVersion vulkan, std::vector<std::string>& problems);
 
-// The problems SPIRV-Tools finds for Vulkan 1.1; empty when valid. Before legalisation resources may still be
-// passed by value, which is then not held against the module.
-std::vector<std::string> validation_problems(const SpirvModule& module, bool before_legalisation);
+// The problems SPIRV-Tools finds for that version; empty when valid. Before legalisation resources may still
+// be passed by value, which is then not held against the module.
+std::vector<std::string> validation_problems(const SpirvModule& module, VulkanVersion vulkan,
+                                             bool before_legalisation);
 
 }  // namespace penumbra::shaders

@@ -9,6 +9,7 @@
 #include "validation/answer_cache.h"
 #include "validation/kept_answers.h"
 #include "validation/source_record.h"
+#include "validation/spirv_target.h"
 #include "validation/target_check.h"
 #include "validation/unit_lint.h"
 #include "validation/unit_message.h"
@@ -123,7 +124,7 @@ class UnitAtWork {
   void emit() {
     reply_.emitted.emplace();
     for (const std::string& target : job_.unit.targets) {
-      if (target == "spirv") continue;
+      if (is_spirv_target(target)) continue;
       std::vector<hlsl::Diagnostic>& said = reply_.emitted->emplace_back();
       if (is_given_up(target)) continue;
       link_.note(target);

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "platform/content_hash.h"
+#include "validation/spirv_target.h"
 
 namespace penumbra::validation {
 
@@ -43,7 +44,7 @@ std::string text_key(const AnswerContext& context, const CompileUnit& unit,
 std::string shared_key(const CompileUnit& unit, const std::string& text_key) {
   std::string key = text_key;
   for (const std::string& target : unit.targets)
-    if (target != "spirv") key.append(" ").append(target);
+    if (!is_spirv_target(target)) key.append(" ").append(target);
   return key;
 }
 
@@ -55,7 +56,7 @@ std::string emitted_key(const AnswerContext& context, const CompileUnit& unit, c
   platform::ContentHash hash = keyed("emitted", context);
   hash.update(module).update(static_cast<int>(unit.compile.stage));
   for (const std::string& target : unit.targets) {
-    if (target == "spirv") continue;
+    if (is_spirv_target(target)) continue;
     const auto driver = context.drivers.find(target);
     hash.update(target).update(driver == context.drivers.end() ? "" : driver->second);
   }
@@ -80,7 +81,7 @@ std::optional<EmittedAnswer> kept_emitted_answer(AnswerCache& cache, const std::
 
 bool emits(const CompileUnit& unit) {
   return std::any_of(unit.targets.begin(), unit.targets.end(),
-                     [](const std::string& target) { return target != "spirv"; });
+                     [](const std::string& target) { return !is_spirv_target(target); });
 }
 
 }  // namespace penumbra::validation

@@ -7,6 +7,8 @@
 #include <tuple>
 #include <utility>
 
+#include "validation/spirv_target.h"
+
 namespace penumbra::validation {
 
 namespace {
@@ -18,7 +20,7 @@ bool in_emitted_text(const hlsl::Diagnostic& diagnostic, const VariantRecord& re
 
 bool worth_telling(const hlsl::Diagnostic& diagnostic, const VariantRecord& record) {
   const bool of_source = diagnostic.line > 0 && !in_emitted_text(diagnostic, record);
-  return diagnostic.severity != hlsl::Severity::warning || record.target == "spirv" || of_source;
+  return diagnostic.severity != hlsl::Severity::warning || is_spirv_target(record.target) || of_source;
 }
 
 std::string rule_of(const hlsl::Diagnostic& diagnostic, const VariantRecord& record) {
@@ -26,7 +28,7 @@ std::string rule_of(const hlsl::Diagnostic& diagnostic, const VariantRecord& rec
   if (!record.reproduction.empty() && diagnostic.severity == hlsl::Severity::error) return "compiler-crash";
   if (diagnostic.message.starts_with("SPIR-V ")) return "spirv";
   if (diagnostic.line > 0 && !in_emitted_text(diagnostic, record)) return "hlsl";
-  return record.target == "spirv" ? "hlsl" : "target-" + record.target;
+  return is_spirv_target(record.target) ? "hlsl" : "target-" + record.target;
 }
 
 class Folder {

@@ -198,6 +198,7 @@ void ShaderSources::add_program(SourceProgram program) {
     SourceProgram one = program;
     one.platform = platform.platform;
     one.targets = platform.targets;
+    one.vulkan = platform.vulkan;
     one.pragmas = variants::read_pragmas(
         {one.file, one.text, variants::pragma_defines(one.platform), finder(options_.roots)});
     const bool broken = hlsl::has_errors(one.pragmas.diagnostics);
@@ -250,6 +251,7 @@ CompileUnit ShaderSources::unit(const SourceProgram& program, const std::string&
   unit.compile.entry = entry;
   unit.compile.stage = stage;
   unit.compile.prepare = true;
+  unit.compile.vulkan = program.vulkan;
   const int target = variants::shader_target(program.pragmas, keywords);
   unit.lint = options_.lint;
   unit.lint.shader_target = program.pragmas.targets.empty() ? 0 : target;

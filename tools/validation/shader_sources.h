@@ -28,6 +28,7 @@ namespace penumbra::validation {
 struct PlatformTargets {
   variants::Platform platform;
   std::vector<std::string> targets;
+  shaders::VulkanVersion vulkan = shaders::VulkanVersion::v1_1;  // of the modules they are made from
 };
 
 struct SourceOptions {
@@ -54,6 +55,7 @@ struct SourceProgram {
   std::string text;                          // lines and columns are the file's own
   std::vector<std::string> targets;
   variants::Platform platform;
+  shaders::VulkanVersion vulkan = shaders::VulkanVersion::v1_1;
   variants::Pragmas pragmas;
   std::vector<std::pair<std::string, hlsl::Stage>> entries;
   std::vector<variants::Kernel> kernels;

@@ -1,6 +1,9 @@
 #include "validation/source_variants.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "validation/spirv_target.h"
 
 namespace penumbra::validation {
 
@@ -54,7 +57,6 @@ SourceVariant technique_variant(const ValidationRequest& request, const shaders:
   SourceVariant variant;
   variant.technique = &technique;
   variant.unit.technique = technique.name;
-  variant.unit.targets = request.targets;
   variant.unit.keywords = keywords;
   variant.unit.file = (list.file.parent_path() / technique.chain.back().file).lexically_normal().string();
   variant.unit.lint = request.lint;
@@ -77,6 +79,16 @@ std::vector<std::string> with_own_keywords(const shaders::Technique& technique,
   return keywords;
 }
 
+// One for each version of Vulkan that the request's targets are for.
+void add_for_targets(const ValidationRequest& request, SourceVariant variant,
+                     std::vector<SourceVariant>& variants) {
+  for (auto& [vulkan, targets] : by_vulkan_version(request.targets)) {
+    variant.unit.compile.vulkan = vulkan;
+    variant.unit.targets = std::move(targets);
+    variants.push_back(variant);
+  }
+}
+
 }  // namespace
 
 std::vector<SourceVariant> source_variants(const ValidationRequest& request) {
@@ -85,20 +97,20 @@ std::vector<SourceVariant> source_variants(const ValidationRequest& request) {
     for (const shaders::Technique& technique : request.techniques->techniques)
       for (const std::vector<std::string>& keywords : technique.keyword_sets)
         for (const hlsl::Stage stage : {hlsl::Stage::fragment, hlsl::Stage::compute})
-          variants.push_back(
-              technique_variant(request, technique, stage, with_own_keywords(technique, keywords)));
+          add_for_targets(
+              request, technique_variant(request, technique, stage, with_own_keywords(technique, keywords)),
+              variants);
   for (const ShaderToValidate& shader : request.files) {
     for (const std::vector<std::string>& keywords : shader.keyword_sets) {
       SourceVariant variant;
       variant.unit.file = shader.file.string();
       variant.unit.keywords = keywords;
-      variant.unit.targets = request.targets;
       variant.unit.lint = request.lint;
       variant.unit.compile = base_request(request, keywords);
       variant.unit.compile.file = shader.file;
       variant.unit.compile.entry = shader.entry;
       variant.unit.compile.stage = shader.stage;
-      variants.push_back(std::move(variant));
+      add_for_targets(request, std::move(variant), variants);
     }
   }
   return variants;

@@ -4,6 +4,7 @@
 
 #include "shaders/cross_compile.h"
 #include "shaders/gl_check.h"
+#include "validation/spirv_target.h"
 
 namespace penumbra::validation {
 
@@ -22,7 +23,8 @@ std::string checking_driver(const std::string& target) {
 }
 
 std::string checked_by(const std::string& target) {
-  if (target == "spirv") return "glslang, then SPIRV-Tools for Vulkan 1.1";
+  if (const std::optional<shaders::VulkanVersion> vulkan = spirv_target(target))
+    return std::string("glslang, then SPIRV-Tools for Vulkan ") + shaders::vulkan_version_name(*vulkan);
   const std::string driver = checking_driver(target);
   if (!driver.empty()) return "compiled and linked by OpenGL driver " + driver;
   return "emitted by SPIRV-Cross, not compiled";

@@ -25,7 +25,7 @@ void write(ByteWriter& out, const std::vector<Pair>& pairs) {
 // The members by name and all of them: one more in the struct, and this does not compile until it is written.
 void write(ByteWriter& out, const shaders::CompileRequest& request) {
   const auto& [file, text, entry, stage, defines, roots, directories, project, cginc_root, overlays, prepare,
-               optimise, debug_lines, keep_unoptimised] = request;
+               optimise, debug_lines, keep_unoptimised, vulkan] = request;
   out.text(file.string());
   out.number(text ? 1 : 0);
   out.text(text.value_or(""));
@@ -47,6 +47,7 @@ void write(ByteWriter& out, const shaders::CompileRequest& request) {
   out.number(optimise ? 1 : 0);
   out.number(debug_lines ? 1 : 0);
   out.number(keep_unoptimised ? 1 : 0);
+  out.number(static_cast<std::uint64_t>(vulkan));
 }
 
 void write(ByteWriter& out, const LintOrder& order) {
@@ -121,6 +122,7 @@ shaders::CompileRequest read_request(ByteReader& in) {
   request.optimise = read_flag(in);
   request.debug_lines = read_flag(in);
   request.keep_unoptimised = read_flag(in);
+  request.vulkan = read_enumerator(in, shaders::VulkanVersion::v1_2);
   return request;
 }
 

@@ -8,6 +8,7 @@
 #include "platform/interrupt.h"
 #include "validation/answer_unit.h"
 #include "validation/recall.h"
+#include "validation/spirv_target.h"
 #include "validation/target_check.h"
 
 namespace penumbra::validation {
@@ -28,7 +29,7 @@ AnswerContext context_of(const std::vector<CompileUnit>& units, const EngineOpti
 
 // The target that tells what the compilation said.
 std::size_t speaks_for_compile(const CompileUnit& unit) {
-  const auto spirv = std::find(unit.targets.begin(), unit.targets.end(), note_compile);
+  const auto spirv = std::find_if(unit.targets.begin(), unit.targets.end(), is_spirv_target);
   return spirv == unit.targets.end() ? 0 : static_cast<std::size_t>(spirv - unit.targets.begin());
 }
 
@@ -205,7 +206,7 @@ void UnitRun::add_compile_answer(const CompileUnit& unit, const State& compiled,
 void UnitRun::add_emitted_answers(const CompileUnit& unit, const State& emitted, UnitResult& result) const {
   std::size_t next = 0;
   for (std::size_t i = 0; i < unit.targets.size(); ++i) {
-    if (unit.targets[i] == note_compile) continue;
+    if (is_spirv_target(unit.targets[i])) continue;
     std::vector<hlsl::Diagnostic>& diagnostics = result.targets[i].diagnostics;
     if (emitted.reply.emitted) {
       const std::vector<hlsl::Diagnostic>& said = emitted.reply.emitted->at(next++);

@@ -1,0 +1,25 @@
+// The targets that are the SPIR-V itself: "vulkan1.0", "vulkan1.1" and "vulkan1.2", compiled and validated
+// for that version, and "spirv", which is for 1.1. All other targets are made from a module for 1.1.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "shaders/vulkan_version.h"
+
+namespace penumbra::validation {
+
+std::vector<std::string> spirv_targets();  // their names
+std::optional<shaders::VulkanVersion> spirv_target(std::string_view target);
+inline bool is_spirv_target(std::string_view target) {
+  return spirv_target(target).has_value();
+}
+
+// A compilation serves one version: the targets of each, in the order they were given.
+std::vector<std::pair<shaders::VulkanVersion, std::vector<std::string>>> by_vulkan_version(
+    const std::vector<std::string>& targets);
+
+}  // namespace penumbra::validation
