@@ -7,6 +7,7 @@
 #include "preparation/constructor_statements.h"
 #include "preparation/dx9_samplers.h"
 #include "preparation/flat_initialisers.h"
+#include "preparation/framebuffer_fetch.h"
 #include "preparation/intrinsic_calls.h"
 #include "preparation/matrix_casts.h"
 #include "preparation/matrix_swizzles.h"
@@ -27,9 +28,10 @@
 namespace penumbra::preparation {
 
 std::span<const Pass> passes() {
-  static constexpr std::array<Pass, 21> all{{{"texture-precision", drop_texture_precision},
+  static constexpr std::array<Pass, 22> all{{{"texture-precision", drop_texture_precision},
                                              {"namespace-structs", write_out_namespaces},
                                              {"plain-registers", plain_registers},
+                                             {"framebuffer-fetch", read_framebuffer},
                                              {"uniform-structs", take_apart_uniform_structs},
                                              {"cbuffer-resources", hoist_cbuffer_resources},
                                              {"dx9-samplers", separate_dx9_samplers},

@@ -63,6 +63,7 @@ void set_options(const SpirvCrossSession& session, Target target) {
     set(SPVC_COMPILER_OPTION_GLSL_ES_DEFAULT_INT_PRECISION_HIGHP, 1);
   } else if (target_language(target) == TargetLanguage::msl) {
     set(SPVC_COMPILER_OPTION_MSL_VERSION, traits(target).version);
+    set(SPVC_COMPILER_OPTION_MSL_FRAMEBUFFER_FETCH_SUBPASS, 1);  // [[color(n)]], as Unity has it on Metal
   } else {
     set(SPVC_COMPILER_OPTION_HLSL_SHADER_MODEL, traits(target).version);
   }

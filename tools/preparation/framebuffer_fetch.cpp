@@ -1,0 +1,171 @@
+#include "preparation/framebuffer_fetch.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "hlsl/outline.h"
+#include "preparation/declarators.h"
+
+namespace penumbra::preparation {
+
+namespace {
+
+constexpr std::string_view block_prefix = "hlslcc_SubpassInput_";
+constexpr std::size_t most_targets = 8;
+
+std::optional<std::size_t> target_number(std::string_view digits) {
+  if (digits.size() != 1 || digits[0] < '0' || digits[0] >= '0' + static_cast<char>(most_targets))
+    return std::nullopt;
+  return static_cast<std::size_t>(digits[0] - '0');
+}
+
+// The number of SV_Target, SV_TARGET0, ...
+std::optional<std::size_t> target_of_semantic(std::string_view word) {
+  constexpr std::string_view semantic = "sv_target";
+  std::string lower(word);
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; });
+  if (!std::string_view(lower).starts_with(semantic)) return std::nullopt;
+  const std::string_view digits = word.substr(semantic.size());
+  return digits.empty() ? 0 : target_number(digits);
+}
+
+// What the letter in the block's name stands for.
+struct InputKind {
+  std::string_view element;
+  bool multisampled = false;
+};
+
+std::optional<InputKind> input_kind(char letter) {
+  switch (letter) {
+    case 'f':
+    case 'F':
+      return InputKind{"float4", letter == 'F'};
+    case 'h':
+    case 'H':
+      return InputKind{"half4", letter == 'H'};
+    case 'i':
+    case 'I':
+      return InputKind{"int4", letter == 'I'};
+    case 'u':
+    case 'U':
+      return InputKind{"uint4", letter == 'U'};
+    default:
+      return std::nullopt;
+  }
+}
+
+std::string attachment(std::size_t number, std::string_view type, std::string_view name) {
+  return "[[vk::input_attachment_index(" + std::to_string(number) + ")]] " + std::string(type) + " " +
+         std::string(name) + ";";
+}
+
+class FramebufferFetch {
+ public:
+  explicit FramebufferFetch(TokenText& text) : text_(text), outline_(hlsl::outline(text.tokens())) {}
+
+  void run() {
+    for (const hlsl::Declaration& declaration : outline_)
+      if (declaration.kind == hlsl::Declaration::Kind::buffer) block(declaration);
+    load_inputs();
+    for (const hlsl::Declaration& declaration : outline_)
+      if (declaration.kind == hlsl::Declaration::Kind::function) function(declaration);
+    text_.apply();
+  }
+
+ private:
+  void block(const hlsl::Declaration& buffer) {
+    if (buffer.name == hlsl::Declaration::none) return;
+    const std::string_view name = text_[buffer.name].spelling;
+    if (!name.starts_with(block_prefix) || name.size() < block_prefix.size() + 3) return;
+    const std::optional<InputKind> kind = input_kind(name[block_prefix.size()]);
+    const std::optional<std::size_t> number = target_number(name.substr(block_prefix.size() + 2));
+    if (!kind || !number || name[block_prefix.size() + 1] != '_') return;
+    std::size_t end = buffer.open + 1;
+    while (end < buffer.close && !text_.is(end, ";")) ++end;
+    const std::vector<Declarator> members = declarators(text_, buffer.open + 1, end);
+    if (members.size() != 1 || end + 1 != buffer.close) return;
+    const std::string type = std::string(kind->multisampled ? "SubpassInputMS<" : "SubpassInput<") +
+                             std::string(kind->element) + ">";
+    const std::string_view member = text_[members[0].name].spelling;
+    inputs_.emplace(member, *kind);
+    blocks_.emplace(buffer.open, buffer.close);
+    text_.replace(buffer.first, buffer.last - buffer.first + 1, attachment(*number, type, member));
+  }
+
+  void load_inputs() {
+    if (inputs_.empty()) return;
+    for (std::size_t at = 0; at < text_.size(); ++at) {
+      if (const auto block = blocks_.find(at); block != blocks_.end()) at = block->second;
+      const auto input = text_.is_word(at) ? inputs_.find(text_[at].spelling) : inputs_.end();
+      if (input == inputs_.end() || (at > 0 && text_.is(at - 1, "."))) continue;
+      if (!input->second.multisampled) {
+        text_.insert(at + 1, ".SubpassLoad()");
+      } else if (text_.is(at + 1, "[") && text_.partner(at + 1) != npos) {
+        text_.replace(at + 1, 1, ".SubpassLoad(");
+        text_.replace(text_.partner(at + 1), 1, ")");
+      }
+    }
+  }
+
+  // Names with '(' behind them that are neither defined nor declared there.
+  const std::set<std::string_view>& called() {
+    if (!called_.empty()) return called_;
+    called_.insert({});  // found
+    for (std::size_t at = 0; at + 1 < text_.size(); ++at) {
+      if (!text_.is_word(at) || !text_.is(at + 1, "(")) continue;
+      const bool statement = at > 0 && (text_.is(at - 1, "return") || text_.is(at - 1, "else"));
+      if (statement || at == 0 || !text_.is_word(at - 1)) called_.insert(text_[at].spelling);
+    }
+    return called_;
+  }
+
+  void function(const hlsl::Declaration& function) {
+    if (text_.partner(function.open) != function.close) return;
+    for (std::size_t at = function.parameters_open + 1; at < function.parameters_close; ++at)
+      if (text_.is(at, "inout") && parameter(function, at)) at = function.parameters_close;
+  }
+
+  // Of `inout half4 color : SV_Target1`, and all such of the function with the first of them; true when the
+  // function is done with.
+  bool parameter(const hlsl::Declaration& function, std::size_t first) {
+    const bool is_fetch = text_.is_word(first + 1) && text_.is_word(first + 2) && text_.is(first + 3, ":") &&
+                          text_.is_word(first + 4) && is_number_type(text_[first + 1].spelling);
+    const std::optional<std::size_t> number =
+        is_fetch ? target_of_semantic(text_[first + 4].spelling) : std::nullopt;
+    if (!number) return false;
+    if (called().count(text_[function.name].spelling) != 0) return true;
+    const std::string type(text_[first + 1].spelling);
+    const std::string name(text_[first + 2].spelling);
+    const std::string element = type.substr(0, type.find_last_not_of("1234") + 1) + "4";
+    const std::string input = text_.free_name("penumbra_target" + std::to_string(*number) + "_" + element);
+    if (declared_.insert(input).second)
+      text_.insert(function.first, attachment(*number, "SubpassInput<" + element + ">", input));
+    text_.replace(first, 1, "out");
+    text_.insert(function.open + 1, name + " = (" + type + ")" + input + ".SubpassLoad();");
+    return false;
+  }
+
+  TokenText& text_;
+  const std::vector<hlsl::Declaration> outline_;
+  std::map<std::string_view, InputKind> inputs_;  // by the name that reads them
+  std::map<std::size_t, std::size_t> blocks_;     // '{' and '}' of those that go
+  std::set<std::string_view> called_;
+  std::set<std::string> declared_;  // of the attachments of inout parameters
+};
+
+}  // namespace
+
+void read_framebuffer(TokenText& text) {
+  const auto& tokens = text.tokens();
+  const bool any = std::any_of(tokens.begin(), tokens.end(), [](const hlsl::Token& token) {
+    return token.spelling.starts_with(block_prefix) || token.spelling == "inout";
+  });
+  if (any) FramebufferFetch(text).run();
+}
+
+}  // namespace penumbra::preparation
