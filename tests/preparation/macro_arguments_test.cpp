@@ -7,6 +7,7 @@
 
 #include <random>
 
+#include "preparation/macro_own_names.h"
 #include "preparation/macro_text.h"
 #include "shaders/compile.h"
 
@@ -64,14 +65,15 @@ TEST(MacroText, DefinitionsHaveTheirLineParametersAndLastToken) {
   const MacroText read = read_macro_text(text);
   ASSERT_EQ(read.definitions.size(), 4U);
   EXPECT_EQ(read.definitions[0].line, 2);
-  EXPECT_EQ(read.definitions[0].last, "B");
+  const auto last = [&](std::size_t at) { return read.tokens[read.definitions[at].body_end - 1].spelling; };
+  EXPECT_EQ(last(0), "B");
   EXPECT_FALSE(read.definitions[0].parameters.has_value());
   EXPECT_EQ(read.definitions[1].line, 3);
   EXPECT_EQ(read.definitions[1].parameters, 2U);
-  EXPECT_EQ(read.definitions[1].last, "y");
+  EXPECT_EQ(last(1), "y");
   EXPECT_EQ(read.definitions[2].line, 6);
-  EXPECT_EQ(read.definitions[2].last, ")");
-  EXPECT_EQ(read.definitions[3].last, "");
+  EXPECT_EQ(last(2), ")");
+  EXPECT_EQ(read.definitions[3].body_begin, read.definitions[3].body_end);
 }
 
 // Linear, never out of bounds, and lines stay: run under the sanitizers.
@@ -176,6 +178,35 @@ TEST(MacroExpansion, OtherErrorsAreToldAsBefore) {
   ASSERT_EQ(source.diagnostics.size(), 2U);
   EXPECT_EQ(source.diagnostics[0].severity, hlsl::Severity::warning);
   EXPECT_THAT(format(source.diagnostics[1]), HasSubstr("macros.hlsl:6:1: error: '#error': stop here"));
+}
+
+// Against the C preprocessor's answers (6.10.3.4), through no, one, two and three macros.
+TEST(MacroExpansion, MacrosThatNameThemselvesAreExpandedOnce) {
+  const std::string text =
+      "#define ACCESS(arr, var) arr##Array[id].var\n#define _Color ACCESS(Props, _Color)\n"
+      "#define MUL(a, b) ((a) * (b))\n#define TWICE(a) MUL(a, 2)\n#define SELF(x) SELF(x + 1)\n"
+      "#define pos input.pos\n"
+      "a = _Color;\nb = MUL(_Color, pos);\nc = TWICE(_Color);\nd = TWICE(TWICE(pos));\ne = TWICE(SELF(1));\n";
+  const auto expanded = [&](bool prepare) {
+    shaders::CompileRequest request = request_for(text);
+    request.prepare = prepare;
+    const std::string out = without_blanks(shaders::preprocess(request).text);
+    return out.substr(out.find("a="));
+  };
+  EXPECT_EQ(expanded(true),
+            "a=PropsArray[id]._Color;\nb=((PropsArray[id]._Color)*(input.pos));\n"
+            "c=((PropsArray[id]._Color)*(2));\nd=((((input.pos)*(2)))*(2));\ne=((SELF(1+1))*(2));\n");
+  EXPECT_NE(expanded(false), expanded(true));
+}
+
+TEST(MacroOwnNames, AreMarkedInTheirOwnBodiesAlone) {
+  const std::string text =
+      "#define A B(A, 1) // A\n#define B(A, x) A + x B\nA B\n#define C a##C C##a C\n#undef A\n";
+  EXPECT_EQ(
+      with_own_names_marked(text),
+      "#define A B(penumbra_own_A, 1) // A\n#define B(A, x) A + x penumbra_own_B\nA B\n#define C a##C C##a "
+      "penumbra_own_C\n#undef A\n");
+  EXPECT_EQ(without_marks(with_own_names_marked(text)), text);
 }
 
 TEST(MacroExpansion, WithoutPreparationBothAreErrors) {

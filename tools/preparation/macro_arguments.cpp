@@ -48,13 +48,14 @@ std::vector<Call> read_calls(const std::vector<MacroToken>& tokens) {
 }  // namespace
 
 void MacroArguments::read(const std::string& text) {
-  for (const MacroDefinition& definition : read_macro_text(text).definitions) {
+  const MacroText macros = read_macro_text(text);
+  for (const MacroDefinition& definition : macros.definitions) {
     const std::string name(definition.name);
     if (definition.parameters) {
       std::size_t& most = parameters_[name];
       most = std::max(most, *definition.parameters);
-    } else if (!definition.last.empty() && definition.last != name) {
-      aliases_[std::string(definition.last)].insert(name);
+    } else if (definition.body_end > definition.body_begin) {
+      aliases_[std::string(macros.tokens[definition.body_end - 1].spelling)].insert(name);
     }
   }
 }

@@ -121,14 +121,14 @@ class MacroScan {
 
   void definition() {
     skip_gaps();
-    MacroDefinition definition{{}, line_, std::nullopt, {}};
+    MacroDefinition definition;
+    definition.line = line_;
     definition.name = word();
     if (peek() == '(') definition.parameters = parameters();
-    const std::size_t first = out_.tokens.size();
+    definition.body_begin = out_.tokens.size();
     while (in_line()) step();
-    if (definition.name.empty()) return;
-    if (out_.tokens.size() > first) definition.last = out_.tokens.back().spelling;
-    out_.definitions.push_back(definition);
+    definition.body_end = out_.tokens.size();
+    if (!definition.name.empty()) out_.definitions.push_back(definition);
   }
 
   std::size_t parameters() {

@@ -22,7 +22,8 @@ struct MacroDefinition {
   std::string_view name;
   int line = 0;
   std::optional<std::size_t> parameters;  // none: a macro without a list of them
-  std::string_view last;                  // the last token of the body, where it has one
+  std::size_t body_begin = 0;             // among the tokens: its body, to before body_end
+  std::size_t body_end = 0;
 };
 
 struct MacroText {

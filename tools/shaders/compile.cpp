@@ -12,7 +12,6 @@
 #include "hlsl/source_text.h"
 #include "input/input_error.h"
 #include "preparation/prepare.h"
-#include "preparation/source_directives.h"
 #include "shaders/lost_resources.h"
 #include "shaders/macro_expansion.h"
 #include "shaders/parse_failure.h"
@@ -178,7 +177,7 @@ PreprocessedSource preprocess(const CompileRequest& request, SourceMemory& memor
   const std::string text = source_text(request, memory);
   PreprocessedSource out;
   out.sources.add(name, text);
-  const std::string to_expand = request.prepare ? preparation::prepare_source(text).text : text;
+  const std::string to_expand = request.prepare ? prepared_source(text).text : text;
   expand_macros({request, name, to_expand, preamble(request)}, memory, out);
   if (std::optional<hlsl::Diagnostic> nul = nul_byte(out.sources)) {
     out.diagnostics = {*std::move(nul)};

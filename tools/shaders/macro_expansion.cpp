@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "preparation/macro_arguments.h"
+#include "preparation/macro_own_names.h"
 #include "preparation/macro_text.h"
 #include "shaders/bad_character.h"
 #include "shaders/include_resolver.h"
@@ -91,6 +92,7 @@ class MacroExpansion {
     const bool expanded =
         shader.get().preprocess(GetDefaultResources(), hlsl_version, ENoProfile, false, false,
                                 static_cast<EShMessages>(messages), &reading.text, resolver);
+    if (source_.request.prepare) reading.text = preparation::without_marks(std::move(reading.text));
     reading.log = shader.get().getInfoLog();
     reading.include_failure = resolver.failure();
     for (LogLine& line : parse_log(reading.log, out_.sources))

@@ -1,6 +1,7 @@
 // Includes and macros: from a file to the text without them. Internal to this room.
 //
-// Where the request asks for preparation, two things that glslang's preprocessor refuses and Unity's takes
+// Where the request asks for preparation, macros that name themselves are expanded as in C
+// (preparation/macro_own_names.h), and two things that glslang's preprocessor refuses and Unity's takes
 // are let through, neither of which moves a line:
 // - A macro defined twice, as two different things: the later definition counts, from where it stands, and a
 //   warning says so.

@@ -1,6 +1,9 @@
 #include "shaders/source_memory.h"
 
 #include <filesystem>
+#include <utility>
+
+#include "preparation/macro_own_names.h"
 
 namespace penumbra::shaders {
 
@@ -9,6 +12,12 @@ namespace {
 constexpr char separator = '\0';  // in no path
 
 }  // namespace
+
+preparation::PreparedSource prepared_source(const std::string& text) {
+  preparation::PreparedSource prepared = preparation::prepare_source(text);
+  prepared.text = preparation::with_own_names_marked(std::move(prepared.text));
+  return prepared;
+}
 
 SourceMemory::File& SourceMemory::file(const std::string& name) {
   const auto [place, first] = files_.try_emplace(name);
@@ -22,7 +31,7 @@ const hlsl::SourceRead& SourceMemory::read(const std::string& name) {
 
 const preparation::PreparedSource& SourceMemory::prepared(const std::string& name) {
   File& known = file(name);
-  if (!known.prepared) known.prepared = preparation::prepare_source(known.read.text);
+  if (!known.prepared) known.prepared = prepared_source(known.read.text);
   return *known.prepared;
 }
 

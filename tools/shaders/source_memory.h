@@ -34,6 +34,9 @@ class SourceMemory {
   std::unordered_map<std::string, project::IncludeSearch> searches_;
 };
 
+// A source as the preprocessor is to see it.
+preparation::PreparedSource prepared_source(const std::string& text);
+
 // Equal for equal roots only.
 std::string key_of(const project::IncludeRoots& roots);
 
