@@ -15,8 +15,8 @@ namespace penumbra::shaders {
 
 class SourceMemory {
  public:
-  const hlsl::SourceRead& read(const std::string& file);
-  const preparation::PreparedSource& prepared(const std::string& file);  // of a file that can be read
+  const hlsl::SourceRead& read(const std::string& name);
+  const preparation::PreparedSource& prepared(const std::string& name);  // of a file that can be read
 
   // As project::find_include(). `roots_key` is equal for equal roots only.
   const project::IncludeSearch& find(const project::IncludeRoots& roots, const std::string& roots_key,
