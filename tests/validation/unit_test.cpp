@@ -89,6 +89,7 @@ TEST(UnitEncoding, KeepsEveryMember) {
   EXPECT_TRUE(job.unit.compile.keep_unoptimised);
   EXPECT_EQ(job.unit.sub_shader, 2);
   EXPECT_EQ(job.unit.lint.shader_target, 45);
+  EXPECT_EQ(job.unit.compile.vulkan, shaders::VulkanVersion::v1_2);
   EXPECT_EQ(job.unit.shader.size(), 13U);
   EXPECT_EQ(job.context.drivers.at("essl310"), "Mesa");
   UnitJob without = full_job();
@@ -128,6 +129,9 @@ TEST(Keys, OfATextDoNotHoldWhereItCameFrom) {
   EXPECT_EQ(text_key(context, unit, source), before);
   unit.compile.entry = "other";
   EXPECT_NE(text_key(context, unit, source), before);
+  CompileUnit older = full_job().unit;
+  older.compile.vulkan = shaders::VulkanVersion::v1_1;
+  EXPECT_NE(text_key(context, older, source), before);
   source.diagnostics.push_back(diagnostic());
   EXPECT_NE(text_key(context, full_job().unit, source), before);
 }

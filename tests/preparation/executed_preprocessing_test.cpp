@@ -1,0 +1,106 @@
+// What macros and framebuffer reads come to, run on the device, against answers worked out here.
+#include <gmock/gmock.h>
+
+#include <stdexcept>
+
+#include "preparation/drawn.h"
+#include "preparation/executed.h"
+#include "shaders/compile.h"
+#include "shaders/cross_compile.h"
+
+namespace penumbra::preparation {
+namespace {
+
+using testing::ElementsAre;
+
+TEST(ExecutedMacros, ArgumentsThatExpandToSeveral) {
+  const Execution execution{R"(
+#define THREE(a, b, c) (100 * (a) + 10 * (b) + (c))
+#define LAST_TWO In[1], In[2]
+#define AND_MORE , In[2]
+#define ALIAS THREE
+#define WITH(x) ALIAS(x, In[1] AND_MORE)
+[numthreads(1, 1, 1)] void Main() {
+  Out[0] = THREE(In[0], LAST_TWO); Out[1] = WITH(In[0]);
+  Out[2] = ALIAS(WITH(In[0]), LAST_TWO); Out[3] = THREE(In[2], In[1], In[0]); })",
+                            {1, 2, 3},
+                            {},
+                            4};
+  EXPECT_THROW(run_unprepared(execution), std::runtime_error);
+  EXPECT_THAT(run_prepared(execution), ElementsAre(123, 123, 12323, 321));
+}
+
+TEST(ExecutedMacros, TheLaterOfTwoDefinitions) {
+  const Execution execution{R"(
+#define SCALE 2
+float Before() { return In[0] * SCALE; }
+#define SCALE 10
+[numthreads(1, 1, 1)] void Main() { Out[0] = Before(); Out[1] = In[0] * SCALE; })",
+                            {3},
+                            {},
+                            2};
+  EXPECT_THROW(run_unprepared(execution), std::runtime_error);
+  EXPECT_THAT(run_prepared(execution), ElementsAre(6, 30));
+}
+
+// Without the stage it compiles, and is another number.
+TEST(ExecutedMacros, OnesThatNameThemselves) {
+  const Execution execution{R"(
+static float value;
+#define value (value + 1)
+#define SQUARE(a) ((a) * (a))
+#define TWICE(a) (2 * SQUARE(a))
+[numthreads(1, 1, 1)] void Main() {
+#undef value
+  value = In[0];
+#define value (value + 1)
+  Out[0] = value; Out[1] = SQUARE(value); Out[2] = TWICE(value); })",
+                            {4},
+                            {},
+                            3};
+  EXPECT_THAT(run_prepared(execution), ElementsAre(5, 25, 50));
+  EXPECT_NE(run_unprepared(execution), run_prepared(execution));
+}
+
+// An input attachment read at a pixel is the texel of a texture there: so SPIRV-Cross says it in HLSL, which
+// is drawn with textures for the attachments.
+Drawing with_textures(const std::string& text, const std::string& output, Drawing drawing) {
+  shaders::CompileRequest request;
+  request.file = "fetch.hlsl";
+  request.text = text;
+  request.stage = hlsl::Stage::fragment;
+  request.prepare = true;
+  const shaders::CompileResult result = shaders::compile(request);
+  if (result.spirv.empty()) throw std::runtime_error(format(result.diagnostics.front()));
+  drawing.body = shaders::cross_compile(result.spirv, shaders::Target::hlsl50).text +
+                 "float4 Main(float4 p : SV_Position) : SV_Target { SPIRV_Cross_Input i; i.gl_FragCoord = p; "
+                 "return main(i)." +
+                 output + "; }";
+  return drawing;
+}
+
+Pixel sum(const Pixel& a, float scale, const Pixel& b) {
+  return {a[0] + scale * b[0], a[1] + scale * b[1], a[2] + scale * b[2], a[3] + scale * b[3]};
+}
+
+TEST(ExecutedFramebufferFetch, BlocksReadTheirPixel) {
+  const std::string text =
+      "cbuffer hlslcc_SubpassInput_f_0 { float4 A; } cbuffer hlslcc_SubpassInput_h_1 { half4 B; }\n"
+      "float4 Main(float4 p : SV_Position) : SV_Target { return A + B * 2; }\n";
+  EXPECT_EQ(draw_unprepared(with_textures(text, "_entryPointOutput", {{}, {{"A", 10}, {"B", 50}}})),
+            picture([](int x, int y) { return sum(texel(10, x, y), 2, texel(50, x, y)); }));
+}
+
+TEST(ExecutedFramebufferFetch, InoutTargetsBeginWithTheirPixel) {
+  const std::string text =
+      "void Main(float4 p : SV_Position, inout float4 c : SV_Target0) { c = c + c * 2; c.w = c.x; }\n";
+  EXPECT_EQ(draw_unprepared(with_textures(text, "c", {{}, {{"penumbra_target0_float4", 20}}})),
+            picture([](int x, int y) {
+              Pixel pixel = sum(texel(20, x, y), 2, texel(20, x, y));
+              pixel[3] = pixel[0];
+              return pixel;
+            }));
+}
+
+}  // namespace
+}  // namespace penumbra::preparation
