@@ -28,6 +28,7 @@ class ProgramTest : public testing::Test {
   std::filesystem::path path(const std::string& name) const { return folder_ / name; }
 
   std::filesystem::path write(const std::string& name, const std::string& text) const {
+    std::filesystem::create_directories(path(name).parent_path());
     std::ofstream(path(name), std::ios::binary) << text;
     return path(name);
   }

@@ -160,6 +160,23 @@ TEST_F(Validate, ABrokenShaderLabFileFailsAtItsPlace) {
   EXPECT_THAT(result.output, HasSubstr("Two.shader:"));
 }
 
+TEST_F(Validate, AProgramThatIsNotCompiledIsNotPassedOverInSilence) {
+  const auto shader = [&](const std::string& pragmas) {
+    const std::string file =
+        write("Odd.shader", "Shader \"Odd\" { SubShader { Pass {\n  HLSLPROGRAM\n" + pragmas +
+                                "float4 F() : SV_Target { return 1; }\nENDHLSL\n} } }\n")
+            .string();
+    return run({"validate", file, "--no-cache", "--targets", "spirv"});
+  };
+  const auto without = shader("");
+  EXPECT_EQ(without.exit_code, 1);
+  EXPECT_THAT(without.output, HasSubstr("Odd.shader:2:3: error: this program names no entry point"));
+  const auto elsewhere = shader("#pragma fragment F\n#pragma only_renderers metal\n");
+  EXPECT_EQ(elsewhere.exit_code, 0);
+  EXPECT_THAT(elsewhere.output,
+              HasSubstr("unchecked: 1 variant: only_renderers or exclude_renderers leave out"));
+}
+
 TEST_F(Validate, EachTargetSeesTheMacrosOfItsApi) {
   write("Library.hlsl",
         "#if defined(SHADER_API_D3D11)\n#error only d3d11\n#endif\nfloat4 Tint(float x) { return x; }\n");

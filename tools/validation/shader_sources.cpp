@@ -48,6 +48,15 @@ std::string with_implicit_includes(const std::string& text, const std::string& f
          "\"\n" + text;
 }
 
+hlsl::Diagnostic no_entry_point(const SourceProgram& program) {
+  return {program.file,
+          program.line,
+          program.column,
+          hlsl::Severity::error,
+          "this program names no entry point: #pragma vertex, #pragma fragment and their kind do",
+          {}};
+}
+
 bool is_stripped(const shaderlab::Program& program, const std::vector<std::string>& passes) {
   const std::string* light_mode = shaderlab::effective_tag(program, "LightMode");
   return std::any_of(passes.begin(), passes.end(), [&](const std::string& pass) {
@@ -157,6 +166,8 @@ void ShaderSources::add_shader(const project::ShaderFile& file, const std::strin
     program.shader = shader.name.text;
     program.pass = pass_label(found);
     program.sub_shader = found.sub_shader_index;
+    program.line = found.place.line;
+    program.column = found.place.column;
     program.scriptable_pipeline = shaderlab::effective_tag(found, "RenderPipeline") != nullptr;
     program.properties = numbers_of(shader);
     program.text = found.implicit_includes ? with_implicit_includes(found.text, program.file) : found.text;
@@ -194,6 +205,7 @@ void ShaderSources::add_hlsl(const project::ShaderFile& file, const std::string&
 
 void ShaderSources::add_program(SourceProgram program) {
   bool said = false;
+  bool is_for_another_api = true;
   for (const PlatformTargets& platform : options_.platforms) {
     SourceProgram one = program;
     one.platform = platform.platform;
@@ -202,15 +214,24 @@ void ShaderSources::add_program(SourceProgram program) {
     one.pragmas = variants::read_pragmas(
         {one.file, one.text, variants::pragma_defines(one.platform), finder(options_.roots)});
     const bool broken = hlsl::has_errors(one.pragmas.diagnostics);
-    if (!std::exchange(said, true)) say(one.file, one.shader, one.pass, one.pragmas.diagnostics);
-    if (broken || !variants::compiles_for(one.pragmas, variants::renderer_name(one.platform.api))) continue;
+    const bool first = !std::exchange(said, true);
+    if (first) say(one.file, one.shader, one.pass, one.pragmas.diagnostics);
+    const bool skipped = !variants::compiles_for(one.pragmas, variants::renderer_name(one.platform.api));
+    is_for_another_api = is_for_another_api && !broken && skipped;
+    if (broken || skipped) continue;
     if (one.entries.empty())
       for (const variants::EntryPoint& entry : one.pragmas.entry_points)
         one.entries.emplace_back(entry.function, entry.stage);
     one.kernels = one.pragmas.kernels;
+    if (one.entries.empty() && one.kernels.empty()) {
+      if (first) say(one.file, one.shader, one.pass, {no_entry_point(one)});
+      continue;
+    }
     one.space = std::make_shared<variants::KeywordSpace>(one.pragmas, options_.narrowing);
     programs_.push_back(std::move(one));
   }
+  if (is_for_another_api)
+    leave_unchecked(program, "only_renderers or exclude_renderers leave out every graphics API of this run");
 }
 
 std::vector<variants::PlannedProgram> ShaderSources::planned() const {

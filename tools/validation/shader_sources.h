@@ -50,6 +50,8 @@ struct SourceProgram {
   std::string shader;  // see VariantRecord
   std::string pass;
   int sub_shader = 0;
+  int line = 0;  // of HLSLPROGRAM; 0 where the file is one program
+  int column = 0;
   bool scriptable_pipeline = false;          // as in ProgramToLint
   std::vector<lint::NamedPlace> properties;  // likewise
   std::string text;                          // lines and columns are the file's own

@@ -6,6 +6,7 @@
 
 #include "input/input_error.h"
 #include "input/nearest_name.h"
+#include "validation/spirv_target.h"
 
 namespace penumbra::validation {
 
@@ -19,7 +20,7 @@ struct Entry {
 };
 
 bool makes_spirv(const SourceProgram& program) {
-  return std::find(program.targets.begin(), program.targets.end(), "spirv") != program.targets.end();
+  return std::any_of(program.targets.begin(), program.targets.end(), is_spirv_target);
 }
 
 // One for each graphics API, those for SPIR-V first.
