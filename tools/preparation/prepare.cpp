@@ -14,6 +14,7 @@
 #include "preparation/missing_returns.h"
 #include "preparation/namespace_structs.h"
 #include "preparation/partial_texel_writes.h"
+#include "preparation/precision_matrices.h"
 #include "preparation/precision_twins.h"
 #include "preparation/register_annotations.h"
 #include "preparation/resource_arrays.h"
@@ -27,7 +28,8 @@
 namespace penumbra::preparation {
 
 std::span<const Pass> passes() {
-  static constexpr std::array<Pass, 21> all{{{"texture-precision", drop_texture_precision},
+  static constexpr std::array<Pass, 22> all{{{"texture-precision", drop_texture_precision},
+                                             {"precision-matrices", name_precision_matrices},
                                              {"namespace-structs", write_out_namespaces},
                                              {"plain-registers", plain_registers},
                                              {"uniform-structs", take_apart_uniform_structs},
