@@ -19,6 +19,7 @@
 #include "shaders/parse_failure.h"
 #include "shaders/parse_log.h"
 #include "shaders/source_memory.h"
+#include "shaders/scalar_conditions.h"
 #include "shaders/spirv_module.h"
 
 namespace penumbra::shaders {
@@ -159,7 +160,9 @@ std::vector<std::uint32_t> words_of(const glslang::TIntermediate& tree, bool deb
   options.generateDebugInfo = debug_lines;
   std::vector<unsigned int> words;
   glslang::GlslangToSpv(tree, words, &logger, &options);
-  return {words.begin(), words.end()};
+  SpirvModule module(words.begin(), words.end());
+  copy_scalar_conditions(module);
+  return module;
 }
 
 // What the SPIR-V back end says: anything it leaves out is an error, or the module would quietly lack it.
