@@ -2,6 +2,7 @@
 // stay.
 #include <gmock/gmock.h>
 
+#include "preparation/array_casts.h"
 #include "preparation/matrix_operators.h"
 #include "preparation/missing_returns.h"
 #include "preparation/static_initialisers.h"
@@ -53,6 +54,19 @@ TEST(StructCasts, OthersStay) {
                            "struct C { float4 q; half2 v[3]; }; C f(A a) { return (C)a; }",
                            "B f(A a[2]) { return (B)a; }", "float f(A a) { return (float4)a.p; }"})
     EXPECT_EQ(after<copy_cast_structs>(kPair + text), kPair + text);
+}
+
+TEST(ArrayCasts, OfZeroAreMembersOfAZeroedStruct) {
+  EXPECT_EQ(
+      after<cast_zero_to_structs>("void f() { float3 a[4] = (float3[4])0; int b[2][N] = (int[2][N])0; } "
+                                  "void g() { float3 a[4]; a = (float3[4])0.0; }"),
+      "struct penumbra_zeroes0 { float3 value[4]; }; struct penumbra_zeroes1 { int value[2][N]; }; "
+      "void f() { float3 a[4] = ((penumbra_zeroes0)0).value ; int b[2][N] = ((penumbra_zeroes1)0).value ; } "
+      "void g() { float3 a[4]; a = ((penumbra_zeroes0)0).value ; }");
+  for (const char* text :
+       {"float f() { return (a[4]); }", "void f() { float a[2] = (float[2])b; }",
+        "float f() { return (float)0; }", "float f() { return (a[1])-0; }", "void f() { (a[])0; }"})
+    EXPECT_EQ(after<cast_zero_to_structs>(text), text);
 }
 
 const std::string kMatrices =

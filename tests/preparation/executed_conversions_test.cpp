@@ -12,6 +12,25 @@ namespace {
 using testing::ElementsAre;
 using testing::FloatNear;
 
+TEST(ExecutedArrayCasts, AreZeroEverywhere) {
+  const Execution execution{R"(struct S { float4x4 m; int n; };
+[numthreads(1, 1, 1)] void Main() {
+    int i = int(In[0]);
+    float4x4 m[2] = (float4x4[2])0;
+    S s[3] = (S[3])0;
+    float2 v[2][2];
+    v[i][1] = 5;
+    Out[0] = v[i][1].y;
+    v = (float2[2][2])0;
+    float sum = 0;
+    for (int k = 0; k < 16; ++k) sum += abs(m[i][k / 4][k % 4]) + abs(s[i + 1].m[k / 4][k % 4]);
+    Out[1] = sum; Out[2] = s[i + 1].n; Out[3] = v[i][1].y; })",
+                            {1},
+                            {},
+                            4};
+  EXPECT_THAT(run_prepared(execution), ElementsAre(5, 0, 0, 0));
+}
+
 TEST(ExecutedStructCasts, CopyEveryMember) {
   const Execution execution{R"(struct A { float4 p : POSITION; float2 u[2] : UV; uint id : SV_VertexID; };
 struct B { float4 q : POSITION; float2 v[2] : UV; uint n : TEXCOORD2; };

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "preparation/array_casts.h"
 #include "preparation/buffer_aliases.h"
 #include "preparation/cbuffer_resources.h"
 #include "preparation/constructor_statements.h"
@@ -31,7 +32,7 @@
 namespace penumbra::preparation {
 
 std::span<const Pass> passes() {
-  static constexpr std::array<Pass, 25> all{{{"texture-precision", drop_texture_precision},
+  static constexpr std::array<Pass, 26> all{{{"texture-precision", drop_texture_precision},
                                              {"precision-matrices", name_precision_matrices},
                                              {"namespace-structs", write_out_namespaces},
                                              {"plain-registers", plain_registers},
@@ -41,6 +42,7 @@ std::span<const Pass> passes() {
                                              {"member-calls", call_members_on_variables},
                                              {"buffer-aliases", resolve_buffer_aliases},
                                              {"zeroed-resource-structs", zero_resource_structs},
+                                             {"array-casts", cast_zero_to_structs},
                                              {"struct-casts", copy_cast_structs},
                                              {"resource-arrays", assign_resource_arrays},
                                              {"texture-reads", separate_texture_reads},
