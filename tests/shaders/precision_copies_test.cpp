@@ -29,11 +29,13 @@ CompileResult compiled(const std::string& text) {
   return compile(request);
 }
 
+// SPIRV-Cross copies the counter at the loop's head and reads the copy after the loop.
 TEST(PrecisionCopies, OfALoopsCounterDoNotGetLost) {
-  const CompileResult loop = compiled(R"(float4 Main(float4 u : U, nointerpolation int n : N) : SV_Target {
+  const CompileResult loop = compiled(R"(float4 Main(float4 u : U, min16float4 k : K) : SV_Target {
     min16float sum = 0;
-    [loop] for (int i = 0; i < n; ++i) sum += (min16float)u.x * (min16float)i;
-    return sum; })");
+    int i = 0;
+    [loop] for (; float(i) < u.w; ++i) sum += k.x * (min16float)sin(u.x * (0.25 + i));
+    return float4(k.xyz * (sum * i), 1); })");
   ASSERT_FALSE(loop.spirv.empty()) << format(loop.diagnostics.at(0));
   const CrossCompileResult essl = cross_compile(loop.spirv, Target::essl310);
   ASSERT_TRUE(essl.diagnostics.empty()) << format(essl.diagnostics.at(0));

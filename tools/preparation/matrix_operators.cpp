@@ -76,7 +76,7 @@ class MatrixOperators {
     const Operand left = operand_until(at);
     if (right.end == npos || left.begin == npos || (left.matrix.empty() && right.matrix.empty())) return;
     if (left.scalar || right.scalar) return;
-    const std::size_t begin = text_.is(at, "*") ? product_begin(left) : npos;
+    const std::size_t begin = text_.is(at, "*") ? product_begin(at, left.begin) : npos;
     if (begin != npos) {
       remember(left, right);
       text_.insert(begin, std::string(function_name) + "(");
@@ -143,15 +143,14 @@ class MatrixOperators {
   }
 
   // Of the matrices that `(a + b * c)` combines, or of all the arguments of `(a, b)` if all are matrices
-  // alike. Every group is read once.
+  // alike.
   std::string_view group_type(std::size_t open) {
-    constexpr int deepest = 64;
-    const auto [known, added] = groups_.emplace(open, std::string_view{});
-    if (!added || depth_ == deepest) return known->second;
+    constexpr int deepest = 64;  // keeps the time linear: a group is read again for each group around it
+    if (depth_ == deepest) return {};
     ++depth_;
     const std::string_view type = read_group(open + 1, text_.partner(open));
     --depth_;
-    return groups_[open] = type;
+    return type;
   }
 
   std::string_view read_group(std::size_t at, std::size_t end) {
@@ -235,11 +234,16 @@ class MatrixOperators {
     }
   }
 
-  // Of the product whose last factor this is: x / m * n is (x / m) * n.
-  std::size_t product_begin(const Operand& last) {
-    std::size_t begin = last.begin;
-    while (begin != npos && begin > 0 && is_multiplication(text_, begin - 1))
-      begin = operand_until(begin - 1).begin;
+  // Of the product that the operator at `mark` ends with its right factor: x / m * n is (x / m) * n. Products
+  // are met from left to right, and what an operator before found is used again.
+  std::size_t product_begin(std::size_t mark, std::size_t left) {
+    std::size_t begin = left;
+    while (begin != npos && begin > 0 && is_multiplication(text_, begin - 1)) {
+      const auto known = products_.find(begin - 1);
+      begin = known != products_.end() ? known->second : operand_until(begin - 1).begin;
+      if (known != products_.end()) break;
+    }
+    products_[mark] = begin;
     return begin;
   }
 
@@ -259,7 +263,8 @@ class MatrixOperators {
   TokenText& text_;
   const ValueTypes& types_;
   std::set<std::string_view> shapes_;
-  std::unordered_map<std::size_t, std::string_view> groups_;  // the types of groups by their '('
+  std::unordered_map<std::size_t, std::size_t>
+      products_;  // where those that are rewritten begin, by operator
   int depth_ = 0;
 };
 

@@ -1,7 +1,7 @@
 // SPIRV-Cross copies a value into one of another precision before it reads it, `mediump int mp_copy_7 = _7;`.
-// Where it then folds a loop's condition into the loop's head, the copy is left behind and its name stands for
-// nothing (SPIRV-Cross as of Debian 12). Such a text is found here, and without relaxed precision in the module
-// no copies are made.
+// A value that changes with a loop is copied at the head of the loop, between its braces, and the copy read
+// after them too, where its name stands for nothing (SPIRV-Cross as of Debian 12). Such a text is found here,
+// and of a module without relaxed precision no copies are made.
 #pragma once
 
 #include <string_view>
