@@ -7,6 +7,7 @@
 #include "preparation/missing_returns.h"
 #include "preparation/static_initialisers.h"
 #include "preparation/struct_casts.h"
+#include "preparation/swizzle_arguments.h"
 
 namespace penumbra::preparation {
 namespace {
@@ -67,6 +68,24 @@ TEST(ArrayCasts, OfZeroAreMembersOfAZeroedStruct) {
        {"float f() { return (a[4]); }", "void f() { float a[2] = (float[2])b; }",
         "float f() { return (float)0; }", "float f() { return (a[1])-0; }", "void f() { (a[])0; }"})
     EXPECT_EQ(after<cast_zero_to_structs>(text), text);
+}
+
+TEST(SwizzleArguments, AreGivenByWayOfAVariable) {
+  const std::string functions =
+      "void f(inout float2 v) { } void f(inout float3 v) { } void g(float2 a, out half2 v) { } float4x4 m; ";
+  const auto body = [&](const std::string& text) {
+    return after<pass_swizzles_in_variables>(functions + "void h() { " + text + " }")
+        .substr(functions.size() + 11);
+  };
+  EXPECT_EQ(body("f(m._14_24_34);"),
+            "{ float3 penumbra_argument2 = m._14_24_34; f( penumbra_argument2 ); m._14_24_34 = "
+            "penumbra_argument2; } }");
+  EXPECT_EQ(body("g(m._11_12, n.m[1]._m00_m33);"),
+            "{ half2 penumbra_argument6; g(m._11_12, penumbra_argument6 ); n.m[1]._m00_m33 = "
+            "penumbra_argument6; } }");
+  for (const char* text : {"f(m[0].xyz);", "g(m._11_12, w);", "x = f(m._14_24_34);", "f(n[i++]._14_24_34);",
+                           "f((m)._14);", "k(m._14_24_34);", "f(m._11_12_13_14);", "f(m._11_12, 1);"})
+    EXPECT_EQ(body(text), std::string(text) + " }");
 }
 
 const std::string kMatrices =

@@ -88,6 +88,20 @@ TEST(ExecutedMatrixOperators, MultiplyElementByElement) {
   EXPECT_THAT(run_prepared(execution), ElementsAre(18, 162, 4704, 72, 8, 392, 40));
 }
 
+TEST(ExecutedSwizzleArguments, AreAssignedBack) {
+  const Execution execution{kMatrix + R"(void Double(inout float3 v) { v *= 2; }
+void Set(float2 a, out float2 v) { v = a + 100; }
+[numthreads(1, 1, 1)] void Main() {
+    float4x4 m = Read();
+    if (In[1] > 0) Double(m._14_24_34);
+    Set(m._11_12, m._m30_m31);
+    Out[0] = m[0][3]; Out[1] = m[1][3]; Out[2] = m[2][3]; Out[3] = m[3][3]; Out[4] = m[3][0]; Out[5] = m[3][1]; })",
+                            from_zero_to_fifteen(),
+                            {},
+                            6};
+  EXPECT_THAT(run_prepared(execution), ElementsAre(6, 14, 22, 15, 100, 101));
+}
+
 TEST(ExecutedStaticInitialisers, HoldWhatTheirFunctionsReturn) {
   const Execution execution{R"(float Gauss(float x) { return exp(-x * x); }
 float Other() { return 3; }

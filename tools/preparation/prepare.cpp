@@ -23,6 +23,7 @@
 #include "preparation/static_initialisers.h"
 #include "preparation/stray_semicolons.h"
 #include "preparation/struct_casts.h"
+#include "preparation/swizzle_arguments.h"
 #include "preparation/texture_precision.h"
 #include "preparation/texture_reads.h"
 #include "preparation/uniform_structs.h"
@@ -32,7 +33,7 @@
 namespace penumbra::preparation {
 
 std::span<const Pass> passes() {
-  static constexpr std::array<Pass, 26> all{{{"texture-precision", drop_texture_precision},
+  static constexpr std::array<Pass, 27> all{{{"texture-precision", drop_texture_precision},
                                              {"precision-matrices", name_precision_matrices},
                                              {"namespace-structs", write_out_namespaces},
                                              {"plain-registers", plain_registers},
@@ -52,6 +53,7 @@ std::span<const Pass> passes() {
                                              {"flat-initialisers", group_flat_initialisers},
                                              {"partial-texel-writes", write_whole_texels},
                                              {"matrix-casts", widen_matrix_casts},
+                                             {"swizzle-arguments", pass_swizzles_in_variables},
                                              {"matrix-swizzles", write_out_matrix_swizzles},
                                              {"matrix-operators", write_out_matrix_operators},
                                              {"static-initialisers", work_out_static_initialisers},
