@@ -40,7 +40,7 @@ class Page(unittest.TestCase):
 
     def test_no_cause_goes_without_an_explanation(self):
         last = {"third_party": [{"repository": "o/n", "causes": [
-            {"message": "no 'f'", "targets": ["spirv"], "blocks": 2, "example": "a:1"}]}], "urp": [], "lighting": []}
+            {"message": "no 'f'", "targets": ["spirv"], "blocks": 2, "example": "a:1", "shader": "s"}]}], "urp": [], "lighting": []}
         fits = {"message": "no 'f'", "kind": "k", "explanation": "e"}
         self.assertIn("| `no 'f'` | o/n | `a:1` | all | k | e | 2 |", page.causes(last, [fits]))
         for explanations in ([], [{**fits, "message": "other"}], [fits, fits], [{**fits, "where": "p/q"}],

@@ -14,12 +14,13 @@
 #include "preparation/prepare.h"
 #include "preparation/source_directives.h"
 #include "shaders/bad_character.h"
+#include "shaders/flat_inputs.h"
 #include "shaders/include_resolver.h"
 #include "shaders/lost_resources.h"
 #include "shaders/parse_failure.h"
 #include "shaders/parse_log.h"
-#include "shaders/source_memory.h"
 #include "shaders/scalar_conditions.h"
+#include "shaders/source_memory.h"
 #include "shaders/spirv_module.h"
 
 namespace penumbra::shaders {
@@ -162,6 +163,8 @@ std::vector<std::uint32_t> words_of(const glslang::TIntermediate& tree, bool deb
   glslang::GlslangToSpv(tree, words, &logger, &options);
   SpirvModule module(words.begin(), words.end());
   copy_scalar_conditions(module);
+  flatten_integer_inputs(module);
+  flatten_integer_inputs(module);
   return module;
 }
 
