@@ -59,9 +59,9 @@ class SwizzleArguments {
       const DeclaredValue& parameter = *argument.parameter;
       const std::string name = "penumbra_argument" + std::to_string(argument.first - call);
       const std::string given = text_.spelled(argument.first, argument.end - argument.first);
-      before += text_.spelled(parameter.type_at, parameter.type_end - parameter.type_at) + " " + name;
-      before += is(parameter, "inout") ? " = " + given + "; " : "; ";
-      after += " " + given + " = " + name + ";";
+      before.append(text_.spelled(parameter.type_at, parameter.type_end - parameter.type_at)).append(" ");
+      before.append(name).append(is(parameter, "inout") ? " = " + given + "; " : "; ");
+      after.append(" ").append(given).append(" = ").append(name).append(";");
       text_.replace(argument.first, argument.end - argument.first, name);
     }
     if (before.empty()) return false;
