@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "preparation/missing_returns.h"
+#include "preparation/precision_matrices.h"
 #include "preparation/prepare.h"
 #include "preparation/stray_semicolons.h"
 #include "preparation/texture_precision.h"
@@ -35,6 +36,15 @@ TEST(TexturePrecision, TheTypeLosesIt) {
             "Texture2D a; TextureCubeArray b; sampler2D c;");
   EXPECT_EQ(after<drop_texture_precision>("float my_half; Texture2D_other d; _half e;"),
             "float my_half; Texture2D_other d; _half e;");
+}
+
+TEST(PrecisionMatrices, AreThoseThatGlslangKnows) {
+  EXPECT_EQ(after<name_precision_matrices>(
+                "min16float3x3 a; min10float2x4 b; min16int4x4 c; min12int2x2 d; min16uint3x4 e;"),
+            "half3x3 a; half2x4 b; int4x4 c; int2x2 d; uint3x4 e;");
+  const std::string others =
+      "min16float a; min16float3 b; half3x3 c; float4x4 min16float3x5; x.min16floats3x3; min16float3x33 d;";
+  EXPECT_EQ(after<name_precision_matrices>(others), others);
 }
 
 TEST(MissingReturns, OnlyFunctionsWithoutAnyReturnGetOne) {

@@ -31,6 +31,8 @@ TEST(PragmaMessages, NameThePlaceAndTheWayOut) {
       {"#pragma zzzzzzzzzzzz", "a.shader:1:1: warning: unknown pragma 'zzzzzzzzzzzz' has no effect"},
       {"  #pragma vertex", "a.shader:1:3: error: '#pragma vertex' needs the name of a function"},
       {"#pragma hull 4th", "a.shader:1:14: error: '4th' cannot be the name of a function"},
+      {"#pragma vertex V;", "a.shader:1:17: warning: ';' after the function's name has no effect"},
+      {"#pragma vertex ;", "a.shader:1:16: error: ';' cannot be the name of a function"},
       {"#pragma vertex V W", "a.shader:1:18: warning: what follows the function's name has no effect"},
       {"#pragma kernel", "a.shader:1:1: error: '#pragma kernel' needs the name of a function"},
       {"#pragma kernel K A =", "a.shader:1:20: error: '=' is not NAME or NAME=VALUE, without blanks"},

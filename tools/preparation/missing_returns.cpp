@@ -3,6 +3,7 @@
 #include <string>
 
 #include "hlsl/outline.h"
+#include "preparation/resource_types.h"
 
 namespace penumbra::preparation {
 
@@ -18,6 +19,22 @@ bool returns(const TokenText& text, const hlsl::Declaration& function) {
   return false;
 }
 
+// Whether the name stands anywhere but where the function is defined.
+bool is_mentioned(const TokenText& text, const hlsl::Declaration& function) {
+  for (std::size_t at = 0; at < text.size(); ++at)
+    if (at != function.name && text.is(at, text[function.name].spelling)) return true;
+  return false;
+}
+
+// There is no value to return for a texture or a sampler; such a function can only go.
+void drop_unused(TokenText& text, const hlsl::Declaration& function) {
+  if (is_mentioned(text, function)) return;
+  text.note(function.name, hlsl::Severity::note,
+            "'" + std::string(text[function.name].spelling) +
+                "' has no return statement; nothing calls it, and it is left out");
+  text.erase(function.first, function.last - function.first + 1);
+}
+
 }  // namespace
 
 void return_from_empty_functions(TokenText& text) {
@@ -27,6 +44,10 @@ void return_from_empty_functions(TokenText& text) {
     std::size_t type = declaration.type;
     while (is_storage(text, type)) ++type;
     if (text.is(type, "void") || returns(text, declaration)) continue;
+    if (is_resource(text[type].spelling)) {
+      drop_unused(text, declaration);
+      continue;
+    }
     text.note(
         declaration.name, hlsl::Severity::note,
         "'" + std::string(text[declaration.name].spelling) + "' has no return statement; it returns 0 here");

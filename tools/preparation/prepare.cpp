@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "preparation/array_casts.h"
 #include "preparation/buffer_aliases.h"
 #include "preparation/cbuffer_resources.h"
 #include "preparation/constructor_statements.h"
@@ -10,15 +11,20 @@
 #include "preparation/framebuffer_fetch.h"
 #include "preparation/intrinsic_calls.h"
 #include "preparation/matrix_casts.h"
+#include "preparation/matrix_operators.h"
 #include "preparation/matrix_swizzles.h"
 #include "preparation/member_calls.h"
 #include "preparation/missing_returns.h"
 #include "preparation/namespace_structs.h"
 #include "preparation/partial_texel_writes.h"
+#include "preparation/precision_matrices.h"
 #include "preparation/precision_twins.h"
 #include "preparation/register_annotations.h"
 #include "preparation/resource_arrays.h"
+#include "preparation/static_initialisers.h"
 #include "preparation/stray_semicolons.h"
+#include "preparation/struct_casts.h"
+#include "preparation/swizzle_arguments.h"
 #include "preparation/texture_precision.h"
 #include "preparation/texture_reads.h"
 #include "preparation/uniform_structs.h"
@@ -28,7 +34,8 @@
 namespace penumbra::preparation {
 
 std::span<const Pass> passes() {
-  static constexpr std::array<Pass, 22> all{{{"texture-precision", drop_texture_precision},
+  static constexpr std::array<Pass, 28> all{{{"texture-precision", drop_texture_precision},
+                                             {"precision-matrices", name_precision_matrices},
                                              {"namespace-structs", write_out_namespaces},
                                              {"plain-registers", plain_registers},
                                              {"framebuffer-fetch", read_framebuffer},
@@ -38,6 +45,8 @@ std::span<const Pass> passes() {
                                              {"member-calls", call_members_on_variables},
                                              {"buffer-aliases", resolve_buffer_aliases},
                                              {"zeroed-resource-structs", zero_resource_structs},
+                                             {"array-casts", cast_zero_to_structs},
+                                             {"struct-casts", copy_cast_structs},
                                              {"resource-arrays", assign_resource_arrays},
                                              {"texture-reads", separate_texture_reads},
                                              {"missing-returns", return_from_empty_functions},
@@ -46,7 +55,10 @@ std::span<const Pass> passes() {
                                              {"flat-initialisers", group_flat_initialisers},
                                              {"partial-texel-writes", write_whole_texels},
                                              {"matrix-casts", widen_matrix_casts},
+                                             {"swizzle-arguments", pass_swizzles_in_variables},
                                              {"matrix-swizzles", write_out_matrix_swizzles},
+                                             {"matrix-operators", write_out_matrix_operators},
+                                             {"static-initialisers", work_out_static_initialisers},
                                              {"constructor-statements", wrap_constructor_statements},
                                              {"uniform-writes", copy_written_uniforms},
                                              {"intrinsic-calls", write_out_intrinsic_calls}}};

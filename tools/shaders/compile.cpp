@@ -12,10 +12,12 @@
 #include "hlsl/source_text.h"
 #include "input/input_error.h"
 #include "preparation/prepare.h"
+#include "shaders/flat_inputs.h"
 #include "shaders/lost_resources.h"
 #include "shaders/macro_expansion.h"
 #include "shaders/parse_failure.h"
 #include "shaders/parse_log.h"
+#include "shaders/scalar_conditions.h"
 #include "shaders/source_memory.h"
 #include "shaders/source_shader.h"
 #include "shaders/spirv_module.h"
@@ -82,7 +84,11 @@ std::vector<std::uint32_t> words_of(const glslang::TIntermediate& tree, bool deb
   options.generateDebugInfo = debug_lines;
   std::vector<unsigned int> words;
   glslang::GlslangToSpv(tree, words, &logger, &options);
-  return {words.begin(), words.end()};
+  SpirvModule module(words.begin(), words.end());
+  copy_scalar_conditions(module);
+  flatten_integer_inputs(module);
+  flatten_integer_inputs(module);
+  return module;
 }
 
 // What the SPIR-V back end says: anything it leaves out is an error, or the module would quietly lack it.

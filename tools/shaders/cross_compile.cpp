@@ -5,7 +5,9 @@
 #include <initializer_list>
 #include <iterator>
 #include <stdexcept>
+#include <utility>
 
+#include "shaders/precision_copies.h"
 #include "shaders/spirv_cross_session.h"
 
 namespace penumbra::shaders {
@@ -150,7 +152,10 @@ std::optional<Target> find_target(std::string_view name) {
 
 CrossCompileResult cross_compile(const std::vector<std::uint32_t>& spirv, Target target) {
   try {
-    return {emit(spirv, target), {}};
+    std::string text = emit(spirv, target);
+    if (target_language(target) == TargetLanguage::essl && reads_lost_copy(text))
+      text = emit(without_relaxed_precision(spirv), target);
+    return {std::move(text), {}};
   } catch (const std::invalid_argument& problem) {
     return {{}, {{target_name(target), 0, 0, hlsl::Severity::error, problem.what(), {}}}};
   }

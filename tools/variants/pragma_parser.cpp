@@ -54,14 +54,19 @@ Place PragmaParser::place_of(const Line& line, const Word& word) const {
   return {line.place.file, word.line, word.column};
 }
 
-bool PragmaParser::read_entry_point(const Line& line) {
+bool PragmaParser::read_entry_point(Line& line) {
   const std::optional<hlsl::Stage> stage = hlsl::find_stage(line.name);
   if (!stage || *stage == hlsl::Stage::compute) return false;
   if (line.words.empty()) {
     error(line.place, "'#pragma " + line.name + "' needs the name of a function");
     return true;
   }
-  const Word& function = line.words.front();
+  Word& function = line.words.front();
+  if (function.text.size() > 1 && function.text.back() == ';') {
+    function.text.pop_back();  // as many published shaders have it
+    const int semicolon = function.column + static_cast<int>(function.text.size());
+    warn({line.place.file, function.line, semicolon}, "';' after the function's name has no effect");
+  }
   if (!hlsl::is_identifier(function.text)) {
     error(place_of(line, function), "'" + function.text + "' cannot be the name of a function");
     return true;

@@ -30,7 +30,7 @@ class PragmaParser {
     Place place;
   };
 
-  bool read_entry_point(const Line& line);
+  bool read_entry_point(Line& line);
   bool read_keywords(const Line& line);
   bool read_list(const Line& line);
   bool read_other(const Line& line);

@@ -1,0 +1,91 @@
+"""The page of shares says what the JSON files say, and the runner counts as the page claims."""
+import importlib.machinery
+import importlib.util
+import unittest
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+
+
+def script(name):
+    loader = importlib.machinery.SourceFileLoader(name, str(HERE / name))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader(name, loader))
+    loader.exec_module(module)
+    return module
+
+
+run = script("run")
+page = script("page")
+
+
+def record(status, target="spirv", place="0.0", message="", file="/r/A.shader"):
+    diagnostics = [{"file": "/r/Inc/B.hlsl", "line": 7, "severity": "error", "message": message}] if message else []
+    return {"file": file, "shader": "S", "pass": place, "status": status, "target": target, "keywords": [],
+            "diagnostics": diagnostics}
+
+
+def sum_up(*records):
+    return run.sum_up(list(records), [(Path("/r"), "")])
+
+
+class Page(unittest.TestCase):
+    def test_says_what_the_json_files_say(self):
+        text = page.PAGE.read_text()
+        self.assertEqual(text, page.written(text, page.tables()), "run tests/corpus/page")
+
+    def test_first_and_last_run_are_of_the_same_repositories(self):
+        listed = [entry["repository"] for entry in page.read("third_party_shaders.json")["repositories"]]
+        self.assertEqual([entry["repository"] for entry in page.read("first_run.json")["results"]], listed)
+        self.assertEqual([entry["repository"] for entry in page.read("last_run.json")["third_party"]], listed)
+
+    def test_no_cause_goes_without_an_explanation(self):
+        last = {"third_party": [{"repository": "o/n", "causes": [
+            {"message": "no 'f'", "targets": ["spirv"], "blocks": 2, "example": "a:1", "shader": "s"}]}], "urp": [], "lighting": []}
+        fits = {"message": "no 'f'", "kind": "k", "explanation": "e"}
+        self.assertIn("| `no 'f'` | o/n | `a:1` | all | k | e | 2 |", page.causes(last, [fits]))
+        for explanations in ([], [{**fits, "message": "other"}], [fits, fits], [{**fits, "where": "p/q"}],
+                             [fits, {**fits, "message": "gone"}]):
+            with self.assertRaises(page.Problem):
+                page.causes(last, explanations)
+
+
+class Sums(unittest.TestCase):
+    def test_a_block_passes_when_all_its_variants_do(self):
+        blocks = sum_up(record("passed"), record("passed", "hlsl50"), record("passed", place="0.1"),
+                        record("failed", place="0.1", message="no"), record("unreached", "hlsl50", "0.1"))["blocks"]
+        self.assertEqual(blocks, {"total": 2, "editor_only": 0, "include_missing": 0, "counted": 2, "spirv": 1,
+                                  "all_targets": 1, "all_but_hlsl": 1})
+
+    def test_one_target_that_fails_leaves_the_others(self):
+        blocks = sum_up(record("passed"), record("failed", "hlsl50", message="no geometry"),
+                        record("failed", "essl310", "0.1", "no"))["blocks"]
+        self.assertEqual((blocks["spirv"], blocks["all_but_hlsl"], blocks["all_targets"]), (2, 1, 0))
+
+    def test_a_program_that_cannot_be_read_fails(self):
+        result = sum_up(record("failed", "source", message="no such function"))
+        self.assertEqual((result["blocks"]["spirv"], result["causes"][0]["targets"]), (0, ["spirv"]))
+
+    def test_blocks_without_their_includes_are_left_out(self):
+        blocks = sum_up(record("unchecked"), record("failed", place="0.1", message="cannot find 'x.hlsl'; tried /y"),
+                        record("passed", place="0.2"))["blocks"]
+        self.assertEqual((blocks["total"], blocks["editor_only"], blocks["include_missing"], blocks["counted"],
+                          blocks["spirv"]), (3, 1, 1, 1, 1))
+
+    def test_causes_are_told_once_with_an_example(self):
+        causes = sum_up(record("failed", message="bad %12 = x\nmore"),
+                        record("failed", "hlsl50", "0.1", "bad %7 = x"))["causes"]
+        self.assertEqual(causes, [{"message": "bad %N = x", "targets": ["hlsl50", "spirv"], "blocks": 2,
+                                   "example": "Inc/B.hlsl:7", "shader": "A.shader"}])
+
+    def test_compute_files_are_no_blocks(self):
+        self.assertEqual(sum_up(record("failed", file="/r/A.compute", message="no"))["blocks"]["total"], 0)
+
+    def test_its_user_gives_project_and_packages(self):
+        entry = {"project": True, "packages": {"com.a": "Assets/A"}}
+        self.assertEqual(run.what_its_user_gives(entry, Path("/r")),
+                         [["--package-root", "com.a=/r/Assets/A"], ["--project", "/r"]])
+        self.assertEqual(run.what_its_user_gives({}, Path("/r")), [["/r"]])
+
+
+if __name__ == "__main__":
+    unittest.main()

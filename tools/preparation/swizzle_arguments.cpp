@@ -1,0 +1,121 @@
+#include "preparation/swizzle_arguments.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "preparation/postfix_expression.h"
+#include "preparation/value_types.h"
+
+namespace penumbra::preparation {
+
+namespace {
+
+// The number of elements of _m03_m13 or _14_24; 0 for other words and for one element.
+std::size_t matrix_swizzle(std::string_view word) {
+  const std::size_t length = word.size() > 1 && word[1] == 'm' ? 4 : 3;
+  if (word.size() < 2 * length || word.size() > 4 * length || word.size() % length != 0) return 0;
+  for (std::size_t at = 0; at < word.size(); at += length) {
+    const auto digit = [&](std::size_t i) { return word[at + i] >= '0' && word[at + i] <= '4'; };
+    if (word[at] != '_' || !digit(length - 2) || !digit(length - 1)) return 0;
+  }
+  return word.size() / length;
+}
+
+class SwizzleArguments {
+ public:
+  explicit SwizzleArguments(TokenText& text) : text_(text), types_(text.types()) {
+    for (const FunctionType& function : types_.functions())
+      if (function.name != npos) functions_[text_[function.name].spelling].push_back(&function);
+  }
+
+  void run() {
+    for (std::size_t at = 1; at + 1 < text_.size(); ++at) {
+      const bool call = text_.is_word(at) && text_.is(at + 1, "(") && text_.partner(at + 1) != npos;
+      const auto known = call ? functions_.find(text_[at].spelling) : functions_.end();
+      if (known != functions_.end() && begins_statement(text_, at))
+        (void)std::any_of(known->second.begin(), known->second.end(),
+                          [&](const FunctionType* overload) { return rewrite(at, *overload); });
+    }
+    text_.apply();
+  }
+
+ private:
+  struct Argument {
+    std::size_t first;
+    std::size_t end;
+    const DeclaredValue* parameter;
+  };
+
+  // Whether the overload is one that writes to a swizzle here.
+  bool rewrite(std::size_t call, const FunctionType& function) {
+    const std::size_t close = text_.partner(call + 1);
+    if (!text_.is(close + 1, ";")) return false;
+    std::string before;
+    std::string after;
+    for (const Argument& argument : written_swizzles(call + 1, close, function)) {
+      const DeclaredValue& parameter = *argument.parameter;
+      const std::string name = "penumbra_argument" + std::to_string(argument.first - call);
+      const std::string given = text_.spelled(argument.first, argument.end - argument.first);
+      before.append(text_.spelled(parameter.type_at, parameter.type_end - parameter.type_at)).append(" ");
+      before.append(name).append(is(parameter, "inout") ? " = " + given + "; " : "; ");
+      after.append(" ").append(given).append(" = ").append(name).append(";");
+      text_.replace(argument.first, argument.end - argument.first, name);
+    }
+    if (before.empty()) return false;
+    text_.insert(call, "{ " + before);
+    text_.insert(close + 2, after + " }");
+    return true;
+  }
+
+  // Of a call with as many arguments as the overload has parameters.
+  std::vector<Argument> written_swizzles(std::size_t open, std::size_t close,
+                                         const FunctionType& function) const {
+    std::vector<Argument> found;
+    std::size_t first = open + 1;
+    std::size_t index = 0;
+    for (std::size_t at = first; at <= close; ++at) {
+      if (text_.partner(at) != npos && text_.partner(at) > at) {
+        at = text_.partner(at);
+      } else if (at == close || text_.is(at, ",")) {
+        if (index >= function.parameters.size()) return {};
+        const Argument argument{first, at, &types_.declared()[function.parameters[index++]]};
+        if (is_written_swizzle(argument)) found.push_back(argument);
+        first = at + 1;
+      }
+    }
+    return index == function.parameters.size() ? found : std::vector<Argument>{};
+  }
+
+  bool is_written_swizzle(const Argument& argument) const {
+    const std::size_t word = argument.end - 1;
+    const std::size_t elements =
+        argument.end >= argument.first + 3 ? matrix_swizzle(text_[word].spelling) : 0;
+    const std::string_view type = argument.parameter->type.name;
+    const bool fits = elements > 1 && !type.empty() && type.back() == static_cast<char>('0' + elements);
+    return fits && text_.is(word - 1, ".") && postfix_begin(text_, word) == argument.first &&
+           (is(*argument.parameter, "out") || is(*argument.parameter, "inout")) &&
+           may_be_repeated(text_, argument.first, argument.end);
+  }
+
+  bool is(const DeclaredValue& parameter, std::string_view direction) const {
+    if (parameter.first == npos) return false;
+    for (std::size_t at = parameter.first; at < parameter.type_at; ++at)
+      if (text_.is(at, direction)) return true;
+    return false;
+  }
+
+  TokenText& text_;
+  const ValueTypes& types_;
+  std::map<std::string_view, std::vector<const FunctionType*>> functions_;  // overloads by name
+};
+
+}  // namespace
+
+void pass_swizzles_in_variables(TokenText& text) {
+  SwizzleArguments(text).run();
+}
+
+}  // namespace penumbra::preparation

@@ -1,0 +1,75 @@
+#include "shaders/precision_copies.h"
+
+#include <algorithm>
+#include <unordered_set>
+#include <vector>
+
+namespace penumbra::shaders {
+
+namespace {
+
+constexpr std::size_t header_words = 5;
+constexpr std::uint32_t op_decorate = 71;         // target, decoration
+constexpr std::uint32_t op_member_decorate = 72;  // structure, member, decoration
+constexpr std::uint32_t relaxed_precision = 0;
+
+bool is_word_character(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+bool is_copy(std::string_view word) {
+  return word.substr(0, 8) == "mp_copy_" || word.substr(0, 8) == "hp_copy_";
+}
+
+// ` = value` and not ` == value`.
+bool is_set_at(std::string_view text, std::size_t at) {
+  return text.substr(at, 3) == " = ";
+}
+
+bool is_relaxed_precision(const SpirvModule& module, std::size_t at) {
+  const std::uint32_t opcode = module[at] & 0xFFFFU;
+  const std::size_t length = module[at] >> 16U;
+  return (opcode == op_decorate && length == 3 && module[at + 2] == relaxed_precision) ||
+         (opcode == op_member_decorate && length == 4 && module[at + 3] == relaxed_precision);
+}
+
+}  // namespace
+
+bool reads_lost_copy(std::string_view essl) {
+  std::unordered_set<std::string_view> known;
+  std::vector<std::vector<std::string_view>> blocks(1);  // what each open block declares
+  for (std::size_t at = 0; at < essl.size();) {
+    if (essl[at] == '{') blocks.emplace_back();
+    if (essl[at] == '}' && blocks.size() > 1) {
+      for (const std::string_view name : blocks.back()) known.erase(name);
+      blocks.pop_back();
+    }
+    if (!is_word_character(essl[at])) {
+      ++at;
+      continue;
+    }
+    std::size_t end = at;
+    while (end < essl.size() && is_word_character(essl[end])) ++end;
+    const std::string_view word = essl.substr(at, end - at);
+    if (is_copy(word)) {
+      if (is_set_at(essl, end) && known.insert(word).second) blocks.back().push_back(word);
+      if (known.count(word) == 0) return true;
+    }
+    at = end;
+  }
+  return false;
+}
+
+SpirvModule without_relaxed_precision(const SpirvModule& module) {
+  SpirvModule full(module.begin(), module.begin() + std::min(header_words, module.size()));
+  for (std::size_t at = header_words; at < module.size();) {
+    const std::size_t length = module[at] >> 16U;
+    if (length == 0 || at + length > module.size()) return module;  // no module; left to who reads it
+    if (!is_relaxed_precision(module, at))
+      full.insert(full.end(), module.begin() + at, module.begin() + at + length);
+    at += length;
+  }
+  return full;
+}
+
+}  // namespace penumbra::shaders
