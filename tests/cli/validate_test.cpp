@@ -160,6 +160,18 @@ TEST_F(Validate, ABrokenShaderLabFileFailsAtItsPlace) {
   EXPECT_THAT(result.output, HasSubstr("Two.shader:"));
 }
 
+// glslang 12 ends its process on it.
+TEST_F(Validate, AShaderThatCrashesTheCompilerFailsAlone) {
+  const auto result =
+      run(command({PENUMBRA_SOURCE_DIR "/tests/validation/broken/crashing/case_outside_switch.hlsl",
+                   "--targets", "spirv", "--keep", path("kept").string()}));
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.output,
+              AllOf(HasSubstr("case_outside_switch.hlsl: error: the compiler crashed with SIGSEGV"),
+                    HasSubstr("to reproduce: " + path("kept").string()),
+                    HasSubstr("7 variants for 1 target: 7 results"), HasSubstr("1 failed")));
+}
+
 TEST_F(Validate, AProgramThatIsNotCompiledIsNotPassedOverInSilence) {
   const auto shader = [&](const std::string& pragmas) {
     const std::string file =

@@ -106,6 +106,13 @@ TEST(Include, FileThatIncludesItselfIsACycle) {
   EXPECT_THAT(only_message(compile(files.request("main.hlsl"))), HasSubstr(main + " -> " + main + "\n"));
 }
 
+// There are as many ways down as 2 to the power of the greatest depth; the first is enough.
+TEST(Include, FileThatIncludesItselfTwiceEndsAsSoon) {
+  const ShaderFiles files;
+  files.write("main.hlsl", compute_shader("1", "#include \"main.hlsl\"\n#include \"main.hlsl\"\n"));
+  EXPECT_THAT(only_message(compile(files.request("main.hlsl"))), HasSubstr("includes without end: "));
+}
+
 TEST(Include, CycleWithGuardsIsNone) {
   const ShaderFiles files;
   files.write("a.hlsl", "#ifndef A\n#define A 1\n#include \"b.hlsl\"\n#endif\n");

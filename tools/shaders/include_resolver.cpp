@@ -52,9 +52,11 @@ IncludeResolver::IncludeResolver(const CompileRequest& request, hlsl::SourceFile
 
 IncludeResolver::IncludeResult* IncludeResolver::includeLocal(const char* header, const char* includer,
                                                               std::size_t /*depth*/) {
+  // A file that includes itself twice would be read as often as there are paths to the greatest depth.
+  if (failure_) return nullptr;
   const project::IncludeSearch& search = memory_.find(roots_, roots_key_, header, includer);
   if (!search.file) {
-    if (!failure_) missing_editor_include_ = search.missing_editor_include;
+    missing_editor_include_ = search.missing_editor_include;
     return fail(search.problem);
   }
   for (const fs::path& absent : search.absent) absent_.insert(absent.string());
@@ -68,7 +70,7 @@ IncludeResolver::IncludeResult* IncludeResolver::includeLocal(const char* header
 // glslang asks here when includeLocal has failed; <...> is looked for as "..." is.
 IncludeResolver::IncludeResult* IncludeResolver::includeSystem(const char* header, const char* includer,
                                                                std::size_t depth) {
-  return failure_ ? nullptr : includeLocal(header, includer, depth);
+  return includeLocal(header, includer, depth);
 }
 
 void IncludeResolver::releaseInclude(IncludeResult* result) {
@@ -91,7 +93,7 @@ IncludeResolver::IncludeResult* IncludeResolver::open(const std::string& name) {
 }
 
 IncludeResolver::IncludeResult* IncludeResolver::fail(const std::string& problem) {
-  if (!failure_) failure_ = problem;
+  failure_ = problem;
   return nullptr;
 }
 
