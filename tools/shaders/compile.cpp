@@ -87,7 +87,6 @@ std::vector<std::uint32_t> words_of(const glslang::TIntermediate& tree, bool deb
   SpirvModule module(words.begin(), words.end());
   copy_scalar_conditions(module);
   flatten_integer_inputs(module);
-  flatten_integer_inputs(module);
   return module;
 }
 
