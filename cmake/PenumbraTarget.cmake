@@ -33,6 +33,22 @@ function(penumbra_room name)
   target_link_libraries(penumbra_${name} PUBLIC ${ROOM_PUBLIC_LIBRARIES} PRIVATE ${ROOM_PRIVATE_LIBRARIES})
 endfunction()
 
+# mimalloc in place of the C library's allocator, where it is at hand: compilers ask for small pieces of memory
+# without end. The sanitizers bring their own. On Windows the C library's stays.
+function(penumbra_allocator target)
+  if(WIN32 OR CMAKE_CXX_FLAGS MATCHES "-fsanitize=")
+    return()
+  endif()
+  find_package(mimalloc 2.0 QUIET)
+  if(NOT mimalloc_FOUND)
+    return()
+  endif()
+  if(NOT APPLE)
+    target_link_options(${target} PRIVATE LINKER:--no-as-needed)  # it is used by no name of its own
+  endif()
+  target_link_libraries(${target} PRIVATE mimalloc)
+endfunction()
+
 # penumbra_test(NAME SOURCES ... LIBRARIES ... [LABELS ...] [TIMEOUT s] [WHOLE])
 #
 # One GoogleTest program whose cases CTest lists one by one; with WHOLE as one test, for suites whose cases share
