@@ -49,6 +49,12 @@ TEST(Compile, DefinesReachTheSource) {
   EXPECT_THAT(first_message(compile(request)), HasSubstr("shader.hlsl:2:1: error: '#error': no keyword"));
 }
 
+// What glslang's preprocessor throws at.
+TEST(Compile, AJoinedLineThatBeginsInItsFirstColumnIsAnError) {
+  EXPECT_THAT(first_message(compile_text("#define B 1.5\nfloat x = B\\\n+2.0;\n")),
+              HasSubstr("joins to the one before begins a token in its first column"));
+}
+
 std::vector<std::string> errors_for(VulkanVersion vulkan, const std::string& text) {
   CompileRequest request;
   request.file = "shader.hlsl";

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 #include <utility>
 
 #include "preparation/macro_arguments.h"
@@ -26,6 +27,10 @@ using preparation::MacroArguments;
 
 // A reading brings the calls of one more macro to light at least, nearly always all at once.
 constexpr int most_readings = 12;
+
+// glslang writes as many blanks before it as the column says, less one.
+constexpr const char* joined_in_first_column =
+    "ERROR: a line that '\\' joins to the one before begins a token in its first column; indent it";
 
 bool is_redefinition(const LogLine& line) {
   return line.token == "#define" && line.message.starts_with("Macro redefined;");
@@ -89,11 +94,15 @@ class MacroExpansion {
     SourceShader shader(rewritten);
     Reading reading;
     const int messages = shader_messages | (past_errors ? EShMsgCascadingErrors : EShMsgDefault);
-    const bool expanded =
-        shader.get().preprocess(GetDefaultResources(), hlsl_version, ENoProfile, false, false,
-                                static_cast<EShMessages>(messages), &reading.text, resolver);
+    bool expanded = false;
+    try {
+      expanded = shader.get().preprocess(GetDefaultResources(), hlsl_version, ENoProfile, false, false,
+                                         static_cast<EShMessages>(messages), &reading.text, resolver);
+    } catch (const std::length_error&) {
+      reading.log = joined_in_first_column;
+    }
     if (source_.request.prepare) reading.text = preparation::without_marks(std::move(reading.text));
-    reading.log = shader.get().getInfoLog();
+    if (reading.log.empty()) reading.log = shader.get().getInfoLog();
     reading.include_failure = resolver.failure();
     for (LogLine& line : parse_log(reading.log, out_.sources))
       if (line.severity == hlsl::Severity::error && !is_count(line))

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "preparation/bare_source.h"
 #include "preparation/macro_own_names.h"
 
 namespace penumbra::shaders {
@@ -15,7 +16,7 @@ constexpr char separator = '\0';  // in no path
 
 preparation::PreparedSource prepared_source(const std::string& text) {
   preparation::PreparedSource prepared = preparation::prepare_source(text);
-  prepared.text = preparation::with_own_names_marked(std::move(prepared.text));
+  prepared.text = preparation::with_own_names_marked(preparation::bare_source(prepared.text));
   return prepared;
 }
 
