@@ -4,6 +4,8 @@
 #include <spirv-tools/optimizer.hpp>
 #include <string_view>
 
+#include "shaders/uncalled_functions.h"
+
 namespace penumbra::shaders {
 
 namespace {
@@ -50,6 +52,71 @@ spvtools::MessageConsumer collect_errors(std::vector<std::string>& problems) {
   };
 }
 
+// What RegisterLegalizationPasses() begins with.
+void inline_all(spvtools::Optimizer& to) {
+  to.RegisterPass(spvtools::CreateWrapOpKillPass())
+      .RegisterPass(spvtools::CreateDeadBranchElimPass())
+      .RegisterPass(spvtools::CreateMergeReturnPass())
+      .RegisterPass(spvtools::CreateInlineExhaustivePass());
+}
+
+void forward_stores(spvtools::Optimizer& to) {
+  to.RegisterPass(spvtools::CreateLocalSingleBlockLoadStoreElimPass())
+      .RegisterPass(spvtools::CreateLocalSingleStoreElimPass())
+      .RegisterPass(spvtools::CreateAggressiveDCEPass(false));
+}
+
+// The rest of RegisterLegalizationPasses(), then RegisterPerformancePasses() from the point where it no
+// longer repeats what has been done: the same module comes out, sooner.
+void legalise_and_optimise(spvtools::Optimizer& to) {
+  to.RegisterPass(spvtools::CreatePrivateToLocalPass()).RegisterPass(spvtools::CreateFixStorageClassPass());
+  forward_stores(to);
+  to.RegisterPass(spvtools::CreateScalarReplacementPass(0));
+  forward_stores(to);
+  to.RegisterPass(spvtools::CreateSSARewritePass())
+      .RegisterPass(spvtools::CreateAggressiveDCEPass(false))
+      .RegisterPass(spvtools::CreateCCPPass())
+      .RegisterPass(spvtools::CreateLoopUnrollPass(true))
+      .RegisterPass(spvtools::CreateDeadBranchElimPass())
+      .RegisterPass(spvtools::CreateSimplificationPass())
+      .RegisterPass(spvtools::CreateAggressiveDCEPass(false))
+      .RegisterPass(spvtools::CreateCopyPropagateArraysPass())
+      .RegisterPass(spvtools::CreateVectorDCEPass())
+      .RegisterPass(spvtools::CreateDeadInsertElimPass())
+      .RegisterPass(spvtools::CreateReduceLoadSizePass())
+      .RegisterPass(spvtools::CreateAggressiveDCEPass(false))
+      .RegisterPass(spvtools::CreateInterpolateFixupPass());
+  to.RegisterPass(spvtools::CreateRedundancyEliminationPass())
+      .RegisterPass(spvtools::CreateCombineAccessChainsPass())
+      .RegisterPass(spvtools::CreateSimplificationPass())
+      .RegisterPass(spvtools::CreateLocalAccessChainConvertPass());
+  forward_stores(to);
+  to.RegisterPass(spvtools::CreateSSARewritePass())
+      .RegisterPass(spvtools::CreateAggressiveDCEPass())
+      .RegisterPass(spvtools::CreateVectorDCEPass())
+      .RegisterPass(spvtools::CreateDeadInsertElimPass())
+      .RegisterPass(spvtools::CreateDeadBranchElimPass())
+      .RegisterPass(spvtools::CreateSimplificationPass())
+      .RegisterPass(spvtools::CreateIfConversionPass())
+      .RegisterPass(spvtools::CreateReduceLoadSizePass())
+      .RegisterPass(spvtools::CreateAggressiveDCEPass())
+      .RegisterPass(spvtools::CreateBlockMergePass())
+      .RegisterPass(spvtools::CreateRedundancyEliminationPass())
+      .RegisterPass(spvtools::CreateDeadBranchElimPass())
+      .RegisterPass(spvtools::CreateBlockMergePass())
+      .RegisterPass(spvtools::CreateSimplificationPass());
+}
+
+bool run_passes(SpirvModule& module, VulkanVersion vulkan, void (*passes)(spvtools::Optimizer&),
+                std::vector<std::string>& problems) {
+  spvtools::Optimizer optimizer(environment(vulkan));
+  optimizer.SetMessageConsumer(collect_errors(problems));
+  passes(optimizer);
+  spvtools::OptimizerOptions options;
+  options.set_run_validator(false);
+  return optimizer.Run(module.data(), module.size(), &module, options);
+}
+
 }  // namespace
 
 const char* vulkan_version_name(VulkanVersion version) {
@@ -77,14 +144,9 @@ void number_bindings(SpirvModule& module) {
 }
 
 bool optimise(SpirvModule& module, VulkanVersion vulkan, std::vector<std::string>& problems) {
-  spvtools::Optimizer optimizer(environment(vulkan));
-  optimizer.SetMessageConsumer(collect_errors(problems));
-  // What nothing uses goes before it is copied to every call: the same module comes out, an eighth sooner.
-  optimizer.RegisterPass(spvtools::CreateAggressiveDCEPass());
-  optimizer.RegisterLegalizationPasses().RegisterPerformancePasses();
-  spvtools::OptimizerOptions options;
-  options.set_run_validator(false);
-  return optimizer.Run(module.data(), module.size(), &module, options);
+  if (!run_passes(module, vulkan, inline_all, problems)) return false;
+  drop_uncalled_functions(module);
+  return run_passes(module, vulkan, legalise_and_optimise, problems);
 }
 
 std::vector<std::string> validation_problems(const SpirvModule& module, VulkanVersion vulkan,
