@@ -138,15 +138,6 @@ bool build(const Source& source, const hlsl::SourceFiles& sources, CompileResult
   return true;
 }
 
-void prepare(const std::string& name, PreprocessedSource& out) {
-  preparation::PreparedShader prepared = preparation::prepare(std::move(out.text), name);
-  out.text = std::move(prepared.text);
-  for (hlsl::Diagnostic& note : prepared.notes) {
-    note.source_line = out.sources.line(note.file, note.line);
-    out.diagnostics.push_back(std::move(note));
-  }
-}
-
 // glslang stops reading at a NUL byte without a word.
 std::optional<hlsl::Diagnostic> nul_byte(const hlsl::SourceFiles& sources) {
   for (const std::string& name : sources.names()) {
@@ -171,12 +162,7 @@ std::string source_text(const CompileRequest& request, SourceMemory& memory) {
 
 }  // namespace
 
-PreprocessedSource preprocess(const CompileRequest& request) {
-  SourceMemory memory;
-  return preprocess(request, memory);
-}
-
-PreprocessedSource preprocess(const CompileRequest& request, SourceMemory& memory) {
+PreprocessedSource expand(const CompileRequest& request, SourceMemory& memory) {
   initialise_glslang_once();
   const std::string name = request.file.string();
   const std::string text = source_text(request, memory);
@@ -188,10 +174,27 @@ PreprocessedSource preprocess(const CompileRequest& request, SourceMemory& memor
     out.diagnostics = {*std::move(nul)};
     out.text.clear();
   }
-  if (request.prepare && !out.text.empty()) prepare(name, out);
   for (const std::string& file : out.sources.names())
     if (!request.text || file != name) out.dependencies.emplace_back(file);
   return out;
+}
+
+void prepare(const CompileRequest& request, PreprocessedSource& expanded) {
+  if (!request.prepare || expanded.text.empty()) return;
+  preparation::PreparedShader prepared =
+      preparation::prepare(std::move(expanded.text), request.file.string());
+  expanded.text = std::move(prepared.text);
+  for (hlsl::Diagnostic& note : prepared.notes) {
+    note.source_line = expanded.sources.line(note.file, note.line);
+    expanded.diagnostics.push_back(std::move(note));
+  }
+}
+
+PreprocessedSource preprocess(const CompileRequest& request) {
+  SourceMemory memory;
+  PreprocessedSource source = expand(request, memory);
+  prepare(request, source);
+  return source;
 }
 
 CompileResult compile(const CompileRequest& request, PreprocessedSource source) {
@@ -200,14 +203,30 @@ CompileResult compile(const CompileRequest& request, PreprocessedSource source) 
   result.diagnostics = std::move(source.diagnostics);
   result.dependencies = std::move(source.dependencies);
   result.missing_editor_include = std::move(source.missing_editor_include);
-  if (hlsl::has_errors(result.diagnostics)) return result;
-  if (!build({request, request.file.string(), source.text, {}}, source.sources, result)) result.spirv.clear();
+  if (!hlsl::has_errors(result.diagnostics) &&
+      !build({request, request.file.string(), source.text, {}}, source.sources, result))
+    result.spirv.clear();
   result.sources = std::move(source.sources);
   return result;
 }
 
 CompileResult compile(const CompileRequest& request) {
   return compile(request, preprocess(request));
+}
+
+std::vector<hlsl::Diagnostic> front_end_messages(const CompileRequest& request,
+                                                 const PreprocessedSource& source) {
+  initialise_glslang_once();
+  CompileResult result;
+  result.diagnostics = source.diagnostics;
+  if (hlsl::has_errors(result.diagnostics)) return result.diagnostics;
+  const Source whole{request, request.file.string(), source.text, {}};
+  SourceShader shader(whole);
+  if (!parse(whole, shader.get(), source.sources, result)) return result.diagnostics;
+  glslang::TProgram program;
+  program.addShader(&shader.get());
+  link(whole, source.sources, program, result);
+  return result.diagnostics;
 }
 
 }  // namespace penumbra::shaders

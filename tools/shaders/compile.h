@@ -45,7 +45,7 @@ struct CompileRequest {
   VulkanVersion vulkan = VulkanVersion::v1_1;  // that the module is for
 };
 
-// What the parser reads: the source after includes, macros and preparation.
+// A source after includes and macros, and where it is wanted after preparation.
 struct PreprocessedSource {
   std::string text;  // with #line directives; empty when a diagnostic is an error
   std::vector<hlsl::Diagnostic> diagnostics;
@@ -71,11 +71,17 @@ struct CompileResult {
   hlsl::SourceFiles sources;                        // the texts behind all names in messages and OpLine
 };
 
-// Neither ever throws for a bad shader; preprocess() throws InputError only when `file` itself cannot be
+// None ever throws for a bad shader; expand() and what calls it throw InputError when `file` itself cannot be
 // read. Reentrant. A module that comes out has passed SPIR-V validation for `vulkan`.
-PreprocessedSource preprocess(const CompileRequest& request);
-PreprocessedSource preprocess(const CompileRequest& request, SourceMemory& memory);
+PreprocessedSource expand(const CompileRequest& request, SourceMemory& memory);  // includes and macros
+void prepare(const CompileRequest& request, PreprocessedSource& expanded);       // if the request says so
+PreprocessedSource preprocess(const CompileRequest& request);                    // both
 CompileResult compile(const CompileRequest& request, PreprocessedSource source);
-CompileResult compile(const CompileRequest& request);  // both
+CompileResult compile(const CompileRequest& request);  // all three
+
+// All that is said of a preprocessed source until its tree is linked, of functions that its entry point does
+// not reach as well: where none is an error, the front end takes it.
+std::vector<hlsl::Diagnostic> front_end_messages(const CompileRequest& request,
+                                                 const PreprocessedSource& source);
 
 }  // namespace penumbra::shaders

@@ -7,6 +7,7 @@
 #include "input/input_error.h"
 #include "shaders/source_memory.h"
 #include "validation/answer_cache.h"
+#include "validation/checked_declarations.h"
 #include "validation/kept_answers.h"
 #include "validation/source_record.h"
 #include "validation/spirv_target.h"
@@ -15,6 +16,11 @@
 #include "validation/unit_message.h"
 
 namespace penumbra::validation {
+
+struct UnitService::Memory {
+  shaders::SourceMemory sources;
+  CheckedDeclarations declarations;
+};
 
 namespace {
 
@@ -26,8 +32,9 @@ struct SourceState {
 
 class UnitAtWork {
  public:
-  UnitAtWork(const UnitJob& job, platform::WorkerLink& link, shaders::SourceMemory& memory)
-      : job_(job), link_(link), memory_(memory), cache_(job.context.cache) {}
+  UnitAtWork(const UnitJob& job, platform::WorkerLink& link, shaders::SourceMemory& sources,
+             CheckedDeclarations& declarations)
+      : job_(job), link_(link), memory_(sources), declarations_(declarations), cache_(job.context.cache) {}
 
   UnitReply answer() {
     link_.note(note_compile);
@@ -40,7 +47,7 @@ class UnitAtWork {
  private:
   void make_text() {
     try {
-      source_ = shaders::preprocess(job_.unit.compile, memory_);
+      source_ = shaders::expand(job_.unit.compile, memory_);
     } catch (const InputError& error) {  // the file was there when the run began
       reply_.compile = CompileAnswer{};
       reply_.compile->diagnostics.push_back(
@@ -49,6 +56,7 @@ class UnitAtWork {
     }
     reply_.dependencies = source_.dependencies;
     if (job_.text_only) {
+      shaders::prepare(job_.unit.compile, source_);
       reply_.text = std::move(source_.text);
       reply_.compile = CompileAnswer{};
       reply_.compile->diagnostics = std::move(source_.diagnostics);
@@ -93,7 +101,8 @@ class UnitAtWork {
     }
     shaders::CompileRequest request = job_.unit.compile;
     request.keep_unoptimised = job_.unit.lint.wanted;
-    shaders::CompileResult result = shaders::compile(request, std::move(source_));
+    shaders::CompileResult result = job_.share ? declarations_.compile(request, std::move(source_))
+                                               : compile_whole(request, std::move(source_));
     spirv_ = std::move(result.spirv);
     CompileAnswer answer;
     answer.diagnostics = std::move(result.diagnostics);
@@ -142,6 +151,7 @@ class UnitAtWork {
   const UnitJob& job_;
   platform::WorkerLink& link_;
   shaders::SourceMemory& memory_;
+  CheckedDeclarations& declarations_;
   AnswerCache cache_;
   shaders::PreprocessedSource source_;
   std::vector<std::uint32_t> spirv_;
@@ -156,7 +166,7 @@ UnitService::~UnitService() = default;
 std::string UnitService::answer(const std::string& job, platform::WorkerLink& link) {
   const std::optional<UnitJob> decoded = decode_job(job);
   if (!decoded) throw std::logic_error("a job that cannot be read");
-  std::unique_ptr<shaders::SourceMemory> memory;
+  std::unique_ptr<Memory> memory;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!free_.empty()) {
@@ -164,8 +174,8 @@ std::string UnitService::answer(const std::string& job, platform::WorkerLink& li
       free_.pop_back();
     }
   }
-  if (!memory) memory = std::make_unique<shaders::SourceMemory>();
-  const UnitReply reply = UnitAtWork(*decoded, link, *memory).answer();
+  if (!memory) memory = std::make_unique<Memory>();
+  const UnitReply reply = UnitAtWork(*decoded, link, memory->sources, memory->declarations).answer();
   const std::lock_guard<std::mutex> lock(mutex_);
   free_.push_back(std::move(memory));
   return encode(reply);

@@ -24,9 +24,11 @@ class UnitService {
   std::string answer(const std::string& job, platform::WorkerLink& link);
 
  private:
+  struct Memory;  // of what it has read and compiled
+
   // One for each thread that is at work; they stay for those that come after.
   std::mutex mutex_;
-  std::vector<std::unique_ptr<shaders::SourceMemory>> free_;
+  std::vector<std::unique_ptr<Memory>> free_;
 };
 
 }  // namespace penumbra::validation

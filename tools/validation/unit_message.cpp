@@ -39,6 +39,7 @@ std::string encode(const UnitJob& job) {
     out.text(driver.second);
   });
   out.list(job.given_up, [&](const std::string& target) { out.text(target); });
+  out.number(job.share ? 1 : 0);
   out.number(job.text_only ? 1 : 0);
   return out.take();
 }
@@ -57,6 +58,7 @@ std::optional<UnitJob> decode_job(std::string_view bytes) {
        }))
     job.context.drivers.insert(std::move(driver));
   job.given_up = in.list<std::string>([&] { return in.text(); });
+  job.share = read_flag(in);
   job.text_only = read_flag(in);
   if (!in.exhausted()) return std::nullopt;
   return job;

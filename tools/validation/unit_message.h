@@ -21,6 +21,7 @@ struct UnitJob {
   CompileUnit unit;
   AnswerContext context;
   std::vector<std::string> given_up;  // targets in which it has crashed or hung before
+  bool share = true;                  // with what this worker has compiled before
   bool text_only = false;             // only what the parser would read, for a file that reproduces a crash
 };
 

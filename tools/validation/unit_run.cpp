@@ -79,7 +79,7 @@ std::optional<platform::WorkerMessage> UnitRun::next() {
   if (waiting_.empty()) return std::nullopt;
   const std::size_t place = waiting_.front();
   waiting_.pop_front();
-  UnitJob job{unit(place), context_, {}, states_[place].reproducing.has_value()};
+  UnitJob job{unit(place), context_, {}, options_.share, states_[place].reproducing.has_value()};
   for (const auto& [target, failure] : states_[place].failures) job.given_up.push_back(target);
   return platform::WorkerMessage{place, encode(job)};
 }

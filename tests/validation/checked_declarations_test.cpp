@@ -1,0 +1,160 @@
+// What was looked at before changes nothing but time: messages and modules are those of a text on its own.
+#include "validation/checked_declarations.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+#include <set>
+
+#include "shaders/source_memory.h"
+
+namespace penumbra::validation {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+shaders::CompileRequest request_for(const std::string& text) {
+  shaders::CompileRequest request;
+  request.file = "shader.hlsl";
+  request.text = text;
+  request.stage = hlsl::Stage::fragment;
+  request.prepare = true;
+  return request;
+}
+
+shaders::CompileResult compiled(CheckedDeclarations& declarations, const std::string& text) {
+  const shaders::CompileRequest request = request_for(text);
+  shaders::SourceMemory memory;
+  return declarations.compile(request, shaders::expand(request, memory));
+}
+
+shaders::CompileResult whole(const std::string& text) {
+  const shaders::CompileRequest request = request_for(text);
+  shaders::SourceMemory memory;
+  return compile_whole(request, shaders::expand(request, memory));
+}
+
+std::set<std::string> told(const shaders::CompileResult& result) {
+  std::set<std::string> messages;
+  for (const hlsl::Diagnostic& message : result.diagnostics) messages.insert(hlsl::format(message));
+  return messages;
+}
+
+const std::string kMain = "float4 Main(float4 p : TEXCOORD0) : SV_Target { return p; }\n";
+
+TEST(CheckedDeclarations, WhatIsNotReachedIsLookedAt) {
+  CheckedDeclarations declarations;
+  EXPECT_THAT(compiled(declarations, "float unused(float x) { return x; }\n" + kMain).diagnostics, IsEmpty());
+  const auto result = compiled(declarations, "float unused(float x) { return y; }\n" + kMain);
+  ASSERT_THAT(result.diagnostics, SizeIs(1));
+  EXPECT_THAT(hlsl::format(result.diagnostics[0]), HasSubstr("shader.hlsl:1:32: error"));
+  EXPECT_THAT(result.spirv, IsEmpty());
+}
+
+// The function is the same, what it calls is not any more.
+TEST(CheckedDeclarations, WhatAKnownFunctionRestsOnIsNotForgotten) {
+  CheckedDeclarations declarations;
+  const std::string unused = "float unused() { return g(float3(1, 2, 3)).y; }\n";
+  EXPECT_THAT(compiled(declarations, "float2 g(float3 v) { return v.xy; }\n" + unused + kMain).diagnostics,
+              IsEmpty());
+  EXPECT_TRUE(hlsl::has_errors(
+      compiled(declarations, "float2 g(float4 v) { return v.xy; }\n" + unused + kMain).diagnostics));
+  EXPECT_TRUE(hlsl::has_errors(compiled(declarations, "\n" + unused + kMain).diagnostics));
+  EXPECT_THAT(compiled(declarations, "float2 g(float3 v) { return v.xy; }\n" + unused + kMain).diagnostics,
+              IsEmpty());
+}
+
+TEST(CheckedDeclarations, AMessageIsSaidOfEveryVariant) {
+  const std::string twins =
+      "half f(half x) { return x; }\nfloat f(float x) { return x; }\nfloat other() { return 1; }\n";
+  CheckedDeclarations declarations;
+  const std::set<std::string> expected = told(whole(twins + kMain));
+  ASSERT_THAT(expected, SizeIs(1)) << "which of the two is kept";
+  EXPECT_EQ(told(compiled(declarations, twins + kMain)), expected);
+  EXPECT_EQ(told(compiled(declarations, twins + "float more;\n" + kMain)), expected);
+}
+
+TEST(CheckedDeclarations, TheModuleDoesNotDependOnWhatCameBefore) {
+  const std::string text =
+      "static const float table[3] = { 0.25, 0.5, 0.75 };\nfloat a(float x) { return x * 0.5; }\n"
+      "float b(float x) { return a(x) + table[1]; }\n"
+      "float4 Main(float4 p : TEXCOORD0) : SV_Target { return a(p.x) + 0.75; }\n";
+  CheckedDeclarations fresh;
+  const shaders::CompileResult first = compiled(fresh, text);
+  ASSERT_FALSE(first.spirv.empty());
+  EXPECT_EQ(compiled(fresh, text).spirv, first.spirv);
+  CheckedDeclarations other;
+  compiled(other, "static const float table[3] = { 0.25, 0.5, 0.75 };\n" + kMain);
+  EXPECT_EQ(compiled(other, text).spirv, first.spirv);
+}
+
+// Texts of functions that call and overload each other; something is wrong with many. All are made of few
+// parts, so that most parts have been met before, elsewhere and in other company.
+class RandomTexts {
+ public:
+  explicit RandomTexts(unsigned seed) : random_(seed) {}
+
+  std::string next() {
+    std::string text = often("struct S { float " + often("a", "b") + "; };\n");
+    text += often("cbuffer B { S m; " + often("float", "float2") + " u; };\n");
+    text += often("static const float c = " + often("2", "u") + ";\n");
+    text += often("static const float t[2] = { 1, " + often("2", "c") + " };\n");
+    for (defined_ = 0; defined_ < 6; ++defined_) text += often(function());
+    return text + "float4 Main(float4 v : TEXCOORD0) : SV_Target { return " + expression("v.x") + "; }\n";
+  }
+
+ private:
+  bool rarely() { return random_() % 16 == 0; }
+  std::string often(const std::string& text, const std::string& otherwise = "\n") {
+    return rarely() ? otherwise : text;
+  }
+
+  std::string function() {
+    const std::string name = "f" + std::to_string(defined_);
+    const std::string parameter = often("float x", "half x");
+    std::string text = rarely() ? "float f" + std::to_string(random_() % 6) + "(float x);\n" : "\n";
+    if (rarely()) text += "half " + name + "(half x) { return x; }\n";
+    return text + "float " + name + "(" + parameter + ") { return " + expression("x") + "; }\n";
+  }
+
+  std::string expression(const std::string& argument) {
+    if (rarely()) return "missing";
+    const unsigned callees = defined_ == 0 || rarely() ? 6 : defined_;
+    switch (random_() % 5) {
+      case 0:
+        return "m.a";
+      case 1:
+        return "t[1] + c";
+      case 2:
+        return "u";
+      default:
+        return "f" + std::to_string(random_() % callees) + "(" + argument + ")";
+    }
+  }
+
+  std::mt19937 random_;
+  unsigned defined_ = 0;
+};
+
+TEST(CheckedDeclarations, SayWhatIsSaidOfTheTextAlone) {
+  CheckedDeclarations declarations;  // of all of them
+  RandomTexts texts(11);
+  int good = 0;
+  int bad = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const std::string text = texts.next();
+    const shaders::CompileResult alone = whole(text);
+    const shaders::CompileResult after_others = compiled(declarations, text);
+    ASSERT_EQ(told(after_others), told(alone)) << text;
+    ASSERT_EQ(after_others.spirv.empty(), alone.spirv.empty()) << text;
+    ++(alone.spirv.empty() ? bad : good);
+  }
+  EXPECT_GT(good, 200);
+  EXPECT_GT(bad, 200);
+}
+
+}  // namespace
+}  // namespace penumbra::validation

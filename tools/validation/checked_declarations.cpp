@@ -1,0 +1,100 @@
+#include "validation/checked_declarations.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+namespace penumbra::validation {
+
+namespace {
+
+using hlsl::Diagnostic;
+
+// What beside the text decides what the parser says.
+std::string circumstances_of(const shaders::CompileRequest& request) {
+  return std::to_string(static_cast<int>(request.stage)) + " " +
+         shaders::vulkan_version_name(request.vulkan) + (request.prepare ? " prepared " : " as it is ");
+}
+
+bool is_before(const Diagnostic& a, const Diagnostic& b) {
+  return std::tie(a.file, a.line, a.column, a.message) < std::tie(b.file, b.line, b.column, b.message);
+}
+
+bool is_same(const Diagnostic& a, const Diagnostic& b) {
+  return !is_before(a, b) && !is_before(b, a);
+}
+
+// By place; what has none stays behind, in its order.
+std::vector<Diagnostic> in_order(std::vector<Diagnostic> messages) {
+  const auto placed = std::stable_partition(messages.begin(), messages.end(),
+                                            [](const Diagnostic& message) { return message.line > 0; });
+  std::stable_sort(messages.begin(), placed, is_before);
+  messages.erase(std::unique(messages.begin(), placed, is_same), placed);
+  return messages;
+}
+
+}  // namespace
+
+std::vector<std::size_t> CheckedDeclarations::unknown(const hlsl::Reach& reach,
+                                                      const std::string& circumstances) const {
+  std::vector<std::size_t> indices;
+  for (std::size_t i = 0; i < reach.unreached().size(); ++i)
+    if (known_.count(circumstances + reach.unreached()[i]) == 0) indices.push_back(i);
+  return indices;
+}
+
+void CheckedDeclarations::learn(const hlsl::Reach& reach, const std::string& circumstances,
+                                const std::vector<Diagnostic>& said,
+                                const std::vector<std::size_t>& checked) {
+  for (const std::size_t i : checked) known_[circumstances + reach.unreached()[i]] = {};
+  for (const Diagnostic& message : said)
+    for (const std::size_t i : reach.at(message))
+      if (std::binary_search(checked.begin(), checked.end(), i))
+        known_[circumstances + reach.unreached()[i]].push_back(message);
+}
+
+shaders::CompileResult CheckedDeclarations::compile(const shaders::CompileRequest& request,
+                                                    shaders::PreprocessedSource expanded) {
+  const std::string text = std::move(expanded.text);
+  const std::vector<Diagnostic> before = expanded.diagnostics;
+  const hlsl::Reach reach(text, request.file.string(), request.entry);
+  const std::string circumstances = circumstances_of(request);
+  const auto whole = [&] {
+    expanded.text = text;
+    expanded.diagnostics = before;
+    return compile_whole(request, std::move(expanded));
+  };
+
+  if (const std::vector<std::size_t> unknown = this->unknown(reach, circumstances); !unknown.empty()) {
+    expanded.text = reach.text_with(unknown);
+    expanded.diagnostics.clear();
+    shaders::prepare(request, expanded);
+    const std::vector<Diagnostic> said = shaders::front_end_messages(request, expanded);
+    if (hlsl::has_errors(said)) return whole();
+    learn(reach, circumstances, said, unknown);
+  }
+
+  expanded.text = reach.text_with({});
+  expanded.diagnostics = before;
+  shaders::prepare(request, expanded);
+  shaders::CompileResult result = shaders::compile(request, std::move(expanded));
+  if (hlsl::has_errors(result.diagnostics)) {
+    expanded.sources = std::move(result.sources);
+    expanded.dependencies = std::move(result.dependencies);
+    return whole();
+  }
+  for (const std::string& key : reach.unreached()) {
+    const std::vector<Diagnostic>& said = known_.at(circumstances + key);
+    result.diagnostics.insert(result.diagnostics.end(), said.begin(), said.end());
+  }
+  result.diagnostics = in_order(std::move(result.diagnostics));
+  return result;
+}
+
+shaders::CompileResult compile_whole(const shaders::CompileRequest& request,
+                                     shaders::PreprocessedSource expanded) {
+  shaders::prepare(request, expanded);
+  return shaders::compile(request, std::move(expanded));
+}
+
+}  // namespace penumbra::validation
