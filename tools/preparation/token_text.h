@@ -97,10 +97,10 @@ class TokenText {
   std::vector<hlsl::Token> tokens_;
   WordNumbers words_;                   // of all that stand in the text or once stood there
   std::vector<std::uint32_t> numbers_;  // of every token's word
-  std::vector<hlsl::Token> edited_;     // where apply() writes; kept for their room alone
+  std::string leads_;                   // the first character of every token: it answers most questions
+  std::vector<hlsl::Token> edited_;     // where apply() writes these three; kept for their room alone
   std::vector<std::uint32_t> edited_numbers_;
   std::string edited_leads_;
-  std::string leads_;  // the first character of every token, which answers most questions about it
   static constexpr std::uint32_t alone = static_cast<std::uint32_t>(-1);
   std::vector<std::uint32_t> partners_;
   std::vector<Edit> edits_;
