@@ -3,7 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <random>
+#include <set>
+
+#include "preparation/value_types.h"
 
 namespace penumbra::preparation {
 namespace {
@@ -65,6 +69,86 @@ TEST(TokenText, PartnersAreFoundAfterEdits) {
   EXPECT_EQ(text.partner(0), 1u);
   EXPECT_EQ(text.partner(3), 8u);
   EXPECT_EQ(TokenText("( ]", "m").partner(0), npos);
+}
+
+// What is asked of a text after edits, and what is asked of a text that never was another.
+void expect_like_new(const TokenText& edited) {
+  const std::string printed = edited.print();
+  const TokenText fresh(printed, "m");
+  ASSERT_EQ(edited.size(), fresh.size());
+  for (std::size_t at = 0; at < fresh.size(); ++at) {
+    EXPECT_EQ(edited.is_word(at), fresh.is_word(at)) << at;
+    EXPECT_EQ(edited.lead(at), fresh[at].spelling[0]) << at;
+    EXPECT_TRUE(edited.is(at, fresh[at].spelling)) << at;
+    EXPECT_EQ(edited.partner(at), fresh.partner(at)) << at;
+    EXPECT_EQ(edited.types().at(at).name, fresh.types().at(at).name) << at;
+    EXPECT_EQ(edited.types().begin(at), fresh.types().begin(at)) << at;
+  }
+  ASSERT_EQ(edited.outline().size(), fresh.outline().size());
+  for (std::size_t i = 0; i < fresh.outline().size(); ++i) {
+    EXPECT_EQ(edited.outline()[i].kind, fresh.outline()[i].kind) << i;
+    EXPECT_EQ(edited.outline()[i].first, fresh.outline()[i].first) << i;
+    EXPECT_EQ(edited.outline()[i].last, fresh.outline()[i].last) << i;
+    EXPECT_EQ(edited.outline()[i].name, fresh.outline()[i].name) << i;
+  }
+}
+
+TEST(TokenText, AfterEditsEverythingIsToldOfTheNewText) {
+  TokenText text("float a; float f(float b) { return (a + b); } struct S { half c; }; S s;", "m");
+  EXPECT_EQ(text.outline().size(), 4u);
+  EXPECT_EQ(text.types().structs().size(), 1u);
+  EXPECT_EQ(text.free_name("d"), "d");
+  EXPECT_EQ(text.free_name("a"), "a_");
+  text.replace(0, 3, "int2 d[2]; ;");
+  text.insert(text.size(), "void g() { s.c = d[0].x; }");
+  text.apply();
+  ASSERT_EQ(text.outline().size(), 6u);
+  EXPECT_EQ(text.free_name("d"), "d_");
+  EXPECT_EQ(text.free_name("g"), "g_");
+  EXPECT_EQ(text.types().at(1).name, "");
+  expect_like_new(text);
+  text.erase(0, 6);
+  text.apply();
+  EXPECT_EQ(text.free_name("int2"), "int2");
+  expect_like_new(text);
+}
+
+TEST(TokenText, EditsThatChangeNothingKeepWhatIsKnown) {
+  TokenText text("float a;", "m");
+  const hlsl::Token* const first = text.tokens().data();
+  text.insert(0, "");
+  text.erase(1, 0);
+  text.apply();
+  EXPECT_EQ(text.tokens().data(), first);  // apply() writes its tokens elsewhere
+}
+
+// Words spelled alike, and no others, have the same number: in a text, and with what edits put in.
+TEST(TokenText, WordNumbersAreThoseOfTheSpelling) {
+  std::mt19937 random(5);
+  const auto words = [&random](int count) {
+    std::string text;
+    for (int i = 0; i < count; ++i) {
+      text += random() % 2 == 0 ? "a_rather_long_name_" : "n";
+      text += std::to_string(random() % 6000);
+      text += random() % 4 == 0 ? " + 1.5 " : " ";
+    }
+    return text;
+  };
+  TokenText text(words(12000), "m");
+  for (std::size_t at = 0; at < text.size(); at += 7) text.replace(at, random() % 3, words(3));
+  text.apply();
+  std::map<std::string_view, std::uint32_t> number_of;
+  std::set<std::uint32_t> numbers;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const std::uint32_t number = text.word_number(at);
+    EXPECT_EQ(number == WordNumbers::none, !text.is_word(at));
+    if (!text.is_word(at)) continue;
+    EXPECT_LT(number, text.word_numbers());
+    EXPECT_EQ(number_of.emplace(text[at].spelling, number).first->second, number) << text[at].spelling;
+    numbers.insert(number);
+  }
+  EXPECT_GT(number_of.size(), 5000u);
+  EXPECT_EQ(numbers.size(), number_of.size());
 }
 
 // Taking out a random half of the tokens leaves the others where they were.

@@ -1,9 +1,10 @@
 #include "hlsl/outline.h"
 
-#include <algorithm>
-#include <array>
+#include <cstdint>
 #include <span>
 #include <string_view>
+
+#include "hlsl/word_set.h"
 
 namespace penumbra::hlsl {
 
@@ -16,19 +17,21 @@ bool is(const Token& token, std::string_view spelling) {
 }
 
 bool opens(const Token& token) {
-  return token.kind == Token::Kind::mark &&
-         std::string_view("([{").find(token.spelling[0]) != std::string_view::npos;
+  if (token.kind != Token::Kind::mark) return false;
+  const char lead = token.spelling[0];
+  return lead == '(' || lead == '[' || lead == '{';
 }
 bool closes(const Token& token) {
-  return token.kind == Token::Kind::mark &&
-         std::string_view(")]}").find(token.spelling[0]) != std::string_view::npos;
+  if (token.kind != Token::Kind::mark) return false;
+  const char lead = token.spelling[0];
+  return lead == ')' || lead == ']' || lead == '}';
 }
 
 // For every opening bracket the index of the one that closes it; 0 where none does.
-std::vector<std::size_t> closing_brackets(Tokens tokens) {
-  std::vector<std::size_t> closing(tokens.size(), 0);
-  std::vector<std::size_t> open;
-  for (std::size_t at = 0; at < tokens.size(); ++at) {
+std::vector<std::uint32_t> closing_brackets(Tokens tokens) {
+  std::vector<std::uint32_t> closing(tokens.size(), 0);
+  std::vector<std::uint32_t> open;
+  for (std::uint32_t at = 0; at < tokens.size(); ++at) {
     if (opens(tokens[at])) {
       open.push_back(at);
     } else if (closes(tokens[at]) && !open.empty()) {
@@ -41,11 +44,10 @@ std::vector<std::size_t> closing_brackets(Tokens tokens) {
 
 // What may stand before a parameter's type without being part of it. `in` is what a parameter is anyway.
 bool is_modifier(const Token& token) {
-  constexpr std::array<std::string_view, 15> modifiers{
-      "in",        "const",        "uniform",         "precise",       "static",
-      "linear",    "centroid",     "nointerpolation", "noperspective", "sample",
-      "row_major", "column_major", "snorm",           "unorm",         "volatile"};
-  return std::find(modifiers.begin(), modifiers.end(), token.spelling) != modifiers.end();
+  static constexpr WordSet modifiers("in", "const", "uniform", "precise", "static", "linear", "centroid",
+                                     "nointerpolation", "noperspective", "sample", "row_major",
+                                     "column_major", "snorm", "unorm", "volatile");
+  return modifiers.contains(token.spelling);
 }
 
 // One parameter without its name, default value and semantic.
@@ -241,7 +243,7 @@ class Reader {
   }
 
   Tokens tokens_;
-  std::vector<std::size_t> closing_;
+  std::vector<std::uint32_t> closing_;
   std::size_t at_ = 0;
   bool incomplete_ = false;  // a bracket was never closed: nothing after it is told
   Declaration current_;

@@ -134,10 +134,11 @@ class ReachReader {
   void read(const Declaration& declaration) {
     const Token& first = tokens_[declaration.first];
     const Token& last = tokens_[declaration.last];
-    const std::size_t end = last.offset + last.spelling.size();
+    const char* const begin = first.spelling.data();
+    const char* const end = last.spelling.data() + last.spelling.size();
     platform::ContentHash hash;
     hash.update(declaration.scope).update(first.file).update(first.line).update(last.line);
-    hash.update(std::string_view(to_.text_).substr(first.offset, end - first.offset));
+    hash.update(std::string_view(begin, static_cast<std::size_t>(end - begin)));
     const bool goes = may_go(tokens_, declaration);
     const std::size_t name = goes ? words_.at(spelling(declaration.name)).name : none;
     std::vector<std::size_t>& reached = goes ? to_.names_[name].spelled : roots_;
@@ -218,6 +219,10 @@ std::vector<std::size_t> Reach::at(const Diagnostic& message) const {
   return found;
 }
 
+std::size_t Reach::offset(std::size_t token) const {
+  return static_cast<std::size_t>(tokens_[token].spelling.data() - text_.data());
+}
+
 std::string Reach::text_with(const std::vector<std::size_t>& also) const {
   std::vector<bool> stays = reached_;
   std::vector<std::size_t> from;
@@ -233,8 +238,8 @@ std::string Reach::text_with(const std::vector<std::size_t>& also) const {
   out.reserve(text_.size());
   std::size_t at = 0;
   for (const Range& range : gone) {
-    const std::size_t begin = tokens_[range.first].offset;
-    const std::size_t end = tokens_[range.last].offset + tokens_[range.last].spelling.size();
+    const std::size_t begin = offset(range.first);
+    const std::size_t end = offset(range.last) + tokens_[range.last].spelling.size();
     out.append(text_, at, begin - at);
     append_lines_alone(text_, begin, end, out);
     at = end;

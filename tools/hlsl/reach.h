@@ -49,6 +49,7 @@ class Reach {
 
   friend class ReachReader;
 
+  std::size_t offset(std::size_t token) const;  // in the text
   void reach(std::vector<std::size_t> from, std::vector<bool>& reached) const;
 
   const std::string& text_;

@@ -13,6 +13,10 @@ constexpr std::array<std::string_view, 22> operators{
     "<<=", ">>=", "...", "==", "<=", ">=", "!=", "&&", "||", "++", "--",
     "+=",  "-=",  "*=",  "/=", "%=", "&=", "|=", "^=", "<<", ">>", "::"};
 
+std::size_t offset_in(std::string_view text, const Token& token) {
+  return static_cast<std::size_t>(token.spelling.data() - text.data());
+}
+
 // The lexer gives marks one by one; a compiler must read "==" as one.
 std::vector<Token> with_operators_joined(const std::vector<Token>& marks, std::string_view text) {
   std::vector<Token> joined;
@@ -20,8 +24,9 @@ std::vector<Token> with_operators_joined(const std::vector<Token>& marks, std::s
     Token token = marks[i];
     if (token.kind == Token::Kind::mark) {
       for (const std::string_view candidate : operators) {
-        if (text.substr(token.offset, candidate.size()) != candidate) continue;
-        token.spelling = text.substr(token.offset, candidate.size());
+        const std::string_view here = text.substr(offset_in(text, token), candidate.size());
+        if (here != candidate) continue;
+        token.spelling = here;
         i += candidate.size() - 1;
         break;
       }
@@ -53,7 +58,7 @@ int column_of_macro(std::string_view source_line, const std::set<std::string_vie
   for (const Token& token : lex(code)) {
     if (token.kind != Token::Kind::word || expanded.count(token.spelling) != 0) continue;
     if (column != 0) return 0;
-    column = static_cast<int>(token.offset) + 1;
+    column = static_cast<int>(offset_in(code, token)) + 1;
   }
   return column;
 }
@@ -64,7 +69,7 @@ int column_in(std::string_view source_line, std::string_view spelling, std::size
   const std::string code = without_comments(source_line);
   std::vector<int> columns;
   for (const Token& token : with_operators_joined(lex(code), code))
-    if (token.spelling == spelling) columns.push_back(static_cast<int>(token.offset) + 1);
+    if (token.spelling == spelling) columns.push_back(static_cast<int>(offset_in(code, token)) + 1);
   return columns.size() == count && rank < count ? columns[rank] : 0;
 }
 

@@ -1,6 +1,7 @@
 #include "hlsl/tokens.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 
 namespace penumbra::hlsl {
@@ -10,14 +11,18 @@ namespace {
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
-bool is_word_start(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-bool is_word(char c) {
-  return is_word_start(c) || is_digit(c);
-}
 bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v';
+}
+
+// Asked about nearly every character of a text: a table, for it is twice as fast as the comparisons.
+constexpr std::array<bool, 256> characters_of_words = [] {
+  std::array<bool, 256> table{};
+  for (std::size_t c = 0; c < table.size(); ++c) table[c] = continues_word(static_cast<char>(c));
+  return table;
+}();
+bool is_word(char c) {
+  return characters_of_words[static_cast<unsigned char>(c)];
 }
 
 class Lexer {
@@ -25,6 +30,8 @@ class Lexer {
   explicit Lexer(std::string_view text) : text_(text) {}
 
   std::vector<Token> run() {
+    constexpr std::size_t characters_of_a_token = 5;  // fewer than shaders have, so that room is seldom made
+    tokens_.reserve(text_.size() / characters_of_a_token);
     while (at_ < text_.size()) step();
     return std::move(tokens_);
   }
@@ -49,7 +56,7 @@ class Lexer {
   }
 
   void token(char c) {
-    if (is_word_start(c)) {
+    if (begins_word(c)) {
       take(Token::Kind::word, end_of_word(at_));
     } else if (is_digit(c) || (c == '.' && is_digit(next(1)))) {
       take(Token::Kind::number, end_of_number());
@@ -61,7 +68,7 @@ class Lexer {
   }
 
   void take(Token::Kind kind, std::size_t end) {
-    tokens_.push_back({kind, text_.substr(at_, end - at_), at_, file_, line_});
+    tokens_.push_back({kind, line_, text_.substr(at_, end - at_), file_});
     at_ = end;
   }
 

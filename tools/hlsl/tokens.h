@@ -12,13 +12,27 @@
 
 namespace penumbra::hlsl {
 
+// A letter or an underscore, with which every word begins and nothing else.
+constexpr bool begins_word(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+
+// One of those or a digit, of which the rest of a word consists.
+constexpr bool continues_word(char c) {
+  return begins_word(c) || (c >= '0' && c <= '9');
+}
+
 struct Token {
-  enum class Kind { word, number, text, mark };  // text: "..."; mark: one character of punctuation
+  enum class Kind : unsigned char {
+    word,
+    number,
+    text,
+    mark
+  };  // text: "..."; mark: one character of punctuation
   Kind kind = Kind::mark;
-  std::string_view spelling;  // points into the lexed text
-  std::size_t offset = 0;     // where it does
-  std::string_view file;      // as the #line directive spells it; empty before the first that names one
   int line = 0;
+  std::string_view spelling;  // points into the lexed text
+  std::string_view file;      // as the #line directive spells it; empty before the first that names one
 };
 
 // The views live as long as `preprocessed` does. Never fails: what is no word, number or text is a mark.

@@ -27,7 +27,7 @@ class ArrayCasts {
   explicit ArrayCasts(TokenText& text) : text_(text) {}
 
   void run() {
-    for (const hlsl::Declaration& declaration : hlsl::outline(text_.tokens()))
+    for (const hlsl::Declaration& declaration : text_.outline())
       for (std::size_t at = declaration.first; at <= declaration.last; ++at) rewrite(at, declaration.first);
     text_.apply();
   }

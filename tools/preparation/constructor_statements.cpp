@@ -23,7 +23,7 @@ void wrap_in(TokenText& text, const hlsl::Declaration& function) {
 }  // namespace
 
 void wrap_constructor_statements(TokenText& text) {
-  for (const hlsl::Declaration& declaration : hlsl::outline(text.tokens()))
+  for (const hlsl::Declaration& declaration : text.outline())
     if (declaration.kind == hlsl::Declaration::Kind::function) wrap_in(text, declaration);
   text.apply();
 }

@@ -3,21 +3,18 @@
 #include <algorithm>
 #include <array>
 
+#include "hlsl/word_set.h"
+
 namespace penumbra::preparation {
 
 namespace {
 
-template <std::size_t N>
-bool one_of(const std::array<std::string_view, N>& words, std::string_view word) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
-
 bool is_modifier(std::string_view word) {
-  constexpr std::array<std::string_view, 19> modifiers{
-      "static",    "const",           "uniform",       "extern", "precise",         "groupshared", "volatile",
-      "row_major", "column_major",    "snorm",         "unorm",  "linear",          "centroid",    "shared",
-      "sample",    "nointerpolation", "noperspective", "inline", "globallycoherent"};
-  return one_of(modifiers, word);
+  static constexpr hlsl::WordSet modifiers("static", "const", "uniform", "extern", "precise", "groupshared",
+                                           "volatile", "row_major", "column_major", "snorm", "unorm",
+                                           "linear", "centroid", "shared", "sample", "nointerpolation",
+                                           "noperspective", "inline", "globallycoherent");
+  return modifiers.contains(word);
 }
 
 // Over `<...>`; the index after it.
@@ -72,16 +69,15 @@ std::vector<Declarator> declarators(const TokenText& text, std::size_t first, st
 }
 
 bool is_number_type(std::string_view word) {
-  constexpr std::array<std::string_view, 12> scalars{"float",    "half",     "int",        "uint",
-                                                     "bool",     "double",   "min16float", "min10float",
-                                                     "min16int", "min12int", "min16uint",  "dword"};
-  return std::any_of(scalars.begin(), scalars.end(), [&](std::string_view scalar) {
-    if (word.substr(0, scalar.size()) != scalar) return false;
-    const std::string_view shape = word.substr(scalar.size());
-    const auto size = [](char c) { return c >= '1' && c <= '4'; };
-    return shape.empty() || (shape.size() == 1 && size(shape[0])) ||
-           (shape.size() == 3 && size(shape[0]) && shape[1] == 'x' && size(shape[2]));
-  });
+  static constexpr hlsl::WordSet scalars("float", "half", "int", "uint", "bool", "double", "min16float",
+                                         "min10float", "min16int", "min12int", "min16uint", "dword");
+  const auto size = [](char c) { return c >= '1' && c <= '4'; };
+  if (!word.empty() && size(word.back())) {  // no scalar ends with a number
+    const std::size_t length = word.size();
+    const bool matrix = length > 3 && word[length - 2] == 'x' && size(word[length - 3]);
+    word.remove_suffix(matrix ? 3 : 1);
+  }
+  return scalars.contains(word);
 }
 
 }  // namespace penumbra::preparation

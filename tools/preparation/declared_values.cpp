@@ -1,7 +1,8 @@
 #include "preparation/declared_values.h"
 
 #include <algorithm>
-#include <array>
+
+#include "hlsl/word_set.h"
 
 namespace penumbra::preparation {
 
@@ -45,30 +46,11 @@ std::size_t read_type(const TokenText& text, const DeclarationRange& range, Decl
 }  // namespace
 
 bool is_modifier(std::string_view word) {
-  static constexpr std::array<std::string_view, 23> modifiers{"in",
-                                                              "out",
-                                                              "inout",
-                                                              "const",
-                                                              "uniform",
-                                                              "static",
-                                                              "extern",
-                                                              "precise",
-                                                              "linear",
-                                                              "centroid",
-                                                              "sample",
-                                                              "nointerpolation",
-                                                              "noperspective",
-                                                              "volatile",
-                                                              "shared",
-                                                              "groupshared",
-                                                              "snorm",
-                                                              "unorm",
-                                                              "row_major",
-                                                              "column_major",
-                                                              "unsigned",
-                                                              "globallycoherent",
-                                                              "inline"};
-  return std::find(modifiers.begin(), modifiers.end(), word) != modifiers.end();
+  static constexpr hlsl::WordSet modifiers(
+      "in", "out", "inout", "const", "uniform", "static", "extern", "precise", "linear", "centroid", "sample",
+      "nointerpolation", "noperspective", "volatile", "shared", "groupshared", "snorm", "unorm", "row_major",
+      "column_major", "unsigned", "globallycoherent", "inline");
+  return modifiers.contains(word);
 }
 
 std::size_t after_template(const TokenText& text, std::size_t at, std::size_t end) {

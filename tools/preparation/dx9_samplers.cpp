@@ -283,7 +283,8 @@ class Separation {
 void separate_dx9_samplers(TokenText& text) {
   const auto& tokens = text.tokens();
   const bool any = std::any_of(tokens.begin(), tokens.end(), [](const hlsl::Token& token) {
-    return token.spelling == "sampler" || !dx9_dimension(token.spelling).empty();
+    return token.spelling[0] == 's' &&
+           (token.spelling == "sampler" || !dx9_dimension(token.spelling).empty());
   });
   if (any) Separation(text).run();
 }

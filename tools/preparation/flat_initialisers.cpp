@@ -60,7 +60,7 @@ void group(TokenText& text, std::size_t open, const std::vector<std::size_t>& fi
 
 void group_flat_initialisers(TokenText& text) {
   for (std::size_t type = 0; type + 2 < text.size(); ++type) {
-    if (!text.is_word(type) || !text.is_word(type + 1) || !text.is(type + 2, "[")) continue;
+    if (!text.is(type + 2, "[") || !text.is_word(type) || !text.is_word(type + 1)) continue;
     if (!is_number_type(text[type].spelling)) continue;
     std::size_t at = type + 2;
     const std::vector<std::size_t> dimensions = sizes(text, at);

@@ -66,7 +66,7 @@ std::string attachment(std::size_t number, std::string_view type, std::string_vi
 
 class FramebufferFetch {
  public:
-  explicit FramebufferFetch(TokenText& text) : text_(text), outline_(hlsl::outline(text.tokens())) {}
+  explicit FramebufferFetch(TokenText& text) : text_(text), outline_(text.outline()) {}
 
   void run() {
     for (const hlsl::Declaration& declaration : outline_)
@@ -151,7 +151,7 @@ class FramebufferFetch {
   }
 
   TokenText& text_;
-  const std::vector<hlsl::Declaration> outline_;
+  const std::vector<hlsl::Declaration>& outline_;
   std::map<std::string_view, InputKind> inputs_;  // by the name that reads them
   std::map<std::size_t, std::size_t> blocks_;     // '{' and '}' of those that go
   std::set<std::string_view> called_;

@@ -1,6 +1,6 @@
 #include "preparation/intrinsic_calls.h"
 
-#include <set>
+#include <algorithm>
 #include <string_view>
 #include <vector>
 
@@ -31,11 +31,11 @@ std::vector<Argument> arguments(const TokenText& text, std::size_t open) {
   return list;
 }
 
-std::set<std::string_view> own_functions(const TokenText& text) {
-  std::set<std::string_view> names;
-  for (const hlsl::Declaration& declaration : hlsl::outline(text.tokens()))
-    if (declaration.parameters_open != hlsl::Declaration::none) names.insert(text[declaration.name].spelling);
-  return names;
+bool has_function(const TokenText& text, std::string_view name) {
+  const auto& all = text.outline();
+  return std::any_of(all.begin(), all.end(), [&](const hlsl::Declaration& declaration) {
+    return declaration.parameters_open != hlsl::Declaration::none && text.is(declaration.name, name);
+  });
 }
 
 // mad(a, b, c)  ->  ((a) * (b) + (c))
@@ -70,17 +70,20 @@ void give_uint_values(TokenText& text, std::string_view name, const std::vector<
 }  // namespace
 
 void write_out_intrinsic_calls(TokenText& text) {
-  const std::set<std::string_view> own = own_functions(text);
+  const bool own_mad = has_function(text, "mad");
+  const bool own_ldexp = has_function(text, "ldexp");
   for (std::size_t at = 1; at + 1 < text.size(); ++at) {
     if (!text.is_word(at) || !text.is(at + 1, "(") || text.partner(at + 1) == npos) continue;
     const std::string_view name = text[at].spelling;
     const bool method = text.is(at - 1, ".");
     if (method && name.substr(0, 11) == "Interlocked") {
       give_uint_values(text, name, arguments(text, at + 1));
-    } else if (!method && (name == "mad" || name == "ldexp") && own.count(name) == 0) {
+    } else if (!method && name == "mad" && !own_mad) {
       const std::vector<Argument> given = arguments(text, at + 1);
-      if (name == "mad" && given.size() == 3) write_out_mad(text, at, given);
-      if (name == "ldexp" && given.size() == 2) write_out_ldexp(text, at, given);
+      if (given.size() == 3) write_out_mad(text, at, given);
+    } else if (!method && name == "ldexp" && !own_ldexp) {
+      const std::vector<Argument> given = arguments(text, at + 1);
+      if (given.size() == 2) write_out_ldexp(text, at, given);
     }
   }
   text.apply();

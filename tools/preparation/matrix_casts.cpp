@@ -11,6 +11,7 @@ namespace {
 
 // "float" of float4x4; empty for other words and for matrices of whole numbers.
 std::string_view scalar_of_matrix(std::string_view word) {
+  if (word.size() < 7 || word[word.size() - 2] != 'x') return {};  // nearly all words
   for (const std::string_view scalar :
        {std::string_view("float"), std::string_view("half"), std::string_view("double"),
         std::string_view("min16float"), std::string_view("min10float")}) {

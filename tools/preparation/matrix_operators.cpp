@@ -26,8 +26,10 @@ bool is_multiplication(const TokenText& text, std::size_t at) {
   return text.is(at, "*") || text.is(at, "/") || text.is(at, "%");
 }
 
+// Each of the four is a token of its own.
 bool is_arithmetic(const TokenText& text, std::size_t at) {
-  return text.is(at, "*") || text.is(at, "/") || text.is(at, "+") || text.is(at, "-");
+  const char mark = text.lead(at);
+  return mark == '*' || mark == '/' || mark == '+' || mark == '-';
 }
 
 bool ends_operand(const TokenText& text, std::size_t at) {

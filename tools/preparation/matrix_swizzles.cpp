@@ -1,8 +1,10 @@
 #include "preparation/matrix_swizzles.h"
 
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -70,9 +72,9 @@ std::string function_definitions(std::string_view word) {
 }
 
 // Names of struct members, which look like swizzles where they are used.
-std::set<std::string_view> member_names(const TokenText& text) {
-  std::set<std::string_view> names;
-  for (const hlsl::Declaration& declaration : hlsl::outline(text.tokens())) {
+std::unordered_set<std::string_view> member_names(const TokenText& text) {
+  std::unordered_set<std::string_view> names;
+  for (const hlsl::Declaration& declaration : text.outline()) {
     if (declaration.kind != hlsl::Declaration::Kind::structure) continue;
     for (std::size_t at = declaration.open; at < declaration.close; ++at)
       if (text.is_word(at)) names.insert(text[at].spelling);
@@ -82,13 +84,13 @@ std::set<std::string_view> member_names(const TokenText& text) {
 
 class Swizzles {
  public:
-  explicit Swizzles(TokenText& text) : text_(text), members_(member_names(text)) {}
+  explicit Swizzles(TokenText& text) : text_(text) {}
 
   void run() {
     for (std::size_t dot = 1; dot + 1 < text_.size(); ++dot) {
       if (!text_.is(dot, ".") || !text_.is_word(dot + 1)) continue;
       const std::string_view word = text_[dot + 1].spelling;
-      if (word[0] != '_' || swizzle(word).size() < 2 || members_.count(word) != 0) continue;
+      if (word[0] != '_' || swizzle(word).size() < 2 || is_member(word)) continue;
       const std::size_t begin = postfix_begin(text_, dot - 1);
       if (begin == npos) continue;
       if (assignment_length(text_, dot + 2) != 0) {
@@ -104,6 +106,11 @@ class Swizzles {
   }
 
  private:
+  bool is_member(std::string_view word) {
+    if (!members_) members_ = member_names(text_);
+    return members_->count(word) != 0;
+  }
+
   void read(std::size_t begin, std::size_t dot) {
     const std::string_view word = text_[dot + 1].spelling;
     read_.insert(word);
@@ -131,7 +138,7 @@ class Swizzles {
   }
 
   TokenText& text_;
-  std::set<std::string_view> members_;
+  std::optional<std::unordered_set<std::string_view>> members_;  // read for the first that may be one
   std::set<std::string_view> read_;
 };
 

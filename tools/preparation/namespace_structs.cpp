@@ -18,7 +18,7 @@ using Kind = hlsl::Declaration::Kind;
 
 class Namespaces {
  public:
-  explicit Namespaces(TokenText& text) : text_(text), declarations_(hlsl::outline(text.tokens())) {}
+  explicit Namespaces(TokenText& text) : text_(text), declarations_(text.outline()) {}
 
   void run() {
     if (std::none_of(declarations_.begin(), declarations_.end(),
@@ -154,7 +154,7 @@ class Namespaces {
   };
 
   TokenText& text_;
-  std::vector<hlsl::Declaration> declarations_;
+  const std::vector<hlsl::Declaration>& declarations_;
   std::map<std::string, std::string> names_;                   // "A::f" -> "A_f"
   std::map<std::size_t, std::set<std::string_view>> members_;  // by the '{' of their struct
   std::vector<Scope> scopes_;

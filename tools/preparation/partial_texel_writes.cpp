@@ -27,12 +27,19 @@ std::string texel_type(const std::string& type) {
   return inner.find_first_of("<>,") == std::string::npos ? inner : std::string();
 }
 
+// Whether the declaration may be one of such a type.
+bool names_one(const TokenText& text, const hlsl::Declaration& declaration) {
+  for (std::size_t at = declaration.type; at <= declaration.last; ++at)
+    if (text.lead(at) == 'R' && text[at].spelling.starts_with("RW")) return true;
+  return false;
+}
+
 using Texels = std::map<std::string_view, std::string>;
 
 Texels writable_textures(const TokenText& text, const std::vector<hlsl::Declaration>& declarations) {
   Texels texels;
   for (const hlsl::Declaration& declaration : declarations) {
-    if (declaration.kind != hlsl::Declaration::Kind::variable) continue;
+    if (declaration.kind != hlsl::Declaration::Kind::variable || !names_one(text, declaration)) continue;
     for (const Declarator& declarator : declarators(text, declaration.type, declaration.last)) {
       const std::string type = texel_type(declarator.type);
       if (!type.empty() && declarator.dimension_count == 0) texels[text[declarator.name].spelling] = type;
@@ -58,7 +65,7 @@ void rewrite(TokenText& text, std::size_t name, const std::string& type) {
 }  // namespace
 
 void write_whole_texels(TokenText& text) {
-  const std::vector<hlsl::Declaration> declarations = hlsl::outline(text.tokens());
+  const std::vector<hlsl::Declaration>& declarations = text.outline();
   const Texels texels = writable_textures(text, declarations);
   if (texels.empty()) return;
   for (const hlsl::Declaration& declaration : declarations) {

@@ -1,8 +1,9 @@
 #include "preparation/postfix_expression.h"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
+
+#include "hlsl/word_set.h"
 
 namespace penumbra::preparation {
 
@@ -10,18 +11,17 @@ namespace {
 
 // Words after which an expression begins anew.
 bool is_keyword(std::string_view word) {
-  constexpr std::array<std::string_view, 8> keywords{"return", "else",  "do",  "case",
-                                                     "if",     "while", "for", "switch"};
-  return std::find(keywords.begin(), keywords.end(), word) != keywords.end();
+  static constexpr hlsl::WordSet keywords("return", "else", "do", "case", "if", "while", "for", "switch");
+  return keywords.contains(word);
 }
 
 bool is_name(const TokenText& text, std::size_t at) {
   return text.is_word(at) && !is_keyword(text[at].spelling);
 }
 
+// None of the marks begins a word, a number or a text.
 bool is_mark(const TokenText& text, std::size_t at, std::string_view marks) {
-  return at < text.size() && text[at].kind == hlsl::Token::Kind::mark &&
-         marks.find(text[at].spelling[0]) != std::string_view::npos;
+  return std::find(marks.begin(), marks.end(), text.lead(at)) != marks.end();
 }
 
 // Two marks that stand together in the text, as in "+=" and "==".

@@ -33,7 +33,8 @@ std::string known_matrix(std::string_view word) {
 
 void name_precision_matrices(TokenText& text) {
   for (std::size_t at = 0; at < text.size(); ++at) {
-    const std::string known = text.is_word(at) ? known_matrix(text[at].spelling) : std::string{};
+    if (text.lead(at) != 'm') continue;  // as all of them begin
+    const std::string known = known_matrix(text[at].spelling);
     if (!known.empty()) text.replace(at, 1, known);
   }
   text.apply();

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
+#include <vector>
 
 #include "hlsl/outline.h"
 #include "hlsl/tokens.h"
@@ -38,6 +39,8 @@ std::string widened_word(std::string_view word) {
 
 // A parameter as parameter_types() spells it, every word of it widened.
 std::string widened(const std::string& parameter) {
+  const bool one_word = std::all_of(parameter.begin(), parameter.end(), hlsl::continues_word);
+  if (one_word) return widened_word(parameter);
   std::string result;
   for (const hlsl::Token& token : hlsl::lex(parameter)) {
     result += widened_word(token.spelling);
@@ -50,22 +53,37 @@ struct Function {
   const hlsl::Declaration* declaration;
   std::string name;  // with its namespaces
   std::vector<std::string> parameters;
+  std::vector<std::string> widened_parameters;
 };
 
-std::vector<Function> function_definitions(const TokenText& text,
-                                           const std::vector<hlsl::Declaration>& declarations) {
+Function read_function(const TokenText& text, const hlsl::Declaration& declaration) {
+  Function function{&declaration,
+                    declaration.scope + std::string(text[declaration.name].spelling),
+                    hlsl::parameter_types(text.tokens(), declaration),
+                    {}};
+  for (const std::string& type : function.parameters) function.widened_parameters.push_back(widened(type));
+  return function;
+}
+
+// Those that share their name with another; no other can have a twin.
+std::vector<Function> overloaded_functions(const TokenText& text) {
+  std::unordered_map<std::string_view, int> definitions;  // by name, of all namespaces together
+  for (const hlsl::Declaration& declaration : text.outline())
+    if (declaration.kind == hlsl::Declaration::Kind::function) ++definitions[text[declaration.name].spelling];
   std::vector<Function> functions;
-  for (const hlsl::Declaration& declaration : declarations) {
+  for (const hlsl::Declaration& declaration : text.outline()) {
     if (declaration.kind != hlsl::Declaration::Kind::function) continue;
-    functions.push_back({&declaration, declaration.scope + std::string(text[declaration.name].spelling),
-                         hlsl::parameter_types(text.tokens(), declaration)});
+    if (definitions[text[declaration.name].spelling] > 1)
+      functions.push_back(read_function(text, declaration));
   }
   return functions;
 }
 
 int narrow_parameters(const Function& function) {
-  return static_cast<int>(std::count_if(function.parameters.begin(), function.parameters.end(),
-                                        [](const std::string& type) { return widened(type) != type; }));
+  int count = 0;
+  for (std::size_t i = 0; i < function.parameters.size(); ++i)
+    count += function.parameters[i] != function.widened_parameters[i] ? 1 : 0;
+  return count;
 }
 
 // float f(float x) { return f(half(x)); }: with one body left it would call itself.
@@ -91,9 +109,7 @@ std::string list(const std::vector<std::string>& types) {
 }
 
 std::string widened_signature(const Function& function) {
-  std::vector<std::string> types;
-  for (const std::string& type : function.parameters) types.push_back(widened(type));
-  return function.name + list(types);
+  return function.name + list(function.widened_parameters);
 }
 
 // The suffix of a literal is precision as well: 1.0f and 1.0 are one.
@@ -109,6 +125,7 @@ bool same_bodies(const TokenText& text, const hlsl::Declaration& a, const hlsl::
     const hlsl::Token& left = text[a.open + i];
     const hlsl::Token& right = text[b.open + i];
     const bool number = left.kind == hlsl::Token::Kind::number && right.kind == left.kind;
+    if (left.spelling == right.spelling) continue;
     const bool same = number ? without_suffix(left.spelling) == without_suffix(right.spelling)
                              : widened_word(left.spelling) == widened_word(right.spelling);
     if (!same) return false;
@@ -130,17 +147,18 @@ void drop(TokenText& text, const Function& gone, const Function& kept) {
 }  // namespace
 
 void merge_precision_twins(TokenText& text) {
-  const std::vector<hlsl::Declaration> declarations = hlsl::outline(text.tokens());
-  const std::vector<Function> functions = function_definitions(text, declarations);
-  std::map<std::string, const Function*> kept;
+  const std::vector<Function> functions = overloaded_functions(text);
+  std::unordered_map<std::string, const Function*> kept;
+  std::vector<const Function**> kept_of;  // of each function: where the one that its kind keeps is
   for (const Function& function : functions) {
     const Function*& best = kept[widened_signature(function)];
     if (best == nullptr || better(text, function, *best)) best = &function;
+    kept_of.push_back(&best);
   }
-  for (const Function& function : functions) {
-    const Function& best = *kept[widened_signature(function)];
-    if (function.parameters == best.parameters) continue;  // itself, or a definition spelled alike
-    drop(text, function, best);
+  for (std::size_t i = 0; i < functions.size(); ++i) {
+    const Function& best = **kept_of[i];
+    if (functions[i].parameters == best.parameters) continue;  // itself, or a definition spelled alike
+    drop(text, functions[i], best);
   }
   text.apply();
 }

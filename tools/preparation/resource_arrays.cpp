@@ -41,9 +41,9 @@ void assign_elements(TokenText& text, const DeclaredValue& value) {
 
 // `c ? a : b).Load(` at the end of b.
 bool reads_a_choice(const TokenText& text, const ValueTypes& types, std::size_t at) {
+  if (!text.is(at + 1, ")") || !text.is(at + 2, ".")) return false;
   const std::size_t first = types.begin(at);
-  return is_texture(types.at(at).name) && first != npos && first > 0 && text.is(first - 1, ":") &&
-         text.is(at + 1, ")") && text.is(at + 2, ".");
+  return is_texture(types.at(at).name) && first != npos && first > 0 && text.is(first - 1, ":");
 }
 
 }  // namespace

@@ -1,17 +1,13 @@
 #include "preparation/resource_types.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
+
+#include "hlsl/word_set.h"
 
 namespace penumbra::preparation {
 
 namespace {
-
-template <std::size_t Size>
-bool among(std::string_view word, const std::array<std::string_view, Size>& words) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
 
 std::string_view without(std::string_view type, std::string_view prefix) {
   return type.substr(0, prefix.size()) == prefix ? type.substr(prefix.size()) : type;
@@ -20,23 +16,22 @@ std::string_view without(std::string_view type, std::string_view prefix) {
 }  // namespace
 
 bool is_texture(std::string_view type) {
-  constexpr std::array<std::string_view, 9> textures{
-      "Texture1D",   "Texture1DArray",   "Texture2D",   "Texture2DArray",  "Texture3D",
-      "TextureCube", "TextureCubeArray", "Texture2DMS", "Texture2DMSArray"};
-  return among(without(without(type, "RasterizerOrdered"), "RW"), textures);
+  static constexpr hlsl::WordSet textures("Texture1D", "Texture1DArray", "Texture2D", "Texture2DArray",
+                                          "Texture3D", "TextureCube", "TextureCubeArray", "Texture2DMS",
+                                          "Texture2DMSArray");
+  return textures.contains(without(without(type, "RasterizerOrdered"), "RW"));
 }
 
 bool is_sampler(std::string_view type) {
-  constexpr std::array<std::string_view, 7> samplers{
-      "SamplerState", "SamplerComparisonState", "sampler", "sampler1D", "sampler2D", "sampler3D",
-      "samplerCUBE"};
-  return among(type, samplers);
+  static constexpr hlsl::WordSet samplers("SamplerState", "SamplerComparisonState", "sampler", "sampler1D",
+                                          "sampler2D", "sampler3D", "samplerCUBE");
+  return samplers.contains(type);
 }
 
 bool is_buffer(std::string_view type) {
-  constexpr std::array<std::string_view, 4> buffers{"StructuredBuffer", "ByteAddressBuffer",
-                                                    "AppendStructuredBuffer", "ConsumeStructuredBuffer"};
-  return among(without(without(type, "RasterizerOrdered"), "RW"), buffers);
+  static constexpr hlsl::WordSet buffers("StructuredBuffer", "ByteAddressBuffer", "AppendStructuredBuffer",
+                                         "ConsumeStructuredBuffer");
+  return buffers.contains(without(without(type, "RasterizerOrdered"), "RW"));
 }
 
 bool is_resource(std::string_view type) {

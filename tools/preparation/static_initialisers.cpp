@@ -16,9 +16,11 @@ namespace {
 
 class StaticInitialisers {
  public:
-  explicit StaticInitialisers(TokenText& text) : text_(text), types_(text.types()) {
+  explicit StaticInitialisers(TokenText& text)
+      : text_(text), types_(text.types()), functions_(text.word_numbers(), false) {
     for (const FunctionType& function : types_.functions())
-      if (function.name != npos) functions_.insert(word(function.name));
+      if (function.name != npos && text_.is_word(function.name))
+        functions_[text_.word_number(function.name)] = true;
   }
 
   void run() {
@@ -59,7 +61,7 @@ class StaticInitialisers {
   bool must_move(const Declarator& constant) const {
     for (std::size_t at = constant.initialiser; at < constant.end; ++at) {
       if (!text_.is_word(at)) continue;
-      if (text_.is(at + 1, "(") && functions_.count(word(at)) != 0) return true;
+      if (text_.is(at + 1, "(") && functions_[text_.word_number(at)]) return true;
       if (moved_.count(types_.named(at)) != 0) return true;
     }
     return false;
@@ -83,7 +85,7 @@ class StaticInitialisers {
 
   TokenText& text_;
   const ValueTypes& types_;
-  std::set<std::string_view> functions_;
+  std::vector<bool> functions_;  // by a word's number: whether a function has that name
   // `float weights[2]; set_weights(weights);` by the constant's index into types_.declared().
   std::map<std::size_t, std::string> moved_;
 };

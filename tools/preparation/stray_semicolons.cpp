@@ -22,7 +22,7 @@ void drop_among_members(TokenText& text, const hlsl::Declaration& declaration) {
 
 void drop_stray_semicolons(TokenText& text) {
   using Kind = hlsl::Declaration::Kind;
-  for (const hlsl::Declaration& declaration : hlsl::outline(text.tokens())) {
+  for (const hlsl::Declaration& declaration : text.outline()) {
     if (declaration.kind == Kind::empty)
       text.erase(declaration.first, declaration.last - declaration.first + 1);
     if (declaration.kind == Kind::structure || declaration.kind == Kind::buffer)

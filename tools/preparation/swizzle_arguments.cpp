@@ -24,6 +24,11 @@ std::size_t matrix_swizzle(std::string_view word) {
   return word.size() / length;
 }
 
+bool may_be_argument(const TokenText& text, std::size_t at) {
+  return text.lead(at) == '_' && text.is(at - 1, ".") && (text.is(at + 1, ",") || text.is(at + 1, ")")) &&
+         matrix_swizzle(text[at].spelling) > 1;
+}
+
 class SwizzleArguments {
  public:
   explicit SwizzleArguments(TokenText& text) : text_(text), types_(text.types()) {
@@ -115,7 +120,8 @@ class SwizzleArguments {
 }  // namespace
 
 void pass_swizzles_in_variables(TokenText& text) {
-  SwizzleArguments(text).run();
+  for (std::size_t at = 1; at < text.size(); ++at)
+    if (may_be_argument(text, at)) return SwizzleArguments(text).run();
 }
 
 }  // namespace penumbra::preparation

@@ -1,23 +1,23 @@
 #include "preparation/texture_precision.h"
 
-#include <algorithm>
-#include <array>
 #include <string_view>
+
+#include "hlsl/word_set.h"
 
 namespace penumbra::preparation {
 
 namespace {
 
-constexpr std::array<std::string_view, 12> typed{
-    "Texture2D", "Texture2DArray", "Texture3D",   "TextureCube", "TextureCubeArray", "Texture2DMS",
-    "sampler2D", "sampler3D",      "samplerCUBE", "sampler",     "SamplerState",     "sampler1D"};
+constexpr hlsl::WordSet typed("Texture2D", "Texture2DArray", "Texture3D", "TextureCube", "TextureCubeArray",
+                              "Texture2DMS", "sampler2D", "sampler3D", "samplerCUBE", "sampler",
+                              "SamplerState", "sampler1D");
 
 // The type without its precision; empty when the word is no such type.
 std::string_view plain_type(std::string_view word) {
   for (const std::string_view suffix : {std::string_view("_half"), std::string_view("_float")}) {
     if (word.size() <= suffix.size() || word.substr(word.size() - suffix.size()) != suffix) continue;
     const std::string_view stem = word.substr(0, word.size() - suffix.size());
-    if (std::find(typed.begin(), typed.end(), stem) != typed.end()) return stem;
+    if (typed.contains(stem)) return stem;
   }
   return {};
 }
@@ -26,7 +26,8 @@ std::string_view plain_type(std::string_view word) {
 
 void drop_texture_precision(TokenText& text) {
   for (std::size_t at = 0; at < text.size(); ++at) {
-    if (!text.is_word(at)) continue;
+    const char lead = text.lead(at);
+    if (lead != 'T' && lead != 's' && lead != 'S') continue;  // as all of them begin
     const std::string_view plain = plain_type(text[at].spelling);
     if (!plain.empty()) text.replace(at, 1, plain);
   }

@@ -18,6 +18,11 @@ bool glued(const Token& left, const Token& right) {
   return left.spelling.data() + left.spelling.size() == right.spelling.data();
 }
 
+// Of a file's tokens nearly all share one view of its name.
+bool same_file(std::string_view a, std::string_view b) {
+  return (a.data() == b.data() && a.size() == b.size()) || a == b;
+}
+
 char opener_of(char closer) {
   switch (closer) {
     case ')':
@@ -32,7 +37,7 @@ char opener_of(char closer) {
 // Moves the end of `out` to the line of `token`.
 void move_to_line(std::string& out, const Token& token, std::string_view& file, int& line) {
   const int ahead = token.line - line;
-  if (token.file == file && ahead >= 0 && ahead <= longest_run_of_newlines) {
+  if (same_file(token.file, file) && ahead >= 0 && ahead <= longest_run_of_newlines) {
     out.append(static_cast<std::size_t>(ahead), '\n');
   } else {
     if (!out.empty()) out += '\n';
@@ -50,19 +55,28 @@ TokenText::TokenText(std::string preprocessed, std::string main_file)
     : text_(std::move(preprocessed)), main_file_(std::move(main_file)), tokens_(hlsl::lex(text_)) {
   for (Token& token : tokens_)
     if (token.file.empty()) token.file = main_file_;
+  numbers_.reserve(tokens_.size());
+  leads_.reserve(tokens_.size());
+  for (const Token& token : tokens_) {
+    numbers_.push_back(number_of(token));
+    leads_.push_back(token.spelling[0]);
+  }
   find_partners();
 }
 
+std::uint32_t TokenText::number_of(const Token& token) {
+  return token.kind == Token::Kind::word ? words_.add(token.spelling) : WordNumbers::none;
+}
+
 void TokenText::find_partners() {
-  partners_.assign(tokens_.size(), npos);
-  std::vector<std::size_t> open;
-  for (std::size_t at = 0; at < tokens_.size(); ++at) {
-    if (tokens_[at].kind != Token::Kind::mark) continue;
-    const char mark = tokens_[at].spelling[0];
-    if (mark == '(' || mark == '[' || mark == '{') {
+  partners_.assign(tokens_.size(), alone);
+  std::vector<std::uint32_t> open;
+  for (std::uint32_t at = 0; at < leads_.size(); ++at) {
+    const char lead = leads_[at];
+    if (lead == '(' || lead == '[' || lead == '{') {
       open.push_back(at);
-    } else if (mark == ')' || mark == ']' || mark == '}') {
-      if (open.empty() || tokens_[open.back()].spelling[0] != opener_of(mark)) return;  // the rest has none
+    } else if (lead == ')' || lead == ']' || lead == '}') {
+      if (open.empty() || leads_[open.back()] != opener_of(lead)) return;  // the rest has none
       partners_[at] = open.back();
       partners_[open.back()] = at;
       open.pop_back();
@@ -79,41 +93,60 @@ std::string TokenText::spelled(std::size_t first, std::size_t count) const {
   return text;
 }
 
+const std::vector<hlsl::Declaration>& TokenText::outline() const {
+  if (!outline_) outline_ = hlsl::outline(tokens_);
+  return *outline_;
+}
+
 const ValueTypes& TokenText::types() const {
   if (types_ == nullptr) types_ = std::make_shared<const ValueTypes>(*this);
   return *types_;
 }
 
 std::string TokenText::free_name(std::string wanted) const {
-  if (known_words_.empty())
-    for (const Token& token : tokens_)
-      if (token.kind == Token::Kind::word) known_words_.insert(token.spelling);
-  while (known_words_.count(wanted) != 0) wanted += "_";
+  if (known_words_.empty()) {
+    known_words_.assign(words_.size(), false);
+    for (const std::uint32_t number : numbers_)
+      if (number != WordNumbers::none) known_words_[number] = true;
+  }
+  const auto known = [&](std::uint32_t number) {
+    return number != WordNumbers::none && known_words_[number];
+  };
+  while (known(words_.find(wanted))) wanted += "_";
   return wanted;
 }
 
 void TokenText::replace(std::size_t first, std::size_t count, std::string_view hlsl) {
-  edits_.push_back({first, count, std::string(hlsl)});
+  if (count > 0 || !hlsl.empty()) edits_.push_back({first, count, std::string(hlsl)});
 }
 
 void TokenText::insert_from(std::size_t place, std::size_t before, std::string_view hlsl) {
-  edits_.push_back({before, 0, std::string(hlsl), place});
+  if (!hlsl.empty()) edits_.push_back({before, 0, std::string(hlsl), place});
 }
 
-void TokenText::append_made(std::vector<Token>& to, const Edit& edit) {
+void TokenText::append_kept(std::size_t first, std::size_t end) {
+  if (first >= end) return;
+  edited_.insert(edited_.end(), tokens_.data() + first, tokens_.data() + end);
+  edited_numbers_.insert(edited_numbers_.end(), numbers_.data() + first, numbers_.data() + end);
+  edited_leads_.append(leads_, first, end - first);
+}
+
+void TokenText::append_made(const Edit& edit) {
   if (edit.text.empty()) return;
   made_.push_back(edit.text);
-  const bool replaces = edit.count > 0 || to.empty();
+  const bool replaces = edit.count > 0 || edited_.empty();
   const Token* place = edit.place < tokens_.size()               ? &tokens_[edit.place]
                        : replaces && edit.first < tokens_.size() ? &tokens_[edit.first]
-                       : !to.empty()                             ? &to.back()
+                       : !edited_.empty()                        ? &edited_.back()
                                                                  : nullptr;
   const std::string_view file = place == nullptr ? std::string_view(main_file_) : place->file;
   const int line = place == nullptr ? 1 : place->line;
   for (Token token : hlsl::lex(made_.back())) {
     token.file = file;
     token.line = line;
-    to.push_back(token);
+    edited_.push_back(token);
+    edited_numbers_.push_back(number_of(token));
+    edited_leads_.push_back(token.spelling[0]);
   }
 }
 
@@ -123,17 +156,23 @@ void TokenText::apply() {
     return a.first != b.first ? a.first < b.first
                               : a.count == 0 && b.count > 0;  // what goes before comes first
   });
-  std::vector<Token> tokens;
-  tokens.reserve(tokens_.size() + 16 * edits_.size());
+  edited_.clear();
+  edited_.reserve(tokens_.size() + 16 * edits_.size());
+  edited_numbers_.clear();
+  edited_numbers_.reserve(edited_.capacity());
+  edited_leads_.clear();
   std::size_t at = 0;
   for (const Edit& edit : edits_) {
-    for (; at < std::min(edit.first, tokens_.size()); ++at) tokens.push_back(tokens_[at]);
-    append_made(tokens, edit);
+    append_kept(at, std::min(edit.first, tokens_.size()));
+    append_made(edit);
     at = std::max(at, edit.first + edit.count);
   }
-  for (; at < tokens_.size(); ++at) tokens.push_back(tokens_[at]);
-  tokens_ = std::move(tokens);
+  append_kept(at, tokens_.size());
+  tokens_.swap(edited_);
+  numbers_.swap(edited_numbers_);
+  leads_.swap(edited_leads_);
   edits_.clear();
+  outline_.reset();
   types_.reset();
   known_words_.clear();
   find_partners();
@@ -155,7 +194,7 @@ std::string TokenText::print() const {
   int line = 1;
   for (std::size_t at = 0; at < tokens_.size(); ++at) {
     const Token& token = tokens_[at];
-    if (token.line != line || token.file != file) {
+    if (token.line != line || !same_file(token.file, file)) {
       move_to_line(out, token, file, line);
     } else if (at > 0 && !glued(tokens_[at - 1], token)) {
       out += ' ';

@@ -10,13 +10,15 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
-#include <unordered_set>
 #include <vector>
 
 #include "hlsl/diagnostic.h"
+#include "hlsl/outline.h"
 #include "hlsl/tokens.h"
+#include "preparation/word_numbers.h"
 
 namespace penumbra::preparation {
 
@@ -36,18 +38,28 @@ class TokenText {
   std::size_t size() const { return tokens_.size(); }
   const hlsl::Token& operator[](std::size_t at) const { return tokens_[at]; }
   bool is(std::size_t at, std::string_view spelling) const {
-    return at < tokens_.size() && tokens_[at].spelling == spelling;
+    return at < tokens_.size() && !spelling.empty() && leads_[at] == spelling[0] &&
+           tokens_[at].spelling == spelling;
   }
-  bool is_word(std::size_t at) const {
-    return at < tokens_.size() && tokens_[at].kind == hlsl::Token::Kind::word;
+  bool is_word(std::size_t at) const { return at < tokens_.size() && hlsl::begins_word(leads_[at]); }
+  // The first character of a token; '\0' past the last.
+  char lead(std::size_t at) const { return at < tokens_.size() ? leads_[at] : '\0'; }
+  // Of the word at this index, the same for words spelled alike, below word_numbers(); WordNumbers::none for
+  // other tokens.
+  std::uint32_t word_number(std::size_t at) const {
+    return at < tokens_.size() ? numbers_[at] : WordNumbers::none;
   }
+  std::size_t word_numbers() const { return words_.size(); }
   // The bracket that closes the (, [ or { at this index, or opens the one that ends there; npos for other
   // tokens and for brackets without a partner.
-  std::size_t partner(std::size_t at) const { return at < tokens_.size() ? partners_[at] : npos; }
+  std::size_t partner(std::size_t at) const {
+    return at < tokens_.size() && partners_[at] != alone ? partners_[at] : npos;
+  }
   std::string spelled(std::size_t first, std::size_t count) const;  // as printed, in one line
 
-  // What the names in the text stand for (value_types.h). Read once for all passes until one of them edits;
-  // the reference is good until apply().
+  // What stands at file scope (hlsl/outline.h), and what the names in the text stand for (value_types.h).
+  // Read once for all passes until one of them edits; the references are good until apply().
+  const std::vector<hlsl::Declaration>& outline() const;
   const ValueTypes& types() const;
   // `wanted`, with underscores after it where the text has that word already.
   std::string free_name(std::string wanted) const;
@@ -76,17 +88,28 @@ class TokenText {
   };
 
   void find_partners();
-  void append_made(std::vector<hlsl::Token>& to, const Edit& edit);
+  void append_kept(std::size_t first, std::size_t end);
+  void append_made(const Edit& edit);
+  std::uint32_t number_of(const hlsl::Token& token);
 
   std::string text_;
   std::string main_file_;
   std::vector<hlsl::Token> tokens_;
-  std::vector<std::size_t> partners_;
+  WordNumbers words_;                   // of all that stand in the text or once stood there
+  std::vector<std::uint32_t> numbers_;  // of every token's word
+  std::string leads_;                   // the first character of every token: it answers most questions
+  std::vector<hlsl::Token> edited_;     // where apply() writes these three; kept for their room alone
+  std::vector<std::uint32_t> edited_numbers_;
+  std::string edited_leads_;
+  static constexpr std::uint32_t alone = static_cast<std::uint32_t>(-1);
+  std::vector<std::uint32_t> partners_;
   std::vector<Edit> edits_;
   std::deque<std::string> made_;  // the spellings that edits put in
   std::vector<hlsl::Diagnostic> notes_;
-  mutable std::shared_ptr<const ValueTypes> types_;           // made when asked for, until apply()
-  mutable std::unordered_set<std::string_view> known_words_;  // likewise
+  // Made when asked for, until apply().
+  mutable std::optional<std::vector<hlsl::Declaration>> outline_;
+  mutable std::shared_ptr<const ValueTypes> types_;
+  mutable std::vector<bool> known_words_;  // by number: whether the word is in the text
 };
 
 }  // namespace penumbra::preparation

@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "hlsl/outline.h"
@@ -24,7 +25,8 @@ struct Uniform {
 
 class WrittenUniforms {
  public:
-  explicit WrittenUniforms(TokenText& text) : text_(text), declarations_(hlsl::outline(text.tokens())) {}
+  explicit WrittenUniforms(TokenText& text)
+      : text_(text), declarations_(text.outline()), uniform_words_(text.word_numbers(), false) {}
 
   void run() {
     find_uniforms();
@@ -44,6 +46,7 @@ class WrittenUniforms {
       const bool uniform = !declarator.is_static && !declarator.is_groupshared && !declarator.is_const;
       if (!uniform || !is_number_type(declarator.type)) continue;
       const std::string_view name = text_[declarator.name].spelling;
+      uniform_words_[text_.word_number(declarator.name)] = true;
       uniforms_[name] = {std::move(declarator), insert_before};
     }
   }
@@ -65,11 +68,18 @@ class WrittenUniforms {
   void find_out_parameters() {
     for (const hlsl::Declaration& declaration : declarations_) {
       if (declaration.kind != Kind::function && declaration.kind != Kind::prototype) continue;
+      if (!writes_a_parameter(declaration)) continue;
       const std::vector<std::string> types = hlsl::parameter_types(text_.tokens(), declaration);
       for (std::size_t i = 0; i < types.size(); ++i)
         if (types[i].rfind("out ", 0) == 0 || types[i].rfind("inout ", 0) == 0)
           out_parameters_[text_[declaration.name].spelling].insert(i);
     }
+  }
+
+  bool writes_a_parameter(const hlsl::Declaration& function) const {
+    for (std::size_t at = function.parameters_open; at < function.parameters_close; ++at)
+      if (text_.is(at, "out") || text_.is(at, "inout")) return true;
+    return false;
   }
 
   // `vector<float, 3> a`: whether the '>' at this token ends a type.
@@ -96,7 +106,7 @@ class WrittenUniforms {
     for (std::size_t at = function.parameters_open + 1; at < function.close; ++at) {
       if (text_.is(at, "{")) blocks.emplace_back();
       if (text_.is(at, "}") && blocks.size() > 1) blocks.pop_back();
-      if (!text_.is_word(at) || uniforms_.count(text_[at].spelling) == 0) continue;
+      if (!text_.is_word(at) || !uniform_words_[text_.word_number(at)]) continue;
       const std::string_view name = text_[at].spelling;
       if (text_.is(at - 1, ".") || text_.is(at - 1, ":")) continue;
       if (declares(at)) blocks.back().insert(name);
@@ -170,8 +180,9 @@ class WrittenUniforms {
   }
 
   TokenText& text_;
-  std::vector<hlsl::Declaration> declarations_;
-  std::map<std::string_view, Uniform> uniforms_;
+  const std::vector<hlsl::Declaration>& declarations_;
+  std::vector<bool> uniform_words_;  // by a word's number: whether a uniform has that name
+  std::unordered_map<std::string_view, Uniform> uniforms_;
   std::map<std::string_view, std::set<std::size_t>> out_parameters_;  // function -> which of its parameters
   std::set<std::string_view> written_;
 };

@@ -1,8 +1,9 @@
 #include "preparation/value_types.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
+
+#include "hlsl/word_set.h"
 
 namespace penumbra::preparation {
 
@@ -12,9 +13,9 @@ using Place = DeclaredValue::Place;
 
 // Words that stand before another word without being its type.
 bool is_statement_word(std::string_view word) {
-  static constexpr std::array<std::string_view, 9> words{"return", "else",    "do",   "case",     "struct",
-                                                         "class",  "typedef", "goto", "namespace"};
-  return std::find(words.begin(), words.end(), word) != words.end();
+  static constexpr hlsl::WordSet words("return", "else", "do", "case", "struct", "class", "typedef", "goto",
+                                       "namespace");
+  return words.contains(word);
 }
 
 ValueType named_type(std::string_view name) {
@@ -34,9 +35,10 @@ class ValueTypesReader {
   ValueTypesReader(const TokenText& text, ValueTypes& to) : text_(text), to_(to) {}
 
   void run() {
-    to_.types_.resize(text_.size());
-    to_.begins_.assign(text_.size(), npos);
-    to_.named_.assign(text_.size(), npos);
+    to_.places_.resize(text_.size());
+    to_.types_.emplace_back();
+    visible_.assign(text_.word_numbers(), npos);
+    returns_.assign(text_.word_numbers(), not_declared);
     for (std::size_t index = 0; index < to_.outline_.size(); ++index) declare(index);
     for (const hlsl::Declaration& declaration : to_.outline_) read(declaration);
   }
@@ -71,8 +73,12 @@ class ValueTypesReader {
 
   void declare_function(const hlsl::Declaration& declaration) {
     const ValueType returned = type_before(declaration.type, declaration.name);
-    const auto [known, added] = returns_.emplace(word(declaration.name), returned);
-    if (!added && known->second.name != returned.name) known->second = {};
+    std::uint32_t& known = returns_[text_.word_number(declaration.name)];
+    if (known == not_declared) {
+      known = add_type(returned);
+    } else if (to_.types_[known].name != returned.name) {
+      known = 0;
+    }
   }
 
   ValueType type_before(std::size_t first, std::size_t name) const {
@@ -124,21 +130,34 @@ class ValueTypesReader {
     return function.close + 1;
   }
 
+  std::uint32_t add_type(const ValueType& type) {
+    if (type.name.empty() && type.dimensions == 0 && !type.constant) return 0;
+    to_.types_.push_back(type);
+    return ValueTypes::narrow(to_.types_.size() - 1);
+  }
+
+  void name_value(std::size_t at, std::size_t declared) {
+    to_.places_[at].named = ValueTypes::narrow(declared);
+    to_.places_[at].type = declared_types_[declared];
+  }
+
   std::size_t declare_values(const DeclarationRange& range) {
-    std::vector<DeclaredValue> values;
-    const std::size_t next = read_declaration(text_, range, values);
-    for (const DeclaredValue& value : values) enter(value);
+    just_read_.clear();
+    const std::size_t next = read_declaration(text_, range, just_read_);
+    for (const DeclaredValue& value : just_read_) enter(value);
     return next;
   }
 
   void enter(const DeclaredValue& value) {
     const std::size_t index = to_.declared_.size();
     to_.declared_.push_back(value);
+    declared_types_.push_back(add_type(value.type));
     if (value.name == npos) return;
-    to_.named_[value.name] = index;
+    to_.places_[value.name].named = ValueTypes::narrow(index);
     if (value.place == Place::member) return;
-    std::size_t& visible = visible_.try_emplace(word(value.name), npos).first->second;
-    if (value.place != Place::global) hidden_.emplace_back(word(value.name), visible);
+    const std::uint32_t number = text_.word_number(value.name);
+    std::size_t& visible = visible_[number];
+    if (value.place != Place::global) hidden_.emplace_back(number, visible);
     visible = index;
   }
 
@@ -226,59 +245,59 @@ class ValueTypesReader {
   void name(std::size_t at) {
     const bool called = text_.is(at + 1, "(");
     if (at > 0 && text_.is(at - 1, ".")) {
-      to_.begins_[at] = at > 1 ? to_.begins_[at - 2] : npos;
-      if (at > 1) member_of(to_.types_[at - 2], at, called);
+      if (at < 2) return;
+      to_.places_[at].begin = to_.places_[at - 2].begin;
+      member_of(to_.at(at - 2), at, called);
       return;
     }
     if (at > 0 && text_.is(at - 1, ":") && at > 1 && text_.is(at - 2, ":")) return;
-    to_.begins_[at] = at;
+    to_.places_[at].begin = ValueTypes::narrow(at);
     if (text_.is(at, "this")) {
-      to_.types_[at] = named_type(current_struct_);
+      to_.places_[at].type = add_type(named_type(current_struct_));
     } else if (called) {
-      result(at, function_result(word(at)));
+      result(at, function_result(at));
     } else {
       variable(at);
     }
   }
 
-  ValueType function_result(std::string_view name) const {
+  std::uint32_t function_result(std::size_t name) {
     if (!current_struct_.empty()) {
-      const ValueType own = method_result(current_struct_, name);
-      if (!own.name.empty()) return own;
+      const ValueType own = method_result(current_struct_, word(name));
+      if (!own.name.empty()) return add_type(own);
     }
-    const auto known = returns_.find(name);
-    return known == returns_.end() ? ValueType{} : known->second;
+    const std::uint32_t known = returns_[text_.word_number(name)];
+    return known == not_declared ? 0 : known;
   }
 
-  void result(std::size_t callee, const ValueType& type) {
+  void result(std::size_t callee, std::uint32_t type) {
     const std::size_t close = text_.partner(callee + 1);
-    if (close == npos || to_.begins_[callee] == npos) return;
-    to_.types_[close] = type;
-    to_.begins_[close] = to_.begins_[callee];
+    if (close == npos || to_.begin(callee) == npos) return;
+    to_.places_[close].type = type;
+    to_.places_[close].begin = to_.places_[callee].begin;
   }
 
   void variable(std::size_t at) {
-    if (to_.named_[at] != npos) return;  // its own declaration
-    const auto known = visible_.find(word(at));
-    std::size_t index = known == visible_.end() ? npos : known->second;
+    if (to_.named(at) != npos) return;  // its own declaration
+    std::size_t index = visible_[text_.word_number(at)];
     const bool may_be_member = index == npos || to_.declared_[index].place == Place::global;
     if (may_be_member && !current_struct_.empty()) {
       const std::size_t member = find_member(current_struct_, word(at));
       if (member != npos) index = member;
     }
-    if (index == npos) return;
-    to_.named_[at] = index;
-    to_.types_[at] = to_.declared_[index].type;
+    if (index != npos) name_value(at, index);
   }
 
-  void member_of(const ValueType& of, std::size_t at, bool called) {
+  void member_of(ValueType of, std::size_t at, bool called) {
     if (of.name.empty() || of.dimensions > 0) return;
-    if (called) return result(at, method_result(of.name, word(at)));
+    if (called) return result(at, add_type(method_result(of.name, word(at))));
     const std::size_t index = find_member(of.name, word(at));
     if (index == npos) return;
-    to_.named_[at] = index;
-    to_.types_[at] = to_.declared_[index].type;
-    to_.types_[at].constant = to_.types_[at].constant || of.constant;
+    name_value(at, index);
+    if (!of.constant || to_.at(at).constant) return;
+    ValueType type = to_.at(at);
+    type.constant = true;
+    to_.places_[at].type = add_type(type);
   }
 
   // Along the bases, which a text may have made a circle of.
@@ -320,35 +339,42 @@ class ValueTypesReader {
   void element(std::size_t close) {
     const std::size_t open = text_.partner(close);
     if (open == npos || open == 0) return;
-    const ValueType& array = to_.types_[open - 1];
-    to_.begins_[close] = to_.begins_[open - 1];
-    if (array.dimensions > 0) {
-      to_.types_[close] = array;
-      --to_.types_[close].dimensions;
-    } else if (is_structured_buffer(array.name)) {
-      to_.types_[close].name = array.element;
-      to_.types_[close].constant = array.name == "StructuredBuffer";
+    ValueType type = to_.at(open - 1);
+    to_.places_[close].begin = to_.places_[open - 1].begin;
+    if (type.dimensions > 0) {
+      --type.dimensions;
+    } else if (is_structured_buffer(type.name)) {
+      const bool constant = type.name == "StructuredBuffer";
+      type = named_type(type.element);
+      type.constant = constant;
+    } else {
+      return;
     }
+    to_.places_[close].type = add_type(type);
   }
 
   void parenthesised(std::size_t close) {
     const std::size_t open = text_.partner(close);
-    if (open == npos || to_.begins_[close] != npos || close == open + 1) return;
-    if (to_.begins_[close - 1] != open + 1) return;
-    to_.types_[close] = to_.types_[close - 1];
-    to_.begins_[close] = open;
+    if (open == npos || to_.begin(close) != npos || close == open + 1) return;
+    if (to_.begin(close - 1) != open + 1) return;
+    to_.places_[close].type = to_.places_[close - 1].type;
+    to_.places_[close].begin = ValueTypes::narrow(open);
   }
 
   const TokenText& text_;
   ValueTypes& to_;
-  std::unordered_map<std::string_view, ValueType> returns_;
-  std::unordered_map<std::string_view, std::size_t> visible_;
-  std::vector<std::pair<std::string_view, std::size_t>> hidden_;
+  std::vector<std::uint32_t> declared_types_;  // of each declared value: index into types_
+  // By a word's number: the type that functions of that name return, and what a variable's name stands for.
+  static constexpr std::uint32_t not_declared = static_cast<std::uint32_t>(-1);
+  std::vector<std::uint32_t> returns_;
+  std::vector<std::size_t> visible_;
+  std::vector<std::pair<std::uint32_t, std::size_t>> hidden_;  // in visible_, and what was there before
+  std::vector<DeclaredValue> just_read_;
   std::string_view current_struct_;
   std::size_t statement_end_ = 0;  // of the declaration that is being read
 };
 
-ValueTypes::ValueTypes(const TokenText& text) : outline_(hlsl::outline(text.tokens())) {
+ValueTypes::ValueTypes(const TokenText& text) : outline_(text.outline()) {
   ValueTypesReader(text, *this).run();
 }
 

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
@@ -34,13 +35,13 @@ struct FunctionType {
 
 class ValueTypes {
  public:
-  explicit ValueTypes(const TokenText& text);
+  explicit ValueTypes(const TokenText& text);  // good until its apply()
 
   // The type of the chain that ends with this token, and the chain's first token (npos: no known chain).
-  const ValueType& at(std::size_t token) const { return types_[token]; }
-  std::size_t begin(std::size_t token) const { return begins_[token]; }
+  const ValueType& at(std::size_t token) const { return types_[places_[token].type]; }
+  std::size_t begin(std::size_t token) const { return wide(places_[token].begin); }
   // Index into declared() of the variable or member that this word names; npos for everything else.
-  std::size_t named(std::size_t token) const { return named_[token]; }
+  std::size_t named(std::size_t token) const { return wide(places_[token].named); }
 
   const std::vector<DeclaredValue>& declared() const { return declared_; }
   const std::vector<hlsl::Declaration>& outline() const { return outline_; }
@@ -50,13 +51,22 @@ class ValueTypes {
  private:
   friend class ValueTypesReader;
 
-  std::vector<hlsl::Declaration> outline_;
+  // What is known of one token. Kept small: a text has a hundred thousand of them, and most are no value.
+  static constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);
+  struct Place {
+    std::uint32_t type = 0;  // index into types_, of which the first is the unknown type
+    std::uint32_t begin = none;
+    std::uint32_t named = none;
+  };
+  static std::size_t wide(std::uint32_t index) { return index == none ? npos : index; }
+  static std::uint32_t narrow(std::size_t index) { return static_cast<std::uint32_t>(index); }  // npos: none
+
+  const std::vector<hlsl::Declaration>& outline_;
   std::vector<DeclaredValue> declared_;
   std::unordered_map<std::string_view, StructType> structs_;
   std::vector<FunctionType> functions_;
   std::vector<ValueType> types_;
-  std::vector<std::size_t> begins_;
-  std::vector<std::size_t> named_;
+  std::vector<Place> places_;
 };
 
 }  // namespace penumbra::preparation

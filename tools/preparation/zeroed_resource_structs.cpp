@@ -29,9 +29,9 @@ class Zeroes {
 
   // ( S ) 0, or 0.0 and 0.0f.
   bool is_cast(std::size_t at) const {
+    if (!text_.is(at, "(") || !text_.is(at + 2, ")")) return false;
     const bool zero = text_[at + 3].spelling.find_first_not_of("0.fFhHuU") == std::string_view::npos;
-    return text_.is(at, "(") && text_.is(at + 2, ")") && text_[at + 3].kind == hlsl::Token::Kind::number &&
-           zero && carriers_.count(word(at + 1)) != 0;
+    return text_[at + 3].kind == hlsl::Token::Kind::number && zero && carriers_.count(word(at + 1)) != 0;
   }
 
   void replace(std::size_t at) {

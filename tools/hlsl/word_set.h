@@ -1,0 +1,45 @@
+// A few words known when compiling, and whether a word of a text is one of them.
+//
+// Passes ask this of every word of a text, and nearly always the answer is no: the word's length and first
+// letter tell that without a comparison.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace penumbra::hlsl {
+
+template <std::size_t Size>
+class WordSet {
+ public:
+  template <typename... Words>
+  constexpr explicit WordSet(Words... words) : words_{words...} {
+    for (const std::string_view word : words_) firsts_by_length_[word.size()] |= letter(word[0]);
+  }
+
+  constexpr bool contains(std::string_view word) const {
+    if (word.empty() || word.size() > longest) return false;
+    if ((firsts_by_length_[word.size()] & letter(word[0])) == 0) return false;
+    for (const std::string_view known : words_)
+      if (known == word) return true;
+    return false;
+  }
+
+ private:
+  static constexpr std::size_t longest = 31;  // a longer one does not compile
+
+  // Letters of either case, digits and marks share the 32 bits; words that are compared for nothing are few.
+  static constexpr std::uint32_t letter(char c) {
+    return std::uint32_t{1} << (static_cast<unsigned>(c) % 32U);
+  }
+
+  std::array<std::string_view, Size> words_;
+  std::array<std::uint32_t, longest + 1> firsts_by_length_{};
+};
+
+template <typename... Words>
+WordSet(Words...) -> WordSet<sizeof...(Words)>;
+
+}  // namespace penumbra::hlsl
