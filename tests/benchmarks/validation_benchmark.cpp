@@ -3,22 +3,21 @@
 // The pipeline makes, for each variant, seven processes under xargs: glslangValidator -E, glslangValidator,
 // spirv-val, and spirv-cross for ESSL 310, GLSL 450, MSL 2.3 and HLSL 50; as many variants at once as the
 // engine has workers. What it compiles is the text that the engine's own preparation has made, because
-// glslang does not accept Unity's sources as they are; that costs it nothing here. The engine does the same
-// and besides has the emitted GLSL and ESSL compiled by this machine's GL driver. Counters, in milliseconds
-// of time that passes, per variant:
-//   shell_ms       the pipeline
-//   cold_ms        the engine with nothing kept, every variant for itself: no text and no module is shared
-//   shared_ms      the engine with nothing kept, equal texts and equal modules once
-//   warm_ms        the engine once more, everything kept
-//   cold_ratio, shared_ratio, warm_ratio      shell_ms over these
-//   shell_cpu_ms, cold_cpu_ms, cold_cpu_ratio likewise by processor time: what holds on a machine that does
-//                                             other work too
-//   texts, modules                            different ones among the variants
-// Runs alternate, so that a change of the machine's load meets all. Mesa's own cache is off.
+// glslang does not accept Unity's sources as they are; that costs it nothing here. Runs of the engine, each
+// from its own empty cache unless said otherwise:
+//   alone     the same seven steps; no variant shares anything with another
+//   cold      the same steps; what variants do not reach is looked at once
+//   shared    besides, equal texts and equal modules once
+//   driver    besides, the emitted GLSL and ESSL compiled and linked by this machine's GL driver
+//   lint      besides, the rules of `penumbra validate`: all that the command does
+//   warm      that once more, everything kept
+// Counters: X_ms milliseconds of time that passes, per variant; X_ratio shell_ms over it; X_cpu_ratio the
+// same by processor time, which holds on a machine that does other work too; texts and modules: different
+// ones among the variants. Runs alternate, so that a change of the machine's load meets all. Mesa's own cache
+// is off.
 //
 // PENUMBRA_URP_PACKAGES names a folder with com.unity.render-pipelines.core, .universal and
-// .universal-config: then 72 keyword sets of URP's Lighting.hlsl are measured besides the library's
-// techniques.
+// .universal-config: then keyword sets of URP's Lighting.hlsl are measured besides the library's techniques.
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
 
@@ -26,6 +25,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -120,7 +120,9 @@ std::vector<CompileUnit> lighting_units(const fs::path& packages) {
                                              {"", "_ADDITIONAL_LIGHTS_VERTEX", "_ADDITIONAL_LIGHTS"},
                                              {"", "_ADDITIONAL_LIGHT_SHADOWS"},
                                              {"", "_SHADOWS_SOFT"},
-                                             {"", "LIGHTMAP_ON"}}) {
+                                             {"", "LIGHTMAP_ON"},
+                                             {"", "_SCREEN_SPACE_OCCLUSION"},
+                                             {"", "_REFLECTION_PROBE_BLENDING"}}) {
     std::vector<CompileUnit> more;
     for (const CompileUnit& before : units) {
       for (const std::string keyword : one_of) {
@@ -205,53 +207,66 @@ void run_shell(const std::string& scripts) {
   if (!result.succeeded()) throw std::runtime_error("the pipeline fails: " + result.output + result.errors);
 }
 
-EngineOptions options(const fs::path& cache, bool share) {
+// One way to run the engine.
+struct Way {
+  const char* name;
+  Sharing sharing;
+  bool drivers;
+  bool lint;
+  bool kept;  // from the cache of the way before
+};
+
+constexpr Way ways[] = {{"alone", Sharing::nothing, false, false, false},
+                        {"cold", Sharing::declarations, false, false, false},
+                        {"shared", Sharing::everything, false, false, false},
+                        {"driver", Sharing::everything, true, false, false},
+                        {"lint", Sharing::everything, true, true, false},
+                        {"warm", Sharing::everything, true, true, true}};
+
+EngineRun run_engine(std::vector<CompileUnit> units, const Way& way, const fs::path& cache) {
+  for (CompileUnit& unit : units) unit.lint.wanted = way.lint;
   EngineOptions options;
   options.jobs = jobs;
   options.cache = cache;
-  options.share = share;
+  options.sharing = way.sharing;
+  options.drivers = way.drivers;
   options.worker_arguments = {worker_mode};
-  return options;
+  return run_units(units, options);
 }
 
-void measure(benchmark::State& state, std::vector<CompileUnit> units) {
-  if (static_cast<std::size_t>(state.range(0)) < units.size()) {  // spread over all
-    std::vector<CompileUnit> some;
-    for (std::int64_t i = 0; i < state.range(0); ++i)
-      some.push_back(
-          units[static_cast<std::size_t>(i) * units.size() / static_cast<std::size_t>(state.range(0))]);
-    units = std::move(some);
-  }
+std::vector<CompileUnit> spread(std::vector<CompileUnit> units, std::size_t count) {
+  if (count >= units.size()) return units;
+  std::vector<CompileUnit> some;
+  for (std::size_t i = 0; i < count; ++i) some.push_back(units[i * units.size() / count]);
+  return some;
+}
+
+void measure(benchmark::State& state, std::vector<CompileUnit> all) {
+  const std::vector<CompileUnit> units = spread(std::move(all), static_cast<std::size_t>(state.range(0)));
   const Scratch scratch;
   std::string scripts;
   for (std::size_t i = 0; i < units.size(); ++i)
     scripts += write_pipeline(scratch, units[i], i).string() + "\n";
   Spent shell;
-  Spent cold;
-  Spent shared;
-  Spent warm;
+  std::map<std::string, Spent> spent;
   EngineRun run;
   for ([[maybe_unused]] auto iteration : state) {
     shell.add([&] { run_shell(scripts); });
-    fs::remove_all(scratch / "alone");
-    cold.add([&] { run = run_units(units, options(scratch / "alone", false)); });
-    fs::remove_all(scratch / "shared");
-    shared.add([&] { run = run_units(units, options(scratch / "shared", true)); });
-    warm.add([&] { run = run_units(units, options(scratch / "shared", true)); });
+    for (const Way& way : ways) {
+      if (!way.kept) fs::remove_all(scratch / "cache");
+      spent[way.name].add([&] { run = run_engine(units, way, scratch / "cache"); });
+    }
   }
   for (const UnitResult& result : run.results)
     if (!result.cached) return state.SkipWithError("not everything was kept");
   const double variants = static_cast<double>(units.size()) * static_cast<double>(state.iterations());
+  state.counters["variants"] = static_cast<double>(units.size());
   state.counters["shell_ms"] = shell.passed / variants;
-  state.counters["cold_ms"] = cold.passed / variants;
-  state.counters["shared_ms"] = shared.passed / variants;
-  state.counters["warm_ms"] = warm.passed / variants;
-  state.counters["cold_ratio"] = shell.passed / cold.passed;
-  state.counters["shared_ratio"] = shell.passed / shared.passed;
-  state.counters["warm_ratio"] = shell.passed / warm.passed;
-  state.counters["shell_cpu_ms"] = shell.processor / variants;
-  state.counters["cold_cpu_ms"] = cold.processor / variants;
-  state.counters["cold_cpu_ratio"] = shell.processor / cold.processor;
+  for (const auto& [name, of] : spent) {
+    state.counters[name + "_ms"] = of.passed / variants;
+    state.counters[name + "_ratio"] = shell.passed / of.passed;
+    state.counters[name + "_cpu_ratio"] = shell.processor / of.processor;
+  }
   state.counters["texts"] = static_cast<double>(run.unique_texts);
   state.counters["modules"] = static_cast<double>(run.unique_modules);
 }
@@ -282,6 +297,7 @@ int main(int argc, char** argv) {
     benchmark::RegisterBenchmark("urp_lighting", urp_lighting)
         ->ArgName("variants")
         ->Arg(72)
+        ->Arg(288)
         ->Unit(benchmark::kSecond)
         ->UseRealTime()
         ->Iterations(1);

@@ -137,7 +137,9 @@ class UnitAtWork {
       std::vector<hlsl::Diagnostic>& said = reply_.emitted->emplace_back();
       if (is_given_up(target)) continue;
       link_.note(target);
-      said = check_target(spirv_, job_.unit.compile.stage, target);
+      const auto driver = job_.context.drivers.find(target);
+      const bool checked = driver != job_.context.drivers.end() && !driver->second.empty();
+      said = check_target(spirv_, job_.unit.compile.stage, target, checked);
     }
   }
 

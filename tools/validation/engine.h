@@ -23,6 +23,13 @@ namespace penumbra::validation {
 // How the program is started to be a worker of run_units(): it hands these arguments to serve_units().
 inline constexpr const char* worker_mode = "validation-worker";
 
+// What units of one run share; less than everything is there to be measured.
+enum class Sharing {
+  nothing,       // every unit pays for itself
+  declarations,  // what a unit does not reach is looked at once (checked_declarations.h)
+  everything,    // each text and each module once
+};
+
 struct EngineOptions {
   unsigned jobs = 1;
   Shard shard;
@@ -33,7 +40,8 @@ struct EngineOptions {
   // any, threads do the work, and a crash ends the program.
   std::vector<std::string> worker_arguments;
   platform::WorkerLimits limits;
-  bool share = true;  // each text and each module once; without, every unit pays for itself (to measure)
+  Sharing sharing = Sharing::everything;
+  bool drivers = true;         // emitted GLSL and ESSL goes to this machine's GL driver
   std::filesystem::path keep;  // folder for texts that crash a compiler; empty: below the cache, or temporary
   std::function<void(std::size_t done, std::size_t total)> progress;  // called by one thread at a time
 };

@@ -9,11 +9,12 @@
 namespace penumbra::validation {
 
 std::vector<hlsl::Diagnostic> check_target(const std::vector<std::uint32_t>& spirv, hlsl::Stage stage,
-                                           const std::string& target) {
+                                           const std::string& target, bool with_driver) {
   const std::optional<shaders::Target> known = shaders::find_target(target);
   if (!known) return {};
   shaders::CrossCompileResult emitted = shaders::cross_compile(spirv, *known);
-  if (hlsl::has_errors(emitted.diagnostics) || !shaders::is_gl(*known)) return emitted.diagnostics;
+  if (!with_driver || hlsl::has_errors(emitted.diagnostics) || !shaders::is_gl(*known))
+    return emitted.diagnostics;
   return shaders::gl_check({{stage, emitted.text}}, *known);
 }
 

@@ -1,5 +1,5 @@
-// What one target says to a module: emitted by SPIRV-Cross and, where this machine has a driver for it,
-// compiled and linked. Internal to this room.
+// What one target says to a module: emitted by SPIRV-Cross and, where that is wanted, compiled and linked by
+// this machine's driver for it. Internal to this room.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace penumbra::validation {
 // Nothing for "spirv": a module that is there has passed. Throws EnvironmentError when GL is needed and not
 // there.
 std::vector<hlsl::Diagnostic> check_target(const std::vector<std::uint32_t>& spirv, hlsl::Stage stage,
-                                           const std::string& target);
+                                           const std::string& target, bool with_driver);
 
 // The driver that checks the target; empty where none does. Throws EnvironmentError as above.
 std::string checking_driver(const std::string& target);

@@ -23,7 +23,8 @@ AnswerContext context_of(const std::vector<CompileUnit>& units, const EngineOpti
   context.build = platform::build_identity();
   for (const CompileUnit& unit : units)
     for (const std::string& target : unit.targets)
-      if (context.drivers.count(target) == 0) context.drivers[target] = checking_driver(target);
+      if (options.drivers && context.drivers.count(target) == 0)
+        context.drivers[target] = checking_driver(target);
   return context;
 }
 
@@ -79,13 +80,17 @@ std::optional<platform::WorkerMessage> UnitRun::next() {
   if (waiting_.empty()) return std::nullopt;
   const std::size_t place = waiting_.front();
   waiting_.pop_front();
-  UnitJob job{unit(place), context_, {}, options_.share, states_[place].reproducing.has_value()};
+  UnitJob job{unit(place),
+              context_,
+              {},
+              options_.sharing != Sharing::nothing,
+              states_[place].reproducing.has_value()};
   for (const auto& [target, failure] : states_[place].failures) job.given_up.push_back(target);
   return platform::WorkerMessage{place, encode(job)};
 }
 
 std::string UnitRun::answer_question(std::size_t place, const std::string& question) {
-  if (!options_.share) return std::string(answer_mine);
+  if (options_.sharing != Sharing::everything) return std::string(answer_mine);
   auto& owners = question.front() == question_text ? texts_ : modules_;
   const bool mine = owners.emplace(question.substr(1), place).first->second == place;
   return std::string(mine ? answer_mine : answer_known);
