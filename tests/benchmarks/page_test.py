@@ -10,7 +10,7 @@ loader = importlib.machinery.SourceFileLoader("page", str(HERE / "page"))
 page = importlib.util.module_from_spec(importlib.util.spec_from_loader("page", loader))
 loader.exec_module(page)
 
-RAW = {"context": {"date": "2026-01-02T03:04:05+00:00", "host_name": "builder", "executable": "/home/someone/b",
+RAW = {"context": {"date": "2026-01-02T03:04:05+00:00", "host_name": "builder", "executable": "/builds/someone/b",
                    "num_cpus": 2},
        "benchmarks": [{"run_name": "techniques/variants:8/x", "run_type": "iteration", "shell_ms": 99.0},
                       {"run_name": "techniques/variants:8/x", "aggregate_name": "median", "variants": 8.0,
