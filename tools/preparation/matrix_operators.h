@@ -9,7 +9,8 @@
 // (warning X3206), glslang refuses to combine the two. The larger one is cast to the type of the smaller.
 //
 // One operand at least must be a name, member, element or call whose type is known (value_types.h), a cast or
-// a constructor of a matrix, or be made of such by parentheses, operators, mul() and transpose(). Linear time.
+// a constructor of a matrix, or be made of such by parentheses, operators, mul() and transpose(). Linear
+// time.
 #pragma once
 
 #include "preparation/token_text.h"

@@ -3,8 +3,8 @@
 // min16int, min12int and min16uint those of int and uint.
 //
 // Minimum precision allows more bits than it names (docs.microsoft.com/windows/win32/direct3dhlsl/
-// using-hlsl-minimum-precision), and half is float or 16 bits wide here as the options say, so the values stay
-// within what the shader asked for.
+// using-hlsl-minimum-precision), and half is float or 16 bits wide here as the options say, so the values
+// stay within what the shader asked for.
 #pragma once
 
 #include "preparation/token_text.h"

@@ -13,7 +13,8 @@ namespace penumbra::shaders {
 // Whether the text reads a copy of another precision where no declaration of it is in scope.
 bool reads_lost_copy(std::string_view essl);
 
-// Everything in full precision, which relaxed precision allows (SPIR-V specification, 3.20: RelaxedPrecision).
+// Everything in full precision, which relaxed precision allows (SPIR-V specification, 3.20:
+// RelaxedPrecision).
 SpirvModule without_relaxed_precision(const SpirvModule& module);
 
 }  // namespace penumbra::shaders
