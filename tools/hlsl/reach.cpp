@@ -226,6 +226,7 @@ std::size_t Reach::offset(std::size_t token) const {
 std::string Reach::text_with(const std::vector<std::size_t>& also) const {
   std::vector<bool> stays = reached_;
   std::vector<std::size_t> from;
+  from.reserve(also.size());
   for (const std::size_t i : also) from.push_back(unreached_names_[i]);
   reach(std::move(from), stays);
   std::vector<Range> gone;

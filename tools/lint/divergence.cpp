@@ -1,7 +1,6 @@
 #include "lint/divergence.h"
 
 #include <algorithm>
-#include <ranges>
 #include <utility>
 
 #include "lint/loop_bound.h"
@@ -193,7 +192,8 @@ std::vector<std::size_t> Divergence::varying_branches_over(std::size_t node) con
 
 // A branch leaves a loop when the loop's header depends on it: going round again is what it decides.
 std::size_t Divergence::loop_left_by(std::size_t branch, std::size_t node) const {
-  for (const Loop& loop : loops_ | std::views::reverse) {  // inner loops come later
+  for (auto inner = loops_.rbegin(); inner != loops_.rend(); ++inner) {  // which come later
+    const Loop& loop = *inner;
     if (!loop.body[branch] || !loop.body[node]) continue;
     const auto& decides = depends_[loop.header];
     if (std::find(decides.begin(), decides.end(), branch) != decides.end()) return loop.header;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <ranges>
 #include <set>
 #include <string>
 #include <string_view>
@@ -88,7 +87,8 @@ Silenced silenced_in(const std::string& text) {
   const std::vector<Comment> comments = comments_of(text);
   int below = 0;  // the line under a run of lines that hold nothing but such comments
   int last_alone = 0;
-  for (const Comment& comment : comments | std::views::reverse) {
+  for (auto from_below = comments.rbegin(); from_below != comments.rend(); ++from_below) {
+    const Comment& comment = *from_below;
     if (comment.alone && comment.line + 1 != last_alone) below = comment.line + 1;
     if (comment.alone) last_alone = comment.line;
     const int line = comment.alone ? below : comment.line;

@@ -35,7 +35,7 @@ std::string_view build_id(const char* notes, std::size_t size) {
     const std::size_t content = name + padded(note->n_namesz);
     if (content + note->n_descsz > size) break;
     const std::string_view owner(notes + name, note->n_namesz);
-    if (note->n_type == NT_GNU_BUILD_ID && owner == std::string_view("GNU", 4))
+    if (note->n_type == NT_GNU_BUILD_ID && owner == std::string_view("GNU\0", 4))
       return {notes + content, note->n_descsz};
     at = content + padded(note->n_descsz);
   }
@@ -50,6 +50,7 @@ int add_object(dl_phdr_info* object, std::size_t, void* state) {
   for (int i = 0; i < object->dlpi_phnum; ++i) {
     const ElfW(Phdr)& segment = object->dlpi_phdr[i];
     if (segment.p_type != PT_NOTE) continue;
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): the loader gives addresses as numbers
     const auto* notes = reinterpret_cast<const char*>(object->dlpi_addr + segment.p_vaddr);
     const std::string_view id = build_id(notes, segment.p_memsz);
     if (id.empty()) continue;

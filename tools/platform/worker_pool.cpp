@@ -70,7 +70,7 @@ class Seat {
   bool started() const { return process_ != nullptr; }
   const WorkerProcess& process() const { return *process_; }
 
-  void hand_out(WorkerMessage message) {
+  void hand_out(const WorkerMessage& message) {
     if (!process_) start();
     busy_ = true;
     number_ = message.number;

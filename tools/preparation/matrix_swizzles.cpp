@@ -61,9 +61,11 @@ std::string function_definitions(std::string_view word) {
     for (int r = rows; r <= 4; ++r) {
       for (int c = columns; c <= 4; ++c) {
         const std::string vector = type + std::to_string(elements.size());
-        text += vector + " " + function_name(word) + "(" + type + std::to_string(r) + "x" +
-                std::to_string(c) + " m) { return " + vector + "(";
-        for (std::size_t i = 0; i < elements.size(); ++i) text += (i == 0 ? "m" : ", m") + index(elements[i]);
+        text.append(vector).append(" ").append(function_name(word)).append("(").append(type);
+        text.append(std::to_string(r)).append("x").append(std::to_string(c));
+        text.append(" m) { return ").append(vector).append("(");
+        for (std::size_t i = 0; i < elements.size(); ++i)
+          text.append(i == 0 ? "m" : ", m").append(index(elements[i]));
         text += "); }\n";
       }
     }
@@ -133,7 +135,14 @@ class Swizzles {
     text_.replace(begin, operation + length - begin, "{ " + type + " penumbra_right = (" + type + ")(");
     std::string rest = ");";
     for (std::size_t i = 0; i < elements.size(); ++i)
-      rest += " " + matrix + index(elements[i]) + " " + sign + " penumbra_right[" + std::to_string(i) + "];";
+      rest.append(" ")
+          .append(matrix)
+          .append(index(elements[i]))
+          .append(" ")
+          .append(sign)
+          .append(" penumbra_right[")
+          .append(std::to_string(i))
+          .append("];");
     text_.replace(end, 1, rest + " }");
   }
 

@@ -135,7 +135,7 @@ class Namespaces {
         }
         const std::size_t colons = head.rfind("::");
         if (colons == std::string::npos) break;
-        rest = head.substr(colons) + rest;
+        rest.insert(0, head, colons);
         head.erase(colons);
       }
       if (around.empty()) return;
