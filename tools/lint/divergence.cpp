@@ -192,8 +192,8 @@ std::vector<std::size_t> Divergence::varying_branches_over(std::size_t node) con
 
 // A branch leaves a loop when the loop's header depends on it: going round again is what it decides.
 std::size_t Divergence::loop_left_by(std::size_t branch, std::size_t node) const {
-  for (auto inner = loops_.rbegin(); inner != loops_.rend(); ++inner) {  // which come later
-    const Loop& loop = *inner;
+  for (std::size_t inner = loops_.size(); inner-- > 0;) {  // inner loops come later
+    const Loop& loop = loops_[inner];
     if (!loop.body[branch] || !loop.body[node]) continue;
     const auto& decides = depends_[loop.header];
     if (std::find(decides.begin(), decides.end(), branch) != decides.end()) return loop.header;

@@ -87,8 +87,8 @@ Silenced silenced_in(const std::string& text) {
   const std::vector<Comment> comments = comments_of(text);
   int below = 0;  // the line under a run of lines that hold nothing but such comments
   int last_alone = 0;
-  for (auto from_below = comments.rbegin(); from_below != comments.rend(); ++from_below) {
-    const Comment& comment = *from_below;
+  for (std::size_t at = comments.size(); at-- > 0;) {
+    const Comment& comment = comments[at];
     if (comment.alone && comment.line + 1 != last_alone) below = comment.line + 1;
     if (comment.alone) last_alone = comment.line;
     const int line = comment.alone ? below : comment.line;

@@ -59,18 +59,17 @@ shaders::CompileResult CheckedDeclarations::compile(const shaders::CompileReques
   const std::vector<Diagnostic> before = expanded.diagnostics;
   const hlsl::Reach reach(text, request.file.string(), request.entry);
   const std::string circumstances = circumstances_of(request);
-  const auto whole = [&] {
-    expanded.text = text;
-    expanded.diagnostics = before;
-    return compile_whole(request, std::move(expanded));
-  };
 
   if (const std::vector<std::size_t> unknown = this->unknown(reach, circumstances); !unknown.empty()) {
     expanded.text = reach.text_with(unknown);
     expanded.diagnostics.clear();
     shaders::prepare(request, expanded);
     const std::vector<Diagnostic> said = shaders::front_end_messages(request, expanded);
-    if (hlsl::has_errors(said)) return whole();
+    if (hlsl::has_errors(said)) {
+      expanded.text = text;
+      expanded.diagnostics = before;
+      return compile_whole(request, std::move(expanded));
+    }
     learn(reach, circumstances, said, unknown);
   }
 
@@ -79,9 +78,12 @@ shaders::CompileResult CheckedDeclarations::compile(const shaders::CompileReques
   shaders::prepare(request, expanded);
   shaders::CompileResult result = shaders::compile(request, std::move(expanded));
   if (hlsl::has_errors(result.diagnostics)) {
-    expanded.sources = std::move(result.sources);
-    expanded.dependencies = std::move(result.dependencies);
-    return whole();
+    shaders::PreprocessedSource again;
+    again.text = text;
+    again.diagnostics = before;
+    again.sources = std::move(result.sources);
+    again.dependencies = std::move(result.dependencies);
+    return compile_whole(request, std::move(again));
   }
   for (const std::string& key : reach.unreached()) {
     const std::vector<Diagnostic>& said = known_.at(circumstances + key);

@@ -72,6 +72,7 @@ class Reduction {
   // Whether the error is there with each of the keyword sets.
   std::vector<bool> fail(const std::vector<std::vector<std::string>>& sets) const {
     std::vector<CompileUnit> units;
+    units.reserve(sets.size());
     for (const std::vector<std::string>& keywords : sets)
       units.push_back(with_keywords(*failure_.unit, keywords));
     std::vector<bool> failing;

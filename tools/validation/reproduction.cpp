@@ -43,7 +43,8 @@ std::string head(const CompileUnit& unit, const Crash& crash, const std::string&
                      ".\n// Of " + one_line(unit.file);
   if (!unit.shader.empty()) text += ", shader " + one_line(unit.shader) + ", pass " + one_line(unit.pass);
   text += "; entry " + one_line(unit.compile.entry) + ", stage " + stage + "\n// Defines:";
-  for (const auto& [name, value] : unit.compile.defines) text += one_line(" " + name + "=" + value);
+  for (const auto& [name, value] : unit.compile.defines)
+    text.append(one_line(std::string(" ").append(name).append("=").append(value)));
   if (crash.text.empty()) text += "\n// The source as it is: the preprocessor does not come to its end.";
   return text + "\n// See it: penumbra validate " + file_name + " --entry " + one_line(unit.compile.entry) +
          " --stage " + stage + " --targets " + (by_lint ? std::string(note_compile) : crash.target) + "\n";

@@ -178,7 +178,7 @@ void ShaderSources::add_shader(const project::ShaderFile& file, const std::strin
     } else if (found.is_ray_tracing) {
       leave_unchecked(program, "a ray tracing program: no target here has its stages");
     } else {
-      add_program(std::move(program));
+      add_program(program);
     }
   }
 }
@@ -191,7 +191,7 @@ void ShaderSources::add_compute(const project::ShaderFile& file, const std::stri
   SourceProgram program;
   program.file = file.path.string();
   program.text = text;
-  add_program(std::move(program));
+  add_program(program);
 }
 
 void ShaderSources::add_hlsl(const project::ShaderFile& file, const std::string& text) {
@@ -200,10 +200,10 @@ void ShaderSources::add_hlsl(const project::ShaderFile& file, const std::string&
   program.text = text;
   program.entries = options_.entries;
   program.keyword_sets = options_.keyword_sets;
-  add_program(std::move(program));
+  add_program(program);
 }
 
-void ShaderSources::add_program(SourceProgram program) {
+void ShaderSources::add_program(const SourceProgram& program) {
   bool said = false;
   bool is_for_another_api = true;
   for (const PlatformTargets& platform : options_.platforms) {

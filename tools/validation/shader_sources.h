@@ -85,10 +85,10 @@ class ShaderSources {
   std::vector<ProgramToLint> to_lint() const;  // each program once, whatever the graphics APIs
 
  private:
-  void add_shader(const project::ShaderFile& file, const std::string& bytes);
-  void add_compute(const project::ShaderFile& file, const std::string& bytes);
-  void add_hlsl(const project::ShaderFile& file, const std::string& bytes);
-  void add_program(SourceProgram program);
+  void add_shader(const project::ShaderFile& file, const std::string& text);
+  void add_compute(const project::ShaderFile& file, const std::string& text);
+  void add_hlsl(const project::ShaderFile& file, const std::string& text);
+  void add_program(const SourceProgram& program);
   void say(const std::string& file, const std::string& shader, const std::string& pass,
            std::vector<hlsl::Diagnostic> diagnostics);
   void leave_unchecked(const SourceProgram& program, const std::string& reason);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <ranges>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -204,7 +203,8 @@ Keywords VariantList::at(std::uint64_t index) const {
   const VariantCount all = count();
   if (!all.saturated() && index >= all.value()) throw std::out_of_range("no such variant");
   Choice on;
-  for (const std::vector<Choice>& choices : std::views::reverse(axes_)) {
+  for (std::size_t axis = axes_.size(); axis-- > 0;) {
+    const std::vector<Choice>& choices = axes_[axis];
     const Choice& choice = choices[index % choices.size()];
     on.insert(on.end(), choice.begin(), choice.end());
     index /= choices.size();
