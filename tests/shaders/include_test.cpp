@@ -121,6 +121,24 @@ TEST(Include, CycleWithGuardsIsNone) {
   EXPECT_TRUE(compile(files.request("main.hlsl")).diagnostics.empty());
 }
 
+// URP's way to have a file once for every value of a macro. The second time brings a function of its own.
+TEST(Include, AFileWhoseGuardIsUndefinedIsReadAgain) {
+  const std::string again = "#undef A_INCLUDED\n#define NAME Second\n#include \"a.hlsl\"\n";
+  for (const bool by_the_main_file : {true, false}) {
+    const ShaderFiles files;
+    files.write("a.hlsl",
+                "#ifndef A_INCLUDED\n#define A_INCLUDED\nfloat NAME() { return 1; }\n#undef NAME\n#endif\n");
+    files.write("again.hlsl", again);
+    files.write("main.hlsl", compute_shader("First() + Second()",
+                                            "#define NAME First\n#include \"a.hlsl\"\n#include \"a.hlsl\"\n" +
+                                                (by_the_main_file ? again : "#include \"again.hlsl\"\n")));
+    CompileRequest request = files.request("main.hlsl");
+    request.prepare = true;
+    const CompileResult result = compile(request);
+    EXPECT_TRUE(result.diagnostics.empty()) << format(result.diagnostics.at(0));
+  }
+}
+
 TEST(Include, FolderAndDanglingLinkCannotBeRead) {
   const ShaderFiles files;
   std::filesystem::create_directories(files.path("folder.hlsl"));

@@ -41,13 +41,15 @@ Place place_of_include(std::string_view text, std::string_view asked) {
 }  // namespace
 
 IncludeResolver::IncludeResolver(const CompileRequest& request, hlsl::SourceFiles& sources,
-                                 SourceMemory& memory, const preparation::MacroArguments& arguments)
+                                 SourceMemory& memory, const preparation::MacroArguments& arguments,
+                                 std::set<std::string> undefined_by_main_file)
     : request_(request),
       roots_{request.package_roots, request.include_directories, request.project, request.cginc_root},
       roots_key_(key_of(roots_)),
       sources_(sources),
       memory_(memory),
       arguments_(arguments),
+      undefined_(std::move(undefined_by_main_file)),
       open_{request.file.string()} {}
 
 IncludeResolver::IncludeResult* IncludeResolver::includeLocal(const char* header, const char* includer,
@@ -97,12 +99,14 @@ IncludeResolver::IncludeResult* IncludeResolver::fail(const std::string& problem
   return nullptr;
 }
 
-// The file as the preprocessor is to see it: nothing, the second time that a file says `#pragma once`.
+// The file as the preprocessor is to see it: nothing, the second time that a file says `#pragma once` or
+// stands within a guard that is defined still.
 std::string IncludeResolver::text_to_read(const std::string& name) {
   if (!request_.prepare) return sources_.text(name);
-  if (read_once_.count(name) != 0) return {};
   const preparation::PreparedSource& prepared = memory_.prepared(name);
-  if (prepared.once) read_once_.insert(name);
+  const bool guarded = !prepared.guard.empty() && undefined_.count(prepared.guard) == 0;
+  if (!read_.insert(name).second && (prepared.once || guarded)) return {};
+  undefined_.insert(prepared.undefined.begin(), prepared.undefined.end());
   return arguments_.rewritten(prepared.text);
 }
 

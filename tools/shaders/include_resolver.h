@@ -22,7 +22,7 @@ class IncludeResolver final : public glslang::TShader::Includer {
  public:
   // Texts that were read are added to `sources`, which outlives the resolver, as all else given here does.
   IncludeResolver(const CompileRequest& request, hlsl::SourceFiles& sources, SourceMemory& memory,
-                  const preparation::MacroArguments& arguments);
+                  const preparation::MacroArguments& arguments, std::set<std::string> undefined_by_main_file);
 
   IncludeResult* includeLocal(const char* header, const char* includer, std::size_t depth) override;
   IncludeResult* includeSystem(const char* header, const char* includer, std::size_t depth) override;
@@ -54,7 +54,8 @@ class IncludeResolver final : public glslang::TShader::Includer {
   hlsl::SourceFiles& sources_;
   SourceMemory& memory_;
   const preparation::MacroArguments& arguments_;
-  std::set<std::string> read_once_;  // files that said `#pragma once`
+  std::set<std::string> read_;
+  std::set<std::string> undefined_;  // macros that a file read so far undefines: guards no more
   std::set<std::string> absent_;
   bool found_by_case_ = false;
   std::vector<std::string> open_;  // the main file, then every include being read

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "preparation/include_guard.h"
 #include "preparation/macro_arguments.h"
 #include "preparation/macro_own_names.h"
 #include "preparation/macro_text.h"
@@ -87,7 +88,8 @@ class MacroExpansion {
 
  private:
   Reading read(bool past_errors) {
-    IncludeResolver resolver(source_.request, out_.sources, memory_, arguments_);
+    IncludeResolver resolver(source_.request, out_.sources, memory_, arguments_,
+                             preparation::undefined_macros(source_.text));
     const std::string text = arguments_.rewritten(source_.text);
     const std::string preamble = arguments_.definitions() + arguments_.rewritten(source_.preamble);
     const Source rewritten{source_.request, source_.name, text, preamble};

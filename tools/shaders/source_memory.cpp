@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "preparation/bare_source.h"
+#include "preparation/include_guard.h"
 #include "preparation/macro_own_names.h"
 
 namespace penumbra::shaders {
@@ -16,7 +17,10 @@ constexpr char separator = '\0';  // in no path
 
 preparation::PreparedSource prepared_source(const std::string& text) {
   preparation::PreparedSource prepared = preparation::prepare_source(text);
-  prepared.text = preparation::with_own_names_marked(preparation::bare_source(prepared.text));
+  prepared.text = preparation::bare_source(prepared.text);
+  prepared.guard = preparation::include_guard(prepared.text);
+  prepared.undefined = preparation::undefined_macros(prepared.text);
+  prepared.text = preparation::with_own_names_marked(std::move(prepared.text));
   return prepared;
 }
 
