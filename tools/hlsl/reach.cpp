@@ -13,10 +13,6 @@ namespace {
 
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-bool is_word_character(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
-
 bool is_static_constant(const std::vector<Token>& tokens, const Declaration& declaration) {
   bool is_static = false;
   bool is_constant = false;
@@ -74,8 +70,6 @@ class ReachReader {
 
   // Returns what stands outside everything that may go spells.
   std::vector<std::size_t> run(std::string_view entry) {
-    for (const Declaration& declaration : outline_)
-      if (may_go(tokens_, declaration)) words_.try_emplace(spelling(declaration.name));
     number_names();
     std::size_t at = 0;
     for (const Declaration& declaration : outline_) {
@@ -100,7 +94,7 @@ class ReachReader {
   void number_names() {
     for (const Declaration& declaration : outline_) {
       if (!may_go(tokens_, declaration)) continue;
-      Word& word = words_.at(spelling(declaration.name));
+      Word& word = words_[spelling(declaration.name)];
       if (word.name != none) continue;
       word.name = to_.names_.size();
       to_.names_.emplace_back();
@@ -119,12 +113,10 @@ class ReachReader {
   void token(const Token& token, platform::ContentHash* hash, std::vector<std::size_t>& reached) {
     if (token.kind == Token::Kind::word) word(token.spelling, hash, reached);
     if (token.kind != Token::Kind::text) return;
-    for (std::size_t at = 0; at < token.spelling.size();) {  // [patchconstantfunc("Name")]
-      std::size_t end = at;
-      while (end < token.spelling.size() && is_word_character(token.spelling[end])) ++end;
-      word(token.spelling.substr(at, end - at), hash, reached);
-      at = end + 1;
-    }
+    std::string quoted(token.spelling);  // [patchconstantfunc("Name")]
+    std::replace(quoted.begin(), quoted.end(), '"', ' ');
+    for (const Token& inside : lex(quoted))
+      if (inside.kind == Token::Kind::word) word(inside.spelling, hash, reached);
   }
 
   void take_roots(std::size_t begin, std::size_t end) {
@@ -149,14 +141,14 @@ class ReachReader {
       to_.names_[name].declarations.push_back({declaration.first, declaration.last});
       keys_[name].update(key);
     }
-    declare(declaration, key);
+    declare(declaration, goes, key);
   }
 
-  void declare(const Declaration& declaration, const std::string& key) {
+  void declare(const Declaration& declaration, bool goes, const std::string& key) {
     using Kind = Declaration::Kind;
-    const bool by_name = may_go(tokens_, declaration) || declaration.kind == Kind::structure;
+    const bool by_name = goes || declaration.kind == Kind::structure;
     if (by_name && declaration.name != Declaration::none) add_meaning(spelling(declaration.name), key);
-    if (by_name && declaration.kind != Kind::structure) return;
+    if (goes) return;
     // The members of a buffer, the variables of a list, those that follow a struct.
     for (std::size_t at = declaration.first; at < declaration.last; ++at)
       if (tokens_[at].kind == Token::Kind::word &&

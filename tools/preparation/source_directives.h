@@ -12,16 +12,13 @@
 // Guarantees: the length, every newline and every column stay. Comments and texts in quotes are left alone.
 #pragma once
 
-#include <set>
 #include <string>
 
 namespace penumbra::preparation {
 
 struct PreparedSource {
   std::string text;
-  bool once = false;                  // the file says `#pragma once` outside comments
-  std::string guard{};                // include_guard.h
-  std::set<std::string> undefined{};  // likewise
+  bool once = false;  // the file says `#pragma once` outside comments
 };
 
 PreparedSource prepare_source(std::string text);

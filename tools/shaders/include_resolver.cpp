@@ -103,7 +103,7 @@ IncludeResolver::IncludeResult* IncludeResolver::fail(const std::string& problem
 // stands within a guard that is defined still.
 std::string IncludeResolver::text_to_read(const std::string& name) {
   if (!request_.prepare) return sources_.text(name);
-  const preparation::PreparedSource& prepared = memory_.prepared(name);
+  const SourceToExpand& prepared = memory_.prepared(name);
   const bool guarded = !prepared.guard.empty() && undefined_.count(prepared.guard) == 0;
   if (!read_.insert(name).second && (prepared.once || guarded)) return {};
   undefined_.insert(prepared.undefined.begin(), prepared.undefined.end());

@@ -6,6 +6,7 @@
 #include "preparation/bare_source.h"
 #include "preparation/include_guard.h"
 #include "preparation/macro_own_names.h"
+#include "preparation/source_directives.h"
 
 namespace penumbra::shaders {
 
@@ -15,13 +16,13 @@ constexpr char separator = '\0';  // in no path
 
 }  // namespace
 
-preparation::PreparedSource prepared_source(const std::string& text) {
-  preparation::PreparedSource prepared = preparation::prepare_source(text);
-  prepared.text = preparation::bare_source(prepared.text);
-  prepared.guard = preparation::include_guard(prepared.text);
-  prepared.undefined = preparation::undefined_macros(prepared.text);
-  prepared.text = preparation::with_own_names_marked(std::move(prepared.text));
-  return prepared;
+SourceToExpand prepared_source(const std::string& text) {
+  const preparation::PreparedSource prepared = preparation::prepare_source(text);
+  std::string bare = preparation::bare_source(prepared.text);
+  SourceToExpand source{
+      {}, prepared.once, preparation::include_guard(bare), preparation::undefined_macros(bare)};
+  source.text = preparation::with_own_names_marked(std::move(bare));
+  return source;
 }
 
 SourceMemory::File& SourceMemory::file(const std::string& name) {
@@ -34,7 +35,7 @@ const hlsl::SourceRead& SourceMemory::read(const std::string& name) {
   return file(name).read;
 }
 
-const preparation::PreparedSource& SourceMemory::prepared(const std::string& name) {
+const SourceToExpand& SourceMemory::prepared(const std::string& name) {
   File& known = file(name);
   if (!known.prepared) known.prepared = prepared_source(known.read.text);
   return *known.prepared;

@@ -3,20 +3,28 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <unordered_map>
 
 #include "hlsl/source_text.h"
-#include "preparation/source_directives.h"
 #include "project/include_search.h"
 
 namespace penumbra::shaders {
 
+// A source as the preprocessor is to see it, and what decides whether it sees it again.
+struct SourceToExpand {
+  std::string text;
+  bool once = false;                // preparation::PreparedSource
+  std::string guard;                // preparation::include_guard()
+  std::set<std::string> undefined;  // preparation::undefined_macros()
+};
+
 class SourceMemory {
  public:
   const hlsl::SourceRead& read(const std::string& name);
-  const preparation::PreparedSource& prepared(const std::string& name);  // of a file that can be read
+  const SourceToExpand& prepared(const std::string& name);  // of a file that can be read
 
   // As project::find_include(). `roots_key` is equal for equal roots only.
   const project::IncludeSearch& find(const project::IncludeRoots& roots, const std::string& roots_key,
@@ -25,7 +33,7 @@ class SourceMemory {
  private:
   struct File {
     hlsl::SourceRead read;
-    std::optional<preparation::PreparedSource> prepared;
+    std::optional<SourceToExpand> prepared;
   };
 
   File& file(const std::string& name);
@@ -34,8 +42,7 @@ class SourceMemory {
   std::unordered_map<std::string, project::IncludeSearch> searches_;
 };
 
-// A source as the preprocessor is to see it.
-preparation::PreparedSource prepared_source(const std::string& text);
+SourceToExpand prepared_source(const std::string& text);
 
 // Equal for equal roots only.
 std::string key_of(const project::IncludeRoots& roots);
