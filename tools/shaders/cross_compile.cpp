@@ -119,8 +119,8 @@ void number_bindings(const SpirvCrossSession& session, Target target) {
   }
 }
 
-std::string emit(const std::vector<std::uint32_t>& spirv, Target target) {
-  const SpirvCrossSession session(spirv, backend(target));
+std::string emit_module(const SpirvCrossModule& module, Target target) {
+  const SpirvCrossSession session(module, backend(target));
   set_options(session, target);
   if (is_gl(target)) combine_samplers(session);
   if (target_language(target) != TargetLanguage::msl)
@@ -150,15 +150,26 @@ std::optional<Target> find_target(std::string_view name) {
   return found == std::end(all_targets) ? std::nullopt : std::optional<Target>(*found);
 }
 
-CrossCompileResult cross_compile(const std::vector<std::uint32_t>& spirv, Target target) {
+CrossCompiler::CrossCompiler(std::vector<std::uint32_t> spirv) : spirv_(std::move(spirv)) {}
+CrossCompiler::~CrossCompiler() = default;
+
+CrossCompileResult CrossCompiler::to(Target target) {
   try {
-    std::string text = emit(spirv, target);
-    if (target_language(target) == TargetLanguage::essl && reads_lost_copy(text))
-      text = emit(without_relaxed_precision(spirv), target);
-    return {std::move(text), {}};
+    return {emit(target), {}};
   } catch (const std::invalid_argument& problem) {
     return {{}, {{target_name(target), 0, 0, hlsl::Severity::error, problem.what(), {}}}};
   }
+}
+
+std::string CrossCompiler::emit(Target target) {
+  if (!module_) module_ = std::make_unique<SpirvCrossModule>(spirv_);
+  std::string text = emit_module(*module_, target);
+  if (target_language(target) != TargetLanguage::essl || !reads_lost_copy(text)) return text;
+  return emit_module(SpirvCrossModule(without_relaxed_precision(spirv_)), target);
+}
+
+CrossCompileResult cross_compile(const std::vector<std::uint32_t>& spirv, Target target) {
+  return CrossCompiler(spirv).to(target);
 }
 
 }  // namespace penumbra::shaders

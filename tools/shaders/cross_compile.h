@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -33,8 +34,26 @@ struct CrossCompileResult {
   std::vector<hlsl::Diagnostic> diagnostics;  // their file is the target's name
 };
 
-// The module must be legalised (CompileRequest::optimise). Never throws for a module that a target cannot
-// express. Reentrant.
+class SpirvCrossModule;
+
+// A module that goes to several targets: it is read once. Not for several threads at once.
+class CrossCompiler {
+ public:
+  // The module must be legalised (CompileRequest::optimise).
+  explicit CrossCompiler(std::vector<std::uint32_t> spirv);
+  ~CrossCompiler();
+
+  // Never throws for a module that the target cannot express.
+  CrossCompileResult to(Target target);
+
+ private:
+  std::string emit(Target target);
+
+  std::vector<std::uint32_t> spirv_;
+  std::unique_ptr<SpirvCrossModule> module_;  // once the first target has asked
+};
+
+// For a single target.
 CrossCompileResult cross_compile(const std::vector<std::uint32_t>& spirv, Target target);
 
 }  // namespace penumbra::shaders

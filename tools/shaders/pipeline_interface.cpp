@@ -148,7 +148,8 @@ void choose_entry_point(const SpirvCrossSession& session, const std::string& ent
 }  // namespace
 
 PipelineInterface pipeline_interface(const std::vector<std::uint32_t>& spirv, const std::string& entry) {
-  const SpirvCrossSession session(spirv, SPVC_BACKEND_NONE);
+  const SpirvCrossModule module(spirv);
+  const SpirvCrossSession session(module, SPVC_BACKEND_NONE);
   choose_entry_point(session, entry);
   const Reflector reflector(session);
   PipelineInterface interface;

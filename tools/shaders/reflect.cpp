@@ -79,7 +79,8 @@ Resource reflect_resource(const SpirvCrossSession& session, ResourceKind kind,
 }  // namespace
 
 Reflection reflect(const std::vector<std::uint32_t>& spirv) {
-  const SpirvCrossSession session(spirv, SPVC_BACKEND_NONE);
+  const SpirvCrossModule module(spirv);
+  const SpirvCrossSession session(module, SPVC_BACKEND_NONE);
   const spvc_compiler compiler = session.compiler();
   spvc_set active = nullptr;
   spvc_resources resources = nullptr;

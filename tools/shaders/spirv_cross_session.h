@@ -1,4 +1,4 @@
-// One SPIR-V module in SPIRV-Cross's C API, freed at the end of its scope. Internal to this room.
+// SPIR-V modules in SPIRV-Cross's C API. Internal to this room.
 #pragma once
 
 #include <spirv_cross/spirv_cross_c.h>
@@ -10,35 +10,51 @@
 
 namespace penumbra::shaders {
 
-class SpirvCrossSession {
+// A module that has been read; it outlives its sessions.
+class SpirvCrossModule {
  public:
-  // Throws std::invalid_argument when the words are no SPIR-V module, or not one for this back end.
-  SpirvCrossSession(const std::vector<std::uint32_t>& spirv, spvc_backend backend) {
+  // Throws std::invalid_argument when the words are no SPIR-V module.
+  explicit SpirvCrossModule(const std::vector<std::uint32_t>& spirv) {
     if (spirv.size() < 5 || spirv[0] != SpvMagicNumber) throw std::invalid_argument("not a SPIR-V module");
     if (spvc_context_create(&context_) != SPVC_SUCCESS) throw std::bad_alloc();
-    spvc_parsed_ir module = nullptr;
-    if (spvc_context_parse_spirv(context_, spirv.data(), spirv.size(), &module) != SPVC_SUCCESS ||
-        spvc_context_create_compiler(context_, backend, module, SPVC_CAPTURE_MODE_TAKE_OWNERSHIP,
-                                     &compiler_) != SPVC_SUCCESS) {
+    if (spvc_context_parse_spirv(context_, spirv.data(), spirv.size(), &module_) != SPVC_SUCCESS) {
       const std::string reason = last_error();
       spvc_context_destroy(context_);
       throw std::invalid_argument("not a SPIR-V module SPIRV-Cross can read: " + reason);
     }
   }
-  ~SpirvCrossSession() { spvc_context_destroy(context_); }
-  SpirvCrossSession(const SpirvCrossSession&) = delete;
-  SpirvCrossSession& operator=(const SpirvCrossSession&) = delete;
+  ~SpirvCrossModule() { spvc_context_destroy(context_); }
+  SpirvCrossModule(const SpirvCrossModule&) = delete;
+  SpirvCrossModule& operator=(const SpirvCrossModule&) = delete;
+
+ private:
+  friend class SpirvCrossSession;
+
+  std::string last_error() const { return spvc_context_get_last_error_string(context_); }
+
+  spvc_context context_ = nullptr;
+  spvc_parsed_ir module_ = nullptr;
+};
+
+// One back end at work on it.
+class SpirvCrossSession {
+ public:
+  // Throws std::invalid_argument when the module is not one for this back end.
+  SpirvCrossSession(const SpirvCrossModule& module, spvc_backend backend) : module_(module) {
+    require(spvc_context_create_compiler(module.context_, backend, module.module_, SPVC_CAPTURE_MODE_COPY,
+                                         &compiler_));
+  }
 
   spvc_compiler compiler() const { return compiler_; }
-  std::string last_error() const { return spvc_context_get_last_error_string(context_); }
+  std::string last_error() const { return module_.last_error(); }
 
   void require(spvc_result result) const {
     if (result != SPVC_SUCCESS) throw std::invalid_argument(last_error());
   }
 
  private:
-  spvc_context context_ = nullptr;
-  spvc_compiler compiler_ = nullptr;
+  const SpirvCrossModule& module_;
+  spvc_compiler compiler_ = nullptr;  // the module's context frees it
 };
 
 }  // namespace penumbra::shaders

@@ -132,6 +132,7 @@ class UnitAtWork {
 
   void emit() {
     reply_.emitted.emplace();
+    shaders::CrossCompiler module(std::move(spirv_));
     for (const std::string& target : job_.unit.targets) {
       if (is_spirv_target(target)) continue;
       std::vector<hlsl::Diagnostic>& said = reply_.emitted->emplace_back();
@@ -139,7 +140,7 @@ class UnitAtWork {
       link_.note(target);
       const auto driver = job_.context.drivers.find(target);
       const bool checked = driver != job_.context.drivers.end() && !driver->second.empty();
-      said = check_target(spirv_, job_.unit.compile.stage, target, checked);
+      said = check_target(module, job_.unit.compile.stage, target, checked);
     }
   }
 

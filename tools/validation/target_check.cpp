@@ -2,17 +2,16 @@
 
 #include <optional>
 
-#include "shaders/cross_compile.h"
 #include "shaders/gl_check.h"
 #include "validation/spirv_target.h"
 
 namespace penumbra::validation {
 
-std::vector<hlsl::Diagnostic> check_target(const std::vector<std::uint32_t>& spirv, hlsl::Stage stage,
+std::vector<hlsl::Diagnostic> check_target(shaders::CrossCompiler& module, hlsl::Stage stage,
                                            const std::string& target, bool with_driver) {
   const std::optional<shaders::Target> known = shaders::find_target(target);
   if (!known) return {};
-  shaders::CrossCompileResult emitted = shaders::cross_compile(spirv, *known);
+  shaders::CrossCompileResult emitted = module.to(*known);
   if (!with_driver || hlsl::has_errors(emitted.diagnostics) || !shaders::is_gl(*known))
     return emitted.diagnostics;
   return shaders::gl_check({{stage, emitted.text}}, *known);

@@ -2,18 +2,18 @@
 // this machine's driver for it. Internal to this room.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "hlsl/diagnostic.h"
 #include "hlsl/stage.h"
+#include "shaders/cross_compile.h"
 
 namespace penumbra::validation {
 
 // Nothing for "spirv": a module that is there has passed. Throws EnvironmentError when GL is needed and not
 // there.
-std::vector<hlsl::Diagnostic> check_target(const std::vector<std::uint32_t>& spirv, hlsl::Stage stage,
+std::vector<hlsl::Diagnostic> check_target(shaders::CrossCompiler& module, hlsl::Stage stage,
                                            const std::string& target, bool with_driver);
 
 // The driver that checks the target; empty where none does. Throws EnvironmentError as above.
