@@ -1,0 +1,14 @@
+namespace Penumbra.UnityApi
+{
+    /// <summary>The versions our declarations were read at.</summary>
+    public static class At
+    {
+        public const string Unity2022 = "2022.3.17f1";
+        public const string Core14 = "14.0.9";
+        public const string Universal14 = "14.0.9";
+
+        public const string Unity6 = "6000.0.23f1";
+        public const string Core17 = "17.0.4";
+        public const string Universal17 = "17.0.3";
+    }
+}

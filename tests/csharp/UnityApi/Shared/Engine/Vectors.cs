@@ -1,0 +1,55 @@
+using System;
+using Penumbra.UnityApi;
+
+namespace UnityEngine
+{
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Math/Vector2.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Math/Vector2.cs")]
+    public struct Vector2 : IEquatable<Vector2>
+    {
+        public float x;
+        public float y;
+
+        public Vector2(float x, float y) { this.x = x; this.y = y; }
+
+        public static Vector2 zero => new Vector2(0.0f, 0.0f);
+        public static Vector2 one => new Vector2(1.0f, 1.0f);
+
+        public bool Equals(Vector2 other) => x == other.x && y == other.y;
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Math/Vector3.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Math/Vector3.cs")]
+    public struct Vector3 : IEquatable<Vector3>
+    {
+        public float x;
+        public float y;
+        public float z;
+
+        public Vector3(float x, float y, float z) { this.x = x; this.y = y; this.z = z; }
+
+        public static Vector3 zero => new Vector3(0.0f, 0.0f, 0.0f);
+        public static Vector3 one => new Vector3(1.0f, 1.0f, 1.0f);
+
+        public bool Equals(Vector3 other) => x == other.x && y == other.y && z == other.z;
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Math/Vector4.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Math/Vector4.cs")]
+    public struct Vector4 : IEquatable<Vector4>
+    {
+        public float x;
+        public float y;
+        public float z;
+        public float w;
+
+        public Vector4(float x, float y, float z, float w) { this.x = x; this.y = y; this.z = z; this.w = w; }
+
+        public static Vector4 zero => new Vector4(0.0f, 0.0f, 0.0f, 0.0f);
+
+        public bool Equals(Vector4 other) => x == other.x && y == other.y && z == other.z && w == other.w;
+
+        [OwnBehaviour]
+        public override string ToString() => $"({x}, {y}, {z}, {w})";
+    }
+}
