@@ -8,6 +8,7 @@
 #include "input/input_error.h"
 #include "input/located_json.h"
 #include "parameters/emit_constants.h"
+#include "parameters/golden_vectors.h"
 #include "parameters/matrices_input.h"
 #include "parameters/settings_input.h"
 #include "parameters/verify.h"
@@ -44,6 +45,8 @@ struct ConstantsOptions {
   std::optional<std::string> soft_quality;
   std::optional<std::string> clip_depth;
   std::optional<bool> reversed_z;
+  int golden = 0;
+  std::uint32_t seed = 1;
 };
 
 template <typename Value>
@@ -137,6 +140,22 @@ void add_fit_flags(CLI::App& command, ConstantsOptions& options, CLI::Option& ma
   fit(command.add_option("--reversed-z", options.reversed_z, "Whether the device reverses depth [true]"));
 }
 
+// Golden vectors bring their own set-ups: nothing that describes one goes with them.
+void add_golden_flags(CLI::App& command, ConstantsOptions& options) {
+  const std::vector<CLI::Option*> others =
+      command.get_options([](const CLI::Option* option) { return !option->check_name("--help"); });
+  CLI::Option* golden =
+      command
+          .add_option("--golden", options.golden,
+                      "Print inputs and answers, this many random ones of each kind, as JSON for other "
+                      "implementations to be tested against")
+          ->check(CLI::Range(1, 100000));
+  for (CLI::Option* other : others) golden->excludes(other);
+  command.add_option("--seed", options.seed, "Of --golden's random inputs")
+      ->needs(golden)
+      ->capture_default_str();
+}
+
 }  // namespace
 
 void add_constants(CLI::App& app, Context& /*context*/) {
@@ -149,10 +168,14 @@ void add_constants(CLI::App& app, Context& /*context*/) {
   command->add_option("--format", options->format, "What to print")
       ->check(CLI::IsMember({"table", "json", "hlsl", "csharp", "cpp"}))
       ->capture_default_str();
+  add_golden_flags(*command, *options);
   command->add_option("-o,--output", options->output, "File to write; standard output without");
   command->callback([options, matrices] {
-    write_output(options->output, matrices->count() > 0 ? constants_from_matrices(*options)
-                                                        : constants_from_settings(*options));
+    const auto text = [&] {
+      if (options->golden > 0) return parameters::golden_vectors_json(options->golden, options->seed);
+      return matrices->count() > 0 ? constants_from_matrices(*options) : constants_from_settings(*options);
+    };
+    write_output(options->output, text());
   });
 }
 

@@ -203,6 +203,13 @@ double kernel_radius_texels(SoftQuality quality) {
   return 2.5;
 }
 
+glm::dvec2 bias_of_projection(const glm::dmat4& projection, int tile_resolution,
+                              const ShadowSettings& settings) {
+  const double texel = 2.0 / projection[0][0] / tile_resolution;
+  const double kernel = kernel_radius_texels(settings.soft_quality) * texel;
+  return {0.0 - settings.depth_bias * kernel, 0.0 - settings.normal_bias * kernel};
+}
+
 AtlasLayout atlas_layout(int resolution, int cascades) {
   // URP looks for tiles in the square map first and halves the height of two cascades afterwards.
   AtlasLayout layout{resolution, cascades == 2 ? resolution / 2 : resolution, resolution};

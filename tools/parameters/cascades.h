@@ -8,6 +8,7 @@
 
 #include <array>
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <optional>
@@ -103,6 +104,11 @@ inline constexpr double kSnapMarginTexels = 0.501;
 
 // URP's soft kernel radius in texels, by which GetShadowBias widens both biases: 1 (off), 1.5, 2.5, 3.5.
 double kernel_radius_texels(SoftQuality quality);
+
+// GetShadowBias itself: depth and normal bias in metres, at most 0, of a light whose orthographic projection
+// (any clip depth) shows 2 / m00 metres across one tile.
+glm::dvec2 bias_of_projection(const glm::dmat4& projection, int tile_resolution,
+                              const ShadowSettings& settings);
 
 // URP's atlas: tiles in two columns, row by row; the height halves with two cascades.
 struct AtlasLayout {

@@ -1,0 +1,223 @@
+#include "parameters/golden_vectors.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "parameters/golden_cameras.h"
+#include "parameters/golden_cascades.h"
+#include "parameters/settings_input.h"
+#include "parameters/shader_uniforms.h"
+
+namespace penumbra::parameters {
+
+namespace {
+
+std::string number(double value) {
+  return fmt::format("{}", static_cast<float>(value));
+}
+
+std::string numbers(const glm::dvec4& v) {
+  return fmt::format("[{}, {}, {}, {}]", number(v.x), number(v.y), number(v.z), number(v.w));
+}
+
+std::string numbers(const glm::dmat4& row_major_of) {
+  std::vector<float> values;
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column) {
+      values.push_back(static_cast<float>(row_major_of[column][row]));
+    }
+  }
+  return fmt::format("[{}]", fmt::join(values, ", "));
+}
+
+// One JSON object on one line, key by key.
+class Record {
+ public:
+  Record& add(const char* key, const std::string& json) {
+    text_ += fmt::format("{}\"{}\": {}", text_.empty() ? "" : ", ", key, json);
+    return *this;
+  }
+  Record& add(const char* key, double value) { return add(key, number(value)); }
+  Record& add(const char* key, int value) { return add(key, fmt::format("{}", value)); }
+  Record& add(const char* key, bool value) { return add(key, std::string(value ? "true" : "false")); }
+  Record& add_vector(const char* key, const glm::dvec4& value) { return add(key, numbers(value)); }
+  Record& add_matrix(const char* key, const glm::dmat4& value) { return add(key, numbers(value)); }
+  Record& add_name(const char* key, const std::string& name) { return add(key, "\"" + name + "\""); }
+
+  std::string text() const { return "{" + text_ + "}"; }
+
+ private:
+  std::string text_;
+};
+
+using Records = std::vector<std::string>;
+
+std::string section(const char* name, const Records& records) {
+  return fmt::format("  \"{}\": [\n    {}\n  ]", name, fmt::join(records, ",\n    "));
+}
+
+Records angles(int count, SetupGenerator& generator) {
+  std::vector<double> degrees{
+      0,  std::numeric_limits<float>::denorm_min(), 1e-30, 1e-6, 0.53, 1, 12, 29.999998, 30, -1, 30.000002,
+      1e9};
+  for (int i = 0; i < count; ++i) {
+    degrees.push_back(i % 2 == 0 ? generator.uniform(0, 30) : std::pow(10.0, generator.uniform(-12, 1.47)));
+  }
+  Records records;
+  for (const double given : degrees) {
+    const double tan_half = as_float(tan_half_of(as_float(given)));
+    Record record;
+    record.add("degrees", given).add("tan_half", tan_half).add("degrees_back", degrees_of(tan_half));
+    records.push_back(record.text());
+  }
+  return records;
+}
+
+Records atlases() {
+  Records records;
+  for (const int resolution : {8, 256, 1000, 1023, 2048, 8192, 16384}) {
+    for (int cascades = 1; cascades <= 4; ++cascades) {
+      const AtlasLayout layout = atlas_layout(resolution, cascades);
+      std::vector<std::string> tiles;
+      tiles.reserve(static_cast<std::size_t>(cascades));
+      for (int i = 0; i < cascades; ++i) tiles.push_back(numbers(tile_rectangle(layout, i)));
+      Record record;
+      record.add("resolution", resolution).add("cascades", cascades).add("width", layout.width);
+      record.add("height", layout.height).add("tile_resolution", layout.tile_resolution);
+      record.add_vector("texel_size", shader_uniforms({}, layout, cascades, 0).atlas_texel_size);
+      records.push_back(record.add("tiles", fmt::format("[{}]", fmt::join(tiles, ", "))).text());
+    }
+  }
+  return records;
+}
+
+Record& add_parameters(Record& record, const SoftShadowParameters& parameters) {
+  return record.add("degrees", parameters.angular_diameter_degrees)
+      .add("blocker_samples", parameters.blocker_samples)
+      .add("filter_samples", parameters.filter_samples)
+      .add("blocker_clump", parameters.blocker_clump)
+      .add("min_filter_texels", parameters.min_filter_texels)
+      .add("max_penumbra_metres", parameters.max_penumbra_metres)
+      .add("max_sampling_metres", parameters.max_sampling_metres)
+      .add("search_radius_metres", parameters.search_radius_metres)
+      .add("hdrp_search_degrees", parameters.hdrp_search_degrees)
+      .add("hdrp_min_filter_degrees", parameters.hdrp_min_filter_degrees);
+}
+
+Records uniforms(int count, SetupGenerator& generator) {
+  Records records;
+  for (const SoftShadowParameters& given : golden_settings(count, generator)) {
+    const int resolution = 256 << generator.integer(0, 5);
+    const int cascades = generator.integer(1, 4);
+    const int frame = generator.integer(-100, 1000000);
+    const ShaderUniforms packed = shader_uniforms(given, atlas_layout(resolution, cascades), cascades, frame);
+    Record record;
+    add_parameters(record, given).add("resolution", resolution).add("cascades", cascades).add("frame", frame);
+    record.add_vector("atlas_texel_size", packed.atlas_texel_size)
+        .add_vector("main_light_params", packed.main_light_params)
+        .add_vector("samples", packed.samples)
+        .add_vector("limits", packed.limits)
+        .add_vector("hdrp", packed.hdrp);
+    records.push_back(record.text());
+  }
+  return records;
+}
+
+Cascade answer_to(const GoldenCascade& given) {
+  const AtlasLayout layout = atlas_layout(given.resolution, given.cascades);
+  CascadeSet set;
+  set.angular_diameter_degrees = given.parameters.angular_diameter_degrees;
+  set.tile_resolution = layout.tile_resolution;
+  ShadowSettings settings;
+  settings.depth_bias = given.depth_bias;
+  settings.normal_bias = given.normal_bias;
+  settings.soft_quality = given.quality;
+  Cascade cascade;
+  cascade.world_to_shadow = given.world_to_shadow;
+  cascade.offset_scale = tile_rectangle(layout, 0);
+  derive_scales(set, settings, cascade);
+  return cascade;
+}
+
+Records cascades(int count, SetupGenerator& generator) {
+  Records records;
+  for (const GoldenCascade& given : golden_cascades(count, generator)) {
+    const Cascade cascade = answer_to(given);
+    const HdrpVectors hdrp = hdrp_vectors(cascade, given.parameters);
+    Record record;
+    record.add_name("name", given.name).add_matrix("world_to_shadow", given.world_to_shadow);
+    record.add("resolution", given.resolution).add("cascades", given.cascades);
+    add_parameters(record, given.parameters);
+    record.add("depth_bias", given.depth_bias).add("normal_bias", given.normal_bias);
+    record.add_name("soft_quality", name_of(given.quality));
+    record.add("uv_per_metre", cascade.uv_per_metre)
+        .add("depth_per_metre", cascade.depth_per_metre)
+        .add("depth_to_radial", cascade.depth_to_radial)
+        .add("radial_to_depth", cascade.radial_to_depth.value_or(0.0))
+        .add("depth_to_radial_hdrp", cascade.depth_to_radial_hdrp)
+        .add("texel_size_metres", cascade.texel_size_metres)
+        .add("max_penumbra_texels", cascade.max_penumbra_texels)
+        .add("bias_depth", cascade.depth_bias_metres)
+        .add("bias_normal", cascade.normal_bias_metres)
+        .add_vector("hdrp_params0", hdrp.params0)
+        .add_vector("hdrp_params1", hdrp.params1);
+    records.push_back(record.text());
+  }
+  return records;
+}
+
+Records projections(int count, SetupGenerator& generator) {
+  Records records;
+  for (int i = 0; i < count; ++i) {
+    const ShadowSetup setup = generator.next();
+    const CascadeSet set = setup.fit();
+    glm::dmat4 projection = set.cascades.back().projection;
+    projection[0][0] = as_float(projection[0][0]);
+    ShadowSettings settings = setup.shadows;
+    settings.depth_bias = as_float(generator.uniform(0, 10));
+    settings.normal_bias = as_float(generator.uniform(0, 10));
+    const glm::dvec2 bias = bias_of_projection(projection, set.tile_resolution, settings);
+    Record record;
+    record.add("m00", projection[0][0]).add("tile_resolution", set.tile_resolution);
+    record.add("depth_bias", settings.depth_bias).add("normal_bias", settings.normal_bias);
+    record.add_name("soft_quality", name_of(settings.soft_quality));
+    records.push_back(record.add("bias_depth", bias.x).add("bias_normal", bias.y).text());
+  }
+  return records;
+}
+
+Records cameras(int count, SetupGenerator& generator) {
+  Records records;
+  for (const GoldenCamera& camera : golden_cameras(count, generator)) {
+    const auto answer = screen_to_world(camera.view, camera.gpu_projection, camera.conventions);
+    Record record;
+    record.add_name("name", camera.name).add_matrix("view", camera.view);
+    record.add_matrix("gpu_projection", camera.gpu_projection);
+    record.add("uv_starts_at_top", camera.conventions.uv_starts_at_top);
+    record.add("depth_is_zero_to_one", camera.conventions.depth_is_zero_to_one);
+    records.push_back(record.add_matrix("screen_to_world", answer.value_or(glm::dmat4(0.0))).text());
+  }
+  return records;
+}
+
+}  // namespace
+
+std::string golden_vectors_json(int count, std::uint32_t seed) {
+  SetupGenerator generator(seed);
+  const std::vector<std::string> sections{
+      fmt::format("  \"written_by\": \"penumbra constants --golden {} --seed {}\"", count, seed),
+      "  \"matrix_order\": \"row-major\"",
+      section("angles", angles(count, generator)),
+      section("atlases", atlases()),
+      section("cascades", cascades(count, generator)),
+      section("projections", projections(count, generator)),
+      section("uniforms", uniforms(count, generator)),
+      section("cameras", cameras(count, generator))};
+  return fmt::format("{{\n{}\n}}\n", fmt::join(sections, ",\n"));
+}
+
+}  // namespace penumbra::parameters

@@ -1,0 +1,18 @@
+// Inputs and answers of the mathematics that a renderer needs every frame, for its other implementations (C#
+// in the package) to be compared with figure by figure.
+//
+// Inputs are exact floats; answers come of them in double or long double and are rounded to float once. Every
+// number is printed with the fewest digits that read back to the same float.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace penumbra::parameters {
+
+// JSON with one list for each kind: angles, atlases, cascades, projections (bias), uniforms, cameras. Each
+// has its awkward cases and, where cases are random, `count` of them. The same count and seed give the same
+// bytes.
+std::string golden_vectors_json(int count, std::uint32_t seed);
+
+}  // namespace penumbra::parameters

@@ -1,0 +1,53 @@
+// The vectors that Shadows.hlsl and HDRP's shadow filter read, packed from settings a person can state.
+//
+// Units: degrees, metres, texels as named. Whatever the settings hold, every component is finite and in the
+// range the shaders take: NaN counts as a range's low end.
+// Source: ShaderLibrary/Shadows.hlsl and Pipelines/Urp.hlsl; for HDRP its request settings of a directional
+// light's PCSS, version 17.
+#pragma once
+
+#include <glm/vec4.hpp>
+
+#include "parameters/cascades.h"
+
+namespace penumbra::parameters {
+
+struct SoftShadowParameters {
+  double angular_diameter_degrees = 0.53;
+  int blocker_samples = 24;
+  int filter_samples = 16;
+  double blocker_clump = 0.0;
+  double min_filter_texels = 1.25;
+  double max_penumbra_metres = 100.0;
+  double max_sampling_metres = 1000.0;
+  double search_radius_metres = 0.5;    // of classic PCSS
+  double hdrp_search_degrees = 12.0;    // at least the light's is used
+  double hdrp_min_filter_degrees = 10;  // at least the search's is used
+};
+
+struct ShaderUniforms {
+  glm::dvec4 atlas_texel_size;   // 1/width, 1/height, width, height
+  glm::dvec4 main_light_params;  // cascade count, tan(a/2), frame index modulo 64, 0
+  glm::dvec4 samples;            // blocker samples, filter samples, clump, smallest filter radius (texels)
+  glm::dvec4 limits;             // widest penumbra, cone height, classic search radius (m), 0
+  glm::dvec4 hdrp;               // tan of half the search's angle, of half the smallest filter's, 0, 0
+};
+
+ShaderUniforms shader_uniforms(const SoftShadowParameters& parameters, const AtlasLayout& layout,
+                               int cascades, int frame_index);
+
+// tan(a/2) of an angle in degrees, and back.
+double tan_half_of(double degrees);
+double degrees_of(double tan_half);
+
+// HDRP's two vectors of a cascade. With s = |m00 / m22| of the device projection, twice the geometric scale:
+// params0 tan(a/2) s, its inverse, farthest blocker (m), cone height (m); params1 smallest filter (texels),
+// 1 / (s tan) of the smallest filter's and of the search's cone, half the clump. At 0 degrees the inverse is
+// 0 and the farthest blocker is the cascade's depth range away.
+struct HdrpVectors {
+  glm::dvec4 params0;
+  glm::dvec4 params1;
+};
+HdrpVectors hdrp_vectors(const Cascade& cascade, const SoftShadowParameters& parameters);
+
+}  // namespace penumbra::parameters
