@@ -1,0 +1,48 @@
+using UnityEngine;
+
+namespace Penumbra
+{
+    /// <summary>
+    /// The two vectors HDRP packs for each cascade of a directional light's PCSS, for HDRP custom passes and for
+    /// shaders ported from it. Its scale of depth to radius is s = |m00 / m22| of the device projection, which is
+    /// 2 UvPerMetre / DepthPerMetre: penumbrae come out twice the geometric width, as HDRP's do.
+    /// <para>With t = tan(a/2) and the cones' own tangents ts (search) and tf (smallest filter):</para>
+    /// <code>
+    ///   Params0   t s | 1 / (t s) | widest penumbra / (2 t), metres | cone height, metres
+    ///   Params1   smallest filter, texels | 1 / (tf s) | 1 / (ts s) | clump / 2
+    /// </code>
+    /// <para>Every component is finite. At 0 degrees, where HDRP divides by 0, an inverse is 0 and the farthest
+    /// blocker is as far as the cascade's depth range; a cascade without a map gives 0 for all scales.</para>
+    /// </summary>
+    public readonly struct HdrpShadowParameters
+    {
+        // Even over the area; HDRP goes no lower.
+        private const float SmallestClump = 1.0f;
+
+        public readonly Vector4 Params0;
+        public readonly Vector4 Params1;
+
+        /// <param name="scales">Of the cascade; the light's angular diameter is the one they were made with.</param>
+        public HdrpShadowParameters(in CascadeScales scales, in SoftShadowParameters parameters)
+        {
+            var radialPerDepth = scales.IsMapped ? 2.0 * scales.UvPerMetreInDouble / scales.DepthPerMetreInDouble : 0.0;
+            var cones = new HdrpCones(parameters, scales.TanHalf);
+            var widest = Bounded.OrLow(parameters.MaxPenumbraMetres, 0.0f, ShadowUniforms.LongestMetres);
+            var farthest = widest / (2.0 * scales.TanHalf);
+            var clump = Bounded.OrLow(parameters.BlockerClump, SmallestClump, ShadowUniforms.LargestClump);
+            Params0 = new Vector4((float)(scales.TanHalf * radialPerDepth), Inverse(scales.TanHalf * radialPerDepth),
+                                  (float)(Bounded.FitsFloat(farthest) ? farthest : scales.DepthRangeMetres),
+                                  Bounded.OrLow(parameters.MaxSamplingMetres, 0.0f, ShadowUniforms.LongestMetres));
+            Params1 = new Vector4(
+                Bounded.OrLow(parameters.MinFilterTexels, 0.0f, ShadowUniforms.WidestFilterTexels),
+                Inverse(cones.MinFilterTanHalf * radialPerDepth), Inverse(cones.SearchTanHalf * radialPerDepth),
+                0.5f * clump);
+        }
+
+        private static float Inverse(double scale)
+        {
+            var inverse = 1.0 / scale;
+            return scale > 0.0 && Bounded.FitsFloat(inverse) ? (float)inverse : 0.0f;
+        }
+    }
+}

@@ -1,0 +1,29 @@
+namespace Penumbra
+{
+    /// <summary>
+    /// How a device stores the screen, as SystemInfo and GL.GetGPUProjectionMatrix describe it: what has to be known
+    /// to get from a texel and its stored depth back to clip space.
+    /// </summary>
+    public readonly struct ScreenConventions
+    {
+        /// <summary>
+        /// Texel row 0 is the top of clip space, y = +1 (SystemInfo.graphicsUVStartsAtTop: Direct3D, Metal, Vulkan);
+        /// false: it is the bottom, y = -1 (OpenGL).
+        /// </summary>
+        public readonly bool UvStartsAtTop;
+
+        /// <summary>
+        /// Clip space's depth is 0 to 1 and stored as it is; false: it is -1 to 1, stored as (z + 1) / 2 (OpenGL).
+        /// </summary>
+        public readonly bool DepthIsZeroToOne;
+
+        public ScreenConventions(bool uvStartsAtTop, bool depthIsZeroToOne)
+        {
+            UvStartsAtTop = uvStartsAtTop;
+            DepthIsZeroToOne = depthIsZeroToOne;
+        }
+
+        public static ScreenConventions Direct3D => new ScreenConventions(true, true);
+        public static ScreenConventions OpenGL => new ScreenConventions(false, false);
+    }
+}

@@ -1,0 +1,77 @@
+namespace Penumbra
+{
+    /// <summary>
+    /// What the filters are told, in the units a person sets it in. Defaults are those of the technique list
+    /// (ShaderLibrary/techniques.json): PCSS by angular diameter with 24 and 16 samples.
+    /// <para>Values out of range are no error here: what reads them keeps to the nearest end, as the shaders do.
+    /// </para>
+    /// </summary>
+    public struct SoftShadowParameters
+    {
+        /// <summary>Full angle of the light's disc, degrees, 0 to 30.</summary>
+        public float AngularDiameterDegrees;
+
+        /// <summary>Fetches of the blocker search, 1 to 64; of classic PCSS also of the filter, up to 128.</summary>
+        public int BlockerSamples;
+
+        /// <summary>Fetches of the filter, 1 to 64.</summary>
+        public int FilterSamples;
+
+        /// <summary>
+        /// Spread of the search, 0 to 8: 0 as many samples in every octave of radius, 1 even over the area, 2 as dense
+        /// as 1/r at the centre. HDRP's rules start at 1.
+        /// </summary>
+        public float BlockerClump;
+
+        /// <summary>Smallest filter and search radius, texels, 0 to 64.</summary>
+        public float MinFilterTexels;
+
+        /// <summary>Widest penumbra, from dark to lit, metres.</summary>
+        public float MaxPenumbraMetres;
+
+        /// <summary>Height of the light's cone above the receiver, beyond which it is a cylinder, metres.</summary>
+        public float MaxSamplingMetres;
+
+        /// <summary>Radius of classic PCSS's blocker search, across the light, metres.</summary>
+        public float SearchRadiusMetres;
+
+        /// <summary>HDRP: angular diameter of the blocker search, degrees, 0 to 90; at least the light's is used.
+        /// </summary>
+        public float HdrpSearchDegrees;
+
+        /// <summary>
+        /// HDRP: angular diameter of the cone below the smallest filter radius, degrees, 0 to 90; at least the
+        /// search's is used.
+        /// </summary>
+        public float HdrpMinFilterDegrees;
+
+        /// <summary>The sun, by PCSS of its angular diameter.</summary>
+        public static SoftShadowParameters Default => new SoftShadowParameters
+        {
+            AngularDiameterDegrees = AngularDiameter.SunDegrees,
+            BlockerSamples = 24,
+            FilterSamples = 16,
+            BlockerClump = 0.0f,
+            MinFilterTexels = 1.25f,
+            MaxPenumbraMetres = 100.0f,
+            MaxSamplingMetres = 1000.0f,
+            SearchRadiusMetres = 0.5f,
+            HdrpSearchDegrees = 12.0f,
+            HdrpMinFilterDegrees = 10.0f,
+        };
+
+        /// <summary>HDRP's own defaults, for its rules (_PENUMBRA_PCSS_HDRP).</summary>
+        public static SoftShadowParameters HdrpDefault
+        {
+            get
+            {
+                var parameters = Default;
+                parameters.BlockerClump = 2.0f;
+                parameters.MinFilterTexels = 1.5f;
+                parameters.MaxPenumbraMetres = 0.56f;
+                parameters.MaxSamplingMetres = 0.5f;
+                return parameters;
+            }
+        }
+    }
+}

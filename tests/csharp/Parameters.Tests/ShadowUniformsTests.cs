@@ -1,0 +1,111 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text.Json;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Penumbra.Tests
+{
+    [TestFixture]
+    public class ShadowUniformsTests
+    {
+        private static readonly AtlasLayout Layout = new AtlasLayout(2048, 3);
+
+        private static JsonElement ValuesOf(string technique)
+        {
+            var file = Path.Combine(TestContext.CurrentContext.TestDirectory, "techniques.json");
+            return JsonDocument.Parse(File.ReadAllText(file)).RootElement.GetProperty("techniques").EnumerateArray()
+                .Single(entry => entry.GetProperty("name").GetString() == technique).GetProperty("values");
+        }
+
+        [TestCase("pcss-angular-24-16", false)]
+        [TestCase("pcss-angular-24-16-hdrp", true)]
+        public void DefaultsAreTheTechniqueLists(string technique, bool hdrp)
+        {
+            var values = ValuesOf(technique);
+            var parameters = hdrp ? SoftShadowParameters.HdrpDefault : SoftShadowParameters.Default;
+            var ours = new Dictionary<string, float>
+            {
+                ["blockerSamples"] = parameters.BlockerSamples,
+                ["filterSamples"] = parameters.FilterSamples,
+                ["blockerClump"] = parameters.BlockerClump,
+                ["minFilterTexels"] = parameters.MinFilterTexels,
+                ["maxPenumbraMetres"] = parameters.MaxPenumbraMetres,
+                ["maxSamplingMetres"] = parameters.MaxSamplingMetres,
+            };
+            foreach (var (name, value) in ours)
+            {
+                Assert.That(value, Is.EqualTo(values.GetProperty(name).GetSingle()), name);
+            }
+        }
+
+        [Test]
+        public void HdrpsAnglesAreTheTechniqueLists()
+        {
+            var values = ValuesOf("pcss-angular-24-16-hdrp");
+            var parameters = SoftShadowParameters.HdrpDefault;
+            Assert.That(AngularDiameter.TanHalf(parameters.HdrpSearchDegrees),
+                        Is.EqualTo(values.GetProperty("searchTanHalf").GetSingle()).Within(1e-8));
+            Assert.That(AngularDiameter.TanHalf(parameters.HdrpMinFilterDegrees),
+                        Is.EqualTo(values.GetProperty("minFilterTanHalf").GetSingle()).Within(1e-8));
+        }
+
+        [Test]
+        public void EachNumberIsWhereTheShaderReadsIt()
+        {
+            var parameters = new SoftShadowParameters
+            {
+                AngularDiameterDegrees = 2.0f, BlockerSamples = 11, FilterSamples = 12, BlockerClump = 1.5f,
+                MinFilterTexels = 1.75f, MaxPenumbraMetres = 21.0f, MaxSamplingMetres = 22.0f,
+                SearchRadiusMetres = 23.0f, HdrpSearchDegrees = 5.0f, HdrpMinFilterDegrees = 7.0f,
+            };
+            var uniforms = new ShadowUniforms(parameters, Layout, 9);
+            Assert.That(uniforms.MainLightAtlasTexelSize, Is.EqualTo(Layout.TexelSize));
+            Assert.That(uniforms.MainLightParams, Is.EqualTo(new Vector4(3, AngularDiameter.TanHalf(2.0f), 9, 0)));
+            Assert.That(uniforms.Samples, Is.EqualTo(new Vector4(11, 12, 1.5f, 1.75f)));
+            Assert.That(uniforms.Limits, Is.EqualTo(new Vector4(21, 22, 23, 0)));
+            Assert.That(uniforms.Hdrp, Is.EqualTo(new Vector4(AngularDiameter.TanHalf(5.0f),
+                                                              AngularDiameter.TanHalf(7.0f), 0, 0)));
+        }
+
+        // The shaders take the index modulo 64; a float would lose its last bits after some days.
+        [TestCase(0, 0)]
+        [TestCase(63, 63)]
+        [TestCase(64, 0)]
+        [TestCase(1 << 30, 0)]
+        [TestCase(int.MaxValue, 63)]
+        [TestCase(-1, 63)]
+        public void TheFrameIndexRepeatsAsTheNoiseDoes(int frame, int expected) =>
+            Assert.That(new ShadowUniforms(SoftShadowParameters.Default, Layout, frame).MainLightParams.z,
+                        Is.EqualTo(expected));
+
+        [Test]
+        public void WhateverTheParametersEveryComponentIsFiniteAndInRange()
+        {
+            var random = new Random(3);
+            float Any() => Adversary.Floats[random.Next(Adversary.Floats.Length)];
+            int Count() => Adversary.Ints[random.Next(Adversary.Ints.Length)];
+            for (var i = 0; i < 5000; ++i)
+            {
+                var parameters = new SoftShadowParameters
+                {
+                    AngularDiameterDegrees = Any(), BlockerSamples = Count(), FilterSamples = Count(),
+                    BlockerClump = Any(), MinFilterTexels = Any(), MaxPenumbraMetres = Any(),
+                    MaxSamplingMetres = Any(), SearchRadiusMetres = Any(), HdrpSearchDegrees = Any(),
+                    HdrpMinFilterDegrees = Any(),
+                };
+                var uniforms = new ShadowUniforms(parameters, Layout, Count());
+                AssertWithin(uniforms.MainLightParams, new Vector4(3, 0.26795f, 63, 0));
+                AssertWithin(uniforms.Samples, new Vector4(128, 128, 8, 64));
+                AssertWithin(uniforms.Limits, new Vector4(1e6f, 1e6f, 1e6f, 0));
+                AssertWithin(uniforms.Hdrp, new Vector4(1, 1, 0, 0));
+            }
+        }
+
+        private static void AssertWithin(Vector4 v, Vector4 largest) =>
+            Assert.That(v.x >= 0 && v.x <= largest.x && v.y >= 0 && v.y <= largest.y && v.z >= 0 &&
+                        v.z <= largest.z && v.w >= 0 && v.w <= largest.w, $"{v} beyond {largest}");
+    }
+}
