@@ -53,3 +53,23 @@ namespace UnityEngine
         public override string ToString() => $"({x}, {y}, {z}, {w})";
     }
 }
+
+namespace UnityEngine
+{
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Math/Color.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Math/Color.cs")]
+    public struct Color : IEquatable<Color>
+    {
+        public float r;
+        public float g;
+        public float b;
+        public float a;
+
+        public Color(float r, float g, float b, float a) { this.r = r; this.g = g; this.b = b; this.a = a; }
+
+        public static Color white => new Color(1.0f, 1.0f, 1.0f, 1.0f);
+        public static Color clear => new Color(0.0f, 0.0f, 0.0f, 0.0f);
+
+        public bool Equals(Color other) => r == other.r && g == other.g && b == other.b && a == other.a;
+    }
+}

@@ -1,0 +1,41 @@
+using UnityEditor;
+using UnityEngine;
+using UnityEngine.Rendering;
+using UnityEngine.Rendering.Universal;
+
+namespace Penumbra.Editor
+{
+    /// <summary>Looks at what a feature stands in: its renderer, the URP asset in use, the graphics settings.</summary>
+    internal static class FeatureSurroundings
+    {
+        private const string UrpScreenSpaceShadows = "UnityEngine.Rendering.Universal.ScreenSpaceShadows";
+
+        internal static FeatureState Of(PenumbraShadows feature)
+        {
+            FeatureState state = default;
+            Shader shader = Shader.Find(PenumbraShadows.ShaderName);
+            state.shaderFound = shader != null && shader.isSupported;
+            state.compatibilityMode = UrpFrame.InCompatibilityMode();
+            state.settings = feature.Settings;
+            var asset = GraphicsSettings.currentRenderPipeline as UniversalRenderPipelineAsset;
+            state.mainLightShadows = asset == null || asset.supportsMainLightShadows;
+            ReadRenderer(RendererOf(feature), ref state);
+            return state;
+        }
+
+        private static ScriptableRendererData RendererOf(PenumbraShadows feature) =>
+            AssetDatabase.LoadMainAssetAtPath(AssetDatabase.GetAssetPath(feature)) as ScriptableRendererData;
+
+        private static void ReadRenderer(ScriptableRendererData renderer, ref FeatureState state)
+        {
+            if (renderer == null) return;
+            foreach (ScriptableRendererFeature other in renderer.rendererFeatures)
+                state.urpScreenSpaceShadows |= other != null && other.isActive &&
+                                               other.GetType().FullName == UrpScreenSpaceShadows;
+            if (!(renderer is UniversalRendererData universal)) return;
+            state.depthPriming = universal.depthPrimingMode != DepthPrimingMode.Disabled;
+            state.deferred = universal.renderingMode != RenderingMode.Forward &&
+                             universal.renderingMode != RenderingMode.ForwardPlus;
+        }
+    }
+}

@@ -1,0 +1,47 @@
+using System.Collections.Generic;
+using UnityEditor;
+using UnityEngine;
+using UnityEngine.Rendering;
+using UnityEngine.Rendering.Universal;
+
+namespace Penumbra.Editor
+{
+    /// <summary>The active features of the project's renderers, and its Volume profiles that override them.</summary>
+    internal static class FeaturesInProject
+    {
+        internal static bool Any
+        {
+            get
+            {
+                foreach (PenumbraShadowsSettings _ in Settings()) return true;
+                return false;
+            }
+        }
+
+        internal static ResolveVariants Variants() => ResolveVariants.Of(Settings(), Volumes());
+
+        private static IEnumerable<PenumbraShadowsSettings> Settings()
+        {
+            foreach (ScriptableRendererData renderer in Assets<ScriptableRendererData>())
+                foreach (ScriptableRendererFeature feature in renderer.rendererFeatures)
+                    if (feature is PenumbraShadows shadows && shadows.isActive) yield return shadows.Settings;
+        }
+
+        private static List<PenumbraShadowsVolume> Volumes()
+        {
+            var found = new List<PenumbraShadowsVolume>();
+            foreach (VolumeProfile profile in Assets<VolumeProfile>())
+                if (profile.TryGet(out PenumbraShadowsVolume volume)) found.Add(volume);
+            return found;
+        }
+
+        private static IEnumerable<T> Assets<T>() where T : Object
+        {
+            foreach (string guid in AssetDatabase.FindAssets("t:" + typeof(T).Name))
+            {
+                T asset = AssetDatabase.LoadAssetAtPath<T>(AssetDatabase.GUIDToAssetPath(guid));
+                if (asset != null) yield return asset;
+            }
+        }
+    }
+}

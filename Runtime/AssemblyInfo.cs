@@ -1,0 +1,4 @@
+using System.Runtime.CompilerServices;
+
+[assembly: InternalsVisibleTo("Penumbra.Editor")]
+[assembly: InternalsVisibleTo("Penumbra.EditMode.Tests")]

@@ -1,0 +1,48 @@
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Penumbra
+{
+    /// <summary>
+    /// Sets the uniforms of ShaderLibrary/Shadows.hlsl and Shaders/PenumbraShadows.shader. They are global, so that
+    /// forward shaders of the project's own that include Shadows.hlsl find them too.
+    /// </summary>
+    internal sealed class FrameUniforms
+    {
+        internal static readonly int AtlasTexelSize = Shader.PropertyToID("_PenumbraMainLightAtlasTexelSize");
+        internal static readonly int MainLightParams = Shader.PropertyToID("_PenumbraMainLightParams");
+        internal static readonly int Samples = Shader.PropertyToID("_PenumbraSamples");
+        internal static readonly int Limits = Shader.PropertyToID("_PenumbraLimits");
+        internal static readonly int Hdrp = Shader.PropertyToID("_PenumbraHdrp");
+        internal static readonly int ScreenToWorldMatrices = Shader.PropertyToID("_PenumbraScreenToWorld");
+        internal static readonly int ScreenSize = Shader.PropertyToID("_PenumbraScreenSize");
+        internal static readonly int TargetSize = Shader.PropertyToID("_PenumbraTargetSize");
+        internal static readonly int SourceSize = Shader.PropertyToID("_PenumbraSourceSize");
+        internal static readonly int SourceTexture = Shader.PropertyToID("_PenumbraSourceTexture");
+        internal static readonly int MaskTexture = Shader.PropertyToID("_PenumbraMaskTexture");
+        internal static readonly int ScreenSpaceShadowmap = Shader.PropertyToID("_ScreenSpaceShadowmapTexture");
+
+        private readonly Matrix4x4[] screenToWorld = new Matrix4x4[ShadowFrame.MostViews];
+
+        internal void Set(CommandBuffer commands, in ShadowFrame frame)
+        {
+            commands.SetGlobalVector(AtlasTexelSize, frame.uniforms.MainLightAtlasTexelSize);
+            commands.SetGlobalVector(MainLightParams, frame.uniforms.MainLightParams);
+            commands.SetGlobalVector(Samples, frame.uniforms.Samples);
+            commands.SetGlobalVector(Limits, frame.uniforms.Limits);
+            commands.SetGlobalVector(Hdrp, frame.uniforms.Hdrp);
+            commands.SetGlobalVector(ScreenSize, Size(frame, new ChainSlot(1)));
+            screenToWorld[0] = frame.screenToWorld0;
+            screenToWorld[1] = frame.screenToWorld1;
+            commands.SetGlobalMatrixArray(ScreenToWorldMatrices, screenToWorld);
+        }
+
+        /// <summary>Width, height and their inverses of what is drawn of a texture.</summary>
+        internal static Vector4 Size(in ShadowFrame frame, in ChainSlot slot)
+        {
+            float width = Mathf.Ceil(slot.Size(frame.width) * frame.widthScale);
+            float height = Mathf.Ceil(slot.Size(frame.height) * frame.heightScale);
+            return new Vector4(width, height, 1.0f / width, 1.0f / height);
+        }
+    }
+}

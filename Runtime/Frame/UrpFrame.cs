@@ -1,0 +1,97 @@
+using Unity.Collections;
+using UnityEngine;
+using UnityEngine.Experimental.Rendering;
+using UnityEngine.Rendering;
+using UnityEngine.Rendering.Universal;
+
+namespace Penumbra
+{
+    /// <summary>Reads URP's frame into ours.</summary>
+    internal static class UrpFrame
+    {
+        internal static ShadowSource Source(ref RenderingData data)
+        {
+            ShadowSource source = default;
+            source.cameraType = data.cameraData.cameraType;
+            RenderTexture texture = data.cameraData.targetTexture;
+            source.depthOnly = texture != null && texture.format == RenderTextureFormat.Depth;
+            source.supported = data.shadowData.supportsMainLightShadows;
+            source.mainLightIndex = data.lightData.mainLightIndex;
+            source.distanceMetres = data.cameraData.maxShadowDistance;
+            source.cascadeCount = data.shadowData.mainLightShadowCascadesCount;
+            source.mapWidth = data.shadowData.mainLightShadowmapWidth;
+#if UNITY_EDITOR
+            source.sceneLightingOff = CoreUtils.IsSceneLightingDisabled(data.cameraData.camera);
+#endif
+            ReadLight(ref data, ref source);
+            return source;
+        }
+
+        // The bounds are computed when asked for: last, and only where there is a light.
+        private static void ReadLight(ref RenderingData data, ref ShadowSource source)
+        {
+            NativeArray<VisibleLight> lights = data.lightData.visibleLights;
+            if (!source.supported || source.mainLightIndex < 0 || source.mainLightIndex >= lights.Length) return;
+            Light light = lights[source.mainLightIndex].light;
+            source.lightShadows = light != null ? light.shadows : LightShadows.None;
+            if (source.lightShadows == LightShadows.None) return;
+            source.hasCasters = data.cullResults.GetShadowCasterBounds(source.mainLightIndex, out Bounds _);
+        }
+
+        /// <summary>What is known when the feature is asked for its passes; SetCamera adds the rest.</summary>
+        internal static ShadowFrame Frame(in ShadowSource source, in ShadowOptions options, NoiseMode noise)
+        {
+            ShadowFrame frame = default;
+            frame.technique = options.technique;
+            frame.uniforms = new ShadowUniforms(options.Parameters(),
+                                                new AtlasLayout(source.mapWidth, source.cascadeCount),
+                                                noise == NoiseMode.PerFrame ? Time.frameCount : 0);
+            return frame;
+        }
+
+        /// <summary>The target's size, and how much of it dynamic resolution uses.</summary>
+        internal static void SetSize(ref ShadowFrame frame, Camera camera, in RenderTextureDescriptor target)
+        {
+            frame.width = target.width;
+            frame.height = target.height;
+            frame.widthScale = camera.allowDynamicResolution ? ScalableBufferManager.widthScaleFactor : 1.0f;
+            frame.heightScale = camera.allowDynamicResolution ? ScalableBufferManager.heightScaleFactor : 1.0f;
+        }
+
+        /// <summary>
+        /// One eye's matrix; false where the camera has no picture. Camera depth is always drawn into a texture,
+        /// whatever the camera's target is, so the projection is the one for textures.
+        /// </summary>
+        internal static bool TryGetScreenToWorld(Matrix4x4 view, Matrix4x4 projection, out Matrix4x4 screenToWorld) =>
+            ScreenToWorld.TryGet(view, GL.GetGPUProjectionMatrix(projection, true),
+                                 new ScreenConventions(SystemInfo.graphicsUVStartsAtTop,
+                                                       SystemInfo.usesReversedZBuffer), out screenToWorld);
+
+        /// <summary>Unity 6 with the render graph switched off, which some versions still allow: we do not record.</summary>
+        internal static bool InCompatibilityMode()
+        {
+#if PENUMBRA_COMPATIBILITY_MODE
+            RenderGraphSettings graph = GraphicsSettings.GetRenderPipelineSettings<RenderGraphSettings>();
+            return graph != null && graph.enableRenderCompatibilityMode;
+#else
+            return false;
+#endif
+        }
+
+        /// <summary>A texture of the chain: one channel, one sample, in the camera's arrangement of eyes.</summary>
+        internal static RenderTextureDescriptor Texture(RenderTextureDescriptor target, in ChainSlot slot)
+        {
+            target.width = slot.Size(target.width);
+            target.height = slot.Size(target.height);
+            target.msaaSamples = 1;
+            target.depthStencilFormat = GraphicsFormat.None;
+#if UNITY_6000_0_OR_NEWER
+            bool renders = SystemInfo.IsFormatSupported(GraphicsFormat.R8_UNorm, GraphicsFormatUsage.Render);
+#else
+            bool renders = SystemInfo.IsFormatSupported(GraphicsFormat.R8_UNorm, FormatUsage.Render);
+#endif
+            target.graphicsFormat = renders ? GraphicsFormat.R8_UNorm : GraphicsFormat.B8G8R8A8_UNorm;
+            return target;
+        }
+    }
+}

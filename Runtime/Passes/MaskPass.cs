@@ -1,0 +1,27 @@
+using UnityEngine.Scripting;
+
+namespace Penumbra
+{
+    /// <summary>
+    /// Finds the penumbrae at a quarter of the resolution, four comparisons for each block of 4 x 4 pixels, and
+    /// widens what it finds. Library: ShaderLibrary/Screen/PenumbraMask.hlsl, MaskBlur.hlsl.
+    /// </summary>
+    [Preserve]
+    internal sealed class MaskPass : ShadowPass
+    {
+        internal const int Divisor = 4;
+
+        internal override int Order => 100;
+
+        /// <summary>A filter that costs no more than the mask gains nothing by it.</summary>
+        internal override bool IsNeeded(in ShadowOptions options) =>
+            options.mask && options.technique.TakesSamples() && options.angularDiameterDegrees > 0.0f;
+
+        internal override void AddSteps(ShadowChain chain, in ShadowOptions options)
+        {
+            int found = chain.Draw("PenumbraMask", Divisor);
+            int wide = chain.Draw("MaskBlurHorizontal", Divisor, found);
+            chain.SetMask(chain.Draw("MaskBlurVertical", Divisor, wide));
+        }
+    }
+}

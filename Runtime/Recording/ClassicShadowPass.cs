@@ -1,0 +1,80 @@
+#if !UNITY_6000_0_OR_NEWER
+using UnityEngine;
+using UnityEngine.Rendering;
+using UnityEngine.Rendering.Universal;
+
+namespace Penumbra
+{
+    /// <summary>
+    /// URP 14: draws the chain and switches receivers to its texture. One event serves every rendering path: forward
+    /// has its depth prepass before it, deferred its G-buffer and the copy of its depth.
+    /// </summary>
+    internal sealed class ClassicShadowPass : ScriptableRenderPass
+    {
+        private readonly RTHandle[] slots = new RTHandle[ChainSlot.Names.Length];
+        private ChainDraw draw;
+        private ShadowFrame frame;
+
+        internal ClassicShadowPass()
+        {
+            renderPassEvent = RenderPassEvent.AfterRenderingGbuffer;
+            profilingSampler = new ProfilingSampler("Penumbra Shadows");
+        }
+
+        internal void Setup(ChainDraw draw, in ShadowFrame frame)
+        {
+            this.draw = draw;
+            this.frame = frame;
+            ConfigureInput(ScriptableRenderPassInput.Depth);
+        }
+
+        public override void OnCameraSetup(CommandBuffer cmd, ref RenderingData renderingData)
+        {
+            RenderTextureDescriptor target = renderingData.cameraData.cameraTargetDescriptor;
+            for (int i = 0; i < draw.Chain.Slots.Count; ++i)
+                RenderingUtils.ReAllocateIfNeeded(ref slots[i], UrpFrame.Texture(target, draw.Chain.Slots[i]),
+                                                  FilterMode.Bilinear, TextureWrapMode.Clamp, name: ChainSlot.Names[i]);
+            Release(draw.Chain.Slots.Count);
+            // The renderer has to know what the last draw leaves bound, or it does not bind its own again.
+            ConfigureTarget(slots[ShadowChain.Output]);
+            ConfigureClear(ClearFlag.None, Color.white);
+        }
+
+        public override void Execute(ScriptableRenderContext context, ref RenderingData renderingData)
+        {
+            if (!SetCamera(ref renderingData.cameraData)) return;
+            CommandBuffer commands = CommandBufferPool.Get();
+            using (new ProfilingScope(commands, profilingSampler))
+            {
+                draw.Draw(commands, frame, slots);
+                commands.SetGlobalTexture(FrameUniforms.ScreenSpaceShadowmap, slots[ShadowChain.Output]);
+                ShadowKeywords.Global.Open(commands);
+            }
+            context.ExecuteCommandBuffer(commands);
+            CommandBufferPool.Release(commands);
+        }
+
+        private bool SetCamera(ref CameraData camera)
+        {
+            UrpFrame.SetSize(ref frame, camera.camera, camera.cameraTargetDescriptor);
+            if (!UrpFrame.TryGetScreenToWorld(camera.GetViewMatrix(0), camera.GetProjectionMatrix(0),
+                                              out frame.screenToWorld0)) return false;
+            frame.screenToWorld1 = frame.screenToWorld0;
+            return !camera.xr.enabled || !camera.xr.singlePassEnabled ||
+                   UrpFrame.TryGetScreenToWorld(camera.GetViewMatrix(1), camera.GetProjectionMatrix(1),
+                                                out frame.screenToWorld1);
+        }
+
+        internal void Dispose() => Release(0);
+
+        private void Release(int first)
+        {
+            for (int i = first; i < slots.Length; ++i)
+            {
+                slots[i]?.Release();
+                slots[i] = null;
+            }
+        }
+    }
+}
+#endif

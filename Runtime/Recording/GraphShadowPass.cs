@@ -1,0 +1,89 @@
+#if UNITY_6000_0_OR_NEWER
+using UnityEngine;
+using UnityEngine.Rendering;
+using UnityEngine.Rendering.RenderGraphModule;
+using UnityEngine.Rendering.Universal;
+
+namespace Penumbra
+{
+    /// <summary>
+    /// Unity 6: draws the chain in one unsafe pass and switches receivers to its texture. One event serves every
+    /// rendering path: asking for depth before the G-buffer gives all of them a depth prepass, and deferred keeps its
+    /// G-buffer and lighting in one native pass.
+    /// </summary>
+    internal sealed class GraphShadowPass : ScriptableRenderPass
+    {
+        private sealed class PassData
+        {
+            internal readonly TextureHandle[] textures = new TextureHandle[ChainSlot.Names.Length];
+            internal readonly RTHandle[] slots = new RTHandle[ChainSlot.Names.Length];
+            internal ChainDraw draw;
+            internal ShadowFrame frame;
+        }
+
+        private ChainDraw draw;
+        private ShadowFrame frame;
+
+        internal GraphShadowPass()
+        {
+            renderPassEvent = RenderPassEvent.BeforeRenderingGbuffer;
+            profilingSampler = new ProfilingSampler("Penumbra Shadows");
+        }
+
+        internal void Setup(ChainDraw draw, in ShadowFrame frame)
+        {
+            this.draw = draw;
+            this.frame = frame;
+            ConfigureInput(ScriptableRenderPassInput.Depth);
+        }
+
+        public override void RecordRenderGraph(RenderGraph renderGraph, ContextContainer frameData)
+        {
+            UniversalCameraData camera = frameData.Get<UniversalCameraData>();
+            UniversalResourceData resources = frameData.Get<UniversalResourceData>();
+            if (!SetCamera(camera)) return;
+            using (IUnsafeRenderGraphBuilder builder =
+                       renderGraph.AddUnsafePass("Penumbra Shadows", out PassData data, profilingSampler))
+            {
+                data.draw = draw;
+                data.frame = frame;
+                for (int i = 0; i < draw.Chain.Slots.Count; ++i)
+                {
+                    RenderTextureDescriptor texture =
+                        UrpFrame.Texture(camera.cameraTargetDescriptor, draw.Chain.Slots[i]);
+                    data.textures[i] = UniversalRenderer.CreateRenderGraphTexture(
+                        renderGraph, texture, ChainSlot.Names[i], false, FilterMode.Bilinear);
+                    builder.UseTexture(data.textures[i], AccessFlags.ReadWrite);
+                }
+                if (resources.cameraDepthTexture.IsValid()) builder.UseTexture(resources.cameraDepthTexture);
+                if (resources.mainShadowsTexture.IsValid()) builder.UseTexture(resources.mainShadowsTexture);
+                builder.SetGlobalTextureAfterPass(data.textures[ShadowChain.Output],
+                                                  FrameUniforms.ScreenSpaceShadowmap);
+                builder.AllowPassCulling(false);
+                builder.AllowGlobalStateModification(true);
+                builder.SetRenderFunc(static (PassData passData, UnsafeGraphContext context) =>
+                                          Execute(passData, context));
+            }
+        }
+
+        private static void Execute(PassData data, UnsafeGraphContext context)
+        {
+            CommandBuffer commands = CommandBufferHelpers.GetNativeCommandBuffer(context.cmd);
+            for (int i = 0; i < data.draw.Chain.Slots.Count; ++i) data.slots[i] = data.textures[i];
+            data.draw.Draw(commands, data.frame, data.slots);
+            ShadowKeywords.Global.Open(commands);
+        }
+
+        private bool SetCamera(UniversalCameraData camera)
+        {
+            UrpFrame.SetSize(ref frame, camera.camera, camera.cameraTargetDescriptor);
+            if (!UrpFrame.TryGetScreenToWorld(camera.GetViewMatrix(0), camera.GetProjectionMatrix(0),
+                                              out frame.screenToWorld0)) return false;
+            frame.screenToWorld1 = frame.screenToWorld0;
+            return !camera.xr.enabled || !camera.xr.singlePassEnabled ||
+                   UrpFrame.TryGetScreenToWorld(camera.GetViewMatrix(1), camera.GetProjectionMatrix(1),
+                                                out frame.screenToWorld1);
+        }
+    }
+}
+#endif

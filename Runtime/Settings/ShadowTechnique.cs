@@ -1,0 +1,43 @@
+namespace Penumbra
+{
+    /// <summary>
+    /// What the resolve pass computes, one entry for each shader keyword of ShaderLibrary/Shadows.hlsl. Error and
+    /// fetches of each stand in the README.
+    /// </summary>
+    public enum ShadowTechnique
+    {
+        /// <summary>Tent filter of 3 x 3 texels, 4 fetches. No contact hardening.</summary>
+        Tent3x3,
+
+        /// <summary>Tent filter of 5 x 5 texels, 9 fetches. No contact hardening.</summary>
+        Tent5x5,
+
+        /// <summary>Tent filter of 7 x 7 texels, 16 fetches. No contact hardening.</summary>
+        Tent7x7,
+
+        /// <summary>PCSS by angular diameter with Fibonacci disks: blocker and filter samples are free.</summary>
+        Pcss,
+
+        /// <summary>Classic PCSS with Poisson disks (Fernando 2005): one sample count, 25 to 128.</summary>
+        PcssPoisson,
+
+        /// <summary>PCSS with the rules and parameters of Unity's HDRP, for a look that matches it.</summary>
+        PcssHdrp,
+    }
+
+    /// <summary>Shader keywords of the techniques; Tent5x5 is what the shader does without any.</summary>
+    internal static class TechniqueKeywords
+    {
+        /// <summary>By technique; null where there is none.</summary>
+        internal static readonly string[] Names =
+        {
+            "_PENUMBRA_TENT_3X3", null, "_PENUMBRA_TENT_7X7", "_PENUMBRA_PCSS", "_PENUMBRA_PCSS_POISSON",
+            "_PENUMBRA_PCSS_HDRP",
+        };
+
+        /// <summary>The resolve pass reads the penumbra mask.</summary>
+        internal const string Mask = "_PENUMBRA_MASK";
+
+        internal static bool TakesSamples(this ShadowTechnique technique) => technique >= ShadowTechnique.Pcss;
+    }
+}

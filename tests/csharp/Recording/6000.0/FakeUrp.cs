@@ -1,0 +1,92 @@
+using System.Linq;
+using Unity.Collections;
+using UnityEngine;
+using UnityEngine.Experimental.Rendering;
+using UnityEngine.Rendering;
+using UnityEngine.Rendering.RenderGraphModule;
+using UnityEngine.Rendering.Universal;
+
+namespace Penumbra.Tests
+{
+    internal sealed partial class FakeUrp
+    {
+        /// <summary>Of the last camera.</summary>
+        internal RenderGraph Graph { get; private set; }
+
+        internal static RenderingData Data(FakeScene scene, Camera camera)
+        {
+            var frame = new ContextContainer();
+            frame.Items[typeof(UniversalRenderingData)] =
+                new UniversalRenderingData { cullResults = new CullingResults { HasCasters = scene.Casters } };
+            frame.Items[typeof(UniversalLightData)] = new UniversalLightData
+            {
+                mainLightIndex = scene.MainLight ? 0 : -1,
+                visibleLights = new NativeArray<VisibleLight> { Items = scene.Lights() },
+            };
+            frame.Items[typeof(UniversalShadowData)] = new UniversalShadowData
+            {
+                supportsMainLightShadows = scene.Supported, mainLightShadowCascadesCount = scene.Cascades,
+                mainLightShadowmapWidth = 2048, mainLightShadowmapHeight = 2048,
+            };
+            var cameraData = new UniversalCameraData
+            {
+                camera = camera, cameraType = scene.Camera, targetTexture = scene.Texture(),
+                cameraTargetDescriptor = scene.Target(), maxShadowDistance = scene.Distance,
+                Views = scene.ViewMatrices(), Projections = scene.Projections(),
+            };
+            cameraData.SetXr(new XRPass { Views = scene.Views });
+            frame.Items[typeof(UniversalCameraData)] = cameraData;
+            frame.Items[typeof(UniversalResourceData)] = new UniversalResourceData
+            {
+                cameraDepthTexture = Texture("_CameraDepthTexture"),
+                mainShadowsTexture = Texture("_MainLightShadowmapTexture"),
+            };
+            return new RenderingData(frame);
+        }
+
+        private static TextureHandle Texture(string name) =>
+            new TextureHandle { Handle = new RTHandle { What = name } };
+
+        private void RenderPasses(FakeScene scene, Camera camera, ScriptableRenderContext context,
+                                  PenumbraShadows feature, FrameKeywords keywords)
+        {
+            RenderingData data = Data(scene, camera);
+            var renderer = new FakeRenderer();
+            feature?.AddRenderPasses(renderer, ref data);
+            Graph = new RenderGraph();
+            bool opaquesDrawn = false;
+            // The graph is recorded whole before any of it runs.
+            foreach (ScriptableRenderPass pass in renderer.Queue.OrderBy(pass => (int)pass.renderPassEvent))
+            {
+                if (!IsBeforeOpaques(pass)) AddOpaques(ref opaquesDrawn);
+                pass.RecordRenderGraph(Graph, data.Frame);
+            }
+            AddOpaques(ref opaquesDrawn);
+            foreach (RenderGraph.Pass pass in Graph.Passes.ToList())
+            {
+                if (pass.Name == "opaques") DrawOpaques(keywords);
+                else Run(pass, context);
+            }
+            keywords.AtTransparents = Now();
+        }
+
+        private void AddOpaques(ref bool drawn)
+        {
+            if (!drawn) Graph.Passes.Add(new RenderGraph.Pass { Name = "opaques" });
+            drawn = true;
+        }
+
+        private static void Run(RenderGraph.Pass pass, ScriptableRenderContext context)
+        {
+            var commands = new CommandBuffer();
+            try
+            {
+                pass.Work(new UnsafeGraphContext { cmd = new UnsafeCommandBuffer { Wrapped = commands } });
+            }
+            finally
+            {
+                context.ExecuteCommandBuffer(commands);  // what was recorded may still run
+            }
+        }
+    }
+}

@@ -1,0 +1,204 @@
+using System;
+using System.Linq;
+using NUnit.Framework;
+using UnityEngine;
+using UnityEngine.Rendering;
+using UnityEngine.Rendering.Universal;
+
+namespace Penumbra.Tests
+{
+    public sealed class DrawTests
+    {
+        private PenumbraShadows feature;
+        private FakeUrp urp;
+
+        [SetUp]
+        public void SetUp()
+        {
+            FakeShader.Install();
+            feature = new PenumbraShadows();
+            feature.Create();
+            urp = new FakeUrp();
+            SystemInfo.graphicsUVStartsAtTop = true;
+            SystemInfo.usesReversedZBuffer = true;
+        }
+
+        [TearDown]
+        public void TearDown()
+        {
+            feature.Dispose();
+            VolumeManager.instance.stack.Components.Clear();
+            ScalableBufferManager.widthScaleFactor = ScalableBufferManager.heightScaleFactor = 1.0f;
+            Time.frameCount = 0;
+            CommandBuffer.Silent = false;
+            SystemInfo.graphicsUVStartsAtTop = true;
+            SystemInfo.usesReversedZBuffer = true;
+        }
+
+        private void Use(ShadowOptions options)
+        {
+            feature.Settings.preset = QualityPreset.Custom;
+            feature.Settings.custom = options;
+        }
+
+        private FakeDevice.DrawCall Draw(string pass) => urp.Device.Draws.Single(draw => draw.Pass == pass);
+
+        private static Vector4 Vector(FakeDevice.DrawCall draw, string name) => (Vector4)draw.Uniforms[name];
+
+        [Test]
+        public void EachDrawFindsItsTexturesAndSizes()
+        {
+            ShadowOptions options = ShadowPresets.Options(QualityPreset.High);
+            options.halfResolution = true;
+            Use(options);
+            urp.Render(new FakeScene { Width = 1921, Height = 1081 }, feature);
+
+            FakeDevice.DrawCall vertical = Draw("MaskBlurVertical");
+            Assert.That(vertical.Textures["_PenumbraSourceTexture"], Is.EqualTo(Draw("MaskBlurHorizontal").Target));
+            Assert.That(Vector(vertical, "_PenumbraTargetSize"),
+                        Is.EqualTo(new Vector4(481.0f, 271.0f, 1.0f / 481.0f, 1.0f / 271.0f)));
+            FakeDevice.DrawCall resolve = Draw("Resolve");
+            Assert.That(resolve.Textures["_PenumbraMaskTexture"], Is.EqualTo(vertical.Target));
+            Assert.That(Vector(resolve, "_PenumbraTargetSize").x, Is.EqualTo(961.0f));
+            Assert.That(Vector(resolve, "_PenumbraScreenSize"),
+                        Is.EqualTo(new Vector4(1921.0f, 1081.0f, 1.0f / 1921.0f, 1.0f / 1081.0f)));
+            Assert.That(resolve.Keywords, Is.EqualTo(new[] { "_PENUMBRA_MASK", "_PENUMBRA_PCSS" }));
+            FakeDevice.DrawCall upsample = Draw("Upsample");
+            Assert.That(upsample.Textures["_PenumbraSourceTexture"], Is.EqualTo(resolve.Target));
+            Assert.That(Vector(upsample, "_PenumbraSourceSize").x, Is.EqualTo(961.0f));
+            Assert.That(Vector(upsample, "_PenumbraTargetSize").x, Is.EqualTo(1921.0f));
+            Assert.That(Draw("DenoiseVertical").Target, Is.EqualTo("_ScreenSpaceShadowmapTexture"));
+            Assert.That(urp.Device.Draws.Select(draw => draw.Vertices), Is.All.EqualTo(3));
+        }
+
+        [Test]
+        public void EachTechniqueHasItsKeywordAlone()
+        {
+            foreach (ShadowTechnique technique in Enum.GetValues(typeof(ShadowTechnique)))
+            {
+                ShadowOptions options = ShadowPresets.Options(QualityPreset.Reference);
+                options.technique = technique;
+                Use(options);
+                urp.Device.Draws.Clear();
+                urp.Render(new FakeScene(), feature);
+                string keyword = TechniqueKeywords.Names[(int)technique];
+                Assert.That(Draw("Resolve").Keywords,
+                            Is.EqualTo(keyword == null ? new string[0] : new[] { keyword }), technique.ToString());
+            }
+        }
+
+        [Test]
+        public void AVolumeDecidesForTheCameraThatStandsInIt()
+        {
+            var volume = ScriptableObject.CreateInstance<PenumbraShadowsVolume>();
+            volume.preset.overrideState = true;
+            volume.preset.value = QualityPreset.Low;
+            VolumeManager.instance.stack.Components[typeof(PenumbraShadowsVolume)] = volume;
+            urp.Render(new FakeScene(), feature);
+            Assert.That(urp.Device.Draws.Select(draw => draw.Pass), Is.EqualTo(new[] { "Resolve" }));
+            VolumeManager.instance.stack.Components.Clear();
+            urp.Render(new FakeScene(), feature);
+            Assert.That(urp.Device.Draws.Count, Is.EqualTo(1 + 6));
+        }
+
+        [Test]
+        public void DynamicResolutionDrawsIntoAPartOfEachTexture()
+        {
+            ScalableBufferManager.widthScaleFactor = 0.75f;
+            ScalableBufferManager.heightScaleFactor = 0.5f;
+            urp.Render(new FakeScene { Width = 1001, Height = 501, DynamicResolution = true }, feature);
+            Assert.That(Vector(Draw("Resolve"), "_PenumbraScreenSize").x, Is.EqualTo(751.0f));
+            Assert.That(Vector(Draw("Resolve"), "_PenumbraScreenSize").y, Is.EqualTo(251.0f));
+            Assert.That(Vector(Draw("PenumbraMask"), "_PenumbraTargetSize").x, Is.EqualTo(189.0f));
+            urp.Device.Draws.Clear();
+            urp.Render(new FakeScene { Width = 1001, Height = 501 }, feature);
+            Assert.That(Vector(Draw("Resolve"), "_PenumbraScreenSize").x, Is.EqualTo(1001.0f));
+        }
+
+        [Test]
+        public void NoiseStandsStillUnlessItIsToMove()
+        {
+            foreach (NoiseMode mode in new[] { NoiseMode.Static, NoiseMode.PerFrame })
+            {
+                feature.Settings.noise = mode;
+                Time.frameCount = 5;
+                urp.Device.Draws.Clear();
+                urp.Render(new FakeScene(), feature);
+                Assert.That(Vector(Draw("Resolve"), "_PenumbraMainLightParams").z,
+                            Is.EqualTo(mode == NoiseMode.Static ? 0.0f : 5.0f));
+            }
+        }
+
+        // Of a point in front of an off-centre camera: projected as the device does it, put back by the uniform.
+        [TestCase(true, true)]
+        [TestCase(true, false)]
+        [TestCase(false, true)]
+        [TestCase(false, false)]
+        public void ScreenToWorldUndoesTheCamera(bool uvStartsAtTop, bool reversed)
+        {
+            SystemInfo.graphicsUVStartsAtTop = uvStartsAtTop;
+            SystemInfo.usesReversedZBuffer = reversed;
+            var scene = new FakeScene { Views = 2 };
+            urp.Render(scene, feature);
+            var matrices = (Matrix4x4[])Draw("Resolve").Uniforms["_PenumbraScreenToWorld"];
+            for (int eye = 0; eye < 2; ++eye)
+            {
+                var world = new Vector4(1.5f, 2.5f, -20.0f, 1.0f);
+                Matrix4x4 projection = GL.GetGPUProjectionMatrix(scene.Projections()[eye], true);
+                Vector4 clip = projection * (scene.ViewMatrices()[eye] * world);
+                float y = clip.y / clip.w;
+                float z = clip.z / clip.w;
+                var screen = new Vector4(0.5f + 0.5f * clip.x / clip.w, uvStartsAtTop ? 0.5f - 0.5f * y : 0.5f + 0.5f * y,
+                                         reversed ? z : 0.5f + 0.5f * z, 1.0f);
+                Vector4 back = matrices[eye] * screen;
+                Assert.That(back.x / back.w, Is.EqualTo(world.x).Within(1e-3f), "eye " + eye);
+                Assert.That(back.y / back.w, Is.EqualTo(world.y).Within(1e-3f), "eye " + eye);
+                Assert.That(back.z / back.w, Is.EqualTo(world.z).Within(2e-2f), "eye " + eye);
+            }
+        }
+
+        [Test]
+        public void WithoutItsShaderTheFrameIsUrps()
+        {
+            Shader.Known.Clear();
+            FrameKeywords keywords = urp.Render(new FakeScene(), feature);
+            Assert.That(keywords.AtOpaques, Is.EqualTo(ShadowKeywords.CascadesName));
+            Assert.That(feature.LastSkip, Is.EqualTo(SkipReason.MissingShader));
+        }
+
+        [Test]
+        public void AFrameAllocatesNothing()
+        {
+            var renderer = new FakeRendererWithRoom();
+            var data = FakeUrp.Data(new FakeScene(), new Camera());
+            feature.AddRenderPasses(renderer, ref data);
+            ShadowSource source = UrpFrame.Source(ref data);
+            ShadowFrame frame = UrpFrame.Frame(source, feature.Settings.Options(), NoiseMode.PerFrame);
+            UrpFrame.SetSize(ref frame, new Camera(), new FakeScene().Target());
+            var draw = new ChainDraw(new Material(FakeShader.Install()));
+            draw.Prepare(feature.Settings.Options());
+            RTHandle[] slots = draw.Chain.Slots.Select(slot => new RTHandle()).ToArray();
+            var commands = new CommandBuffer();
+            CommandBuffer.Silent = true;
+            void OneFrame()
+            {
+                renderer.Queue.Clear();
+                feature.AddRenderPasses(renderer, ref data);
+                draw.Prepare(feature.Settings.Options());
+                draw.Draw(commands, frame, slots);
+                ShadowKeywords.Global.Open(commands);
+                ShadowKeywords.Global.Restore(commands, 4);
+            }
+
+            OneFrame();
+            long before = GC.GetAllocatedBytesForCurrentThread();
+            for (int i = 0; i < 1000; ++i) OneFrame();
+            Assert.That(GC.GetAllocatedBytesForCurrentThread() - before, Is.Zero);
+            Assert.That(feature.LastSkip, Is.EqualTo(SkipReason.None));
+        }
+
+        private sealed class FakeRendererWithRoom : ScriptableRenderer
+        {
+        }
+    }
+}

@@ -1,0 +1,108 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+using UnityEngine.Experimental.Rendering;
+using UnityEngine.Rendering;
+
+namespace Penumbra.Tests
+{
+    /// <summary>One camera and the light it sees, as far as shadows go.</summary>
+    internal sealed class FakeScene
+    {
+        internal CameraType Camera = CameraType.Game;
+        internal bool Supported = true;
+        internal bool MainLight = true;
+        internal LightShadows Shadows = LightShadows.Soft;
+        internal float Distance = 50.0f;
+        internal bool Casters = true;
+        internal int Cascades = 4;
+        internal bool SceneLightingOff;
+        internal bool DepthOnly;
+        internal int Views = 0;
+        internal int Width = 321;
+        internal int Height = 181;
+        internal bool DynamicResolution;
+        internal Matrix4x4 Projection = Perspective(0.1f);
+
+        /// <summary>URP draws a shadow map.</summary>
+        internal bool UrpDraws => Supported && MainLight && Shadows != LightShadows.None && Distance > 0.0f &&
+                                  Casters && !SceneLightingOff;
+
+        internal Camera MakeCamera()
+        {
+            var camera = new Camera { allowDynamicResolution = DynamicResolution };
+            if (SceneLightingOff) CoreUtils.Unlit.Add(camera);
+            return camera;
+        }
+
+        internal RenderTexture Texture() => DepthOnly ? new RenderTexture { format = RenderTextureFormat.Depth } : null;
+
+        internal VisibleLight[] Lights() =>
+            MainLight ? new[] { new VisibleLight { Source = new Light { shadows = Shadows } } } : new VisibleLight[0];
+
+        internal RenderTextureDescriptor Target() => new RenderTextureDescriptor
+        {
+            width = Width, height = Height, msaaSamples = 4, volumeDepth = Math.Max(Views, 1),
+            graphicsFormat = GraphicsFormat.B8G8R8A8_UNorm, useDynamicScale = DynamicResolution,
+        };
+
+        internal Matrix4x4[] ViewMatrices() => new[] { View(0.0f), View(0.064f) };
+        internal Matrix4x4[] Projections() => new[] { Projection, Perspective(-0.1f) };
+
+        /// <summary>Off-centre by `shift` of its width, as an eye's is.</summary>
+        internal static Matrix4x4 Perspective(float shift)
+        {
+            Matrix4x4 m = Matrix4x4.zero;
+            m.m00 = 1.2f;
+            m.m02 = shift;
+            m.m11 = 1.7f;
+            m.m22 = -(100.0f + 0.3f) / (100.0f - 0.3f);
+            m.m23 = -2.0f * 100.0f * 0.3f / (100.0f - 0.3f);
+            m.m32 = -1.0f;
+            return m;
+        }
+
+        private static Matrix4x4 View(float right)
+        {
+            Matrix4x4 m = Matrix4x4.identity;
+            m.m03 = -right;
+            m.m13 = -1.7f;
+            return m;
+        }
+
+        internal static IEnumerable<FakeScene> Every()
+        {
+            foreach (CameraType camera in Enum.GetValues(typeof(CameraType)))
+                for (int cascades = 1; cascades <= 4; ++cascades)
+                    foreach (Action<FakeScene> change in Changes)
+                    {
+                        var scene = new FakeScene { Camera = camera, Cascades = cascades };
+                        change(scene);
+                        yield return scene;
+                    }
+        }
+
+        private static readonly Action<FakeScene>[] Changes =
+        {
+            scene => { }, scene => scene.Supported = false, scene => scene.MainLight = false,
+            scene => scene.Shadows = LightShadows.None, scene => scene.Distance = 0.0f,
+            scene => scene.Casters = false, scene => scene.SceneLightingOff = true, scene => scene.DepthOnly = true,
+            scene => scene.Views = 2, scene => scene.Projection = Matrix4x4.zero,
+        };
+
+        public override string ToString() =>
+            $"{Camera}, {Cascades} cascades, supported {Supported}, light {MainLight} {Shadows}, {Distance} m, " +
+            $"casters {Casters}, lighting off {SceneLightingOff}, depth only {DepthOnly}, views {Views}, " +
+            $"projection {Projection.m00}";
+    }
+
+    /// <summary>URP's keywords at the places of a camera's frame where receivers are drawn.</summary>
+    internal sealed class FrameKeywords
+    {
+        internal string AtOpaques;
+        internal string AtTransparents;
+        internal string AtEnd;
+
+        public override string ToString() => $"{AtOpaques} | {AtTransparents} | {AtEnd}";
+    }
+}

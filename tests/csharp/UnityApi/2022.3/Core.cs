@@ -1,0 +1,48 @@
+using System;
+using Penumbra.UnityApi;
+
+namespace UnityEngine.Experimental.Rendering
+{
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    public enum FormatUsage { Render = 4 }
+}
+
+namespace UnityEngine
+{
+    public sealed partial class SystemInfo
+    {
+        public static bool IsFormatSupported(Experimental.Rendering.GraphicsFormat format,
+                                             Experimental.Rendering.FormatUsage usage) => true;
+    }
+}
+
+namespace UnityEngine.Rendering
+{
+    [ReadFrom(At.Core14, "core", "Runtime/Volume/VolumeComponent.cs")]
+    public class VolumeComponentMenu : Attribute
+    {
+        public VolumeComponentMenu(string menu) { }
+    }
+
+    [ReadFrom(At.Core14, "core", "Runtime/Volume/VolumeComponent.cs")]
+    public class VolumeComponentMenuForRenderPipeline : VolumeComponentMenu
+    {
+        public VolumeComponentMenuForRenderPipeline(string menu, params Type[] pipelineTypes) : base(menu) { }
+    }
+}
+
+namespace UnityEditor.Rendering
+{
+    [ReadFrom(At.Core14, "core", "Editor/ShaderStripping/IVariantStripper.cs")]
+    public interface IVariantStripper<TShader, TShaderVariant> where TShader : UnityEngine.Object
+    {
+        bool active { get; }
+
+        bool CanRemoveVariant(TShader shader, TShaderVariant shaderVariant, ShaderCompilerData shaderCompilerData);
+    }
+
+    [ReadFrom(At.Core14, "core", "Editor/ShaderStripping/IVariantStripper.cs")]
+    public interface IShaderVariantStripper : IVariantStripper<UnityEngine.Shader, ShaderSnippetData>
+    {
+    }
+}

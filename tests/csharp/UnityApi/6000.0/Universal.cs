@@ -1,0 +1,150 @@
+using Penumbra.UnityApi;
+using Unity.Collections;
+using UnityEngine.Experimental.Rendering;
+using UnityEngine.Rendering.RenderGraphModule;
+
+namespace UnityEngine.Rendering.Universal
+{
+    [ReadFrom(At.Universal17, "universal", "Runtime/Settings/RenderGraphSettings.cs")]
+    public class RenderGraphSettings : IRenderPipelineGraphicsSettings
+    {
+        public bool enableRenderCompatibilityMode { get; set; }
+    }
+
+    [ReadFrom(At.Universal17, "universal", "Runtime/UniversalRenderPipelineCore.cs")]
+    public struct RenderingData
+    {
+        [OwnBehaviour] public ContextContainer Frame;
+
+        public CameraData cameraData;
+        public LightData lightData;
+        public ShadowData shadowData;
+
+        public ref CullingResults cullResults => ref Frame.Get<UniversalRenderingData>().cullResults;
+
+        [OwnBehaviour]
+        public RenderingData(ContextContainer frame)
+        {
+            Frame = frame;
+            cameraData = new CameraData { Frame = frame };
+            lightData = new LightData { Frame = frame };
+            shadowData = new ShadowData { Frame = frame };
+        }
+    }
+
+    [ReadFrom(At.Universal17, "universal", "Runtime/UniversalRenderPipelineCore.cs")]
+    public struct LightData
+    {
+        [OwnBehaviour] public ContextContainer Frame;
+
+        public ref int mainLightIndex => ref Frame.Get<UniversalLightData>().mainLightIndex;
+        public ref NativeArray<VisibleLight> visibleLights => ref Frame.Get<UniversalLightData>().visibleLights;
+    }
+
+    [ReadFrom(At.Universal17, "universal", "Runtime/UniversalRenderPipelineCore.cs")]
+    public struct ShadowData
+    {
+        [OwnBehaviour] public ContextContainer Frame;
+
+        private UniversalShadowData Data => Frame.Get<UniversalShadowData>();
+
+        public ref bool supportsMainLightShadows => ref Data.supportsMainLightShadows;
+        public ref int mainLightShadowmapWidth => ref Data.mainLightShadowmapWidth;
+        public ref int mainLightShadowmapHeight => ref Data.mainLightShadowmapHeight;
+        public ref int mainLightShadowCascadesCount => ref Data.mainLightShadowCascadesCount;
+    }
+
+    [ReadFrom(At.Universal17, "universal", "Runtime/UniversalRenderPipelineCore.cs")]
+    public struct CameraData
+    {
+        [OwnBehaviour] public ContextContainer Frame;
+
+        private UniversalCameraData Data => Frame.Get<UniversalCameraData>();
+
+        public ref Camera camera => ref Data.camera;
+        public ref RenderTexture targetTexture => ref Data.targetTexture;
+        public ref CameraType cameraType => ref Data.cameraType;
+        public ref float maxShadowDistance => ref Data.maxShadowDistance;
+    }
+
+    [ReadFrom(At.Universal17, "universal", "Runtime/FrameData/UniversalRenderingData.cs")]
+    public class UniversalRenderingData : ContextItem
+    {
+        public CullingResults cullResults;
+
+        public override void Reset() { }
+    }
+
+    [ReadFrom(At.Universal17, "universal", "Runtime/FrameData/UniversalLightData.cs")]
+    public class UniversalLightData : ContextItem
+    {
+        public int mainLightIndex;
+        public NativeArray<VisibleLight> visibleLights;
+
+        public override void Reset() { }
+    }
+
+    [ReadFrom(At.Universal17, "universal", "Runtime/FrameData/UniversalShadowData.cs")]
+    public class UniversalShadowData : ContextItem
+    {
+        public bool supportsMainLightShadows;
+        public int mainLightShadowmapWidth;
+        public int mainLightShadowmapHeight;
+        public int mainLightShadowCascadesCount;
+
+        public override void Reset() { }
+    }
+
+    [ReadFrom(At.Universal17, "universal", "Runtime/FrameData/UniversalCameraData.cs")]
+    public class UniversalCameraData : ContextItem
+    {
+        [OwnBehaviour] public Matrix4x4[] Views;
+        [OwnBehaviour] public Matrix4x4[] Projections;
+
+        public Camera camera;
+        public RenderTexture targetTexture;
+        public RenderTextureDescriptor cameraTargetDescriptor;
+        public CameraType cameraType;
+        public float maxShadowDistance;
+
+        public XRPass xr { get; internal set; }
+
+        public Matrix4x4 GetViewMatrix(int viewIndex = 0) => Views[viewIndex];
+        public Matrix4x4 GetProjectionMatrix(int viewIndex = 0) => Projections[viewIndex];
+
+        public override void Reset() { }
+
+        [OwnBehaviour] public void SetXr(XRPass pass) => xr = pass;
+    }
+
+    [ReadFrom(At.Universal17, "universal", "Runtime/FrameData/UniversalResourceData.cs")]
+    public class UniversalResourceData : ContextItem
+    {
+        public TextureHandle mainShadowsTexture { get; [OwnBehaviour] set; }
+        public TextureHandle cameraDepthTexture { get; [OwnBehaviour] set; }
+
+        public override void Reset() { }
+    }
+
+    [ReadFrom(At.Universal17, "universal", "Runtime/Passes/ScriptableRenderPass.cs")]
+    public abstract partial class ScriptableRenderPass
+    {
+        public RenderPassEvent renderPassEvent { get; set; }
+        public ScriptableRenderPassInput input { get; private set; }
+        protected internal ProfilingSampler profilingSampler { get; set; }
+
+        public void ConfigureInput(ScriptableRenderPassInput passInput) => input = passInput;
+
+        public virtual void RecordRenderGraph(RenderGraph renderGraph, ContextContainer frameData) { }
+    }
+
+    [ReadFrom(At.Universal17, "universal", "Runtime/UniversalRendererRenderGraph.cs")]
+    public sealed partial class UniversalRenderer : ScriptableRenderer
+    {
+        public static TextureHandle CreateRenderGraphTexture(RenderGraph renderGraph, RenderTextureDescriptor desc,
+                                                             string name, bool clear,
+                                                             FilterMode filterMode = FilterMode.Point,
+                                                             TextureWrapMode wrapMode = TextureWrapMode.Clamp) =>
+            new TextureHandle { Handle = new RTHandle { What = name, Descriptor = desc } };
+    }
+}

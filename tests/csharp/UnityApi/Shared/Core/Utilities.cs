@@ -1,0 +1,95 @@
+using System;
+using System.Collections.Generic;
+using Penumbra.UnityApi;
+
+namespace UnityEngine.Rendering
+{
+    [ReadFrom(At.Core14, "core", "Runtime/Common/CommonStructs.cs")]
+    [ReadFrom(At.Core17, "core", "Runtime/Common/CommonStructs.cs")]
+    [Flags]
+    public enum ClearFlag { None = 0 }
+
+    [ReadFrom(At.Core14, "core", "Runtime/Textures/RTHandle.cs")]
+    [ReadFrom(At.Core17, "core", "Runtime/Textures/RTHandle.cs")]
+    public class RTHandle
+    {
+        [OwnBehaviour] public string What { get; set; }
+        [OwnBehaviour] public RenderTextureDescriptor Descriptor { get; set; }
+        [OwnBehaviour] public bool Released { get; private set; }
+
+        public void Release() => Released = true;
+
+        public static implicit operator RenderTargetIdentifier(RTHandle handle) =>
+            new RenderTargetIdentifier { What = handle.What };
+    }
+
+    [ReadFrom(At.Core14, "core", "Runtime/Utilities/CoreUtils.cs")]
+    [ReadFrom(At.Core17, "core", "Runtime/Utilities/CoreUtils.cs")]
+    public static class CoreUtils
+    {
+        /// <summary>Scene views whose light bulb is off.</summary>
+        [OwnBehaviour] public static readonly HashSet<Camera> Unlit = new HashSet<Camera>();
+
+        public static Material CreateEngineMaterial(Shader shader) => new Material(shader);
+
+        public static void Destroy(Object obj)
+        {
+            if (obj != null) obj.Destroyed = true;
+        }
+
+        public static bool IsSceneLightingDisabled(Camera camera) => Unlit.Contains(camera);
+
+        public static void SetRenderTarget(CommandBuffer cmd, RTHandle buffer, RenderBufferLoadAction loadAction,
+                                           RenderBufferStoreAction storeAction, ClearFlag clearFlag, Color clearColor,
+                                           int miplevel = 0, CubemapFace cubemapFace = CubemapFace.Unknown,
+                                           int depthSlice = -1)
+        {
+            if (!CommandBuffer.Silent) Recorded.Target(cmd, buffer.What);
+        }
+    }
+
+    [ReadFrom(At.Core14, "core", "Runtime/Common/CommandBufferPool.cs")]
+    [ReadFrom(At.Core17, "core", "Runtime/Common/CommandBufferPool.cs")]
+    public static class CommandBufferPool
+    {
+        private static readonly Stack<CommandBuffer> free = new Stack<CommandBuffer>();
+
+        public static CommandBuffer Get() => free.Count > 0 ? free.Pop() : new CommandBuffer();
+
+        public static void Release(CommandBuffer buffer)
+        {
+            buffer.Clear();
+            free.Push(buffer);
+        }
+    }
+
+    [ReadFrom(At.Core14, "core", "Runtime/Debugging/ProfilingScope.cs")]
+    [ReadFrom(At.Core17, "core", "Runtime/Debugging/ProfilingScope.cs")]
+    public class ProfilingSampler
+    {
+        public ProfilingSampler(string name) { }
+    }
+
+    [ReadFrom(At.Core14, "core", "Runtime/Debugging/ProfilingScope.cs")]
+    [ReadFrom(At.Core17, "core", "Runtime/Debugging/ProfilingScope.cs")]
+    public struct ProfilingScope : IDisposable
+    {
+        public ProfilingScope(CommandBuffer cmd, ProfilingSampler sampler) { }
+
+        public void Dispose() { }
+    }
+}
+
+namespace UnityEngine.Experimental.Rendering
+{
+    [ReadFrom(At.Core14, "core", "Runtime/XR/XRPass.cs")]
+    [ReadFrom(At.Core17, "core", "Runtime/XR/XRPass.cs")]
+    public class XRPass
+    {
+        [OwnBehaviour] public int Views { get; set; }
+
+        public bool enabled => viewCount > 0;
+        public int viewCount => Views;
+        public bool singlePassEnabled => viewCount > 1;
+    }
+}

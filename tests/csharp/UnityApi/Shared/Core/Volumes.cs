@@ -1,0 +1,102 @@
+using System;
+using System.Collections.Generic;
+using Penumbra.UnityApi;
+
+namespace UnityEngine.Rendering
+{
+    [ReadFrom(At.Core14, "core", "Runtime/Volume/VolumeComponent.cs")]
+    [ReadFrom(At.Core17, "core", "Runtime/Volume/VolumeComponent.cs")]
+    public partial class VolumeComponent : ScriptableObject
+    {
+    }
+
+    [ReadFrom(At.Core14, "core", "Runtime/Volume/VolumeParameter.cs")]
+    [ReadFrom(At.Core17, "core", "Runtime/Volume/VolumeParameter.cs")]
+    public abstract class VolumeParameter
+    {
+        public virtual bool overrideState { get; set; }
+    }
+
+    [ReadFrom(At.Core14, "core", "Runtime/Volume/VolumeParameter.cs")]
+    [ReadFrom(At.Core17, "core", "Runtime/Volume/VolumeParameter.cs")]
+    public class VolumeParameter<T> : VolumeParameter
+    {
+        protected VolumeParameter(T value, bool overrideState)
+        {
+            this.value = value;
+            this.overrideState = overrideState;
+        }
+
+        public virtual T value { get; set; }
+    }
+
+    [ReadFrom(At.Core14, "core", "Runtime/Volume/VolumeParameter.cs")]
+    [ReadFrom(At.Core17, "core", "Runtime/Volume/VolumeParameter.cs")]
+    public class BoolParameter : VolumeParameter<bool>
+    {
+        public BoolParameter(bool value, bool overrideState = false) : base(value, overrideState) { }
+    }
+
+    [ReadFrom(At.Core14, "core", "Runtime/Volume/VolumeParameter.cs")]
+    [ReadFrom(At.Core17, "core", "Runtime/Volume/VolumeParameter.cs")]
+    public class IntParameter : VolumeParameter<int>
+    {
+        public IntParameter(int value, bool overrideState = false) : base(value, overrideState) { }
+    }
+
+    [ReadFrom(At.Core14, "core", "Runtime/Volume/VolumeParameter.cs")]
+    [ReadFrom(At.Core17, "core", "Runtime/Volume/VolumeParameter.cs")]
+    public class ClampedIntParameter : IntParameter
+    {
+        public ClampedIntParameter(int value, int min, int max, bool overrideState = false)
+            : base(value, overrideState) { }
+    }
+
+    [ReadFrom(At.Core14, "core", "Runtime/Volume/VolumeParameter.cs")]
+    [ReadFrom(At.Core17, "core", "Runtime/Volume/VolumeParameter.cs")]
+    public class FloatParameter : VolumeParameter<float>
+    {
+        public FloatParameter(float value, bool overrideState = false) : base(value, overrideState) { }
+    }
+
+    [ReadFrom(At.Core14, "core", "Runtime/Volume/VolumeParameter.cs")]
+    [ReadFrom(At.Core17, "core", "Runtime/Volume/VolumeParameter.cs")]
+    public class ClampedFloatParameter : FloatParameter
+    {
+        public ClampedFloatParameter(float value, float min, float max, bool overrideState = false)
+            : base(value, overrideState) { }
+    }
+
+    [ReadFrom(At.Core14, "core", "Runtime/Volume/VolumeProfile.cs")]
+    [ReadFrom(At.Core17, "core", "Runtime/Volume/VolumeProfile.cs")]
+    public sealed partial class VolumeProfile : ScriptableObject
+    {
+        public bool TryGet<T>(out T component) where T : VolumeComponent
+        {
+            component = null;
+            return false;
+        }
+    }
+
+    [ReadFrom(At.Core14, "core", "Runtime/Volume/VolumeStack.cs")]
+    [ReadFrom(At.Core17, "core", "Runtime/Volume/VolumeStack.cs")]
+    public sealed class VolumeStack : IDisposable
+    {
+        [OwnBehaviour] public Dictionary<Type, VolumeComponent> Components { get; } =
+            new Dictionary<Type, VolumeComponent>();
+
+        public T GetComponent<T>() where T : VolumeComponent =>
+            Components.TryGetValue(typeof(T), out VolumeComponent found) ? (T)found : null;
+
+        public void Dispose() { }
+    }
+
+    [ReadFrom(At.Core14, "core", "Runtime/Volume/VolumeManager.cs")]
+    [ReadFrom(At.Core17, "core", "Runtime/Volume/VolumeManager.cs")]
+    public sealed partial class VolumeManager
+    {
+        public static VolumeManager instance { get; } = new VolumeManager();
+
+        public VolumeStack stack { get; set; } = new VolumeStack();
+    }
+}

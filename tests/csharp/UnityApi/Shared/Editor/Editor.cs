@@ -1,0 +1,195 @@
+using System;
+using Penumbra.UnityApi;
+using UnityEngine;
+using Object = UnityEngine.Object;
+
+namespace UnityEngine
+{
+    [ReadFrom(At.Unity2022, "engine", "Modules/IMGUI/GUIContent.cs")]
+    [ReadFrom(At.Unity6, "engine", "Modules/IMGUI/GUIContent.cs")]
+    public class GUIContent
+    {
+        public GUIContent(string text, string tooltip) { }
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Modules/IMGUI/GUIStyle.cs")]
+    [ReadFrom(At.Unity6, "engine", "Modules/IMGUI/GUIStyle.cs")]
+    public sealed partial class GUIStyle
+    {
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Modules/IMGUI/GUILayoutOption.cs")]
+    [ReadFrom(At.Unity6, "engine", "Modules/IMGUI/GUILayoutOption.cs")]
+    public sealed class GUILayoutOption
+    {
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Modules/IMGUI/GUILayout.cs")]
+    [ReadFrom(At.Unity6, "engine", "Modules/IMGUI/GUILayout.cs")]
+    public partial class GUILayout
+    {
+        public static bool Button(string text, params GUILayoutOption[] options) => false;
+    }
+}
+
+namespace UnityEditor
+{
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/Inspector/CustomEditor.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/Inspector/Core/CustomEditor.cs")]
+    public partial class CustomEditor : Attribute
+    {
+        public CustomEditor(Type inspectedType) { }
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/MenuItem.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/MenuItem.cs")]
+    public sealed class MenuItem : Attribute
+    {
+        public MenuItem(string itemName) { }
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/Inspector/Editor.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/Inspector/Editor.cs")]
+    public partial class Editor : ScriptableObject
+    {
+        public Object target { get; set; }
+        public SerializedObject serializedObject => null;
+
+        public virtual void OnInspectorGUI() { }
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/EditorWindow.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/EditorWindow.cs")]
+    public partial class EditorWindow : ScriptableObject
+    {
+        public static T GetWindow<T>(string title) where T : EditorWindow => CreateInstance<T>();
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/EditorGUIUtility.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/EditorGUIUtility.bindings.cs")]
+    public enum MessageType { None = 0, Info = 1, Warning = 2, Error = 3 }
+
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/SerializedObject.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/SerializedObject.bindings.cs")]
+    public class SerializedObject
+    {
+        public void Update() { }
+        public bool ApplyModifiedProperties() => false;
+        public SerializedProperty FindProperty(string propertyPath) => null;
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/SerializedProperty.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/SerializedProperty.bindings.cs")]
+    public partial class SerializedProperty
+    {
+        public int intValue { get; set; }
+
+        public SerializedProperty FindPropertyRelative(string relativePropertyPath) => null;
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/EditorGUILayout.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/EditorGUILayout.cs")]
+    public sealed partial class EditorGUILayout
+    {
+        public static void HelpBox(string message, MessageType type) { }
+        public static void LabelField(string label, GUIStyle style, params GUILayoutOption[] options) { }
+        public static Vector2 BeginScrollView(Vector2 scrollPosition, params GUILayoutOption[] options) => default;
+        public static void EndScrollView() { }
+        public static bool PropertyField(SerializedProperty property, params GUILayoutOption[] options) => false;
+        public static bool PropertyField(SerializedProperty property, GUIContent label,
+                                         params GUILayoutOption[] options) => false;
+        public static bool PropertyField(SerializedProperty property, bool includeChildren,
+                                         params GUILayoutOption[] options) => false;
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/GUI/EditorStyles.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/GUI/EditorStyles.cs")]
+    public sealed class EditorStyles
+    {
+        public static GUIStyle boldLabel => null;
+        public static GUIStyle wordWrappedLabel => null;
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/EditorUtility.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/EditorUtility.bindings.cs")]
+    public partial class EditorUtility
+    {
+        public static bool DisplayDialog(string title, string message, string ok) => true;
+        public static string SaveFilePanel(string title, string directory, string defaultName, string extension) => "";
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Modules/AssetDatabase/Editor/ScriptBindings/AssetDatabase.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Modules/AssetDatabase/Editor/ScriptBindings/AssetDatabase.bindings.cs")]
+    public partial class AssetDatabase
+    {
+        public static string GetAssetPath(Object assetObject) => "";
+        public static Object LoadMainAssetAtPath(string assetPath) => null;
+        public static T LoadAssetAtPath<T>(string assetPath) where T : Object => null;
+        public static string GUIDToAssetPath(string guid) => "";
+        public static string[] GetAllAssetPaths() => new string[0];
+        public static void ImportAsset(string path) { }
+        public static bool CopyAsset(string path, string newPath) => false;
+        public static string GenerateUniqueAssetPath(string path) => path;
+
+        [ReadFrom(At.Unity2022, "engine", "Editor/Mono/AssetDatabase/AssetDatabaseSearching.cs")]
+        [ReadFrom(At.Unity6, "engine", "Editor/Mono/AssetDatabase/AssetDatabaseSearching.cs")]
+        public static string[] FindAssets(string filter) => new string[0];
+    }
+}
+
+namespace UnityEditor.Build
+{
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/BuildPipeline/BuildPipelineInterfaces.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/BuildPipeline/BuildPipelineInterfaces.cs")]
+    public interface IOrderedCallback
+    {
+        int callbackOrder { get; }
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/BuildPipeline/BuildPipelineInterfaces.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/BuildPipeline/BuildPipelineInterfaces.cs")]
+    public interface IPreprocessShaders : IOrderedCallback
+    {
+        void OnProcessShader(Shader shader, Rendering.ShaderSnippetData snippet,
+                             System.Collections.Generic.IList<Rendering.ShaderCompilerData> data);
+    }
+}
+
+namespace UnityEditor.Rendering
+{
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/Graphics/ShaderCompilerData.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/Graphics/ShaderCompilerData.cs")]
+    public struct ShaderSnippetData
+    {
+        public string passName => "";
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/Graphics/ShaderCompilerData.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/Graphics/ShaderCompilerData.cs")]
+    public struct ShaderCompilerData
+    {
+        public UnityEngine.Rendering.ShaderKeywordSet shaderKeywordSet;
+    }
+}
+
+namespace UnityEngine.Rendering
+{
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Shaders/ShaderKeyword.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Shaders/ShaderKeyword.bindings.cs")]
+    public partial struct ShaderKeyword
+    {
+        [OwnBehaviour] public string Name { get; }
+
+        public ShaderKeyword(string keywordName) { Name = keywordName; }
+        public ShaderKeyword(Shader shader, string keywordName) { Name = keywordName; }
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Shaders/ShaderKeywordSet.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Shaders/ShaderKeywordSet.bindings.cs")]
+    public struct ShaderKeywordSet
+    {
+        [OwnBehaviour] public System.Collections.Generic.HashSet<string> Enabled { get; set; }
+
+        public bool IsEnabled(ShaderKeyword keyword) => Enabled != null && Enabled.Contains(keyword.Name);
+    }
+}

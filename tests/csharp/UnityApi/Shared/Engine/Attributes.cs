@@ -1,0 +1,65 @@
+using System;
+using Penumbra.UnityApi;
+
+namespace UnityEngine
+{
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Serialization/Serialization.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Serialization/Serialization.cs")]
+    public sealed partial class SerializeField : Attribute
+    {
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/PropertyDrawer/PropertyAttribute.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/PropertyDrawer/PropertyAttribute.cs")]
+    public abstract class PropertyAttribute : Attribute
+    {
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/PropertyDrawer/PropertyAttribute.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/PropertyDrawer/PropertyAttribute.cs")]
+    public class TooltipAttribute : PropertyAttribute
+    {
+        public TooltipAttribute(string tooltip) { }
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/PropertyDrawer/PropertyAttribute.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/PropertyDrawer/PropertyAttribute.cs")]
+    public sealed class RangeAttribute : PropertyAttribute
+    {
+        public RangeAttribute(float min, float max) { }
+    }
+}
+
+namespace UnityEngine.Scripting
+{
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Scripting/PreserveAttribute.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Scripting/PreserveAttribute.cs")]
+    public class PreserveAttribute : Attribute
+    {
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Scripting/RequireDerivedAttribute.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Scripting/RequireDerivedAttribute.cs")]
+    public class RequireDerivedAttribute : Attribute
+    {
+    }
+}
+
+namespace UnityEditor.ShaderKeywordFilter
+{
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/Shaders/ShaderKeywordFilterAttributes.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/Shaders/ShaderKeywordFilterAttributes.cs")]
+    [AttributeUsage(AttributeTargets.Field, AllowMultiple = true)]
+    public class FilterAttribute : Attribute
+    {
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/Shaders/ShaderKeywordFilterAttributes.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/Shaders/ShaderKeywordFilterAttributes.cs")]
+    [AttributeUsage(AttributeTargets.Field, AllowMultiple = true)]
+    public class SelectIfAttribute : FilterAttribute
+    {
+        public SelectIfAttribute(object condition, bool overridePriority = false, string filePath = "",
+                                 int lineNumber = 0, params string[] keywordNames) { }
+    }
+}

@@ -1,0 +1,52 @@
+using System;
+using Penumbra.UnityApi;
+
+namespace UnityEngine
+{
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    [Flags]
+    public enum CameraType { Game = 1, SceneView = 2, Preview = 4, VR = 8, Reflection = 16 }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    public enum LightShadows { None = 0, Hard = 1, Soft = 2 }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    public enum MeshTopology { Triangles = 0 }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    public enum FilterMode { Point = 0, Bilinear = 1 }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    public enum TextureWrapMode { Repeat = 0, Clamp = 1 }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    public enum CubemapFace { Unknown = -1 }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    public enum RenderTextureFormat { Depth = 1 }
+}
+
+namespace UnityEngine.Rendering
+{
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    public enum RenderBufferLoadAction { Load = 0, Clear = 1, DontCare = 2 }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    public enum RenderBufferStoreAction { Store = 0, DontCare = 3 }
+}
+
+namespace UnityEngine.Experimental.Rendering
+{
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    public enum GraphicsFormat { None = 0, R8_UNorm = 5, B8G8R8A8_UNorm = 59 }
+}

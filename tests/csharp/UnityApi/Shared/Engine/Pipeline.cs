@@ -1,0 +1,165 @@
+using System;
+using Penumbra.UnityApi;
+
+namespace UnityEngine
+{
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Geometry/Bounds.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Geometry/Bounds.cs")]
+    public partial struct Bounds : IEquatable<Bounds>
+    {
+        public bool Equals(Bounds other) => true;
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Camera/Camera.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Camera/Camera.bindings.cs")]
+    public sealed partial class Camera : Behaviour
+    {
+        public bool allowDynamicResolution { get; set; }
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsComponents.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsComponents.bindings.cs")]
+    public sealed partial class Light : Behaviour
+    {
+        public LightShadows shadows { get; set; }
+        public float shadowBias { get; set; }
+        public float shadowNormalBias { get; set; }
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/Graphics.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/Graphics.bindings.cs")]
+    public static class ScalableBufferManager
+    {
+        public static float widthScaleFactor { get; [OwnBehaviour] set; } = 1.0f;
+        public static float heightScaleFactor { get; [OwnBehaviour] set; } = 1.0f;
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/Graphics.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/Graphics.bindings.cs")]
+    public sealed partial class GL
+    {
+        /// <summary>As on Direct3D: depth reversed and to 0..1; y turned for textures.</summary>
+        public static Matrix4x4 GetGPUProjectionMatrix(Matrix4x4 proj, bool renderIntoTexture)
+        {
+            if (SystemInfo.usesReversedZBuffer)
+            {
+                proj.m20 = 0.5f * (proj.m30 - proj.m20);
+                proj.m21 = 0.5f * (proj.m31 - proj.m21);
+                proj.m22 = 0.5f * (proj.m32 - proj.m22);
+                proj.m23 = 0.5f * (proj.m33 - proj.m23);
+            }
+            if (!renderIntoTexture || !SystemInfo.graphicsUVStartsAtTop) return proj;
+            proj.m10 = -proj.m10;
+            proj.m11 = -proj.m11;
+            proj.m12 = -proj.m12;
+            proj.m13 = -proj.m13;
+            return proj;
+        }
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsManagers.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsManagers.bindings.cs")]
+    public sealed partial class RenderSettings : Object
+    {
+        public static Light sun { get; set; }
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/SystemInfo/SystemInfo.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/SystemInfo/SystemInfo.bindings.cs")]
+    public sealed partial class SystemInfo
+    {
+        public static bool graphicsUVStartsAtTop { get; [OwnBehaviour] set; } = true;
+        public static bool usesReversedZBuffer { get; [OwnBehaviour] set; } = true;
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Time/Time.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Time/Time.bindings.cs")]
+    public class Time
+    {
+        public static int frameCount { get; [OwnBehaviour] set; }
+    }
+}
+
+namespace UnityEngine.Rendering
+{
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/RenderPipeline/RenderPipelineAsset.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/RenderPipelineAsset.cs")]
+    public abstract partial class RenderPipelineAsset : ScriptableObject
+    {
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsSettings.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsSettings.bindings.cs")]
+    public sealed partial class GraphicsSettings : Object
+    {
+        public static RenderPipelineAsset currentRenderPipeline { get; [OwnBehaviour] set; }
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/RenderPipeline/CullingResults.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/CullingResults.cs")]
+    public partial struct CullingResults : IEquatable<CullingResults>
+    {
+        [OwnBehaviour] public bool HasCasters { get; set; }
+
+        public bool GetShadowCasterBounds(int lightIndex, out Bounds outBounds)
+        {
+            outBounds = default;
+            return HasCasters;
+        }
+
+        public bool Equals(CullingResults other) => HasCasters == other.HasCasters;
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/RenderPipeline/VisibleLight.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/VisibleLight.cs")]
+    public struct VisibleLight : IEquatable<VisibleLight>
+    {
+        [OwnBehaviour] public Light Source { get; set; }
+
+        public Light light => Source;
+
+        public bool Equals(VisibleLight other) => ReferenceEquals(Source, other.Source);
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/RenderPipeline/ScriptableRenderContext.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/ScriptableRenderContext.cs")]
+    public partial struct ScriptableRenderContext : IEquatable<ScriptableRenderContext>
+    {
+        [OwnBehaviour] public FakeDevice Device { get; set; }
+
+        public void ExecuteCommandBuffer(CommandBuffer commandBuffer) => Device.Play(commandBuffer);
+
+        public bool Equals(ScriptableRenderContext other) => Device == other.Device;
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/RenderPipeline/RenderPipelineManager.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/RenderPipelineManager.cs")]
+    public static partial class RenderPipelineManager
+    {
+        public static event Action<ScriptableRenderContext, Camera> beginCameraRendering;
+
+        [OwnBehaviour]
+        public static void BeginCamera(ScriptableRenderContext context, Camera camera) =>
+            beginCameraRendering?.Invoke(context, camera);
+    }
+}
+
+namespace Unity.Collections
+{
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/NativeArray/NativeArray.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/NativeArray/NativeArray.cs")]
+    public struct NativeArray<T> : IEquatable<NativeArray<T>> where T : struct
+    {
+        [OwnBehaviour] public T[] Items { get; set; }
+
+        public int Length => Items?.Length ?? 0;
+
+        public T this[int index]
+        {
+            get => Items[index];
+            set => Items[index] = value;
+        }
+
+        public bool Equals(NativeArray<T> other) => Items == other.Items;
+    }
+}

@@ -1,0 +1,46 @@
+using System;
+using Penumbra.UnityApi;
+using UnityEngine.Experimental.Rendering;
+
+namespace UnityEngine
+{
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/Texture.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/Texture.bindings.cs")]
+    public partial class Texture : Object
+    {
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/Texture.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/Texture.bindings.cs")]
+    public partial class RenderTexture : Texture
+    {
+        [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/Texture.cs")]
+        [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/Texture.cs")]
+        public RenderTextureFormat format { get; set; }
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/Texture.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/Texture.cs")]
+    public struct RenderTextureDescriptor
+    {
+        public int width { get; set; }
+        public int height { get; set; }
+        public int msaaSamples { get; set; }
+        public int volumeDepth { get; set; }
+        public GraphicsFormat graphicsFormat { get; set; }
+        public GraphicsFormat depthStencilFormat { get; set; }
+        public bool useDynamicScale { get; set; }
+    }
+}
+
+namespace UnityEngine.Rendering
+{
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    public struct RenderTargetIdentifier : IEquatable<RenderTargetIdentifier>
+    {
+        [OwnBehaviour] public string What { get; set; }
+
+        public bool Equals(RenderTargetIdentifier rhs) => What == rhs.What;
+    }
+}

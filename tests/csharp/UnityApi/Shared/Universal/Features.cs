@@ -1,0 +1,99 @@
+using System;
+using System.Collections.Generic;
+using Penumbra.UnityApi;
+
+namespace UnityEngine.Rendering.Universal
+{
+    [ReadFrom(At.Universal14, "universal", "Runtime/RendererFeatures/DisallowMultipleRendererFeature.cs")]
+    [ReadFrom(At.Universal17, "universal", "Runtime/RendererFeatures/DisallowMultipleRendererFeature.cs")]
+    public class DisallowMultipleRendererFeature : Attribute
+    {
+        public DisallowMultipleRendererFeature(string customTitle = null) { }
+    }
+
+    [ReadFrom(At.Universal14, "universal", "Runtime/ScriptableRendererFeature.cs")]
+    [ReadFrom(At.Universal17, "universal", "Runtime/ScriptableRendererFeature.cs")]
+    public abstract class ScriptableRendererFeature : ScriptableObject, IDisposable
+    {
+        public bool isActive { get; private set; } = true;
+
+        public abstract void Create();
+
+        public abstract void AddRenderPasses(ScriptableRenderer renderer, ref RenderingData renderingData);
+
+        public void SetActive(bool active) => isActive = active;
+
+        public void Dispose() => Dispose(true);
+
+        protected virtual void Dispose(bool disposing) { }
+    }
+
+    [ReadFrom(At.Universal14, "universal", "Runtime/ScriptableRenderer.cs")]
+    [ReadFrom(At.Universal17, "universal", "Runtime/ScriptableRenderer.cs")]
+    public abstract partial class ScriptableRenderer : IDisposable
+    {
+        [OwnBehaviour] public List<ScriptableRenderPass> Queue { get; } = new List<ScriptableRenderPass>();
+
+        public void EnqueuePass(ScriptableRenderPass pass) => Queue.Add(pass);
+
+        public void Dispose() { }
+    }
+
+    [ReadFrom(At.Universal14, "universal", "Runtime/Passes/ScriptableRenderPass.cs")]
+    [ReadFrom(At.Universal17, "universal", "Runtime/Passes/ScriptableRenderPass.cs")]
+    [Flags]
+    public enum ScriptableRenderPassInput { None = 0, Depth = 1 << 0 }
+
+    [ReadFrom(At.Universal14, "universal", "Runtime/Passes/ScriptableRenderPass.cs")]
+    [ReadFrom(At.Universal17, "universal", "Runtime/Passes/ScriptableRenderPass.cs")]
+    public enum RenderPassEvent
+    {
+        BeforeRenderingGbuffer = 210,
+        AfterRenderingGbuffer = 220,
+        BeforeRenderingTransparents = 450,
+        BeforeRenderingPostProcessing = 550,
+    }
+}
+
+namespace UnityEngine.Rendering.Universal
+{
+    [ReadFrom(At.Universal14, "universal", "Runtime/ScriptableRendererData.cs")]
+    [ReadFrom(At.Universal17, "universal", "Runtime/ScriptableRendererData.cs")]
+    public abstract partial class ScriptableRendererData : ScriptableObject
+    {
+        public List<ScriptableRendererFeature> rendererFeatures { get; } = new List<ScriptableRendererFeature>();
+    }
+
+    [ReadFrom(At.Universal14, "universal", "Runtime/UniversalRenderer.cs")]
+    [ReadFrom(At.Universal17, "universal", "Runtime/UniversalRenderer.cs")]
+    public enum RenderingMode { Forward = 0, Deferred = 1, ForwardPlus = 2 }
+
+    [ReadFrom(At.Universal14, "universal", "Runtime/UniversalRenderer.cs")]
+    [ReadFrom(At.Universal17, "universal", "Runtime/UniversalRenderer.cs")]
+    public enum DepthPrimingMode { Disabled = 0 }
+
+    [ReadFrom(At.Universal14, "universal", "Runtime/UniversalRendererData.cs")]
+    [ReadFrom(At.Universal17, "universal", "Runtime/UniversalRendererData.cs")]
+    public partial class UniversalRendererData : ScriptableRendererData
+    {
+        public RenderingMode renderingMode { get; set; }
+        public DepthPrimingMode depthPrimingMode { get; set; }
+    }
+
+    [ReadFrom(At.Universal14, "universal", "Runtime/UniversalAdditionalLightData.cs")]
+    [ReadFrom(At.Universal17, "universal", "Runtime/UniversalAdditionalLightData.cs")]
+    public partial class UniversalAdditionalLightData
+    {
+        public bool usePipelineSettings { get; set; }
+    }
+
+    [ReadFrom(At.Universal14, "universal", "Runtime/Data/UniversalRenderPipelineAsset.cs")]
+    [ReadFrom(At.Universal17, "universal", "Runtime/Data/UniversalRenderPipelineAsset.cs")]
+    public partial class UniversalRenderPipelineAsset : RenderPipelineAsset
+    {
+        public bool supportsMainLightShadows { get; [OwnBehaviour] set; }
+        public int mainLightShadowmapResolution { get; [OwnBehaviour] set; }
+        public float shadowDepthBias { get; set; }
+        public float shadowNormalBias { get; set; }
+    }
+}
