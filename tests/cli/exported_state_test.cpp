@@ -1,5 +1,5 @@
-// The shadow state that the package's editor exports of a running frame, read by `penumbra constants`. That the editor
-// writes this very file is a test of tests/csharp (ShadowStateTests).
+// The shadow state that the package's editor exports of a running frame, read by `penumbra constants`. That
+// the editor writes this very file is a test of tests/csharp (ShadowStateTests).
 #include <nlohmann/json.hpp>
 
 #include "cli/program.h"
@@ -21,7 +21,8 @@ TEST_F(ExportedState, GivesTheFramesOwnConstants) {
   for (std::size_t i = 0; i < expected.size(); ++i) {
     EXPECT_EQ(found[i].at("world_to_shadow"), expected[i].at("world_to_shadow"));
     EXPECT_EQ(found[i].at("offset_scale"), expected[i].at("offset_scale"));
-    // Derived from matrices that were rounded to float: half a unit of each entry, as in the fit's own report.
+    // Derived from matrices that were rounded to float: half a unit of each entry, as in the fit's own
+    // report.
     const auto radial = expected[i].at("depth_to_radial").get<double>();
     EXPECT_NEAR(found[i].at("depth_to_radial").get<double>(), radial, 1e-6 * radial);
     const auto bias = expected[i].at("bias").at("normal").get<double>();
