@@ -50,6 +50,7 @@ namespace Penumbra
             shadowPass = shadowPass ?? new ClassicShadowPass();
             restorePass = restorePass ?? new ClassicRestorePass();
 #endif
+            KeepShader();
             LeftOpen.Watch(this);
         }
 
@@ -75,6 +76,16 @@ namespace Penumbra
             if (reason != SkipReason.None) return reason;
             if (UrpFrame.InCompatibilityMode()) return SkipReason.CompatibilityMode;
             return LoadMaterial() ? SkipReason.None : SkipReason.MissingShader;
+        }
+
+        // A player contains what is referenced: the asset remembers the shader as soon as the editor has found it.
+        private void KeepShader()
+        {
+#if UNITY_EDITOR
+            if (shader != null) return;
+            shader = Shader.Find(ShaderName);
+            if (shader != null) UnityEditor.EditorUtility.SetDirty(this);
+#endif
         }
 
         private bool LoadMaterial()

@@ -43,7 +43,7 @@ namespace Penumbra
         internal void Draw(CommandBuffer commands, in ShadowFrame frame, RTHandle[] slots)
         {
             uniforms.Set(commands, frame);
-            SetKeywords(commands, frame.technique);
+            SetKeywords(commands, frame.options.technique);
             for (int i = 0; i < Chain.Passes.Count; ++i) Chain.Passes[i].SetUniforms(commands, frame);
             for (int i = 0; i < Chain.Steps.Count; ++i) Draw(commands, frame, slots, i);
         }

@@ -9,7 +9,7 @@ namespace Penumbra
     {
         internal const int MostViews = 2;
 
-        internal ShadowTechnique technique;
+        internal ShadowOptions options;
         internal ShadowUniforms uniforms;
 
         /// <summary>Of the camera's target in pixels, before dynamic resolution.</summary>

@@ -42,7 +42,7 @@ namespace Penumbra
         internal static ShadowFrame Frame(in ShadowSource source, in ShadowOptions options, NoiseMode noise)
         {
             ShadowFrame frame = default;
-            frame.technique = options.technique;
+            frame.options = options;
             frame.uniforms = new ShadowUniforms(options.Parameters(),
                                                 new AtlasLayout(source.mapWidth, source.cascadeCount),
                                                 noise == NoiseMode.PerFrame ? Time.frameCount : 0);

@@ -1,3 +1,5 @@
+using UnityEngine;
+using UnityEngine.Rendering;
 using UnityEngine.Scripting;
 
 namespace Penumbra
@@ -9,6 +11,13 @@ namespace Penumbra
     [Preserve]
     internal sealed class DenoisePass : ShadowPass
     {
+        // Of the technique list's denoised chains (ShaderLibrary/techniques.json).
+        internal const float Radius = 2.0f;
+        internal const float PlaneTolerance = 2.0f;
+        internal const float NoiseAmplitude = 0.25f;
+
+        private static readonly int Params = Shader.PropertyToID("_PenumbraDenoiseParams");
+
         internal override int Order => 400;
 
         /// <summary>Tents have no noise.</summary>
@@ -21,5 +30,9 @@ namespace Penumbra
             int rows = chain.Draw("DenoiseHorizontal", divisor, chain.Visibility);
             chain.SetVisibility(chain.Draw("DenoiseVertical", divisor, rows));
         }
+
+        /// <summary>Radius (pixels), distance to another surface (pixel widths), difference that is no noise.</summary>
+        internal override void SetUniforms(CommandBuffer commands, in ShadowFrame frame) =>
+            commands.SetGlobalVector(Params, new Vector4(Radius, PlaneTolerance, NoiseAmplitude, 0.0f));
     }
 }

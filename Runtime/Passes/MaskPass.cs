@@ -1,3 +1,5 @@
+using UnityEngine;
+using UnityEngine.Rendering;
 using UnityEngine.Scripting;
 
 namespace Penumbra
@@ -11,6 +13,12 @@ namespace Penumbra
     {
         internal const int Divisor = 4;
 
+        // Of the technique list's masked chains (ShaderLibrary/techniques.json).
+        internal const float FilterTexels = 2.0f;
+        internal const float LargestRadius = 32.0f;
+
+        private static readonly int Params = Shader.PropertyToID("_PenumbraMaskParams");
+
         internal override int Order => 100;
 
         /// <summary>A filter that costs no more than the mask gains nothing by it.</summary>
@@ -23,5 +31,9 @@ namespace Penumbra
             int wide = chain.Draw("MaskBlurHorizontal", Divisor, found);
             chain.SetMask(chain.Draw("MaskBlurVertical", Divisor, wide));
         }
+
+        /// <summary>Widest penumbra (m), smallest filter radius (texels), largest radius of the blur (mask texels).</summary>
+        internal override void SetUniforms(CommandBuffer commands, in ShadowFrame frame) =>
+            commands.SetGlobalVector(Params, new Vector4(frame.uniforms.Limits.x, FilterTexels, LargestRadius, 0.0f));
     }
 }

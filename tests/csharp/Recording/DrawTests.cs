@@ -158,9 +158,29 @@ namespace Penumbra.Tests
         }
 
         [Test]
+        public void MaskAndDenoiseHaveTheirParameters()
+        {
+            ShadowOptions options = ShadowPresets.Options(QualityPreset.High);
+            options.softnessCapMetres = 0.75f;
+            Use(options);
+            urp.Render(new FakeScene(), feature);
+            Assert.That(Vector(Draw("MaskBlurHorizontal"), "_PenumbraMaskParams"),
+                        Is.EqualTo(new Vector4(0.75f, MaskPass.FilterTexels, MaskPass.LargestRadius, 0.0f)));
+            Assert.That(Vector(Draw("DenoiseVertical"), "_PenumbraDenoiseParams"),
+                        Is.EqualTo(new Vector4(DenoisePass.Radius, DenoisePass.PlaneTolerance,
+                                               DenoisePass.NoiseAmplitude, 0.0f)));
+        }
+
+        [Test]
+        public void TheAssetRemembersTheShader() => Assert.That(UnityEditor.EditorUtility.Dirty, Has.Member(feature));
+
+        [Test]
         public void WithoutItsShaderTheFrameIsUrps()
         {
+            feature.Dispose();
             Shader.Known.Clear();
+            feature = new PenumbraShadows();
+            feature.Create();
             FrameKeywords keywords = urp.Render(new FakeScene(), feature);
             Assert.That(keywords.AtOpaques, Is.EqualTo(ShadowKeywords.CascadesName));
             Assert.That(feature.LastSkip, Is.EqualTo(SkipReason.MissingShader));

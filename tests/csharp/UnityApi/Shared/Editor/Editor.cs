@@ -114,6 +114,10 @@ namespace UnityEditor
     [ReadFrom(At.Unity6, "engine", "Editor/Mono/EditorUtility.bindings.cs")]
     public partial class EditorUtility
     {
+        [OwnBehaviour] public static System.Collections.Generic.HashSet<Object> Dirty { get; } =
+            new System.Collections.Generic.HashSet<Object>();
+
+        public static void SetDirty(Object target) => Dirty.Add(target);
         public static bool DisplayDialog(string title, string message, string ok) => true;
         public static string SaveFilePanel(string title, string directory, string defaultName, string extension) => "";
     }
