@@ -17,6 +17,8 @@
 
 #if !defined(UNIVERSAL_SHADOWS_INCLUDED)
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
+// URP's Shadows.hlsl calls LerpWhiteTo, which it leaves to its user to include.
+#include "Packages/com.unity.render-pipelines.core/ShaderLibrary/CommonMaterial.hlsl"
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Shadows.hlsl"
 #endif
 

@@ -48,5 +48,11 @@
 #define LOAD_TEXTURE2D_LOD(textureName, texel, lod) textureName.Load(int3(texel, lod))
 #define GATHER_RED_TEXTURE2D(textureName, samplerName, uv) textureName.GatherRed(samplerName, uv)
 
+// Textures of the screen: Unity makes arrays of them where both eyes are drawn at once.
+#define SLICE_ARRAY_INDEX 0
+#define TEXTURE2D_X(textureName) TEXTURE2D(textureName)
+#define TEXTURE2D_X_FLOAT(textureName) TEXTURE2D(textureName)
+#define LOAD_TEXTURE2D_X(textureName, texel) LOAD_TEXTURE2D(textureName, texel)
+
 #endif
 #endif

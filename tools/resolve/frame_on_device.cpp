@@ -1,7 +1,9 @@
 #include "resolve/frame_on_device.h"
 
 #include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <span>
 
 namespace penumbra::resolve {
@@ -78,6 +80,7 @@ UniformValues cascade_uniforms(const scene::Frame& frame) {
   values.set("_PenumbraAtlasTexelSize", atlas_texel_size(set));
   values.set("_PenumbraWorldToShadow", std::span<const glm::dmat4>(matrices));
 
+  values.set("_PenumbraMainLightAtlasTexelSize", atlas_texel_size(set));
   values.set("_MainLightWorldToShadow", std::span<const glm::dmat4>(matrices));
   for (int i = 0; i < kMaxCascades; ++i) {
     values.set("_CascadeShadowSplitSpheres" + std::to_string(i), spheres[static_cast<std::size_t>(i)]);
@@ -101,6 +104,11 @@ void add_light_uniforms(const scene::Frame& frame, UniformValues& values) {
   values.set("_ScreenParams", glm::vec4(width, height, 1.0f + 1.0f / width, 1.0f + 1.0f / height));
 }
 
+glm::vec4 main_light_params(const parameters::CascadeSet& set) {
+  const double tan_half = std::tan(glm::radians(set.angular_diameter_degrees) / 2.0);
+  return {static_cast<float>(set.cascades.size()), static_cast<float>(tan_half), 0.0f, 0.0f};
+}
+
 }  // namespace
 
 FrameOnDevice::FrameOnDevice(const gpu::Device& device, const scene::Frame& frame)
@@ -115,10 +123,20 @@ FrameOnDevice::FrameOnDevice(const gpu::Device& device, const scene::Frame& fram
       normals_(device, std::span<const glm::vec4>(frame.receivers.normal_ws)),
       visibility_(device, frame.receivers.position_ws.size() * sizeof(float)),
       fetches_(device, frame.receivers.position_ws.size() * sizeof(std::uint32_t)),
-      uniforms_(cascade_uniforms(frame)) {
+      uniforms_(cascade_uniforms(frame)),
+      main_light_params_(main_light_params(frame.cascades)) {
   atlas_.upload_bytes(frame.atlas.texels);
   add_light_uniforms(frame, uniforms_);
   uniforms_.set_integers("_PenumbraImageSize", {width_, height_, 0, 0});
+}
+
+UniformValues FrameOnDevice::uniforms(int noise_frame) const {
+  UniformValues values = uniforms_;
+  values.set("_PenumbraNoiseFrame", noise_frame);
+  glm::vec4 params = main_light_params_;
+  params.z = static_cast<float>(noise_frame);
+  values.set("_PenumbraMainLightParams", params);
+  return values;
 }
 
 std::map<std::string, const gpu::Buffer*> FrameOnDevice::buffers() const {
@@ -133,10 +151,9 @@ std::map<std::string, const gpu::Image*> FrameOnDevice::images() const {
 }
 
 std::map<std::string, const gpu::Sampler*> FrameOnDevice::samplers() const {
-  return {{"sampler_ShadowMap", &compare_},
-          {"sampler_MainLightShadowmapTexture", &compare_},
-          {"sampler_LinearClampCompare", &compare_},
-          {"sampler_PointClamp", &point_},
+  return {{"sampler_ShadowMap", &compare_},          {"sampler_MainLightShadowmapTexture", &compare_},
+          {"sampler_LinearClampCompare", &compare_}, {"sampler_PenumbraLinearClampCompare", &compare_},
+          {"sampler_PenumbraPointClamp", &point_},   {"sampler_PointClamp", &point_},
           {"sampler_LinearClamp", &linear_}};
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec4.hpp>
 #include <map>
 #include <string>
 
@@ -22,7 +23,7 @@ class FrameOnDevice {
   std::map<std::string, const gpu::Buffer*> buffers() const;
   std::map<std::string, const gpu::Image*> images() const;
   std::map<std::string, const gpu::Sampler*> samplers() const;
-  const UniformValues& uniforms() const { return uniforms_; }
+  UniformValues uniforms(int noise_frame) const;
 
   const gpu::Buffer& visibility() const { return visibility_; }
   const gpu::Buffer& fetches() const { return fetches_; }
@@ -39,6 +40,7 @@ class FrameOnDevice {
   gpu::Buffer visibility_;
   gpu::Buffer fetches_;
   UniformValues uniforms_;
+  glm::vec4 main_light_params_;  // of Pipelines/Urp.hlsl, at frame 0
 };
 
 }  // namespace penumbra::resolve

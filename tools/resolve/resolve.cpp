@@ -5,25 +5,12 @@
 #include <set>
 #include <stdexcept>
 
-#include "input/input_error.h"
+#include "resolve/provided.h"
 
 namespace penumbra::resolve {
 namespace {
 
 constexpr std::uint32_t kTile = 8;  // numthreads of Resolve.hlsl
-
-template <typename Map>
-const auto& provided(const Map& map, const shaders::Resource& resource, const std::string& shader,
-                     const char* kind) {
-  const auto found = map.find(resource.name);
-  if (found != map.end()) return *found->second;
-  std::string known;
-  for (const auto& entry : map) known += " " + entry.first;
-  throw InputError(
-      shader,
-      std::string("reads the ") + kind + " '" + resource.name + "', which the harness does not provide",
-      "provided are:" + known);
-}
 
 std::uint32_t groups(int pixels) {
   return (static_cast<std::uint32_t>(pixels) + kTile - 1) / kTile;
@@ -69,9 +56,8 @@ void ResolvePass::bind(const FrameOnDevice& frame) {
 
 std::vector<double> ResolvePass::run(int noise_seed, int repeats) {
   if (frame_ == nullptr) throw std::logic_error("no frame is bound");
-  UniformValues values = frame_->uniforms();
+  UniformValues values = frame_->uniforms(noise_seed);
   values.merge(parameters_);
-  values.set("_PenumbraNoiseFrame", noise_seed);
   unset_.clear();
   for (const shaders::Resource& resource : resources_) {
     if (resource.kind != shaders::ResourceKind::uniform_block) continue;

@@ -5,13 +5,12 @@
 
 #include "input/input_error.h"
 #include "platform/data_directory.h"
-#include "shaders/image_instructions.h"
+#include "resolve/counted_modules.h"
 
 namespace penumbra::resolve {
 namespace {
 
 constexpr const char* kUniformPrefix = "_Penumbra";
-constexpr const char* kCountingPrefix = "PenumbraCounted";
 
 std::vector<std::pair<std::string, std::string>> depth_defines(bool reversed_z) {
   if (reversed_z) return {{"UNITY_REVERSED_Z", "1"}};
@@ -62,57 +61,18 @@ shaders::CompileRequest request(const ShadowShader& shader, bool counting) {
   request.file = shader.name + (counting ? " (counting).hlsl" : ".hlsl");
   request.text = whole_source(shader);
   request.defines = shader.defines;
-  if (counting) request.defines.emplace_back("PENUMBRA_COUNT_FETCHES", "1");
   request.package_roots = shader.package_roots;
   request.include_directories = shader.include_directories;
   request.include_directories.push_back(root / "ShaderLibrary");
   request.include_directories.push_back(root / "tools" / "resolve" / "shaders");
   request.prepare = shader.prepare;
-  if (counting) {
-    // Whichever file defines the sampling macros, ours or a pipeline's, the counting ones replace them there.
-    for (const char* api : {"/Platform/Platform.hlsl", "/API/D3D11.hlsl", "/API/Vulkan.hlsl",
-                            "/API/Metal.hlsl", "/API/GLCore.hlsl"}) {
-      request.overlays.push_back({api, root / "tests" / "platform" / "CountingPlatform.hlsl"});
-    }
-  }
+  if (counting) count_fetches(request);
   return request;
 }
 
-constexpr const char* kAdapterFunction = "ShadowVisibility";
-
-std::vector<std::uint32_t> compile_or_throw(const shaders::CompileRequest& request,
-                                            std::vector<std::string>* notes = nullptr) {
-  shaders::CompileResult result = shaders::compile(request);
-  for (const hlsl::Diagnostic& diagnostic : result.diagnostics) {
-    if (notes != nullptr && diagnostic.severity == hlsl::Severity::note) {
-      notes->push_back(hlsl::format(diagnostic));
-    }
-  }
-  if (!hlsl::has_errors(result.diagnostics)) return std::move(result.spirv);
-  std::string messages;
-  for (const hlsl::Diagnostic& diagnostic : result.diagnostics) {
-    if (diagnostic.severity == hlsl::Severity::error) messages += "\n" + hlsl::format(diagnostic);
-  }
-  const bool function_missing = messages.find(std::string("'") + kAdapterFunction + "'") != std::string::npos;
-  throw InputError(request.file.string(), "does not compile:" + messages,
-                   function_missing ? std::string("an adapter defines: float ") + kAdapterFunction +
-                                          "(float3 positionWS, float3 normalWS, float2 pixel)"
-                                    : "");
-}
-
-// Every fetch must go through the counting functions; the module that shows it keeps its functions.
-void refuse_uncounted_fetches(const ShadowShader& shader) {
-  shaders::CompileRequest counting = request(shader, true);
-  counting.optimise = false;
-  const std::vector<shaders::ImageInstruction> uncounted =
-      shaders::image_instructions_outside(compile_or_throw(counting), kCountingPrefix);
-  if (uncounted.empty()) return;
-  throw InputError(shader.name,
-                   "function '" + uncounted.front().function +
-                       "' reads a texture past the sampling macros (" + uncounted.front().opcode +
-                       "), so its fetches cannot be counted",
-                   "use SAMPLE_TEXTURE2D_SHADOW, LOAD_TEXTURE2D_LOD, GATHER_RED_TEXTURE2D and their like");
-}
+const MissingName kAdapterFunction{
+    "ShadowVisibility",
+    "an adapter defines: float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)"};
 
 }  // namespace
 
@@ -152,8 +112,8 @@ ShadowShader adapter_shader(const Adapter& adapter, bool reversed_z) {
 CompiledShadowShader compile(const ShadowShader& shader) {
   CompiledShadowShader compiled;
   compiled.source = shader;
-  compiled.plain = compile_or_throw(request(shader, false), &compiled.notes);
-  refuse_uncounted_fetches(shader);
+  compiled.plain = compile_or_throw(request(shader, false), &compiled.notes, &kAdapterFunction);
+  refuse_uncounted_fetches(request(shader, true), shader.name);
   compiled.counting = compile_or_throw(request(shader, true));
   return compiled;
 }

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <memory>
@@ -48,6 +49,9 @@ struct FrameSettings {
   DepthFormat format = DepthFormat::d32;
   int width = 480;  // of the receivers
   int height = 270;
+  // How far the lens stands beside the picture's axis, in half pictures to the right and up: the projection
+  // of an eye of a headset, or of Unity's Camera.lensShift, is not symmetric. Cascades are fitted without it.
+  glm::dvec2 lens_shift{0.0};
 };
 
 struct Frame {

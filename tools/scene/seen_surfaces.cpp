@@ -25,13 +25,13 @@ glm::vec4 row(const glm::dvec3& axis, const glm::dvec3& eye) {
 }
 
 // Unity's world is left-handed: right = up x forward.
-CameraView view_of(const parameters::Camera& camera) {
+CameraView view_of(const parameters::Camera& camera, const glm::dvec2& lens_shift) {
   const glm::dvec3 forward = glm::normalize(camera.forward);
   const glm::dvec3 right = glm::normalize(glm::cross(camera.up, forward));
   const glm::dvec3 up = glm::cross(forward, right);
   const double tan_half = std::tan(glm::radians(camera.fov_y_degrees) / 2.0);
-  return {{row(right / (tan_half * camera.aspect), camera.position), row(up / -tan_half, camera.position),
-           row(forward, camera.position)},
+  return {{row(right / (tan_half * camera.aspect) - forward * lens_shift.x, camera.position),
+           row(forward * lens_shift.y - up / tan_half, camera.position), row(forward, camera.position)},
           glm::vec4(float(camera.near_plane), 0.0F, 0.0F, 0.0F)};
 }
 
@@ -99,7 +99,7 @@ Receivers SeenSurfacesPass::draw(const Scene& scene, const FrameSettings& settin
   }
   const gpu::Image seen(device_, gpu::Format::rgba32f, settings.width, settings.height);
   const gpu::Image depth(device_, gpu::Format::depth32, settings.width, settings.height);
-  const CameraView view = view_of(scene.camera);
+  const CameraView view = view_of(scene.camera, settings.lens_shift);
   gpu::RasterTile whole{0, 0, settings.width, settings.height, mesh_.vertex_count, {}};
   whole.push_constants.resize(sizeof(view));
   std::memcpy(whole.push_constants.data(), &view, sizeof(view));

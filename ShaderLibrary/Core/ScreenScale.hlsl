@@ -1,0 +1,34 @@
+// Penumbra: which pixel of the screen a pixel of a smaller image stands for.
+//
+// Computes:   the pixel of the full screen at which a half-resolution pixel is evaluated, and the half-resolution
+//             pixels around a full one.
+//
+//                 full      0   1   2   3   4        half pixel i is evaluated at full pixel 2 i + 1: odd pixels are
+//                 half          0       1   (2)      copies, even ones lie midway between two
+//
+// Source:     geometry.
+// Inputs:     pixel coordinates from 0; scale: pixels of the screen per pixel of the image, 1 or 2.
+// Cost:       no fetches.
+// Guarantees: the answer lies on the screen, in the last row and column of an odd screen, too.
+// Use it:     wherever images of two resolutions meet: both sides must mean the same pixel.
+#ifndef PENUMBRA_SCREEN_SCALE_HLSL
+#define PENUMBRA_SCREEN_SCALE_HLSL
+
+// Of an image ceil(full / scale) wide.
+int ScreenScale(float fullWidth, float width)
+{
+    return max(int(fullWidth / max(width, 1.0) + 0.5), 1);
+}
+
+int2 FullPixel(int2 pixel, int scale, int2 fullSize)
+{
+    return min(pixel * scale + scale / 2, fullSize - 1);
+}
+
+// The first of the two half-resolution pixels around full pixel x of one axis; -1 before the first.
+int HalfPixelBefore(int full)
+{
+    return (full + 1) / 2 - 1;
+}
+
+#endif

@@ -1,0 +1,83 @@
+// Penumbra: the surface seen at a pixel, from the camera's depth texture.
+//
+// Computes:   world position, normal and pixel width of what the camera sees.
+// Source:     Core/ScreenPosition.hlsl.
+// Inputs:     camera depth texture, stored depth; ScreenView; pixel: of the full-resolution screen, its row 0 the row
+//             in which the texture keeps it.
+// Cost:       1 fetch without the normal, 5 with it, up to 9 at edges.
+// Guarantees: reads no texel outside the screen; beyond its border there is no surface. `seen` is false for sky, for
+//             depths outside (0, 1) and for NaN; then nothing else of the answer means anything.
+// Use it:     first in every pass over the screen. Not: where normals come with the surface.
+#ifndef PENUMBRA_CAMERA_SURFACE_HLSL
+#define PENUMBRA_CAMERA_SURFACE_HLSL
+
+#include "../Platform/Platform.hlsl"
+#include "../Core/ScreenPosition.hlsl"
+
+struct ScreenView
+{
+    float4x4 screenToWorld;
+    float4 size; // width, height, 1 / width, 1 / height
+};
+
+struct CameraSurface
+{
+    bool seen;
+    float3 positionWS;    // metres
+    float3 normalWS;      // unit, either way round; 0 where it was not asked for or is not known
+    float metresPerPixel; // in the plane of equal depth
+};
+
+float ReadCameraDepth(TEXTURE2D_X_FLOAT(cameraDepth), ScreenView view, int2 pixel)
+{
+    const int2 last = int2(view.size.xy) - 1;
+    const bool inside = all(pixel >= 0) && all(pixel <= last);
+    if (!inside) return 0.0;
+    return LOAD_TEXTURE2D_X(cameraDepth, pixel).x;
+}
+
+CameraSurface SurfaceWithSlope(ScreenView view, int2 pixel, float depth, float2 slope)
+{
+    const float2 uv = (float2(pixel) + 0.5) * view.size.zw;
+    const ScreenPoint at = ScreenPointOf(view.screenToWorld, uv, depth);
+    CameraSurface surface;
+    surface.seen = IsSurfaceDepth(depth);
+    surface.positionWS = at.positionWS;
+    surface.normalWS = ScreenNormal(view.screenToWorld, at, slope, view.size.zw);
+    surface.metresPerPixel = MetresPerPixel(view.screenToWorld, at, view.size.zw);
+    return surface;
+}
+
+CameraSurface ReadCameraPosition(TEXTURE2D_X_FLOAT(cameraDepth), ScreenView view, int2 pixel)
+{
+    const float depth = ReadCameraDepth(cameraDepth, view, pixel);
+    return SurfaceWithSlope(view, pixel, depth, float2(kNoDepthSlope, kNoDepthSlope));
+}
+
+// The second neighbours are asked only where the first two contradict each other: at an edge, or on a sharp bend.
+float ReadDepthSlope(TEXTURE2D_X_FLOAT(cameraDepth), ScreenView view, int2 pixel, int2 step, float depth)
+{
+    DepthLine along;
+    along.before = ReadCameraDepth(cameraDepth, view, pixel - step);
+    along.here = depth;
+    along.after = ReadCameraDepth(cameraDepth, view, pixel + step);
+    if (!ContradictsItself(along)) return NearerSlope(along);
+    const float before2 = ReadCameraDepth(cameraDepth, view, pixel - 2 * step);
+    const float after2 = ReadCameraDepth(cameraDepth, view, pixel + 2 * step);
+    return StraighterSlope(before2, along, after2);
+}
+
+CameraSurface ReadCameraSurface(TEXTURE2D_X_FLOAT(cameraDepth), ScreenView view, int2 pixel)
+{
+    const float depth = ReadCameraDepth(cameraDepth, view, pixel);
+    float2 slope = float2(kNoDepthSlope, kNoDepthSlope);
+    UNITY_BRANCH
+    if (IsSurfaceDepth(depth))
+    {
+        slope.x = ReadDepthSlope(cameraDepth, view, pixel, int2(1, 0), depth);
+        slope.y = ReadDepthSlope(cameraDepth, view, pixel, int2(0, 1), depth);
+    }
+    return SurfaceWithSlope(view, pixel, depth, slope);
+}
+
+#endif

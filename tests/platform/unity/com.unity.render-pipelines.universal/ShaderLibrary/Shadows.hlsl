@@ -1,0 +1,2 @@
+// Stands in for URP's Shadows.hlsl.
+#include "../../../UrpGlobals.hlsl"

@@ -1,0 +1,88 @@
+#include "resolve/camera_image.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+namespace penumbra::resolve {
+namespace {
+
+// A point of the picture, uv in [0, 1] from its first row, lies along origin + u * across + v * down from the
+// eye, at view depth 1.
+struct Lens {
+  glm::dvec3 origin;
+  glm::dvec3 across;
+  glm::dvec3 down_the_rows;
+};
+
+// Stored depth as a function of view depth z: scale / z + offset.
+struct StoredDepth {
+  double scale;
+  double offset;
+};
+
+// Unity's world is left-handed: right = up x forward.
+Lens lens_of(const scene::Frame& frame, RowOrder rows) {
+  const parameters::Camera& camera = frame.camera;
+  const glm::dvec3 forward = glm::normalize(camera.forward);
+  const glm::dvec3 right = glm::normalize(glm::cross(camera.up, forward));
+  const glm::dvec3 up = glm::cross(forward, right);
+  const double tan_y = std::tan(glm::radians(camera.fov_y_degrees) / 2.0);
+  const glm::dvec3 half_width = right * (tan_y * camera.aspect);
+  const glm::dvec3 half_height = up * tan_y;
+  const glm::dvec3 centre =
+      forward + half_width * frame.settings.lens_shift.x + half_height * frame.settings.lens_shift.y;
+  const glm::dvec3 first_row = rows == RowOrder::top_first ? half_height : -half_height;
+  return {centre - half_width + first_row, half_width * 2.0, first_row * -2.0};
+}
+
+StoredDepth stored_depth_of(const parameters::Camera& camera, bool reversed_z) {
+  const double near = camera.near_plane;
+  const double far = camera.far_plane;
+  if (reversed_z) return {near * far / (far - near), -near / (far - near)};
+  return {-near * far / (far - near), far / (far - near)};
+}
+
+// With q = (depth - offset) / scale = 1 / z, the point eye + z * direction(uv) is (eye * q + direction, q).
+glm::dmat4 screen_to_world(const Lens& lens, const StoredDepth& stored, const glm::dvec3& eye) {
+  glm::dmat4 matrix(0.0);
+  matrix[0] = glm::dvec4(lens.across, 0.0);
+  matrix[1] = glm::dvec4(lens.down_the_rows, 0.0);
+  matrix[2] = glm::dvec4(eye, 1.0) / stored.scale;
+  matrix[3] = glm::dvec4(lens.origin, 0.0) - glm::dvec4(eye, 1.0) * (stored.offset / stored.scale);
+  return matrix;
+}
+
+// View depth at which the ray through a pixel's centre meets the receiver's plane. direction: at view
+// depth 1.
+double depth_on_plane(const glm::dvec3& from_eye, const glm::dvec3& normal, const glm::dvec3& direction) {
+  return glm::dot(normal, from_eye) / glm::dot(normal, direction);
+}
+
+}  // namespace
+
+CameraImage camera_image(const scene::Frame& frame, RowOrder rows) {
+  const bool reversed_z = frame.cascades.reversed_z;
+  const scene::Receivers& seen = frame.receivers;
+  const Lens lens = lens_of(frame, rows);
+  const StoredDepth stored = stored_depth_of(frame.camera, reversed_z);
+  CameraImage image{seen.width, seen.height, rows, {}, screen_to_world(lens, stored, frame.camera.position)};
+  for (int row = 0; row < seen.height; ++row) {
+    const int seen_row = rows == RowOrder::top_first ? row : seen.height - 1 - row;
+    for (int column = 0; column < seen.width; ++column) {
+      const auto pixel = static_cast<std::size_t>(seen_row * seen.width + column);
+      if (seen.position_ws[pixel].w == 0.0f) {
+        image.depth.push_back(reversed_z ? 0.0f : 1.0f);
+        continue;
+      }
+      const glm::dvec3 direction = lens.origin + lens.across * ((column + 0.5) / seen.width) +
+                                   lens.down_the_rows * ((row + 0.5) / seen.height);
+      const glm::dvec3 from_eye = glm::dvec3(seen.position_ws[pixel]) - frame.camera.position;
+      const double z = depth_on_plane(from_eye, glm::dvec3(seen.normal_ws[pixel]), direction);
+      image.depth.push_back(static_cast<float>(stored.scale / z + stored.offset));
+    }
+  }
+  return image;
+}
+
+}  // namespace penumbra::resolve

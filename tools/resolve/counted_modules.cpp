@@ -1,0 +1,54 @@
+#include "resolve/counted_modules.h"
+
+#include "input/input_error.h"
+#include "platform/data_directory.h"
+#include "shaders/image_instructions.h"
+
+namespace penumbra::resolve {
+namespace {
+
+constexpr const char* kCountingPrefix = "PenumbraCounted";
+
+}  // namespace
+
+void count_fetches(shaders::CompileRequest& request) {
+  const std::filesystem::path counting =
+      platform::data_directory() / "tests" / "platform" / "CountingPlatform.hlsl";
+  request.defines.emplace_back("PENUMBRA_COUNT_FETCHES", "1");
+  for (const char* api : {"/Platform/Platform.hlsl", "/API/D3D11.hlsl", "/API/Vulkan.hlsl", "/API/Metal.hlsl",
+                          "/API/GLCore.hlsl"}) {
+    request.overlays.push_back({api, counting});
+  }
+}
+
+std::vector<std::uint32_t> compile_or_throw(const shaders::CompileRequest& request,
+                                            std::vector<std::string>* notes, const MissingName* needed) {
+  shaders::CompileResult result = shaders::compile(request);
+  for (const hlsl::Diagnostic& diagnostic : result.diagnostics) {
+    if (notes != nullptr && diagnostic.severity == hlsl::Severity::note) {
+      notes->push_back(hlsl::format(diagnostic));
+    }
+  }
+  if (!hlsl::has_errors(result.diagnostics)) return std::move(result.spirv);
+  std::string messages;
+  for (const hlsl::Diagnostic& diagnostic : result.diagnostics) {
+    if (diagnostic.severity == hlsl::Severity::error) messages += "\n" + hlsl::format(diagnostic);
+  }
+  const bool is_missing = needed != nullptr && messages.find("'" + needed->name + "'") != std::string::npos;
+  throw InputError(request.file.string(), "does not compile:" + messages, is_missing ? needed->way_out : "");
+}
+
+// The module that shows which function reads keeps its functions.
+void refuse_uncounted_fetches(shaders::CompileRequest counting, const std::string& shader) {
+  counting.optimise = false;
+  const std::vector<shaders::ImageInstruction> uncounted =
+      shaders::image_instructions_outside(compile_or_throw(counting), kCountingPrefix);
+  if (uncounted.empty()) return;
+  throw InputError(shader,
+                   "function '" + uncounted.front().function +
+                       "' reads a texture past the sampling macros (" + uncounted.front().opcode +
+                       "), so its fetches cannot be counted",
+                   "use SAMPLE_TEXTURE2D_SHADOW, LOAD_TEXTURE2D_LOD, GATHER_RED_TEXTURE2D and their like");
+}
+
+}  // namespace penumbra::resolve

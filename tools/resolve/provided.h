@@ -1,0 +1,25 @@
+// The resource a shader asks for by name. Internal to this room.
+#pragma once
+
+#include <string>
+
+#include "input/input_error.h"
+#include "shaders/reflect.h"
+
+namespace penumbra::resolve {
+
+// Throws InputError with the names that are provided when this one is not.
+template <typename Map>
+const auto& provided(const Map& map, const shaders::Resource& resource, const std::string& shader,
+                     const char* kind) {
+  const auto found = map.find(resource.name);
+  if (found != map.end()) return *found->second;
+  std::string known;
+  for (const auto& entry : map) known += " " + entry.first;
+  throw InputError(
+      shader,
+      std::string("reads the ") + kind + " '" + resource.name + "', which the harness does not provide",
+      "provided are:" + known);
+}
+
+}  // namespace penumbra::resolve

@@ -1,0 +1,141 @@
+#include "resolve/screen_chain.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+namespace penumbra::resolve {
+namespace {
+
+int rounded_up(int size, int scale) {
+  return (size + scale - 1) / scale;
+}
+
+glm::vec4 size_of(int width, int height) {
+  const auto w = static_cast<float>(width);
+  const auto h = static_cast<float>(height);
+  return {w, h, 1.0f / w, 1.0f / h};
+}
+
+glm::vec4 size_of(const gpu::Image& image) {
+  return size_of(image.width(), image.height());
+}
+
+// Both eyes: the harness draws one.
+void set_camera(UniformValues& values, const CameraImage& camera) {
+  const std::array<glm::dmat4, 2> eyes{camera.screen_to_world, camera.screen_to_world};
+  values.set("_PenumbraScreenToWorld", std::span<const glm::dmat4>(eyes));
+  values.set("_PenumbraScreenSize", size_of(camera.width, camera.height));
+}
+
+std::vector<std::uint32_t> green(const std::vector<glm::vec4>& texels) {
+  std::vector<std::uint32_t> counts;
+  counts.reserve(texels.size());
+  for (const glm::vec4& texel : texels) counts.push_back(static_cast<std::uint32_t>(texel.y));
+  return counts;
+}
+
+double sum(const std::vector<std::uint32_t>& counts) {
+  double total = 0.0;
+  for (const std::uint32_t count : counts) total += count;
+  return total;
+}
+
+}  // namespace
+
+// One image per step, kept for a run.
+struct ScreenChain::Targets {
+  Targets(const gpu::Device& device, const ScreenChainDescription& description,
+          const FrameOnDevice& on_device, const CameraImage& camera_image, ScreenPass::Module module)
+      : frame(on_device),
+        camera(camera_image),
+        depth(device, gpu::Format::r32f, camera_image.width, camera_image.height) {
+    depth.upload(camera.depth);
+    for (const ScreenStep& step : description.steps) {
+      images.emplace_back(device, ScreenPass::target_format(module), rounded_up(camera.width, step.scale),
+                          rounded_up(camera.height, step.scale));
+    }
+  }
+
+  const FrameOnDevice& frame;
+  const CameraImage& camera;
+  gpu::Image depth;
+  std::vector<gpu::Image> images;
+};
+
+ScreenChain::ScreenChain(const gpu::Device& device, const ScreenShader& shader,
+                         ScreenChainDescription description, bool reversed_z)
+    : device_(device), description_(std::move(description)) {
+  if (description_.steps.empty() || description_.steps.back().scale != 1) {
+    throw std::invalid_argument("a chain ends in a step at full resolution");
+  }
+  for (const ScreenStep& step : description_.steps) {
+    const CompiledScreenPass compiled = shader.compile(step.pass, description_.keywords, reversed_z);
+    plain_.emplace_back(device, compiled, ScreenPass::Module::as_shipped);
+    counting_.emplace_back(device, compiled, ScreenPass::Module::counting);
+  }
+}
+
+double ScreenChain::draw(std::vector<ScreenPass>& passes, Targets& targets, int seed) {
+  UniformValues values = targets.frame.uniforms(seed);
+  values.merge(description_.parameters);
+  set_camera(values, targets.camera);
+  ScreenResources resources{targets.frame.images(), targets.frame.samplers()};
+  resources.images["_CameraDepthTexture"] = &targets.depth;
+  double nanoseconds = 0.0;
+  for (std::size_t i = 0; i < passes.size(); ++i) {
+    const gpu::Image& target = targets.images[i];
+    const int source = description_.steps[i].source;
+    values.set("_PenumbraTargetSize", size_of(target));
+    if (source >= 0) {
+      const gpu::Image& read = targets.images.at(static_cast<std::size_t>(source));
+      resources.images["_PenumbraSourceTexture"] = &read;
+      values.set("_PenumbraSourceSize", size_of(read));
+    }
+    nanoseconds += passes[i].draw(target, resources, values);
+    if (static_cast<int>(i) == description_.mask) resources.images["_PenumbraMaskTexture"] = &target;
+  }
+  return nanoseconds;
+}
+
+ScreenChainResult ScreenChain::run(const FrameOnDevice& frame, const CameraImage& camera,
+                                   const ResolveOptions& options) {
+  const double pixels = static_cast<double>(camera.width) * camera.height;
+  ScreenChainResult result;
+  Targets plain(device_, description_, frame, camera, ScreenPass::Module::as_shipped);
+  const int seeds = description_.uses_noise ? std::max(1, options.noise_seeds) : 1;
+  for (int seed = 0; seed < seeds; ++seed) {
+    draw(plain_, plain, seed);
+    result.image.visibility.push_back(
+        rows_from_top(plain.images.back().download<float>(), camera.width, camera.rows));
+  }
+  for (int repeat = 0; repeat < options.timing_repeats; ++repeat) {
+    result.image.time_ns.push_back(draw(plain_, plain, 0));
+  }
+  std::set<std::string> unset;
+  for (const ScreenPass& pass : plain_) {
+    for (const std::string& name : pass.unset_uniforms()) unset.insert(name);
+  }
+  result.image.unset_uniforms.assign(unset.begin(), unset.end());
+  if (!options.count_fetches) return result;
+
+  Targets counted(device_, description_, frame, camera, ScreenPass::Module::counting);
+  draw(counting_, counted, 0);
+  result.image.fetches.assign(static_cast<std::size_t>(camera.width * camera.height), 0);
+  for (std::size_t i = 0; i < counting_.size(); ++i) {
+    const std::vector<std::uint32_t> counts =
+        rows_from_top(green(counted.images[i].download<glm::vec4>()), counted.images[i].width(), camera.rows);
+    result.fetches.push_back(sum(counts) / pixels);
+    if (description_.steps[i].scale == 1) {
+      for (std::size_t pixel = 0; pixel < counts.size(); ++pixel)
+        result.image.fetches[pixel] += counts[pixel];
+    } else {
+      result.fetches_of_others += result.fetches.back();
+    }
+  }
+  return result;
+}
+
+}  // namespace penumbra::resolve

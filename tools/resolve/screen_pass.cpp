@@ -1,0 +1,74 @@
+#include "resolve/screen_pass.h"
+
+#include <set>
+
+#include "resolve/provided.h"
+
+namespace penumbra::resolve {
+namespace {
+
+constexpr std::uint32_t kTriangle = 3;
+
+gpu::RasterShaders shaders_of(const CompiledScreenPass& compiled, ScreenPass::Module module) {
+  const bool counting = module == ScreenPass::Module::counting;
+  gpu::RasterShaders shaders;
+  shaders.vertex = compiled.vertex;
+  shaders.fragment = counting ? compiled.counting : compiled.fragment;
+  shaders.vertex_entry = compiled.vertex_entry;
+  shaders.fragment_entry = counting ? CompiledScreenPass::counting_entry : compiled.fragment_entry;
+  shaders.colours = {ScreenPass::target_format(module)};
+  return shaders;
+}
+
+}  // namespace
+
+gpu::Format ScreenPass::target_format(Module module) {
+  return module == Module::counting ? gpu::Format::rgba32f : gpu::Format::r32f;
+}
+
+ScreenPass::ScreenPass(const gpu::Device& device, const CompiledScreenPass& compiled, Module module)
+    : name_(compiled.name), pass_(device, shaders_of(compiled, module)) {
+  const std::vector<shaders::Resource> of_vertex = shaders::reflect(compiled.vertex).resources;
+  if (!of_vertex.empty()) {
+    throw InputError(name_, "the vertex stage reads '" + of_vertex.front().name + "'",
+                     "a pass over the screen needs nothing but SV_VertexID there");
+  }
+  bound_ = shaders::reflect(module == Module::counting ? compiled.counting : compiled.fragment).resources;
+}
+
+double ScreenPass::draw(const gpu::Image& target, const ScreenResources& resources,
+                        const UniformValues& values) {
+  unset_.clear();
+  for (const shaders::Resource& resource : bound_) {
+    const gpu::Slot slot{resource.set, resource.binding};
+    switch (resource.kind) {
+      case shaders::ResourceKind::uniform_block:
+        pass_.bindings().uniform_bytes(slot, values.pack(resource, unset_));
+        break;
+      case shaders::ResourceKind::sampled_image:
+        pass_.bindings().sampled_image(slot, provided(resources.images, resource, name_, "texture"));
+        break;
+      case shaders::ResourceKind::sampler:
+        pass_.bindings().sampler(slot, provided(resources.samplers, resource, name_, "sampler"));
+        break;
+      case shaders::ResourceKind::storage_buffer:
+        provided(std::map<std::string, const gpu::Buffer*>(), resource, name_, "buffer");
+        break;
+      case shaders::ResourceKind::storage_image:
+        provided(std::map<std::string, const gpu::Image*>(), resource, name_, "writable texture");
+        break;
+    }
+  }
+  gpu::RasterTile whole;
+  whole.width = target.width();
+  whole.height = target.height();
+  whole.vertex_count = kTriangle;
+  return pass_.draw({{&target}, nullptr, 0.0F}, {whole});
+}
+
+std::vector<std::string> ScreenPass::unset_uniforms() const {
+  const std::set<std::string> names(unset_.begin(), unset_.end());
+  return {names.begin(), names.end()};
+}
+
+}  // namespace penumbra::resolve

@@ -1,0 +1,44 @@
+// One pass of a .shader on a device: draws its full-screen triangle into a target.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "gpu/raster_pass.h"
+#include "resolve/screen_shader.h"
+#include "resolve/uniform_values.h"
+#include "shaders/reflect.h"
+
+namespace penumbra::resolve {
+
+// What a pass may bind, by the names shaders use.
+struct ScreenResources {
+  std::map<std::string, const gpu::Image*> images;
+  std::map<std::string, const gpu::Sampler*> samplers;
+};
+
+class ScreenPass {
+ public:
+  enum class Module { as_shipped, counting };
+
+  // Targets of the shipped module are r32f; those of the counting one rgba32f: red, and in green the fetches.
+  // Throws InputError when the vertex stage binds anything: it has nothing to read.
+  ScreenPass(const gpu::Device& device, const CompiledScreenPass& compiled, Module module);
+
+  static gpu::Format target_format(Module module);
+
+  // The time in nanoseconds. Throws InputError for a texture or sampler that `resources` lacks. Uniforms
+  // without a value are zero, and named by unset_uniforms().
+  double draw(const gpu::Image& target, const ScreenResources& resources, const UniformValues& values);
+
+  std::vector<std::string> unset_uniforms() const;
+
+ private:
+  std::string name_;
+  std::vector<shaders::Resource> bound_;
+  gpu::RasterPass pass_;
+  std::vector<std::string> unset_;
+};
+
+}  // namespace penumbra::resolve

@@ -1,0 +1,13 @@
+// From an entry of techniques.json to the passes, keywords and uniforms with which the renderer feature runs
+// it.
+#pragma once
+
+#include "resolve/screen_chain.h"
+#include "shaders/technique_list.h"
+
+namespace penumbra::resolve {
+
+// The values of a technique as Shadows.hlsl reads them: _PenumbraSamples, _PenumbraLimits, _PenumbraHdrp.
+UniformValues shadows_uniforms(const shaders::Technique& technique);
+
+}  // namespace penumbra::resolve
