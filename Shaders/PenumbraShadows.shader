@@ -11,6 +11,42 @@ Shader "Hidden/Penumbra/Shadows"
 
         Pass
         {
+            Name "PenumbraMask"
+
+            HLSLPROGRAM
+            #pragma target 4.5
+            #pragma vertex ScreenTriangle
+            #pragma fragment PenumbraMask
+            #include "MaskPass.hlsl"
+            ENDHLSL
+        }
+
+        Pass
+        {
+            Name "MaskBlurHorizontal"
+
+            HLSLPROGRAM
+            #pragma target 4.5
+            #pragma vertex ScreenTriangle
+            #pragma fragment MaskBlurHorizontal
+            #include "MaskPass.hlsl"
+            ENDHLSL
+        }
+
+        Pass
+        {
+            Name "MaskBlurVertical"
+
+            HLSLPROGRAM
+            #pragma target 4.5
+            #pragma vertex ScreenTriangle
+            #pragma fragment MaskBlurVertical
+            #include "MaskPass.hlsl"
+            ENDHLSL
+        }
+
+        Pass
+        {
             Name "Resolve"
 
             HLSLPROGRAM
@@ -18,7 +54,44 @@ Shader "Hidden/Penumbra/Shadows"
             #pragma vertex ScreenTriangle
             #pragma fragment Resolve
             #pragma multi_compile_local_fragment _ _PENUMBRA_TENT_3X3 _PENUMBRA_TENT_7X7 _PENUMBRA_PCSS _PENUMBRA_PCSS_POISSON _PENUMBRA_PCSS_HDRP
+            #pragma multi_compile_local_fragment _ _PENUMBRA_MASK
             #include "ResolvePass.hlsl"
+            ENDHLSL
+        }
+
+        Pass
+        {
+            Name "Upsample"
+
+            HLSLPROGRAM
+            #pragma target 4.5
+            #pragma vertex ScreenTriangle
+            #pragma fragment Upsample
+            #include "UpsamplePass.hlsl"
+            ENDHLSL
+        }
+
+        Pass
+        {
+            Name "DenoiseHorizontal"
+
+            HLSLPROGRAM
+            #pragma target 4.5
+            #pragma vertex ScreenTriangle
+            #pragma fragment DenoiseHorizontal
+            #include "DenoisePass.hlsl"
+            ENDHLSL
+        }
+
+        Pass
+        {
+            Name "DenoiseVertical"
+
+            HLSLPROGRAM
+            #pragma target 4.5
+            #pragma vertex ScreenTriangle
+            #pragma fragment DenoiseVertical
+            #include "DenoisePass.hlsl"
             ENDHLSL
         }
     }

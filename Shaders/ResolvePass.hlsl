@@ -1,22 +1,42 @@
 // Penumbra: the main light's visibility at each pixel of the screen, or at every second one.
 //
-// Computes:   PenumbraMainLightVisibility where the camera sees a surface.
+// Computes:   PenumbraMainLightVisibility where the camera sees a surface; with _PENUMBRA_MASK one comparison where the
+//             mask says that no penumbra is near.
 // Source:     Shadows.hlsl; the technique's file names its own.
-// Inputs:     those of ScreenPass.hlsl and Shadows.hlsl. Target: the screen's size, or half of it rounded up.
-// Cost:       5 fetches of camera depth, and the technique's; 1 where the sky is seen.
+// Inputs:     those of ScreenPass.hlsl and Shadows.hlsl; _PenumbraMaskTexture: of MaskPass.hlsl. Target: the screen's
+//             size, or half of it rounded up.
+// Cost:       5 fetches of camera depth, up to 9 at edges, and the technique's; 3 in all where the mask is 0; 1 more
+//             elsewhere for asking it.
 // Guarantees: [0, 1], 1 on the sky. The shadow strength is in it, the distance fade is not: receivers add that.
 // Use it:     as the one pass that every preset has.
 #ifndef PENUMBRA_RESOLVE_PASS_HLSL
 #define PENUMBRA_RESOLVE_PASS_HLSL
 
 #include "ScreenPass.hlsl"
-#include "../ShaderLibrary/Shadows.hlsl"
+#include "SingleTap.hlsl"
+#include "../ShaderLibrary/Screen/PenumbraMask.hlsl"
+
+TEXTURE2D_X(_PenumbraMaskTexture);
+
+float OutsidePenumbrae(int2 pixel, ScreenView view)
+{
+    const CameraSurface surface = ReadCameraPosition(_CameraDepthTexture, view, pixel);
+    if (!surface.seen) return 1.0;
+    const PenumbraMainLight shadow =
+        PreparePenumbraMainLight(surface.positionWS, surface.normalWS, float2(0.0, 0.0));
+    return ApplyPenumbraStrength(SingleTap(shadow));
+}
 
 float4 Resolve(ScreenVaryings input) : SV_Target
 {
     UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(input);
+    const ScreenView view = ViewOfThisEye();
     const int2 pixel = ScreenPixel(input.positionCS);
-    const CameraSurface surface = ReadCameraSurface(_CameraDepthTexture, ViewOfThisEye(), pixel);
+#if defined(_PENUMBRA_MASK)
+    UNITY_BRANCH
+    if (LOAD_TEXTURE2D_X(_PenumbraMaskTexture, MaskBlockOf(pixel)).x < 0.5) return OutsidePenumbrae(pixel, view);
+#endif
+    const CameraSurface surface = ReadCameraSurface(_CameraDepthTexture, view, pixel);
     if (!surface.seen) return 1.0;
     return PenumbraMainLightVisibility(surface.positionWS, surface.normalWS, input.positionCS.xy);
 }

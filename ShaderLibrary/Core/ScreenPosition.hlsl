@@ -88,13 +88,15 @@ bool ContradictsItself(DepthLine along)
     return steeper < kNoDepthSlope && abs(slopes.x - slopes.y) > 0.0625 * steeper;
 }
 
-// The side on which depth goes on as it began: a plane's depth is a straight line. Without a second neighbour on
-// either side, the side that changes less.
+// The side on which depth goes on as it began: a plane's depth is a straight line. A side without a second neighbour
+// is taken to bend by half the contradiction: it loses to a straight line and wins against an edge. Else the side that
+// changes less.
 float StraighterSlope(float before2, DepthLine along, float after2)
 {
     const float2 slopes = DepthSlopes(along);
-    const float bendBefore = IsSurfaceDepth(before2) ? abs(along.before - before2 - slopes.x) : kNoDepthSlope;
-    const float bendAfter = IsSurfaceDepth(after2) ? abs(after2 - along.after - slopes.y) : kNoDepthSlope;
+    const float unknown = 0.5 * abs(slopes.x - slopes.y);
+    const float bendBefore = IsSurfaceDepth(before2) ? abs(along.before - before2 - slopes.x) : unknown;
+    const float bendAfter = IsSurfaceDepth(after2) ? abs(after2 - along.after - slopes.y) : unknown;
     if (bendBefore == bendAfter) return NearerSlope(along);
     return bendBefore < bendAfter ? slopes.x : slopes.y;
 }

@@ -43,4 +43,20 @@ struct PcssHdrpParameters
     float minFilterTanHalf; // 1: tangent of half the angular diameter of the cone below the smallest filter radius
 };
 
+// How far the penumbra mask reaches beyond the edges it found.
+struct MaskParameters
+{
+    float maskPenumbraMetres; // m: widest penumbra, from 0 to 1, that is allowed for; 0 for fixed filters
+    float maskFilterTexels; // texels: smallest filter radius that is allowed for, in the shadow map
+    int maskLargestRadius; // texels: bound of the widening, of the mask
+};
+
+// How far visibility is smoothed.
+struct DenoiseParameters
+{
+    int denoiseRadius; // pixels: of the neighbourhood, 0 to 8
+    float planeTolerance; // pixels: widths of a pixel beside a surface at which another one begins
+    float noiseAmplitude; // 1: difference of visibility that noise does not make: it is kept
+};
+
 #endif

@@ -282,8 +282,9 @@ TEST(ScreenPosition, SlopesFollowTheSurfaceThatGoesOn) {
     ASSERT_EQ(got[3] != 0.0f, contradicts);
     contradictions += contradicts ? 1 : 0;
     if (!contradicts) continue;
-    const float bend_before = is_surface(in[0]) ? std::abs(in[1] - in[0] - before) : kNoDepthSlope;
-    const float bend_after = is_surface(in[4]) ? std::abs(in[4] - in[3] - after) : kNoDepthSlope;
+    const float unknown = 0.5f * std::abs(before - after);
+    const float bend_before = is_surface(in[0]) ? std::abs(in[1] - in[0] - before) : unknown;
+    const float bend_after = is_surface(in[4]) ? std::abs(in[4] - in[3] - after) : unknown;
     ASSERT_EQ(got[4], bend_before == bend_after ? nearer : bend_before < bend_after ? before : after);
   }
   EXPECT_GT(contradictions, kRandomCases / 10);

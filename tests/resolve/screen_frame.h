@@ -76,7 +76,8 @@ class SeenByDepth {
   }
 
  private:
-  // Neighbours that agree to a sixteenth: the smaller change. Else the side that runs straighter.
+  // Neighbours that agree to a sixteenth: the smaller change. Else the side that runs straighter; one of
+  // which that is not known stands between a straight one and an edge.
   std::optional<double> slope(int x, int y, int dx, int dy, double here) const {
     std::array<std::optional<double>, 2> slopes;
     std::array<std::optional<double>, 2> bends;
@@ -91,10 +92,10 @@ class SeenByDepth {
     if (!slopes[0] || !slopes[1]) return slopes[0] ? slopes[0] : slopes[1];
     const double steeper = std::max(std::abs(*slopes[0]), std::abs(*slopes[1]));
     const bool agree = std::abs(*slopes[0] - *slopes[1]) <= steeper / 16.0;
-    if (!agree && bends[0] != bends[1]) {
-      if (!bends[0] || !bends[1]) return bends[0] ? slopes[0] : slopes[1];
-      return *bends[0] < *bends[1] ? slopes[0] : slopes[1];
-    }
+    const double unknown = std::abs(*slopes[0] - *slopes[1]) / 2.0;
+    const double bend_before = bends[0].value_or(unknown);
+    const double bend_after = bends[1].value_or(unknown);
+    if (!agree && bend_before != bend_after) return bend_before < bend_after ? slopes[0] : slopes[1];
     return std::abs(*slopes[1]) < std::abs(*slopes[0]) ? slopes[1] : slopes[0];
   }
 

@@ -7,10 +7,9 @@
 #include <memory>
 
 #include "reference/trace_visibility.h"
+#include "resolve/drawn_scenes.h"
 #include "resolve/resolve.h"
-#include "resolve/screen_frame.h"
 #include "resolve/screen_technique.h"
-#include "resolve/test_device.h"
 
 namespace penumbra::resolve {
 namespace {
@@ -37,27 +36,6 @@ std::vector<Case> all_cases() {
     for (const bool reversed_z : {true, false}) cases.push_back({technique, keyword, reversed_z});
   }
   return cases;
-}
-
-// Scenes stay on the device; a frame per scene, cascade count and depth direction.
-const scene::Frame& drawn(const std::string& scene, int cascades, bool reversed_z) {
-  struct Drawn {
-    explicit Drawn(const std::string& name)
-        : scene(scene::built_in(name)), rasteriser(test_device(), scene) {}
-    scene::Scene scene;
-    scene::Rasteriser rasteriser;
-    std::map<std::pair<int, bool>, scene::Frame> frames;
-  };
-  static std::map<std::string, std::unique_ptr<Drawn>> scenes;
-  std::unique_ptr<Drawn>& drawn = scenes[scene];
-  if (drawn == nullptr) drawn = std::make_unique<Drawn>(scene);
-  const auto [frame, is_new] = drawn->frames.try_emplace({cascades, reversed_z});
-  if (is_new) {
-    scene::FrameSettings settings = screen_settings(cascades, reversed_z);
-    settings.shadows.distance_metres = drawn->scene.shadow_distance_metres;
-    frame->second = drawn->rasteriser.frame(settings);
-  }
-  return frame->second;
 }
 
 class ScreenResolve : public testing::TestWithParam<Case> {

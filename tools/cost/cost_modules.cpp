@@ -38,7 +38,7 @@ std::vector<Source> sources_of(const CostRequest& request) {
     validation::CompileUnit& unit = variant.unit;
     unit.compile.prepare = technique == nullptr;
     if (technique != nullptr && unit.compile.stage != hlsl::Stage::fragment) continue;
-    std::string file = technique == nullptr ? unit.file : "ShaderLibrary/" + technique->chain.back().file;
+    std::string file = technique == nullptr ? unit.file : "ShaderLibrary/" + technique->resolve().file;
     sources.push_back({std::move(unit.compile),
                        std::move(file),
                        {technique == nullptr ? "" : technique->name, std::move(unit.keywords)}});

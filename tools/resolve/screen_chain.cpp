@@ -43,6 +43,19 @@ double sum(const std::vector<std::uint32_t>& counts) {
   return total;
 }
 
+// Per pixel of the screen, rows from the top: whether the mask is 0 there.
+std::vector<std::uint8_t> masked_out(const gpu::Image& mask, int scale, const CameraImage& camera) {
+  const std::vector<float> texels = mask.download<float>();
+  std::vector<std::uint8_t> pixels;
+  for (int y = 0; y < camera.height; ++y) {
+    for (int x = 0; x < camera.width; ++x) {
+      pixels.push_back(texels[static_cast<std::size_t>(y / scale * mask.width() + x / scale)] == 0.0f ? 1
+                                                                                                      : 0);
+    }
+  }
+  return rows_from_top(pixels, camera.width, camera.rows);
+}
+
 }  // namespace
 
 // One image per step, kept for a run.
@@ -113,6 +126,11 @@ ScreenChainResult ScreenChain::run(const FrameOnDevice& frame, const CameraImage
   }
   for (int repeat = 0; repeat < options.timing_repeats; ++repeat) {
     result.image.time_ns.push_back(draw(plain_, plain, 0));
+  }
+  if (description_.mask >= 0) {
+    const gpu::Image& mask = plain.images.at(static_cast<std::size_t>(description_.mask));
+    result.masked_out =
+        masked_out(mask, description_.steps.at(static_cast<std::size_t>(description_.mask)).scale, camera);
   }
   std::set<std::string> unset;
   for (const ScreenPass& pass : plain_) {

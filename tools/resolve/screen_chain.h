@@ -31,10 +31,10 @@ struct ScreenChainDescription {
 };
 
 struct ScreenChainResult {
-  ResolveResult image;               // rows from the top; fetches: of the steps at full resolution, per pixel
-  double fetches_of_others = 0.0;    // of steps at lower resolution, per pixel of the screen
-  std::vector<double> fetches;       // of each step, per pixel of the screen
-  std::vector<std::uint8_t> masked;  // per pixel: the mask is 0 there; empty without a mask
+  ResolveResult image;             // rows from the top; fetches: of the steps at full resolution, per pixel
+  double fetches_of_others = 0.0;  // of steps at lower resolution, per pixel of the screen
+  std::vector<double> fetches;     // of each step, per pixel of the screen
+  std::vector<std::uint8_t> masked_out;  // per pixel: the mask is 0 there; empty without a mask
 };
 
 class ScreenChain {

@@ -38,15 +38,26 @@ bool has_root(const std::vector<shaders::PackageRoot>& roots, const std::string&
                      [&](const shaders::PackageRoot& root) { return root.name == name; });
 }
 
+std::vector<shaderlab::Program> first_programs(const shaderlab::Shader& shader) {
+  std::vector<shaderlab::Program> programs = shaderlab::programs(shader);
+  std::erase_if(programs, [](const shaderlab::Program& program) { return program.sub_shader_index != 0; });
+  return programs;
+}
+
+std::vector<std::string> names_of(const std::vector<shaderlab::Program>& programs) {
+  std::vector<std::string> names;
+  names.reserve(programs.size());
+  for (const shaderlab::Program& program : programs) names.emplace_back(shaderlab::pass_name(program));
+  return names;
+}
+
 shaderlab::Program find_program(const shaderlab::Shader& shader, const std::string& pass) {
-  std::vector<std::string> known;
-  for (const shaderlab::Program& program : shaderlab::programs(shader)) {
-    if (program.sub_shader_index != 0) continue;
+  const std::vector<shaderlab::Program> programs = first_programs(shader);
+  for (const shaderlab::Program& program : programs) {
     if (shaderlab::pass_name(program) == pass) return program;
-    known.emplace_back(shaderlab::pass_name(program));
   }
   throw InputError(shader.file, "has no pass '" + pass + "' in its first SubShader",
-                   unknown_name_way_out(pass, known));
+                   unknown_name_way_out(pass, names_of(programs)));
 }
 
 std::string entry_point(const variants::Pragmas& pragmas, hlsl::Stage stage,
@@ -128,6 +139,10 @@ CompiledScreenPass ScreenShader::compile(const std::string& pass, const std::vec
   refuse_uncounted_fetches(counting, program.file + ": " + pass);
   compiled.counting = compile_or_throw(counting);
   return compiled;
+}
+
+std::vector<std::string> ScreenShader::pass_names() const {
+  return names_of(first_programs(shader_));
 }
 
 std::filesystem::path package_shader() {

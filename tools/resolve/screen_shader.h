@@ -37,6 +37,8 @@ class ScreenShader {
   CompiledScreenPass compile(const std::string& pass, const std::vector<std::string>& keywords,
                              bool reversed_z) const;
 
+  std::vector<std::string> pass_names() const;  // of the first SubShader
+
  private:
   shaderlab::Shader shader_;
   std::vector<shaders::PackageRoot> package_roots_;

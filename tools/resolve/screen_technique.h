@@ -10,4 +10,7 @@ namespace penumbra::resolve {
 // The values of a technique as Shadows.hlsl reads them: _PenumbraSamples, _PenumbraLimits, _PenumbraHdrp.
 UniformValues shadows_uniforms(const shaders::Technique& technique);
 
+// The passes of a technique that runs over the screen.
+ScreenChainDescription screen_chain(const shaders::Technique& technique);
+
 }  // namespace penumbra::resolve

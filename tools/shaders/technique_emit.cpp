@@ -45,7 +45,7 @@ std::string emit_parameter_structs_hlsl(const TechniqueList& list) {
 
 TechniqueCall emit_technique_call(const TechniqueList& list, const Technique& technique,
                                   const std::string& uniform_prefix) {
-  const TechniquePass& pass = technique.chain.back();
+  const TechniquePass& pass = technique.resolve();
   const ParameterStruct* parameters = list.find_struct(pass.parameters);
   TechniqueCall call;
   call.includes = "#include \"" + pass.file + "\"\n";

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 #include <system_error>
 #include <utility>
 
@@ -11,13 +12,13 @@
 #include "input/input_error.h"
 #include "input/located_json.h"
 #include "input/nearest_name.h"
+#include "shaders/technique_chain.h"
 
 namespace penumbra::shaders {
 
 namespace {
 
 const std::vector<std::string> field_types = {"float", "float2", "float4", "int"};
-const std::vector<std::string> resource_names = {"shadowMap", "pointSampler"};
 const std::vector<std::string> target_names = {"spirv", "essl310", "glsl450", "msl23", "hlsl50"};
 
 bool contains(const std::vector<std::string>& list, const std::string& name) {
@@ -78,16 +79,17 @@ ParameterStruct read_struct(JsonObject object) {
 TechniquePass read_pass(const TechniqueList& list, JsonObject object) {
   TechniquePass pass;
   pass.kind = required_text(object, "kind");
-  require_known(object, "kind", "kind of pass", pass.kind, {"resolve"});
+  require_known(object, "kind", "kind of pass", pass.kind, pass_kind_names());
   pass.file = required_text(object, "file");
   pass.function = required_identifier(object, "function");
   pass.resources = object.texts("resources");
   pass.parameters = object.text("parameters", "");
+  pass.scale = object.integer("scale", 1);
   std::error_code error;
   if (!std::filesystem::is_regular_file(list.file.parent_path() / pass.file, error))
     object.fail("file", "there is no file '" + (list.file.parent_path() / pass.file).string() + "'");
   for (const std::string& resource : pass.resources)
-    require_known(object, "resources", "resource", resource, resource_names);
+    require_known(object, "resources", "resource", resource, pass_kind(pass.kind).resources);
   if (!pass.parameters.empty() && list.find_struct(pass.parameters) == nullptr) {
     std::vector<std::string> known;
     for (const ParameterStruct& parameters : list.structs) known.push_back(parameters.name);
@@ -175,13 +177,15 @@ Technique read_technique(const LocatedJson& document, const TechniqueList& list,
   technique.title = required_text(object, "title");
   technique.family = required_text(object, "family");
   technique.source = required_text(object, "source");
+  technique.screen = object.boolean("screen", false);
   std::vector<const ParameterStruct*> structs;
   for (const JsonObject& pass : object.objects("chain")) {
     technique.chain.push_back(read_pass(list, pass));
     const ParameterStruct* parameters = list.find_struct(technique.chain.back().parameters);
     if (parameters != nullptr) structs.push_back(parameters);
   }
-  if (technique.chain.size() != 1) object.fail("chain", "a chain is one resolve pass so far");
+  const ChainProblem problem = chain_problem(technique);
+  if (!problem.text.empty()) object.fail("chain", problem.text, problem.way_out);
   read_values(object.object("values"), structs, technique);
   technique.keywords = object.texts("keywords");
   for (const std::string& keyword : technique.keywords) check_keyword(object, "keywords", keyword);
@@ -202,6 +206,13 @@ const Technique& TechniqueList::find(const std::string& name) const {
     known.push_back(technique.name);
   }
   throw InputError(file.string(), "unknown technique '" + name + "'", unknown_name_way_out(name, known));
+}
+
+const TechniquePass& Technique::resolve() const {
+  const auto found = std::find_if(chain.begin(), chain.end(),
+                                  [](const TechniquePass& pass) { return pass.kind == "resolve"; });
+  if (found == chain.end()) throw std::logic_error("technique '" + name + "' has no resolve pass");
+  return *found;
 }
 
 const ParameterStruct* TechniqueList::find_struct(const std::string& name) const {

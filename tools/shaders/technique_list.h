@@ -1,11 +1,13 @@
 // ShaderLibrary/techniques.json: which techniques there are, how their functions are called, what they need.
 //
 // {"structs": [{name, doc, fields: [{name, type, unit, doc}]}],
-//  "techniques": [{name, title, family, source, chain: [{kind, file, function, resources, parameters}],
+//  "techniques": [{name, title, family, source, screen,
+//                  chain: [{kind, file, function, resources, parameters, scale}],
 //                  values: {field: number or numbers}, keywords, keyword_sets: [[...]],
 //                  unlimited: {field: number or its text}, targets_absent: {target: reason}}]}
-// Keys are the members' names below. Every field of the structs a chain uses has a value and every value a
-// field; without keyword_sets there is one set, the empty one.
+// Keys are the members' names below; screen is false and scale 1 where they are left out. Every field of the
+// structs a chain uses has a value and every value a field; without keyword_sets there is one set, the empty
+// one.
 #pragma once
 
 #include <filesystem>
@@ -30,14 +32,17 @@ struct ParameterStruct {
   std::vector<ParameterField> fields;
 };
 
-// One pass of a technique's chain. For "resolve" the function's arguments are the resources in order, then
-// ShadowReceiver, ShadowTile and, when `parameters` is not empty, that struct.
+// One pass of a technique's chain, of a kind that technique_chain.h knows. For "resolve" the function's
+// arguments are the resources in order, then ShadowReceiver, ShadowTile and, when `parameters` is not empty,
+// that struct.
 struct TechniquePass {
-  std::string kind;  // "resolve"; preparation and screen kinds join it later
+  std::string kind;
   std::string file;  // relative to ShaderLibrary/
   std::string function;
-  std::vector<std::string> resources;  // of: shadowMap+compare ("shadowMap"), "pointSampler"
+  std::vector<std::string> resources;  // of: shadowMap+compare ("shadowMap"), "pointSampler", "cameraDepth",
+                                       // "mask", and what the pass before wrote ("source")
   std::string parameters;              // struct name, may be empty
+  int scale = 1;                       // pixels of the screen per pixel of what it writes, each way
 };
 
 struct Technique {
@@ -45,12 +50,17 @@ struct Technique {
   std::string title;   // for tables
   std::string family;  // techniques of one family differ in parameters alone
   std::string source;  // paper, year
+  // Runs over the screen as the passes of Shaders/PenumbraShadows.shader, from the camera's depth; else a
+  // function that is called for a surface known exactly.
+  bool screen = false;
   std::vector<TechniquePass> chain;
   std::map<std::string, std::vector<double>> values;   // parameter values by field
   std::vector<std::string> keywords;                   // that this technique switches on
   std::vector<std::vector<std::string>> keyword_sets;  // every set validate compiles
   std::map<std::string, std::string> unlimited;        // fields to override for T3 -> value
   std::map<std::string, std::string> targets_absent;   // target -> reason
+
+  const TechniquePass& resolve() const;  // the one pass of that kind
 };
 
 struct TechniqueList {

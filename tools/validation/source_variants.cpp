@@ -58,7 +58,7 @@ SourceVariant technique_variant(const ValidationRequest& request, const shaders:
   variant.technique = &technique;
   variant.unit.technique = technique.name;
   variant.unit.keywords = keywords;
-  variant.unit.file = (list.file.parent_path() / technique.chain.back().file).lexically_normal().string();
+  variant.unit.file = (list.file.parent_path() / technique.resolve().file).lexically_normal().string();
   variant.unit.lint = request.lint;
   shaders::CompileRequest& compile = variant.unit.compile;
   compile = base_request(request, keywords);

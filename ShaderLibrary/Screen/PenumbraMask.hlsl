@@ -1,0 +1,43 @@
+// Penumbra: a quarter-resolution mask of where a shadow's edge may lie.
+//
+// Computes:   which pixels of a block are asked, and from their visibilities whether an edge passes through it.
+//
+//                 . 0 . .      four comparison taps a block: every row and every column of it once
+//                 . . . 1
+//                 2 . . .
+//                 . . 3 .
+//
+// Source:     the mask of deferred shadowing passes: mark coarsely where comparisons disagree, then filter there only.
+// Inputs:     block: pixel of the mask. Visibilities of single comparisons at the taps' surfaces, 1 where there is
+//             none: the sky is lit.
+// Cost:       no fetches; the taps are the caller's: 4 camera depths and 4 comparisons a block, half a fetch a pixel.
+// Guarantees: exactly 0 or 1; tap pixels lie on the screen. Not conservative: a shadow thinner than the gap between
+//             taps can pass unseen.
+// Use it:     before MaskBlur.hlsl. Not: alone, since a penumbra is wider than its edge.
+#ifndef PENUMBRA_PENUMBRA_MASK_HLSL
+#define PENUMBRA_PENUMBRA_MASK_HLSL
+
+static const int kMaskBlock = 4;
+static const int kMaskTaps = 4;
+
+int2 MaskTapPixel(int2 block, int tap, int2 screenSize)
+{
+    const int column = tap == 0 ? 1 : (tap == 1 ? 3 : (tap == 2 ? 0 : 2));
+    return min(block * kMaskBlock + int2(column, tap), screenSize - 1);
+}
+
+int2 MaskBlockOf(int2 pixel)
+{
+    return pixel / kMaskBlock;
+}
+
+// Hardware filters in steps of 1/256: half a step from an end is that end.
+float MaskOf(float4 visibilities)
+{
+    const float halfStep = 0.001953125;
+    const bool allLit = all(visibilities >= 1.0 - halfStep);
+    const bool allDark = all(visibilities <= halfStep);
+    return allLit || allDark ? 0.0 : 1.0;
+}
+
+#endif

@@ -1,0 +1,41 @@
+// Penumbra: the noise of penumbrae smoothed, one direction a pass.
+//
+// Computes:   Screen/EdgeDenoise.hlsl at this pixel.
+// Source:     see there.
+// Inputs:     those of ScreenPass.hlsl; source: visibility at the screen's size; _PenumbraDenoiseParams: radius (pixels,
+//             at most 8), distance beside a surface's line at which another surface begins (pixel widths), difference of
+//             visibility that is no noise.
+// Cost:       2 radius + 1 fetches, twice that in penumbrae and up to 4 more.
+// Guarantees: [0, 1]; exactly 0 and 1 where the neighbourhood is.
+// Use it:     DenoiseHorizontal, then DenoiseVertical, last of all.
+#ifndef PENUMBRA_DENOISE_PASS_HLSL
+#define PENUMBRA_DENOISE_PASS_HLSL
+
+#include "ScreenPass.hlsl"
+#include "../ShaderLibrary/Screen/EdgeDenoise.hlsl"
+
+float4 _PenumbraDenoiseParams;
+
+float DenoiseAlong(float4 positionCS, int2 direction)
+{
+    DenoiseParameters parameters;
+    parameters.denoiseRadius = int(_PenumbraDenoiseParams.x);
+    parameters.planeTolerance = _PenumbraDenoiseParams.y;
+    parameters.noiseAmplitude = _PenumbraDenoiseParams.z;
+    return DenoiseEdges(_PenumbraSourceTexture, _CameraDepthTexture, ViewOfThisEye(), int2(positionCS.xy), direction,
+                        parameters);
+}
+
+float4 DenoiseHorizontal(ScreenVaryings input) : SV_Target
+{
+    UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(input);
+    return DenoiseAlong(input.positionCS, int2(1, 0));
+}
+
+float4 DenoiseVertical(ScreenVaryings input) : SV_Target
+{
+    UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(input);
+    return DenoiseAlong(input.positionCS, int2(0, 1));
+}
+
+#endif

@@ -1,0 +1,109 @@
+// One pass of the package's .shader over images made by hand.
+#pragma once
+
+#include <cmath>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "resolve/camera_image.h"
+#include "resolve/screen_pass.h"
+#include "resolve/test_device.h"
+
+namespace penumbra::resolve {
+
+struct HandImage {
+  int width = 0;
+  int height = 0;
+  std::vector<float> texels;
+
+  float at(int x, int y) const { return texels.at(static_cast<std::size_t>(y * width + x)); }
+  float& at(int x, int y) { return texels.at(static_cast<std::size_t>(y * width + x)); }
+  bool has(int x, int y) const { return x >= 0 && y >= 0 && x < width && y < height; }
+};
+
+inline HandImage filled(int width, int height, float value) {
+  return {width, height, std::vector<float>(static_cast<std::size_t>(width * height), value)};
+}
+
+inline glm::vec4 size_vector(int width, int height) {
+  return {float(width), float(height), 1.0f / float(width), 1.0f / float(height)};
+}
+
+// A camera at the origin that looks along +z: 90 degrees both ways, near 0.1 m, far 1 km, reversed depth.
+struct HandCamera {
+  static constexpr double kNear = 0.1;
+  static constexpr double kFar = 1000.0;
+  static float stored(double z) {
+    return static_cast<float>(kNear * kFar / (kFar - kNear) / z - kNear / (kFar - kNear));
+  }
+  static glm::dmat4 screen_to_world() {
+    const double scale = kNear * kFar / (kFar - kNear);
+    const double offset = -kNear / (kFar - kNear);
+    glm::dmat4 matrix(0.0);
+    matrix[0] = {2.0, 0.0, 0.0, 0.0};
+    matrix[1] = {0.0, -2.0, 0.0, 0.0};
+    matrix[2] = {0.0, 0.0, 0.0, 1.0 / scale};
+    matrix[3] = {-1.0, 1.0, 1.0, -offset / scale};
+    return matrix;
+  }
+  // View depth where the ray through a pixel meets the plane through (0, 0, distance) with this normal.
+  static double on_plane(const glm::dvec3& normal, double distance, int x, int y, int width, int height) {
+    const glm::dvec3 ray((x + 0.5) / width * 2.0 - 1.0, 1.0 - (y + 0.5) / height * 2.0, 1.0);
+    return normal.z * distance / glm::dot(normal, ray);
+  }
+};
+
+struct PassAnswer {
+  HandImage image;
+  std::vector<int> fetches;
+};
+
+// Runs a pass with a depth image and a source, both rounds: as it ships, and counting.
+class PassRunner {
+ public:
+  explicit PassRunner(const std::string& pass)
+      : compiled_(ScreenShader(package_shader()).compile(pass, {}, true)),
+        plain_(test_device(), compiled_, ScreenPass::Module::as_shipped),
+        counting_(test_device(), compiled_, ScreenPass::Module::counting) {}
+
+  PassAnswer run(const HandImage& depth, const HandImage& source, int width, int height,
+                 const UniformValues& more = {}) {
+    UniformValues values;
+    const std::array<glm::dmat4, 2> eyes{HandCamera::screen_to_world(), HandCamera::screen_to_world()};
+    values.set("_PenumbraScreenToWorld", std::span<const glm::dmat4>(eyes));
+    values.set("_PenumbraScreenSize", size_vector(depth.width, depth.height));
+    values.set("_PenumbraTargetSize", size_vector(width, height));
+    values.set("_PenumbraSourceSize", size_vector(source.width, source.height));
+    values.merge(more);
+    const gpu::Image depth_image = uploaded(depth);
+    const gpu::Image source_image = uploaded(source);
+    ScreenResources resources;
+    resources.images = {{"_CameraDepthTexture", &depth_image}, {"_PenumbraSourceTexture", &source_image}};
+    const gpu::Image plain(test_device(), ScreenPass::target_format(ScreenPass::Module::as_shipped), width,
+                           height);
+    const gpu::Image counted(test_device(), ScreenPass::target_format(ScreenPass::Module::counting), width,
+                             height);
+    plain_.draw(plain, resources, values);
+    counting_.draw(counted, resources, values);
+    PassAnswer answer{{width, height, plain.download<float>()}, {}};
+    for (const glm::vec4& texel : counted.download<glm::vec4>())
+      answer.fetches.push_back(static_cast<int>(texel.y));
+    return answer;
+  }
+
+ private:
+  static gpu::Image uploaded(const HandImage& image) {
+    gpu::Image made(test_device(), gpu::Format::r32f, image.width, image.height);
+    made.upload(image.texels);
+    return made;
+  }
+
+  CompiledScreenPass compiled_;
+  ScreenPass plain_;
+  ScreenPass counting_;
+};
+
+}  // namespace penumbra::resolve

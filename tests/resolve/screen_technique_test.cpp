@@ -1,0 +1,116 @@
+// From techniques.json to passes, and every technique that runs over the screen from end to end.
+#include <gmock/gmock.h>
+
+#include "input/input_error.h"
+#include "resolve/drawn_scenes.h"
+#include "resolve/screen_technique.h"
+
+namespace penumbra::resolve {
+namespace {
+
+const auto* const kSilentValidation = testing::AddGlobalTestEnvironment(new SilentValidation);
+
+constexpr ResolveOptions kOnce{.noise_seeds = 1, .timing_repeats = 0};
+
+std::string text_of(const ScreenChainDescription& chain) {
+  std::string text;
+  for (const ScreenStep& step : chain.steps) {
+    text += step.pass + "/" + std::to_string(step.scale) + "<" + std::to_string(step.source) + " ";
+  }
+  for (const std::string& keyword : chain.keywords) text += keyword + " ";
+  return text + "mask " + std::to_string(chain.mask);
+}
+
+TEST(ScreenTechnique, PassesFollowTheChain) {
+  EXPECT_EQ(text_of(screen_chain(library_techniques().find("screen-tent-5"))), "Resolve/1<-1 mask -1");
+  EXPECT_EQ(
+      text_of(screen_chain(library_techniques().find("screen-pcss-angular-24-16-half-masked-denoised"))),
+      "PenumbraMask/4<-1 MaskBlurHorizontal/4<0 MaskBlurVertical/4<1 Resolve/2<-1 Upsample/1<3 "
+      "DenoiseHorizontal/1<4 DenoiseVertical/1<5 _PENUMBRA_PCSS _PENUMBRA_MASK mask 2");
+}
+
+TEST(ScreenTechnique, PassesAreThoseOfTheShaderInItsOrder) {
+  const ScreenShader shader(package_shader());
+  EXPECT_EQ(shader.pass_names(),
+            (std::vector<std::string>{"PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical", "Resolve",
+                                      "Upsample", "DenoiseHorizontal", "DenoiseVertical"}));
+}
+
+TEST(ScreenTechnique, APassThatIsNotThereIsNamedWithTheNearest) {
+  try {
+    ScreenShader(package_shader()).compile("Resolv", {}, true);
+    FAIL() << "compiled";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::AllOf(testing::HasSubstr("PenumbraShadows.shader"),
+                                             testing::HasSubstr("no pass 'Resolv'"),
+                                             testing::HasSubstr("did you mean 'Resolve'?")));
+  }
+}
+
+// What is drawn at half size is what the whole resolve draws at the pixels it stands for, and upsampling
+// leaves it.
+TEST(ScreenTechnique, HalfResolutionKeepsThePixelsItSaw) {
+  const scene::Frame& frame = drawn("trees", 4, true);
+  const FrameOnDevice on_device(test_device(), frame);
+  const ScreenShader shader(package_shader());
+  ScreenChainDescription whole;
+  whole.steps = {{"Resolve", 1, -1}};
+  ScreenChainDescription halved;
+  halved.steps = {{"Resolve", 2, -1}, {"Upsample", 1, 0}};
+  const CameraImage camera = camera_image(frame);
+  const ScreenChainResult full =
+      ScreenChain(test_device(), shader, whole, true).run(on_device, camera, kOnce);
+  const ScreenChainResult half =
+      ScreenChain(test_device(), shader, halved, true).run(on_device, camera, kOnce);
+  for (int y = 1; y < camera.height; y += 2) {
+    for (int x = 1; x < camera.width; x += 2) {
+      const auto at = static_cast<std::size_t>(y * camera.width + x);
+      ASSERT_EQ(half.image.visibility[0][at], full.image.visibility[0][at]) << x << ", " << y;
+    }
+  }
+  EXPECT_LT(half.fetches[0], 0.3 * full.fetches[0]);
+  EXPECT_EQ(half.fetches_of_others, half.fetches[0]);
+}
+
+std::vector<std::string> screen_techniques() {
+  std::vector<std::string> names;
+  for (const shaders::Technique& technique : library_techniques().techniques) {
+    if (technique.screen) names.push_back(technique.name);
+  }
+  return names;
+}
+
+class EveryScreenTechnique : public testing::TestWithParam<std::string> {};
+
+TEST_P(EveryScreenTechnique, StaysInRangeOverCamerasThatSeeRubbish) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const float infinity = std::numeric_limits<float>::infinity();
+  for (const bool reversed_z : {true, false}) {
+    ScreenChain chain(test_device(), ScreenShader(package_shader()),
+                      screen_chain(library_techniques().find(GetParam())), reversed_z);
+    for (const RowOrder rows : {RowOrder::top_first, RowOrder::bottom_first}) {
+      const scene::Frame& frame = drawn("colonnade", 3, reversed_z);
+      const FrameOnDevice on_device(test_device(), frame);
+      CameraImage camera = camera_image(frame, rows);
+      const ScreenChainResult right = chain.run(on_device, camera, kOnce);
+      EXPECT_THAT(right.image.unset_uniforms, testing::IsEmpty());
+      EXPECT_THAT(right.image.visibility[0],
+                  testing::Each(testing::AllOf(testing::Ge(0.0f), testing::Le(1.0f))));
+      const float rubbish[] = {nan, -nan, infinity, -infinity, -1.0f, 2.0f, 0.0f, 1.0f, 1e-30f};
+      for (std::size_t i = 0; i < camera.depth.size(); i += 3) camera.depth[i] = rubbish[i % 9];
+      const ScreenChainResult broken = chain.run(on_device, camera, kOnce);
+      EXPECT_THAT(broken.image.visibility[0],
+                  testing::Each(testing::AllOf(testing::Ge(0.0f), testing::Le(1.0f))));
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Library, EveryScreenTechnique, testing::ValuesIn(screen_techniques()),
+                         [](const auto& instance) {
+                           std::string name = instance.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace penumbra::resolve
