@@ -55,6 +55,30 @@ TEST(Metrics, ErrorsAreThoseWorkedOutByHand) {
   EXPECT_NEAR(metrics.false_shadow_rate.value(), 1.0 / 6.0, kFloatExact);
 }
 
+TEST(Metrics, AMaskIsJudgedByWhatItSavesAndWhatItMisses) {
+  const HandMade made;
+  EXPECT_FALSE(measure(made.images()).mask);
+  // Leaves out five of nine pixels, one of the four in penumbra; the pixel without a receiver counts nowhere.
+  const std::vector<std::uint8_t> masked_out{1, 1, 0, 0, 1, 0, 1, 1, 0, 1};
+  MeasuredImages images = made.images();
+  images.masked_out = masked_out;
+  const std::optional<MaskShares> mask = measure(images).mask;
+  ASSERT_TRUE(mask);
+  EXPECT_NEAR(mask->pixels_saved, 5.0 / 9.0, kFloatExact);
+  EXPECT_NEAR(mask->penumbra_pixels_missed.value(), 1.0 / 4.0, kFloatExact);
+  const std::vector<float> all_lit(10, 1.0F);
+  images.t1 = all_lit;
+  EXPECT_FALSE(measure(images).mask->penumbra_pixels_missed) << "no penumbra to miss";
+}
+
+TEST(Metrics, AMaskOfAnotherSizeIsRefused) {
+  const HandMade made;
+  const std::vector<std::uint8_t> masked_out(9, 0);
+  MeasuredImages images = made.images();
+  images.masked_out = masked_out;
+  EXPECT_THROW(measure(images), std::invalid_argument);
+}
+
 TEST(Metrics, VarianceIsThatOfTheSeedsAlone) {
   const HandMade made;
   // Two values a, b: sample variance (a-b)^2/2. Penumbra: 1/32, 0, 1/8, 1/32.

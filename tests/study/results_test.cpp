@@ -87,6 +87,18 @@ TEST(Results, AnAbsentFigureIsNullAndNotZero) {
   EXPECT_TRUE(json["records"][0]["rmse_penumbra"].is_null());
 }
 
+TEST(Results, MasksAreThereForTechniquesThatHaveOne) {
+  Results results = synthetic::results();
+  EXPECT_FALSE(nlohmann::json::parse(to_json(results))["records"][0].contains("mask"));
+  results.records[0].metrics.mask = MaskShares{0.5, 0.125};
+  results.records[1].metrics.mask = MaskShares{0.25, std::nullopt};
+  const std::string json = to_json(results);
+  EXPECT_EQ(nlohmann::json::parse(json)["records"][0]["mask"]["penumbra_pixels_missed"], 0.125);
+  EXPECT_EQ(parse_results(json, "results.json"), results);
+  EXPECT_THAT(message_of(replaced(json, "\"pixels_saved\": 0.5", "\"pixels_saved\": 1.5")),
+              HasSubstr("'pixels_saved' must be between 0 and 1"));
+}
+
 TEST(Results, TimesOfASoftwareDeviceAreCalledCpuTime) {
   Results results = synthetic::results();
   EXPECT_EQ(nlohmann::json::parse(to_json(results))["records"][0]["time_kind"], "CPU time");

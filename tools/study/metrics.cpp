@@ -98,7 +98,8 @@ void check(const MeasuredImages& images) {
   const bool fetches_fit = images.fetches.size() <= 1 || images.fetches.size() == images.results.size();
   if (!fits(images.valid) || !std::all_of(images.results.begin(), images.results.end(), fits) ||
       !std::all_of(images.fetches.begin(), images.fetches.end(), fits) || !fetches_fit ||
-      !(images.t2.empty() || fits(images.t2)) || !(images.t3.empty() || fits(images.t3))) {
+      !(images.masked_out.empty() || fits(images.masked_out)) || !(images.t2.empty() || fits(images.t2)) ||
+      !(images.t3.empty() || fits(images.t3))) {
     throw std::invalid_argument("the images to measure differ in size or number");
   }
   check_reference(images.t1, images.valid, "T1");
@@ -120,6 +121,7 @@ class Measurement {
     }
     finish_errors();
     count_fetches();
+    measure_mask();
     return metrics_;
   }
 
@@ -187,6 +189,19 @@ class Measurement {
     metrics_.fetches_mean = everywhere.mean();
     metrics_.fetches_penumbra_mean = in_penumbra.mean();
     metrics_.fetches_p95 = percentile(counts, 0.95);
+  }
+
+  void measure_mask() {
+    if (images_.masked_out.empty()) return;
+    Share saved;
+    Share missed;
+    for (std::size_t pixel = 0; pixel < images_.masked_out.size(); ++pixel) {
+      if (images_.valid[pixel] == 0) continue;
+      const bool left_out = images_.masked_out[pixel] != 0;
+      saved.add(left_out);
+      if (classify(images_.t1[pixel]) == PixelClass::penumbra) missed.add(left_out);
+    }
+    if (saved.value()) metrics_.mask = MaskShares{*saved.value(), missed.value()};
   }
 
   const MeasuredImages& images_;

@@ -33,7 +33,16 @@ struct MeasuredImages {
   std::vector<std::span<const std::uint32_t>> fetches;  // one image per seed, or one for all, or none
   std::span<const float> t2;                            // empty when not computed
   std::span<const float> t3;                            // empty when not computed
-  double preprocess_fetches_per_pixel = 0.0;            // of map preparation and screen passes
+  double preprocess_fetches_per_pixel = 0.0;            // of map preparation and passes at lower resolution
+  std::span<const std::uint8_t> masked_out;  // 1 where a penumbra mask says "none here"; empty without
+};
+
+// What a penumbra mask takes away, as shares.
+struct MaskShares {
+  double pixels_saved = 0.0;                       // of all pixels: those the mask leaves out
+  std::optional<double> penumbra_pixels_missed{};  // of penumbra pixels: those it leaves out all the same
+
+  bool operator==(const MaskShares&) const = default;
 };
 
 // A signed error over penumbra pixels (and seeds, where the result takes part).
@@ -72,6 +81,7 @@ struct Metrics {
   std::optional<double> fetches_p95;        // nearest-rank
   std::optional<double> fetches_penumbra_mean;
   double preprocess_fetches_per_pixel = 0.0;
+  std::optional<MaskShares> mask;  // of techniques with a penumbra mask
   ErrorSplit split;
 
   bool operator==(const Metrics&) const = default;

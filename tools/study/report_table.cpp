@@ -51,6 +51,16 @@ std::vector<Column> columns(const Results& results) {
       {"Preparation",
        [](const Record& record) { return std::optional(record.metrics.preprocess_fetches_per_pixel); },
        "{:.1f}"},
+      {"Mask saves %",
+       [](const Record& record) {
+         return record.metrics.mask ? std::optional(record.metrics.mask->pixels_saved) : std::nullopt;
+       },
+       "{:.1f}", 100.0},
+      {"Mask misses %",
+       [](const Record& record) {
+         return record.metrics.mask ? record.metrics.mask->penumbra_pixels_missed : std::nullopt;
+       },
+       "{:.2f}", 100.0},
       share("Map mean", &ErrorSplit::map, &ErrorShare::mean, "{:+.4f}"),
       share("Map RMSE", &ErrorSplit::map, &ErrorShare::rmse, "{:.4f}"),
       share("Algorithm mean", &ErrorSplit::algorithm, &ErrorShare::mean, "{:+.4f}"),

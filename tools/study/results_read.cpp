@@ -75,6 +75,8 @@ class StrictObject {
     return result;
   }
 
+  bool has(const std::string& key) { return object_.has(key); }  // for the keys that may be missing
+
   void finish() const { object_.finish(); }
   [[noreturn]] void fail(const std::string& key, const std::string& problem,
                          const std::string& way_out = {}) const {
@@ -119,6 +121,12 @@ Metrics read_metrics(StrictObject& record) {
   metrics.fetches_p95 = record.figure("fetches_p95", 0.0, kAnything);
   metrics.fetches_penumbra_mean = record.figure("fetches_penumbra_mean", 0.0, kAnything);
   metrics.preprocess_fetches_per_pixel = record.number("preprocess_fetches_per_pixel", 0.0, kAnything);
+  if (record.has("mask")) {
+    StrictObject mask = record.object("mask");
+    metrics.mask =
+        MaskShares{mask.number("pixels_saved", 0.0, 1.0), mask.figure("penumbra_pixels_missed", 0.0, 1.0)};
+    mask.finish();
+  }
   StrictObject split = record.object("error_split");
   metrics.split = {read_share(split, "map"), read_share(split, "algorithm"), read_share(split, "sampling")};
   split.finish();

@@ -32,6 +32,10 @@ void add_metrics(Json& record, const Metrics& metrics) {
   record["fetches_p95"] = json_of(metrics.fetches_p95);
   record["fetches_penumbra_mean"] = json_of(metrics.fetches_penumbra_mean);
   record["preprocess_fetches_per_pixel"] = metrics.preprocess_fetches_per_pixel;
+  if (metrics.mask) {
+    record["mask"] = {{"pixels_saved", metrics.mask->pixels_saved},
+                      {"penumbra_pixels_missed", json_of(metrics.mask->penumbra_pixels_missed)}};
+  }
   record["error_split"] = {{"map", json_of(metrics.split.map)},
                            {"algorithm", json_of(metrics.split.algorithm)},
                            {"sampling", json_of(metrics.split.sampling)}};

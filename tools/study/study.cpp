@@ -10,6 +10,7 @@
 #include "reference/same_map_estimate.h"
 #include "reference/trace_visibility.h"
 #include "resolve/resolve.h"
+#include "resolve/screen_technique.h"
 #include "scene/content_hash.h"
 #include "study/colour_map.h"
 #include "study/metrics.h"
@@ -26,9 +27,23 @@ constexpr int kUnlimitedSeeds = 4;  // rotations averaged: thousands of taps lea
 constexpr double kErrorScale = 0.5;
 constexpr double kFetchScale = 128.0;
 
+// What one subject said of one stage.
+struct Answer {
+  resolve::ResolveResult image;
+  double fetches_of_others = 0.0;  // of passes at lower resolution, per pixel
+  std::vector<std::uint8_t> masked_out;
+};
+
+// A frame on the device, and as the camera's depth image for passes over the screen.
+struct StagedFrame {
+  resolve::FrameOnDevice on_device;
+  resolve::CameraImage camera;
+};
+
 struct PreparedSubject {
   const Subject* subject;
-  resolve::Resolver resolver;
+  std::optional<resolve::Resolver> resolver;  // this or
+  std::optional<resolve::ScreenChain> chain;  // that
   std::optional<resolve::CompiledShadowShader> unlimited;
   std::optional<resolve::Resolver> unlimited_resolver;
 };
@@ -80,6 +95,13 @@ std::vector<float> mean_image(const std::vector<std::vector<float>>& images) {
   return mean;
 }
 
+Answer answer_of(PreparedSubject& prepared, const StagedFrame& frame,
+                 const resolve::ResolveOptions& options) {
+  if (prepared.resolver) return {prepared.resolver->resolve(frame.on_device, options), 0.0, {}};
+  resolve::ScreenChainResult result = prepared.chain->run(frame.on_device, frame.camera, options);
+  return {std::move(result.image), result.fetches_of_others, std::move(result.masked_out)};
+}
+
 VisibilityImage unlimited_answer(const resolve::FrameOnDevice& frame, const Stage& stage,
                                  PreparedSubject& prepared, const reference::ReferenceCache& cache) {
   const std::string key = unlimited_key(stage, *prepared.unlimited);
@@ -113,9 +135,12 @@ PictureRow pictures(const Stage& stage, const Subject& subject, const resolve::R
   return row;
 }
 
-Metrics metrics_of(const Stage& stage, const resolve::ResolveResult& result,
+Metrics metrics_of(const Stage& stage, const Answer& answer,
                    const std::optional<VisibilityImage>& unlimited) {
+  const resolve::ResolveResult& result = answer.image;
   MeasuredImages images;
+  images.preprocess_fetches_per_pixel = answer.fetches_of_others;
+  images.masked_out = answer.masked_out;
   images.t1 = stage.t1.visibility;
   images.valid = stage.t1.valid;
   for (const std::vector<float>& image : result.visibility) images.results.emplace_back(image);
@@ -140,7 +165,7 @@ class Study {
       scene::Rasteriser rasteriser(device_, scene);
       for (const double degrees : settings_.light_degrees) {
         const Stage stage = set_stage(scene, rasteriser, degrees);
-        const resolve::FrameOnDevice frame(device_, stage.frame);
+        const StagedFrame frame{{device_, stage.frame}, resolve::camera_image(stage.frame)};
         for (std::size_t i = 0; i < subjects_.size(); ++i) {
           progress_(label(stage) + ", " + subjects_[i].subject->name, static_cast<double>(i),
                     static_cast<double>(subjects_.size()), " techniques");
@@ -158,8 +183,13 @@ class Study {
       const Subject& subject = subjects[i];
       progress_("compiling " + subject.name, static_cast<double>(i), static_cast<double>(subjects.size()),
                 " techniques");
-      const resolve::CompiledShadowShader shader = resolve::compile(subject.shader);
-      PreparedSubject prepared{&subject, resolve::Resolver(device_, shader), std::nullopt, std::nullopt};
+      PreparedSubject prepared{&subject, std::nullopt, std::nullopt, std::nullopt, std::nullopt};
+      if (subject.screen) {
+        prepared.chain.emplace(device_, resolve::ScreenShader(resolve::package_shader()), *subject.screen,
+                               settings_.frame.shadows.reversed_z);
+      } else {
+        prepared.resolver.emplace(device_, resolve::compile(subject.shader));
+      }
       if (settings_.split_error && subject.unlimited) {
         prepared.unlimited = resolve::compile(*subject.unlimited);
         prepared.unlimited_resolver.emplace(device_, *prepared.unlimited);
@@ -204,13 +234,13 @@ class Study {
     return options;
   }
 
-  void measure_subject(const Stage& stage, const resolve::FrameOnDevice& frame, PreparedSubject& prepared) {
+  void measure_subject(const Stage& stage, const StagedFrame& frame, PreparedSubject& prepared) {
     resolve::ResolveOptions options;
     options.noise_seeds = settings_.noise_seeds;
     options.timing_repeats = settings_.timing_repeats;
-    const resolve::ResolveResult result = prepared.resolver.resolve(frame, options);
+    const Answer answer = answer_of(prepared, frame, options);
     std::optional<VisibilityImage> unlimited;
-    if (prepared.unlimited) unlimited = unlimited_answer(frame, stage, prepared, cache_);
+    if (prepared.unlimited) unlimited = unlimited_answer(frame.on_device, stage, prepared, cache_);
 
     const Subject& subject = *prepared.subject;
     Record record;
@@ -223,14 +253,14 @@ class Study {
     record.map_format = map_format_name(stage.frame.atlas.format);
     record.cascades = static_cast<int>(stage.frame.cascades.cascades.size());
     record.device = device_.info().name;
-    record.metrics = metrics_of(stage, result, unlimited);
-    std::vector<double> milliseconds = result.time_ns;
+    record.metrics = metrics_of(stage, answer, unlimited);
+    std::vector<double> milliseconds = answer.image.time_ns;
     for (double& time : milliseconds) time *= 1e-6;
     record.time = summarise(std::move(milliseconds));
     record.reference = {"ray-traced disc light", stage.t1.samples, stage.t1.noise_floor};
     outcome_.records.push_back(std::move(record));
-    outcome_.pictures.push_back(pictures(stage, subject, result));
-    note_unset(subject, result);
+    outcome_.pictures.push_back(pictures(stage, subject, answer.image));
+    note_unset(subject, answer.image);
   }
 
   void note_unset(const Subject& subject, const resolve::ResolveResult& result) {
@@ -259,6 +289,7 @@ Subject technique_subject(const shaders::TechniqueList& list, const std::string&
   subject.title = technique.title;
   subject.parameters = technique.values;
   subject.shader = resolve::technique_shader(list, technique, resolve::Taps::as_listed, reversed_z);
+  if (technique.screen) subject.screen = resolve::screen_chain(technique);
   if (!technique.unlimited.empty()) {
     subject.unlimited = resolve::technique_shader(list, technique, resolve::Taps::unlimited, reversed_z);
   }

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "gpu/device.h"
+#include "resolve/screen_chain.h"
 #include "resolve/shadow_shader.h"
 #include "scene/frame.h"
 #include "scene/scene.h"
@@ -29,6 +30,9 @@ struct Subject {
   std::string title;
   std::map<std::string, std::vector<double>> parameters;
   resolve::ShadowShader shader;
+  // The passes of the package's .shader, from the camera's depth image, instead of `shader` over known
+  // surfaces.
+  std::optional<resolve::ScreenChainDescription> screen;
   std::optional<resolve::ShadowShader> unlimited;  // absent: the subject takes no samples and is its own T3
 };
 
