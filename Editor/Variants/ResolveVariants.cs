@@ -55,7 +55,7 @@ namespace Penumbra.Editor
             ShadowOptions choice = ShadowPresets.Options(QualityPreset.Custom);
             choice.technique = options.technique;
             choice.mask = options.mask;
-            choice.angularDiameterDegrees = options.angularDiameterDegrees > 0.0f ? ShadowPresets.SunDegrees : 0.0f;
+            choice.angularDiameterDegrees = options.angularDiameterDegrees > 0.0f ? AngularDiameter.SunDegrees : 0.0f;
             return choice;
         }
 

@@ -11,7 +11,7 @@ namespace Penumbra
 
         /// <summary>Full angle of the light's disc in degrees, for every preset.</summary>
         [Range(0.0f, 30.0f)]
-        public float angularDiameterDegrees = ShadowPresets.SunDegrees;
+        public float angularDiameterDegrees = AngularDiameter.SunDegrees;
 
         /// <summary>In force when the preset is Custom.</summary>
         public ShadowOptions custom = ShadowPresets.Options(QualityPreset.Medium);

@@ -20,7 +20,7 @@ namespace Penumbra
     {
         public QualityPresetParameter preset = new QualityPresetParameter(QualityPreset.Medium);
         public ClampedFloatParameter angularDiameterDegrees =
-            new ClampedFloatParameter(ShadowPresets.SunDegrees, 0.0f, 30.0f);
+            new ClampedFloatParameter(AngularDiameter.SunDegrees, 0.0f, 30.0f);
         public ShadowTechniqueParameter technique = new ShadowTechniqueParameter(ShadowTechnique.Pcss);
         public ClampedIntParameter blockerSamples = new ClampedIntParameter(12, 1, 64);
         public ClampedIntParameter filterSamples = new ClampedIntParameter(8, 1, 64);
@@ -28,7 +28,6 @@ namespace Penumbra
         public BoolParameter mask = new BoolParameter(true);
         public BoolParameter halfResolution = new BoolParameter(false);
         public BoolParameter denoise = new BoolParameter(true);
-        public ShadowDebugViewParameter debugView = new ShadowDebugViewParameter(ShadowDebugView.None);
 
         /// <summary>`options` with what this Volume overrides.</summary>
         public ShadowOptions Over(ShadowOptions options)
@@ -61,13 +60,6 @@ namespace Penumbra
     public sealed class ShadowTechniqueParameter : VolumeParameter<ShadowTechnique>
     {
         public ShadowTechniqueParameter(ShadowTechnique value, bool overrideState = false)
-            : base(value, overrideState) { }
-    }
-
-    [Serializable]
-    public sealed class ShadowDebugViewParameter : VolumeParameter<ShadowDebugView>
-    {
-        public ShadowDebugViewParameter(ShadowDebugView value, bool overrideState = false)
             : base(value, overrideState) { }
     }
 }

@@ -27,19 +27,4 @@ namespace Penumbra
         /// <summary>A new pattern every frame, for temporal antialiasing or upscaling to average.</summary>
         PerFrame,
     }
-
-    /// <summary>What is shown in place of the picture.</summary>
-    public enum ShadowDebugView
-    {
-        None,
-
-        /// <summary>The main light's visibility as the receivers get it.</summary>
-        Visibility,
-
-        /// <summary>Where the penumbra mask lets the filter run (white) and where one fetch does (black).</summary>
-        PenumbraMask,
-
-        /// <summary>The cascade of each pixel.</summary>
-        Cascades,
-    }
 }

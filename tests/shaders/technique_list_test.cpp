@@ -1,4 +1,5 @@
 #include "shaders/technique_list.h"
+#include "shaders/preset_emit.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -147,6 +148,22 @@ TEST(LibraryTechniques, CheckedInParameterStructsAreTheEmittedOnes) {
   const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   EXPECT_EQ(text, emit_parameter_structs_hlsl(read_technique_list(library / "techniques.json")))
       << "write it anew: penumbra validate --emit-parameters ShaderLibrary/Core/TechniqueParameters.hlsl";
+}
+
+TEST(LibraryTechniques, CheckedInPresetsAreTheEmittedOnes) {
+  const std::filesystem::path root = PENUMBRA_SOURCE_DIR;
+  std::ifstream file(root / "Runtime/Settings/PresetTable.cs", std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  EXPECT_EQ(text, emit_presets_csharp(read_technique_list(root / "ShaderLibrary/techniques.json")))
+      << "write it anew: penumbra validate --emit-presets Runtime/Settings/PresetTable.cs";
+}
+
+TEST(LibraryTechniques, APresetThatTheFeatureHasNotIsRefused) {
+  TechniqueList list =
+      read_technique_list(std::filesystem::path(PENUMBRA_SOURCE_DIR) / "ShaderLibrary/techniques.json");
+  for (Technique& technique : list.techniques)
+    if (technique.name == "preset-high") technique.keywords = {"_PENUMBRA_OTHER"};
+  EXPECT_THROW((void)emit_presets_csharp(list), std::invalid_argument);
 }
 
 }  // namespace

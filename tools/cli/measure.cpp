@@ -14,7 +14,9 @@
 #include "platform/atomic_file.h"
 #include "platform/data_directory.h"
 #include "platform/processor.h"
+#include "shaders/preset_emit.h"
 #include "study/picture_sheet.h"
+#include "study/preset_figures.h"
 #include "study/report.h"
 #include "study/result_block.h"
 #include "study/study.h"
@@ -26,8 +28,9 @@ namespace {
 struct MeasureOptions : StudyOptions {
   int timing_repeats = 5;
   bool no_split = false;
-  std::string from;    // earlier results.json: nothing is measured
-  std::string readme;  // file whose result block is written anew
+  std::string from;     // earlier results.json: nothing is measured
+  std::string readme;   // file whose result block is written anew
+  std::string presets;  // C# file of the presets' figures
 };
 
 std::string read_text(const std::filesystem::path& file) {
@@ -43,7 +46,7 @@ std::string without_folder(const std::string& root) {
 
 // The command that gives these results again: what was asked for, without this machine's folders.
 std::string reproducing_command(const std::vector<std::string>& arguments) {
-  static const std::set<std::string> kPlaces{"-o", "--output", "--cache", "--readme"};
+  static const std::set<std::string> kPlaces{"-o", "--output", "--cache", "--readme", "--presets"};
   std::string command = "penumbra";
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     if (kPlaces.count(arguments[i]) != 0) {
@@ -180,10 +183,12 @@ void run(const MeasureOptions& options, Context& context) {
   if (!options.output.empty() && options.output != "-") {
     write_report(options.output, measured.results, std::move(measured.pictures));
     print_headlines(options.output, measured.results);
-  } else if (options.readme.empty()) {
+  } else if (options.readme.empty() && options.presets.empty()) {
     write_output("", study::to_json(measured.results));
   }
   if (!options.readme.empty()) rewrite_readme(options, measured.results);
+  if (!options.presets.empty())
+    write_output(options.presets, study::preset_figures_csharp(measured.results, shaders::preset_prefix));
 }
 
 }  // namespace
@@ -207,6 +212,8 @@ void add_measure(CLI::App& app, Context& context) {
   command->add_flag("--no-split", options->no_split, "Leave out the references T2 and T3")->group("Study");
   command->add_option("--from", options->from, "Take the figures from this results.json; measure nothing");
   command->add_option("--readme", options->readme, "Write this file's result block anew");
+  command->add_option("--presets", options->presets,
+                      "Write the quality presets' figures as C# to this file (- for standard output)");
   command->add_option("-o,--output", options->output,
                       "Folder for results.json, report.html, charts and pictures; default: JSON on stdout");
   command->callback([options, &context] { run(*options, context); });

@@ -19,6 +19,7 @@
 #include "project/shader_files.h"
 #include "project/unity_project.h"
 #include "shaders/cross_compile.h"
+#include "shaders/preset_emit.h"
 #include "validation/explain.h"
 #include "validation/shader_sources.h"
 #include "validation/spirv_target.h"
@@ -258,9 +259,12 @@ void run_validate(const ValidateOptions& options, Context& context) {
     request.include_directories.assign(options.include_directories.begin(),
                                        options.include_directories.end());
   }
-  if (!options.emit_parameters.empty()) {
-    if (!request.techniques) throw InputError("--emit-parameters", "needs a technique list, not files alone");
-    write_output(options.emit_parameters, shaders::emit_parameter_structs_hlsl(*request.techniques));
+  if (!options.emit_parameters.empty() || !options.emit_presets.empty()) {
+    if (!request.techniques) throw InputError("--emit-...", "needs a technique list, not files alone");
+    if (!options.emit_parameters.empty())
+      write_output(options.emit_parameters, shaders::emit_parameter_structs_hlsl(*request.techniques));
+    if (!options.emit_presets.empty())
+      write_output(options.emit_presets, shaders::emit_presets_csharp(*request.techniques));
     return;
   }
   if (options.explain && !sources_given) throw InputError("--explain", "needs a shader file");

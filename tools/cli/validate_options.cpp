@@ -91,6 +91,9 @@ void add_how(CLI::App& command, ValidateOptions& options) {
   command.add_option("--emit-parameters", options.emit_parameters,
                      "Write the techniques' parameter structs as HLSL to this file (- for standard output), "
                      "and validate nothing");
+  command.add_option(
+      "--emit-presets", options.emit_presets,
+      "Write the quality presets as C# to this file (- for standard output), and validate nothing");
 }
 
 }  // namespace

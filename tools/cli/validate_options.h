@@ -56,6 +56,7 @@ struct ValidateOptions {
   unsigned memory_limit = 2048;
   ReportOptions report;
   std::string emit_parameters;
+  std::string emit_presets;
 };
 
 void add_validate_options(CLI::App& command, ValidateOptions& options);

@@ -48,7 +48,7 @@ namespace Penumbra.Tests
         [Test]
         public void EachDrawFindsItsTexturesAndSizes()
         {
-            ShadowOptions options = ShadowPresets.Options(QualityPreset.High);
+            ShadowOptions options = ShadowPresets.Options(QualityPreset.Ultra);
             options.halfResolution = true;
             Use(options);
             urp.Render(new FakeScene { Width = 1921, Height = 1081 }, feature);
@@ -98,7 +98,7 @@ namespace Penumbra.Tests
             Assert.That(urp.Device.Draws.Select(draw => draw.Pass), Is.EqualTo(new[] { "Resolve" }));
             VolumeManager.instance.stack.Components.Clear();
             urp.Render(new FakeScene(), feature);
-            Assert.That(urp.Device.Draws.Count, Is.EqualTo(1 + 6));
+            Assert.That(urp.Device.Draws.Count, Is.EqualTo(1 + 4));
         }
 
         [Test]
@@ -160,7 +160,7 @@ namespace Penumbra.Tests
         [Test]
         public void MaskAndDenoiseHaveTheirParameters()
         {
-            ShadowOptions options = ShadowPresets.Options(QualityPreset.High);
+            ShadowOptions options = ShadowPresets.Options(QualityPreset.Ultra);
             options.softnessCapMetres = 0.75f;
             Use(options);
             urp.Render(new FakeScene(), feature);

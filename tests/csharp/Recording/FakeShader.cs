@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using System.IO;
 using System.Runtime.CompilerServices;
 using System.Text.RegularExpressions;
@@ -19,10 +20,10 @@ namespace Penumbra.Tests
         internal static string PackageRoot([CallerFilePath] string here = "") =>
             Path.GetFullPath(Path.Combine(Path.GetDirectoryName(here), "..", "..", ".."));
 
-        private static string[] Passes()
+        private static IEnumerable<string> Passes()
         {
-            return new[] { "PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical", "Resolve", "Upsample",
-                           "DenoiseHorizontal", "DenoiseVertical" };
+            string text = File.ReadAllText(Path.Combine(PackageRoot(), "Shaders", "PenumbraShadows.shader"));
+            foreach (Match name in Regex.Matches(text, "Name \"(\\w+)\"")) yield return name.Groups[1].Value;
         }
     }
 }

@@ -1,0 +1,53 @@
+using System.IO;
+using System.Linq;
+using System.Text.Json;
+using NUnit.Framework;
+
+namespace Penumbra.Tests
+{
+    /// <summary>What the passes are told is what the study measures them with.</summary>
+    public sealed class TechniqueListTests
+    {
+        private static JsonElement Values(string technique)
+        {
+            string file = Path.Combine(FakeShader.PackageRoot(), "ShaderLibrary", "techniques.json");
+            using JsonDocument list = JsonDocument.Parse(File.ReadAllText(file));
+            return list.RootElement.GetProperty("techniques").EnumerateArray()
+                .Single(entry => entry.GetProperty("name").GetString() == technique).GetProperty("values").Clone();
+        }
+
+        private static float Value(string technique, string field) => Values(technique).GetProperty(field).GetSingle();
+
+        [TestCase("preset-medium")]
+        [TestCase("preset-high")]
+        [TestCase("preset-ultra")]
+        public void TheMaskIsTheStudys(string preset)
+        {
+            Assert.That(MaskPass.FilterTexels, Is.EqualTo(Value(preset, "maskFilterTexels")));
+            Assert.That(MaskPass.LargestRadius, Is.EqualTo(Value(preset, "maskLargestRadius")));
+            // The pass takes the cap of the filter for it.
+            Assert.That(Value(preset, "maskPenumbraMetres"), Is.EqualTo(Value(preset, "maxPenumbraMetres")));
+        }
+
+        [Test]
+        public void TheDenoiserIsTheStudys()
+        {
+            Assert.That(DenoisePass.Radius, Is.EqualTo(Value("preset-ultra", "denoiseRadius")));
+            Assert.That(DenoisePass.PlaneTolerance, Is.EqualTo(Value("preset-ultra", "planeTolerance")));
+            Assert.That(DenoisePass.NoiseAmplitude, Is.EqualTo(Value("preset-ultra", "noiseAmplitude")));
+        }
+
+        [Test]
+        public void TheShadersPassesAreTheChains()
+        {
+            string shader = File.ReadAllText(
+                Path.Combine(FakeShader.PackageRoot(), "Shaders", "PenumbraShadows.shader"));
+            var options = ShadowPresets.Options(QualityPreset.Ultra);
+            options.halfResolution = true;
+            foreach (ChainStep step in ShadowChain.Of(options, ShadowPassList.All).Steps)
+                Assert.That(shader, Does.Contain("Name \"" + step.shaderPass + "\""));
+            foreach (string keyword in TechniqueKeywords.Names.Where(name => name != null))
+                Assert.That(shader, Does.Contain(" " + keyword));
+        }
+    }
+}

@@ -1,0 +1,94 @@
+#include "shaders/preset_emit.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <stdexcept>
+#include <utility>
+
+namespace penumbra::shaders {
+
+namespace {
+
+constexpr const char* table_begin =
+    R"(namespace Penumbra
+{
+    // The options of the quality presets, in QualityPreset's order.
+    // Written by `penumbra validate --emit-presets` from ShaderLibrary/techniques.json; do not edit.
+    internal static class PresetTable
+    {
+        internal static readonly ShadowOptions[] Rows =
+        {
+)";
+
+constexpr const char* table_end = R"(        };
+    }
+}
+)";
+
+// By the keyword that a technique switches on; without one the shader filters by the tent of 5 x 5.
+constexpr std::array<std::pair<const char*, const char*>, 6> techniques{
+    {{"", "Tent5x5"},
+     {"_PENUMBRA_TENT_3X3", "Tent3x3"},
+     {"_PENUMBRA_TENT_7X7", "Tent7x7"},
+     {"_PENUMBRA_PCSS", "Pcss"},
+     {"_PENUMBRA_PCSS_POISSON", "PcssPoisson"},
+     {"_PENUMBRA_PCSS_HDRP", "PcssHdrp"}}};
+
+std::string technique_of(const Technique& preset) {
+  const std::string keyword = preset.keywords.empty() ? "" : preset.keywords.front();
+  const auto* found = std::find_if(techniques.begin(), techniques.end(),
+                                   [&](const auto& technique) { return keyword == technique.first; });
+  if (found == techniques.end() || preset.keywords.size() > 1)
+    throw std::invalid_argument(preset.name + ": the feature has no technique for its keywords");
+  return found->second;
+}
+
+std::string number(double value) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), static_cast<float>(value)).ptr;
+  std::string digits(text.data(), end);
+  if (digits.find_first_of(".e") == std::string::npos) digits += ".0";
+  return digits + "f";
+}
+
+std::string value_or(const Technique& preset, const char* field, const std::string& otherwise) {
+  const auto found = preset.values.find(field);
+  if (found == preset.values.end()) return otherwise;
+  const double value = found->second.front();
+  return otherwise.ends_with("f") ? number(value) : std::to_string(static_cast<int>(value));
+}
+
+bool has(const Technique& preset, const std::string& kind) {
+  return std::any_of(preset.chain.begin(), preset.chain.end(),
+                     [&](const TechniquePass& pass) { return pass.kind == kind; });
+}
+
+std::string row(const Technique& preset) {
+  const auto flag = [](bool on) { return std::string(on ? "true" : "false"); };
+  std::string text = "            new ShadowOptions  // " + preset.title + "\n            {\n";
+  const auto set = [&](const std::string& field, const std::string& value) {
+    text.append("                ").append(field).append(" = ").append(value).append(",\n");
+  };
+  set("technique", "ShadowTechnique." + technique_of(preset));
+  set("angularDiameterDegrees", "AngularDiameter.SunDegrees");
+  set("blockerSamples", value_or(preset, "blockerSamples", "1"));
+  set("filterSamples", value_or(preset, "filterSamples", "1"));
+  set("softnessCapMetres", value_or(preset, "maxPenumbraMetres", "100.0f"));
+  set("minFilterTexels", value_or(preset, "minFilterTexels", "1.25f"));
+  set("mask", flag(has(preset, "mask")));
+  set("halfResolution", flag(has(preset, "upsample")));
+  set("denoise", flag(has(preset, "denoise")));
+  return text + "            },\n";
+}
+
+}  // namespace
+
+std::string emit_presets_csharp(const TechniqueList& list) {
+  std::string text = table_begin;
+  for (const Technique& technique : list.techniques)
+    if (technique.name.starts_with(preset_prefix)) text += row(technique);
+  return text + table_end;
+}
+
+}  // namespace penumbra::shaders

@@ -1,0 +1,74 @@
+#include "study/preset_figures.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "study/summary.h"
+
+namespace penumbra::study {
+
+namespace {
+
+constexpr const char* figures_begin =
+    R"(namespace Penumbra.Editor
+{{
+    /// <summary>Error and cost of a preset under one light, measured against ray tracing.</summary>
+    internal readonly struct PresetFigure
+    {{
+        internal readonly float lightDegrees;
+
+        /// <summary>Root mean square error of the visibility in penumbrae, 0 to 1.</summary>
+        internal readonly float penumbraRmse;
+
+        /// <summary>Texture fetches of all passes for a pixel of the screen.</summary>
+        internal readonly float fetches;
+
+        internal PresetFigure(float lightDegrees, float penumbraRmse, float fetches)
+        {{
+            this.lightDegrees = lightDegrees;
+            this.penumbraRmse = penumbraRmse;
+            this.fetches = fetches;
+        }}
+    }}
+
+    // Means over {0} scenes; Documentation~/presets.md says how they were measured.
+    // Written by `penumbra measure --presets` from Documentation~/results/presets/results.json; do not edit.
+    internal static class PresetFigures
+    {{
+        /// <summary>By preset, in QualityPreset's order; lights rise.</summary>
+        internal static readonly PresetFigure[][] Rows =
+        {{
+)";
+
+constexpr const char* figures_end = R"(        };
+    }
+}
+)";
+
+std::string figure(const SummaryLine& line) {
+  if (!line.complete || !line.rmse_penumbra || !line.fetches)
+    throw std::invalid_argument(line.choice.technique + " was not measured on every scene");
+  return fmt::format("                new PresetFigure({:g}f, {:.3f}f, {:.1f}f),\n", line.light_degrees,
+                     *line.rmse_penumbra, *line.fetches);
+}
+
+}  // namespace
+
+std::string preset_figures_csharp(const Results& results, const std::string& prefix) {
+  std::string text = fmt::format(figures_begin, scene_names(results).size());
+  std::string open;  // the preset whose row is being written
+  for (const SummaryLine& line : summarise(results)) {
+    if (!line.choice.technique.starts_with(prefix)) continue;
+    if (line.choice.technique != open) {
+      if (!open.empty()) text += "            },\n";
+      open = line.choice.technique;
+      text += fmt::format("            new[]  // {}\n            {{\n", line.choice.title);
+    }
+    text += figure(line);
+  }
+  if (!open.empty()) text += "            },\n";
+  return text + figures_end;
+}
+
+}  // namespace penumbra::study

@@ -1,0 +1,15 @@
+// What the quality presets cost and how wrong they are, as the C# that the package's inspector shows
+// (Editor/Inspectors/PresetFigures.cs).
+#pragma once
+
+#include <string>
+
+#include "study/results.h"
+
+namespace penumbra::study {
+
+// Of every technique whose name begins with `prefix`, in the results' order, and each light: penumbra RMSE
+// and fetches per pixel, means over the scenes. Throws std::invalid_argument where a figure is missing.
+std::string preset_figures_csharp(const Results& results, const std::string& prefix);
+
+}  // namespace penumbra::study
