@@ -1,0 +1,23 @@
+"""Links and pictures of the pages that ship lead to what ships, so that they work where the package is installed."""
+import posixpath
+import re
+from urllib.parse import unquote
+
+from .problem import at_offset
+
+CODE = re.compile(r"^(```|~~~).*?^\1[ \t]*$|`[^`\n]*`", re.DOTALL | re.MULTILINE)
+LINK = re.compile(r'\]\(\s*<?([^)\s>]+)>?(?:\s+"[^"]*")?\s*\)')
+OF_THE_WEB = re.compile(r"[A-Za-z][A-Za-z0-9+.-]*:|#")
+
+
+def check(package):
+    for page in package.ending(".md"):
+        text = package.text(page)
+        prose = CODE.sub(lambda match: re.sub(r"[^\n]", " ", match[0]), text)
+        for match in LINK.finditer(prose):
+            if OF_THE_WEB.match(match[1]):
+                continue
+            target = posixpath.normpath(posixpath.join(posixpath.dirname(page), unquote(match[1].split("#")[0])))
+            if target not in package.files | package.folders:
+                yield at_offset(page, text, match.start(1), f"{match[1]} is not in the package: correct the link, "
+                                                            "or name the file in 'files' of package.json")

@@ -1,0 +1,63 @@
+"""The .meta file that Unity wants beside every visible path, made rather than drawn, so that it is the same for ever.
+
+The GUID is the MD5 of the package's name and the path: whoever refers to an asset of the package finds it again in
+every version, as long as its path stays.
+"""
+import hashlib
+import posixpath
+
+from .package import NAME, folders_above, is_visible
+from .problem import Problem
+
+NAMES_OF_FILES = {"package.json": "PackageManifestImporter"}
+IMPORTERS = {".cs": "MonoImporter", ".hlsl": "ShaderIncludeImporter", ".cginc": "ShaderIncludeImporter",
+             ".shader": "ShaderImporter", ".compute": "ComputeShaderImporter", ".asmdef": "AssemblyDefinitionImporter",
+             ".asmref": "AssemblyDefinitionReferenceImporter", ".json": "TextScriptImporter", ".md": "TextScriptImporter",
+             ".txt": "TextScriptImporter"}
+SETTINGS = {"MonoImporter": ["serializedVersion: 2", "defaultReferences: []", "executionOrder: 0", "icon: {instanceID: 0}"],
+            "ShaderImporter": ["defaultTextures: []", "nonModifiableTextures: []", "preprocessorOverride: 0"],
+            "ComputeShaderImporter": ["preprocessorOverride: 0"]}
+
+
+def guid(path):
+    return hashlib.md5(f"{NAME}/{path}".encode(), usedforsecurity=False).hexdigest()
+
+
+def importer(path):
+    """The importer of a file by its name; None for kinds whose settings only Unity knows."""
+    return NAMES_OF_FILES.get(path) or IMPORTERS.get(posixpath.splitext(path)[1])
+
+
+def meta_text(path, importer_name, is_folder):
+    lines = ["fileFormatVersion: 2", f"guid: {guid(path)}", *(["folderAsset: yes"] if is_folder else []), f"{importer_name}:",
+             "  externalObjects: {}", *(f"  {setting}" for setting in SETTINGS.get(importer_name, ())),
+             "  userData: ", "  assetBundleName: ", "  assetBundleVariant: "]
+    return "\n".join(lines) + "\n"
+
+
+def wants_meta(package):
+    """The visible files and folders, each of which has a .meta."""
+    visible = {path for path in package.paths if is_visible(path) and not path.endswith(".meta")}
+    return visible | {above for path in visible for above in folders_above(path)}
+
+
+def missing_metas(package):
+    """The texts of the .meta files that are not there by their path, and what is in the way of others."""
+    texts, problems = {}, []
+    for path in sorted(wants_meta(package)):
+        if (package.root / f"{path}.meta").exists():
+            continue
+        is_folder = path in package.folders
+        importer_name = "DefaultImporter" if is_folder else importer(path)
+        if importer_name:
+            texts[f"{path}.meta"] = meta_text(path, importer_name, is_folder)
+        else:
+            problems.append(Problem(path, f"has no .meta, and the settings of its kind are Unity's: let Unity write {path}.meta "
+                                          f"and put 'guid: {guid(path)}' into it"))
+    return texts, problems
+
+
+def orphaned_metas(package):
+    """Metas of visible paths that are gone; on disk the path may be there without shipping."""
+    return [Problem(path, f"belongs to {path[:-5]}, which is gone: remove it")
+            for path in package.ending(".meta") if is_visible(path) and not (package.root / path[:-5]).exists()]
