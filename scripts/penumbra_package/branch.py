@@ -54,7 +54,8 @@ def committed_files(repository, package):
     differing = sorted((package.files ^ in_head.keys()) | {path for path in changed if path and whitelist.names(path)})
     if differing:
         more = f" and {len(differing) - 1} more" if len(differing) > 1 else ""
-        raise Stop(f"{differing[0]}{more}: differs from HEAD: commit it first, as the branch says what commit it is of", 1)
+        raise Stop(f"{differing[0]}{more}: differs from HEAD: "
+                   "commit it first, as the branch says what commit it is of", 1)
     return {path: ["100644", name] for path, (_, name) in in_head.items()}
 
 
@@ -82,7 +83,7 @@ def commit_to_branch(package, branch):
     source, name, email, date = repository.git("log", "-1", "--format=%H%n%cn%n%ce%n%cI", "HEAD").splitlines()
     identity = {f"GIT_{role}_{part}": value for role in ("AUTHOR", "COMMITTER")
                 for part, value in (("NAME", name), ("EMAIL", email), ("DATE", date))}
-    commit = repository.git("commit-tree", tree, *(("-p", tip) if tip else ()), **identity,
-                            given=f"{NAME} {package.manifest()['version']}\n\nThe package's files of commit {source}.\n").strip()
+    message = f"{NAME} {package.manifest()['version']}\n\nThe package's files of commit {source}.\n"
+    commit = repository.git("commit-tree", tree, *(("-p", tip) if tip else ()), given=message, **identity).strip()
     repository.git("update-ref", "-m", "scripts/package", reference, commit, tip or "0" * 40)
     return commit

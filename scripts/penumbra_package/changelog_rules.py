@@ -19,7 +19,7 @@ def is_date(text):
 
 
 def order(version):
-    """Sorts versions as https://semver.org does: numbers by value, before words, and a pre-release before its release."""
+    """Sorts as https://semver.org does: numbers by value, before words, and a pre-release before its release."""
     core, _, words = version.partition("-")
     ranks = [(0, int(word), "") if word.isdigit() else (1, 0, word) for word in words.split(".")] if words else []
     return [int(number) for number in core.split(".")], not words, ranks
@@ -35,8 +35,9 @@ def headings(text):
         elif form and SEMANTIC_VERSION.fullmatch(version) and date and (date == "Unreleased" or is_date(date)):
             yield version, match.start()
         else:
-            yield at_offset(PATH, text, match.start(), f"'## {match[1]}' heads no release: write '## [1.2.3] - 2026-01-31', "
-                                                       "'## [1.2.3] - Unreleased' or '## [Unreleased]'"), match.start()
+            message = (f"'## {match[1]}' heads no release: write '## [1.2.3] - 2026-01-31', '## [1.2.3] - Unreleased' "
+                       "or '## [Unreleased]'")
+            yield at_offset(PATH, text, match.start(), message), match.start()
 
 
 def check_headings(text):
@@ -48,7 +49,8 @@ def check_headings(text):
         elif version is None and not newest:
             yield at_offset(PATH, text, offset, "'## [Unreleased]' stands below a release: move it to the top")
         elif version and before and order(version) >= order(before):
-            yield at_offset(PATH, text, offset, f"{version} stands below {before}: the newest release comes first, each once")
+            yield at_offset(PATH, text, offset,
+                            f"{version} stands below {before}: the newest release comes first, each once")
         before = version if isinstance(version, str) else before
         newest = False
 
@@ -56,7 +58,8 @@ def check_headings(text):
 def check_kinds(text):
     for match in re.finditer(r"^### (.*?)[ \t]*$", text, re.MULTILINE):
         if match[1] not in KINDS:
-            yield at_offset(PATH, text, match.start(), f"'### {match[1]}' is no kind of change: write one of {', '.join(KINDS)}")
+            yield at_offset(PATH, text, match.start(),
+                            f"'### {match[1]}' is no kind of change: write one of {', '.join(KINDS)}")
 
 
 def newest_version(text):
@@ -72,5 +75,5 @@ def check(package):
     version, offset = newest_version(text)
     wanted = package.manifest().get("version")
     if wanted is not None and version != wanted:
-        yield at_offset(PATH, text, offset, f"the newest version is {version or 'missing'}, package.json's is {wanted}: "
-                                            "make them one")
+        yield at_offset(PATH, text, offset,
+                        f"the newest version is {version or 'missing'}, package.json's is {wanted}: make them one")

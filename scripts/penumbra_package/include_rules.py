@@ -1,7 +1,7 @@
 """Every #include of a shader file leads to a file, in the case in which that is written.
 
 Paths are as Unity reads them: from the including file's folder, or "Packages/NAME/..." (Unity's manual, "include and
-include_with_pragmas directives in HLSL"). Files of other packages are looked for where a folder of the package is given.
+include_with_pragmas directives in HLSL"). Files of another package are looked for where its folder is given.
 """
 import os
 import posixpath

@@ -50,7 +50,8 @@ class Document:
                 key_offset = offset
                 key, offset = scanstring(self.text, offset + 1, True)
                 if (*place, key) in self.offsets:
-                    raise Malformed(at_offset(self.path, self.text, key_offset, f"the key '{key}' is there twice: remove one"))
+                    raise Malformed(at_offset(self.path, self.text, key_offset,
+                                              f"the key '{key}' is there twice: remove one"))
                 offset = self._space(offset) + 1  # past the colon
             offset = self._space(self._place(offset, (*place, key)))
             if self.text[offset] == ",":

@@ -25,7 +25,8 @@ def fixed_values(document):
             yield document.problem((key,), f"'{key}' is not \"{wanted}\": write that")
     version = document.value.get("version")
     if not is_text(version) or not SEMANTIC_VERSION.fullmatch(version):
-        yield document.problem(("version",), "'version' is no semantic version: write one like \"1.2.3\" or \"1.2.3-pre.1\"")
+        yield document.problem(("version",),
+                               "'version' is no semantic version: write one like \"1.2.3\" or \"1.2.3-pre.1\"")
     for key in ("displayName", "description"):
         if not is_text(document.value.get(key)):
             yield document.problem((key,), f"'{key}' is empty, and the Package Manager shows it: write one")
@@ -34,11 +35,13 @@ def fixed_values(document):
 def dependencies(document):
     given = document.value.get("dependencies")
     if not isinstance(given, dict):
-        yield document.problem(("dependencies",), f"'dependencies' is no object: write {{\"{URP}\": \"{URP_VERSION}\"}}")
+        yield document.problem(("dependencies",),
+                               f"'dependencies' is no object: write {{\"{URP}\": \"{URP_VERSION}\"}}")
         return
     for name, version in given.items():
         if not is_text(version) or not SEMANTIC_VERSION.fullmatch(version):
-            yield document.problem(("dependencies", name), f"the version of {name} is no semantic version: write one like \"1.2.3\"")
+            yield document.problem(("dependencies", name),
+                                   f"the version of {name} is no semantic version: write one like \"1.2.3\"")
     if is_text(given.get(URP)) and given[URP] == URP_VERSION:
         return
     yield document.problem(("dependencies", URP), f"the dependency on {URP} is not \"{URP_VERSION}\", "
@@ -49,7 +52,8 @@ def addresses(document):
     for key in ("documentationUrl", "changelogUrl", "licensesUrl"):
         value = document.value.get(key)
         if key in document.value and not (is_text(value) and ADDRESS.fullmatch(value)):
-            yield document.problem((key,), f"'{key}' is no address: write one that begins with https://, or leave it out")
+            yield document.problem((key,),
+                                   f"'{key}' is no address: write one that begins with https://, or leave it out")
 
 
 def samples(document, package):
@@ -63,21 +67,24 @@ def samples(document, package):
         sample = sample if isinstance(sample, dict) else {}
         for key in ("displayName", "description"):
             if not is_text(sample.get(key)):
-                yield document.problem(("samples", index, key), f"the sample has no '{key}', which the Package Manager shows: write one")
+                yield document.problem(("samples", index, key),
+                                       f"the sample has no '{key}', which the Package Manager shows: write one")
         path = sample.get("path")
         folder = path[len("Samples~/"):] if is_text(path) and path.startswith("Samples~/") else ""
         if folder not in there:
-            yield document.problem(("samples", index, "path"), "the sample's 'path' is no folder of Samples~ with files in it: "
-                                                               "write \"Samples~/NAME\"")
+            yield document.problem(("samples", index, "path"),
+                                   "the sample's 'path' is no folder of Samples~ with files in it: write \"Samples~/NAME\"")
         listed.add(folder)
     for folder in sorted(there - listed):
-        yield document.problem(("samples",), f"Samples~/{folder} is in no entry of 'samples', so nobody can import it: add one")
+        yield document.problem(("samples",),
+                               f"Samples~/{folder} is in no entry of 'samples', so nobody can import it: add one")
 
 
 def check(package):
     for path in REQUIRED_FILES:
         if path not in package.files:
-            yield Problem(path, "is not in the package, and every package has one: write it, or add it to 'files' of package.json")
+            yield Problem(path, "is not in the package, and every package has one: "
+                                "write it, or add it to 'files' of package.json")
     if "package.json" not in package.files:
         return
     try:

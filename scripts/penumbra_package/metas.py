@@ -11,12 +11,13 @@ from .problem import Problem
 
 NAMES_OF_FILES = {"package.json": "PackageManifestImporter"}
 IMPORTERS = {".cs": "MonoImporter", ".hlsl": "ShaderIncludeImporter", ".cginc": "ShaderIncludeImporter",
-             ".shader": "ShaderImporter", ".compute": "ComputeShaderImporter", ".asmdef": "AssemblyDefinitionImporter",
-             ".asmref": "AssemblyDefinitionReferenceImporter", ".json": "TextScriptImporter", ".md": "TextScriptImporter",
-             ".txt": "TextScriptImporter"}
-SETTINGS = {"MonoImporter": ["serializedVersion: 2", "defaultReferences: []", "executionOrder: 0", "icon: {instanceID: 0}"],
-            "ShaderImporter": ["defaultTextures: []", "nonModifiableTextures: []", "preprocessorOverride: 0"],
-            "ComputeShaderImporter": ["preprocessorOverride: 0"]}
+             ".shader": "ShaderImporter", ".compute": "ComputeShaderImporter",
+             ".asmdef": "AssemblyDefinitionImporter", ".asmref": "AssemblyDefinitionReferenceImporter",
+             ".json": "TextScriptImporter", ".md": "TextScriptImporter", ".txt": "TextScriptImporter"}
+SETTINGS = {
+    "MonoImporter": ["serializedVersion: 2", "defaultReferences: []", "executionOrder: 0", "icon: {instanceID: 0}"],
+    "ShaderImporter": ["defaultTextures: []", "nonModifiableTextures: []", "preprocessorOverride: 0"],
+    "ComputeShaderImporter": ["preprocessorOverride: 0"]}
 
 
 def guid(path):
@@ -29,8 +30,9 @@ def importer(path):
 
 
 def meta_text(path, importer_name, is_folder):
-    lines = ["fileFormatVersion: 2", f"guid: {guid(path)}", *(["folderAsset: yes"] if is_folder else []), f"{importer_name}:",
-             "  externalObjects: {}", *(f"  {setting}" for setting in SETTINGS.get(importer_name, ())),
+    lines = ["fileFormatVersion: 2", f"guid: {guid(path)}", *(["folderAsset: yes"] if is_folder else []),
+             f"{importer_name}:", "  externalObjects: {}",
+             *(f"  {setting}" for setting in SETTINGS.get(importer_name, ())),
              "  userData: ", "  assetBundleName: ", "  assetBundleVariant: "]
     return "\n".join(lines) + "\n"
 
@@ -52,8 +54,8 @@ def missing_metas(package):
         if importer_name:
             texts[f"{path}.meta"] = meta_text(path, importer_name, is_folder)
         else:
-            problems.append(Problem(path, f"has no .meta, and the settings of its kind are Unity's: let Unity write {path}.meta "
-                                          f"and put 'guid: {guid(path)}' into it"))
+            problems.append(Problem(path, "has no .meta, and the settings of its kind are Unity's: "
+                                          f"let Unity write {path}.meta and put 'guid: {guid(path)}' into it"))
     return texts, problems
 
 

@@ -1,4 +1,4 @@
-"""Names of files that every machine can hold, that npm packs as it is told to, and that Unity takes for what they are."""
+"""Files that every system can hold, that npm packs as it is told to, and that Unity takes for what they are."""
 import posixpath
 import re
 
@@ -6,7 +6,8 @@ from .package import is_visible
 from .problem import Problem
 
 # Unity imports these as native code of players (Unity's manual, "Import and configure plug-ins").
-NATIVE = {".c", ".cc", ".cpp", ".cxx", ".h", ".hh", ".hpp", ".hxx", ".java", ".jslib", ".jspre", ".kt", ".m", ".mm", ".swift"}
+NATIVE = {".c", ".cc", ".cpp", ".cxx", ".h", ".hh", ".hpp", ".hxx", ".java", ".jslib", ".jspre", ".kt", ".m", ".mm",
+          ".swift"}
 CHANGES_WHITELIST = (".gitignore", ".npmignore")
 # What Windows refuses in a name, and what none should need.
 UNUSABLE = re.compile(r'[<>:"|?*\\\x00-\x1f\x7f]|[. ](/|$)|[^\x00-\x7f]')
@@ -24,7 +25,8 @@ def of_one_path(package, path):
         return "has a name that not every system can hold: use ASCII letters, digits and ' ._~-()' for it"
     extension = posixpath.splitext(name)[1].lower()
     if extension in NATIVE and is_visible(path):
-        return f"Unity imports '{extension}' files as native code of players: move it below a folder whose name ends in '~'"
+        return (f"Unity imports '{extension}' files as native code of players: "
+                "move it below a folder whose name ends in '~'")
     return None
 
 

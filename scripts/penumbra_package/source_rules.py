@@ -46,7 +46,8 @@ def version_problems(root, package):
     if found is None:
         yield Problem(path, f"has no project(... VERSION {core}): add it")
     elif found[1] != core:
-        yield at_offset(path, text, found.start(1), f"the project's version is {found[1]}, package.json's is {wanted}: make them one")
+        yield at_offset(path, text, found.start(1),
+                        f"the project's version is {found[1]}, package.json's is {wanted}: make them one")
 
 
 def check(root, package):

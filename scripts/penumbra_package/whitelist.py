@@ -55,7 +55,8 @@ def read_whitelist(root):
     except (KeyError, TypeError):
         entries = None
     if not isinstance(entries, list):
-        raise Stop("package.json: has no list 'files' of what ships, and without one npm packs the whole folder: write one")
+        raise Stop("package.json: has no list 'files' of what ships, and without one npm packs the whole folder: "
+                   "write one")
     return Whitelist(entries)
 
 

@@ -18,9 +18,10 @@ class Assemblies(UnpackedTarball):
     def test_those_that_are_right(self):
         self.define(PATH, name="Made", references=["Penumbra.Runtime", "Unity.RenderPipelines.Universal.Runtime",
                                                    f"GUID:{metas.guid('Runtime/Penumbra.Runtime.asmdef')}"],
-                    versionDefines=[{"name": "com.unity.render-pipelines.universal", "expression": expression, "define": "MADE"}
-                                    for expression in ("", "17.0.3", "1.0.0-pre.1", "[17.0,17.4)", "(1.2,2022.3.1f1]", "[14]")])
-        self.define(EDITOR, name="Made.Editor", references=["Made", "Unity.RenderPipelines.Core.Editor"], includePlatforms=["Editor"])
+                    versionDefines=[{"name": "com.unity.burst", "expression": expression, "define": "MADE"} for expression in
+                                    ("", "17.0.3", "1.0.0-pre.1", "[17.0,17.4)", "(1.2,2022.3.1f1]", "[14]")])
+        self.define(EDITOR, name="Made.Editor", references=["Made", "Unity.RenderPipelines.Core.Editor"],
+                    includePlatforms=["Editor"])
         self.assert_problems()
 
     def test_text_that_is_no_json(self):
@@ -43,8 +44,8 @@ class Assemblies(UnpackedTarball):
     def test_references_that_lead_nowhere(self):
         for reference in ("Penumbra.Runtimes", "Unity.RenderPipelines.HighDefinition.Runtime", "GUID:" + "0" * 32, 5):
             self.define(PATH, name="Made", references=["Penumbra.Runtime", reference])
-            self.assert_value(json.dumps(reference), f"'{reference}' is no assembly of this package, nor one of Unity's that it may "
-                              "use: write the name of one, or add it to scripts/penumbra_package/assembly_rules.py")
+            self.assert_value(json.dumps(reference), f"'{reference}' is no assembly of this package, nor one of Unity's "
+                              "that it may use: write the name of one, or add it to scripts/penumbra_package/assembly_rules.py")
 
     def test_references_that_are_no_list(self):
         self.define(PATH, name="Made", references="Penumbra.Runtime")
@@ -52,8 +53,11 @@ class Assemblies(UnpackedTarball):
 
     def test_editor_code_in_players(self):
         self.define(PATH, name="Made", references=["Unity.RenderPipelines.Universal.Editor"])
-        self.assert_value('"Unity.RenderPipelines.Universal.Editor"', "'Unity.RenderPipelines.Universal.Editor' is not in players: "
-                          "refer to it from an assembly for the platform Editor alone")
+        text = "is not in players: refer to it from an assembly for the platform Editor alone"
+        self.assert_value('"Unity.RenderPipelines.Universal.Editor"', f"'Unity.RenderPipelines.Universal.Editor' {text}")
+        self.define(EDITOR, name="Made.Editor", includePlatforms=["Editor"])
+        self.define(PATH, name="Made", references=["Made.Editor"])
+        self.assert_value('"Made.Editor"', f"'Made.Editor' {text}")
 
     def test_an_editor_folder_whose_assembly_is_for_players(self):
         self.define(EDITOR, name="Made.Editor", includePlatforms=["Editor", "Android"])
@@ -62,7 +66,8 @@ class Assemblies(UnpackedTarball):
 
     def test_platforms_given_both_ways(self):
         self.define(PATH, name="Made", includePlatforms=["Editor"], excludePlatforms=["Android"])
-        self.assert_value('[\n    "Android"', "'excludePlatforms' and 'includePlatforms' are both given: Unity takes one")
+        self.assert_value('[\n    "Android"',
+                          "'excludePlatforms' and 'includePlatforms' are both given: Unity takes one")
 
     def test_version_defines(self):
         right = {"name": "com.unity.burst", "expression": "1.8.0", "define": "MADE"}
@@ -81,7 +86,8 @@ class Assemblies(UnpackedTarball):
 
     def test_a_script_that_no_assembly_covers(self):
         self.add("Shaders/Made.cs", "class Made {}\n")
-        self.assert_problems("Shaders/Made.cs: belongs to no assembly definition, so Unity does not compile it: add one to its folder")
+        self.assert_problems("Shaders/Made.cs: belongs to no assembly definition, so Unity does not compile it: "
+                             "add one to its folder")
 
 
 if __name__ == "__main__":

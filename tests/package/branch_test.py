@@ -18,8 +18,8 @@ class Branch(CopiedRepository):
         self.version = json.loads(self.text("package.json"))["version"]
 
     def git(self, *words, folder=None):
-        done = subprocess.run(["git", "-C", str(folder or self.folder), *words], capture_output=True, text=True, check=False,
-                              env=environment())
+        done = subprocess.run(["git", "-C", str(folder or self.folder), *words], capture_output=True, text=True,
+                              check=False, env=environment())
         self.assertEqual(done.returncode, 0, done.stderr)
         return done.stdout.strip()
 
@@ -34,21 +34,20 @@ class Branch(CopiedRepository):
         self.assertEqual(listed, {path: "100644" for path in whitelist.shipped(self.folder).paths})
         self.assertEqual(self.git("diff", "--name-only", "main", "upm", "--", *listed), "")
         self.assertEqual(self.git("log", "-1", "--format=%B", "upm"),
-                         f"com.penumbra.shadows {self.version}\n\nThe package's files of commit {self.git('rev-parse', 'main')}.")
+                         f"com.penumbra.shadows {self.version}\n\n"
+                         f"The package's files of commit {self.git('rev-parse', 'main')}.")
 
     def test_touches_neither_the_work_tree_nor_the_index(self):
         self.write("untracked.txt", "")
         self.write(TOOL, "changed, and none of the package's\n")
         self.git("add", TOOL)
         def state():
-            return self.contents(), [self.git(*words) for words in (("status", "--porcelain"), ("rev-parse", "HEAD"), ("ls-files", "--stage"))]
+            files = {path: text for path, text in self.contents().items() if not path.startswith(".git/")}
+            return files, self.git("status", "--porcelain"), self.git("rev-parse", "HEAD"), self.git("ls-files", "--stage")
 
         before = state()
         self.assert_run(0, "--branch", "upm", "--output", self.outside)
-        after = state()
-        self.assertEqual(after[1], before[1])
-        own = {path for path in after[0] if not path.startswith(".git/")}
-        self.assertEqual({path: after[0][path] for path in own}, {path: text for path, text in before[0].items() if not path.startswith(".git/")})
+        self.assertEqual(state(), before)
 
     def test_the_same_files_make_no_second_commit(self):
         self.assert_run(0, "--branch", "upm")
@@ -77,9 +76,10 @@ class Branch(CopiedRepository):
 
     def test_a_clone_of_it_is_the_package(self):
         self.assert_run(0, "--branch", "upm")
-        self.git("clone", "--quiet", "--branch", "upm", str(self.folder), str(self.outside / "installed"))
-        self.assertEqual({path.relative_to(self.outside / "installed").as_posix(): path.read_bytes()
-                          for path in (self.outside / "installed").rglob("*") if path.is_file() and ".git" not in path.parts},
+        clone = self.outside / "installed"
+        self.git("clone", "--quiet", "--branch", "upm", str(self.folder), str(clone))
+        self.assertEqual({path.relative_to(clone).as_posix(): path.read_bytes() for path in clone.rglob("*")
+                          if path.is_file() and ".git" not in path.parts},
                          {path: (self.folder / path).read_bytes() for path in whitelist.shipped(self.folder).paths})
 
     def test_what_is_not_committed_is_refused(self):
@@ -98,9 +98,10 @@ class Branch(CopiedRepository):
 
     def test_branches_of_other_things_stay(self):
         self.git("branch", "other")
-        self.assert_refused(2, "scripts/package: --branch main: is checked out: check another branch out, or name another", "--branch", "main")
-        self.assert_refused(2, "scripts/package: --branch other: exists and holds no package: name another", "--branch", "other")
-        self.assert_refused(2, "scripts/package: --branch a..b: is no name for a branch: take upm", "--branch", "a..b")
+        for branch, message in (("main", "is checked out: check another branch out, or name another"),
+                                ("other", "exists and holds no package: name another"),
+                                ("a..b", "is no name for a branch: take upm")):
+            self.assert_refused(2, f"scripts/package: --branch {branch}: {message}", "--branch", branch)
         self.assertEqual(self.git("rev-parse", "main"), self.git("rev-parse", "other"))
         self.assertFalse((self.folder / "build").exists())
 
@@ -113,8 +114,9 @@ class Branch(CopiedRepository):
 
 class NoRepository(CopiedRepository):
     def test_is_refused(self):
-        self.assert_refused(3, "scripts/package: --branch needs the project's git repository: clone the project instead of downloading it",
-                            "--branch", "upm", GIT_CEILING_DIRECTORIES=str(self.outside))
+        self.assert_refused(3, "scripts/package: --branch needs the project's git repository: "
+                            "clone the project instead of downloading it", "--branch", "upm",
+                            GIT_CEILING_DIRECTORIES=str(self.outside))
 
 
 if __name__ == "__main__":

@@ -25,8 +25,8 @@ class Paths(UnpackedTarball):
             self.write(name, "")
             self.write(f"{name}.meta", metas.meta_text(name, "PluginImporter", False))
             end = name[name.rindex("."):].lower()
-            self.assertIn(f"{name}: Unity imports '{end}' files as native code of players: move it below a folder whose "
-                          "name ends in '~'", self.problems())
+            self.assertIn(f"{name}: Unity imports '{end}' files as native code of players: move it below a folder "
+                          "whose name ends in '~'", self.problems())
 
     def test_native_code_below_a_hidden_folder_is_nobodys_plugin(self):
         self.write("Documentation~/example/host.cpp", "")
@@ -40,7 +40,8 @@ class Paths(UnpackedTarball):
 
     def test_files_that_change_what_npm_packs(self):
         self.write("Runtime/.npmignore", "*.cs\n")
-        self.assert_problems("Runtime/.npmignore: changes what npm packs of this folder: remove it and use 'files' of package.json")
+        self.assert_problems("Runtime/.npmignore: changes what npm packs of this folder: "
+                             "remove it and use 'files' of package.json")
 
     def test_links(self):
         (self.folder / "Documentation~" / "linked.txt").symlink_to("bias.md")
@@ -52,13 +53,13 @@ class Paths(UnpackedTarball):
         names = ("Documentation~/a:b.txt", "Documentation~/dot./c.txt", "Documentation~/é.txt")
         for name in names:
             self.write(name, "")
-        self.assert_problems(*(f"{name}: has a name that not every system can hold: use ASCII letters, digits and ' ._~-()' for it"
-                               for name in names))
+        text = "has a name that not every system can hold: use ASCII letters, digits and ' ._~-()' for it"
+        self.assert_problems(*(f"{name}: {text}" for name in names))
 
     def test_names_that_differ_in_case_alone(self):
         self.write("Documentation~/Results/x.txt", "")
-        self.assert_problems("Documentation~/results: differs from Documentation~/Results in case alone, which Windows and macOS "
-                             "take for one: rename one")
+        self.assert_problems("Documentation~/results: differs from Documentation~/Results in case alone, which Windows and "
+                             "macOS take for one: rename one")
 
 
 class Metas(UnpackedTarball):
@@ -68,7 +69,8 @@ class Metas(UnpackedTarball):
 
     def test_a_folder_without_one(self):
         (self.folder / "ShaderLibrary/Core.meta").unlink()
-        self.assert_problems("ShaderLibrary/Core: has no ShaderLibrary/Core.meta in the package: run scripts/package --metas")
+        self.assert_problems("ShaderLibrary/Core: has no ShaderLibrary/Core.meta in the package: "
+                             "run scripts/package --metas")
 
     def test_one_without_its_file(self):
         self.write("Runtime/Gone.cs.meta", metas.meta_text("Runtime/Gone.cs", "MonoImporter", False))
@@ -91,7 +93,8 @@ class Metas(UnpackedTarball):
 
     def test_a_guid_that_is_not_the_paths(self):
         self.replace(META, metas.guid(SHADER), "0" * 32)
-        self.assert_problems(f"{META}:2:7: has another guid than the {metas.guid(SHADER)} that its path gives: {REMAKE}")
+        self.assert_problems(f"{META}:2:7: has another guid than the {metas.guid(SHADER)} that its path gives: "
+                             f"{REMAKE}")
 
     def test_the_importer_of_another_kind(self):
         self.replace(META, "ShaderIncludeImporter", "DefaultImporter")

@@ -28,12 +28,14 @@ class Includes(UnpackedTarball):
 
     def test_one_that_leads_nowhere(self):
         self.assert_include('"Nothing.hlsl"', "there is no Shaders/Made/Nothing.hlsl in the package: correct the path")
-        self.assert_include('"Packages/com.penumbra.shadows/Nothing.hlsl"', "there is no Nothing.hlsl in the package: correct the path")
+        self.assert_include('"Packages/com.penumbra.shadows/Nothing.hlsl"',
+                            "there is no Nothing.hlsl in the package: correct the path")
 
     def test_every_kind_of_shader_file_is_read(self):
-        for path in ("Shaders/Made/Made.compute", "ShaderLibrary/Made.hlsl", "Documentation~/Made.hlsl", "Shaders/Made/Made.cginc"):
-            self.assert_include('"Nothing.hlsl"', f"there is no {path.rpartition('/')[0]}/Nothing.hlsl in the package: correct the path",
-                                path)
+        for path in ("Shaders/Made/Made.compute", "ShaderLibrary/Made.hlsl", "Documentation~/Made.hlsl",
+                     "Shaders/Made/Made.cginc"):
+            folder = path.rpartition("/")[0]
+            self.assert_include('"Nothing.hlsl"', f"there is no {folder}/Nothing.hlsl in the package: correct the path", path)
             self.write(path, "")
 
     def test_one_in_another_case(self):
@@ -41,7 +43,8 @@ class Includes(UnpackedTarball):
                             "shaderLibrary/shadows.hlsl is written ShaderLibrary/Shadows.hlsl in the package: write it so")
 
     def test_comments_include_nothing(self):
-        for comment in ('// #include "Nothing.hlsl"', '/*\n#include "Nothing.hlsl"\n*/', '/* // */ // "\n//#include "Nothing.hlsl"'):
+        for comment in ('// #include "Nothing.hlsl"', '/*\n#include "Nothing.hlsl"\n*/',
+                        '/* // */ // "\n//#include "Nothing.hlsl"'):
             self.including(comment)
             self.assert_problems()
 
@@ -53,17 +56,18 @@ class Includes(UnpackedTarball):
         self.assert_problems(f"{PATH}:2:10: there is no Shaders/Made/Nothing.hlsl in the package: correct the path")
 
     def test_one_that_leaves_the_package(self):
-        self.assert_include('"../../../Other.hlsl"', "../../../Other.hlsl leads out of the package: write \"Packages/NAME/...\" for a "
-                            "file of another one")
+        self.assert_include('"../../../Other.hlsl"', "../../../Other.hlsl leads out of the package: "
+                            "write \"Packages/NAME/...\" for a file of another one")
 
     def test_one_that_leaves_a_sample(self):
         self.add_sample("Made", "Made.shader", '\n#include "Own.hlsl"\n#include "../../ShaderLibrary/Shadows.hlsl"\n')
         self.write("Samples~/Made/Own.hlsl", "")
-        self.assert_problems("Samples~/Made/Made.shader:3:10: ../../ShaderLibrary/Shadows.hlsl leads out of the sample, which is "
-                             "copied into projects: write \"Packages/com.penumbra.shadows/...\"")
+        self.assert_problems("Samples~/Made/Made.shader:3:10: ../../ShaderLibrary/Shadows.hlsl leads out of the sample, "
+                             "which is copied into projects: write \"Packages/com.penumbra.shadows/...\"")
 
     def test_separators_of_windows(self):
-        self.assert_include('"..\\Made.hlsl"', "..\\Made.hlsl has '\\', which is no separator on Linux and macOS: write '/'")
+        self.assert_include('"..\\Made.hlsl"',
+                            "..\\Made.hlsl has '\\', which is no separator on Linux and macOS: write '/'")
 
     def test_paths_that_are_not_written_out(self):
         self.assert_include("<Nothing.hlsl>", "what <Nothing.hlsl> leads to is not known here: write the path in quotes")
@@ -71,8 +75,8 @@ class Includes(UnpackedTarball):
 
     def test_a_package_that_is_no_dependency(self):
         self.assert_include('"Packages/com.unity.render-pipelines.high-definition/Runtime/A.hlsl"',
-                            "com.unity.render-pipelines.high-definition is no dependency of package.json: add it there, or do "
-                            "without its file")
+                            "com.unity.render-pipelines.high-definition is no dependency of package.json: "
+                            "add it there, or do without its file")
 
 
 class OtherPackages(UnpackedTarball):

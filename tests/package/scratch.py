@@ -1,4 +1,6 @@
 """Copies of the package that a test may break, and of the repository that it is made from."""
+import functools
+import io
 import json
 import os
 import shutil
@@ -17,8 +19,8 @@ from penumbra_package.package import Package, unpacked  # noqa: E402
 
 # What a program in a scratch folder is not to take from the caller: other packages, and a hook's or a user's git.
 OUTSIDE = ("PENUMBRA_URP_PACKAGES", "GIT_DIR", "GIT_WORK_TREE", "GIT_INDEX_FILE", "GIT_PREFIX")
-SOMEBODY = {f"GIT_{role}_{part}": value for role in ("AUTHOR", "COMMITTER")
-            for part, value in (("NAME", "Somebody"), ("EMAIL", "somebody@example.com"), ("DATE", "2026-01-02T03:04:05+01:00"))}
+SOMEBODY = {f"GIT_{role}_{part}": value for role in ("AUTHOR", "COMMITTER") for part, value in
+            (("NAME", "Somebody"), ("EMAIL", "somebody@example.com"), ("DATE", "2026-01-02T03:04:05+01:00"))}
 
 
 def environment(**more):
@@ -72,7 +74,8 @@ class Folder(unittest.TestCase):
         """Sets keys of package.json, or takes away those whose value is None."""
         manifest = json.loads(self.text("package.json"))
         manifest.update(values)
-        self.write("package.json", json.dumps({key: value for key, value in manifest.items() if value is not None}, indent=2))
+        kept = {key: value for key, value in manifest.items() if value is not None}
+        self.write("package.json", json.dumps(kept, indent=2))
 
     def add_sample(self, name, file, text):
         """A sample of one file, and its entry in package.json."""
@@ -82,13 +85,16 @@ class Folder(unittest.TestCase):
         self.change_manifest(samples=[*samples, entry])
 
 
+@functools.cache
+def packed():
+    return tarball.tarball(whitelist.shipped(ROOT))
+
+
 class UnpackedTarball(Folder):
     """The package as a user has it: the tarball of this work tree, unpacked."""
 
     def fill(self):
-        packed = self.outside / "package.tgz"
-        packed.write_bytes(tarball.tarball(whitelist.shipped(ROOT)))
-        with tarfile.open(packed) as archive:
+        with tarfile.open(fileobj=io.BytesIO(packed())) as archive:
             for entry in archive:
                 self.assertTrue(entry.isfile() and entry.name.startswith("package/"), entry.name)
                 path = self.folder / entry.name.removeprefix("package/")
