@@ -74,6 +74,8 @@ def commit_to_branch(package, branch):
     top = repository.git("rev-parse", "--show-toplevel", fails=True)
     if top is None or not os.path.samefile(top.rstrip("\n"), package.root):
         raise Stop("--branch needs the project's git repository: clone the project instead of downloading it", 3)
+    if repository.git("rev-parse", "--verify", "--quiet", "HEAD", fails=True) is None:
+        raise Stop("--branch needs a commit of the files: commit them first", 1)
     reference = f"refs/heads/{branch}"
     tip = (repository.git("rev-parse", "--verify", "--quiet", f"{reference}^{{commit}}", fails=True) or "").strip()
     refuse_other_branches(repository, branch, reference, tip)

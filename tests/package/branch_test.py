@@ -105,6 +105,12 @@ class Branch(CopiedRepository):
         self.assertEqual(self.git("rev-parse", "main"), self.git("rev-parse", "other"))
         self.assertFalse((self.folder / "build").exists())
 
+    def test_what_git_refuses_is_told(self):
+        self.write(".git/refs/heads/upm.lock", "")
+        done = self.assert_run(3, "--branch", "upm")
+        self.assertRegex(done.stderr, r"^scripts/package: git update-ref: .*upm\.lock")
+        self.assertFalse((self.folder / "build").exists())
+
     def test_a_broken_rule_makes_no_branch(self):
         (self.folder / "Runtime.meta").unlink()
         self.commit("Broken")
@@ -117,6 +123,14 @@ class NoRepository(CopiedRepository):
         self.assert_refused(3, "scripts/package: --branch needs the project's git repository: "
                             "clone the project instead of downloading it", "--branch", "upm",
                             GIT_CEILING_DIRECTORIES=str(self.outside))
+
+    def test_without_a_commit_is_refused(self):
+        subprocess.run(["git", "init", "--quiet", str(self.folder)], check=True, env=environment())
+        self.assert_refused(1, "scripts/package: --branch needs a commit of the files: commit them first", "--branch", "upm")
+
+    def test_without_git_is_refused(self):
+        self.assert_refused(3, "scripts/package: --branch needs git, which is not installed", "--branch", "upm",
+                            PATH=str(self.outside))
 
 
 if __name__ == "__main__":

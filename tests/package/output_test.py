@@ -2,7 +2,10 @@
 import json
 import unittest
 
-from scratch import CopiedRepository, rules, unpacked, whitelist
+from scratch import CopiedRepository, Folder, rules, unpacked, whitelist
+
+from penumbra_package.problem import Stop
+from penumbra_package.whole_file import write_folder
 
 
 class Output(CopiedRepository):
@@ -66,6 +69,21 @@ class Output(CopiedRepository):
     def test_options_that_do_not_go_together(self):
         for words in (("--check", "--metas"), ("--check", "--upm"), ("--metas", "--branch", "upm"), ("--nothing",)):
             self.assertIn("usage: scripts/package", self.assert_run(2, *words).stderr)
+
+
+class WholeFolder(Folder):
+    def test_one_that_cannot_be_written_leaves_the_earlier(self):
+        target = self.folder / "upm"
+        write_folder(target, {"a/b.txt": b"earlier"})
+        with self.assertRaisesRegex(Stop, f"^{target}: cannot be written: "):
+            write_folder(target, {"a": b"", "a/b.txt": b""})
+        self.assertEqual(self.text("upm/a/b.txt"), "earlier")
+        self.assertEqual(list(self.folder.iterdir()), [target])
+
+    def test_one_below_a_file(self):
+        self.write("file", "")
+        with self.assertRaisesRegex(Stop, f"^{self.folder}/file/upm: cannot be written: "):
+            write_folder(self.folder / "file" / "upm", {})
 
 
 if __name__ == "__main__":

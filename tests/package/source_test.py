@@ -85,12 +85,18 @@ class Source(CopiedRepository):
     def test_no_manifest_that_can_be_read(self):
         self.write(MANIFEST, '{\n  "files": ]')
         self.assert_refused(2, "scripts/package: package.json:2:12: is not JSON: Expecting value", "--check")
+        self.write(MANIFEST, "[" * 100000)
+        self.assertRegex(self.assert_run(2, "--check").stderr, "^scripts/package: package.json: is no JSON that can be read: ")
         (self.folder / MANIFEST).unlink()
         self.assert_refused(2, "scripts/package: package.json: cannot be read: No such file or directory", "--check")
 
     def test_text_in_another_encoding(self):
         (self.folder / "ShaderLibrary/Shadows.hlsl").write_bytes(b"// caf\xe9\n")
         self.assert_refused(2, "scripts/package: ShaderLibrary/Shadows.hlsl: is not UTF-8 at byte 6: save it as UTF-8", "--check")
+
+    def test_a_file_that_cannot_be_read(self):
+        (self.folder / "ShaderLibrary/Made.hlsl").symlink_to("nothing")
+        self.assert_refused(2, "scripts/package: ShaderLibrary/Made.hlsl: cannot be read: No such file or directory", "--check")
 
     def test_the_version_of_the_tools(self):
         version = json.loads(self.text(MANIFEST))["version"]
