@@ -10,7 +10,7 @@ REMAKE = "remove it and run scripts/package --metas"
 
 class Whole(UnpackedTarball):
     def test_the_tarball_keeps_every_rule(self):
-        self.assert_problems()
+        self.assertEqual(self.before, [])
 
     def test_so_it_does_with_folders_that_are_new(self):
         self.add("Editor/Made/Made.asmdef", '{"name": "Made.Editor", "includePlatforms": ["Editor"]}')
