@@ -1,0 +1,84 @@
+using Penumbra.ApiCheck.Assemblies;
+using Penumbra.ApiCheck.Report;
+using Penumbra.ApiCheck.Sources;
+
+namespace Penumbra.ApiCheck;
+
+/// <summary>Arguments in, text out, an exit code back: all that the program does besides the checks themselves.</summary>
+public static class Command
+{
+    public static int Run(string[] arguments, TextWriter answers, TextWriter notes)
+    {
+        try
+        {
+            var options = Options.Parse(arguments);
+            if (options.Help)
+            {
+                answers.WriteLine(Options.Usage);
+                return Exit.Same;
+            }
+            if (options.Page is not null)
+                return WritePage(options);
+            if (options.IsSourceCheck)
+                return CheckSources(options, answers);
+            if (options.Operands.Count == 0)
+                throw CheckException.Usage("neither sources (--source DIR) nor a folder of assemblies is given (--help says more)");
+            return CheckAssemblies(options, answers);
+        }
+        catch (CheckException error)
+        {
+            notes.WriteLine($"check-unity-api: {error.Message}");
+            return error.ExitCode;
+        }
+        catch (Exception error) when (error is IOException or UnauthorizedAccessException)
+        {
+            notes.WriteLine($"check-unity-api: {error.Message}");
+            return Exit.Usage;
+        }
+    }
+
+    private static string PackageOf(Options options) =>
+        Path.GetFullPath(options.Package ?? throw CheckException.Usage("--package DIR is needed where the script does not give it"));
+
+    private static int CheckSources(Options options, TextWriter answers)
+    {
+        if (options.Operands.Count > 0)
+            throw CheckException.Usage($"{options.Operands[0]}: a folder of sources is given as --source {options.Operands[0]}");
+        if (options.Generation is not ("2022.3" or "6000.0"))
+            throw CheckException.Usage("--generation 2022.3 or --generation 6000.0 says which declarations to check");
+        var package = PackageOf(options);
+        var check = SourceCheck.Run(new SourceRequest(options.Generation, package,
+            Path.GetFullPath(options.Declarations ?? Path.Combine(package, "tests/csharp/UnityApi")))
+        {
+            Folders = options.Sources,
+            Named = options.Named,
+            Versions = options.Versions,
+        });
+        var report = SourceReport.Of(options.Generation, check);
+        if (options.Output is not null)
+            WholeFile.Write(options.Output, report.Json());
+        foreach (var problem in report.Problems)
+            answers.WriteLine(problem);
+        var counts = report.Counts;
+        answers.WriteLine($"{counts.Types} types with {counts.Members} declarations, {counts.Differences} differences from " +
+                          string.Join(", ", report.Sources.Select(source => $"{source.Source} {source.Version ?? "(version unknown)"}")));
+        return counts.Differences == 0 ? Exit.Same : Exit.Differences;
+    }
+
+    private static int CheckAssemblies(Options options, TextWriter answers)
+    {
+        var check = AssemblyCheck.Run(PackageOf(options), options.Operands, options.Version);
+        foreach (var line in check.Problems)
+            answers.WriteLine(line);
+        foreach (var line in check.Notes)
+            answers.WriteLine(line);
+        return check.Problems.Count == 0 ? Exit.Same : Exit.Differences;
+    }
+
+    private static int WritePage(Options options)
+    {
+        var reports = options.Operands.Select(SourceReport.Read).ToArray();
+        WholeFile.Write(options.Page!, Page.Written(File.ReadAllText(options.Page!), reports));
+        return Exit.Same;
+    }
+}

@@ -1,0 +1,72 @@
+using Microsoft.CodeAnalysis;
+using Microsoft.CodeAnalysis.CSharp;
+using Penumbra.ApiCheck.Sources;
+
+namespace Penumbra.ApiCheck.Compare;
+
+/// <summary>
+/// Every declared type against the source that it names, under one symbol set. `parents` are the declared types from
+/// which the package derives types of its own.
+/// </summary>
+public sealed class ApiComparison(IReadOnlyDictionary<string, CSharpCompilation> real, string generation, bool isEditor,
+                                  IReadOnlySet<INamedTypeSymbol> parents, Findings findings)
+{
+    public void Compare(CSharpCompilation declarations)
+    {
+        foreach (var error in declarations.GetDeclarationDiagnostics().Where(one => one.Severity == DiagnosticSeverity.Error))
+            findings.Add(new(Report.Place.Of(error.Location), "declaration", $"{error.Id} {error.GetMessage()}", null));
+        foreach (var type in Declarations.Types(declarations).Where(Access.IsReachable))
+            CompareTop(type);
+    }
+
+    private void CompareTop(INamedTypeSymbol declared)
+    {
+        var origins = Declarations.Origins(declared).Where(origin => origin.IsOf(generation)).ToArray();
+        if (origins.Length == 0)
+        {
+            findings.Add(declared, $"says of no source of {generation} where it was read: add [ReadFrom], or [OwnBehaviour] if it is ours");
+            return;
+        }
+        if (origins.All(origin => SourceFolder.IsEditorFile(origin.Path)) && !isEditor)
+            return;
+        var result = findings.Type(Names.Of(declared), origins[0].Source);
+        if (!real.TryGetValue(origins[0].Source, out var source))
+        {
+            findings.Add(declared, $"was read in {origins[0].Source}, which is not among the sources given");
+            return;
+        }
+        if (Find(source, declared) is { } type)
+            new TypeMembers(result, findings, generation, parents).Compare(declared, type, origins);
+        else
+            findings.Add(declared, Absent(origins[0].Source, source, declared, out var near), near);
+    }
+
+    private static INamedTypeSymbol? Find(Compilation source, INamedTypeSymbol declared) =>
+        source.Assembly.GetTypeByMetadataName(MetadataName(declared));
+
+    /// <summary>The type is not there: where one of that name is, or one of nearly that name.</summary>
+    private string Absent(string name, Compilation source, INamedTypeSymbol declared, out ISymbol? near)
+    {
+        near = real.Values.Select(other => Find(other, declared)).FirstOrDefault(type => type is not null);
+        if (near is not null)
+            return $"the source of {name} has no such type, that of {near.Locations[0].SourceTree!.FilePath.Split('/')[0]} has";
+        near = source.GetSymbolsWithName(declared.Name, SymbolFilter.Type).FirstOrDefault();
+        if (near is not null)
+            return $"the source of {name} has no such type, but {Names.Of(near)}";
+        var space = source.Assembly.GlobalNamespace.ConstituentNamespaces.Length == 0 ? null : Namespace(source, declared);
+        near = space is null ? null : Names.Nearest(declared.Name, space.GetTypeMembers(), type => type.Name);
+        return near is null ? $"the source of {name} has no such type" : $"the source of {name} has no such type; the nearest is {Names.Of(near)}";
+    }
+
+    private static INamespaceSymbol? Namespace(Compilation source, INamedTypeSymbol declared)
+    {
+        INamespaceSymbol? at = source.Assembly.GlobalNamespace;
+        foreach (var part in declared.ContainingNamespace.ToDisplayString().Split('.'))
+            at = at?.GetNamespaceMembers().FirstOrDefault(space => space.Name == part);
+        return at;
+    }
+
+    private static string MetadataName(INamedTypeSymbol type) => type.ContainingNamespace.IsGlobalNamespace
+        ? type.MetadataName
+        : $"{type.ContainingNamespace.ToDisplayString()}.{type.MetadataName}";
+}

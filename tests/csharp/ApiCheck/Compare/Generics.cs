@@ -1,0 +1,53 @@
+using Microsoft.CodeAnalysis;
+
+namespace Penumbra.ApiCheck.Compare;
+
+/// <summary>Type parameters with their constraints and variance.</summary>
+public static class Generics
+{
+    /// <summary>One sentence a difference.</summary>
+    public static IEnumerable<string> Differences(IReadOnlyList<ITypeParameterSymbol> declared,
+                                                  IReadOnlyList<ITypeParameterSymbol> real, TypeMatch match)
+    {
+        foreach (var (one, other) in declared.Zip(real))
+        {
+            if (one.Variance != other.Variance)
+                yield return $"type parameter {one.Name} is {Word(one.Variance)} here, {Word(other.Variance)} in the real source";
+            if (Same(one, other, match))
+                continue;
+            yield return $"type parameter {one.Name} is constrained to {Constraints(one)} here, to {Constraints(other)} in the real source";
+        }
+    }
+
+    private static bool Same(ITypeParameterSymbol declared, ITypeParameterSymbol real, TypeMatch match) =>
+        Flags(declared).SequenceEqual(Flags(real)) &&
+        declared.ConstraintTypes.Length == real.ConstraintTypes.Length &&
+        declared.ConstraintTypes.All(type => real.ConstraintTypes.Any(other => match.Same(type, other)));
+
+    private static string Constraints(ITypeParameterSymbol parameter)
+    {
+        var words = Flags(parameter).Concat(parameter.ConstraintTypes.Select(Names.Of)).ToArray();
+        return words.Length == 0 ? "nothing" : string.Join(", ", words);
+    }
+
+    private static IEnumerable<string> Flags(ITypeParameterSymbol parameter)
+    {
+        if (parameter.HasReferenceTypeConstraint)
+            yield return "class";
+        if (parameter.HasUnmanagedTypeConstraint)
+            yield return "unmanaged";
+        else if (parameter.HasValueTypeConstraint)
+            yield return "struct";
+        if (parameter.HasNotNullConstraint)
+            yield return "notnull";
+        if (parameter.HasConstructorConstraint)
+            yield return "new()";
+    }
+
+    private static string Word(VarianceKind variance) => variance switch
+    {
+        VarianceKind.In => "in",
+        VarianceKind.Out => "out",
+        _ => "invariant",
+    };
+}

@@ -1,0 +1,20 @@
+using Microsoft.CodeAnalysis;
+
+namespace Penumbra.ApiCheck.Compare;
+
+/// <summary>[Obsolete] of the real source: as an error the member cannot be called, as a warning it is noted.</summary>
+public static class Obsolescence
+{
+    public sealed record Mark(bool IsError, string Message);
+
+    public static Mark? Of(ISymbol real)
+    {
+        var marks = real.GetAttributes().Where(attribute => attribute.AttributeClass?.ToDisplayString() == "System.ObsoleteAttribute");
+        foreach (var mark in marks)
+        {
+            var arguments = mark.ConstructorArguments.Select(argument => argument.Value).ToArray();
+            return new Mark(arguments.OfType<bool>().FirstOrDefault(), arguments.OfType<string>().FirstOrDefault() ?? "");
+        }
+        return null;
+    }
+}

@@ -1,0 +1,62 @@
+using System.Globalization;
+using Microsoft.CodeAnalysis;
+
+namespace Penumbra.ApiCheck.Compare;
+
+/// <summary>The parameters of two methods, indexers or delegates that are paired with each other.</summary>
+public static class Parameters
+{
+    /// <summary>One sentence a difference; types and passing modes included.</summary>
+    public static IEnumerable<string> Differences(IReadOnlyList<IParameterSymbol> declared,
+                                                  IReadOnlyList<IParameterSymbol> real, TypeMatch match)
+    {
+        if (declared.Count != real.Count)
+        {
+            yield return $"has {Count(declared.Count)} here, {Count(real.Count)} in the real source";
+            yield break;
+        }
+        for (var at = 0; at < declared.Count; ++at)
+        {
+            var (one, other) = (declared[at], real[at]);
+            var which = $"parameter {at + 1}, {one.Name},";
+            if (!match.Same(one.Type, other.Type))
+                yield return $"{which} is {Names.Of(one.Type)} here, {Names.Of(other.Type)} in the real source";
+            if (one.RefKind != other.RefKind)
+                yield return $"{which} is passed {Passed(one.RefKind)} here, {Passed(other.RefKind)} in the real source";
+            if (one.Name != other.Name)
+                yield return $"{which} is named {other.Name} in the real source";
+            if (one.IsParams != other.IsParams || one.IsThis != other.IsThis)
+                yield return $"{which} is {Role(one)} here, {Role(other)} in the real source";
+            if (Default(one) != Default(other))
+                yield return $"{which} is {Default(one)} here, {Default(other)} in the real source";
+        }
+    }
+
+    /// <summary>A constant as the messages write it.</summary>
+    public static string Value(object? value) => value switch
+    {
+        null => "null",
+        string text => $"\"{text}\"",
+        bool truth => truth ? "true" : "false",
+        float number => number.ToString("R", CultureInfo.InvariantCulture) + "f",
+        IFormattable number => number.ToString(null, CultureInfo.InvariantCulture),
+        _ => value.ToString() ?? "",
+    };
+
+    private static string Default(IParameterSymbol parameter) =>
+        parameter.HasExplicitDefaultValue ? "optional with " + Value(parameter.ExplicitDefaultValue) : "required";
+
+    private static string Role(IParameterSymbol parameter) =>
+        parameter.IsParams ? "a params array" : parameter.IsThis ? "a this parameter" : "a plain parameter";
+
+    private static string Passed(RefKind kind) => kind switch
+    {
+        RefKind.None => "by value",
+        RefKind.Ref => "by ref",
+        RefKind.Out => "by out",
+        RefKind.In => "by in",
+        _ => "by ref readonly",
+    };
+
+    private static string Count(int count) => count == 1 ? "1 parameter" : $"{count} parameters";
+}

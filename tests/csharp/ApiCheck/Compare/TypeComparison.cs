@@ -1,0 +1,116 @@
+using Microsoft.CodeAnalysis;
+
+namespace Penumbra.ApiCheck.Compare;
+
+/// <summary>What two types of the same name differ in, their members apart: one sentence a difference.</summary>
+public sealed class TypeComparison(TypeMatch match)
+{
+    public IEnumerable<string> Differences(INamedTypeSymbol declared, INamedTypeSymbol real)
+    {
+        if (Access.Outside(declared) != Access.Outside(real))
+            yield return $"{Names.Of(declared.DeclaredAccessibility)} here, {Names.Of(real.DeclaredAccessibility)} in the real source";
+        if (declared.TypeKind != real.TypeKind)
+        {
+            yield return $"a {Names.Of(declared.TypeKind)} here, a {Names.Of(real.TypeKind)} in the real source";
+            yield break;
+        }
+        var differences = Modifiers(declared, real)
+            .Concat(Generics.Differences(declared.TypeParameters, real.TypeParameters, match))
+            .Concat(Inheritance(declared, real)).Concat(Attribute(declared, real));
+        foreach (var difference in differences)
+            yield return difference;
+        if (declared.EnumUnderlyingType is { } one && real.EnumUnderlyingType is { } other && !match.Same(one, other))
+            yield return $"its values are {Names.Of(one)} here, {Names.Of(other)} in the real source";
+        if (declared.DelegateInvokeMethod is { } call && real.DelegateInvokeMethod is { } realCall)
+        {
+            foreach (var difference in new MemberComparison(match).Methods(call, realCall))
+                yield return difference;
+        }
+        if (Obsolescence.Of(real) is { IsError: true } mark)
+            yield return $"[Obsolete] as an error in the real source: {mark.Message}";
+    }
+
+    /// <summary>Abstract members that no type in between overrides: what a type that derives from it must have.</summary>
+    public static IEnumerable<ISymbol> Required(INamedTypeSymbol real)
+    {
+        var overridden = new HashSet<ISymbol>(SymbolEqualityComparer.Default);
+        foreach (var member in MemberSearch.Above(real).Prepend(real).SelectMany(type => type.GetMembers()))
+        {
+            if (member is IMethodSymbol { AssociatedSymbol: not null } || !Access.IsReachable(member) || member.IsStatic)
+                continue;
+            if (member.IsAbstract && !overridden.Contains(member.OriginalDefinition))
+                yield return member;
+            ISymbol? below = member is IMethodSymbol method ? method.OverriddenMethod : (member as IPropertySymbol)?.OverriddenProperty;
+            if (below is not null)
+                overridden.Add(below.OriginalDefinition);
+        }
+    }
+
+    /// <summary>A class that can be made with new here must be open to it there.</summary>
+    public static string? Construction(INamedTypeSymbol declared, INamedTypeSymbol real)
+    {
+        if (declared.TypeKind != TypeKind.Class || declared.IsStatic ||
+            declared.InstanceConstructors is not [{ IsImplicitlyDeclared: true }])
+            return null;
+        return real.InstanceConstructors.Any(constructor => constructor.Parameters.Length == 0 && Access.IsReachable(constructor))
+            ? null
+            : "can be made with new() here, not in the real source: declare a private constructor, or those that it has";
+    }
+
+    /// <summary>Whether the declared type has the member, of its own or inherited.</summary>
+    public bool Has(INamedTypeSymbol declared, ISymbol member) =>
+        MemberSearch.Everywhere(declared, member.Name).Any(own => SameParameters(own, member));
+
+    private bool SameParameters(ISymbol declared, ISymbol real) => (declared, real) switch
+    {
+        (IMethodSymbol one, IMethodSymbol other) => match.SameParameters(one.Parameters, other.Parameters),
+        (IPropertySymbol one, IPropertySymbol other) => match.SameParameters(one.Parameters, other.Parameters),
+        _ => declared.Kind == real.Kind,
+    };
+
+    private static IEnumerable<string> Modifiers(INamedTypeSymbol declared, INamedTypeSymbol real)
+    {
+        if (declared.TypeKind == TypeKind.Class && Modifier(declared) != Modifier(real))
+            yield return $"{Modifier(declared)} here, {Modifier(real)} in the real source";
+        if (declared.IsRefLikeType != real.IsRefLikeType)
+            yield return $"{(declared.IsRefLikeType ? "a ref struct" : "no ref struct")} here, {(real.IsRefLikeType ? "a ref struct" : "no ref struct")} in the real source";
+    }
+
+    private static string Modifier(INamedTypeSymbol type) =>
+        type.IsStatic ? "static" : type.IsAbstract ? "abstract" : type.IsSealed ? "sealed" : "open";
+
+    private IEnumerable<string> Inheritance(INamedTypeSymbol declared, INamedTypeSymbol real)
+    {
+        if (declared.TypeKind == TypeKind.Class && declared.BaseType is { SpecialType: not SpecialType.System_Object } parent &&
+            !MemberSearch.Above(real).Any(type => match.Same(parent, type)))
+            yield return $"derives from {Names.Of(parent)} here, {Parent(real)} in the real source";
+        foreach (var type in declared.Interfaces.Where(type => !real.AllInterfaces.Any(other => match.Same(type, other))))
+            yield return $"implements {Names.Of(type)} here, not in the real source";
+    }
+
+    private static string Parent(INamedTypeSymbol real) =>
+        real.BaseType is { SpecialType: not SpecialType.System_Object } parent ? $"from {Names.Of(parent)}" : "from no class";
+
+    /// <summary>An attribute must not be allowed here where the real one is not.</summary>
+    private static IEnumerable<string> Attribute(INamedTypeSymbol declared, INamedTypeSymbol real)
+    {
+        if (Usage(declared) is not { } one || Usage(real) is not { } other)
+            yield break;
+        if ((one.Targets & ~other.Targets) != 0)
+            yield return $"may stand on {one.Targets} here, on {other.Targets} in the real source";
+        if (one.Often && !other.Often)
+            yield return "may stand on one thing several times here, not in the real source";
+    }
+
+    /// <summary>An attribute without AttributeUsage has that of the class it derives from.</summary>
+    private static (AttributeTargets Targets, bool Often)? Usage(INamedTypeSymbol type)
+    {
+        var line = MemberSearch.Above(type).Prepend(type).ToArray();
+        if (!line.Any(parent => parent.ToDisplayString() == "System.Attribute"))
+            return null;
+        var usage = line.SelectMany(parent => parent.GetAttributes())
+            .First(attribute => attribute.AttributeClass?.ToDisplayString() == "System.AttributeUsageAttribute");
+        var often = usage.NamedArguments.Any(argument => argument is { Key: "AllowMultiple", Value.Value: true });
+        return ((AttributeTargets)(int)usage.ConstructorArguments[0].Value!, often);
+    }
+}

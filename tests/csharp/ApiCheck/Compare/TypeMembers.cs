@@ -1,0 +1,127 @@
+using Microsoft.CodeAnalysis;
+using Penumbra.ApiCheck.Sources;
+
+namespace Penumbra.ApiCheck.Compare;
+
+/// <summary>One declared type against the real one, with its members and nested types.</summary>
+public sealed class TypeMembers(TypeResult result, Findings findings, string generation,
+                                IReadOnlySet<INamedTypeSymbol> parents)
+{
+    private readonly TypeMatch match = new();
+
+    public void Compare(INamedTypeSymbol declared, INamedTypeSymbol real, IReadOnlyList<ReadFrom> origins)
+    {
+        var comparison = new TypeComparison(match);
+        result.Members.Add($"{Signature.Of(declared)} {string.Join(", ", origins)}");
+        CheckPlace(declared, real, origins);
+        var files = Files(origins);
+        foreach (var difference in comparison.Differences(declared, real))
+            findings.Add(declared, difference, real, files);
+        Note(declared, real);
+        if (declared.TypeKind != real.TypeKind || declared.TypeKind == TypeKind.Delegate)
+            return;
+        foreach (var missing in parents.Contains(declared) ? TypeComparison.Required(real) : [])
+        {
+            if (!comparison.Has(declared, missing))
+                findings.Add(declared, $"the package derives from it and must there have {Names.ShortOf(missing)}, not declared here", missing);
+        }
+        if (TypeComparison.Construction(declared, real) is { } construction)
+            findings.Add(declared, construction, real, files);
+        foreach (var member in declared.GetMembers().Where(IsCompared))
+            CompareMember(member, real, origins);
+        result.ByName.UnionWith(match.ByName);
+    }
+
+    private static bool IsCompared(ISymbol member) =>
+        !member.IsImplicitlyDeclared && Access.IsReachable(member) && !Declarations.IsOwn(member) &&
+        member is not IMethodSymbol { AssociatedSymbol: not null };
+
+    private void CompareMember(ISymbol declared, INamedTypeSymbol type, IReadOnlyList<ReadFrom> origins)
+    {
+        var own = Declarations.Origins(declared).Where(origin => origin.IsOf(generation)).ToArray();
+        var read = own.Length > 0 ? own : origins;
+        if (declared is INamedTypeSymbol nested)
+        {
+            if (type.GetTypeMembers(nested.Name, nested.Arity).FirstOrDefault() is { } other)
+                Compare(nested, other, read);
+            else
+                findings.Add(declared, Absent(declared, type, out var near), near ?? type);
+            return;
+        }
+
+        result.Members.Add(Signature.Of(declared));
+        var candidates = MemberSearch.Find(type, declared.Name);
+        var real = Pick(declared, candidates) ?? Pick(declared, [.. MemberSearch.Everywhere(type, declared.Name)]);
+        if (real is null)
+        {
+            findings.Add(declared, Unmatched(declared, type, candidates, out var near), near ?? type);
+            return;
+        }
+        foreach (var difference in new MemberComparison(match).Differences(declared, real))
+            findings.Add(declared, difference, real);
+        Note(declared, real);
+        if (!SymbolEqualityComparer.Default.Equals(real.ContainingType.OriginalDefinition, type.OriginalDefinition))
+            result.Inherited.Add(Names.Of(declared) + " of " + Names.Of(real.ContainingType));
+        else
+            CheckPlace(declared, real, read);
+    }
+
+    /// <summary>The real member of the same kind and parameters.</summary>
+    private ISymbol? Pick(ISymbol declared, IReadOnlyList<ISymbol> candidates) => candidates.FirstOrDefault(real =>
+        (declared, real) switch
+        {
+            (IMethodSymbol one, IMethodSymbol other) => one.Arity == other.Arity && match.SameParameters(one.Parameters, other.Parameters) &&
+                (one.MethodKind != MethodKind.Conversion || match.Same(one.ReturnType, other.ReturnType)),
+            (IPropertySymbol one, IPropertySymbol other) => match.SameParameters(one.Parameters, other.Parameters),
+            _ => declared.Kind == real.Kind,
+        });
+
+    private string Unmatched(ISymbol declared, INamedTypeSymbol type, IReadOnlyList<ISymbol> candidates, out ISymbol? near)
+    {
+        near = candidates.FirstOrDefault(Access.IsReachable) ?? candidates.FirstOrDefault();
+        if (near is null)
+            return Absent(declared, type, out near);
+        if (near.Kind != declared.Kind)
+            return $"{Kind(declared)} here, {Kind(near)} in the real source";
+        var likely = candidates.OfType<IMethodSymbol>().Where(Access.IsReachable).ToArray();
+        if (declared is IMethodSymbol method && likely is [var only] && only.Arity == method.Arity)
+            return string.Join("; ", Parameters.Differences(method.Parameters, only.Parameters, match));
+        if (declared is IPropertySymbol property && near is IPropertySymbol other)
+            return string.Join("; ", Parameters.Differences(property.Parameters, other.Parameters, match));
+        var overloads = likely.Length > 0 ? likely : candidates.ToArray();
+        return $"no overload has these parameters; the real ones are {string.Join(", ", overloads.Select(Names.ShortOf))}";
+    }
+
+    private static string Absent(ISymbol declared, INamedTypeSymbol type, out ISymbol? near)
+    {
+        var names = MemberSearch.Above(type).Prepend(type).SelectMany(other => other.GetMembers())
+            .Where(member => member.CanBeReferencedByName && Access.IsReachable(member));
+        near = Names.Nearest(declared.Name, names, member => member.Name);
+        return near is null ? "the real type has no such member" : $"the real type has no such member; the nearest is {near.Name}";
+    }
+
+    private static string Kind(ISymbol symbol) => symbol.Kind switch
+    {
+        SymbolKind.NamedType => "a type",
+        SymbolKind.Event => "an event",
+        var kind => "a " + kind.ToString().ToLowerInvariant(),
+    };
+
+    private void Note(ISymbol declared, ISymbol real)
+    {
+        if (Obsolescence.Of(real) is { IsError: false } mark)
+            result.Obsolete.Add($"{Names.Of(declared)}: {mark.Message}");
+    }
+
+    private static string[] Files(IEnumerable<ReadFrom> origins) => [.. origins.Select(origin => $"{origin.Source}/{origin.Path}")];
+
+    /// <summary>The real symbol stands in a file that the declaration names.</summary>
+    private void CheckPlace(ISymbol declared, ISymbol real, IReadOnlyList<ReadFrom> origins)
+    {
+        var named = Files(origins);
+        var standing = real.Locations.Where(place => place.IsInSource).Select(place => place.SourceTree!.FilePath).Distinct().ToArray();
+        result.Files.UnionWith(named.Intersect(standing));
+        if (standing.Length > 0 && !standing.Intersect(named).Any())
+            findings.Add(declared, $"[ReadFrom] names {string.Join(", ", named)}; it stands in {string.Join(", ", standing)}", real);
+    }
+}

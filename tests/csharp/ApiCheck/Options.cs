@@ -1,0 +1,76 @@
+namespace Penumbra.ApiCheck;
+
+/// <summary>The command line of `scripts/check-unity-api`.</summary>
+public sealed class Options
+{
+    public const string Usage = """
+        usage: check-unity-api --source DIR [--source DIR ...] --generation 2022.3|6000.0 [options]
+               check-unity-api DIR [DIR ...] [options]
+               check-unity-api --page FILE REPORT [REPORT ...]
+
+        The first form compares our declarations of Unity's API with the C# of Unity's reference source and of the
+        packages core and URP, found in the folders given. The second compiles the package against real assemblies:
+        a Unity installation, a project's folder (Library/ScriptAssemblies), or a folder of reference assemblies.
+        The third writes the figures of reports into a page.
+
+          --engine DIR, --core DIR, --universal DIR    the folder of one source
+          --engine-version V, --core-version V, --universal-version V
+                                    for a source that does not say its version
+          --output FILE             the answer as JSON
+          --version V               the version of Unity, where the assemblies' folder does not tell it
+          --package DIR             the package (default: this repository)
+          --declarations DIR        the declarations (default: tests/csharp/UnityApi of the package)
+          --help
+
+        Exit: 0 nothing differs, 1 differences, 2 wrong usage or an unreadable file, 3 assemblies are missing.
+        """;
+
+    public List<string> Sources { get; } = [];
+    public List<string> Operands { get; } = [];
+    public Dictionary<string, string> Named { get; } = [];
+    public Dictionary<string, string> Versions { get; } = [];
+    public string? Generation { get; private set; }
+    public string? Version { get; private set; }
+    public string? Output { get; private set; }
+    public string? Page { get; private set; }
+    public string? Package { get; private set; }
+    public string? Declarations { get; private set; }
+    public bool Help { get; private set; }
+
+    public static Options Parse(IReadOnlyList<string> arguments)
+    {
+        var options = new Options();
+        for (var at = 0; at < arguments.Count; ++at)
+        {
+            var argument = arguments[at];
+            if (argument is "--help" or "-h")
+                options.Help = true;
+            else if (!argument.StartsWith('-'))
+                options.Operands.Add(argument);
+            else if (at + 1 == arguments.Count)
+                throw CheckException.Usage($"{argument} needs a value (--help lists the options)");
+            else
+                options.Set(argument, arguments[++at]);
+        }
+        return options;
+    }
+
+    public bool IsSourceCheck => Sources.Count > 0 || Named.Count > 0;
+
+    private void Set(string option, string value)
+    {
+        switch (option)
+        {
+            case "--source": Sources.Add(value); break;
+            case "--engine" or "--core" or "--universal": Named[option[2..]] = value; break;
+            case "--engine-version" or "--core-version" or "--universal-version": Versions[option[2..^8]] = value; break;
+            case "--generation": Generation = value; break;
+            case "--version": Version = value; break;
+            case "--output" or "-o": Output = value; break;
+            case "--page": Page = value; break;
+            case "--package": Package = value; break;
+            case "--declarations": Declarations = value; break;
+            default: throw CheckException.Usage($"{option} is no option (--help lists them)");
+        }
+    }
+}

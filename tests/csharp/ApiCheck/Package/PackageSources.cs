@@ -1,0 +1,91 @@
+using Microsoft.CodeAnalysis;
+using Microsoft.CodeAnalysis.CSharp;
+
+namespace Penumbra.ApiCheck.Package;
+
+/// <summary>
+/// The C# that the package ships: each assembly definition in Runtime/ and Editor/ with the files that belong to it,
+/// in the order in which they refer to each other. Folders whose name ends with ~ or starts with . are not Unity's.
+/// </summary>
+public sealed class PackageSources
+{
+    private PackageSources(string root, IReadOnlyList<Asmdef> assemblies, IReadOnlyDictionary<string, Asmdef> owners)
+    {
+        Root = root;
+        Assemblies = assemblies;
+        Owners = owners;
+    }
+
+    public string Root { get; }
+    public IReadOnlyList<Asmdef> Assemblies { get; }
+
+    private IReadOnlyDictionary<string, Asmdef> Owners { get; }
+
+    public static PackageSources Read(string root)
+    {
+        string[] roots = [Path.Combine(root, "Runtime"), Path.Combine(root, "Editor")];
+        var files = roots.Where(Directory.Exists).SelectMany(ShippedFiles.Below).ToArray();
+        var assemblies = files.Where(file => file.EndsWith(".asmdef", StringComparison.Ordinal)).Select(Asmdef.Read).ToArray();
+        if (assemblies.Length == 0)
+            throw CheckException.Usage($"{root} holds no package: there is no .asmdef in Runtime/ or Editor/");
+        if (assemblies.GroupBy(assembly => assembly.Name).FirstOrDefault(group => group.Count() > 1) is { } twice)
+            throw CheckException.Usage($"{twice.Last().File}:1:1: the assembly {twice.Key} is defined twice, also in {twice.First().File}");
+        var owners = new Dictionary<string, Asmdef>();
+        foreach (var file in files.Where(file => file.EndsWith(".cs", StringComparison.Ordinal)))
+            owners[file] = Owner(file, assemblies) ?? throw CheckException.Usage(
+                $"{file}:1:1: no .asmdef in its folder or above: Unity does not compile this file in a package");
+        return new PackageSources(root, InOrder(assemblies), owners);
+    }
+
+    public IEnumerable<SyntaxTree> Trees(Asmdef assembly, IEnumerable<string> symbols)
+    {
+        // Unity 2022.3 and 6000.0 compile C# 9.
+        var options = new CSharpParseOptions(LanguageVersion.CSharp9, DocumentationMode.None, preprocessorSymbols: symbols);
+        return Owners.Where(owner => owner.Value == assembly).Select(owner => owner.Key).Order(StringComparer.Ordinal)
+            .Select(file => CSharpSyntaxTree.ParseText(File.ReadAllText(file), options, Shown(file)));
+    }
+
+    private string Shown(string file) => Path.GetRelativePath(Root, file).Replace('\\', '/');
+
+    private static Asmdef? Owner(string file, IEnumerable<Asmdef> assemblies) =>
+        assemblies.Where(assembly => file.StartsWith(assembly.Folder + Path.DirectorySeparatorChar, StringComparison.Ordinal))
+            .MaxBy(assembly => assembly.Folder.Length);
+
+    private static List<Asmdef> InOrder(IReadOnlyList<Asmdef> assemblies)
+    {
+        var ordered = new List<Asmdef>();
+        var open = new HashSet<Asmdef>();
+        void Add(Asmdef assembly)
+        {
+            if (ordered.Contains(assembly))
+                return;
+            if (!open.Add(assembly))
+                throw CheckException.Usage($"{assembly.File}:1:1: {assembly.Name} refers to itself through its references");
+            foreach (var other in assemblies.Where(other => assembly.References.Contains(other.Name)))
+                Add(other);
+            ordered.Add(assembly);
+        }
+
+        foreach (var assembly in assemblies)
+            Add(assembly);
+        return ordered;
+    }
+}
+
+/// <summary>The files of a folder that Unity would import.</summary>
+public static class ShippedFiles
+{
+    public static IEnumerable<string> Below(string folder)
+    {
+        foreach (var file in Directory.EnumerateFiles(folder).Order(StringComparer.Ordinal))
+            yield return file;
+        foreach (var inner in Directory.EnumerateDirectories(folder).Order(StringComparer.Ordinal))
+        {
+            var name = Path.GetFileName(inner);
+            if (name.EndsWith('~') || name.StartsWith('.'))
+                continue;
+            foreach (var file in Below(inner))
+                yield return file;
+        }
+    }
+}

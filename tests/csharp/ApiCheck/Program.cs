@@ -1,0 +1,1 @@
+return Penumbra.ApiCheck.Command.Run(args, Console.Out, Console.Error);

@@ -1,0 +1,31 @@
+using Microsoft.CodeAnalysis;
+
+namespace Penumbra.ApiCheck.Report;
+
+/// <summary>A place in a file, line and column counted from one.</summary>
+public sealed record Place(string File, int Line, int Column)
+{
+    public static Place? Of(Location? location) => location is { IsInSource: true } && location.GetLineSpan() is var span
+        ? new Place(span.Path, span.StartLinePosition.Line + 1, span.StartLinePosition.Character + 1)
+        : null;
+
+    public static Place? Of(ISymbol? symbol) => Of(symbol?.Locations.FirstOrDefault(location => location.IsInSource));
+
+    /// <summary>Of the parts of a partial type the one that stands in one of these files, if any does.</summary>
+    public static Place? Of(ISymbol? symbol, IReadOnlyCollection<string> preferred) =>
+        Of(symbol?.Locations.FirstOrDefault(location => location.IsInSource && preferred.Contains(location.SourceTree.FilePath))) ??
+        Of(symbol);
+
+    public override string ToString() => $"{File}:{Line}:{Column}";
+}
+
+/// <summary>One difference: the declaration's place, the symbol, what is wrong and where the real one stands.</summary>
+public sealed record Problem(Place? Declaration, string Symbol, string Text, Place? Real)
+{
+    public override string ToString()
+    {
+        var place = Declaration is null ? "" : Declaration + ": ";
+        var real = Real is null ? "" : $" (see {Real.File}:{Real.Line})";
+        return $"{place}{Symbol}: {Text}{real}";
+    }
+}

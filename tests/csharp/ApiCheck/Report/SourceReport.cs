@@ -1,0 +1,88 @@
+using System.Security.Cryptography;
+using System.Text;
+using System.Text.Json;
+using System.Text.Json.Serialization;
+using Penumbra.ApiCheck.Compare;
+using Penumbra.ApiCheck.Sources;
+
+namespace Penumbra.ApiCheck.Report;
+
+/// <summary>
+/// The committed answer of a check against sources: what was read, how much was compared, one record a type. A type's
+/// fingerprint is of its declared signatures and the places they name, so that a declaration changed since shows.
+/// </summary>
+public sealed record SourceReport
+{
+    public required string Generation { get; init; }
+    public required IReadOnlyList<ReadSource> Sources { get; init; }
+    public required IReadOnlyList<string> SymbolSets { get; init; }
+    public required Totals Counts { get; init; }
+    public required IReadOnlyList<CheckedType> Types { get; init; }
+    public required IReadOnlyList<string> Problems { get; init; }
+
+    public sealed record ReadSource(string Source, string? Version, string VersionFrom, int Files);
+
+    public sealed record Totals(int Types, int Members, int Inherited, int ByName, int Obsolete, int Differences);
+
+    public sealed record CheckedType(string Name, string Source, IReadOnlyList<string> Files, int Members, string Fingerprint)
+    {
+        public IReadOnlyList<string>? Only { get; init; }
+        public IReadOnlyList<string>? Inherited { get; init; }
+        public IReadOnlyList<string>? ByName { get; init; }
+        public IReadOnlyList<string>? Obsolete { get; init; }
+    }
+
+    private static readonly JsonSerializerOptions Form = new()
+    {
+        WriteIndented = true,
+        PropertyNamingPolicy = JsonNamingPolicy.CamelCase,
+        DefaultIgnoreCondition = JsonIgnoreCondition.WhenWritingNull,
+        Encoder = System.Text.Encodings.Web.JavaScriptEncoder.UnsafeRelaxedJsonEscaping,
+    };
+
+    public static SourceReport Of(string generation, SourceCheck check)
+    {
+        var types = check.Findings.Types.ToArray();
+        var problems = check.Findings.Problems.ToArray();
+        return new SourceReport
+        {
+            Generation = generation,
+            Sources = [.. check.Sources.Select(source => new ReadSource(source.Folder.Source, source.Folder.Version, source.Folder.VersionFrom, source.Files))],
+            SymbolSets = [.. Package.SymbolSet.All.Select(set => set.Name)],
+            Counts = new Totals(types.Length, types.Sum(type => type.Members.Count), types.Sum(type => type.Inherited.Count),
+                                types.Sum(type => type.ByName.Count), types.Sum(type => type.Obsolete.Count), problems.Length),
+            Types = [.. types.Select(Record)],
+            Problems = problems,
+        };
+    }
+
+    public static SourceReport Read(string file)
+    {
+        try
+        {
+            return JsonSerializer.Deserialize<SourceReport>(File.ReadAllText(file), Form) ??
+                   throw CheckException.Usage($"{file}:1:1: no report: write it with --output");
+        }
+        catch (JsonException error)
+        {
+            throw CheckException.Usage($"{file}:{(error.LineNumber ?? 0) + 1}:{(error.BytePositionInLine ?? 0) + 1}: no report: {error.Message}");
+        }
+    }
+
+    public string Json() => JsonSerializer.Serialize(this, Form).ReplaceLineEndings("\n") + "\n";
+
+    /// <summary>Sixteen hexadecimal digits of SHA-256.</summary>
+    public static string Fingerprint(TypeResult type)
+    {
+        var hash = SHA256.HashData(Encoding.UTF8.GetBytes(string.Join('\n', type.Members)));
+        return Convert.ToHexStringLower(hash)[..16];
+    }
+
+    private static CheckedType Record(TypeResult type) => new(type.Name, type.Source, [.. type.Files], type.Members.Count, Fingerprint(type))
+    {
+        Only = type.Sets.Count == Package.SymbolSet.All.Count ? null : [.. Package.SymbolSet.All.Select(set => set.Name).Where(type.Sets.Contains)],
+        Inherited = type.Inherited.Count == 0 ? null : [.. type.Inherited],
+        ByName = type.ByName.Count == 0 ? null : [.. type.ByName],
+        Obsolete = type.Obsolete.Count == 0 ? null : [.. type.Obsolete],
+    };
+}

@@ -1,0 +1,79 @@
+using Microsoft.CodeAnalysis;
+using Microsoft.CodeAnalysis.CSharp;
+using Penumbra.ApiCheck.Package;
+
+namespace Penumbra.ApiCheck.Sources;
+
+/// <summary>
+/// Our declarations of Unity's API for one generation: Shared/ and the generation's folder, as the compiler sees them.
+/// </summary>
+public sealed class Declarations
+{
+    public const string OwnNamespace = "Penumbra.UnityApi";
+    private const string ReadFromName = "ReadFromAttribute";
+    private const string OwnBehaviourName = "OwnBehaviourAttribute";
+
+    private readonly string[] files;
+    private readonly string root;
+    private readonly string shownFrom;
+
+    public Declarations(string root, string generation, string shownFrom)
+    {
+        (this.root, this.shownFrom) = (root, shownFrom);
+        string[] folders = [Path.Combine(root, "Shared"), Path.Combine(root, generation)];
+        files = [.. folders.Where(Directory.Exists).SelectMany(ShippedFiles.Below)
+            .Where(file => file.EndsWith(".cs", StringComparison.Ordinal))];
+        if (files.Length == 0)
+            throw CheckException.Usage($"{root}: no declarations in Shared/ or {generation}/: --declarations DIR names another folder");
+    }
+
+    public string Root => root;
+
+    public CSharpCompilation Compile(SymbolSet set, UnityVersion version)
+    {
+        var options = new CSharpParseOptions(LanguageVersion.CSharp12, DocumentationMode.None,
+                                             preprocessorSymbols: set.Symbols(version));
+        var trees = files.Select(file => CSharpSyntaxTree.ParseText(File.ReadAllText(file), options,
+            Path.GetRelativePath(shownFrom, file).Replace('\\', '/')));
+        return CSharpCompilation.Create("UnityApi", trees, [Profile.Reference],
+            new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary, allowUnsafe: true));
+    }
+
+    /// <summary>Types that stand for Unity's: not nested, not ours.</summary>
+    public static IEnumerable<INamedTypeSymbol> Types(Compilation compilation) =>
+        In(compilation.Assembly.GlobalNamespace).Where(type => !IsOwn(type));
+
+    /// <summary>Marked as our behaviour, within something marked so, or one of the attributes themselves.</summary>
+    public static bool IsOwn(ISymbol symbol)
+    {
+        for (var at = symbol; at is not null && at is not INamespaceSymbol; at = at.ContainingSymbol)
+        {
+            if (at.GetAttributes().Any(attribute => Is(attribute, OwnBehaviourName)))
+                return true;
+        }
+        var space = symbol.ContainingNamespace?.ToDisplayString() ?? "";
+        return space == OwnNamespace || space.StartsWith(OwnNamespace + ".", StringComparison.Ordinal);
+    }
+
+    /// <summary>Where the symbol says it was read.</summary>
+    public static IEnumerable<ReadFrom> Origins(ISymbol symbol) =>
+        from attribute in symbol.GetAttributes()
+        where Is(attribute, ReadFromName) && attribute.ConstructorArguments.Length == 3
+        let texts = attribute.ConstructorArguments.Select(argument => argument.Value as string ?? "").ToArray()
+        select new ReadFrom(texts[0], texts[1], texts[2]);
+
+    private static bool Is(AttributeData attribute, string name) =>
+        attribute.AttributeClass is { } type && type.Name == name && type.ContainingNamespace.ToDisplayString() == OwnNamespace;
+
+    private static IEnumerable<INamedTypeSymbol> In(INamespaceSymbol space) =>
+        space.GetTypeMembers().Concat(space.GetNamespaceMembers().SelectMany(In));
+}
+
+/// <summary>The attribute of a declaration: version of Unity or of the package, source, file within it.</summary>
+public sealed record ReadFrom(string Version, string Source, string Path)
+{
+    /// <summary>Whether it speaks of this generation: of 2022.3 with pipeline 14, or of 6000.0 with pipeline 17.</summary>
+    public bool IsOf(string generation) => Source == SourceFolder.Engine
+        ? Version.StartsWith(generation + ".", StringComparison.Ordinal)
+        : Version.StartsWith(generation == "2022.3" ? "14." : "17.", StringComparison.Ordinal);
+}

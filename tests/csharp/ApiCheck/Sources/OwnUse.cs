@@ -1,0 +1,56 @@
+using Microsoft.CodeAnalysis;
+using Microsoft.CodeAnalysis.CSharp;
+using Microsoft.CodeAnalysis.CSharp.Syntax;
+using Penumbra.ApiCheck.Compare;
+using Penumbra.ApiCheck.Package;
+using Penumbra.ApiCheck.Report;
+
+namespace Penumbra.ApiCheck.Sources;
+
+/// <summary>
+/// The package's C# compiled against the declarations: it must compile, and use nothing of them that is ours
+/// ([OwnBehaviour], Penumbra.UnityApi). What Unity keeps internal does not compile, as our declarations are an
+/// assembly of their own here.
+/// </summary>
+public static class OwnUse
+{
+    /// <returns>The declared types from which types of the package derive, or which they implement.</returns>
+    public static IReadOnlySet<INamedTypeSymbol> Check(PackageSources package, PackageVersions versions, SymbolSet set, CSharpCompilation declarations,
+                             Findings findings)
+    {
+        var build = new PackageBuild(package, versions, set);
+        MetadataReference[] references = [Profile.Reference, declarations.ToMetadataReference()];
+        var parents = new HashSet<INamedTypeSymbol>(SymbolEqualityComparer.Default);
+        foreach (var compilation in build.Compile(_ => references))
+        {
+            foreach (var error in PackageBuild.Errors(compilation))
+                findings.Add(new Problem(Place.Of(error.Location), compilation.AssemblyName!, $"{error.Id} {error.GetMessage()}", null));
+            foreach (var tree in compilation.SyntaxTrees)
+            {
+                var model = compilation.GetSemanticModel(tree);
+                CheckNames(model, tree.GetRoot(), declarations.Assembly, findings);
+                parents.UnionWith(Parents(model, tree.GetRoot()).Where(type => IsOf(type, declarations.Assembly)));
+            }
+        }
+        return parents;
+    }
+
+    private static IEnumerable<INamedTypeSymbol> Parents(SemanticModel model, SyntaxNode root) =>
+        root.DescendantNodes().OfType<BaseTypeDeclarationSyntax>().Select(node => model.GetDeclaredSymbol(node)).OfType<INamedTypeSymbol>()
+            .SelectMany(type => MemberSearch.Above(type).Concat(type.AllInterfaces)).Select(type => type.OriginalDefinition);
+
+    private static bool IsOf(ISymbol symbol, IAssemblySymbol assembly) =>
+        SymbolEqualityComparer.Default.Equals(symbol.ContainingAssembly, assembly);
+
+    private static void CheckNames(SemanticModel model, SyntaxNode root, IAssemblySymbol declarations, Findings findings)
+    {
+        foreach (var name in root.DescendantNodes().OfType<SimpleNameSyntax>())
+        {
+            if (model.GetSymbolInfo(name).Symbol is not { } symbol || symbol is INamespaceSymbol || !IsOf(symbol, declarations))
+                continue;
+            if (Declarations.IsOwn(symbol))
+                findings.Add(new Problem(Place.Of(name.GetLocation()), Names.Of(symbol), "ours, not Unity's: the package must not use it",
+                                         Place.Of(symbol)));
+        }
+    }
+}

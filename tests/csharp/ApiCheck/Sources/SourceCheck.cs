@@ -1,0 +1,57 @@
+using Penumbra.ApiCheck.Compare;
+using Penumbra.ApiCheck.Package;
+
+namespace Penumbra.ApiCheck.Sources;
+
+/// <summary>What a check against real sources is asked to do.</summary>
+public sealed record SourceRequest(string Generation, string Package, string Declarations)
+{
+    public IReadOnlyList<string> Folders { get; init; } = [];
+
+    /// <summary>Folders given for one source each, and versions for sources that do not say their own.</summary>
+    public IReadOnlyDictionary<string, string> Named { get; init; } = new Dictionary<string, string>();
+    public IReadOnlyDictionary<string, string> Versions { get; init; } = new Dictionary<string, string>();
+}
+
+/// <summary>
+/// `check-unity-api --source`: every declaration of a generation against the C# of engine, core and URP, and the
+/// package against the declarations, under each symbol set.
+/// </summary>
+public sealed class SourceCheck
+{
+    public Findings Findings { get; } = new();
+    public IReadOnlyList<RealSource> Sources { get; private set; } = [];
+
+    public static SourceCheck Run(SourceRequest request)
+    {
+        var check = new SourceCheck();
+        var folders = SourceSearch.Find(request.Folders, request.Named, request.Versions);
+        var declarations = new Declarations(request.Declarations, request.Generation, request.Package);
+        check.Sources = [.. folders.Select(RealSource.Read)];
+
+        var versions = Versions(request.Generation, folders);
+        var real = new RealWorld(check.Sources, versions);
+        var package = PackageSources.Read(request.Package);
+        foreach (var set in SymbolSet.All)
+        {
+            check.Findings.Begin(set);
+            var declared = declarations.Compile(set, versions.Unity);
+            var parents = OwnUse.Check(package, versions, set, declared, check.Findings);
+            new ApiComparison(real.Under(set), request.Generation, set.IsEditor, parents, check.Findings).Compare(declared);
+        }
+        return check;
+    }
+
+    /// <summary>What the sources say, and the generation's first release where they say nothing.</summary>
+    private static PackageVersions Versions(string generation, IReadOnlyList<SourceFolder> folders)
+    {
+        var engine = folders.FirstOrDefault(folder => folder.Source == SourceFolder.Engine)?.Version;
+        var unity = engine is null ? UnityVersion.Parse(generation) : UnityVersion.Parse(engine);
+        if (unity.Generation != generation)
+            throw CheckException.Usage($"the engine's source is of {unity.Text}: that is generation {unity.Generation}, not {generation}");
+        var known = new Dictionary<string, string>();
+        foreach (var folder in folders.Where(folder => folder.Version is not null && folder.Source != SourceFolder.Engine))
+            known[folder.Source == SourceFolder.Core ? PackageVersions.Core : PackageVersions.Universal] = folder.Version!;
+        return PackageVersions.Of(unity, known);
+    }
+}
