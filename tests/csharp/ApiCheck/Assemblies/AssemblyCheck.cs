@@ -1,3 +1,80 @@
+using Microsoft.CodeAnalysis;
+using Microsoft.CodeAnalysis.CSharp;
+using Penumbra.ApiCheck.Package;
+using Penumbra.ApiCheck.Report;
+
 namespace Penumbra.ApiCheck.Assemblies;
-public sealed class AssemblyCheck { public List<string> Problems = [], Notes = [];
- public static AssemblyCheck Run(string package, IReadOnlyList<string> folders, string? version) => new(); }
+
+/// <summary>
+/// `check-unity-api DIR`: the package's C# compiled against real assemblies, for the editor and for a player, with the
+/// symbols that this Unity defines. Each error stands at file, line and column.
+/// </summary>
+public sealed class AssemblyCheck
+{
+    private static readonly SymbolSet[] Sets = [SymbolSet.All[0], SymbolSet.All[1]];
+
+    public List<string> Problems { get; } = [];
+    public List<string> Notes { get; } = [];
+
+    public static AssemblyCheck Run(string root, IReadOnlyList<string> folders, string? version)
+    {
+        var package = PackageSources.Read(root);
+        var layout = UnityLayout.Find(folders);
+        var index = new AssemblyIndex(layout);
+        var missing = index.Missing(package).ToArray();
+        if (missing.Length > 0)
+            throw CheckException.Missing("assemblies are missing:\n  " + string.Join("\n  ", missing));
+        // The render graph left its experimental namespace with pipeline 17.
+        var unity = VersionSearch.Find(layout, version, () => UnityVersion.Parse(
+            index.HasType("UnityEngine.Rendering.RenderGraphModule.RenderGraph") ? "6000.0" : "2022.3"));
+        var check = new AssemblyCheck();
+        check.Compile(package, PackageVersions.Of(unity.Version, VersionSearch.Packages(layout)), index);
+        check.Describe(layout, unity);
+        return check;
+    }
+
+    private void Compile(PackageSources package, PackageVersions versions, AssemblyIndex index)
+    {
+        var lines = new Dictionary<(Place? Place, string Text), List<string>>();
+        var compiled = new SortedSet<string>(StringComparer.Ordinal);
+        foreach (var set in Sets)
+        {
+            var build = new PackageBuild(package, versions, set);
+            foreach (var compilation in build.Compile(assembly => index.For(assembly, set)))
+            {
+                compiled.Add(compilation.AssemblyName!);
+                foreach (var diagnostic in compilation.GetDiagnostics().Where(IsTold))
+                {
+                    var word = diagnostic.Severity == DiagnosticSeverity.Error ? "error" : "warning";
+                    var key = (Place.Of(diagnostic.Location), $"{word} {diagnostic.Id}: {diagnostic.GetMessage()}");
+                    lines.TryAdd(key, []);
+                    lines[key].Add(set.Name);
+                }
+            }
+            Notes.AddRange(build.LeftOut);
+        }
+        foreach (var (key, sets) in lines.OrderBy(line => line.Key.Place?.File, StringComparer.Ordinal).ThenBy(line => line.Key.Place?.Line))
+        {
+            var text = $"{(key.Place is null ? "" : key.Place + ": ")}{key.Text}{(sets.Contains("player") ? sets.Contains("editor") ? "" : " [player only]" : " [editor only]")}";
+            (key.Text.StartsWith("error", StringComparison.Ordinal) ? Problems : Notes).Add(text);
+        }
+        if (compiled.Count == 0)
+            Problems.Add("no assembly of the package was compiled");
+        Notes.Add($"{string.Join(", ", compiled)}: {Problems.Count} errors");
+    }
+
+    /// <summary>Errors, and what this Unity calls obsolete.</summary>
+    private static bool IsTold(Diagnostic diagnostic) =>
+        diagnostic.Severity == DiagnosticSeverity.Error || diagnostic.Id is "CS0618" or "CS0612";
+
+    private void Describe(UnityLayout layout, VersionSearch unity)
+    {
+        Notes.Add($"Unity {unity.Version.Text} by {unity.From}, engine in {layout.Engine}");
+        Notes.Add(layout.Player is null
+            ? "players: the editor's modules, as no build support is installed beside them"
+            : $"players: {layout.Player}");
+        Notes.Add(layout.Library.Count == 0
+            ? "class library: .NET Standard 2.1 of this program, as the folders hold none"
+            : $"class library: {layout.Library[0]}");
+    }
+}

@@ -31,6 +31,9 @@ public sealed class MemberComparison(TypeMatch match)
     public IEnumerable<string> Methods(IMethodSymbol declared, IMethodSymbol real) =>
         Returned(declared.ReturnType, declared.RefKind, real.ReturnType, real.RefKind)
             .Concat(Parameters.Differences(declared.Parameters, real.Parameters, match))
+            .Concat(declared.IsExtensionMethod == real.IsExtensionMethod
+                ? []
+                : [$"{Extension(declared)} here, {Extension(real)} in the real source"])
             .Concat(Generics.Differences(declared.TypeParameters, real.TypeParameters, match));
 
     private IEnumerable<string> Properties(IPropertySymbol declared, IPropertySymbol real) =>
@@ -95,6 +98,8 @@ public sealed class MemberComparison(TypeMatch match)
 
     private static bool IsOpen(ISymbol symbol) =>
         (symbol.IsVirtual || symbol.IsAbstract || symbol.IsOverride) && !symbol.IsSealed && !symbol.ContainingType.IsSealed;
+
+    private static string Extension(IMethodSymbol method) => method.IsExtensionMethod ? "an extension" : "no extension";
 
     private static string Static(ISymbol symbol) => symbol.IsStatic ? "static" : "an instance's";
 

@@ -25,7 +25,7 @@ public static class Parameters
                 yield return $"{which} is passed {Passed(one.RefKind)} here, {Passed(other.RefKind)} in the real source";
             if (one.Name != other.Name)
                 yield return $"{which} is named {other.Name} in the real source";
-            if (one.IsParams != other.IsParams || one.IsThis != other.IsThis)
+            if (one.IsParams != other.IsParams)
                 yield return $"{which} is {Role(one)} here, {Role(other)} in the real source";
             if (Default(one) != Default(other))
                 yield return $"{which} is {Default(one)} here, {Default(other)} in the real source";
@@ -47,7 +47,7 @@ public static class Parameters
         parameter.HasExplicitDefaultValue ? "optional with " + Value(parameter.ExplicitDefaultValue) : "required";
 
     private static string Role(IParameterSymbol parameter) =>
-        parameter.IsParams ? "a params array" : parameter.IsThis ? "a this parameter" : "a plain parameter";
+        parameter.IsParams ? "a params array" : "a plain array";
 
     private static string Passed(RefKind kind) => kind switch
     {

@@ -52,7 +52,8 @@ public sealed class TypeComparison(TypeMatch match)
         if (declared.TypeKind != TypeKind.Class || declared.IsStatic ||
             declared.InstanceConstructors is not [{ IsImplicitlyDeclared: true }])
             return null;
-        return real.InstanceConstructors.Any(constructor => constructor.Parameters.Length == 0 && Access.IsReachable(constructor))
+        var needed = declared.IsAbstract ? Accessibility.Protected : Accessibility.Public;
+        return real.InstanceConstructors.Any(made => made.Parameters.Length == 0 && (Access.Outside(made) == needed || Access.Outside(made) == Accessibility.Public))
             ? null
             : "can be made with new() here, not in the real source: declare a private constructor, or those that it has";
     }

@@ -84,7 +84,7 @@ public sealed class TypeMembers(TypeResult result, Findings findings, string gen
         if (near.Kind != declared.Kind)
             return $"{Kind(declared)} here, {Kind(near)} in the real source";
         var likely = candidates.OfType<IMethodSymbol>().Where(Access.IsReachable).ToArray();
-        if (declared is IMethodSymbol method && likely is [var only] && only.Arity == method.Arity)
+        if (declared is IMethodSymbol { MethodKind: not MethodKind.Conversion } method && likely is [var only] && only.Arity == method.Arity)
             return string.Join("; ", Parameters.Differences(method.Parameters, only.Parameters, match));
         if (declared is IPropertySymbol property && near is IPropertySymbol other)
             return string.Join("; ", Parameters.Differences(property.Parameters, other.Parameters, match));

@@ -28,7 +28,7 @@ public static class OwnUse
             foreach (var tree in compilation.SyntaxTrees)
             {
                 var model = compilation.GetSemanticModel(tree);
-                CheckNames(model, tree.GetRoot(), declarations.Assembly, findings);
+                CheckNames(model, tree.GetRoot(), declarations.Assembly, set, findings);
                 parents.UnionWith(Parents(model, tree.GetRoot()).Where(type => IsOf(type, declarations.Assembly)));
             }
         }
@@ -42,15 +42,22 @@ public static class OwnUse
     private static bool IsOf(ISymbol symbol, IAssemblySymbol assembly) =>
         SymbolEqualityComparer.Default.Equals(symbol.ContainingAssembly, assembly);
 
-    private static void CheckNames(SemanticModel model, SyntaxNode root, IAssemblySymbol declarations, Findings findings)
+    private static void CheckNames(SemanticModel model, SyntaxNode root, IAssemblySymbol declarations, SymbolSet set, Findings findings)
     {
         foreach (var name in root.DescendantNodes().OfType<SimpleNameSyntax>())
         {
             if (model.GetSymbolInfo(name).Symbol is not { } symbol || symbol is INamespaceSymbol || !IsOf(symbol, declarations))
                 continue;
-            if (Declarations.IsOwn(symbol))
-                findings.Add(new Problem(Place.Of(name.GetLocation()), Names.Of(symbol), "ours, not Unity's: the package must not use it",
-                                         Place.Of(symbol)));
+            var fault = Declarations.IsOwn(symbol) ? "ours, not Unity's: the package must not use it"
+                : !set.IsEditor && symbol is INamedTypeSymbol type && IsEditors(type)
+                    ? "the editor's: a player does not have it, put it under #if UNITY_EDITOR"
+                    : null;
+            if (fault is not null)
+                findings.Add(new Problem(Place.Of(name.GetLocation()), Names.Of(symbol), fault, Place.Of(symbol)));
         }
     }
+
+    private static bool IsEditors(INamedTypeSymbol type) => type.ContainingType is { } outer
+        ? IsEditors(outer)
+        : Declarations.Origins(type).ToArray() is { Length: > 0 } origins && origins.All(origin => SourceFolder.IsEditorFile(origin.Path));
 }

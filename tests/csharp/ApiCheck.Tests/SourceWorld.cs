@@ -1,0 +1,35 @@
+using Penumbra.ApiCheck.Report;
+using Penumbra.ApiCheck.Sources;
+
+namespace Penumbra.ApiCheck.Tests;
+
+/// <summary>Small sources, declarations and a package, written to disk and checked as the command does.</summary>
+public sealed class SourceWorld : IDisposable
+{
+    public TemporaryFolder Folder { get; } = new();
+
+    public SourceWorld()
+    {
+        Folder.Write("package/Runtime/Test.Runtime.asmdef", """{ "name": "Test.Runtime" }""");
+        foreach (var file in new[] { "ReadFrom.cs", "At.cs" })
+            Folder.Write($"package/tests/csharp/UnityApi/Shared/{file}", File.ReadAllText(Repository.At($"tests/csharp/UnityApi/Shared/{file}")));
+        Folder.Write("sources/engine/README.md", "## Unity 2022.3.17f1 C# reference source code\n");
+        Folder.Write("sources/engine/Editor/Mono/Empty.cs", "");
+        Folder.Write("sources/engine/Runtime/Export/Empty.cs", "");
+        foreach (var (source, package) in new[] { ("core", "core"), ("urp", "universal") })
+            Folder.Write($"sources/{source}/package.json", $$"""{ "name": "com.unity.render-pipelines.{{package}}", "version": "14.0.9" }""");
+    }
+
+    public void Real(string path, string text) => Folder.Write($"sources/{path}", text);
+
+    public void Declare(string path, string text) => Folder.Write($"package/tests/csharp/UnityApi/{path}", text);
+
+    public void Package(string path, string text) => Folder.Write($"package/{path}", text);
+
+    public SourceRequest Request(string generation = "2022.3") =>
+        new(generation, Folder.At("package"), Folder.At("package/tests/csharp/UnityApi")) { Folders = [Folder.At("sources")] };
+
+    public SourceReport Check(string generation = "2022.3") => SourceReport.Of(generation, SourceCheck.Run(Request(generation)));
+
+    public void Dispose() => Folder.Dispose();
+}

@@ -1,0 +1,33 @@
+using System.Reflection.Metadata;
+using System.Reflection.PortableExecutable;
+
+namespace Penumbra.ApiCheck.Assemblies;
+
+/// <summary>A .NET assembly on disk: its name and the names that it refers to.</summary>
+public sealed record ManagedFile(string File, string Name, IReadOnlyList<string> References)
+{
+    /// <summary>Null for a native library, or a file that is no library at all.</summary>
+    public static ManagedFile? Read(string file)
+    {
+        try
+        {
+            using var stream = System.IO.File.OpenRead(file);
+            using var image = new PEReader(stream);
+            if (!image.HasMetadata)
+                return null;
+            var metadata = image.GetMetadataReader();
+            if (!metadata.IsAssembly)
+                return null;
+            var references = metadata.AssemblyReferences
+                .Select(handle => metadata.GetString(metadata.GetAssemblyReference(handle).Name)).ToArray();
+            return new ManagedFile(file, metadata.GetString(metadata.GetAssemblyDefinition().Name), references);
+        }
+        catch (BadImageFormatException)
+        {
+            return null;
+        }
+    }
+
+    public static IEnumerable<ManagedFile> In(string folder) =>
+        Directory.EnumerateFiles(folder, "*.dll").Order(StringComparer.Ordinal).Select(Read).OfType<ManagedFile>();
+}
