@@ -44,10 +44,11 @@ public sealed class UnityLayout
 
     public IReadOnlyList<string> Given { get; private init; } = [];
 
-    public static UnityLayout Find(IReadOnlyList<string> folders)
+    public static UnityLayout Find(IReadOnlyList<string> given)
     {
-        foreach (var folder in folders.Where(folder => !Directory.Exists(folder)))
+        foreach (var folder in given.Where(folder => !Directory.Exists(folder)))
             throw CheckException.Usage($"{folder}: there is no such folder");
+        var folders = given.Select(folder => Path.TrimEndingDirectorySeparator(Path.GetFullPath(folder))).ToArray();
         var data = folders.SelectMany(folder => DataFolders.Select(inner => Path.Combine(folder, inner)))
             .FirstOrDefault(folder => File.Exists(Path.Combine(folder, "Managed", "UnityEngine", CoreModule)));
         var flat = folders.Concat(folders.Select(folder => Path.Combine(folder, "UnityEngine")))
