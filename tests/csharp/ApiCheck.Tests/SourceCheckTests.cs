@@ -106,7 +106,7 @@ public sealed class SourceCheckTests
         var report = world.Check();
         Assert.That(report.Problems, Is.Empty);
         Assert.That(report.Types.Single(type => type.Name == "Thing").ByName, Is.EqualTo(new[] { "Unity.Mathematics.float4" }));
-        Assert.That(report.Counts.Members, Is.EqualTo(6));
+        Assert.That(report.Counts.Declarations, Is.EqualTo(6));
     }
 
     [Test]
@@ -193,6 +193,6 @@ public sealed class SourceCheckTests
         Declare("public class Thing { public int a; }");
         var report = world.Check();
         Assert.That(report.Problems, Is.Empty);
-        Assert.That(report.Types.Single().Obsolete, Is.EqualTo(new[] { "Thing.a: Use Other" }));
+        Assert.That(report.Types.Single().Obsolete, Is.EqualTo(new[] { "Thing.a" }));
     }
 }

@@ -17,6 +17,7 @@ public static class Command
                 answers.WriteLine(Options.Usage);
                 return Exit.Same;
             }
+            options.RefuseStrangers();
             if (options.Page is not null)
                 return WritePage(options);
             if (options.IsSourceCheck)
@@ -60,7 +61,7 @@ public static class Command
         foreach (var problem in report.Problems)
             answers.WriteLine(problem);
         var counts = report.Counts;
-        answers.WriteLine($"{counts.Types} types with {counts.Members} declarations, {counts.Differences} differences from " +
+        answers.WriteLine($"{counts.Types} types with {counts.Declarations} declarations, {counts.Differences} differences from " +
                           string.Join(", ", report.Sources.Select(source => $"{source.Source} {source.Version ?? "(version unknown)"}")));
         return counts.Differences == 0 ? Exit.Same : Exit.Differences;
     }
@@ -68,6 +69,8 @@ public static class Command
     private static int CheckAssemblies(Options options, TextWriter answers)
     {
         var check = AssemblyCheck.Run(PackageOf(options), options.Operands, options.Version);
+        if (options.Output is not null)
+            WholeFile.Write(options.Output, check.Json());
         foreach (var line in check.Problems)
             answers.WriteLine(line);
         foreach (var line in check.Notes)

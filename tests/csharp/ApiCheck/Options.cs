@@ -57,6 +57,18 @@ public sealed class Options
 
     public bool IsSourceCheck => Sources.Count > 0 || Named.Count > 0;
 
+    /// <summary>An option that the asked check would not look at is a mistake.</summary>
+    public void RefuseStrangers()
+    {
+        var (form, foreign) = Page is not null
+            ? ("--page", new[] { ("--source", Sources.Count > 0), ("--output", Output is not null), ("--version", Version is not null) })
+            : IsSourceCheck
+                ? ("--source", [("--version", Version is not null)])
+                : ("a folder of assemblies", [("--generation", Generation is not null), ("--declarations", Declarations is not null)]);
+        foreach (var (option, _) in foreign.Where(entry => entry.Item2))
+            throw CheckException.Usage($"{option} does not go with {form} (--help says more)");
+    }
+
     private void Set(string option, string value)
     {
         switch (option)

@@ -1,3 +1,4 @@
+using System.Text.Json;
 using Microsoft.CodeAnalysis;
 using Microsoft.CodeAnalysis.CSharp;
 using Penumbra.ApiCheck.Package;
@@ -18,6 +19,8 @@ public sealed class AssemblyCheck
 
     public static AssemblyCheck Run(string root, IReadOnlyList<string> folders, string? version)
     {
+        if (version is not null)
+            UnityVersion.Parse(version);
         var package = PackageSources.Read(root);
         var layout = UnityLayout.Find(folders);
         var index = new AssemblyIndex(layout);
@@ -32,6 +35,15 @@ public sealed class AssemblyCheck
         check.Describe(layout, unity);
         return check;
     }
+
+    public string Json() =>
+        JsonSerializer.Serialize(new { problems = Problems, notes = Notes }, Form).ReplaceLineEndings("\n") + "\n";
+
+    private static readonly JsonSerializerOptions Form = new()
+    {
+        WriteIndented = true,
+        Encoder = System.Text.Encodings.Web.JavaScriptEncoder.UnsafeRelaxedJsonEscaping,
+    };
 
     private void Compile(PackageSources package, PackageVersions versions, AssemblyIndex index)
     {

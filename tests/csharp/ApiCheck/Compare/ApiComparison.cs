@@ -11,10 +11,13 @@ namespace Penumbra.ApiCheck.Compare;
 public sealed class ApiComparison(IReadOnlyDictionary<string, CSharpCompilation> real, string generation, bool isEditor,
                                   IReadOnlySet<INamedTypeSymbol> parents, Findings findings)
 {
+    private const string Faulty = "declaration";
+
     public void Compare(CSharpCompilation declarations)
     {
+        findings.Look(Faulty);
         foreach (var error in declarations.GetDeclarationDiagnostics().Where(one => one.Severity == DiagnosticSeverity.Error))
-            findings.Add(new(Report.Place.Of(error.Location), "declaration", $"{error.Id} {error.GetMessage()}", null));
+            findings.Add(new(Faulty, Report.Place.Of(error.Location), Faulty, $"{error.Id} {error.GetMessage()}", null));
         foreach (var type in Declarations.Types(declarations).Where(Access.IsReachable))
             CompareTop(type);
     }
@@ -22,14 +25,16 @@ public sealed class ApiComparison(IReadOnlyDictionary<string, CSharpCompilation>
     private void CompareTop(INamedTypeSymbol declared)
     {
         var origins = Declarations.Origins(declared).Where(origin => origin.IsOf(generation)).ToArray();
+        if (origins.Length > 0 && origins.All(origin => SourceFolder.IsEditorFile(origin.Path)) && !isEditor)
+            return;
+        findings.Look(Names.Of(declared));
         if (origins.Length == 0)
         {
             findings.Add(declared, $"says of no source of {generation} where it was read: add [ReadFrom], or [OwnBehaviour] if it is ours");
             return;
         }
-        if (origins.All(origin => SourceFolder.IsEditorFile(origin.Path)) && !isEditor)
-            return;
-        var result = findings.Type(Names.Of(declared), origins[0].Source);
+        var result = findings.Type(declared, origins[0].Source);
+        result.Members.UnionWith(Signature.AllOf(declared, generation));
         if (!real.TryGetValue(origins[0].Source, out var source))
         {
             findings.Add(declared, $"was read in {origins[0].Source}, which is not among the sources given");

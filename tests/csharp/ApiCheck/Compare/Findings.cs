@@ -5,12 +5,13 @@ using Penumbra.ApiCheck.Report;
 namespace Penumbra.ApiCheck.Compare;
 
 /// <summary>
-/// What the comparison found, over all symbol sets: the same difference under several sets is one difference, with
-/// the sets' names. Only the sets in which the declaration itself is compiled count as the whole.
+/// What the comparison found, over all symbol sets: the same difference under several sets is one difference, and the
+/// sets are named where they are not all those under which its owner, a declared type or an assembly, was looked at.
 /// </summary>
 public sealed class Findings
 {
-    private readonly Dictionary<Problem, HashSet<string>> problems = [];
+    private readonly Dictionary<Problem, List<string>> problems = [];
+    private readonly Dictionary<string, HashSet<string>> looks = [];
     private readonly Dictionary<string, TypeResult> types = [];
     private SymbolSet set = SymbolSet.All[0];
 
@@ -18,33 +19,42 @@ public sealed class Findings
 
     public IEnumerable<string> Problems => problems
         .OrderBy(entry => entry.Key.Declaration?.File, StringComparer.Ordinal).ThenBy(entry => entry.Key.Declaration?.Line)
-        .ThenBy(entry => entry.Key.Text, StringComparer.Ordinal).Select(Shown);
+        .ThenBy(entry => entry.Key.Text, StringComparer.Ordinal)
+        .Select(entry => entry.Value.Count == looks[entry.Key.Owner].Count
+            ? entry.Key.ToString()
+            : $"{entry.Key} [only under: {string.Join(", ", entry.Value)}]");
 
     public void Begin(SymbolSet next) => set = next;
 
-    public TypeResult Type(string name, string source)
+    /// <summary>The owner is looked at under the present set.</summary>
+    public void Look(string owner)
     {
-        if (!types.TryGetValue(name, out var result))
-            types[name] = result = new TypeResult(name, source);
-        result.Sets.Add(set.Name);
-        return result;
+        looks.TryAdd(owner, []);
+        looks[owner].Add(set.Name);
+    }
+
+    public TypeResult Type(INamedTypeSymbol declared, string source)
+    {
+        var name = Names.Of(declared);
+        types.TryAdd(name, new TypeResult(name, source));
+        types[name].Sets.Add(set.Name);
+        return types[name];
     }
 
     public void Add(Problem problem)
     {
-        if (!problems.TryGetValue(problem, out var sets))
-            problems[problem] = sets = [];
-        sets.Add(set.Name);
+        problems.TryAdd(problem, []);
+        if (!problems[problem].Contains(set.Name))
+            problems[problem].Add(set.Name);
     }
 
-    public void Add(ISymbol declared, string text, ISymbol? real = null, IReadOnlyCollection<string>? preferred = null) =>
-        Add(new Problem(Place.Of(declared), Names.Of(declared), text, Place.Of(real, preferred ?? [])));
-
-    private string Shown(KeyValuePair<Problem, HashSet<string>> entry)
+    /// <summary>Of a declared symbol; its outermost type owns the problem.</summary>
+    public void Add(ISymbol declared, string text, ISymbol? real = null, IReadOnlyCollection<string>? preferred = null)
     {
-        var among = types.Values.Where(type => entry.Key.Symbol.StartsWith(type.Name, StringComparison.Ordinal))
-            .MaxBy(type => type.Name.Length)?.Sets ?? [.. SymbolSet.All.Select(one => one.Name)];
-        return entry.Value.SetEquals(among) ? entry.Key.ToString() : $"{entry.Key} [only under: {string.Join(", ", entry.Value)}]";
+        var owner = declared;
+        while (owner.ContainingType is { } outer)
+            owner = outer;
+        Add(new Problem(Names.Of(owner), Place.Of(declared), Names.Of(declared), text, Place.Of(real, preferred ?? [])));
     }
 }
 
@@ -54,6 +64,10 @@ public sealed class TypeResult(string name, string source)
     public string Name { get; } = name;
     public string Source { get; } = source;
     public SortedSet<string> Files { get; } = new(StringComparer.Ordinal);
+
+    /// <summary>The versions at which it says it was read, by source.</summary>
+    public SortedSet<(string Source, string Version)> Versions { get; } = [];
+
     public HashSet<string> Sets { get; } = [];
 
     /// <summary>Every member that was compared, as it was declared: the type's fingerprint is made of them.</summary>

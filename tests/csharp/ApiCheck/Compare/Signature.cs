@@ -1,4 +1,5 @@
 using Microsoft.CodeAnalysis;
+using Penumbra.ApiCheck.Sources;
 
 namespace Penumbra.ApiCheck.Compare;
 
@@ -22,7 +23,31 @@ public static class Signature
         kindOptions: SymbolDisplayKindOptions.IncludeTypeKeyword,
         miscellaneousOptions: SymbolDisplayMiscellaneousOptions.UseSpecialTypes);
 
-    public static string Of(ISymbol symbol)
+    /// <summary>A declared type with all that is compared of it, nested types included, and where each says it was read.</summary>
+    public static IEnumerable<string> AllOf(INamedTypeSymbol declared, string generation)
+    {
+        yield return Of(declared) + ReadFrom(declared, generation);
+        foreach (var member in declared.GetMembers().Where(IsCompared))
+        {
+            if (member is not INamedTypeSymbol nested)
+                yield return Of(member) + ReadFrom(member, generation);
+            else
+            {
+                foreach (var inner in AllOf(nested, generation))
+                    yield return inner;
+            }
+        }
+    }
+
+    /// <summary>What the package can reach and Unity has.</summary>
+    public static bool IsCompared(ISymbol member) =>
+        !member.IsImplicitlyDeclared && Access.IsReachable(member) && !Declarations.IsOwn(member) &&
+        member is not IMethodSymbol { AssociatedSymbol: not null };
+
+    private static string ReadFrom(ISymbol symbol, string generation) =>
+        string.Concat(Declarations.Origins(symbol).Where(origin => origin.IsOf(generation)).Select(origin => " " + origin));
+
+    private static string Of(ISymbol symbol)
     {
         var text = symbol.ToDisplayString(Everything);
         if (symbol is not INamedTypeSymbol type)

@@ -12,9 +12,9 @@ public sealed class TypeMembers(TypeResult result, Findings findings, string gen
     public void Compare(INamedTypeSymbol declared, INamedTypeSymbol real, IReadOnlyList<ReadFrom> origins)
     {
         var comparison = new TypeComparison(match);
-        result.Members.Add($"{Signature.Of(declared)} {string.Join(", ", origins)}");
         CheckPlace(declared, real, origins);
         var files = Files(origins);
+        result.Versions.UnionWith(origins.Select(origin => (origin.Source, origin.Version)));
         foreach (var difference in comparison.Differences(declared, real))
             findings.Add(declared, difference, real, files);
         Note(declared, real);
@@ -27,14 +27,10 @@ public sealed class TypeMembers(TypeResult result, Findings findings, string gen
         }
         if (TypeComparison.Construction(declared, real) is { } construction)
             findings.Add(declared, construction, real, files);
-        foreach (var member in declared.GetMembers().Where(IsCompared))
+        foreach (var member in declared.GetMembers().Where(Signature.IsCompared))
             CompareMember(member, real, origins);
         result.ByName.UnionWith(match.ByName);
     }
-
-    private static bool IsCompared(ISymbol member) =>
-        !member.IsImplicitlyDeclared && Access.IsReachable(member) && !Declarations.IsOwn(member) &&
-        member is not IMethodSymbol { AssociatedSymbol: not null };
 
     private void CompareMember(ISymbol declared, INamedTypeSymbol type, IReadOnlyList<ReadFrom> origins)
     {
@@ -49,7 +45,6 @@ public sealed class TypeMembers(TypeResult result, Findings findings, string gen
             return;
         }
 
-        result.Members.Add(Signature.Of(declared));
         var candidates = MemberSearch.Find(type, declared.Name);
         var real = Pick(declared, candidates) ?? Pick(declared, [.. MemberSearch.Everywhere(type, declared.Name)]);
         if (real is null)
@@ -109,8 +104,8 @@ public sealed class TypeMembers(TypeResult result, Findings findings, string gen
 
     private void Note(ISymbol declared, ISymbol real)
     {
-        if (Obsolescence.Of(real) is { IsError: false } mark)
-            result.Obsolete.Add($"{Names.Of(declared)}: {mark.Message}");
+        if (Obsolescence.Of(real) is { IsError: false })
+            result.Obsolete.Add(Names.Of(declared));
     }
 
     private static string[] Files(IEnumerable<ReadFrom> origins) => [.. origins.Select(origin => $"{origin.Source}/{origin.Path}")];

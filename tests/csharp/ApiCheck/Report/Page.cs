@@ -20,13 +20,13 @@ public static class Page
     private static string Table(IReadOnlyList<SourceReport> reports)
     {
         var text = new StringBuilder();
-        text.Append("| generation | read in | types | members | of these inherited | known by name | obsolete | differences |\n");
+        text.Append("| generation | read in | types | declarations | of these inherited | known by name | obsolete | differences |\n");
         text.Append("|:--|:--|--:|--:|--:|--:|--:|--:|\n");
         foreach (var report in reports)
         {
             var sources = report.Sources.Select(source => $"{source.Source} {source.Version ?? "of unknown version"} ({source.Files} files)");
             var counts = report.Counts;
-            text.Append($"| {report.Generation} | {string.Join(", ", sources)} | {counts.Types} | {counts.Members} | {counts.Inherited} | ");
+            text.Append($"| {report.Generation} | {string.Join(", ", sources)} | {counts.Types} | {counts.Declarations} | {counts.Inherited} | ");
             text.Append($"{counts.ByName} | {counts.Obsolete} | {counts.Differences} |\n");
         }
         foreach (var report in reports)

@@ -19,8 +19,11 @@ public sealed record Place(string File, int Line, int Column)
     public override string ToString() => $"{File}:{Line}:{Column}";
 }
 
-/// <summary>One difference: the declaration's place, the symbol, what is wrong and where the real one stands.</summary>
-public sealed record Problem(Place? Declaration, string Symbol, string Text, Place? Real)
+/// <summary>
+/// One difference: the declared type or the assembly that it belongs to, the declaration's place, the symbol, what is
+/// wrong and where the real one stands.
+/// </summary>
+public sealed record Problem(string Owner, Place? Declaration, string Symbol, string Text, Place? Real)
 {
     public override string ToString()
     {

@@ -20,11 +20,12 @@ public sealed record SourceReport
     public required IReadOnlyList<CheckedType> Types { get; init; }
     public required IReadOnlyList<string> Problems { get; init; }
 
-    public sealed record ReadSource(string Source, string? Version, string VersionFrom, int Files);
+    public sealed record ReadSource(string Source, string? Version, string VersionFrom, int Files,
+                                    IReadOnlyList<string> DeclaredFrom);
 
-    public sealed record Totals(int Types, int Members, int Inherited, int ByName, int Obsolete, int Differences);
+    public sealed record Totals(int Types, int Declarations, int Inherited, int ByName, int Obsolete, int Differences);
 
-    public sealed record CheckedType(string Name, string Source, IReadOnlyList<string> Files, int Members, string Fingerprint)
+    public sealed record CheckedType(string Name, string Source, IReadOnlyList<string> Files, int Declarations, string Fingerprint)
     {
         public IReadOnlyList<string>? Only { get; init; }
         public IReadOnlyList<string>? Inherited { get; init; }
@@ -47,7 +48,7 @@ public sealed record SourceReport
         return new SourceReport
         {
             Generation = generation,
-            Sources = [.. check.Sources.Select(source => new ReadSource(source.Folder.Source, source.Folder.Version, source.Folder.VersionFrom, source.Files))],
+            Sources = [.. check.Sources.Select(source => Read(source, types))],
             SymbolSets = [.. Package.SymbolSet.All.Select(set => set.Name)],
             Counts = new Totals(types.Length, types.Sum(type => type.Members.Count), types.Sum(type => type.Inherited.Count),
                                 types.Sum(type => type.ByName.Count), types.Sum(type => type.Obsolete.Count), problems.Length),
@@ -72,13 +73,20 @@ public sealed record SourceReport
     public string Json() => JsonSerializer.Serialize(this, Form).ReplaceLineEndings("\n") + "\n";
 
     /// <summary>Sixteen hexadecimal digits of SHA-256.</summary>
-    public static string Fingerprint(TypeResult type)
+    public static string Fingerprint(IEnumerable<string> members)
     {
-        var hash = SHA256.HashData(Encoding.UTF8.GetBytes(string.Join('\n', type.Members)));
+        var hash = SHA256.HashData(Encoding.UTF8.GetBytes(string.Join('\n', members.Distinct().Order(StringComparer.Ordinal))));
         return Convert.ToHexStringLower(hash)[..16];
     }
 
-    private static CheckedType Record(TypeResult type) => new(type.Name, type.Source, [.. type.Files], type.Members.Count, Fingerprint(type))
+    private static ReadSource Read(RealSource source, IEnumerable<TypeResult> types)
+    {
+        var folder = source.Folder;
+        var declared = types.SelectMany(type => type.Versions).Where(entry => entry.Source == folder.Source).Select(entry => entry.Version);
+        return new ReadSource(folder.Source, folder.Version, folder.VersionFrom, source.Files, [.. declared.Distinct().Order(StringComparer.Ordinal)]);
+    }
+
+    private static CheckedType Record(TypeResult type) => new(type.Name, type.Source, [.. type.Files], type.Members.Count, Fingerprint(type.Members))
     {
         Only = type.Sets.Count == Package.SymbolSet.All.Count ? null : [.. Package.SymbolSet.All.Select(set => set.Name).Where(type.Sets.Contains)],
         Inherited = type.Inherited.Count == 0 ? null : [.. type.Inherited],

@@ -23,8 +23,10 @@ public static class OwnUse
         var parents = new HashSet<INamedTypeSymbol>(SymbolEqualityComparer.Default);
         foreach (var compilation in build.Compile(_ => references))
         {
+            var name = compilation.AssemblyName!;
+            findings.Look(name);
             foreach (var error in PackageBuild.Errors(compilation))
-                findings.Add(new Problem(Place.Of(error.Location), compilation.AssemblyName!, $"{error.Id} {error.GetMessage()}", null));
+                findings.Add(new Problem(name, Place.Of(error.Location), name, $"{error.Id} {error.GetMessage()}", null));
             foreach (var tree in compilation.SyntaxTrees)
             {
                 var model = compilation.GetSemanticModel(tree);
@@ -53,7 +55,7 @@ public static class OwnUse
                     ? "the editor's: a player does not have it, put it under #if UNITY_EDITOR"
                     : null;
             if (fault is not null)
-                findings.Add(new Problem(Place.Of(name.GetLocation()), Names.Of(symbol), fault, Place.Of(symbol)));
+                findings.Add(new Problem(model.Compilation.AssemblyName!, Place.Of(name.GetLocation()), Names.Of(symbol), fault, Place.Of(symbol)));
         }
     }
 

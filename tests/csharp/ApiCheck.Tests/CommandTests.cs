@@ -1,0 +1,120 @@
+using NUnit.Framework;
+
+namespace Penumbra.ApiCheck.Tests;
+
+/// <summary>Exit codes, what is written where, and wrong usage.</summary>
+public sealed class CommandTests
+{
+    private SourceWorld world = null!;
+
+    [SetUp]
+    public void SetUp()
+    {
+        world = new SourceWorld();
+        world.Real("urp/Runtime/Thing.cs", "public class Thing { public int a; }");
+        world.Declare("Shared/Thing.cs", "[Penumbra.UnityApi.ReadFrom(\"14.0.9\", \"universal\", \"Runtime/Thing.cs\")] public class Thing { public int a; }");
+    }
+
+    [TearDown]
+    public void TearDown() => world.Dispose();
+
+    private Commands Run(params string[] more) => Commands.Run(
+        ["--package", world.Folder.At("package"), "--source", world.Folder.At("sources"), "--generation", "2022.3", .. more]);
+
+    [Test]
+    public void NothingDiffers()
+    {
+        var run = Run();
+        Assert.That(run.Answers, Is.EqualTo("1 types with 2 declarations, 0 differences from engine 2022.3.17f1, core 14.0.9, universal 14.0.9\n"));
+        Assert.That((run.Code, run.Notes), Is.EqualTo((0, "")));
+    }
+
+    [Test]
+    public void SomethingDiffers()
+    {
+        world.Real("urp/Runtime/Thing.cs", "public class Thing { public float a; }");
+        var run = Run();
+        Assert.That(run.Lines.Last(), Is.EqualTo("1 types with 2 declarations, 1 differences from engine 2022.3.17f1, core 14.0.9, universal 14.0.9"));
+        Assert.That(run.Code, Is.EqualTo(1));
+    }
+
+    [Test]
+    public void TheReportIsTheSameEachTimeAndNamesNoFolderOfTheMachine()
+    {
+        Run("--output", world.Folder.At("a.json"));
+        Run("--output", world.Folder.At("b.json"));
+        var text = File.ReadAllText(world.Folder.At("a.json"));
+        Assert.That(File.ReadAllText(world.Folder.At("b.json")), Is.EqualTo(text));
+        Assert.That(text, Does.Not.Contain(world.Folder.Path));
+        var report = Report.SourceReport.Read(world.Folder.At("a.json"));
+        Assert.That(report.Json(), Is.EqualTo(text));
+        Assert.That(report.Types.Single().Files, Is.EqualTo(new[] { "universal/Runtime/Thing.cs" }));
+    }
+
+    [Test]
+    public void AnotherDeclarationHasAnotherFingerprint()
+    {
+        var before = world.Check().Types.Single();
+        world.Real("urp/Runtime/Thing.cs", "public class Thing { public long a; }");
+        world.Declare("Shared/Thing.cs", "[Penumbra.UnityApi.ReadFrom(\"14.0.9\", \"universal\", \"Runtime/Thing.cs\")] public class Thing { public long a; }");
+        var after = world.Check().Types.Single();
+        Assert.That(after.Declarations, Is.EqualTo(before.Declarations));
+        Assert.That(after.Fingerprint, Is.Not.EqualTo(before.Fingerprint));
+    }
+
+    [Test]
+    public void AReportThatCannotBeWrittenLeavesNothing()
+    {
+        var run = Run("--output", world.Folder.At("nowhere/a.json"));
+        Assert.That(run.Notes, Is.EqualTo($"check-unity-api: {world.Folder.At("nowhere/a.json")}: the folder {world.Folder.At("nowhere")} does not exist\n"));
+        Assert.That(run.Code, Is.EqualTo(2));
+        Directory.CreateDirectory(world.Folder.At("taken"));
+        Assert.That(Run("--output", world.Folder.At("taken")).Code, Is.EqualTo(2));
+        Assert.That(Directory.EnumerateFiles(world.Folder.Path, "*", SearchOption.TopDirectoryOnly), Is.Empty);
+    }
+
+    [Test]
+    public void TheGenerationMustFitTheEngine()
+    {
+        var run = Commands.Run("--package", world.Folder.At("package"), "--source", world.Folder.At("sources"), "--generation", "6000.0");
+        Assert.That(run.Notes, Is.EqualTo("check-unity-api: the engine's source is of 2022.3.17f1: that is generation 2022.3, not 6000.0\n"));
+        Assert.That(run.Code, Is.EqualTo(2));
+    }
+
+    [Test]
+    public void DeclarationsMustBeThere()
+    {
+        var run = Run("--declarations", world.Folder.At("sources"));
+        Assert.That(run.Notes, Is.EqualTo($"check-unity-api: {world.Folder.At("sources")}: no declarations in Shared/ or 2022.3/: --declarations DIR " +
+                                          "names another folder\n"));
+        Assert.That(run.Code, Is.EqualTo(2));
+    }
+
+    [TestCase("neither sources (--source DIR) nor a folder of assemblies is given (--help says more)")]
+    [TestCase("--generation 2022.3 or --generation 6000.0 says which declarations to check", "--source", ".")]
+    [TestCase("--generation 2022.3 or --generation 6000.0 says which declarations to check", "--source", ".", "--generation", "5.6")]
+    [TestCase("--source needs a value (--help lists the options)", "--source")]
+    [TestCase("--sauce is no option (--help lists them)", "--sauce", "a")]
+    [TestCase("x: a folder of sources is given as --source x", "x", "--source", ".")]
+    [TestCase("--version does not go with --source (--help says more)", "--source", ".", "--generation", "2022.3", "--version", "6000.0")]
+    [TestCase("--generation does not go with a folder of assemblies (--help says more)", ".", "--generation", "2022.3")]
+    [TestCase("--output does not go with --page (--help says more)", "--page", "a.md", "--output", "b.json")]
+    [TestCase("nowhere: there is no such folder", "nowhere")]
+    [TestCase("'new' is no version of Unity: one reads 2022.3.17f1 or 6000.0", ".", "--version", "new")]
+    public void WrongUsageIsTold(string message, params string[] arguments)
+    {
+        var run = Commands.Run(["--package", world.Folder.At("package"), .. arguments]);
+        Assert.That(run.Notes, Is.EqualTo($"check-unity-api: {message}\n"));
+        Assert.That((run.Code, run.Answers), Is.EqualTo((2, "")));
+    }
+
+    [Test]
+    public void HelpNamesEveryOption()
+    {
+        var run = Commands.Run("--help");
+        Assert.That((run.Code, run.Notes), Is.EqualTo((0, "")));
+        foreach (var option in new[] { "--source", "--generation", "--engine", "--core", "--universal", "--engine-version", "--output",
+                                       "--version", "--package", "--declarations", "--page", "--help" })
+            Assert.That(run.Answers, Does.Contain(option));
+    }
+}

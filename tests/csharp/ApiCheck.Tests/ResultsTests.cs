@@ -1,0 +1,71 @@
+using NUnit.Framework;
+using Penumbra.ApiCheck.Compare;
+using Penumbra.ApiCheck.Package;
+using Penumbra.ApiCheck.Report;
+using Penumbra.ApiCheck.Sources;
+
+namespace Penumbra.ApiCheck.Tests;
+
+/// <summary>
+/// The committed answers of the check against Unity's sources, which are not in the repository: they are of the
+/// present declarations, nothing differed, and the page says what they say.
+/// </summary>
+public sealed class ResultsTests
+{
+    private static SourceReport Committed(string generation) =>
+        SourceReport.Read(Repository.At($"Documentation~/results/api-check-{generation}.json"));
+
+    [TestCase("2022.3")]
+    [TestCase("6000.0")]
+    public void AreOfThePresentDeclarations(string generation)
+    {
+        var committed = Committed(generation).Types.ToDictionary(type => type.Name, type => type.Fingerprint);
+        var present = Fingerprints(generation);
+        var changed = committed.Keys.Union(present.Keys)
+            .Where(name => committed.GetValueOrDefault(name) != present.GetValueOrDefault(name)).Order(StringComparer.Ordinal);
+        Assert.That(changed, Is.Empty, "declarations changed since they were compared with Unity's sources: run scripts/check-unity-api " +
+            $"--source DIR --generation {generation} --output Documentation~/results/api-check-{generation}.json, then the command at the end " +
+            "of Documentation~/api-check.md");
+    }
+
+    [TestCase("2022.3")]
+    [TestCase("6000.0")]
+    public void AreWithoutDifferences(string generation)
+    {
+        var report = Committed(generation);
+        Assert.That(report.Problems, Is.Empty);
+        Assert.That(report.Counts.Differences, Is.Zero);
+        Assert.That(report.Types, Is.Not.Empty);
+        Assert.That(report.Sources.Select(source => source.Source), Is.EqualTo(SourceFolder.All));
+    }
+
+    [TestCase("2022.3")]
+    [TestCase("6000.0")]
+    public void AreOfTheVersionsThatTheDeclarationsName(string generation)
+    {
+        foreach (var source in Committed(generation).Sources.Where(source => source.DeclaredFrom.Count > 0))
+            Assert.That(source.DeclaredFrom, Is.EqualTo(new[] { source.Version }), source.Source);
+    }
+
+    [Test]
+    public void StandInThePage()
+    {
+        var page = File.ReadAllText(Repository.At("Documentation~/api-check.md"));
+        Assert.That(page, Is.EqualTo(Page.Written(page, [Committed("2022.3"), Committed("6000.0")])));
+    }
+
+    private static Dictionary<string, string> Fingerprints(string generation)
+    {
+        var declarations = new Declarations(Repository.At("tests/csharp/UnityApi"), generation, Repository.Root);
+        var members = new Dictionary<string, List<string>>();
+        foreach (var set in SymbolSet.All)
+        {
+            foreach (var type in Declarations.Types(declarations.Compile(set, UnityVersion.Parse(generation))).Where(Access.IsReachable))
+            {
+                members.TryAdd(Names.Of(type), []);
+                members[Names.Of(type)].AddRange(Signature.AllOf(type, generation));
+            }
+        }
+        return members.ToDictionary(entry => entry.Key, entry => SourceReport.Fingerprint(entry.Value));
+    }
+}
