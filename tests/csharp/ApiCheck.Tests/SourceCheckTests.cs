@@ -132,6 +132,25 @@ public sealed class SourceCheckTests
     }
 
     [Test]
+    public void WhatATypeInBetweenOverridesNeedNotBeDeclared()
+    {
+        world.Real("urp/Runtime/Thing.cs", """
+            public abstract class Thing { public abstract void Do(); public abstract int size { get; } }
+            public class Solid : Thing { public override void Do() { } public override int size => 1; }
+            """);
+        world.Declare("Shared/Things.cs", """
+            using Penumbra.UnityApi;
+            [ReadFrom("14.0.9", "universal", "Runtime/Thing.cs")] public abstract class Thing { }
+            [ReadFrom("14.0.9", "universal", "Runtime/Thing.cs")] public class Solid : Thing { }
+            """);
+        world.Package("Runtime/Mine.cs", "class Mine : Solid { }");
+        Problems();
+        world.Package("Runtime/Mine.cs", "class Mine : Solid { } class Other : Thing { }");
+        Problems($"{Shared}/Things.cs:2:77: Thing: the package derives from it and must there have Do(), not declared here (see universal/Runtime/Thing.cs:1)",
+                 $"{Shared}/Things.cs:2:77: Thing: the package derives from it and must there have size, not declared here (see universal/Runtime/Thing.cs:1)");
+    }
+
+    [Test]
     public void ThePackageMustNotUseWhatIsOurs()
     {
         world.Real("urp/Runtime/Thing.cs", "public class Thing { }");

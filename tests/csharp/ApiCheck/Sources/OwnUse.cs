@@ -14,7 +14,7 @@ namespace Penumbra.ApiCheck.Sources;
 /// </summary>
 public static class OwnUse
 {
-    /// <returns>The declared types from which types of the package derive, or which they implement.</returns>
+    /// <returns>The declared types from which types of the package derive directly, or which they name as interfaces.</returns>
     public static IReadOnlySet<INamedTypeSymbol> Check(PackageSources package, PackageVersions versions, SymbolSet set, CSharpCompilation declarations,
                              Findings findings)
     {
@@ -39,7 +39,7 @@ public static class OwnUse
 
     private static IEnumerable<INamedTypeSymbol> Parents(SemanticModel model, SyntaxNode root) =>
         root.DescendantNodes().OfType<BaseTypeDeclarationSyntax>().Select(node => model.GetDeclaredSymbol(node)).OfType<INamedTypeSymbol>()
-            .SelectMany(type => MemberSearch.Above(type).Concat(type.AllInterfaces)).Select(type => type.OriginalDefinition);
+            .SelectMany(type => type.Interfaces.Append(type.BaseType)).OfType<INamedTypeSymbol>().Select(type => type.OriginalDefinition);
 
     private static bool IsOf(ISymbol symbol, IAssemblySymbol assembly) =>
         SymbolEqualityComparer.Default.Equals(symbol.ContainingAssembly, assembly);
