@@ -101,6 +101,92 @@ public sealed partial class InstallationTests
         Assert.That(run.Code, Is.Zero);
     }
 
+    [TestCase("{ \"dependencies\": { \"com.unity.render-pipelines.universal\": { \"version\": \"17.0.3\" } } }", 1)]
+    [TestCase("{ \"dependencies\": { \"com.unity.render-pipelines.universal\": { \"version\": \"14.0.9\" } } }", 0)]
+    [TestCase("{ \"dependencies\": { \"com.unity.render-pipelines.universal\": { \"version\": \"file:../urp\" } } }", 0)]
+    [TestCase("{ \"packages\": 1 }", 2)]
+    [TestCase("{", 2)]
+    public void TheProjectsLockFileDecidesVersionDefines(string locked, int code)
+    {
+        world.WithPackage().WithInstallation().WithProject();
+        world.Folder.Write("package/Runtime/Graph.cs", "#if PROBE_GRAPH\nclass Graph : Missing { }\n#endif\n");
+        world.Folder.Write("Project/Packages/packages-lock.json", locked);
+        var run = world.Check(world.Installation, world.Project);
+        Assert.That(run.Code, Is.EqualTo(code), run.Notes);
+        Assert.That(run.Notes, code == 2 ? Does.StartWith($"check-unity-api: {world.Project}/Packages/packages-lock.json:1:") : Is.Empty);
+    }
+
+    [Test]
+    public void ThePackagesThatTheInstallationBringsDecideThemElse()
+    {
+        world.WithPackage().WithInstallation().WithProject();
+        world.Folder.Write("package/Runtime/Graph.cs", "#if PROBE_GRAPH\nclass Graph : Missing { }\n#endif\n");
+        world.Folder.Write("2022.3.17f1/Editor/Data/Resources/PackageManager/BuiltInPackages/com.unity.render-pipelines.universal/package.json",
+                           """{ "version": "17.0.3" }""");
+        Assert.That(world.Check(world.Installation, world.Project).Lines.First(), Does.StartWith("Runtime/Graph.cs:2:15: error CS0246: "));
+    }
+
+    [Test]
+    public void AnOlderClassLibraryServesWhereTheProfileIsMissing()
+    {
+        world.WithPackage().WithInstallation().WithProject();
+        Directory.CreateDirectory(world.Folder.At("2022.3.17f1/Editor/Data/UnityReferenceAssemblies"));
+        Directory.Move(world.Folder.At("2022.3.17f1/Editor/Data/NetStandard/ref/2.1.0"),
+                       world.Folder.At("2022.3.17f1/Editor/Data/UnityReferenceAssemblies/unity-4.8-api"));
+        var run = world.Check(world.Installation, world.Project);
+        Assert.That(run.Lines, Has.Some.EqualTo($"class library: {world.Installation}/Editor/Data/UnityReferenceAssemblies/unity-4.8-api"));
+        Assert.That(run.Code, Is.Zero);
+    }
+
+    [Test]
+    public void WhatUnityCallsObsoleteIsNoted()
+    {
+        world.WithPackage().WithInstallation().WithProject();
+        world.Folder.Write("package/Runtime/Old.cs", "static class Old\n{\n    [System.Obsolete(\"Gone\")] static int A;\n}\nstatic class New { static int B => OldOne.C; }\n" +
+                           "[System.Obsolete(\"Gone\")] static class OldOne { public static int C = 1; }\n");
+        var run = world.Check(world.Installation, world.Project);
+        Assert.That(run.Lines, Has.Some.EqualTo("Runtime/Old.cs:5:36: warning CS0618: 'OldOne' is obsolete: 'Gone'"));
+        Assert.That(run.Code, Is.Zero);
+    }
+
+    [Test]
+    public void TheAnswerIsWrittenAsJson()
+    {
+        world.WithPackage().WithInstallation(without: "UnityEngine.Mathf.Clamp").WithProject();
+        world.Check(world.Installation, world.Project, "--output", world.Folder.At("answer.json"));
+        using var answer = System.Text.Json.JsonDocument.Parse(File.ReadAllText(world.Folder.At("answer.json")));
+        Assert.That(answer.RootElement.GetProperty("problems").EnumerateArray().Select(problem => problem.GetString()),
+                    Is.EqualTo(new[] { "Runtime/Probe.cs:5:48: error CS0117: 'Mathf' does not contain a definition for 'Clamp'" }));
+        Assert.That(answer.RootElement.GetProperty("notes").GetArrayLength(), Is.EqualTo(4));
+    }
+
+    [Test]
+    public void AReferenceByGuidIsRefused()
+    {
+        world.WithPackage().WithInstallation().WithProject();
+        world.Folder.Write("package/Runtime/Probe.Runtime.asmdef", """{ "name": "Probe.Runtime", "references": [ "GUID:15fc0a57446b3144c949da3e2b9737a9" ] }""");
+        var run = world.Check(world.Installation, world.Project);
+        Assert.That(run.Notes, Is.EqualTo("check-unity-api: assemblies are missing:\n  GUID:15fc0a57446b3144c949da3e2b9737a9 (Probe.Runtime): a reference by GUID " +
+                                          "cannot be followed here: refer to the assembly by its name\n"));
+        Assert.That(run.Code, Is.EqualTo(3));
+    }
+
+    [Test]
+    public void APackageOfWhichNothingIsCompiledIsNoSuccess()
+    {
+        world.WithPackage().WithInstallation().WithProject();
+        Directory.Delete(world.Folder.At("package/Editor"), recursive: true);
+        world.Folder.Write("package/Runtime/Probe.Runtime.asmdef", """{ "name": "Probe.Runtime", "defineConstraints": [ "NEVER" ] }""");
+        var run = world.Check(world.Installation, world.Project);
+        Assert.That(run.Lines.Take(3), Is.EqualTo(new[]
+        {
+            "no assembly of the package was compiled",
+            "Probe.Runtime is not compiled for the editor: its constraint NEVER is not met",
+            "Probe.Runtime is not compiled for the player: its constraint NEVER is not met",
+        }));
+        Assert.That(run.Code, Is.EqualTo(1));
+    }
+
     [Test]
     public void AStaleAssemblyOfThePackageDoesNotStandInForIt()
     {

@@ -47,6 +47,13 @@ public sealed class PackageSourcesTests
     }
 
     [Test]
+    public void ALinkThatLeadsBackIsNotFollowed()
+    {
+        Directory.CreateSymbolicLink(folder.At("Runtime/Inner/Back"), folder.At("Runtime"));
+        Assert.That(ShippedFiles.Below(folder.At("Runtime")).Count(), Is.EqualTo(4));
+    }
+
+    [Test]
     public void AFileWithoutAssemblyIsRefused()
     {
         File.Delete(folder.At("Editor/E.asmdef"));

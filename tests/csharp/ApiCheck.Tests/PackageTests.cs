@@ -104,8 +104,8 @@ public sealed class PackageTests
 
     [TestCase("{\n  \"name\": ]\n}", ":2:11: no JSON: ")]
     [TestCase("{}", ":1:1: the assembly has no name: add \"name\"")]
-    [TestCase("{ \"name\": 1 }", ":1:1: a field has the wrong type: ")]
-    [TestCase("[]", ":1:1: a field has the wrong type: ")]
+    [TestCase("{ \"name\": 1 }", ":1:1: a field is missing or has the wrong type: ")]
+    [TestCase("[]", ":1:1: a field is missing or has the wrong type: ")]
     [TestCase("{ \"name\": \"A\", \"versionDefines\": [ { \"expression\": \"new\" } ] }",
               ":1:1: 'new' is no version expression: one reads 14.0.0 or [14.0,17.0)")]
     public void ABrokenAsmdefIsToldWithItsPlace(string text, string message)

@@ -31,15 +31,23 @@ public static class Command
             notes.WriteLine($"check-unity-api: {error.Message}");
             return error.ExitCode;
         }
-        catch (Exception error) when (error is IOException or UnauthorizedAccessException)
+        catch (Exception error) when (Unreadable(error) is { } cause)
         {
-            notes.WriteLine($"check-unity-api: {error.Message}");
+            notes.WriteLine($"check-unity-api: {cause.Message}");
             return Exit.Usage;
         }
     }
 
-    private static string PackageOf(Options options) =>
-        Path.GetFullPath(options.Package ?? throw CheckException.Usage("--package DIR is needed where the script does not give it"));
+    /// <summary>A file that cannot be read or written; many are read at once.</summary>
+    private static Exception? Unreadable(Exception error) => error switch
+    {
+        IOException or UnauthorizedAccessException => error,
+        AggregateException many => many.InnerExceptions.Select(Unreadable).FirstOrDefault(),
+        _ => null,
+    };
+
+    private static string PackageOf(Options options) => Path.GetFullPath(
+        options.Package ?? throw CheckException.Usage("--package DIR is needed where the script does not give it"));
 
     private static int CheckSources(Options options, TextWriter answers)
     {
@@ -61,8 +69,9 @@ public static class Command
         foreach (var problem in report.Problems)
             answers.WriteLine(problem);
         var counts = report.Counts;
+        var sources = report.Sources.Select(source => $"{source.Source} {source.Version ?? "(version unknown)"}");
         answers.WriteLine($"{counts.Types} types with {counts.Declarations} declarations, {counts.Differences} differences from " +
-                          string.Join(", ", report.Sources.Select(source => $"{source.Source} {source.Version ?? "(version unknown)"}")));
+                          string.Join(", ", sources));
         return counts.Differences == 0 ? Exit.Same : Exit.Differences;
     }
 

@@ -61,13 +61,15 @@ public sealed class Options
     public void RefuseStrangers()
     {
         var (form, foreign) = Page is not null
-            ? ("--page", new[] { ("--source", Sources.Count > 0), ("--output", Output is not null), ("--version", Version is not null) })
+            ? ("--page", new (string Option, bool Given)[] { ("--source", IsSourceCheck), Of("--output", Output), Of("--version", Version) })
             : IsSourceCheck
-                ? ("--source", [("--version", Version is not null)])
-                : ("a folder of assemblies", [("--generation", Generation is not null), ("--declarations", Declarations is not null)]);
-        foreach (var (option, _) in foreign.Where(entry => entry.Item2))
+                ? ("--source", [Of("--version", Version)])
+                : ("a folder of assemblies", [Of("--generation", Generation), Of("--declarations", Declarations)]);
+        foreach (var (option, _) in foreign.Where(entry => entry.Given))
             throw CheckException.Usage($"{option} does not go with {form} (--help says more)");
     }
+
+    private static (string, bool) Of(string option, string? value) => (option, value is not null);
 
     private void Set(string option, string value)
     {

@@ -65,10 +65,11 @@ public sealed class AssemblyCheck
             }
             Notes.AddRange(build.LeftOut);
         }
-        foreach (var (key, sets) in lines.OrderBy(line => line.Key.Place?.File, StringComparer.Ordinal).ThenBy(line => line.Key.Place?.Line))
+        foreach (var (line, sets) in lines.OrderBy(one => one.Key.Place?.File, StringComparer.Ordinal).ThenBy(one => one.Key.Place?.Line))
         {
-            var text = $"{(key.Place is null ? "" : key.Place + ": ")}{key.Text}{(sets.Contains("player") ? sets.Contains("editor") ? "" : " [player only]" : " [editor only]")}";
-            (key.Text.StartsWith("error", StringComparison.Ordinal) ? Problems : Notes).Add(text);
+            var place = line.Place is null ? "" : $"{line.Place}: ";
+            var only = sets.Contains(Sets[0].Name) ? "" : " [player only]";
+            (line.Text.StartsWith("error", StringComparison.Ordinal) ? Problems : Notes).Add(place + line.Text + only);
         }
         if (compiled.Count == 0)
             Problems.Add("no assembly of the package was compiled");

@@ -22,8 +22,8 @@ public sealed class AssemblyIndex
             scripts.TryAdd(file.Name, file);
         library = layout.Library.Count == 0
             ? [Profile.Reference]
-            : [.. layout.Library.SelectMany(ManagedFile.In).DistinctBy(file => file.Name).Where(file => layout.IsInstallation || IsLibraryName(file.Name))
-                .Select(file => (MetadataReference)MetadataReference.CreateFromFile(file.File))];
+            : [.. layout.Library.SelectMany(ManagedFile.In).DistinctBy(file => file.Name)
+                .Where(file => layout.IsInstallation || IsLibraryName(file.Name)).Select(Reference)];
     }
 
     /// <summary>One line for each assembly that is needed and not there, with the way out.</summary>
@@ -41,8 +41,8 @@ public sealed class AssemblyIndex
         {
             yield return name.StartsWith("GUID:", StringComparison.Ordinal)
                 ? $"{name} ({assembly.Name}): a reference by GUID cannot be followed here: refer to the assembly by its name"
-                : $"{name}.dll, to which {assembly.Name} refers: {Fault(layout.Scripts.FirstOrDefault(), name)}; Unity compiles it into " +
-                  "Library/ScriptAssemblies of a project that has the package: open one and name its folder too";
+                : $"{name}.dll, to which {assembly.Name} refers: {Fault(layout.Scripts.FirstOrDefault(), name)}; Unity compiles it " +
+                  "into Library/ScriptAssemblies of a project that has the package: open one and name its folder too";
         }
     }
 
@@ -55,7 +55,7 @@ public sealed class AssemblyIndex
 
     public IEnumerable<MetadataReference> For(Asmdef assembly, SymbolSet set)
     {
-        var modules = set.IsEditor ? engine : player.Where(file => !file.Name.StartsWith("UnityEditor", StringComparison.Ordinal));
+        var modules = set.IsEditor ? engine : player.Where(file => !IsNamed(file, "UnityEditor"));
         return library.Concat(modules.Concat(Closure(assembly.References)).Select(Reference));
     }
 
@@ -77,10 +77,15 @@ public sealed class AssemblyIndex
     private static MetadataReference Reference(ManagedFile file) => MetadataReference.CreateFromFile(file.File);
 
     private static string Fault(string? folder, string name) =>
-        folder is not null && File.Exists(Path.Combine(folder, name + ".dll")) ? $"the file in {folder} is no .NET assembly" : "missing";
+        folder is not null && File.Exists(Path.Combine(folder, name + ".dll"))
+            ? $"the file in {folder} is no .NET assembly"
+            : "missing";
 
-    private static bool IsEngine(ManagedFile file) => file.Name is "UnityEngine" or "UnityEditor" ||
-        file.Name.StartsWith("UnityEngine.", StringComparison.Ordinal) || file.Name.StartsWith("UnityEditor.", StringComparison.Ordinal);
+    private static bool IsEngine(ManagedFile file) => IsNamed(file, "UnityEngine") || IsNamed(file, "UnityEditor");
+
+    /// <summary>The assembly of that name, or a module of it.</summary>
+    private static bool IsNamed(ManagedFile file, string name) =>
+        file.Name == name || file.Name.StartsWith(name + ".", StringComparison.Ordinal);
 
     private static bool IsLibraryName(string name) => name is "netstandard" or "mscorlib" or "System" ||
         name.StartsWith("System.", StringComparison.Ordinal) || name.StartsWith("Microsoft.Win32.", StringComparison.Ordinal);

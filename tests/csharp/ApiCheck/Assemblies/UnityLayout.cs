@@ -71,7 +71,7 @@ public sealed class UnityLayout
             .Where(Directory.Exists)];
 
     private static string[] FlatLibrary(IEnumerable<string> folders) =>
-        [.. folders.Where(folder => File.Exists(Path.Combine(folder, "netstandard.dll")) || File.Exists(Path.Combine(folder, "mscorlib.dll")))
+        [.. folders.Where(folder => new[] { "netstandard.dll", "mscorlib.dll" }.Any(file => File.Exists(Path.Combine(folder, file))))
             .Take(1)];
 
     private static string? PlayerModules(string data)
@@ -79,7 +79,8 @@ public sealed class UnityLayout
         var engines = Path.Combine(data, "PlaybackEngines");
         if (!Directory.Exists(engines))
             return null;
-        return Directory.EnumerateFiles(engines, CoreModule, new EnumerationOptions { RecurseSubdirectories = true, MaxRecursionDepth = 6 })
+        var search = new EnumerationOptions { RecurseSubdirectories = true, MaxRecursionDepth = 6 };
+        return Directory.EnumerateFiles(engines, CoreModule, search)
             .Select(file => Path.GetDirectoryName(file)!).Order(StringComparer.Ordinal).FirstOrDefault();
     }
 }

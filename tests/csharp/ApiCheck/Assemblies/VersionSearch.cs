@@ -1,4 +1,3 @@
-using System.Text.Json;
 using Penumbra.ApiCheck.Package;
 
 namespace Penumbra.ApiCheck.Assemblies;
@@ -6,16 +5,21 @@ namespace Penumbra.ApiCheck.Assemblies;
 /// <summary>Which Unity the folders belong to, and which versions of the pipeline; with where that was read.</summary>
 public sealed record VersionSearch(UnityVersion Version, string From)
 {
+    private (int, int) Release => (Version.Major, Version.Minor);
+
     /// <param name="byApi">The last resort: what the assemblies themselves offer.</param>
     public static VersionSearch Find(UnityLayout layout, string? given, Func<UnityVersion> byApi)
     {
-        var found = given is not null ? [new VersionSearch(UnityVersion.Parse(given), "--version")] : Candidates(layout).ToArray();
+        var found = given is not null
+            ? [new VersionSearch(UnityVersion.Parse(given), "--version")]
+            : Candidates(layout).ToArray();
         var first = found.FirstOrDefault() ?? new VersionSearch(byApi(), "the pipeline's API");
-        if (found.FirstOrDefault(other => (other.Version.Major, other.Version.Minor) != (first.Version.Major, first.Version.Minor)) is { } other)
-            throw CheckException.Usage($"two versions of Unity: {first.Version.Text} in {first.From}, {other.Version.Text} in {other.From}: " +
-                                       "--version says which one is meant");
+        if (found.FirstOrDefault(other => other.Release != first.Release) is { } other)
+            throw CheckException.Usage($"two versions of Unity: {first.Version.Text} in {first.From}, {other.Version.Text} in " +
+                                       $"{other.From}: --version says which one is meant");
         if (first.Version.IsOlderThan(UnityVersion.Oldest))
-            throw CheckException.Usage($"Unity {first.Version.Text} ({first.From}) is older than 2022.3, which the package needs");
+            throw CheckException.Usage($"Unity {first.Version.Text} ({first.From}) is older than 2022.3, which the package " +
+                                       "needs");
         return first;
     }
 
@@ -25,15 +29,16 @@ public sealed record VersionSearch(UnityVersion Version, string From)
         var versions = new Dictionary<string, string>();
         foreach (var name in new[] { PackageVersions.Core, PackageVersions.Universal })
         {
-            var manifest = layout.Engine is null ? "" : Path.Combine(layout.Engine, "../../Resources/PackageManager/BuiltInPackages", name, "package.json");
-            if (File.Exists(manifest) && Json(manifest, root => root.GetProperty("version").GetString()) is { } version)
+            var manifest = Path.Combine(layout.Engine ?? "", "../../Resources/PackageManager/BuiltInPackages", name, "package.json");
+            if (File.Exists(manifest) && JsonFile.Read(manifest, root => root.GetProperty("version").GetString()) is { } version)
                 versions[name] = version;
         }
-        foreach (var file in layout.Given.Select(folder => Path.Combine(folder, "Packages", "packages-lock.json")).Where(File.Exists))
+        var locks = layout.Given.Select(folder => Path.Combine(folder, "Packages", "packages-lock.json"));
+        foreach (var file in locks.Where(File.Exists))
         {
-            var locked = Json(file, root => root.GetProperty("dependencies").EnumerateObject()
+            var locked = JsonFile.Read(file, root => root.GetProperty("dependencies").EnumerateObject()
                 .Select(entry => (entry.Name, Version: entry.Value.GetProperty("version").GetString() ?? "")).ToArray());
-            foreach (var (name, version) in locked!.Where(entry => VersionRange.Parse(entry.Version) is not null))
+            foreach (var (name, version) in locked.Where(entry => VersionRange.Parse(entry.Version) is not null))
                 versions[name] = version;
         }
         return versions;
@@ -63,21 +68,4 @@ public sealed record VersionSearch(UnityVersion Version, string From)
     /// <summary>The first version with three parts and a release letter: a plist holds other numbers too.</summary>
     private static UnityVersion? Released(string text) => text.Split('<', '>', ' ').Select(UnityVersion.Find)
         .FirstOrDefault(version => version is not null && version.Text.Any(char.IsLetter));
-
-    private static T Json<T>(string file, Func<JsonElement, T> read)
-    {
-        try
-        {
-            using var document = JsonDocument.Parse(File.ReadAllText(file));
-            return read(document.RootElement);
-        }
-        catch (JsonException error)
-        {
-            throw CheckException.Usage($"{file}:{error.LineNumber + 1}:{error.BytePositionInLine + 1}: no JSON: {error.Message.Split(" LineNumber")[0]}");
-        }
-        catch (Exception error) when (error is KeyNotFoundException or InvalidOperationException)
-        {
-            throw CheckException.Usage($"{file}:1:1: not the form that Unity writes: {error.Message}");
-        }
-    }
 }

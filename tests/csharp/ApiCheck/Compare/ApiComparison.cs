@@ -30,7 +30,8 @@ public sealed class ApiComparison(IReadOnlyDictionary<string, CSharpCompilation>
         findings.Look(Names.Of(declared));
         if (origins.Length == 0)
         {
-            findings.Add(declared, $"says of no source of {generation} where it was read: add [ReadFrom], or [OwnBehaviour] if it is ours");
+            findings.Add(declared, $"says of no source of {generation} where it was read: add [ReadFrom], or [OwnBehaviour] if " +
+                                   "it is ours");
             return;
         }
         var result = findings.Type(declared, origins[0].Source);
@@ -58,14 +59,17 @@ public sealed class ApiComparison(IReadOnlyDictionary<string, CSharpCompilation>
         near = source.GetSymbolsWithName(declared.Name, SymbolFilter.Type).FirstOrDefault();
         if (near is not null)
             return $"the source of {name} has no such type, but {Names.Of(near)}";
-        var space = source.Assembly.GlobalNamespace.ConstituentNamespaces.Length == 0 ? null : Namespace(source, declared);
-        near = space is null ? null : Names.Nearest(declared.Name, space.GetTypeMembers(), type => type.Name);
-        return near is null ? $"the source of {name} has no such type" : $"the source of {name} has no such type; the nearest is {Names.Of(near)}";
+        near = Namespace(source, declared) is { } space
+            ? Names.Nearest(declared.Name, space.GetTypeMembers(), type => type.Name)
+            : null;
+        return $"the source of {name} has no such type" + (near is null ? "" : $"; the nearest is {Names.Of(near)}");
     }
 
     private static INamespaceSymbol? Namespace(Compilation source, INamedTypeSymbol declared)
     {
         INamespaceSymbol? at = source.Assembly.GlobalNamespace;
+        if (declared.ContainingNamespace.IsGlobalNamespace)
+            return at;
         foreach (var part in declared.ContainingNamespace.ToDisplayString().Split('.'))
             at = at?.GetNamespaceMembers().FirstOrDefault(space => space.Name == part);
         return at;

@@ -12,10 +12,9 @@ public static class Generics
         foreach (var (one, other) in declared.Zip(real))
         {
             if (one.Variance != other.Variance)
-                yield return $"type parameter {one.Name} is {Word(one.Variance)} here, {Word(other.Variance)} in the real source";
-            if (Same(one, other, match))
-                continue;
-            yield return $"type parameter {one.Name} is constrained to {Constraints(one)} here, to {Constraints(other)} in the real source";
+                yield return Names.Differ($"type parameter {one.Name} is {Word(one.Variance)}", Word(other.Variance));
+            if (!Same(one, other, match))
+                yield return Names.Differ($"type parameter {one.Name} is constrained to {Constraints(one)}", $"to {Constraints(other)}");
         }
     }
 

@@ -9,9 +9,9 @@ public sealed class MemberComparison(TypeMatch match)
     public IEnumerable<string> Differences(ISymbol declared, ISymbol real)
     {
         if (Access.Outside(declared) != Access.Outside(real))
-            yield return $"{Names.Of(declared.DeclaredAccessibility)} here, {Names.Of(real.DeclaredAccessibility)} in the real source";
+            yield return Names.Differ(Names.Of(declared.DeclaredAccessibility), Names.Of(real.DeclaredAccessibility));
         if (declared.IsStatic != real.IsStatic)
-            yield return $"{Static(declared)} here, {Static(real)} in the real source";
+            yield return Names.Differ(Static(declared), Static(real));
         if (Overriding(declared, real) is { } overriding)
             yield return overriding;
         var details = (declared, real) switch
@@ -33,7 +33,7 @@ public sealed class MemberComparison(TypeMatch match)
             .Concat(Parameters.Differences(declared.Parameters, real.Parameters, match))
             .Concat(declared.IsExtensionMethod == real.IsExtensionMethod
                 ? []
-                : [$"{Extension(declared)} here, {Extension(real)} in the real source"])
+                : [Names.Differ(Extension(declared), Extension(real))])
             .Concat(Generics.Differences(declared.TypeParameters, real.TypeParameters, match));
 
     private IEnumerable<string> Properties(IPropertySymbol declared, IPropertySymbol real) =>
@@ -47,11 +47,11 @@ public sealed class MemberComparison(TypeMatch match)
         if (declared is null || !Access.IsReachable(declared) || Declarations.IsOwn(declared))
             yield break;
         if (real is null)
-            yield return $"has {word} here, none in the real source";
+            yield return Names.Differ($"has {word}", "none");
         else if (Access.Outside(declared) != Access.Outside(real))
-            yield return $"{word} is {Names.Of(declared.DeclaredAccessibility)} here, {Names.Of(real.DeclaredAccessibility)} in the real source";
+            yield return Names.Differ($"{word} is {Names.Of(declared.DeclaredAccessibility)}", Names.Of(real.DeclaredAccessibility));
         else if (declared.IsInitOnly != real.IsInitOnly)
-            yield return $"{(declared.IsInitOnly ? "init" : "set")} here, {(real.IsInitOnly ? "init" : "set")} in the real source";
+            yield return Names.Differ(Setter(declared), Setter(real));
         if (real is not null && Obsolescence.Of(real) is { IsError: true } mark)
             yield return $"{word} is [Obsolete] as an error in the real source: {mark.Message}";
     }
@@ -61,29 +61,29 @@ public sealed class MemberComparison(TypeMatch match)
         if (declared.ContainingType.TypeKind == TypeKind.Enum)
         {
             if (!Equals(Convert.ToDecimal(declared.ConstantValue), Convert.ToDecimal(real.ConstantValue)))
-                yield return $"is {Parameters.Value(declared.ConstantValue)} here, {Parameters.Value(real.ConstantValue)} in the real source";
+                yield return Values(declared, real);
             yield break;
         }
         foreach (var difference in Typed("the field", declared.Type, real.Type))
             yield return difference;
         if (declared.IsConst != real.IsConst || declared.IsReadOnly != real.IsReadOnly)
-            yield return $"{Storage(declared)} here, {Storage(real)} in the real source";
+            yield return Names.Differ(Storage(declared), Storage(real));
         else if (declared.IsConst && !Equals(declared.ConstantValue, real.ConstantValue))
-            yield return $"is {Parameters.Value(declared.ConstantValue)} here, {Parameters.Value(real.ConstantValue)} in the real source";
+            yield return Values(declared, real);
     }
 
     private IEnumerable<string> Returned(ITypeSymbol declared, RefKind declaredBy, ITypeSymbol real, RefKind realBy)
     {
         if (declaredBy != realBy)
-            yield return $"returns {By(declaredBy)} here, {By(realBy)} in the real source";
+            yield return Names.Differ($"returns {By(declaredBy)}", By(realBy));
         if (!match.Same(declared, real))
-            yield return $"is of type {Names.Of(declared)} here, {Names.Of(real)} in the real source";
+            yield return Names.Differ($"is of type {Names.Of(declared)}", Names.Of(real));
     }
 
     private IEnumerable<string> Typed(string what, ITypeSymbol declared, ITypeSymbol real)
     {
         if (!match.Same(declared, real))
-            yield return $"{what} is of type {Names.Of(declared)} here, {Names.Of(real)} in the real source";
+            yield return Names.Differ($"{what} is of type {Names.Of(declared)}", Names.Of(real));
     }
 
     /// <summary>What is abstract must be overridden; what is virtual here must be open to it there.</summary>
@@ -92,12 +92,19 @@ public sealed class MemberComparison(TypeMatch match)
         if (declared.ContainingType.TypeKind == TypeKind.Interface)
             return null;
         if (declared.IsAbstract != real.IsAbstract)
-            return $"{(declared.IsAbstract ? "abstract" : "not abstract")} here, {(real.IsAbstract ? "abstract" : "not abstract")} in the real source";
-        return IsOpen(declared) && !IsOpen(real) ? "can be overridden here, not in the real source" : null;
+            return Names.Differ(Abstract(declared), Abstract(real));
+        return IsOpen(declared) && !IsOpen(real) ? Names.Differ("can be overridden", "not") : null;
     }
 
     private static bool IsOpen(ISymbol symbol) =>
         (symbol.IsVirtual || symbol.IsAbstract || symbol.IsOverride) && !symbol.IsSealed && !symbol.ContainingType.IsSealed;
+
+    private static string Values(IFieldSymbol declared, IFieldSymbol real) =>
+        Names.Differ($"is {Parameters.Value(declared.ConstantValue)}", Parameters.Value(real.ConstantValue));
+
+    private static string Abstract(ISymbol symbol) => symbol.IsAbstract ? "abstract" : "not abstract";
+
+    private static string Setter(IMethodSymbol accessor) => accessor.IsInitOnly ? "init" : "set";
 
     private static string Extension(IMethodSymbol method) => method.IsExtensionMethod ? "an extension" : "no extension";
 

@@ -24,6 +24,9 @@ public static class Names
 
     public static string ShortOf(ISymbol symbol) => symbol.ToDisplayString(Short);
 
+    /// <summary>The sentence of every plain difference.</summary>
+    public static string Differ(string here, string there) => $"{here} here, {there} in the real source";
+
     public static string Of(Accessibility accessibility) => accessibility switch
     {
         Accessibility.Public => "public",

@@ -9,12 +9,10 @@ public static class Obsolescence
 
     public static Mark? Of(ISymbol real)
     {
-        var marks = real.GetAttributes().Where(attribute => attribute.AttributeClass?.ToDisplayString() == "System.ObsoleteAttribute");
-        foreach (var mark in marks)
-        {
-            var arguments = mark.ConstructorArguments.Select(argument => argument.Value).ToArray();
-            return new Mark(arguments.OfType<bool>().FirstOrDefault(), arguments.OfType<string>().FirstOrDefault() ?? "");
-        }
-        return null;
+        var mark = real.GetAttributes().FirstOrDefault(one => one.AttributeClass?.ToDisplayString() == "System.ObsoleteAttribute");
+        if (mark is null)
+            return null;
+        var arguments = mark.ConstructorArguments.Select(argument => argument.Value).ToArray();
+        return new Mark(arguments.OfType<bool>().FirstOrDefault(), arguments.OfType<string>().FirstOrDefault() ?? "");
     }
 }

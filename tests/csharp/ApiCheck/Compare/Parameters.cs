@@ -12,7 +12,7 @@ public static class Parameters
     {
         if (declared.Count != real.Count)
         {
-            yield return $"has {Count(declared.Count)} here, {Count(real.Count)} in the real source";
+            yield return Names.Differ($"has {Count(declared.Count)}", Count(real.Count));
             yield break;
         }
         for (var at = 0; at < declared.Count; ++at)
@@ -20,15 +20,15 @@ public static class Parameters
             var (one, other) = (declared[at], real[at]);
             var which = $"parameter {at + 1}, {one.Name},";
             if (!match.Same(one.Type, other.Type))
-                yield return $"{which} is {Names.Of(one.Type)} here, {Names.Of(other.Type)} in the real source";
+                yield return Names.Differ($"{which} is {Names.Of(one.Type)}", Names.Of(other.Type));
             if (one.RefKind != other.RefKind)
-                yield return $"{which} is passed {Passed(one.RefKind)} here, {Passed(other.RefKind)} in the real source";
+                yield return Names.Differ($"{which} is passed {Passed(one.RefKind)}", Passed(other.RefKind));
             if (one.Name != other.Name)
                 yield return $"{which} is named {other.Name} in the real source";
             if (one.IsParams != other.IsParams)
-                yield return $"{which} is {Role(one)} here, {Role(other)} in the real source";
+                yield return Names.Differ($"{which} is {Role(one)}", Role(other));
             if (Default(one) != Default(other))
-                yield return $"{which} is {Default(one)} here, {Default(other)} in the real source";
+                yield return Names.Differ($"{which} is {Default(one)}", Default(other));
         }
     }
 

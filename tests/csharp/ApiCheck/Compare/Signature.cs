@@ -23,7 +23,7 @@ public static class Signature
         kindOptions: SymbolDisplayKindOptions.IncludeTypeKeyword,
         miscellaneousOptions: SymbolDisplayMiscellaneousOptions.UseSpecialTypes);
 
-    /// <summary>A declared type with all that is compared of it, nested types included, and where each says it was read.</summary>
+    /// <summary>All that is compared of a declared type, nested types included, and where each says it was read.</summary>
     public static IEnumerable<string> AllOf(INamedTypeSymbol declared, string generation)
     {
         yield return Of(declared) + ReadFrom(declared, generation);
@@ -53,7 +53,8 @@ public static class Signature
         if (symbol is not INamedTypeSymbol type)
             return text;
         var above = new[] { type.BaseType }.Concat(type.Interfaces).OfType<INamedTypeSymbol>()
-            .Where(other => other.SpecialType is not (SpecialType.System_Object or SpecialType.System_ValueType or SpecialType.System_Enum))
+            .Where(other => other.SpecialType is not SpecialType.System_Object and not SpecialType.System_ValueType
+                and not SpecialType.System_Enum)
             .Select(Names.Of);
         return $"{Names.Of(type.DeclaredAccessibility)} {text} : {string.Join(", ", above)}" +
                (type.IsSealed ? " sealed" : "") + (type.IsAbstract ? " abstract" : "") + (type.IsStatic ? " static" : "");

@@ -8,10 +8,10 @@ public sealed class TypeComparison(TypeMatch match)
     public IEnumerable<string> Differences(INamedTypeSymbol declared, INamedTypeSymbol real)
     {
         if (Access.Outside(declared) != Access.Outside(real))
-            yield return $"{Names.Of(declared.DeclaredAccessibility)} here, {Names.Of(real.DeclaredAccessibility)} in the real source";
+            yield return Names.Differ(Names.Of(declared.DeclaredAccessibility), Names.Of(real.DeclaredAccessibility));
         if (declared.TypeKind != real.TypeKind)
         {
-            yield return $"a {Names.Of(declared.TypeKind)} here, a {Names.Of(real.TypeKind)} in the real source";
+            yield return Names.Differ($"a {Names.Of(declared.TypeKind)}", $"a {Names.Of(real.TypeKind)}");
             yield break;
         }
         var differences = Modifiers(declared, real)
@@ -20,7 +20,7 @@ public sealed class TypeComparison(TypeMatch match)
         foreach (var difference in differences)
             yield return difference;
         if (declared.EnumUnderlyingType is { } one && real.EnumUnderlyingType is { } other && !match.Same(one, other))
-            yield return $"its values are {Names.Of(one)} here, {Names.Of(other)} in the real source";
+            yield return Names.Differ($"its values are {Names.Of(one)}", Names.Of(other));
         if (declared.DelegateInvokeMethod is { } call && real.DelegateInvokeMethod is { } realCall)
         {
             foreach (var difference in new MemberComparison(match).Methods(call, realCall))
@@ -40,7 +40,8 @@ public sealed class TypeComparison(TypeMatch match)
                 continue;
             if (member.IsAbstract && !overridden.Contains(member.OriginalDefinition))
                 yield return member;
-            ISymbol? below = member is IMethodSymbol method ? method.OverriddenMethod : (member as IPropertySymbol)?.OverriddenProperty;
+            ISymbol? below = (member as IMethodSymbol)?.OverriddenMethod;
+            below ??= (member as IPropertySymbol)?.OverriddenProperty;
             if (below is not null)
                 overridden.Add(below.OriginalDefinition);
         }
@@ -53,7 +54,7 @@ public sealed class TypeComparison(TypeMatch match)
             declared.InstanceConstructors is not [{ IsImplicitlyDeclared: true }])
             return null;
         var needed = declared.IsAbstract ? Accessibility.Protected : Accessibility.Public;
-        return real.InstanceConstructors.Any(made => made.Parameters.Length == 0 && (Access.Outside(made) == needed || Access.Outside(made) == Accessibility.Public))
+        return real.InstanceConstructors.Any(made => made.Parameters.Length == 0 && Access.Outside(made) >= needed)
             ? null
             : "can be made with new() here, not in the real source: declare a private constructor, or those that it has";
     }
@@ -72,10 +73,12 @@ public sealed class TypeComparison(TypeMatch match)
     private static IEnumerable<string> Modifiers(INamedTypeSymbol declared, INamedTypeSymbol real)
     {
         if (declared.TypeKind == TypeKind.Class && Modifier(declared) != Modifier(real))
-            yield return $"{Modifier(declared)} here, {Modifier(real)} in the real source";
+            yield return Names.Differ(Modifier(declared), Modifier(real));
         if (declared.IsRefLikeType != real.IsRefLikeType)
-            yield return $"{(declared.IsRefLikeType ? "a ref struct" : "no ref struct")} here, {(real.IsRefLikeType ? "a ref struct" : "no ref struct")} in the real source";
+            yield return Names.Differ(RefStruct(declared), RefStruct(real));
     }
+
+    private static string RefStruct(ITypeSymbol type) => type.IsRefLikeType ? "a ref struct" : "no ref struct";
 
     private static string Modifier(INamedTypeSymbol type) =>
         type.IsStatic ? "static" : type.IsAbstract ? "abstract" : type.IsSealed ? "sealed" : "open";
@@ -84,9 +87,9 @@ public sealed class TypeComparison(TypeMatch match)
     {
         if (declared.TypeKind == TypeKind.Class && declared.BaseType is { SpecialType: not SpecialType.System_Object } parent &&
             !MemberSearch.Above(real).Any(type => match.Same(parent, type)))
-            yield return $"derives from {Names.Of(parent)} here, {Parent(real)} in the real source";
+            yield return Names.Differ($"derives from {Names.Of(parent)}", Parent(real));
         foreach (var type in declared.Interfaces.Where(type => !real.AllInterfaces.Any(other => match.Same(type, other))))
-            yield return $"implements {Names.Of(type)} here, not in the real source";
+            yield return Names.Differ($"implements {Names.Of(type)}", "not");
     }
 
     private static string Parent(INamedTypeSymbol real) =>
@@ -98,9 +101,9 @@ public sealed class TypeComparison(TypeMatch match)
         if (Usage(declared) is not { } one || Usage(real) is not { } other)
             yield break;
         if ((one.Targets & ~other.Targets) != 0)
-            yield return $"may stand on {one.Targets} here, on {other.Targets} in the real source";
+            yield return Names.Differ($"may stand on {one.Targets}", $"on {other.Targets}");
         if (one.Often && !other.Often)
-            yield return "may stand on one thing several times here, not in the real source";
+            yield return Names.Differ("may stand on one thing several times", "not");
     }
 
     /// <summary>An attribute without AttributeUsage has that of the class it derives from.</summary>

@@ -23,7 +23,8 @@ public sealed class TypeMembers(TypeResult result, Findings findings, string gen
         foreach (var missing in parents.Contains(declared) ? TypeComparison.Required(real) : [])
         {
             if (!comparison.Has(declared, missing))
-                findings.Add(declared, $"the package derives from it and must there have {Names.ShortOf(missing)}, not declared here", missing);
+                findings.Add(declared, $"the package derives from it and must there have {Names.ShortOf(missing)}, not declared " +
+                                       "here", missing);
         }
         if (TypeComparison.Construction(declared, real) is { } construction)
             findings.Add(declared, construction, real, files);
@@ -65,7 +66,8 @@ public sealed class TypeMembers(TypeResult result, Findings findings, string gen
     private ISymbol? Pick(ISymbol declared, IReadOnlyList<ISymbol> candidates) => candidates.FirstOrDefault(real =>
         (declared, real) switch
         {
-            (IMethodSymbol one, IMethodSymbol other) => one.Arity == other.Arity && match.SameParameters(one.Parameters, other.Parameters) &&
+            (IMethodSymbol one, IMethodSymbol other) => one.Arity == other.Arity &&
+                match.SameParameters(one.Parameters, other.Parameters) &&
                 (one.MethodKind != MethodKind.Conversion || match.Same(one.ReturnType, other.ReturnType)),
             (IPropertySymbol one, IPropertySymbol other) => match.SameParameters(one.Parameters, other.Parameters),
             _ => declared.Kind == real.Kind,
@@ -77,9 +79,10 @@ public sealed class TypeMembers(TypeResult result, Findings findings, string gen
         if (near is null)
             return Absent(declared, type, out near);
         if (near.Kind != declared.Kind)
-            return $"{Kind(declared)} here, {Kind(near)} in the real source";
+            return Names.Differ(Kind(declared), Kind(near));
         var likely = candidates.OfType<IMethodSymbol>().Where(Access.IsReachable).ToArray();
-        if (declared is IMethodSymbol { MethodKind: not MethodKind.Conversion } method && likely is [var only] && only.Arity == method.Arity)
+        if (declared is IMethodSymbol { MethodKind: not MethodKind.Conversion } method && likely is [var only] &&
+            only.Arity == method.Arity)
             return string.Join("; ", Parameters.Differences(method.Parameters, only.Parameters, match));
         if (declared is IPropertySymbol property && near is IPropertySymbol other)
             return string.Join("; ", Parameters.Differences(property.Parameters, other.Parameters, match));
@@ -92,7 +95,7 @@ public sealed class TypeMembers(TypeResult result, Findings findings, string gen
         var names = MemberSearch.Above(type).Prepend(type).SelectMany(other => other.GetMembers())
             .Where(member => member.CanBeReferencedByName && Access.IsReachable(member));
         near = Names.Nearest(declared.Name, names, member => member.Name);
-        return near is null ? "the real type has no such member" : $"the real type has no such member; the nearest is {near.Name}";
+        return "the real type has no such member" + (near is null ? "" : $"; the nearest is {near.Name}");
     }
 
     private static string Kind(ISymbol symbol) => symbol.Kind switch
@@ -108,15 +111,16 @@ public sealed class TypeMembers(TypeResult result, Findings findings, string gen
             result.Obsolete.Add(Names.Of(declared));
     }
 
-    private static string[] Files(IEnumerable<ReadFrom> origins) => [.. origins.Select(origin => $"{origin.Source}/{origin.Path}")];
+    private static string[] Files(IEnumerable<ReadFrom> origins) =>
+        [.. origins.Select(origin => $"{origin.Source}/{origin.Path}")];
 
     /// <summary>The real symbol stands in a file that the declaration names.</summary>
     private void CheckPlace(ISymbol declared, ISymbol real, IReadOnlyList<ReadFrom> origins)
     {
         var named = Files(origins);
-        var standing = real.Locations.Where(place => place.IsInSource).Select(place => place.SourceTree!.FilePath).Distinct().ToArray();
+        var standing = real.Locations.Where(place => place.IsInSource).Select(place => place.SourceTree!.FilePath).ToHashSet();
         result.Files.UnionWith(named.Intersect(standing));
-        if (standing.Length > 0 && !standing.Intersect(named).Any())
-            findings.Add(declared, $"[ReadFrom] names {string.Join(", ", named)}; it stands in {string.Join(", ", standing)}", real);
+        if (standing.Count > 0 && !standing.Intersect(named).Any())
+            findings.Add(declared, $"[ReadFrom] names {string.Join(", ", named)}; it stands in " + string.Join(", ", standing), real);
     }
 }

@@ -20,40 +20,25 @@ public sealed record Asmdef(string File, string Name)
     /// <summary>Compiled for the editor alone.</summary>
     public bool IsEditorOnly => IncludePlatforms is ["Editor"];
 
-    public static Asmdef Read(string file)
+    public static Asmdef Read(string file) => JsonFile.Read(file, root =>
     {
-        try
+        var name = Text(root, "name");
+        if (name.Length == 0)
+            throw CheckException.Usage($"{file}:1:1: the assembly has no name: add \"name\"");
+        return new Asmdef(file, name)
         {
-            using var document = JsonDocument.Parse(System.IO.File.ReadAllText(file));
-            var root = document.RootElement;
-            var name = Text(root, "name");
-            if (name.Length == 0)
-                throw CheckException.Usage($"{file}:1:1: the assembly has no name: add \"name\"");
-            return new Asmdef(file, name)
-            {
-                References = Texts(root, "references"),
-                DefineConstraints = Texts(root, "defineConstraints"),
-                IncludePlatforms = Texts(root, "includePlatforms"),
-                ExcludePlatforms = Texts(root, "excludePlatforms"),
-                VersionDefines = Defines(file, root),
-                AllowsUnsafeCode = root.TryGetProperty("allowUnsafeCode", out var unsafeCode) &&
-                                   unsafeCode.ValueKind == JsonValueKind.True,
-            };
-        }
-        catch (JsonException error)
-        {
-            var place = $"{file}:{error.LineNumber + 1}:{error.BytePositionInLine + 1}";
-            throw CheckException.Usage($"{place}: no JSON: {error.Message.Split(" LineNumber")[0]}");
-        }
-        catch (InvalidOperationException error)
-        {
-            throw CheckException.Usage($"{file}:1:1: a field has the wrong type: {error.Message}");
-        }
-    }
+            References = Texts(root, "references"),
+            DefineConstraints = Texts(root, "defineConstraints"),
+            IncludePlatforms = Texts(root, "includePlatforms"),
+            ExcludePlatforms = Texts(root, "excludePlatforms"),
+            VersionDefines = Defines(file, root),
+            AllowsUnsafeCode = root.TryGetProperty("allowUnsafeCode", out var allowed) && allowed.ValueKind == JsonValueKind.True,
+        };
+    });
 
     /// <summary>What keeps the assembly from being compiled under these symbols; null where nothing does.</summary>
-    public string? UnmetConstraint(IReadOnlySet<string> symbols) =>
-        DefineConstraints.FirstOrDefault(constraint => !constraint.Split("||").Any(term => Holds(term.Trim(), symbols)));
+    public string? UnmetConstraint(IReadOnlySet<string> symbols) => DefineConstraints.FirstOrDefault(
+        constraint => !constraint.Split("||").Any(term => Holds(term.Trim(), symbols)));
 
     private static bool Holds(string term, IReadOnlySet<string> symbols) =>
         term.StartsWith('!') ? !symbols.Contains(term[1..].Trim()) : symbols.Contains(term);
@@ -74,8 +59,9 @@ public sealed record Asmdef(string File, string Name)
     private static string Text(JsonElement element, string name) =>
         element.TryGetProperty(name, out var value) ? value.GetString() ?? "" : "";
 
-    private static string[] Texts(JsonElement element, string name) =>
-        element.TryGetProperty(name, out var list) ? list.EnumerateArray().Select(item => item.GetString() ?? "").ToArray() : [];
+    private static string[] Texts(JsonElement element, string name) => element.TryGetProperty(name, out var list)
+        ? list.EnumerateArray().Select(item => item.GetString() ?? "").ToArray()
+        : [];
 }
 
 /// <summary>A symbol that is defined where a package's version lies in a range.</summary>

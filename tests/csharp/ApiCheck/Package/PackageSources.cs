@@ -29,7 +29,8 @@ public sealed class PackageSources
         if (assemblies.Length == 0)
             throw CheckException.Usage($"{root} holds no package: there is no .asmdef in Runtime/ or Editor/");
         if (assemblies.GroupBy(assembly => assembly.Name).FirstOrDefault(group => group.Count() > 1) is { } twice)
-            throw CheckException.Usage($"{twice.Last().File}:1:1: the assembly {twice.Key} is defined twice, also in {twice.First().File}");
+            throw CheckException.Usage($"{twice.Last().File}:1:1: the assembly {twice.Key} is defined twice, also in " +
+                                       twice.First().File);
         var owners = new Dictionary<string, Asmdef>();
         foreach (var file in files.Where(file => file.EndsWith(".cs", StringComparison.Ordinal)))
             owners[file] = Owner(file, assemblies) ?? throw CheckException.Usage(
@@ -82,7 +83,8 @@ public static class ShippedFiles
         foreach (var inner in Directory.EnumerateDirectories(folder).Order(StringComparer.Ordinal))
         {
             var name = Path.GetFileName(inner);
-            if (name.EndsWith('~') || name.StartsWith('.'))
+            // A link may lead back to a folder above.
+            if (name.EndsWith('~') || name.StartsWith('.') || new DirectoryInfo(inner).LinkTarget is not null)
                 continue;
             foreach (var file in Below(inner))
                 yield return file;

@@ -24,16 +24,18 @@ public static class Page
         text.Append("|:--|:--|--:|--:|--:|--:|--:|--:|\n");
         foreach (var report in reports)
         {
-            var sources = report.Sources.Select(source => $"{source.Source} {source.Version ?? "of unknown version"} ({source.Files} files)");
+            var sources = report.Sources.Select(source =>
+                $"{source.Source} {source.Version ?? "of unknown version"} ({source.Files} files)");
             var counts = report.Counts;
-            text.Append($"| {report.Generation} | {string.Join(", ", sources)} | {counts.Types} | {counts.Declarations} | {counts.Inherited} | ");
-            text.Append($"{counts.ByName} | {counts.Obsolete} | {counts.Differences} |\n");
+            text.Append($"| {report.Generation} | {string.Join(", ", sources)} | {counts.Types} | {counts.Declarations} | ");
+            text.Append($"{counts.Inherited} | {counts.ByName} | {counts.Obsolete} | {counts.Differences} |\n");
         }
         foreach (var report in reports)
         {
             Listed(text, $"Differences in {report.Generation}:", report.Problems);
             Listed(text, $"Obsolete in {report.Generation}, with a warning:", report.Types.SelectMany(type => type.Obsolete ?? []));
-            Listed(text, $"Compared by name alone in {report.Generation}:", report.Types.SelectMany(type => type.ByName ?? []).Distinct());
+            Listed(text, $"Compared by name alone in {report.Generation}:",
+                   report.Types.SelectMany(type => type.ByName ?? []).Distinct());
         }
         return text.ToString();
     }

@@ -13,8 +13,7 @@ public sealed record Place(string File, int Line, int Column)
 
     /// <summary>Of the parts of a partial type the one that stands in one of these files, if any does.</summary>
     public static Place? Of(ISymbol? symbol, IReadOnlyCollection<string> preferred) =>
-        Of(symbol?.Locations.FirstOrDefault(location => location.IsInSource && preferred.Contains(location.SourceTree.FilePath))) ??
-        Of(symbol);
+        Of(symbol?.Locations.FirstOrDefault(place => place.IsInSource && preferred.Contains(place.SourceTree.FilePath))) ?? Of(symbol);
 
     public override string ToString() => $"{File}:{Line}:{Column}";
 }

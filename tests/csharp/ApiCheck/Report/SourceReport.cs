@@ -3,6 +3,7 @@ using System.Text;
 using System.Text.Json;
 using System.Text.Json.Serialization;
 using Penumbra.ApiCheck.Compare;
+using Penumbra.ApiCheck.Package;
 using Penumbra.ApiCheck.Sources;
 
 namespace Penumbra.ApiCheck.Report;
@@ -25,7 +26,8 @@ public sealed record SourceReport
 
     public sealed record Totals(int Types, int Declarations, int Inherited, int ByName, int Obsolete, int Differences);
 
-    public sealed record CheckedType(string Name, string Source, IReadOnlyList<string> Files, int Declarations, string Fingerprint)
+    public sealed record CheckedType(string Name, string Source, IReadOnlyList<string> Files, int Declarations,
+                                     string Fingerprint)
     {
         public IReadOnlyList<string>? Only { get; init; }
         public IReadOnlyList<string>? Inherited { get; init; }
@@ -49,7 +51,7 @@ public sealed record SourceReport
         {
             Generation = generation,
             Sources = [.. check.Sources.Select(source => Read(source, types))],
-            SymbolSets = [.. Package.SymbolSet.All.Select(set => set.Name)],
+            SymbolSets = [.. SymbolSet.All.Select(set => set.Name)],
             Counts = new Totals(types.Length, types.Sum(type => type.Members.Count), types.Sum(type => type.Inherited.Count),
                                 types.Sum(type => type.ByName.Count), types.Sum(type => type.Obsolete.Count), problems.Length),
             Types = [.. types.Select(Record)],
@@ -66,7 +68,8 @@ public sealed record SourceReport
         }
         catch (JsonException error)
         {
-            throw CheckException.Usage($"{file}:{(error.LineNumber ?? 0) + 1}:{(error.BytePositionInLine ?? 0) + 1}: no report: {error.Message}");
+            var place = $"{file}:{(error.LineNumber ?? 0) + 1}:{(error.BytePositionInLine ?? 0) + 1}";
+            throw CheckException.Usage($"{place}: no report: {error.Message}");
         }
     }
 
@@ -82,15 +85,22 @@ public sealed record SourceReport
     private static ReadSource Read(RealSource source, IEnumerable<TypeResult> types)
     {
         var folder = source.Folder;
-        var declared = types.SelectMany(type => type.Versions).Where(entry => entry.Source == folder.Source).Select(entry => entry.Version);
-        return new ReadSource(folder.Source, folder.Version, folder.VersionFrom, source.Files, [.. declared.Distinct().Order(StringComparer.Ordinal)]);
+        var declared = types.SelectMany(type => type.Versions).Where(entry => entry.Source == folder.Source)
+            .Select(entry => entry.Version).Distinct().Order(StringComparer.Ordinal);
+        return new ReadSource(folder.Source, folder.Version, folder.VersionFrom, source.Files, [.. declared]);
     }
 
-    private static CheckedType Record(TypeResult type) => new(type.Name, type.Source, [.. type.Files], type.Members.Count, Fingerprint(type.Members))
+    private static CheckedType Record(TypeResult type)
     {
-        Only = type.Sets.Count == Package.SymbolSet.All.Count ? null : [.. Package.SymbolSet.All.Select(set => set.Name).Where(type.Sets.Contains)],
-        Inherited = type.Inherited.Count == 0 ? null : [.. type.Inherited],
-        ByName = type.ByName.Count == 0 ? null : [.. type.ByName],
-        Obsolete = type.Obsolete.Count == 0 ? null : [.. type.Obsolete],
-    };
+        var sets = SymbolSet.All.Select(set => set.Name).Where(type.Sets.Contains).ToArray();
+        return new CheckedType(type.Name, type.Source, [.. type.Files], type.Members.Count, Fingerprint(type.Members))
+        {
+            Only = sets.Length == SymbolSet.All.Count ? null : sets,
+            Inherited = NullIfEmpty(type.Inherited),
+            ByName = NullIfEmpty(type.ByName),
+            Obsolete = NullIfEmpty(type.Obsolete),
+        };
+    }
+
+    private static string[]? NullIfEmpty(IReadOnlyCollection<string> names) => names.Count == 0 ? null : [.. names];
 }

@@ -24,7 +24,8 @@ public sealed class Declarations
         files = [.. folders.Where(Directory.Exists).SelectMany(ShippedFiles.Below)
             .Where(file => file.EndsWith(".cs", StringComparison.Ordinal))];
         if (files.Length == 0)
-            throw CheckException.Usage($"{root}: no declarations in Shared/ or {generation}/: --declarations DIR names another folder");
+            throw CheckException.Usage($"{root}: no declarations in Shared/ or {generation}/: --declarations DIR names " +
+                                       "another folder");
     }
 
     public string Root => root;

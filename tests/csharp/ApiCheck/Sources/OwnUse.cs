@@ -12,16 +12,14 @@ namespace Penumbra.ApiCheck.Sources;
 /// ([OwnBehaviour], Penumbra.UnityApi). What Unity keeps internal does not compile, as our declarations are an
 /// assembly of their own here.
 /// </summary>
-public static class OwnUse
+public sealed class OwnUse(PackageSources package, PackageVersions versions, Findings findings)
 {
     /// <returns>The declared types from which types of the package derive directly, or which they name as interfaces.</returns>
-    public static IReadOnlySet<INamedTypeSymbol> Check(PackageSources package, PackageVersions versions, SymbolSet set, CSharpCompilation declarations,
-                             Findings findings)
+    public IReadOnlySet<INamedTypeSymbol> Check(SymbolSet set, CSharpCompilation declarations)
     {
-        var build = new PackageBuild(package, versions, set);
         MetadataReference[] references = [Profile.Reference, declarations.ToMetadataReference()];
         var parents = new HashSet<INamedTypeSymbol>(SymbolEqualityComparer.Default);
-        foreach (var compilation in build.Compile(_ => references))
+        foreach (var compilation in new PackageBuild(package, versions, set).Compile(_ => references))
         {
             var name = compilation.AssemblyName!;
             findings.Look(name);
@@ -30,7 +28,8 @@ public static class OwnUse
             foreach (var tree in compilation.SyntaxTrees)
             {
                 var model = compilation.GetSemanticModel(tree);
-                CheckNames(model, tree.GetRoot(), declarations.Assembly, set, findings);
+                foreach (var node in tree.GetRoot().DescendantNodes().OfType<SimpleNameSyntax>())
+                    CheckName(model, node, declarations.Assembly, set);
                 parents.UnionWith(Parents(model, tree.GetRoot()).Where(type => IsOf(type, declarations.Assembly)));
             }
         }
@@ -38,28 +37,31 @@ public static class OwnUse
     }
 
     private static IEnumerable<INamedTypeSymbol> Parents(SemanticModel model, SyntaxNode root) =>
-        root.DescendantNodes().OfType<BaseTypeDeclarationSyntax>().Select(node => model.GetDeclaredSymbol(node)).OfType<INamedTypeSymbol>()
-            .SelectMany(type => type.Interfaces.Append(type.BaseType)).OfType<INamedTypeSymbol>().Select(type => type.OriginalDefinition);
+        root.DescendantNodes().OfType<BaseTypeDeclarationSyntax>().Select(node => model.GetDeclaredSymbol(node))
+            .OfType<INamedTypeSymbol>().SelectMany(type => type.Interfaces.Append(type.BaseType)).OfType<INamedTypeSymbol>()
+            .Select(type => type.OriginalDefinition);
 
     private static bool IsOf(ISymbol symbol, IAssemblySymbol assembly) =>
         SymbolEqualityComparer.Default.Equals(symbol.ContainingAssembly, assembly);
 
-    private static void CheckNames(SemanticModel model, SyntaxNode root, IAssemblySymbol declarations, SymbolSet set, Findings findings)
+    private void CheckName(SemanticModel model, SimpleNameSyntax name, IAssemblySymbol declarations, SymbolSet set)
     {
-        foreach (var name in root.DescendantNodes().OfType<SimpleNameSyntax>())
-        {
-            if (model.GetSymbolInfo(name).Symbol is not { } symbol || symbol is INamespaceSymbol || !IsOf(symbol, declarations))
-                continue;
-            var fault = Declarations.IsOwn(symbol) ? "ours, not Unity's: the package must not use it"
-                : !set.IsEditor && symbol is INamedTypeSymbol type && IsEditors(type)
-                    ? "the editor's: a player does not have it, put it under #if UNITY_EDITOR"
-                    : null;
-            if (fault is not null)
-                findings.Add(new Problem(model.Compilation.AssemblyName!, Place.Of(name.GetLocation()), Names.Of(symbol), fault, Place.Of(symbol)));
-        }
+        if (model.GetSymbolInfo(name).Symbol is not { } symbol || symbol is INamespaceSymbol || !IsOf(symbol, declarations))
+            return;
+        var fault = Declarations.IsOwn(symbol) ? "ours, not Unity's: the package must not use it"
+            : !set.IsEditor && symbol is INamedTypeSymbol type && IsEditors(type)
+                ? "the editor's: a player does not have it, put it under #if UNITY_EDITOR"
+                : null;
+        if (fault is not null)
+            findings.Add(new Problem(model.Compilation.AssemblyName!, Place.Of(name.GetLocation()), Names.Of(symbol), fault,
+                                     Place.Of(symbol)));
     }
 
-    private static bool IsEditors(INamedTypeSymbol type) => type.ContainingType is { } outer
-        ? IsEditors(outer)
-        : Declarations.Origins(type).ToArray() is { Length: > 0 } origins && origins.All(origin => SourceFolder.IsEditorFile(origin.Path));
+    private static bool IsEditors(INamedTypeSymbol type)
+    {
+        if (type.ContainingType is { } outer)
+            return IsEditors(outer);
+        var origins = Declarations.Origins(type).ToArray();
+        return origins.Length > 0 && origins.All(origin => SourceFolder.IsEditorFile(origin.Path));
+    }
 }

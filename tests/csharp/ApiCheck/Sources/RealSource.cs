@@ -41,7 +41,8 @@ public sealed class RealSource
             .Select(entry => (Path: $"{folder.Source}/{entry.Path}", Text: File.ReadAllText(entry.File))).ToArray();
         var conditional = texts.Where(entry => entry.Text.Contains("#if") || entry.Text.Contains("# if")).ToArray();
         var always = texts.Except(conditional).AsParallel().AsOrdered().Select(entry => Parse(entry, [])).ToArray();
-        var asmdefs = files.Where(entry => entry.Path.EndsWith(".asmdef", StringComparison.Ordinal)).Select(entry => Asmdef.Read(entry.File));
+        var asmdefs = files.Where(entry => entry.Path.EndsWith(".asmdef", StringComparison.Ordinal))
+            .Select(entry => Asmdef.Read(entry.File));
         return new RealSource(folder, conditional, always, [.. asmdefs]);
     }
 

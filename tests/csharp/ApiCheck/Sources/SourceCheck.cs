@@ -31,12 +31,12 @@ public sealed class SourceCheck
 
         var versions = Versions(request.Generation, folders);
         var real = new RealWorld(check.Sources, versions);
-        var package = PackageSources.Read(request.Package);
+        var use = new OwnUse(PackageSources.Read(request.Package), versions, check.Findings);
         foreach (var set in SymbolSet.All)
         {
             check.Findings.Begin(set);
             var declared = declarations.Compile(set, versions.Unity);
-            var parents = OwnUse.Check(package, versions, set, declared, check.Findings);
+            var parents = use.Check(set, declared);
             new ApiComparison(real.Under(set), request.Generation, set.IsEditor, parents, check.Findings).Compare(declared);
         }
         return check;
@@ -48,7 +48,8 @@ public sealed class SourceCheck
         var engine = folders.FirstOrDefault(folder => folder.Source == SourceFolder.Engine)?.Version;
         var unity = engine is null ? UnityVersion.Parse(generation) : UnityVersion.Parse(engine);
         if (unity.Generation != generation)
-            throw CheckException.Usage($"the engine's source is of {unity.Text}: that is generation {unity.Generation}, not {generation}");
+            throw CheckException.Usage($"the engine's source is of {unity.Text}: that is generation {unity.Generation}, not " +
+                                       generation);
         var known = new Dictionary<string, string>();
         foreach (var folder in folders.Where(folder => folder.Version is not null && folder.Source != SourceFolder.Engine))
             known[folder.Source == SourceFolder.Core ? PackageVersions.Core : PackageVersions.Universal] = folder.Version!;

@@ -15,7 +15,8 @@ public sealed record SourceFolder(string Source, string Root, string? Version, s
     /// <summary>What the folder holds, by what only it has; null where that is none of the three.</summary>
     public static string? Recognise(string folder)
     {
-        if (Directory.Exists(Path.Combine(folder, "Runtime", "Export")) && Directory.Exists(Path.Combine(folder, "Editor", "Mono")))
+        string[] engine = [Path.Combine(folder, "Runtime", "Export"), Path.Combine(folder, "Editor", "Mono")];
+        if (engine.All(Directory.Exists))
             return Engine;
         var name = PackageField(folder, "name");
         if (name == PackageVersions.Core || HasAssembly(folder, "Unity.RenderPipelines.Core.Runtime"))
@@ -62,18 +63,7 @@ public sealed record SourceFolder(string Source, string Root, string? Version, s
         var file = Path.Combine(folder, "package.json");
         if (!File.Exists(file))
             return null;
-        try
-        {
-            using var document = JsonDocument.Parse(File.ReadAllText(file));
-            return document.RootElement.ValueKind == JsonValueKind.Object &&
-                   document.RootElement.TryGetProperty(field, out var value) && value.ValueKind == JsonValueKind.String
-                ? value.GetString()
-                : null;
-        }
-        catch (JsonException error)
-        {
-            var place = $"{file}:{error.LineNumber + 1}:{error.BytePositionInLine + 1}";
-            throw CheckException.Usage($"{place}: no JSON: {error.Message.Split(" LineNumber")[0]}");
-        }
+        return JsonFile.Read(file, root =>
+            root.TryGetProperty(field, out var value) && value.ValueKind == JsonValueKind.String ? value.GetString() : null);
     }
 }

@@ -26,7 +26,8 @@ public static class SourceSearch
             foreach (var (source, root) in inside.Where(entry => !named.ContainsKey(entry.Source)))
             {
                 if (found.TryGetValue(source, out var other) && Path.GetFullPath(other) != Path.GetFullPath(root))
-                    throw CheckException.Usage($"two folders hold the source of {source}, {other} and {root}: name one with --{source}");
+                    throw CheckException.Usage($"two folders hold the source of {source}, {other} and {root}: name one with " +
+                                               $"--{source}");
                 found[source] = root;
             }
         }
