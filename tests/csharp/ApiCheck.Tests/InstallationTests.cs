@@ -32,10 +32,10 @@ public sealed partial class InstallationTests
     public void AMisspeltMemberInOurPackageIsFound(string generation)
     {
         world.WithRepository();
-        var (file, line, member) = Misspell();
+        var (file, line, type, member) = Misspell();
         var run = world.WithInstallation(generation, "Unity/Editor/Data").WithProject(generation, generation + ".1f1").Check(world.Folder.At("Unity"), world.Project);
         var escaped = Regex.Escape($"{file}:{line}:");
-        Assert.That(run.Lines.First(), Does.Match($@"^{escaped}\d+: error CS0117: 'Mathf' does not contain a definition for '{member}'$"));
+        Assert.That(run.Lines.First(), Does.Match($@"^{escaped}\d+: error CS0117: '{type}' does not contain a definition for '{member}'$"));
         Assert.That(run.Code, Is.EqualTo(1));
     }
 
@@ -252,20 +252,21 @@ public sealed partial class InstallationTests
         Assert.That(run.Code, Is.EqualTo(2));
     }
 
-    /// <summary>In the copy of our package the first use of Mathf gets a wrong letter.</summary>
-    private (string File, int Line, string Member) Misspell()
+    /// <summary>In the copy of our package the first use of a static member of Unity's mathematics gets a wrong letter.</summary>
+    private (string File, int Line, string Type, string Member) Misspell()
     {
         foreach (var file in Directory.EnumerateFiles(world.Folder.At("package/Runtime"), "*.cs", SearchOption.AllDirectories).Order())
         {
             var text = File.ReadAllText(file);
-            if (MathfUse().Match(text) is not { Success: true } use)
+            if (Use().Match(text) is not { Success: true } use)
                 continue;
             File.WriteAllText(file, text.Insert(use.Index + use.Length, "x"));
-            return (Path.GetRelativePath(world.Package, file), text[..use.Index].Count(letter => letter == '\n') + 1, use.Groups[1].Value + "x");
+            return (Path.GetRelativePath(world.Package, file), text[..use.Index].Count(letter => letter == '\n') + 1,
+                    use.Groups[1].Value, use.Groups[2].Value + "x");
         }
-        throw new AssertionException("no source in Runtime/ uses Mathf");
+        throw new AssertionException("no source in Runtime/ uses Unity's mathematics");
     }
 
-    [GeneratedRegex(@"\bMathf\.(\w+)")]
-    private static partial Regex MathfUse();
+    [GeneratedRegex(@"\b(Mathf|Matrix4x4|Vector[234])\.(\w+)")]
+    private static partial Regex Use();
 }

@@ -86,6 +86,21 @@ public sealed class SymbolSetTests
     }
 
     [Test]
+    public void AnEditorFolderOfAPackageIsNotThereInPlayers()
+    {
+        using var world = new SourceWorld();
+        world.Real("urp/Editor/Passes.cs", "namespace UnityEngine.Rendering.Universal { public class Passes { } }");
+        world.Declare("Shared/Passes.cs", Declared(""));
+        const string Symbol = "tests/csharp/UnityApi/Shared/Passes.cs:5:18: UnityEngine.Rendering.Universal.Passes";
+        Assert.That(world.Check().Problems, Is.EqualTo(new[]
+        {
+            $"{Symbol}: [ReadFrom] names universal/Runtime/Passes.cs; it stands in universal/Editor/Passes.cs (see universal/Editor/Passes.cs:1) " +
+            "[only under: editor, editor without XR]",
+            $"{Symbol}: the source of universal has no such type [only under: player, player without XR]",
+        }));
+    }
+
+    [Test]
     public void AsmdefSymbolsOfTheRealPackageCount()
     {
         using var world = new SourceWorld();
