@@ -63,6 +63,22 @@ public sealed class CommandTests
     }
 
     [Test]
+    public void NestedTypesBelongToTheFingerprint()
+    {
+        string Fingerprint(string type)
+        {
+            world.Real("urp/Runtime/Thing.cs", $"public class Thing {{ public class Inner {{ public {type} a; }} }}");
+            world.Declare("Shared/Thing.cs", "[Penumbra.UnityApi.ReadFrom(\"14.0.9\", \"universal\", \"Runtime/Thing.cs\")] " +
+                $"public class Thing {{ public class Inner {{ public {type} a; }} }}");
+            var report = world.Check();
+            Assert.That((report.Counts.Differences, report.Counts.Declarations), Is.EqualTo((0, 3)));
+            return report.Types.Single().Fingerprint;
+        }
+
+        Assert.That(Fingerprint("int"), Is.Not.EqualTo(Fingerprint("long")));
+    }
+
+    [Test]
     public void AReportThatCannotBeWrittenLeavesNothing()
     {
         var run = Run("--output", world.Folder.At("nowhere/a.json"));

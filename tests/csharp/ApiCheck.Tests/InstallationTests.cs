@@ -161,6 +161,21 @@ public sealed partial class InstallationTests
     }
 
     [Test]
+    public void OnlyAssembliesThatTheAsmdefNamesAreSeen()
+    {
+        world.WithPackage().WithInstallation().WithProject();
+        world.Put(new Dictionary<string, byte[]> { ["Unity.Other"] = UnityAssemblies.Emit("Unity.Other", "public class Other { }") },
+                  "Project/Library/ScriptAssemblies", _ => true);
+        world.Folder.Write("package/Runtime/Probe.cs", "public class Probe : Other { public static int Size(int a) => a; }\n");
+        Assert.That(world.Check(world.Installation, world.Project).Lines, Has.Some.StartsWith("Runtime/Probe.cs:1:22: error CS0246: "));
+        world.Folder.Write("package/Runtime/Probe.Runtime.asmdef", """{ "name": "Probe.Runtime", "references": [ "Unity.Other" ] }""");
+        Assert.That(world.Check(world.Installation, world.Project).Lines.First(), Does.StartWith("Editor/ProbeWindow.cs:1:").And.Contain("error CS0012: "));
+        world.Folder.Write("package/Editor/Probe.Editor.asmdef",
+            """{ "name": "Probe.Editor", "references": [ "Probe.Runtime", "Unity.Other" ], "includePlatforms": [ "Editor" ] }""");
+        Assert.That(world.Check(world.Installation, world.Project).Code, Is.Zero);
+    }
+
+    [Test]
     public void AReferenceByGuidIsRefused()
     {
         world.WithPackage().WithInstallation().WithProject();

@@ -116,7 +116,7 @@ public sealed class SourceCheckTests
         Declare("public interface Thing { void Do(); }");
         Problems();
         world.Package("Runtime/Mine.cs", "class Mine : Thing { public void Do() { } }");
-        Problems($"{Shared}/Thing.cs:3:18: Thing: the package derives from it and must there have size, not declared here (see universal/Runtime/Thing.cs:1)");
+        Problems($"{Shared}/Thing.cs:3:18: Thing: the package has a type of it, which must have size: declare it (see universal/Runtime/Thing.cs:1)");
     }
 
     [Test]
@@ -128,7 +128,7 @@ public sealed class SourceCheckTests
             """);
         Declare("public abstract class Thing { }");
         world.Package("Runtime/Mine.cs", "class Mine : Thing { }");
-        Problems($"{Shared}/Thing.cs:3:23: Thing: the package derives from it and must there have Do(), not declared here (see universal/Runtime/Thing.cs:1)");
+        Problems($"{Shared}/Thing.cs:3:23: Thing: the package has a type of it, which must have Do(): declare it (see universal/Runtime/Thing.cs:1)");
     }
 
     [Test]
@@ -146,8 +146,8 @@ public sealed class SourceCheckTests
         world.Package("Runtime/Mine.cs", "class Mine : Solid { }");
         Problems();
         world.Package("Runtime/Mine.cs", "class Mine : Solid { } class Other : Thing { }");
-        Problems($"{Shared}/Things.cs:2:77: Thing: the package derives from it and must there have Do(), not declared here (see universal/Runtime/Thing.cs:1)",
-                 $"{Shared}/Things.cs:2:77: Thing: the package derives from it and must there have size, not declared here (see universal/Runtime/Thing.cs:1)");
+        Problems($"{Shared}/Things.cs:2:77: Thing: the package has a type of it, which must have Do(): declare it (see universal/Runtime/Thing.cs:1)",
+                 $"{Shared}/Things.cs:2:77: Thing: the package has a type of it, which must have size: declare it (see universal/Runtime/Thing.cs:1)");
     }
 
     [Test]

@@ -36,6 +36,10 @@ public static class UnityAssemblies
         return made;
     }
 
+    /// <summary>An assembly of one source on .NET Standard.</summary>
+    public static byte[] Emit(string name, string source) => Emit(CSharpCompilation.Create(name, [CSharpSyntaxTree.ParseText(source)],
+        [Profile.Reference], new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary)));
+
     private static Dictionary<string, byte[]> Compile(string generation, string? without)
     {
         var whole = new Declarations(Repository.At("tests/csharp/UnityApi"), generation, Repository.Root)

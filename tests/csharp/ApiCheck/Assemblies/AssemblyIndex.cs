@@ -53,25 +53,15 @@ public sealed class AssemblyIndex
         return compilation.GetTypeByMetadataName(name) is not null;
     }
 
+    /// <summary>
+    /// The class library, the engine's modules and the assemblies that the asmdef names. What those refer to in turn is
+    /// not passed on, as Unity does not either.
+    /// </summary>
     public IEnumerable<MetadataReference> For(Asmdef assembly, SymbolSet set)
     {
         var modules = set.IsEditor ? engine : player.Where(file => !IsNamed(file, "UnityEditor"));
-        return library.Concat(modules.Concat(Closure(assembly.References)).Select(Reference));
-    }
-
-    /// <summary>The assemblies named, and those which they refer to in turn as far as they are there.</summary>
-    private IEnumerable<ManagedFile> Closure(IEnumerable<string> names)
-    {
-        var open = new Queue<string>(names);
-        var seen = new HashSet<string>();
-        while (open.TryDequeue(out var name))
-        {
-            if (!seen.Add(name) || !scripts.TryGetValue(name, out var file))
-                continue;
-            yield return file;
-            foreach (var next in file.References.Where(next => !IsLibraryName(next)))
-                open.Enqueue(next);
-        }
+        var named = assembly.References.Where(scripts.ContainsKey).Select(name => scripts[name]);
+        return library.Concat(modules.Concat(named).Select(Reference));
     }
 
     private static MetadataReference Reference(ManagedFile file) => MetadataReference.CreateFromFile(file.File);

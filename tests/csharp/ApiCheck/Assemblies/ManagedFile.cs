@@ -3,8 +3,8 @@ using System.Reflection.PortableExecutable;
 
 namespace Penumbra.ApiCheck.Assemblies;
 
-/// <summary>A .NET assembly on disk: its name and the names that it refers to.</summary>
-public sealed record ManagedFile(string File, string Name, IReadOnlyList<string> References)
+/// <summary>A .NET assembly on disk, and the name that it is referred to by.</summary>
+public sealed record ManagedFile(string File, string Name)
 {
     /// <summary>Null for a native library, or a file that is no library at all.</summary>
     public static ManagedFile? Read(string file)
@@ -18,9 +18,7 @@ public sealed record ManagedFile(string File, string Name, IReadOnlyList<string>
             var metadata = image.GetMetadataReader();
             if (!metadata.IsAssembly)
                 return null;
-            var references = metadata.AssemblyReferences
-                .Select(handle => metadata.GetString(metadata.GetAssemblyReference(handle).Name)).ToArray();
-            return new ManagedFile(file, metadata.GetString(metadata.GetAssemblyDefinition().Name), references);
+            return new ManagedFile(file, metadata.GetString(metadata.GetAssemblyDefinition().Name));
         }
         catch (BadImageFormatException)
         {

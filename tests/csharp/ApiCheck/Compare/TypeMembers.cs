@@ -23,8 +23,7 @@ public sealed class TypeMembers(TypeResult result, Findings findings, string gen
         foreach (var missing in parents.Contains(declared) ? TypeComparison.Required(real) : [])
         {
             if (!comparison.Has(declared, missing))
-                findings.Add(declared, $"the package derives from it and must there have {Names.ShortOf(missing)}, not declared " +
-                                       "here", missing);
+                findings.Add(declared, $"the package has a type of it, which must have {Names.ShortOf(missing)}: declare it", missing);
         }
         if (TypeComparison.Construction(declared, real) is { } construction)
             findings.Add(declared, construction, real, files);
