@@ -158,6 +158,8 @@ public static class Differences
              "34: UnityEngine.Thing.Do<T>(): no overload has these parameters; the real ones are Do<T, U>()"),
         Case("a constraint", "public class Thing<T> where T : class { }", "public class Thing<T> where T : class, new() { }",
              "14: UnityEngine.Thing<T>: type parameter T is constrained to class here, to class, new() in the real source"),
+        Case("a constraint's type", "public class Thing<T> where T : class { }", "public class Thing<T> where T : class, IDisposable { }",
+             "14: UnityEngine.Thing<T>: type parameter T is constrained to class here, to class, System.IDisposable in the real source"),
         Case("a method's constraint", "public class Thing { public T Do<T>() => default; }", "public class Thing { public T Do<T>() where T : struct, IDisposable => default; }",
              "31: UnityEngine.Thing.Do<T>(): type parameter T is constrained to nothing here, to struct, System.IDisposable in the real source"),
         Case("variance", "public interface Thing<T> { }", "public interface Thing<out T> { }",

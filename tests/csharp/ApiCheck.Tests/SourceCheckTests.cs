@@ -65,6 +65,15 @@ public sealed class SourceCheckTests
     }
 
     [Test]
+    public void OfAPartialTypeTheNamedPartIsShown()
+    {
+        world.Real("urp/Runtime/Deprecated.cs", "public sealed partial class Thing { }");
+        world.Real("urp/Runtime/Thing.cs", "public sealed partial class Thing { }");
+        Declare("public class Thing { }");
+        Problems($"{Shared}/Thing.cs:3:14: Thing: open here, sealed in the real source (see universal/Runtime/Thing.cs:1)");
+    }
+
+    [Test]
     public void ATypeWithoutOriginIsTold()
     {
         world.Declare("Shared/Thing.cs", "public class Thing { }");
