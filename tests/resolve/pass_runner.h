@@ -65,7 +65,7 @@ struct PassAnswer {
 class PassRunner {
  public:
   explicit PassRunner(const std::string& pass)
-      : compiled_(ScreenShader(package_shader()).compile(pass, {}, true)),
+      : compiled_(compile(shaders::PackageShader(shaders::package_shader_file()), pass, {}, true)),
         plain_(test_device(), compiled_, ScreenPass::Module::as_shipped),
         counting_(test_device(), compiled_, ScreenPass::Module::counting) {}
 

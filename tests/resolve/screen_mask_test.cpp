@@ -57,8 +57,9 @@ class ScreenMask : public testing::TestWithParam<Case> {
     static std::map<std::pair<std::string, bool>, std::unique_ptr<ScreenChain>> chains;
     std::unique_ptr<ScreenChain>& made = chains[{name, GetParam().reversed_z}];
     if (made == nullptr) {
-      made = std::make_unique<ScreenChain>(test_device(), ScreenShader(package_shader()),
-                                           screen_chain(technique(name)), GetParam().reversed_z);
+      made =
+          std::make_unique<ScreenChain>(test_device(), shaders::PackageShader(shaders::package_shader_file()),
+                                        screen_chain(technique(name)), GetParam().reversed_z);
     }
     return *made;
   }
@@ -106,7 +107,8 @@ TEST_P(ScreenMask, MarksTheBlocksWhoseComparisonsDisagree) {
   ScreenChainDescription description = screen_chain(technique("screen-tent-5-masked"));
   description.steps = {{"PenumbraMask", kBlock, -1}, {"Resolve", 1, -1}};
   description.mask = 0;
-  ScreenChain edges_only(test_device(), ScreenShader(package_shader()), description, GetParam().reversed_z);
+  ScreenChain edges_only(test_device(), shaders::PackageShader(shaders::package_shader_file()), description,
+                         GetParam().reversed_z);
   const ScreenChainResult result = edges_only.run(on_device_, camera_, kOnce);
   const std::vector<std::uint8_t> masked_out =
       rows_from_top(result.masked_out, camera_.width, GetParam().rows);  // back to the image's order

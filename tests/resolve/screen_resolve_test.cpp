@@ -44,7 +44,8 @@ class ScreenResolve : public testing::TestWithParam<Case> {
       : technique_(library_techniques().find(GetParam().technique)),
         resolver_(test_device(), compile(technique_shader(library_techniques(), technique_, Taps::as_listed,
                                                           GetParam().reversed_z))),
-        chain_(test_device(), ScreenShader(package_shader()), description(), GetParam().reversed_z) {}
+        chain_(test_device(), shaders::PackageShader(shaders::package_shader_file()), description(),
+               GetParam().reversed_z) {}
 
   ScreenChainDescription description() const {
     ScreenChainDescription description;

@@ -30,7 +30,7 @@ TEST(ScreenTechnique, PassesFollowTheChain) {
 }
 
 TEST(ScreenTechnique, PassesAreThoseOfTheShaderInItsOrder) {
-  const ScreenShader shader(package_shader());
+  const shaders::PackageShader shader(shaders::package_shader_file());
   EXPECT_EQ(shader.pass_names(),
             (std::vector<std::string>{"PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical", "Resolve",
                                       "Upsample", "DenoiseHorizontal", "DenoiseVertical"}));
@@ -38,7 +38,7 @@ TEST(ScreenTechnique, PassesAreThoseOfTheShaderInItsOrder) {
 
 TEST(ScreenTechnique, APassThatIsNotThereIsNamedWithTheNearest) {
   try {
-    ScreenShader(package_shader()).compile("Resolv", {}, true);
+    compile(shaders::PackageShader(shaders::package_shader_file()), "Resolv", {}, true);
     FAIL() << "compiled";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), testing::AllOf(testing::HasSubstr("PenumbraShadows.shader"),
@@ -52,7 +52,7 @@ TEST(ScreenTechnique, APassThatIsNotThereIsNamedWithTheNearest) {
 TEST(ScreenTechnique, HalfResolutionKeepsThePixelsItSaw) {
   const scene::Frame& frame = drawn("trees", 4, true);
   const FrameOnDevice on_device(test_device(), frame);
-  const ScreenShader shader(package_shader());
+  const shaders::PackageShader shader(shaders::package_shader_file());
   ScreenChainDescription whole;
   whole.steps = {{"Resolve", 1, -1}};
   ScreenChainDescription halved;
@@ -86,7 +86,7 @@ TEST_P(EveryScreenTechnique, StaysInRangeOverCamerasThatSeeRubbish) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float infinity = std::numeric_limits<float>::infinity();
   for (const bool reversed_z : {true, false}) {
-    ScreenChain chain(test_device(), ScreenShader(package_shader()),
+    ScreenChain chain(test_device(), shaders::PackageShader(shaders::package_shader_file()),
                       screen_chain(library_techniques().find(GetParam())), reversed_z);
     for (const RowOrder rows : {RowOrder::top_first, RowOrder::bottom_first}) {
       const scene::Frame& frame = drawn("colonnade", 3, reversed_z);

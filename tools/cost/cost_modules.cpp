@@ -28,17 +28,21 @@ struct Source {
   CostVariant variant;
 };
 
-// Techniques are per-pixel functions: their cost is that of the fragment shader that calls them, and their
-// file is the library's, without the folder it happens to lie in.
+std::string file_in_package(const shaders::Technique& technique) {
+  return technique.screen ? "Shaders/PenumbraShadows.shader" : "ShaderLibrary/" + technique.resolve().file;
+}
+
+// Techniques are per-pixel functions: their cost is that of the fragment shader that calls them, or of each
+// pass that runs over the screen, and their file is the library's, without the folder it happens to lie in.
 std::vector<Source> sources_of(const CostRequest& request) {
   const validation::ValidationRequest validated = as_validated(request);
   std::vector<Source> sources;
   for (validation::SourceVariant& variant : validation::source_variants(validated)) {
     const shaders::Technique* technique = variant.technique;
     validation::CompileUnit& unit = variant.unit;
-    unit.compile.prepare = technique == nullptr;
+    if (technique == nullptr) unit.compile.prepare = true;
     if (technique != nullptr && unit.compile.stage != hlsl::Stage::fragment) continue;
-    std::string file = technique == nullptr ? unit.file : "ShaderLibrary/" + technique->resolve().file;
+    std::string file = technique == nullptr ? unit.file : file_in_package(*technique);
     sources.push_back({std::move(unit.compile),
                        std::move(file),
                        {technique == nullptr ? "" : technique->name, std::move(unit.keywords)}});

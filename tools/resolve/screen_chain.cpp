@@ -78,14 +78,14 @@ struct ScreenChain::Targets {
   std::vector<gpu::Image> images;
 };
 
-ScreenChain::ScreenChain(const gpu::Device& device, const ScreenShader& shader,
+ScreenChain::ScreenChain(const gpu::Device& device, const shaders::PackageShader& shader,
                          ScreenChainDescription description, bool reversed_z)
     : device_(device), description_(std::move(description)) {
   if (description_.steps.empty() || description_.steps.back().scale != 1) {
     throw std::invalid_argument("a chain ends in a step at full resolution");
   }
   for (const ScreenStep& step : description_.steps) {
-    const CompiledScreenPass compiled = shader.compile(step.pass, description_.keywords, reversed_z);
+    const CompiledScreenPass compiled = compile(shader, step.pass, description_.keywords, reversed_z);
     plain_.emplace_back(device, compiled, ScreenPass::Module::as_shipped);
     counting_.emplace_back(device, compiled, ScreenPass::Module::counting);
   }

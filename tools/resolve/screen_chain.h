@@ -39,8 +39,8 @@ struct ScreenChainResult {
 
 class ScreenChain {
  public:
-  ScreenChain(const gpu::Device& device, const ScreenShader& shader, ScreenChainDescription description,
-              bool reversed_z);
+  ScreenChain(const gpu::Device& device, const shaders::PackageShader& shader,
+              ScreenChainDescription description, bool reversed_z);
 
   ScreenChainResult run(const FrameOnDevice& frame, const CameraImage& camera,
                         const ResolveOptions& options = {});

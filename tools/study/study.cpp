@@ -185,7 +185,7 @@ class Study {
                 " techniques");
       PreparedSubject prepared{&subject, std::nullopt, std::nullopt, std::nullopt, std::nullopt};
       if (subject.screen) {
-        prepared.chain.emplace(device_, resolve::ScreenShader(resolve::package_shader()), *subject.screen,
+        prepared.chain.emplace(device_, shaders::PackageShader(shaders::package_shader_file()), *subject.screen,
                                settings_.frame.shadows.reversed_z);
       } else {
         prepared.resolver.emplace(device_, resolve::compile(subject.shader));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "validation/screen_variants.h"
 #include "validation/spirv_target.h"
 
 namespace penumbra::validation {
@@ -79,6 +80,14 @@ std::vector<std::string> with_own_keywords(const shaders::Technique& technique,
   return keywords;
 }
 
+std::vector<SourceVariant> technique_variants(const ValidationRequest& request,
+                                              const shaders::Technique& technique,
+                                              const std::vector<std::string>& keywords) {
+  if (technique.screen) return screen_variants(request, technique, keywords);
+  return {technique_variant(request, technique, hlsl::Stage::fragment, keywords),
+          technique_variant(request, technique, hlsl::Stage::compute, keywords)};
+}
+
 // One for each version of Vulkan that the request's targets are for.
 void add_for_targets(const ValidationRequest& request, SourceVariant variant,
                      std::vector<SourceVariant>& variants) {
@@ -96,10 +105,9 @@ std::vector<SourceVariant> source_variants(const ValidationRequest& request) {
   if (request.techniques)
     for (const shaders::Technique& technique : request.techniques->techniques)
       for (const std::vector<std::string>& keywords : technique.keyword_sets)
-        for (const hlsl::Stage stage : {hlsl::Stage::fragment, hlsl::Stage::compute})
-          add_for_targets(
-              request, technique_variant(request, technique, stage, with_own_keywords(technique, keywords)),
-              variants);
+        for (SourceVariant& variant :
+             technique_variants(request, technique, with_own_keywords(technique, keywords)))
+          add_for_targets(request, std::move(variant), variants);
   for (const ShaderToValidate& shader : request.files) {
     for (const std::vector<std::string>& keywords : shader.keyword_sets) {
       SourceVariant variant;

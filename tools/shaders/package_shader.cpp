@@ -1,0 +1,128 @@
+#include "shaders/package_shader.h"
+
+#include <algorithm>
+
+#include "hlsl/diagnostic.h"
+#include "hlsl/source_text.h"
+#include "input/input_error.h"
+#include "input/nearest_name.h"
+#include "platform/data_directory.h"
+#include "shaderlab/parse.h"
+#include "shaderlab/programs.h"
+#include "variants/platform_defines.h"
+#include "variants/pragmas.h"
+
+namespace penumbra::shaders {
+namespace {
+
+constexpr const char* kPackage = "com.penumbra.shadows";
+constexpr const char* kUrp = "com.unity.render-pipelines.universal";
+constexpr const char* kCore = "com.unity.render-pipelines.core";
+
+shaderlab::Shader parsed(const std::filesystem::path& file) {
+  const hlsl::SourceRead source = hlsl::read_source(file);
+  if (!source.problem.empty()) throw InputError(file.string(), source.problem);
+  shaderlab::ParsedShader result = shaderlab::parse_shader(source.text, file.string());
+  for (const hlsl::Diagnostic& diagnostic : result.diagnostics) {
+    if (diagnostic.severity != hlsl::Severity::error) continue;
+    throw InputError(
+        diagnostic.file + ":" + std::to_string(diagnostic.line) + ":" + std::to_string(diagnostic.column),
+        diagnostic.message);
+  }
+  return std::move(result.shader);
+}
+
+bool has_root(const std::vector<PackageRoot>& roots, const std::string& name) {
+  return std::any_of(roots.begin(), roots.end(), [&](const PackageRoot& root) { return root.name == name; });
+}
+
+std::vector<shaderlab::Program> first_programs(const shaderlab::Shader& shader) {
+  std::vector<shaderlab::Program> programs = shaderlab::programs(shader);
+  std::erase_if(programs, [](const shaderlab::Program& program) { return program.sub_shader_index != 0; });
+  return programs;
+}
+
+std::vector<std::string> names_of(const std::vector<shaderlab::Program>& programs) {
+  std::vector<std::string> names;
+  names.reserve(programs.size());
+  for (const shaderlab::Program& program : programs) names.emplace_back(shaderlab::pass_name(program));
+  return names;
+}
+
+shaderlab::Program find_program(const shaderlab::Shader& shader, const std::string& pass) {
+  const std::vector<shaderlab::Program> programs = first_programs(shader);
+  for (const shaderlab::Program& program : programs) {
+    if (shaderlab::pass_name(program) == pass) return program;
+  }
+  throw InputError(shader.file, "has no pass '" + pass + "' in its first SubShader",
+                   unknown_name_way_out(pass, names_of(programs)));
+}
+
+std::string entry_point(const variants::Pragmas& pragmas, hlsl::Stage stage,
+                        const shaderlab::Program& program) {
+  for (const variants::EntryPoint& entry : pragmas.entry_points) {
+    if (entry.stage == stage) return entry.function;
+  }
+  throw InputError(program.file + ":" + std::to_string(program.place.line),
+                   std::string("the program has no #pragma ") + hlsl::stage_name(stage));
+}
+
+variants::Keywords declared(const variants::Pragmas& pragmas, const std::vector<std::string>& keywords) {
+  variants::Keywords known;
+  for (const variants::KeywordSet& set : pragmas.keyword_sets) {
+    for (const std::string& keyword : variants::keywords_of(set)) {
+      const bool wanted = std::find(keywords.begin(), keywords.end(), keyword) != keywords.end();
+      if (wanted) known.push_back(keyword);
+    }
+  }
+  return known;
+}
+
+}  // namespace
+
+PackageShader::PackageShader(const std::filesystem::path& file, std::vector<PackageRoot> package_roots)
+    : shader_(parsed(file)),
+      package_roots_(std::move(package_roots)),
+      prepare_(has_root(package_roots_, kUrp)) {
+  const std::filesystem::path root = platform::data_directory();
+  const std::filesystem::path stand_ins = root / "tests" / "platform" / "unity";
+  if (!has_root(package_roots_, kPackage)) package_roots_.push_back({kPackage, root});
+  for (const char* package : {kUrp, kCore}) {
+    if (!prepare_ && !has_root(package_roots_, package)) {
+      package_roots_.push_back({package, stand_ins / package});
+    }
+  }
+}
+
+CompileRequest PackageShader::request(const std::string& pass, hlsl::Stage stage,
+                                      const std::vector<std::string>& keywords, bool reversed_z) const {
+  const shaderlab::Program program = find_program(shader_, pass);
+  const variants::Platform platform{reversed_z ? variants::GraphicsApi::vulkan
+                                               : variants::GraphicsApi::glcore};
+  const variants::Pragmas pragmas =
+      variants::read_pragmas({program.file, program.text, variants::pragma_defines(platform), {}});
+  const variants::Keywords on = declared(pragmas, keywords);
+  CompileRequest compile;
+  compile.file = program.file;
+  compile.text = program.text;
+  compile.entry = entry_point(pragmas, stage, program);
+  compile.stage = stage;
+  const int target = variants::shader_target(pragmas, on);
+  for (const auto& [name, value] : variants::platform_defines(platform, stage, target)) {
+    compile.defines.emplace_back(name, value);
+  }
+  for (const std::string& keyword : on) compile.defines.emplace_back(keyword, "1");
+  compile.package_roots = package_roots_;
+  compile.prepare = prepare_;
+  return compile;
+}
+
+std::vector<std::string> PackageShader::pass_names() const {
+  return names_of(first_programs(shader_));
+}
+
+std::filesystem::path package_shader_file() {
+  return platform::data_directory() / "Shaders" / "PenumbraShadows.shader";
+}
+
+}  // namespace penumbra::shaders

@@ -1,0 +1,36 @@
+// The package's own .shader file, read as Unity would: passes by their names, entry points and keywords by
+// their pragmas, the platform's macros as its importer defines them.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "shaderlab/tree.h"
+#include "shaders/compile.h"
+
+namespace penumbra::shaders {
+
+class PackageShader {
+ public:
+  // Throws InputError with the place where the file is no ShaderLab. Without a root for URP, stand-ins of its
+  // interface take its place.
+  explicit PackageShader(const std::filesystem::path& file, std::vector<PackageRoot> package_roots = {});
+
+  // How to compile a stage of a pass. Keywords that the pass does not declare are off in it, as in Unity.
+  // Depth runs as on Vulkan when reversed, else as on OpenGL. Throws InputError for a pass that is not there.
+  CompileRequest request(const std::string& pass, hlsl::Stage stage, const std::vector<std::string>& keywords,
+                         bool reversed_z) const;
+
+  std::vector<std::string> pass_names() const;  // of the first SubShader
+
+ private:
+  shaderlab::Shader shader_;
+  std::vector<PackageRoot> package_roots_;
+  bool prepare_;
+};
+
+// The one that ships.
+std::filesystem::path package_shader_file();
+
+}  // namespace penumbra::shaders
