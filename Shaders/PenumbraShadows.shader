@@ -1,5 +1,6 @@
 // The passes of the Penumbra renderer feature. Each binds, calls the library and returns; a preset uses a few of them.
-// Attenuation goes to the red channel: raw, with the shadow strength, without the distance fade.
+// Attenuation goes to the red channel: raw, with the shadow strength, without the distance fade. Only PCSS needs a
+// gather, hence target 4.5: below graphicsShaderLevel 45 its keywords stay off.
 Shader "Hidden/Penumbra/Shadows"
 {
     SubShader
@@ -14,7 +15,7 @@ Shader "Hidden/Penumbra/Shadows"
             Name "PenumbraMask"
 
             HLSLPROGRAM
-            #pragma target 4.5
+            #pragma target 3.5
             #pragma vertex ScreenTriangle
             #pragma fragment PenumbraMask
             #include "MaskPass.hlsl"
@@ -26,7 +27,7 @@ Shader "Hidden/Penumbra/Shadows"
             Name "MaskBlurHorizontal"
 
             HLSLPROGRAM
-            #pragma target 4.5
+            #pragma target 3.5
             #pragma vertex ScreenTriangle
             #pragma fragment MaskBlurHorizontal
             #include "MaskPass.hlsl"
@@ -38,7 +39,7 @@ Shader "Hidden/Penumbra/Shadows"
             Name "MaskBlurVertical"
 
             HLSLPROGRAM
-            #pragma target 4.5
+            #pragma target 3.5
             #pragma vertex ScreenTriangle
             #pragma fragment MaskBlurVertical
             #include "MaskPass.hlsl"
@@ -50,7 +51,8 @@ Shader "Hidden/Penumbra/Shadows"
             Name "Resolve"
 
             HLSLPROGRAM
-            #pragma target 4.5
+            #pragma target 3.5
+            #pragma target 4.5 _PENUMBRA_PCSS _PENUMBRA_PCSS_POISSON _PENUMBRA_PCSS_HDRP
             #pragma vertex ScreenTriangle
             #pragma fragment Resolve
             #pragma multi_compile_local_fragment _ _PENUMBRA_TENT_3X3 _PENUMBRA_TENT_7X7 _PENUMBRA_PCSS _PENUMBRA_PCSS_POISSON _PENUMBRA_PCSS_HDRP
@@ -64,7 +66,7 @@ Shader "Hidden/Penumbra/Shadows"
             Name "Upsample"
 
             HLSLPROGRAM
-            #pragma target 4.5
+            #pragma target 3.5
             #pragma vertex ScreenTriangle
             #pragma fragment Upsample
             #include "UpsamplePass.hlsl"
@@ -76,7 +78,7 @@ Shader "Hidden/Penumbra/Shadows"
             Name "DenoiseHorizontal"
 
             HLSLPROGRAM
-            #pragma target 4.5
+            #pragma target 3.5
             #pragma vertex ScreenTriangle
             #pragma fragment DenoiseHorizontal
             #include "DenoisePass.hlsl"
@@ -88,7 +90,7 @@ Shader "Hidden/Penumbra/Shadows"
             Name "DenoiseVertical"
 
             HLSLPROGRAM
-            #pragma target 4.5
+            #pragma target 3.5
             #pragma vertex ScreenTriangle
             #pragma fragment DenoiseVertical
             #include "DenoisePass.hlsl"

@@ -38,10 +38,10 @@ ScreenPoint ScreenPointOf(float4x4 screenToWorld, float2 uv, float depth)
     return at;
 }
 
-// How the position moves, metres, for a step of (u, v, depth), to first order.
-float3 ScreenTangent(float4x4 screenToWorld, ScreenPoint at, float3 step)
+// How the position moves, metres, for a small move of (u, v, depth), to first order.
+float3 ScreenTangent(float4x4 screenToWorld, ScreenPoint at, float3 move)
 {
-    const float4 h = mul(screenToWorld, float4(step, 0.0));
+    const float4 h = mul(screenToWorld, float4(move, 0.0));
     return (h.xyz - at.positionWS * h.w) * at.inverseW;
 }
 

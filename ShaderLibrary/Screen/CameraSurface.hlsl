@@ -55,15 +55,15 @@ CameraSurface ReadCameraPosition(TEXTURE2D_X_FLOAT(cameraDepth), ScreenView view
 }
 
 // The second neighbours are asked only where the first two contradict each other: at an edge, or on a sharp bend.
-float ReadDepthSlope(TEXTURE2D_X_FLOAT(cameraDepth), ScreenView view, int2 pixel, int2 step, float depth)
+float ReadDepthSlope(TEXTURE2D_X_FLOAT(cameraDepth), ScreenView view, int2 pixel, int2 direction, float depth)
 {
     DepthLine along;
-    along.before = ReadCameraDepth(cameraDepth, view, pixel - step);
+    along.before = ReadCameraDepth(cameraDepth, view, pixel - direction);
     along.here = depth;
-    along.after = ReadCameraDepth(cameraDepth, view, pixel + step);
+    along.after = ReadCameraDepth(cameraDepth, view, pixel + direction);
     if (!ContradictsItself(along)) return NearerSlope(along);
-    const float before2 = ReadCameraDepth(cameraDepth, view, pixel - 2 * step);
-    const float after2 = ReadCameraDepth(cameraDepth, view, pixel + 2 * step);
+    const float before2 = ReadCameraDepth(cameraDepth, view, pixel - 2 * direction);
+    const float after2 = ReadCameraDepth(cameraDepth, view, pixel + 2 * direction);
     return StraighterSlope(before2, along, after2);
 }
 

@@ -1,14 +1,15 @@
 // Penumbra: the noise of penumbrae smoothed along surfaces, not across their edges.
 //
 // Computes:   a tent-weighted mean of visibility along one direction; each tap counts by how near it lies to the
-//             straight line in which this pixel's surface goes on.
+//             straight line in which this pixel's surface goes on, and by how little its visibility differs.
 //
 //                 depth       . x          x: another surface, no share
 //                       o o o o o          o: on the line
 //                 pixel -2 -1 0 1 2
 //
 // Source:     Tomasi and Manduchi, "Bilateral Filtering for Gray and Color Images" (1998), in one direction at a time;
-//             the range is the distance to the surface, whose depth runs straight over the screen (ScreenPosition.hlsl).
+//             its ranges are the distance to the surface, whose depth runs straight over the screen
+//             (ScreenPosition.hlsl), and the difference that noise makes.
 // Inputs:     visibility and camera depth at the screen's size; ScreenView; direction: (1, 0) or (0, 1);
 //             DenoiseParameters.
 // Cost:       2 radius + 1 fetches, twice that where they are not all 0 or all 1, and up to 2 more beside edges.
@@ -38,11 +39,11 @@ SurfaceLine SurfaceLineAt(TEXTURE2D_X_FLOAT(cameraDepth), ScreenView view, int2 
 {
     const ScreenPoint at = ScreenPointOf(view.screenToWorld, (float2(pixel) + 0.5) * view.size.zw, depth);
     const float slope = ReadDepthSlope(cameraDepth, view, pixel, direction, depth);
-    const float2 step = float2(direction) * view.size.zw;
+    const float2 toNext = float2(direction) * view.size.zw;
     SurfaceLine along;
     along.depth = depth;
     along.slope = abs(slope) < kNoDepthSlope ? slope : 0.0;
-    const float3 tangent = ScreenTangent(view.screenToWorld, at, float3(step, along.slope));
+    const float3 tangent = ScreenTangent(view.screenToWorld, at, float3(toNext, along.slope));
     const float3 away = ScreenTangent(view.screenToWorld, at, float3(0.0, 0.0, 1.0));
     along.metresPerDepth = length(cross(tangent, away)) / max(length(tangent), 1e-20);
     along.tolerance = tolerancePixels * MetresPerPixel(view.screenToWorld, at, view.size.zw);

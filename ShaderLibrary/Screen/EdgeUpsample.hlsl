@@ -60,7 +60,8 @@ float UpsampleAcrossEdges(TEXTURE2D_X_FLOAT(cameraDepth), ScreenView view, int2 
     for (int i = 0; i < 4; ++i)
     {
         if (!HasTap(taps, i)) continue;
-        const CameraSurface there = ReadCameraPosition(cameraDepth, view, FullPixel(TapOf(taps, i), 2, int2(view.size.xy)));
+        const int2 seenAt = FullPixel(TapOf(taps, i), 2, int2(view.size.xy));
+        const CameraSurface there = ReadCameraPosition(cameraDepth, view, seenAt);
         if (!there.seen) continue;
         const float3 offset = there.positionWS - here.positionWS;
         // Taps lie equally far from a pixel between them: bilinear weights are equal, too.
