@@ -52,6 +52,8 @@ float UpsampleAcrossEdges(TEXTURE2D_X_FLOAT(cameraDepth), ScreenView view, int2 
 {
     const CameraSurface here = ReadCameraSurface(cameraDepth, view, pixel);
     if (!here.seen) return 1.0;
+    // Without a plane nothing can be told to lie on it.
+    const bool hasPlane = dot(here.normalWS, here.normalWS) > 0.0;
     float sum = 0.0;
     float weights = 0.0;
     float nearest = 3.402823e38;
@@ -65,7 +67,8 @@ float UpsampleAcrossEdges(TEXTURE2D_X_FLOAT(cameraDepth), ScreenView view, int2 
         if (!there.seen) continue;
         const float3 offset = there.positionWS - here.positionWS;
         // Taps lie equally far from a pixel between them: bilinear weights are equal, too.
-        const float weight = PlaneWeight(offset, here.normalWS, kUpsampleTolerance * here.metresPerPixel);
+        const float onPlane = PlaneWeight(offset, here.normalWS, kUpsampleTolerance * here.metresPerPixel);
+        const float weight = hasPlane ? onPlane : 0.0;
         sum += weight * taps.visibility[i];
         weights += weight;
         const float beside = dot(offset, offset);

@@ -137,18 +137,20 @@ TEST_F(Upsample, DoesNotBleedOverDepthEdges) {
 }
 
 TEST_F(Upsample, TakesTheNearestSurfaceWhereNoneIsItsOwn) {
-  // A wire one pixel wide at an even column: no half pixel saw it.
-  HandImage depth = filled(16, 16, HandCamera::stored(30.0));
-  for (int y = 0; y < 16; ++y) depth.at(6, y) = HandCamera::stored(3.0);
-  for (int y = 0; y < 16; ++y) {
-    for (int x = 7; x < 16; ++x) depth.at(x, y) = HandCamera::stored(9.0);
+  // A leaf of one pixel that no half pixel saw, sky beside it, four surfaces at its corners, one of them
+  // near.
+  for (const int near_corner : {0, 1, 2, 3}) {
+    HandImage depth = filled(16, 16, 0.0f);
+    HandImage halved = filled(8, 8, 0.0f);
+    depth.at(6, 6) = HandCamera::stored(3.0);
+    for (int corner = 0; corner < 4; ++corner) {
+      const int x = corner % 2;
+      const int y = corner / 2;
+      depth.at(5 + 2 * x, 5 + 2 * y) = HandCamera::stored(corner == near_corner ? 3.5 : 30.0);
+      halved.at(2 + x, 2 + y) = corner == near_corner ? 0.75f : 0.125f * float(corner);
+    }
+    EXPECT_EQ(run(depth, halved).image.at(6, 6), 0.75f) << near_corner;
   }
-  HandImage halved = filled(8, 8, 0.0f);
-  for (int y = 0; y < 8; ++y) {
-    for (int x = 3; x < 8; ++x) halved.at(x, y) = 0.75f;
-  }
-  const PassAnswer answer = run(depth, halved);
-  for (int y = 1; y < 15; ++y) EXPECT_EQ(answer.image.at(6, y), 0.75f) << y;
 }
 
 TEST_F(Upsample, AgreementIsCopiedAndCostsNoDepth) {

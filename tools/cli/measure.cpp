@@ -28,6 +28,7 @@ namespace {
 struct MeasureOptions : StudyOptions {
   int timing_repeats = 5;
   bool no_split = false;
+  int pan_frames = 0;
   std::string from;     // earlier results.json: nothing is measured
   std::string readme;   // file whose result block is written anew
   std::string presets;  // C# file of the presets' figures
@@ -91,6 +92,7 @@ study::StudySettings study_settings(const MeasureOptions& options) {
   settings.noise_seeds = options.noise_seeds;
   settings.timing_repeats = options.timing_repeats;
   settings.split_error = !options.no_split;
+  settings.pan_frames = options.pan_frames;
   settings.jobs = options.jobs;
   settings.cache = options.cache;
   return settings;
@@ -210,6 +212,11 @@ void add_measure(CLI::App& app, Context& context) {
       ->check(CLI::Range(0, 1000))
       ->group("Study");
   command->add_flag("--no-split", options->no_split, "Leave out the references T2 and T3")->group("Study");
+  command
+      ->add_option("--pan-frames", options->pan_frames,
+                   "Frames of a slow pan, for shimmer with static noise and with noise per frame; 0: none")
+      ->check(CLI::Range(0, 64))
+      ->group("Study");
   command->add_option("--from", options->from, "Take the figures from this results.json; measure nothing");
   command->add_option("--readme", options->readme, "Write this file's result block anew");
   command->add_option("--presets", options->presets,

@@ -81,7 +81,7 @@ ResolveResult Resolver::resolve(const FrameOnDevice& frame, const ResolveOptions
   plain_.bind(frame);
   const int seeds = uses_noise_ ? std::max(1, options.noise_seeds) : 1;
   for (int seed = 0; seed < seeds; ++seed) {
-    plain_.run(seed);
+    plain_.run(options.first_seed + seed);
     result.visibility.push_back(frame.visibility().download<float>());
   }
   if (options.timing_repeats > 0) result.time_ns = plain_.run(0, options.timing_repeats);

@@ -120,7 +120,7 @@ ScreenChainResult ScreenChain::run(const FrameOnDevice& frame, const CameraImage
   Targets plain(device_, description_, frame, camera, ScreenPass::Module::as_shipped);
   const int seeds = description_.uses_noise ? std::max(1, options.noise_seeds) : 1;
   for (int seed = 0; seed < seeds; ++seed) {
-    draw(plain_, plain, seed);
+    draw(plain_, plain, options.first_seed + seed);
     result.image.visibility.push_back(
         rows_from_top(plain.images.back().download<float>(), camera.width, camera.rows));
   }

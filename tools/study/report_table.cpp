@@ -61,6 +61,12 @@ std::vector<Column> columns(const Results& results) {
          return record.metrics.mask ? record.metrics.mask->penumbra_pixels_missed : std::nullopt;
        },
        "{:.2f}", 100.0},
+      {"Shimmer, static noise",
+       [](const Record& record) { return record.shimmer ? record.shimmer->static_noise : std::nullopt; },
+       "{:.4f}"},
+      {"Shimmer, noise per frame",
+       [](const Record& record) { return record.shimmer ? record.shimmer->per_frame_noise : std::nullopt; },
+       "{:.4f}"},
       share("Map mean", &ErrorSplit::map, &ErrorShare::mean, "{:+.4f}"),
       share("Map RMSE", &ErrorSplit::map, &ErrorShare::rmse, "{:.4f}"),
       share("Algorithm mean", &ErrorSplit::algorithm, &ErrorShare::mean, "{:+.4f}"),

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "study/metrics.h"
+#include "study/shimmer.h"
 #include "study/timing.h"
 
 namespace penumbra::study {
@@ -37,6 +38,7 @@ struct Record {
   int cascades = 1;
   std::string device;
   Metrics metrics;
+  std::optional<Shimmer> shimmer;  // when the study panned
   std::optional<Timing> time;
   ReferenceNote reference;
 

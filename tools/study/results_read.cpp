@@ -145,6 +145,15 @@ std::optional<Timing> read_time(StrictObject& record, std::string_view kind) {
   return median ? std::optional(Timing{*median, *spread}) : std::nullopt;
 }
 
+std::optional<Shimmer> read_shimmer(StrictObject& record) {
+  if (!record.has("shimmer")) return std::nullopt;
+  StrictObject shimmer = record.object("shimmer");
+  const Shimmer result{static_cast<int>(shimmer.count("frames")), shimmer.figure("static_noise", 0.0, 1.0),
+                       shimmer.figure("per_frame_noise", 0.0, 1.0)};
+  shimmer.finish();
+  return result;
+}
+
 Record read_record(StrictObject record, std::string_view kind) {
   Record result;
   result.scene = record.text("scene");
@@ -157,6 +166,7 @@ Record read_record(StrictObject record, std::string_view kind) {
   result.cascades = static_cast<int>(record.count("cascades"));
   result.device = record.text("device");
   result.metrics = read_metrics(record);
+  result.shimmer = read_shimmer(record);
   result.time = read_time(record, kind);
   StrictObject reference = record.object("reference");
   result.reference = {reference.text("kind"), static_cast<int>(reference.count("samples")),

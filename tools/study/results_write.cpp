@@ -54,6 +54,11 @@ Json json_of(const Record& record, std::string_view kind) {
   json["cascades"] = record.cascades;
   json["device"] = record.device;
   add_metrics(json, record.metrics);
+  if (record.shimmer) {
+    json["shimmer"] = {{"frames", record.shimmer->frames},
+                       {"static_noise", json_of(record.shimmer->static_noise)},
+                       {"per_frame_noise", json_of(record.shimmer->per_frame_noise)}};
+  }
   json["time_kind"] = kind;
   json["time_ms_median"] = record.time ? Json(record.time->median_ms) : Json(nullptr);
   json["time_ms_spread"] = record.time ? Json(record.time->spread_ms) : Json(nullptr);

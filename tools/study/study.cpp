@@ -166,10 +166,12 @@ class Study {
       for (const double degrees : settings_.light_degrees) {
         const Stage stage = set_stage(scene, rasteriser, degrees);
         const StagedFrame frame{{device_, stage.frame}, resolve::camera_image(stage.frame)};
+        const std::vector<StagedFrame> pan = pan_frames(stage, rasteriser);
         for (std::size_t i = 0; i < subjects_.size(); ++i) {
           progress_(label(stage) + ", " + subjects_[i].subject->name, static_cast<double>(i),
                     static_cast<double>(subjects_.size()), " techniques");
           measure_subject(stage, frame, subjects_[i]);
+          if (!pan.empty()) outcome_.records.back().shimmer = shimmer(stage, pan, subjects_[i]);
           platform::throw_if_interrupted();
         }
       }
@@ -185,8 +187,8 @@ class Study {
                 " techniques");
       PreparedSubject prepared{&subject, std::nullopt, std::nullopt, std::nullopt, std::nullopt};
       if (subject.screen) {
-        prepared.chain.emplace(device_, shaders::PackageShader(shaders::package_shader_file()), *subject.screen,
-                               settings_.frame.shadows.reversed_z);
+        prepared.chain.emplace(device_, shaders::PackageShader(shaders::package_shader_file()),
+                               *subject.screen, settings_.frame.shadows.reversed_z);
       } else {
         prepared.resolver.emplace(device_, resolve::compile(subject.shader));
       }
@@ -223,6 +225,32 @@ class Study {
           run_options("same-map estimate, " + label(stage), " points"), &cache_);
     }
     return stage;
+  }
+
+  // The first is the stage's own; each further one shows everything a pixel further left.
+  std::vector<StagedFrame> pan_frames(const Stage& stage, scene::Rasteriser& rasteriser) const {
+    std::vector<StagedFrame> frames;
+    if (settings_.pan_frames < 2) return frames;
+    for (int k = 0; k < settings_.pan_frames; ++k) {
+      scene::FrameSettings moved = stage.frame.settings;
+      moved.lens_shift.x += k * 2.0 / moved.width;
+      const scene::Frame frame = rasteriser.frame(moved);
+      frames.push_back({{device_, frame}, resolve::camera_image(frame)});
+    }
+    return frames;
+  }
+
+  static Shimmer shimmer(const Stage& stage, const std::vector<StagedFrame>& pan, PreparedSubject& prepared) {
+    const auto of = [&](bool noise_moves) {
+      std::vector<std::vector<float>> pictures;
+      for (std::size_t k = 0; k < pan.size(); ++k) {
+        resolve::ResolveOptions options{.noise_seeds = 1, .timing_repeats = 0, .count_fetches = false};
+        options.first_seed = noise_moves ? static_cast<int>(k) : 0;
+        pictures.push_back(answer_of(prepared, pan[k], options).image.visibility.front());
+      }
+      return shimmer_of(pictures, stage.t1.width, stage.t1.visibility, stage.t1.valid);
+    };
+    return {static_cast<int>(pan.size()), of(false), of(true)};
   }
 
   reference::RunOptions run_options(const std::string& stage, const std::string& unit) const {

@@ -48,6 +48,7 @@ struct StudySettings {
   int noise_seeds = 16;
   int timing_repeats = 5;
   bool split_error = true;  // T2 and T3
+  int pan_frames = 0;       // of a slow pan, for shimmer; below 2: none
   int jobs = 0;
   std::filesystem::path cache;  // empty: the user's cache folder
 };
