@@ -99,6 +99,15 @@ TEST(Results, MasksAreThereForTechniquesThatHaveOne) {
               HasSubstr("'pixels_saved' must be between 0 and 1"));
 }
 
+TEST(Results, ShimmerIsThereWhenTheStudyPanned) {
+  Results results = synthetic::results();
+  EXPECT_FALSE(nlohmann::json::parse(to_json(results))["records"][0].contains("shimmer"));
+  results.records[0].shimmer = Shimmer{4, 0.25, std::nullopt};
+  const std::string json = to_json(results);
+  EXPECT_EQ(nlohmann::json::parse(json)["records"][0]["shimmer"]["static_noise"], 0.25);
+  EXPECT_EQ(parse_results(json, "results.json"), results);
+}
+
 TEST(Results, TimesOfASoftwareDeviceAreCalledCpuTime) {
   Results results = synthetic::results();
   EXPECT_EQ(nlohmann::json::parse(to_json(results))["records"][0]["time_kind"], "CPU time");

@@ -8,7 +8,8 @@
 namespace penumbra::study {
 namespace {
 
-std::map<std::string, Metrics> measured(const std::vector<std::string>& techniques, bool reversed_z) {
+std::map<std::string, Record> recorded(const std::vector<std::string>& techniques, bool reversed_z,
+                                       int pan_frames = 0) {
   const reference::ScratchFolder cache;
   StudySettings settings;
   settings.scenes = {scene::built_in("contact-boxes")};
@@ -23,30 +24,34 @@ std::map<std::string, Metrics> measured(const std::vector<std::string>& techniqu
   settings.timing_repeats = 1;
   settings.split_error = false;
   settings.cache = cache.path();
+  settings.pan_frames = pan_frames;
   std::vector<Subject> subjects;
   for (const std::string& name : techniques) {
     subjects.push_back(technique_subject(library_techniques(), name, reversed_z));
   }
   const StudyOutcome outcome = run_study(test_device(), subjects, settings, [](auto&&...) {});
   EXPECT_THAT(outcome.notes, testing::IsEmpty());
-  std::map<std::string, Metrics> metrics;
+  std::map<std::string, Record> records;
   for (const Record& record : outcome.records) {
-    metrics[record.technique] = record.metrics;
+    records[record.technique] = record;
     EXPECT_TRUE(record.time) << record.technique;
   }
-  return metrics;
+  return records;
 }
 
 TEST(ScreenStudy, ARecordHoldsAllPassesTogether) {
   for (const bool reversed_z : {true, false}) {
-    const auto of = measured({"pcss-angular-24-16", "screen-pcss-angular-24-16",
+    const auto of = recorded({"pcss-angular-24-16", "screen-pcss-angular-24-16",
                               "screen-pcss-angular-24-16-masked", "screen-pcss-angular-24-16-half"},
                              reversed_z);
-    const Metrics& alone = of.at("pcss-angular-24-16");
-    const Metrics& screen = of.at("screen-pcss-angular-24-16");
-    const Metrics& masked = of.at("screen-pcss-angular-24-16-masked");
-    const Metrics& half = of.at("screen-pcss-angular-24-16-half");
-    for (const auto& [name, metrics] : of) EXPECT_EQ(metrics.invalid, 0u) << name;
+    const Metrics& alone = of.at("pcss-angular-24-16").metrics;
+    const Metrics& screen = of.at("screen-pcss-angular-24-16").metrics;
+    const Metrics& masked = of.at("screen-pcss-angular-24-16-masked").metrics;
+    const Metrics& half = of.at("screen-pcss-angular-24-16-half").metrics;
+    for (const auto& [name, record] : of) {
+      EXPECT_EQ(record.metrics.invalid, 0u) << name;
+      EXPECT_FALSE(record.shimmer) << name;
+    }
 
     EXPECT_NEAR(*screen.rmse_penumbra, *alone.rmse_penumbra, 0.002);
     EXPECT_EQ(screen.seeds, 2u);
@@ -64,6 +69,21 @@ TEST(ScreenStudy, ARecordHoldsAllPassesTogether) {
     EXPECT_LT(*half.fetches_mean + half.preprocess_fetches_per_pixel, 0.5 * *screen.fetches_mean);
     EXPECT_GT(*half.rmse_penumbra, *screen.rmse_penumbra);
   }
+}
+
+// A fixed filter sees the same points at the same places of the map: what is left is the rounding of
+// positions. Noise that stands on the screen passes over the points, noise that moves differs by itself.
+TEST(ScreenStudy, OnlyNoiseShimmersUnderAPan) {
+  const auto of = recorded({"tent-5", "pcss-angular-24-16", "screen-pcss-angular-24-16"}, true, 3);
+  const Shimmer fixed = of.at("tent-5").shimmer.value();
+  EXPECT_EQ(fixed.frames, 3);
+  EXPECT_LT(fixed.static_noise.value(), 0.002);
+  EXPECT_EQ(fixed.static_noise, fixed.per_frame_noise);
+  const Shimmer noisy = of.at("pcss-angular-24-16").shimmer.value();
+  EXPECT_GT(noisy.static_noise.value(), 0.01);
+  EXPECT_GT(noisy.per_frame_noise.value(), 0.01);
+  EXPECT_NE(noisy.static_noise, noisy.per_frame_noise);
+  EXPECT_GT(of.at("screen-pcss-angular-24-16").shimmer.value().per_frame_noise.value(), 0.01);
 }
 
 }  // namespace
