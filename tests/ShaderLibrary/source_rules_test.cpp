@@ -81,10 +81,12 @@ TEST(ShaderSources, TestTheDepthDirectionInOneFile) {
 
 TEST(ShaderSources, NamePipelineGlobalsInPipelinesOnly) {
   for (const std::string& name :
-       files_with(R"(_MainLight\w+|_CascadeShadow\w+|_AdditionalLight\w+|unity_Matrix\w+)")) {
+       files_with(R"(_MainLight\w+|_CascadeShadow\w+|_HD\w*Shadow\w+|_AdditionalLight\w+|unity_Matrix\w+)")) {
     EXPECT_TRUE(name.starts_with("Pipelines/") || name == "Shadows.hlsl") << name;
   }
-  EXPECT_EQ(files_with(R"(_CascadeShadow\w+|_MainLightWorldToShadow)"), Names{"Pipelines/Urp.hlsl"});
+  EXPECT_EQ(files_with(R"(_MainLightWorldToShadow|_CascadeShadowSplit\w+)"), Names{"Pipelines/Urp.hlsl"});
+  EXPECT_EQ(files_with(R"(_HDShadowDatas|_CascadeShadowAtlas\w+|_Directional(Light|Shadow)\w+)"),
+            Names{"Pipelines/Hdrp.hlsl"});
 }
 
 TEST(ShaderSources, ReachTexturesThroughMacrosOnly) {
@@ -105,8 +107,8 @@ TEST(ShaderSources, KeepCorePure) {
 }
 
 TEST(ShaderSources, IncludeOnlyWhatLiesBelow) {
-  const std::map<std::string, int> level{
-      {"Platform", 0}, {"Core", 1}, {"Filters", 2}, {"Screen", 2}, {"Pipelines", 3}, {"", 4}};
+  const std::map<std::string, int> level{{"Platform", 0}, {"Core", 1},      {"Filters", 2},
+                                         {"Screen", 2},   {"Pipelines", 3}, {"", 4}};
   const std::regex include(R"(#include\s+"([^"]+)\")");
   for (const ShaderFile& file : shader_files()) {
     const fs::path folder = fs::path(file.name).parent_path();
