@@ -45,11 +45,9 @@ namespace Penumbra.Tests
         public void HdrpsAnglesAreTheTechniqueLists()
         {
             var values = ValuesOf("pcss-angular-24-16-hdrp");
-            var parameters = SoftShadowParameters.HdrpDefault;
-            Assert.That(AngularDiameter.TanHalf(parameters.HdrpSearchDegrees),
-                        Is.EqualTo(values.GetProperty("searchTanHalf").GetSingle()).Within(1e-8));
-            Assert.That(AngularDiameter.TanHalf(parameters.HdrpMinFilterDegrees),
-                        Is.EqualTo(values.GetProperty("minFilterTanHalf").GetSingle()).Within(1e-8));
+            var angles = new ShadowUniforms(SoftShadowParameters.HdrpDefault, Layout, 0).Hdrp;
+            Assert.That(angles.x, Is.EqualTo(values.GetProperty("searchTanHalf").GetSingle()).Within(1e-8));
+            Assert.That(angles.y, Is.EqualTo(values.GetProperty("minFilterTanHalf").GetSingle()).Within(1e-8));
         }
 
         [Test]
