@@ -1,5 +1,7 @@
 #include "platform/atomic_file.h"
 
+#include <sys/stat.h>
+
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -49,6 +51,19 @@ TEST_F(AtomicFile, RefusesAFolderAndAMissingParentByName) {
   expect_input_error([&] { write_file_atomically(folder_ / "d", std::string_view("x")); }, HasSubstr("/d: "));
   expect_input_error([&] { write_file_atomically(folder_ / "no" / "f", std::string_view("x")); },
                      HasSubstr("No such file or directory"));
+  EXPECT_EQ(entries(), 1u);
+}
+
+// A rename would put a file in its place: -o /dev/null must leave the device there.
+TEST_F(AtomicFile, WhatIsNoFileIsWrittenToAndStays) {
+  const std::filesystem::path pipe = folder_ / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  std::string seen;
+  std::thread reader([&] { seen = read(pipe); });
+  write_file_atomically(pipe, std::string_view("through"));
+  reader.join();
+  EXPECT_EQ(seen, "through");
+  EXPECT_TRUE(std::filesystem::is_fifo(pipe));
   EXPECT_EQ(entries(), 1u);
 }
 

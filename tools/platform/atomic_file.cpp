@@ -44,6 +44,17 @@ bool flush_to_disk(std::FILE* stream) {
                         : "check the folder and its permissions; nothing was changed");
 }
 
+// A device or a pipe keeps nothing that could be lost; a rename would put a file in its place.
+void write_straight(const std::filesystem::path& file, std::string_view content) {
+  std::FILE* stream = std::fopen(file.string().c_str(), "wb");
+  if (stream == nullptr) fail(file, {}, errno);
+  errno = 0;
+  const bool written = std::fwrite(content.data(), 1, content.size(), stream) == content.size();
+  const int reason = errno;
+  const bool closed = std::fclose(stream) == 0;
+  if (!written || !closed) fail(file, {}, reason != 0 ? reason : errno);
+}
+
 }  // namespace
 
 void write_file_atomically(const std::filesystem::path& file, std::string_view content) {
@@ -51,6 +62,8 @@ void write_file_atomically(const std::filesystem::path& file, std::string_view c
       file.parent_path() / ("." + file.filename().string() + "." + std::to_string(process_id()) + ".part");
   std::error_code status;
   if (std::filesystem::is_directory(file, status)) fail(file, temporary, EISDIR);
+  if (std::filesystem::exists(file, status) && !std::filesystem::is_regular_file(file, status))
+    return write_straight(file, content);
   std::FILE* stream = std::fopen(temporary.string().c_str(), "wb");
   if (stream == nullptr) fail(file, temporary, errno);
   errno = 0;

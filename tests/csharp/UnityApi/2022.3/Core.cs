@@ -19,6 +19,7 @@ namespace UnityEngine
 namespace UnityEngine.Rendering
 {
     [ReadFrom(At.Core14, "core", "Runtime/Volume/VolumeComponent.cs")]
+    [AttributeUsage(AttributeTargets.Class)]
     public class VolumeComponentMenu : Attribute
     {
         public VolumeComponentMenu(string menu) { }

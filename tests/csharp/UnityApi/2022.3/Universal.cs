@@ -7,6 +7,7 @@ namespace UnityEngine.Rendering.Universal
     [ReadFrom(At.Universal14, "universal", "Runtime/UniversalRenderPipeline.cs")]
     public sealed partial class UniversalRenderPipeline
     {
+        private UniversalRenderPipeline() { }
     }
 
     [ReadFrom(At.Universal14, "universal", "Runtime/UniversalRenderPipelineCore.cs")]

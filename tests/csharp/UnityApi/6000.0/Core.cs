@@ -45,6 +45,7 @@ namespace UnityEngine.Rendering
     }
 
     [ReadFrom(At.Core17, "core", "Runtime/Volume/VolumeComponent.cs")]
+    [AttributeUsage(AttributeTargets.Class)]
     public class VolumeComponentMenu : Attribute
     {
         public VolumeComponentMenu(string menu) { }
@@ -69,6 +70,7 @@ namespace UnityEngine.Rendering
     [ReadFrom(At.Core17, "core", "Runtime/CommandBuffers/UnsafeCommandBuffer.cs")]
     public partial class UnsafeCommandBuffer
     {
+        [OwnBehaviour] public UnsafeCommandBuffer() { }
         [OwnBehaviour] public CommandBuffer Wrapped { get; set; }
     }
 
@@ -153,6 +155,7 @@ namespace UnityEngine.Rendering.RenderGraphModule
             public void Dispose() { }
         }
 
+        [OwnBehaviour] public RenderGraph() { }
         [OwnBehaviour] public List<Pass> Passes { get; } = new List<Pass>();
 
         public IUnsafeRenderGraphBuilder AddUnsafePass<PassData>(string passName, out PassData passData,
@@ -169,16 +172,21 @@ namespace UnityEngine.Rendering.RenderGraphModule
     }
 }
 
-namespace UnityEditor.Rendering
+#if UNITY_EDITOR
+namespace UnityEngine.Rendering
 {
     [ReadFrom(At.Core17, "core", "Runtime/Stripping/IStripper.cs")]
     public interface IStripper
     {
         bool active { get; }
     }
+}
 
+namespace UnityEditor.Rendering
+{
     [ReadFrom(At.Core17, "core", "Editor/ShaderStripping/IVariantStripper.cs")]
-    public interface IVariantStripper<TShader, TShaderVariant> : IStripper where TShader : UnityEngine.Object
+    public interface IVariantStripper<TShader, TShaderVariant> : UnityEngine.Rendering.IStripper
+        where TShader : UnityEngine.Object
     {
         bool CanRemoveVariant(TShader shader, TShaderVariant shaderVariant, ShaderCompilerData shaderCompilerData);
     }
@@ -188,3 +196,4 @@ namespace UnityEditor.Rendering
     {
     }
 }
+#endif

@@ -141,6 +141,8 @@ namespace UnityEngine.Rendering.Universal
     [ReadFrom(At.Universal17, "universal", "Runtime/UniversalRendererRenderGraph.cs")]
     public sealed partial class UniversalRenderer : ScriptableRenderer
     {
+        [OwnBehaviour] public UniversalRenderer() { }
+
         public static TextureHandle CreateRenderGraphTexture(RenderGraph renderGraph, RenderTextureDescriptor desc,
                                                              string name, bool clear,
                                                              FilterMode filterMode = FilterMode.Point,

@@ -13,6 +13,7 @@ namespace UnityEngine.Rendering
     [ReadFrom(At.Core17, "core", "Runtime/Textures/RTHandle.cs")]
     public class RTHandle
     {
+        [OwnBehaviour] public RTHandle() { }
         [OwnBehaviour] public string What { get; set; }
         [OwnBehaviour] public RenderTextureDescriptor Descriptor { get; set; }
         [OwnBehaviour] public bool Released { get; private set; }

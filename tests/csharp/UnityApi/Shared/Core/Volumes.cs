@@ -21,7 +21,11 @@ namespace UnityEngine.Rendering
     [ReadFrom(At.Core17, "core", "Runtime/Volume/VolumeParameter.cs")]
     public class VolumeParameter<T> : VolumeParameter
     {
+#if UNITY_6000_0_OR_NEWER
+        protected VolumeParameter(T value, bool overrideState = false)
+#else
         protected VolumeParameter(T value, bool overrideState)
+#endif
         {
             this.value = value;
             this.overrideState = overrideState;
@@ -82,6 +86,8 @@ namespace UnityEngine.Rendering
     [ReadFrom(At.Core17, "core", "Runtime/Volume/VolumeStack.cs")]
     public sealed class VolumeStack : IDisposable
     {
+        [OwnBehaviour] public VolumeStack() { }
+
         [OwnBehaviour] public Dictionary<Type, VolumeComponent> Components { get; } =
             new Dictionary<Type, VolumeComponent>();
 
@@ -95,6 +101,8 @@ namespace UnityEngine.Rendering
     [ReadFrom(At.Core17, "core", "Runtime/Volume/VolumeManager.cs")]
     public sealed partial class VolumeManager
     {
+        private VolumeManager() { }
+
         public static VolumeManager instance { get; } = new VolumeManager();
 
         public VolumeStack stack { get; set; } = new VolumeStack();

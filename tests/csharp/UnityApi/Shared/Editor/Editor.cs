@@ -22,6 +22,7 @@ namespace UnityEngine
     [ReadFrom(At.Unity6, "engine", "Modules/IMGUI/GUILayoutOption.cs")]
     public sealed class GUILayoutOption
     {
+        private GUILayoutOption() { }
     }
 
     [ReadFrom(At.Unity2022, "engine", "Modules/IMGUI/GUILayout.cs")]
@@ -43,6 +44,7 @@ namespace UnityEditor
 
     [ReadFrom(At.Unity2022, "engine", "Editor/Mono/MenuItem.cs")]
     [ReadFrom(At.Unity6, "engine", "Editor/Mono/MenuItem.cs")]
+    [AttributeUsage(AttributeTargets.Method)]
     public sealed class MenuItem : Attribute
     {
         public MenuItem(string itemName) { }
@@ -73,6 +75,8 @@ namespace UnityEditor
     [ReadFrom(At.Unity6, "engine", "Editor/Mono/SerializedObject.bindings.cs")]
     public class SerializedObject
     {
+        private SerializedObject() { }
+
         public void Update() { }
         public bool ApplyModifiedProperties() => false;
         public SerializedProperty FindProperty(string propertyPath) => null;
@@ -82,6 +86,8 @@ namespace UnityEditor
     [ReadFrom(At.Unity6, "engine", "Editor/Mono/SerializedProperty.bindings.cs")]
     public partial class SerializedProperty
     {
+        private SerializedProperty() { }
+
         public int intValue { get; set; }
 
         public SerializedProperty FindPropertyRelative(string relativePropertyPath) => null;
@@ -124,7 +130,7 @@ namespace UnityEditor
 
     [ReadFrom(At.Unity2022, "engine", "Modules/AssetDatabase/Editor/ScriptBindings/AssetDatabase.bindings.cs")]
     [ReadFrom(At.Unity6, "engine", "Modules/AssetDatabase/Editor/ScriptBindings/AssetDatabase.bindings.cs")]
-    public partial class AssetDatabase
+    public sealed partial class AssetDatabase
     {
         public static string GetAssetPath(Object assetObject) => "";
         public static Object LoadMainAssetAtPath(string assetPath) => null;

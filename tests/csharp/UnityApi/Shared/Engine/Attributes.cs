@@ -11,12 +11,14 @@ namespace UnityEngine
 
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/PropertyDrawer/PropertyAttribute.cs")]
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/PropertyDrawer/PropertyAttribute.cs")]
+    [AttributeUsage(AttributeTargets.Field)]
     public abstract class PropertyAttribute : Attribute
     {
     }
 
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/PropertyDrawer/PropertyAttribute.cs")]
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/PropertyDrawer/PropertyAttribute.cs")]
+    [AttributeUsage(AttributeTargets.All)]
     public class TooltipAttribute : PropertyAttribute
     {
         public TooltipAttribute(string tooltip) { }
@@ -24,6 +26,7 @@ namespace UnityEngine
 
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/PropertyDrawer/PropertyAttribute.cs")]
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/PropertyDrawer/PropertyAttribute.cs")]
+    [AttributeUsage(AttributeTargets.Field)]
     public sealed class RangeAttribute : PropertyAttribute
     {
         public RangeAttribute(float min, float max) { }
@@ -34,12 +37,17 @@ namespace UnityEngine.Scripting
 {
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Scripting/PreserveAttribute.cs")]
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/Scripting/PreserveAttribute.cs")]
+    [AttributeUsage(AttributeTargets.Assembly | AttributeTargets.Class | AttributeTargets.Struct | AttributeTargets.Enum |
+                    AttributeTargets.Constructor | AttributeTargets.Method | AttributeTargets.Property |
+                    AttributeTargets.Field | AttributeTargets.Event | AttributeTargets.Interface |
+                    AttributeTargets.Delegate)]
     public class PreserveAttribute : Attribute
     {
     }
 
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Scripting/RequireDerivedAttribute.cs")]
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/Scripting/RequireDerivedAttribute.cs")]
+    [AttributeUsage(AttributeTargets.Class)]
     public class RequireDerivedAttribute : Attribute
     {
     }
@@ -52,6 +60,7 @@ namespace UnityEditor.ShaderKeywordFilter
     [AttributeUsage(AttributeTargets.Field, AllowMultiple = true)]
     public class FilterAttribute : Attribute
     {
+        internal FilterAttribute() { }
     }
 
     [ReadFrom(At.Unity2022, "engine", "Editor/Mono/Shaders/ShaderKeywordFilterAttributes.cs")]

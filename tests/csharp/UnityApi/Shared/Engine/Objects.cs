@@ -36,6 +36,8 @@ namespace UnityEngine
     [ReadFrom(At.Unity6, "engine", "Runtime/Transform/ScriptBindings/Transform.bindings.cs")]
     public partial class Transform
     {
+        internal Transform() { }
+
         public Vector3 forward { get; set; }
     }
 

@@ -21,6 +21,8 @@ namespace UnityEngine
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsComponents.bindings.cs")]
     public sealed partial class Light : Behaviour
     {
+        [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/Light.bindings.cs")]
+        [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/Light.bindings.cs")]
         public LightShadows shadows { get; set; }
         public float shadowBias { get; set; }
         public float shadowNormalBias { get; set; }
@@ -61,6 +63,8 @@ namespace UnityEngine
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsManagers.bindings.cs")]
     public sealed partial class RenderSettings : Object
     {
+        private RenderSettings() { }
+
         public static Light sun { get; set; }
     }
 
@@ -92,6 +96,8 @@ namespace UnityEngine.Rendering
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsSettings.bindings.cs")]
     public sealed partial class GraphicsSettings : Object
     {
+        private GraphicsSettings() { }
+
         public static RenderPipelineAsset currentRenderPipeline { get; [OwnBehaviour] set; }
     }
 

@@ -19,7 +19,9 @@ namespace UnityEngine
 
         [OwnBehaviour] public static string PropertyName(int id) => properties[id];
 
-        public bool isSupported { get; set; } = true;
+        [OwnBehaviour] public Shader() { }
+
+        public bool isSupported { get; [OwnBehaviour] set; } = true;
 
         [OwnBehaviour] public static Dictionary<string, object> Globals { get; } = new Dictionary<string, object>();
 

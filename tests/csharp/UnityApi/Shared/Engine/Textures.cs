@@ -8,14 +8,15 @@ namespace UnityEngine
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/Texture.bindings.cs")]
     public partial class Texture : Object
     {
+        internal Texture() { }
     }
 
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/Texture.bindings.cs")]
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/Texture.bindings.cs")]
     public partial class RenderTexture : Texture
     {
-        [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/Texture.cs")]
-        [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/Texture.cs")]
+        [OwnBehaviour] public RenderTexture() { }
+
         public RenderTextureFormat format { get; set; }
     }
 

@@ -6,6 +6,7 @@ namespace UnityEngine.Rendering.Universal
 {
     [ReadFrom(At.Universal14, "universal", "Runtime/RendererFeatures/DisallowMultipleRendererFeature.cs")]
     [ReadFrom(At.Universal17, "universal", "Runtime/RendererFeatures/DisallowMultipleRendererFeature.cs")]
+    [AttributeUsage(AttributeTargets.Class)]
     public class DisallowMultipleRendererFeature : Attribute
     {
         public DisallowMultipleRendererFeature(string customTitle = null) { }
@@ -32,6 +33,7 @@ namespace UnityEngine.Rendering.Universal
     [ReadFrom(At.Universal17, "universal", "Runtime/ScriptableRenderer.cs")]
     public abstract partial class ScriptableRenderer : IDisposable
     {
+        [OwnBehaviour] protected ScriptableRenderer() { }
         [OwnBehaviour] public List<ScriptableRenderPass> Queue { get; } = new List<ScriptableRenderPass>();
 
         public void EnqueuePass(ScriptableRenderPass pass) => Queue.Add(pass);
