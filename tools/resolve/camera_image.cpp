@@ -70,7 +70,8 @@ CameraImage camera_image(const scene::Frame& frame, RowOrder rows) {
   for (int row = 0; row < seen.height; ++row) {
     const int seen_row = rows == RowOrder::top_first ? row : seen.height - 1 - row;
     for (int column = 0; column < seen.width; ++column) {
-      const auto pixel = static_cast<std::size_t>(seen_row * seen.width + column);
+      const auto pixel = static_cast<std::size_t>(seen_row) * static_cast<std::size_t>(seen.width) +
+                         static_cast<std::size_t>(column);
       if (seen.position_ws[pixel].w == 0.0f) {
         image.depth.push_back(reversed_z ? 0.0f : 1.0f);
         continue;

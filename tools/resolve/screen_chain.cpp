@@ -49,8 +49,10 @@ std::vector<std::uint8_t> masked_out(const gpu::Image& mask, int scale, const Ca
   std::vector<std::uint8_t> pixels;
   for (int y = 0; y < camera.height; ++y) {
     for (int x = 0; x < camera.width; ++x) {
-      pixels.push_back(texels[static_cast<std::size_t>(y / scale * mask.width() + x / scale)] == 0.0f ? 1
-                                                                                                      : 0);
+      pixels.push_back(texels[static_cast<std::size_t>(y / scale) * static_cast<std::size_t>(mask.width()) +
+                              static_cast<std::size_t>(x / scale)] == 0.0f
+                           ? 1
+                           : 0);
     }
   }
   return rows_from_top(pixels, camera.width, camera.rows);
@@ -141,7 +143,7 @@ ScreenChainResult ScreenChain::run(const FrameOnDevice& frame, const CameraImage
 
   Targets counted(device_, description_, frame, camera, ScreenPass::Module::counting);
   draw(counting_, counted, 0);
-  result.image.fetches.assign(static_cast<std::size_t>(camera.width * camera.height), 0);
+  result.image.fetches.assign(camera.depth.size(), 0);
   for (std::size_t i = 0; i < counting_.size(); ++i) {
     const std::vector<std::uint32_t> counts =
         rows_from_top(green(counted.images[i].download<glm::vec4>()), counted.images[i].width(), camera.rows);
