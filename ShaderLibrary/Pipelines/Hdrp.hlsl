@@ -100,7 +100,7 @@ PenumbraHdrpCascade PenumbraHdrpCascadeOf(float3 positionRWS, HDDirectionalShado
         const float3 fromCentre = positionRWS - shadows.sphereCascades[i].xyz;
         const float squaredDistance = dot(fromCentre, fromCentre);
         const float squaredRadius = shadows.sphereCascades[i].w;
-        if (squaredRadius > 0.0 && squaredDistance <= squaredRadius)
+        if (squaredDistance < squaredRadius)
         {
             const float border = shadows.cascadeBorders[i];
             const float inside = 1.0 - squaredDistance / squaredRadius;

@@ -65,6 +65,7 @@ struct Compiled {
 
 // A function is run on many frames; compiling takes longer than running.
 Compiled& compiled(const HdrpFunction& function, HdrpVersion version, DepthDirection direction) {
+  device();  // outlives the passes
   static std::map<std::pair<std::string, HdrpDefines>, Compiled> passes;
   HdrpDefines defines = defines_of(version);
   defines.insert(defines.end(), function.defines.begin(), function.defines.end());
