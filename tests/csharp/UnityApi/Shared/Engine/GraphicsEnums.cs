@@ -30,7 +30,7 @@ namespace UnityEngine
 
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
-    public enum RenderTextureFormat { Depth = 1 }
+    public enum RenderTextureFormat { Depth = 1, Shadowmap = 3 }
 }
 
 namespace UnityEngine.Rendering

@@ -154,7 +154,7 @@ namespace Unity.Collections
 {
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/NativeArray/NativeArray.cs")]
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/NativeArray/NativeArray.cs")]
-    public struct NativeArray<T> : IEquatable<NativeArray<T>> where T : struct
+    public partial struct NativeArray<T> : IEquatable<NativeArray<T>> where T : struct
     {
         [OwnBehaviour] public T[] Items { get; set; }
 

@@ -20,7 +20,7 @@ namespace UnityEngine
 
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Math/Vector3.cs")]
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/Math/Vector3.cs")]
-    public struct Vector3 : IEquatable<Vector3>
+    public partial struct Vector3 : IEquatable<Vector3>
     {
         public float x;
         public float y;

@@ -1,0 +1,92 @@
+// Forward shader sample: an opaque URP surface that filters the sun's shadow by itself, with Shadows.hlsl.
+//
+// The technique is the material's: each entry of the enum switches one keyword of Shadows.hlsl, and a build holds the
+// techniques that its materials use. The entry "Tent 5x5" switches a keyword that the library does not know: its
+// filter without any.
+Shader "Penumbra Samples/Forward Lit"
+{
+    Properties
+    {
+        [MainColor] _BaseColor("Color", Color) = (0.8, 0.8, 0.8, 1)
+        [MainTexture] _BaseMap("Map", 2D) = "white" {}
+        _Smoothness("Smoothness", Range(0, 1)) = 0.3
+        _Metallic("Metallic", Range(0, 1)) = 0
+        [Header(Shadow)]
+        [KeywordEnum(Tent 5x5, Tent 3x3, Tent 7x7, Pcss, Pcss Poisson, Pcss Hdrp)] _Penumbra("Technique", Float) = 0
+    }
+
+    SubShader
+    {
+        Tags { "RenderPipeline" = "UniversalPipeline" "RenderType" = "Opaque" "Queue" = "Geometry" }
+
+        Pass
+        {
+            Name "ForwardLit"
+            Tags { "LightMode" = "UniversalForward" }
+
+            HLSLPROGRAM
+            #pragma target 4.5
+            #pragma vertex ForwardVertex
+            #pragma fragment ForwardFragment
+
+            #pragma shader_feature_local_fragment _PENUMBRA_TENT_5X5 _PENUMBRA_TENT_3X3 _PENUMBRA_TENT_7X7 _PENUMBRA_PCSS _PENUMBRA_PCSS_POISSON _PENUMBRA_PCSS_HDRP
+
+            // URP's, as far as this surface reads them. On means that the main light has a shadow map: which of the
+            // three it is does not matter here.
+            #pragma multi_compile_fragment _ _MAIN_LIGHT_SHADOWS _MAIN_LIGHT_SHADOWS_CASCADE _MAIN_LIGHT_SHADOWS_SCREEN
+            #pragma multi_compile_fragment _ _ADDITIONAL_LIGHTS
+            // Forward+ until URP 17.0, and its name from 17.1 on.
+            #pragma multi_compile_fragment _ _FORWARD_PLUS _CLUSTER_LIGHT_LOOP
+            #pragma multi_compile_fog
+            #pragma multi_compile_instancing
+            #include "ForwardPass.hlsl"
+            ENDHLSL
+        }
+
+        Pass
+        {
+            Name "ShadowCaster"
+            Tags { "LightMode" = "ShadowCaster" }
+            ColorMask 0
+
+            HLSLPROGRAM
+            #pragma target 4.5
+            #pragma vertex CasterVertex
+            #pragma fragment DepthFragment
+            #pragma multi_compile_vertex _ _CASTING_PUNCTUAL_LIGHT_SHADOW
+            #pragma multi_compile_instancing
+            #include "DepthPasses.hlsl"
+            ENDHLSL
+        }
+
+        Pass
+        {
+            Name "DepthOnly"
+            Tags { "LightMode" = "DepthOnly" }
+            ColorMask R
+
+            HLSLPROGRAM
+            #pragma target 4.5
+            #pragma vertex DepthVertex
+            #pragma fragment DepthFragment
+            #pragma multi_compile_instancing
+            #include "DepthPasses.hlsl"
+            ENDHLSL
+        }
+
+        Pass
+        {
+            Name "DepthNormals"
+            Tags { "LightMode" = "DepthNormals" }
+
+            HLSLPROGRAM
+            #pragma target 4.5
+            #pragma vertex DepthVertex
+            #pragma fragment NormalFragment
+            #pragma multi_compile_fragment _ _GBUFFER_NORMALS_OCT
+            #pragma multi_compile_instancing
+            #include "DepthPasses.hlsl"
+            ENDHLSL
+        }
+    }
+}

@@ -1,0 +1,127 @@
+// Forward shader sample: URP's physically based lighting, with the main light's shadow from the Penumbra library.
+//
+// Computes:   the colour of an opaque surface: main light times PenumbraMainLightVisibility, additional lights as URP
+//             has them but without shadows, ambient from probes, fog.
+// Inputs:     URP's uniforms; those of Shadows.hlsl, from the renderer feature or from ForwardShadowUniforms.cs.
+// Cost:       of the material's technique in every pixel that faces the light: unlike the renderer feature's, the
+//             work of a pixel drawn over is lost, and there is no mask and no denoising.
+// Guarantees: where URP has no shadow map for the main light (its keywords are off), the light is unshadowed and no
+//             texture is read.
+#ifndef PENUMBRA_SAMPLE_FORWARD_PASS_HLSL
+#define PENUMBRA_SAMPLE_FORWARD_PASS_HLSL
+
+#include "SurfaceInput.hlsl"
+#include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Lighting.hlsl"
+#include "Packages/com.penumbra.shadows/ShaderLibrary/Shadows.hlsl"
+
+// Each URP knows one of the two keywords, and turns it into one of these.
+#if (defined(USE_FORWARD_PLUS) && USE_FORWARD_PLUS) || (defined(USE_CLUSTER_LIGHT_LOOP) && USE_CLUSTER_LIGHT_LOOP)
+#define SAMPLE_USES_CLUSTERS 1
+#else
+#define SAMPLE_USES_CLUSTERS 0
+#endif
+
+struct Attributes
+{
+    float4 positionOS : POSITION;
+    float3 normalOS : NORMAL;
+    float2 uv : TEXCOORD0;
+    UNITY_VERTEX_INPUT_INSTANCE_ID
+};
+
+struct Varyings
+{
+    float4 positionCS : SV_POSITION;
+    float3 positionWS : TEXCOORD0;
+    half3 normalWS : TEXCOORD1;
+    float2 uv : TEXCOORD2;
+    half fogFactor : TEXCOORD3;
+    UNITY_VERTEX_INPUT_INSTANCE_ID
+    UNITY_VERTEX_OUTPUT_STEREO
+};
+
+Varyings ForwardVertex(Attributes input)
+{
+    Varyings output = (Varyings)0;
+    UNITY_SETUP_INSTANCE_ID(input);
+    UNITY_TRANSFER_INSTANCE_ID(input, output);
+    UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(output);
+    output.positionWS = TransformObjectToWorld(input.positionOS.xyz);
+    output.positionCS = TransformWorldToHClip(output.positionWS);
+    output.normalWS = half3(TransformObjectToWorldNormal(input.normalOS));
+    output.uv = TRANSFORM_TEX(input.uv, _BaseMap);
+    output.fogFactor = half(ComputeFogFactor(output.positionCS.z));
+    return output;
+}
+
+// The library leaves URP's distance fade to its caller.
+half MainLightVisibility(float3 positionWS, half3 normalWS, float2 pixel)
+{
+#if defined(MAIN_LIGHT_CALCULATE_SHADOWS)
+    const float visibility = PenumbraMainLightVisibility(positionWS, normalWS, pixel);
+    return half(lerp(visibility, 1.0, GetMainLightShadowFade(positionWS)));
+#else
+    return half(1.0);
+#endif
+}
+
+// URP's LIGHT_LOOP macros read a variable of this name.
+half3 AdditionalLights(InputData inputData, BRDFData brdf)
+{
+    half3 colour = half3(0.0, 0.0, 0.0);
+#if defined(_ADDITIONAL_LIGHTS) || SAMPLE_USES_CLUSTERS
+#if SAMPLE_USES_CLUSTERS
+    // Directional ones are in no cluster.
+    UNITY_LOOP
+    for (uint i = 0u; i < min(uint(URP_FP_DIRECTIONAL_LIGHTS_COUNT), uint(MAX_VISIBLE_LIGHTS)); ++i)
+    {
+        const Light light = GetAdditionalLight(i, inputData.positionWS);
+        colour += LightingPhysicallyBased(brdf, light, inputData.normalWS, inputData.viewDirectionWS);
+    }
+#endif
+    const uint lightCount = GetAdditionalLightsCount();
+    LIGHT_LOOP_BEGIN(lightCount)
+        const Light light = GetAdditionalLight(lightIndex, inputData.positionWS);
+        colour += LightingPhysicallyBased(brdf, light, inputData.normalWS, inputData.viewDirectionWS);
+    LIGHT_LOOP_END
+#endif
+    return colour;
+}
+
+InputData LightingInput(Varyings input)
+{
+    InputData inputData = (InputData)0;
+    inputData.positionWS = input.positionWS;
+    inputData.normalWS = NormalizeNormalPerPixel(input.normalWS);
+    inputData.viewDirectionWS = GetWorldSpaceNormalizeViewDir(input.positionWS);
+    inputData.normalizedScreenSpaceUV = GetNormalizedScreenSpaceUV(input.positionCS);
+    return inputData;
+}
+
+half4 ForwardFragment(Varyings input) : SV_Target
+{
+    UNITY_SETUP_INSTANCE_ID(input);
+    UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(input);
+    const half3 albedo = (SAMPLE_TEXTURE2D(_BaseMap, sampler_BaseMap, input.uv) * _BaseColor).rgb;
+    half alpha = half(1.0);
+    BRDFData brdf;
+    InitializeBRDFData(albedo, _Metallic, half3(0.0, 0.0, 0.0), _Smoothness, alpha, brdf);
+
+    const InputData inputData = LightingInput(input);
+    const half3 normalWS = inputData.normalWS;
+    const half3 viewWS = inputData.viewDirectionWS;
+    half3 colour = GlobalIllumination(brdf, SampleSH(normalWS), half(1.0), inputData.positionWS, normalWS, viewWS);
+
+    Light sun = GetMainLight();
+    // What faces away from the light needs no fetches.
+    UNITY_BRANCH
+    if (dot(normalWS, sun.direction) > 0.0)
+    {
+        sun.shadowAttenuation = MainLightVisibility(inputData.positionWS, normalWS, input.positionCS.xy);
+        colour += LightingPhysicallyBased(brdf, sun, normalWS, viewWS);
+    }
+    colour += AdditionalLights(inputData, brdf);
+    return half4(MixFog(colour, input.fogFactor), 1.0);
+}
+
+#endif

@@ -1,0 +1,47 @@
+using UnityEngine;
+
+namespace Penumbra.Samples.Scenes
+{
+    /// <summary>
+    /// A tree's crown: leaves spread evenly over a ball, turned every way by chance. A leaf is a rhombus of 18 by 9
+    /// centimetres, seen from both sides by its material.
+    /// </summary>
+    internal static class LeafMesh
+    {
+        internal const float HalfLengthMetres = 0.09f;
+        internal const float HalfWidthMetres = 0.045f;
+
+        internal static SceneMesh Describe(float diameterMetres, int leaves, SeededChance chance)
+        {
+            var mesh = new SceneMesh("Leaves");
+            // No leaf reaches out of the ball.
+            float radius = 0.5f * diameterMetres - HalfLengthMetres;
+            for (int i = 0; i < leaves; ++i)
+            {
+                // The share of a ball within a radius grows with its cube.
+                Vector3 centre = Direction(chance) * (radius * Mathf.Pow(chance.Next(), 1.0f / 3.0f));
+                Vector3 along = Direction(chance);
+                Vector3 across = Across(along, Direction(chance));
+                mesh.AddRhombus(centre, along * HalfLengthMetres, across * HalfWidthMetres);
+            }
+            return mesh;
+        }
+
+        // Even over the sphere: every height is equally likely (Archimedes).
+        private static Vector3 Direction(SeededChance chance)
+        {
+            float height = 2.0f * chance.Next() - 1.0f;
+            float angle = 2.0f * Mathf.PI * chance.Next();
+            float ring = Mathf.Sqrt(Mathf.Max(1.0f - height * height, 0.0f));
+            return new Vector3(ring * Mathf.Cos(angle), height, ring * Mathf.Sin(angle));
+        }
+
+        private static Vector3 Across(Vector3 along, Vector3 other)
+        {
+            Vector3 across = Vector3.Cross(along, other);
+            // Two directions by chance are hardly ever the same; where they are, any leaf will do.
+            return Vector3.Dot(across, across) > 1e-6f ? across.normalized
+                                                       : Vector3.Cross(along, new Vector3(along.y, along.z, along.x)).normalized;
+        }
+    }
+}

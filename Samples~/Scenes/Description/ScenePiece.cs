@@ -1,0 +1,58 @@
+using UnityEngine;
+
+namespace Penumbra.Samples.Scenes
+{
+    /// <summary>Of a piece without a mesh of its own.</summary>
+    internal enum PieceShape
+    {
+        Box,
+        Cylinder,
+        Ball,
+    }
+
+    /// <summary>What a piece is made of; one material each.</summary>
+    internal enum SceneSurface
+    {
+        Ground,
+        Stone,
+        Metal,
+        Bark,
+        Leaf,
+    }
+
+    /// <summary>
+    /// One thing of a scene. Lengths are metres, y is up, the ground lies at y = 0; a piece turns about its centre.
+    /// </summary>
+    internal struct ScenePiece
+    {
+        internal string name;
+        internal PieceShape shape;
+
+        /// <summary>Null: a primitive of the shape.</summary>
+        internal SceneMesh mesh;
+
+        internal Vector3 centre;
+        internal Vector3 eulerDegrees;
+
+        /// <summary>Of the whole piece before it is turned. A mesh has its size already and is not scaled.</summary>
+        internal Vector3 size;
+
+        internal SceneSurface surface;
+    }
+
+    internal static class SceneSurfaces
+    {
+        /// <summary>As picked in an inspector, sRGB. The ground is light, so that shadows are easy to judge.</summary>
+        internal static Color Color(SceneSurface surface)
+        {
+            switch (surface)
+            {
+                case SceneSurface.Ground: return new Color(0.8f, 0.8f, 0.78f, 1.0f);
+                case SceneSurface.Stone: return new Color(0.65f, 0.62f, 0.58f, 1.0f);
+                case SceneSurface.Metal: return new Color(0.35f, 0.37f, 0.4f, 1.0f);
+                case SceneSurface.Bark: return new Color(0.36f, 0.27f, 0.2f, 1.0f);
+                default: return new Color(0.3f, 0.45f, 0.2f, 1.0f);
+            }
+        }
+    }
+}

@@ -1,0 +1,39 @@
+using System;
+using Penumbra.UnityApi;
+
+namespace UnityEngine
+{
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Scripting/Attributes.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Scripting/Attributes.cs")]
+    public sealed class ContextMenu : Attribute
+    {
+        public ContextMenu(string itemName) { }
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Scripting/Attributes.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Scripting/Attributes.cs")]
+    public sealed class AddComponentMenu : Attribute
+    {
+        public AddComponentMenu(string menuName) { }
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Scripting/Attributes.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Scripting/Attributes.cs")]
+    public sealed class CreateAssetMenuAttribute : Attribute
+    {
+        public string menuName { get; set; }
+        public string fileName { get; set; }
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Scripting/Attributes.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Scripting/Attributes.cs")]
+    public sealed class ExecuteAlways : Attribute
+    {
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Scripting/Attributes.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Scripting/Attributes.cs")]
+    public sealed class HideInInspector : Attribute
+    {
+    }
+}

@@ -1,0 +1,248 @@
+using System;
+using System.Collections.Generic;
+using Penumbra.UnityApi;
+using Unity.Collections;
+
+namespace UnityEngine.Rendering
+{
+    public abstract partial class RenderPipelineAsset
+    {
+        protected abstract RenderPipeline CreatePipeline();
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/RenderPipeline/RenderPipeline.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/RenderPipeline.cs")]
+    public abstract class RenderPipeline
+    {
+        protected abstract void Render(ScriptableRenderContext context, Camera[] cameras);
+        protected virtual void Render(ScriptableRenderContext context, List<Camera> cameras) { }
+        protected static void BeginCameraRendering(ScriptableRenderContext context, Camera camera) { }
+        protected static void EndCameraRendering(ScriptableRenderContext context, Camera camera) { }
+        protected virtual void Dispose(bool disposing) { }
+
+        [OwnBehaviour]
+        public void RenderNow(ScriptableRenderContext context, Camera camera) =>
+            Render(context, new List<Camera> { camera });
+
+        [OwnBehaviour] public void DisposeNow() => Dispose(true);
+    }
+
+    public sealed partial class GraphicsSettings
+    {
+        public static bool useScriptableRenderPipelineBatching { get; set; }
+        public static bool lightsUseLinearIntensity { get; set; }
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/RenderPipeline/CullingParameters.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/CullingParameters.cs")]
+    public struct ScriptableCullingParameters : IEquatable<ScriptableCullingParameters>
+    {
+        public float shadowDistance { get; set; }
+
+        public bool Equals(ScriptableCullingParameters other) => shadowDistance == other.shadowDistance;
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/RenderPipeline/ShadowSplitData.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/ShadowSplitData.cs")]
+    public struct ShadowSplitData : IEquatable<ShadowSplitData>
+    {
+        public Vector4 cullingSphere { get; set; }
+
+        public bool Equals(ShadowSplitData other) => cullingSphere.Equals(other.cullingSphere);
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Rendering/BatchRendererGroup.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Rendering/BatchRendererGroup.bindings.cs")]
+    public enum BatchCullingProjectionType { Unknown = 0, Perspective = 1, Orthographic = 2 }
+
+    public partial struct CullingResults
+    {
+        /// <summary>What the next Cull() sees.</summary>
+        [OwnBehaviour] public static CullingResults Next { get; set; }
+
+        /// <summary>Of the cascades, those of these numbers have no matrices.</summary>
+        [OwnBehaviour] public static HashSet<int> Missing { get; } = new HashSet<int>();
+
+        [OwnBehaviour] public static VisibleLight[] Lights { get; set; } = new VisibleLight[0];
+
+        public NativeArray<VisibleLight> visibleLights => new NativeArray<VisibleLight> { Items = Lights };
+
+        /// <summary>A light that looks along +z, onto a square of twice its cascade's sphere.</summary>
+        public bool ComputeDirectionalShadowMatricesAndCullingPrimitives(
+            int activeLightIndex, int splitIndex, int splitCount, Vector3 splitRatio, int shadowResolution,
+            float shadowNearPlaneOffset, out Matrix4x4 viewMatrix, out Matrix4x4 projMatrix,
+            out ShadowSplitData shadowSplitData)
+        {
+            float radius = splitIndex + 1.0f;
+            viewMatrix = Matrix4x4.identity;
+            projMatrix = Matrix4x4.identity;
+            projMatrix.m00 = 1.0f / radius;
+            projMatrix.m11 = 1.0f / radius;
+            projMatrix.m22 = -0.1f;
+            shadowSplitData = new ShadowSplitData { cullingSphere = new Vector4(0.0f, 0.0f, 0.0f, radius) };
+            return !Missing.Contains(splitIndex);
+        }
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/RenderPipeline/ShaderTagId.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/ShaderTagId.cs")]
+    public struct ShaderTagId : IEquatable<ShaderTagId>
+    {
+        public ShaderTagId(string name) { this.name = name; }
+
+        public string name { get; }
+
+        public bool Equals(ShaderTagId other) => name == other.name;
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/RenderPipeline/SortingCriteria.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/SortingCriteria.cs")]
+    [Flags]
+    public enum SortingCriteria
+    {
+        SortingLayer = 1 << 0,
+        RenderQueue = 1 << 1,
+        QuantizedFrontToBack = 1 << 3,
+        OptimizeStateChanges = 1 << 4,
+        CanvasOrder = 1 << 5,
+        CommonOpaque = SortingLayer | RenderQueue | QuantizedFrontToBack | OptimizeStateChanges | CanvasOrder,
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/RenderPipeline/SortingSettings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/SortingSettings.cs")]
+    public struct SortingSettings : IEquatable<SortingSettings>
+    {
+        public SortingSettings(Camera camera) { criteria = default; }
+
+        public SortingCriteria criteria { get; set; }
+
+        public bool Equals(SortingSettings other) => criteria == other.criteria;
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/RenderPipeline/DrawingSettings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/DrawingSettings.cs")]
+    public struct DrawingSettings : IEquatable<DrawingSettings>
+    {
+        [OwnBehaviour] public string Pass { get; }
+
+        public DrawingSettings(ShaderTagId shaderPassName, SortingSettings sortingSettings)
+        {
+            Pass = shaderPassName.name;
+        }
+
+        public bool Equals(DrawingSettings other) => Pass == other.Pass;
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/RenderPipeline/RenderQueueRange.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/RenderQueueRange.cs")]
+    public struct RenderQueueRange : IEquatable<RenderQueueRange>
+    {
+        public static RenderQueueRange opaque => default;
+
+        public bool Equals(RenderQueueRange other) => true;
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/RenderPipeline/FilteringSettings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/FilteringSettings.cs")]
+    public struct FilteringSettings : IEquatable<FilteringSettings>
+    {
+        public FilteringSettings(RenderQueueRange? renderQueueRange = null, int layerMask = ~0,
+                                 uint renderingLayerMask = uint.MaxValue, int excludeMotionVectorObjects = 0) { }
+
+        public bool Equals(FilteringSettings other) => true;
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/RenderPipeline/RendererList.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/RendererList.bindings.cs")]
+    public struct RendererList
+    {
+        [OwnBehaviour] public string What { get; set; }
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/RenderPipeline/RendererList.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/RendererList.bindings.cs")]
+    public struct RendererListParams : IEquatable<RendererListParams>
+    {
+        [OwnBehaviour] public string Pass { get; }
+
+        public RendererListParams(CullingResults cullingResults, DrawingSettings drawSettings,
+                                  FilteringSettings filteringSettings)
+        {
+            Pass = drawSettings.Pass;
+        }
+
+        public bool Equals(RendererListParams other) => Pass == other.Pass;
+    }
+
+    public partial struct ScriptableRenderContext
+    {
+        [ReadFrom(At.Unity2022, "engine", "Runtime/Export/RenderPipeline/ScriptableRenderContext.bindings.cs")]
+        [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/ScriptableRenderContext.bindings.cs")]
+        public static void EmitWorldGeometryForSceneView(Camera cullingCamera) { }
+
+        public CullingResults Cull(ref ScriptableCullingParameters parameters) => CullingResults.Next;
+
+        public void SetupCameraProperties(Camera camera, bool stereoSetup = false) => Device.Target = "camera";
+
+        public void Submit() { }
+
+        public RendererList CreateRendererList(ref RendererListParams param) => new RendererList { What = param.Pass };
+
+        public RendererList CreateShadowRendererList(ref ShadowDrawingSettings settings) =>
+            new RendererList { What = "cascade " + settings.Split };
+
+        public RendererList CreateSkyboxRendererList(Camera camera) => new RendererList { What = "sky" };
+    }
+
+    public partial struct RenderTargetIdentifier
+    {
+        public static implicit operator RenderTargetIdentifier(int nameID) =>
+            new RenderTargetIdentifier { What = Shader.PropertyName(nameID) };
+    }
+
+    public partial class CommandBuffer
+    {
+        public string name { get; set; } = "";
+
+        public void GetTemporaryRT(int nameID, int width, int height, int depthBuffer, FilterMode filter,
+                                   RenderTextureFormat format) =>
+            Recorded.Texture(this, nameID, width + " x " + height);
+
+        public void ReleaseTemporaryRT(int nameID) => Recorded.Texture(this, nameID, null);
+
+        public void SetRenderTarget(RenderTargetIdentifier rt, RenderBufferLoadAction loadAction,
+                                    RenderBufferStoreAction storeAction) => Recorded.Target(this, rt.What);
+
+        public void ClearRenderTarget(bool clearDepth, bool clearColor, Color backgroundColor) { }
+
+        public void SetViewport(Rect pixelRect) => Recorded.Uniform(this, Shader.PropertyToID("viewport"), pixelRect);
+
+        public void SetViewProjectionMatrices(Matrix4x4 view, Matrix4x4 proj) { }
+
+        public void SetGlobalVectorArray(int nameID, Vector4[] values) => Recorded.Uniform(this, nameID, values.Clone());
+
+        [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/RenderingCommandBuffer.cs")]
+        [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/RenderingCommandBuffer.cs")]
+        public void DrawRendererList(RendererList rendererList) => Recorded.Draw(this, rendererList.What, 0);
+    }
+}
+
+namespace Unity.Collections
+{
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Collections/NativeCollectionEnums.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Collections/NativeCollectionEnums.bindings.cs")]
+    public enum Allocator { Temp = 2 }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/NativeArray/NativeArray.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/NativeArray/NativeArray.cs")]
+    public enum NativeArrayOptions { UninitializedMemory = 0, ClearMemory = 1 }
+
+    public partial struct NativeArray<T>
+    {
+        public NativeArray(int length, Allocator allocator,
+                           NativeArrayOptions options = NativeArrayOptions.ClearMemory)
+        {
+            Items = new T[length];
+        }
+    }
+}

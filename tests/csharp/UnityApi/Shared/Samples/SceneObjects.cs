@@ -1,0 +1,139 @@
+using System;
+using System.Collections.Generic;
+using Penumbra.UnityApi;
+
+namespace UnityEngine
+{
+    public partial class Object
+    {
+        public static void Destroy(Object obj) => DestroyImmediate(obj);
+
+        public static void DestroyImmediate(Object obj)
+        {
+            if (obj is not null) obj.Destroyed = true;
+        }
+    }
+
+    public partial class Component
+    {
+        /// <summary>What the component was added to.</summary>
+        [OwnBehaviour] public GameObject Owner { get; set; }
+
+        public GameObject gameObject => Owner;
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Scripting/MonoBehaviour.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Scripting/MonoBehaviour.bindings.cs")]
+    public class MonoBehaviour : Behaviour
+    {
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Scripting/GameObject.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Scripting/GameObject.bindings.cs")]
+    public sealed partial class GameObject : Object
+    {
+        [OwnBehaviour] public List<Component> Components { get; } = new List<Component>();
+
+        public GameObject() { }
+
+        public GameObject(string name) { this.name = name; }
+
+        public Transform transform { get; } = new Transform();
+
+        public T AddComponent<T>() where T : Component
+        {
+            var component = (T)Activator.CreateInstance(typeof(T));
+            component.Owner = this;
+            Components.Add(component);
+            return component;
+        }
+
+        public T GetComponent<T>()
+        {
+            foreach (Component component in Components)
+                if (component is T found) return found;
+            return default;
+        }
+
+        public static GameObject CreatePrimitive(PrimitiveType type)
+        {
+            var item = new GameObject(type.ToString());
+            item.AddComponent<MeshFilter>();
+            item.AddComponent<MeshRenderer>();
+            return item;
+        }
+    }
+
+    public partial class Transform
+    {
+        public Vector3 localPosition { get; set; }
+        public Quaternion localRotation { get; set; }
+        public Vector3 localScale { get; set; } = Vector3.one;
+        [OwnBehaviour] public Transform Above { get; private set; }
+
+        public void SetParent(Transform parent, bool worldPositionStays) => Above = parent;
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/BaseClass.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/BaseClass.cs")]
+    public enum PrimitiveType { Sphere = 0, Capsule = 1, Cylinder = 2, Cube = 3, Plane = 4, Quad = 5 }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsComponents.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsComponents.bindings.cs")]
+    public sealed partial class MeshFilter : Component
+    {
+        public Mesh sharedMesh { get; set; }
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsRenderers.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsRenderers.bindings.cs")]
+    public partial class Renderer : Component
+    {
+        public Material sharedMaterial { get; set; }
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsRenderers.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsRenderers.bindings.cs")]
+    public partial class MeshRenderer : Renderer
+    {
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/Mesh.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/Mesh.cs")]
+    public sealed partial class Mesh : Object
+    {
+        [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/Mesh.bindings.cs")]
+        [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/Mesh.bindings.cs")]
+        public Mesh() { }
+
+        public void SetVertices(List<Vector3> inVertices) { }
+        public void SetNormals(List<Vector3> inNormals) { }
+        public void SetTriangles(List<int> triangles, int submesh) { }
+        public void RecalculateBounds() { }
+    }
+
+    public partial class Material
+    {
+        [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Shaders/Material.cs")]
+        [ReadFrom(At.Unity6, "engine", "Runtime/Export/Shaders/Material.cs")]
+        public void SetColor(string name, Color value) { }
+
+        [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Shaders/Material.cs")]
+        [ReadFrom(At.Unity6, "engine", "Runtime/Export/Shaders/Material.cs")]
+        public void SetFloat(string name, float value) { }
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Application/Application.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Application/Application.bindings.cs")]
+    public partial class Application
+    {
+        public static bool isPlaying { get; [OwnBehaviour] set; }
+    }
+}
+
+namespace UnityEngine.Rendering.Universal
+{
+    public partial class UniversalAdditionalLightData : MonoBehaviour
+    {
+    }
+}
