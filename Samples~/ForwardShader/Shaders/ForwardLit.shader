@@ -21,8 +21,9 @@ Shader "Penumbra Samples/Forward Lit"
 
         Pass
         {
+            // "Only": URP's deferred path draws it too, after its G-buffer, and takes normals from DepthNormalsOnly.
             Name "ForwardLit"
-            Tags { "LightMode" = "UniversalForward" }
+            Tags { "LightMode" = "UniversalForwardOnly" }
 
             HLSLPROGRAM
             #pragma target 4.5
@@ -77,7 +78,7 @@ Shader "Penumbra Samples/Forward Lit"
         Pass
         {
             Name "DepthNormals"
-            Tags { "LightMode" = "DepthNormals" }
+            Tags { "LightMode" = "DepthNormalsOnly" }
 
             HLSLPROGRAM
             #pragma target 4.5

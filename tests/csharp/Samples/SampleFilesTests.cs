@@ -1,0 +1,117 @@
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text.Json;
+using System.Text.RegularExpressions;
+using NUnit.Framework;
+
+namespace Penumbra.Samples
+{
+    /// <summary>What only the files can show: assemblies see what they name, uniforms have the same names in C# and in
+    /// shaders, and the Package Manager is told of every sample.</summary>
+    internal sealed class SampleFilesTests
+    {
+        private static readonly string package = Path.Combine(TestContext.CurrentContext.TestDirectory, "package");
+        private static readonly string samples = Path.Combine(package, "Samples~");
+
+        // Whose assembly a namespace asks for. Everything else is in assemblies that Unity always references.
+        private static readonly Dictionary<string, string> assemblies = new Dictionary<string, string>
+        {
+            ["UnityEngine.Rendering.Universal"] = "Unity.RenderPipelines.Universal.Runtime",
+        };
+
+        private static IEnumerable<string> Files(string folder, string pattern) =>
+            Directory.GetFiles(folder, pattern, SearchOption.AllDirectories);
+
+        private static IEnumerable<string> Asmdefs() => Files(samples, "*.asmdef");
+
+        private static JsonElement Json(string file) => JsonDocument.Parse(File.ReadAllText(file)).RootElement;
+
+        private static string[] Strings(JsonElement list) => list.EnumerateArray().Select(item => item.GetString()).ToArray();
+
+        // A source belongs to the nearest definition above it.
+        private static IEnumerable<string> SourcesOf(string asmdef)
+        {
+            string folder = Path.GetDirectoryName(asmdef);
+            return Files(folder, "*.cs").Where(source => !Asmdefs().Any(
+                other => other != asmdef && Path.GetDirectoryName(other).StartsWith(folder) &&
+                         source.StartsWith(Path.GetDirectoryName(other) + Path.DirectorySeparatorChar)));
+        }
+
+        [TestCaseSource(nameof(Asmdefs))]
+        public void AnAssemblySeesWhatItsSourcesUse(string asmdef)
+        {
+            JsonElement definition = Json(asmdef);
+            string[] references = Strings(definition.GetProperty("references"));
+            bool editor = Strings(definition.GetProperty("includePlatforms")).Contains("Editor");
+            string root = definition.GetProperty("rootNamespace").GetString();
+            Assert.That(Path.GetFileNameWithoutExtension(asmdef), Is.EqualTo(definition.GetProperty("name").GetString()));
+            Assert.That(SourcesOf(asmdef), Is.Not.Empty);
+            foreach (string source in SourcesOf(asmdef))
+            {
+                string text = File.ReadAllText(source);
+                Assert.That(text, Does.Contain("namespace " + root + "\n"), source);
+                foreach (Match use in Regex.Matches(text, @"^using ([\w.]+);", RegexOptions.Multiline))
+                {
+                    string name = use.Groups[1].Value;
+                    if (assemblies.TryGetValue(name, out string assembly)) Assert.That(references, Does.Contain(assembly), source);
+                    if (name.StartsWith("UnityEditor")) Assert.That(editor, source);
+                }
+                if (Regex.IsMatch(text, @"\b(AtlasLayout|ShadowUniforms|SoftShadowParameters|CascadeScales)\b"))
+                    Assert.That(references, Does.Contain("Penumbra.Runtime"), source);
+            }
+        }
+
+        [Test]
+        public void WhoeverUsesUrpSeesTheCorePackageThatItsTypesAreMadeOf()
+        {
+            foreach (string asmdef in Asmdefs())
+            {
+                string[] references = Strings(Json(asmdef).GetProperty("references"));
+                Assert.That(references.Contains("Unity.RenderPipelines.Universal.Runtime"),
+                            Is.EqualTo(references.Contains("Unity.RenderPipelines.Core.Runtime")), asmdef);
+            }
+        }
+
+        private static SortedSet<string> Names(IEnumerable<string> files, string pattern) =>
+            new SortedSet<string>(files.SelectMany(file => Regex.Matches(File.ReadAllText(file), pattern))
+                                       .Select(match => match.Groups[1].Value));
+
+        private static SortedSet<string> SetByCSharp(string sample) =>
+            Names(Files(Path.Combine(samples, sample), "*.cs"), @"PropertyToID\(""(\w+)""\)");
+
+        [Test]
+        public void TheCustomPipelineSetsEveryUniformOfItsShadersAndNoOther()
+        {
+            IEnumerable<string> shaders = Files(Path.Combine(samples, "CustomPipeline"), "*.hlsl");
+            SortedSet<string> declared = Names(shaders, @"(?:^|\n)float4(?:x4)? (_\w+)(?:\[4\])?;");
+            declared.UnionWith(Names(shaders, @"TEXTURE2D_SHADOW\((_\w+)\);"));
+            // The material's own.
+            declared.Remove("_BaseColor");
+            Assert.That(SetByCSharp("CustomPipeline"), Is.EqualTo(declared));
+        }
+
+        [Test]
+        public void TheForwardShaderSetsEveryUniformOfTheLibrarys()
+        {
+            SortedSet<string> declared =
+                Names(Files(Path.Combine(package, "ShaderLibrary"), "*.hlsl"), @"\nfloat4 (_Penumbra\w+);");
+            Assert.That(declared.Count, Is.EqualTo(5));
+            Assert.That(SetByCSharp("ForwardShader"), Is.EqualTo(declared));
+        }
+
+        [Test]
+        public void ThePackageManagerIsToldOfEverySample()
+        {
+            JsonElement[] listed = Json(Path.Combine(package, "package.json")).GetProperty("samples").EnumerateArray().ToArray();
+            Assert.That(listed.Select(sample => sample.GetProperty("path").GetString()),
+                        Is.EquivalentTo(Directory.GetDirectories(samples).Select(folder => "Samples~/" + Path.GetFileName(folder))));
+            foreach (JsonElement sample in listed)
+            {
+                Assert.That(sample.GetProperty("displayName").GetString(), Is.Not.Empty);
+                Assert.That(sample.GetProperty("description").GetString(), Has.Length.GreaterThan(20));
+                Assert.That(Path.Combine(package, sample.GetProperty("path").GetString(), "README.md"), Does.Exist);
+            }
+        }
+    }
+}
