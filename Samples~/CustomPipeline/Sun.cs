@@ -19,7 +19,8 @@ namespace Penumbra.Samples.CustomPipeline
             for (int i = 0; i < lights.Length; ++i)
             {
                 Light light = lights[i].light;
-                if (light != null && light.type == LightType.Directional && light.shadows != LightShadows.None) return i;
+                if (light == null || light.type != LightType.Directional) continue;
+                if (light.shadows != LightShadows.None) return i;
             }
             return None;
         }

@@ -53,9 +53,11 @@ namespace Penumbra.Samples.CustomPipeline
         internal static Matrix4x4 ToAtlas(Vector4 tile, bool reversedDepth)
         {
             float depth = reversedDepth ? -0.5f : 0.5f;
-            return new Matrix4x4(new Vector4(0.5f * tile.z, 0.0f, 0.0f, 0.0f), new Vector4(0.0f, 0.5f * tile.w, 0.0f, 0.0f),
+            float width = 0.5f * tile.z;
+            float height = 0.5f * tile.w;
+            return new Matrix4x4(new Vector4(width, 0.0f, 0.0f, 0.0f), new Vector4(0.0f, height, 0.0f, 0.0f),
                                  new Vector4(0.0f, 0.0f, depth, 0.0f),
-                                 new Vector4(tile.x + 0.5f * tile.z, tile.y + 0.5f * tile.w, 0.5f, 1.0f));
+                                 new Vector4(tile.x + width, tile.y + height, 0.5f, 1.0f));
         }
     }
 }

@@ -19,7 +19,7 @@ namespace Penumbra.Samples.CustomPipeline
 
         internal SunShadowMap(SunShadowSettings settings) { this.settings = settings; }
 
-        /// <summary>Leaves the map bound; without a sun, or without anything in its light, a map of one texel.</summary>
+        /// <summary>Leaves the map bound; without a sun, or with nothing in its light, a map of one texel.</summary>
         internal void Draw(ScriptableRenderContext context, CommandBuffer commands, CullingResults visible, int sun)
         {
             AtlasLayout layout = settings.Layout;
@@ -50,6 +50,8 @@ namespace Penumbra.Samples.CustomPipeline
                 bool any = visible.ComputeDirectionalShadowMatricesAndCullingPrimitives(
                     sun, i, layout.Cascades, settings.splits, layout.TileResolution, nearPlane, out cascade.view,
                     out cascade.projection, out cascade.split);
+                // Casters are drawn into every cascade that they may throw a shadow into.
+                cascade.split.shadowCascadeBlendCullingFactor = 1.0f;
                 // Matrices of zeros map nothing: the cascade's sphere comes out empty.
                 if (!any) cascade = default;
                 cascade.Place(i, layout, settings.angularDiameterDegrees, SystemInfo.usesReversedZBuffer);

@@ -7,7 +7,7 @@ namespace Penumbra.Samples.CustomPipeline
     [Serializable]
     public sealed class SunShadowSettings
     {
-        [Tooltip("Width of the shadow map in texels; a power of two.")]
+        [Tooltip("Width of the shadow map in texels.")]
         [Range(256, 8192)] public int resolution = 2048;
 
         [Range(1, AtlasLayout.MostCascades)] public int cascades = 4;
@@ -28,8 +28,8 @@ namespace Penumbra.Samples.CustomPipeline
         [Tooltip("Moves casters away from the sun, in texels of a tile.")]
         [Range(0.0f, 10.0f)] public float depthBias = 1.0f;
 
-        [Tooltip("Shrinks casters along their normals, in texels of a tile. PCSS tests against the receiver's plane and " +
-                 "needs none.")]
+        [Tooltip("Shrinks casters along their normals, in texels of a tile. PCSS tests against the receiver's plane, " +
+                 "and needs none.")]
         [Range(0.0f, 10.0f)] public float normalBias;
 
         [Tooltip("Light from everywhere, linear.")]

@@ -4,9 +4,9 @@ using UnityEngine.Rendering;
 namespace Penumbra.Samples.CustomPipeline
 {
     /// <summary>
-    /// The uniforms of Shaders/SunShadow.hlsl, under the same names: what ShadowTile and PcssAngularParameters ask for,
-    /// computed by Runtime/Parameters. Arrays are as long as the shader's, whatever the count: an array keeps the length
-    /// it is first given.
+    /// The uniforms of Shaders/SunShadow.hlsl, under the same names: what ShadowTile and PcssAngularParameters ask
+    /// for, computed by Runtime/Parameters. Arrays are as long as the shader's, whatever the count: an array keeps the
+    /// length it is first given.
     /// </summary>
     internal sealed class SunUniforms
     {
@@ -51,7 +51,8 @@ namespace Penumbra.Samples.CustomPipeline
         /// <summary>Of the cascade that is drawn next.</summary>
         internal void SetCasterBias(CommandBuffer commands, SunShadowSettings settings, in CascadeScales cascade)
         {
-            Vector2 metres = ShadowBias.OfCascade(cascade, settings.depthBias, settings.normalBias, SoftShadowKernel.Off);
+            Vector2 metres = ShadowBias.OfCascade(cascade, settings.depthBias, settings.normalBias,
+                                                  SoftShadowKernel.Off);
             commands.SetGlobalVector(casterBias, new Vector4(metres.x, metres.y, 0.0f, 0.0f));
         }
     }

@@ -90,8 +90,8 @@ namespace Penumbra.Samples.Scenes
             if (materials.TryGetValue(surface, out Material material)) return material;
             Shader shader = Shader.Find(LitShader);
             if (shader == null)
-                throw new System.InvalidOperationException(
-                    "there is no shader \"" + LitShader + "\": these scenes are for URP, which this project does not use");
+                throw new System.InvalidOperationException("there is no shader \"" + LitShader + "\": these scenes " +
+                                                           "are for URP, which this project does not use");
             material = new Material(shader) { name = "Penumbra " + surface };
             material.SetColor("_BaseColor", SceneSurfaces.Color(surface));
             material.SetFloat("_Smoothness", 0.1f);

@@ -1,11 +1,12 @@
+using System.Globalization;
 using UnityEngine;
 
 namespace Penumbra.Samples.Scenes
 {
     /// <summary>
-    /// A row of equal slabs, each higher above the ground than the one before, and things that touch it: a wall, a ball,
-    /// a leaning board. A penumbra is as wide as the gap times the light's angle: none at a contact, wide at the end of
-    /// the row.
+    /// A row of equal slabs, each higher above the ground than the one before, and things that touch it: a wall, a
+    /// ball, a leaning board. A penumbra is as wide as the gap times the light's angle: none at a contact, wide at the
+    /// end of the row.
     /// </summary>
     internal static class ContactScene
     {
@@ -29,9 +30,11 @@ namespace Penumbra.Samples.Scenes
             scene.AddGround(Vector3.zero, 40.0f, 30.0f);
             float start = -0.5f * Spacing * (Gaps.Length - 1);
             for (int i = 0; i < Gaps.Length; ++i)
-                scene.AddStanding("Slab " + Gaps[i].ToString("0.00", System.Globalization.CultureInfo.InvariantCulture) + " m",
-                                  PieceShape.Box, new Vector3(start + Spacing * i, Gaps[i], 0.0f),
+            {
+                string name = string.Format(CultureInfo.InvariantCulture, "Slab {0:0.00} m", Gaps[i]);
+                scene.AddStanding(name, PieceShape.Box, new Vector3(start + Spacing * i, Gaps[i], 0.0f),
                                   new Vector3(1.2f, 0.2f, 1.2f), SceneSurface.Stone);
+            }
             scene.AddStanding("Wall", PieceShape.Box, new Vector3(0.0f, 0.0f, 6.0f), new Vector3(12.0f, 3.0f, 0.3f),
                               SceneSurface.Stone);
             scene.AddStanding("Ball", PieceShape.Ball, new Vector3(-4.0f, 0.0f, -3.0f), new Vector3(1.0f, 1.0f, 1.0f),

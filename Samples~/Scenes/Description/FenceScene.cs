@@ -3,9 +3,9 @@ using UnityEngine;
 namespace Penumbra.Samples.Scenes
 {
     /// <summary>
-    /// A picket fence, a lattice of thin wires, and poles from half a metre to eight high. Bars thinner than a few texels
-    /// of the shadow map are what biases swallow and what blocker searches step over; the tall poles' tops blur into
-    /// nothing where the light is wide.
+    /// A picket fence, a lattice of thin wires, and poles from half a metre to eight high. Bars thinner than a few
+    /// texels of the shadow map are what biases swallow and what blocker searches step over; the tall poles' tops blur
+    /// into nothing where the light is wide.
     /// </summary>
     internal static class FenceScene
     {

@@ -15,7 +15,7 @@ namespace Penumbra.Samples.Scenes
         private const float GroveMetres = 44.0f;
         private const int LeavesOfACrown = 1500;
 
-        // Trees that stand keep less than a third of the grove from the next: each attempt fails with a chance below 1/3.
+        // Trees that stand keep less than a third of the grove from the next one: most attempts succeed.
         private const int MostAttempts = 1000;
 
         internal static SceneDescription Describe(int seed)
@@ -59,8 +59,8 @@ namespace Penumbra.Samples.Scenes
             float trunk = 2.0f + 2.0f * chance.Next();
             float crown = 2.6f + 1.2f * chance.Next();
             float thickness = 0.18f + 0.12f * chance.Next();
-            scene.AddStanding("Trunk", PieceShape.Cylinder, foot, new Vector3(thickness, trunk + 0.4f * crown, thickness),
-                              SceneSurface.Bark);
+            scene.AddStanding("Trunk", PieceShape.Cylinder, foot,
+                              new Vector3(thickness, trunk + 0.4f * crown, thickness), SceneSurface.Bark);
             scene.Add(new ScenePiece
             {
                 name = "Crown",

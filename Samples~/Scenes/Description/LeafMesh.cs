@@ -21,7 +21,7 @@ namespace Penumbra.Samples.Scenes
                 // The share of a ball within a radius grows with its cube.
                 Vector3 centre = Direction(chance) * (radius * Mathf.Pow(chance.Next(), 1.0f / 3.0f));
                 Vector3 along = Direction(chance);
-                Vector3 across = Across(along, Direction(chance));
+                Vector3 across = Across(along, chance);
                 mesh.AddRhombus(centre, along * HalfLengthMetres, across * HalfWidthMetres);
             }
             return mesh;
@@ -36,12 +36,11 @@ namespace Penumbra.Samples.Scenes
             return new Vector3(ring * Mathf.Cos(angle), height, ring * Mathf.Sin(angle));
         }
 
-        private static Vector3 Across(Vector3 along, Vector3 other)
+        private static Vector3 Across(Vector3 along, SeededChance chance)
         {
-            Vector3 across = Vector3.Cross(along, other);
-            // Two directions by chance are hardly ever the same; where they are, any leaf will do.
-            return Vector3.Dot(across, across) > 1e-6f ? across.normalized
-                                                       : Vector3.Cross(along, new Vector3(along.y, along.z, along.x)).normalized;
+            Vector3 across = Vector3.Cross(along, Direction(chance));
+            // Two directions by chance are hardly ever the same; where they are, another is tried.
+            return Vector3.Dot(across, across) > 1e-6f ? across.normalized : Across(along, chance);
         }
     }
 }

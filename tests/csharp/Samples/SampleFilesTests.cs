@@ -27,7 +27,8 @@ namespace Penumbra.Samples
 
         private static JsonElement Json(string file) => JsonDocument.Parse(File.ReadAllText(file)).RootElement;
 
-        private static string[] Strings(JsonElement list) => list.EnumerateArray().Select(item => item.GetString()).ToArray();
+        private static string[] Strings(JsonElement list) =>
+            list.EnumerateArray().Select(item => item.GetString()).ToArray();
 
         // A source belongs to the nearest definition above it.
         private static IEnumerable<string> SourcesOf(string asmdef)
@@ -45,7 +46,8 @@ namespace Penumbra.Samples
             string[] references = Strings(definition.GetProperty("references"));
             bool editor = Strings(definition.GetProperty("includePlatforms")).Contains("Editor");
             string root = definition.GetProperty("rootNamespace").GetString();
-            Assert.That(Path.GetFileNameWithoutExtension(asmdef), Is.EqualTo(definition.GetProperty("name").GetString()));
+            Assert.That(definition.GetProperty("name").GetString(),
+                        Is.EqualTo(Path.GetFileNameWithoutExtension(asmdef)));
             Assert.That(SourcesOf(asmdef), Is.Not.Empty);
             foreach (string source in SourcesOf(asmdef))
             {
@@ -54,7 +56,8 @@ namespace Penumbra.Samples
                 foreach (Match use in Regex.Matches(text, @"^using ([\w.]+);", RegexOptions.Multiline))
                 {
                     string name = use.Groups[1].Value;
-                    if (assemblies.TryGetValue(name, out string assembly)) Assert.That(references, Does.Contain(assembly), source);
+                    if (assemblies.TryGetValue(name, out string assembly))
+                        Assert.That(references, Does.Contain(assembly), source);
                     if (name.StartsWith("UnityEditor")) Assert.That(editor, source);
                 }
                 if (Regex.IsMatch(text, @"\b(AtlasLayout|ShadowUniforms|SoftShadowParameters|CascadeScales)\b"))
@@ -103,9 +106,11 @@ namespace Penumbra.Samples
         [Test]
         public void ThePackageManagerIsToldOfEverySample()
         {
-            JsonElement[] listed = Json(Path.Combine(package, "package.json")).GetProperty("samples").EnumerateArray().ToArray();
-            Assert.That(listed.Select(sample => sample.GetProperty("path").GetString()),
-                        Is.EquivalentTo(Directory.GetDirectories(samples).Select(folder => "Samples~/" + Path.GetFileName(folder))));
+            JsonElement manifest = Json(Path.Combine(package, "package.json"));
+            JsonElement[] listed = manifest.GetProperty("samples").EnumerateArray().ToArray();
+            IEnumerable<string> folders =
+                Directory.GetDirectories(samples).Select(folder => "Samples~/" + Path.GetFileName(folder));
+            Assert.That(listed.Select(sample => sample.GetProperty("path").GetString()), Is.EquivalentTo(folders));
             foreach (JsonElement sample in listed)
             {
                 Assert.That(sample.GetProperty("displayName").GetString(), Is.Not.Empty);

@@ -35,7 +35,7 @@ namespace Penumbra.Samples.Scenes
             Assert.That(Made<GameObject>().Select(item => item.transform.Above), Has.All.SameAs(scene.transform));
             Assert.That(Made<GameObject>().Count(item => item.GetComponent<Light>() != null), Is.EqualTo(1));
             Assert.That(Made<GameObject>().Count(item => item.GetComponent<Camera>() != null), Is.EqualTo(1));
-            Assert.That(Made<GameObject>().Select(item => item.GetComponent<MeshRenderer>()?.sharedMaterial).Count(m => m != null),
+            Assert.That(Made<GameObject>().Count(item => item.GetComponent<MeshRenderer>()?.sharedMaterial != null),
                         Is.EqualTo(pieces));
         }
 
@@ -82,8 +82,8 @@ namespace Penumbra.Samples.Scenes
         {
             scene.Kind = SampleSceneKind.Fence;
             scene.Build();
-            var heights = Made<GameObject>().Where(item => item.name == "Pole").Select(item => 2.0f * item.transform.localScale.y);
-            Assert.That(heights, Is.EqualTo(FenceScene.PoleHeights));
+            var poles = Made<GameObject>().Where(item => item.name == "Pole");
+            Assert.That(poles.Select(pole => 2.0f * pole.transform.localScale.y), Is.EqualTo(FenceScene.PoleHeights));
         }
 
         [Test]

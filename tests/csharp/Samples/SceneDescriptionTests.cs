@@ -84,7 +84,8 @@ namespace Penumbra.Samples.Scenes
         [Test]
         public void TheLeaningBoardTouchesTheGround()
         {
-            Assert.That(LowestPoint(Named(ContactScene.Describe(), "Leaning board").Single()), Is.EqualTo(0.0f).Within(1e-5f));
+            ScenePiece board = Named(ContactScene.Describe(), "Leaning board").Single();
+            Assert.That(LowestPoint(board), Is.EqualTo(0.0f).Within(1e-5f));
         }
 
         [Test]
@@ -104,8 +105,9 @@ namespace Penumbra.Samples.Scenes
             {
                 List<ScenePiece> trunks = Named(FoliageScene.Describe(seed), "Trunk").ToList();
                 Assert.That(trunks.Count, Is.EqualTo(FoliageScene.Trees), "seed " + seed);
-                float nearest = trunks.SelectMany((a, i) => trunks.Take(i).Select(b => Distance(a.centre, b.centre))).Min();
-                Assert.That(nearest, Is.GreaterThanOrEqualTo(0.9999f * FoliageScene.SmallestDistanceMetres));
+                IEnumerable<float> distances =
+                    trunks.SelectMany((a, i) => trunks.Take(i).Select(b => Distance(a.centre, b.centre)));
+                Assert.That(distances.Min(), Is.GreaterThanOrEqualTo(0.9999f * FoliageScene.SmallestDistanceMetres));
             }
         }
 

@@ -99,7 +99,8 @@ namespace Penumbra.Samples.Scenes
         {
             SceneMesh mesh = LeafMesh.Describe(4.0f, 4000, new SeededChance(5));
             float radius = 2.0f - LeafMesh.HalfLengthMetres;
-            var centres = Enumerable.Range(0, 4000).Select(i => (mesh.Vertices[4 * i] + mesh.Vertices[4 * i + 2]) * 0.5f).ToList();
+            var centres = Enumerable.Range(0, 4000)
+                                    .Select(i => (mesh.Vertices[4 * i] + mesh.Vertices[4 * i + 2]) * 0.5f).ToList();
             // Half the volume lies within this radius: a share of 0.5 with a deviation of 0.008.
             float half = radius * (float)Math.Pow(0.5, 1.0 / 3.0);
             Assert.That(centres.Count(c => Vector3.Dot(c, c) < half * half) / 4000.0, Is.EqualTo(0.5).Within(0.03));

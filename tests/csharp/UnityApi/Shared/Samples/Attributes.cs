@@ -5,6 +5,7 @@ namespace UnityEngine
 {
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Scripting/Attributes.cs")]
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/Scripting/Attributes.cs")]
+    [AttributeUsage(AttributeTargets.Method, AllowMultiple = true)]
     public sealed class ContextMenu : Attribute
     {
         public ContextMenu(string itemName) { }
@@ -19,6 +20,7 @@ namespace UnityEngine
 
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Scripting/Attributes.cs")]
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/Scripting/Attributes.cs")]
+    [AttributeUsage(AttributeTargets.Class, Inherited = false)]
     public sealed class CreateAssetMenuAttribute : Attribute
     {
         public string menuName { get; set; }

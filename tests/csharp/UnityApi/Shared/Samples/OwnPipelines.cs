@@ -47,6 +47,7 @@ namespace UnityEngine.Rendering
     public struct ShadowSplitData : IEquatable<ShadowSplitData>
     {
         public Vector4 cullingSphere { get; set; }
+        public float shadowCascadeBlendCullingFactor { get; set; }
 
         public bool Equals(ShadowSplitData other) => cullingSphere.Equals(other.cullingSphere);
     }
@@ -219,7 +220,8 @@ namespace UnityEngine.Rendering
 
         public void SetViewProjectionMatrices(Matrix4x4 view, Matrix4x4 proj) { }
 
-        public void SetGlobalVectorArray(int nameID, Vector4[] values) => Recorded.Uniform(this, nameID, values.Clone());
+        public void SetGlobalVectorArray(int nameID, Vector4[] values) =>
+            Recorded.Uniform(this, nameID, values.Clone());
 
         [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/RenderingCommandBuffer.cs")]
         [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/RenderingCommandBuffer.cs")]
