@@ -201,7 +201,7 @@ TEST(HdrpCascades, NoiseGivesTheNextCascadeItsShareOfTheBorder) {
     for (int pixel = 0; pixel < 4096; ++pixel) {
       inputs.push_back(10.0f + std::sqrt(16.0f * (0.75f + 0.25f * share)));
       inputs.push_back(static_cast<float>(pixel % 64));
-      inputs.push_back(static_cast<float>(pixel / 64));
+      inputs.push_back(std::floor(static_cast<float>(pixel) / 64.0f));
     }
     const std::vector<float> got =
         run(chosen, HdrpVersion::v14, DepthDirection::reversed, bordered(2), inputs);
