@@ -14,6 +14,8 @@ SHADERS = (".hlsl", ".cginc", ".shader", ".compute", ".raytrace")
 # What comes with a package of ours that depends on the key: its own package.json names them at 14.0 and at 17.0.
 BRINGS = {"com.unity.render-pipelines.universal": ("com.unity.render-pipelines.core",
                                                    "com.unity.render-pipelines.universal-config")}
+# Bindings for a pipeline that a project has or has not: no other file leads to them, and nothing is imported with them.
+OPTIONAL = {"ShaderLibrary/Pipelines/Hdrp.hlsl": ("com.unity.render-pipelines.high-definition",)}
 COMMENT_OR_TEXT = re.compile(r'//[^\n]*|/\*.*?\*/|"[^"\n]*"', re.DOTALL)
 INCLUDE = re.compile(r"^[ \t]*#[ \t]*include(?:_with_pragmas)?\b[ \t]*(.*?)[ \t\r]*$", re.MULTILINE)
 
@@ -59,10 +61,10 @@ class Includes:
         dependencies = set(given) if isinstance(given, dict) else set()
         self.reachable = dependencies.union(*(BRINGS.get(name, ()) for name in dependencies))
 
-    def from_package(self, name, path):
+    def from_package(self, including, name, path):
         if name == NAME:
             return compared(path, case_in_package(self.package, path), "the package")
-        if name not in self.reachable:
+        if name not in self.reachable and name not in OPTIONAL.get(including, ()):
             return f"{name} is no dependency of package.json: add it there, or do without its file"
         if name in self.roots:
             return compared(path, case_on_disk(self.roots[name], path), name)
@@ -85,7 +87,7 @@ class Includes:
             return f"{path} has '\\', which is no separator on Linux and macOS: write '/'"
         if path.startswith("Packages/"):
             _, name, *rest = path.split("/")
-            return self.from_package(name, posixpath.normpath("/".join(rest)))
+            return self.from_package(including, name, posixpath.normpath("/".join(rest)))
         return self.from_folder(including, path)
 
 
