@@ -56,7 +56,7 @@ TEST(TechniqueEnum, ItsKeywordsAreThePragmasInItsOrder) {
 }
 
 TEST(TechniqueEnum, ItsKeywordsAreTheLibrarysAndTheFirstIsTheOneWithout) {
-  const std::string library = text_of("ShaderLibrary/Shadows.hlsl");
+  const std::string library = text_of("ShaderLibrary/Pipelines/TechniqueByKeyword.hlsl");
   const std::vector<std::string> keywords = keywords_of_enum();
   ASSERT_EQ(keywords.size(), 6u);
   EXPECT_EQ(keywords[0], "_PENUMBRA_TENT_5X5");

@@ -36,8 +36,8 @@ Shader "Penumbra Samples/Forward Lit"
             // three it is does not matter here.
             #pragma multi_compile_fragment _ _MAIN_LIGHT_SHADOWS _MAIN_LIGHT_SHADOWS_CASCADE _MAIN_LIGHT_SHADOWS_SCREEN
             #pragma multi_compile_fragment _ _ADDITIONAL_LIGHTS
-            // Forward+ until URP 17.0, and its name from 17.1 on.
-            #pragma multi_compile_fragment _ _FORWARD_PLUS _CLUSTER_LIGHT_LOOP
+            // From 17.1 on URP has another name for this one, and still sets it.
+            #pragma multi_compile_fragment _ _FORWARD_PLUS
             #pragma multi_compile_fog
             #pragma multi_compile_instancing
             #include "ForwardPass.hlsl"

@@ -14,7 +14,7 @@
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Lighting.hlsl"
 #include "Packages/com.penumbra.shadows/ShaderLibrary/Shadows.hlsl"
 
-// Each URP knows one of the two keywords, and turns it into one of these.
+// What URP makes of its keyword for Forward+: the first until 17.0, the second from 17.1 on.
 #if (defined(USE_FORWARD_PLUS) && USE_FORWARD_PLUS) || (defined(USE_CLUSTER_LIGHT_LOOP) && USE_CLUSTER_LIGHT_LOOP)
 #define SAMPLE_USES_CLUSTERS 1
 #else

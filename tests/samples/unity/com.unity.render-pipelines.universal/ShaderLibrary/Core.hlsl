@@ -5,7 +5,7 @@
 
 #include "../../../../platform/unity/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
 
-// As URP 14 and 17.0 have it; later ones turn _CLUSTER_LIGHT_LOOP into USE_CLUSTER_LIGHT_LOOP instead.
+// As URP 14 and 17.0 have it.
 #if defined(_FORWARD_PLUS)
 #define USE_FORWARD_PLUS 1
 #else
