@@ -143,6 +143,7 @@ void write(const fs::path& file, const std::string& text) {
 }
 
 const char* short_stage(hlsl::Stage stage) {
+  if (stage == hlsl::Stage::vertex) return "vert";
   return stage == hlsl::Stage::fragment ? "frag" : "comp";
 }
 
@@ -159,6 +160,7 @@ fs::path write_pipeline(const Scratch& scratch, const CompileUnit& unit, std::si
     fs::create_directories(folder / "Packages");
     fs::create_directory_symlink(root.directory, folder / "Packages" / root.name);
   }
+  if (unit.compile.file.has_parent_path()) search += " -I" + unit.compile.file.parent_path().string();
   for (const fs::path& directory : unit.compile.include_directories) search += " -I" + directory.string();
   for (const auto& [name, value] : unit.compile.defines)
     search.append(" -D").append(name).append("=").append(value);

@@ -41,7 +41,7 @@ TEST(ReportInABrowser, OpensWithoutErrorsAndWithEveryPictureAndChart) {
   EXPECT_THAT(check.problems, IsEmpty());
   EXPECT_EQ(check.images, 8);
   EXPECT_EQ(check.charts, 2);
-  EXPECT_EQ(check.buttons, 26) << "one per column";
+  EXPECT_EQ(check.buttons, 30) << "one per column";
 }
 
 TEST(ReportInABrowser, EvilNamesRunNothing) {

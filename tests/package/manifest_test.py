@@ -14,7 +14,8 @@ class Manifest(UnpackedTarball):
     def assert_value(self, key, value, message):
         """The one problem, at the value of the key."""
         self.change_manifest(**{key: value})
-        self.assert_problems(f"{self.place(PATH, f'{json.dumps(key)}: ', len(key) + 4)}: {message}")
+        at_the_top = f"\n  {json.dumps(key)}: "  # samples have keys of the same names
+        self.assert_problems(f"{self.place(PATH, at_the_top, len(at_the_top))}: {message}")
 
     def assert_missing(self, key, message):
         self.change_manifest(**{key: None})
