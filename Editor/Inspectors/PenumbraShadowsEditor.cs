@@ -37,9 +37,11 @@ namespace Penumbra.Editor
 
         private static void ShowPreset(SerializedProperty settings, QualityPreset preset)
         {
-            EditorGUILayout.PropertyField(
-                settings.FindPropertyRelative(nameof(PenumbraShadowsSettings.angularDiameterDegrees)), AngleLabel);
-            EditorGUILayout.HelpBox(PresetText.Describe(ShadowPresets.Options(preset)), MessageType.None);
+            SerializedProperty angle =
+                settings.FindPropertyRelative(nameof(PenumbraShadowsSettings.angularDiameterDegrees));
+            EditorGUILayout.PropertyField(angle, AngleLabel);
+            EditorGUILayout.HelpBox(PresetText.Describe(ShadowPresets.Options(preset)) + "\n" +
+                                    PresetText.Figures(preset, angle.floatValue), MessageType.None);
         }
     }
 }

@@ -1,6 +1,8 @@
+using System.Globalization;
+
 namespace Penumbra.Editor
 {
-    /// <summary>A preset's options in words.</summary>
+    /// <summary>A preset's options in words, and its measured figures under the light that is nearest in size.</summary>
     internal static class PresetText
     {
         internal static string Describe(in ShadowOptions options)
@@ -11,6 +13,26 @@ namespace Penumbra.Editor
             if (options.denoise && options.technique.TakesSamples()) text += ", denoised";
             return text + ".";
         }
+
+        /// <summary>"Error 0.08 in penumbrae, 35.3 fetches a pixel, measured under 2 degrees."</summary>
+        internal static string Figures(QualityPreset preset, float degrees)
+        {
+            PresetFigure figure = Nearest(PresetFigures.Rows[(int)preset], degrees);
+            return string.Format(CultureInfo.InvariantCulture,
+                                 "Error {0:0.###} in penumbrae, {1:0.#} fetches a pixel, measured under {2:0.##} degrees.",
+                                 figure.penumbraRmse, figure.fetches, figure.lightDegrees);
+        }
+
+        // By ratio: a light of 1 degree is nearer to 0.53 than to 2.
+        private static PresetFigure Nearest(PresetFigure[] figures, float degrees)
+        {
+            PresetFigure nearest = figures[0];
+            foreach (PresetFigure figure in figures)
+                if (Ratio(figure.lightDegrees, degrees) < Ratio(nearest.lightDegrees, degrees)) nearest = figure;
+            return nearest;
+        }
+
+        private static float Ratio(float a, float b) => a > b ? a / System.Math.Max(b, 1e-3f) : b / a;
 
         private static string Technique(in ShadowOptions options)
         {

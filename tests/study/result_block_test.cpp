@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "input/input_error_matcher.h"
+#include "study/preset_figures.h"
 #include "study/summary.h"
 #include "study/synthetic_study.h"
 
@@ -120,8 +121,28 @@ INSTANTIATE_TEST_SUITE_P(
                     PublishedPage{"FarOrigin", "Documentation~/far-origin.md",
                                   "Documentation~/results/far-origin/results.json",
                                   "Documentation~/results/far-origin/pareto-fetches.svg",
-                                  "results/far-origin/pareto-fetches.svg"}),
+                                  "results/far-origin/pareto-fetches.svg"},
+                    PublishedPage{"Presets", "Documentation~/presets.md",
+                                  "Documentation~/results/presets/results.json",
+                                  "Documentation~/results/presets/pareto-fetches.svg",
+                                  "results/presets/pareto-fetches.svg"}),
     [](const auto& instance) { return instance.param.name; });
+
+// What the inspector shows.
+TEST(PublishedPresets, AreTheCommittedResults) {
+  const std::filesystem::path root = PENUMBRA_SOURCE_DIR;
+  const Results results = read_results(root / "Documentation~/results/presets/results.json");
+  EXPECT_EQ(file_text(root / "Editor/Inspectors/PresetFigures.cs"),
+            preset_figures_csharp(results, "preset-"));
+}
+
+TEST(PublishedPresets, AFigureThatIsMissingIsNoRow) {
+  Results results = read_results(std::filesystem::path(PENUMBRA_SOURCE_DIR) /
+                                 "Documentation~/results/presets/results.json");
+  const std::string last = results.records.back().technique;
+  results.records.pop_back();  // the last technique's last scene
+  EXPECT_THROW((void)preset_figures_csharp(results, last), std::invalid_argument);
+}
 
 }  // namespace
 }  // namespace penumbra::study

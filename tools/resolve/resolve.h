@@ -14,7 +14,7 @@
 namespace penumbra::resolve {
 
 struct ResolveOptions {
-  int noise_seeds = 16;    // visibility images; shaders without noise are run once
+  int noise_seeds = 16;  // visibility images; shaders without noise are run once
   int first_seed = 0;
   int timing_repeats = 5;  // further dispatches whose times are kept; 0: none
   bool count_fetches = true;

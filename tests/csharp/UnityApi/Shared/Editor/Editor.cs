@@ -89,6 +89,7 @@ namespace UnityEditor
         private SerializedProperty() { }
 
         public int intValue { get; set; }
+        public float floatValue { get; set; }
 
         public SerializedProperty FindPropertyRelative(string relativePropertyPath) => null;
     }

@@ -1,0 +1,37 @@
+using System;
+using NUnit.Framework;
+using Penumbra.Editor;
+
+namespace Penumbra.Tests
+{
+    public sealed class PresetTextTests
+    {
+        [Test]
+        public void EveryPresetHasItsFigures()
+        {
+            Assert.That(PresetFigures.Rows.Length, Is.EqualTo((int)QualityPreset.Custom));
+            foreach (PresetFigure[] figures in PresetFigures.Rows)
+                foreach (PresetFigure figure in figures)
+                {
+                    Assert.That(figure.penumbraRmse, Is.InRange(0.001f, 0.5f));
+                    Assert.That(figure.fetches, Is.GreaterThanOrEqualTo(1.0f));
+                }
+        }
+
+        [TestCase(0.0f, "0.53")]
+        [TestCase(0.53f, "0.53")]
+        [TestCase(1.0f, "0.53")]
+        [TestCase(1.2f, "2")]
+        [TestCase(30.0f, "5")]
+        public void TheFiguresAreOfTheLightNearestInSize(float degrees, string measured) =>
+            Assert.That(PresetText.Figures(QualityPreset.High, degrees),
+                        Does.EndWith("measured under " + measured + " degrees."));
+
+        [TestCase(QualityPreset.Low, "Tent 5 x 5, 9 fetches a pixel, no contact hardening.")]
+        [TestCase(QualityPreset.Ultra,
+                  "PCSS, 24 blocker and 16 filter samples, where the mask finds a penumbra, denoised.")]
+        [TestCase(QualityPreset.Reference, "PCSS, 64 blocker and 64 filter samples.")]
+        public void APresetIsSaidInWords(QualityPreset preset, string words) =>
+            Assert.That(PresetText.Describe(ShadowPresets.Options(preset)), Is.EqualTo(words));
+    }
+}
