@@ -9,8 +9,6 @@ namespace Penumbra.Editor
     /// <summary>Window > Rendering > Export Penumbra Shadow State: the last frame's, to reproduce it offline.</summary>
     internal static class ShadowStateExport
     {
-        private const int MostCascades = 4;
-
         [MenuItem("Window/Rendering/Export Penumbra Shadow State...")]
         private static void Export()
         {
@@ -29,7 +27,7 @@ namespace Penumbra.Editor
             Vector4 parameters = Shader.GetGlobalVector(FrameUniforms.MainLightParams);
             state.worldToShadow = Shader.GetGlobalMatrixArray("_MainLightWorldToShadow");
             if (state.worldToShadow == null || parameters.x < 1.0f) return false;
-            state.cascadeCount = Mathf.Clamp((int)parameters.x, 1, MostCascades);
+            state.cascadeCount = Mathf.Clamp((int)parameters.x, 1, AtlasLayout.MostCascades);
             state.angularDiameterDegrees = AngularDiameter.FromTanHalf(parameters.y);
             state.resolution = asset.mainLightShadowmapResolution;
             state.reversedZ = SystemInfo.usesReversedZBuffer;

@@ -11,9 +11,7 @@ namespace Penumbra.Editor
         private readonly HashSet<(ShadowTechnique technique, bool mask)> used =
             new HashSet<(ShadowTechnique technique, bool mask)>();
 
-        internal int Count => used.Count;
-
-        internal void Add(in ShadowOptions options)
+        private void Add(in ShadowOptions options)
         {
             bool mask = false;
             foreach (ShadowPass pass in ShadowPassList.All) mask |= pass is MaskPass && pass.IsNeeded(options);
@@ -26,14 +24,11 @@ namespace Penumbra.Editor
         {
             var variants = new ResolveVariants();
             foreach (PenumbraShadowsSettings feature in features)
-            {
-                variants.Add(feature.Options());
                 foreach (ShadowOptions options in UnderVolumes(feature.Options(), volumes)) variants.Add(options);
-            }
             return variants;
         }
 
-        // Two Volumes may blend: a technique of one meets the mask of another, so both are combined freely.
+        // The feature's own among them. Two Volumes may blend: a technique of one meets the mask of another, so both are combined freely.
         private static IEnumerable<ShadowOptions> UnderVolumes(ShadowOptions feature,
                                                                IReadOnlyCollection<PenumbraShadowsVolume> volumes)
         {

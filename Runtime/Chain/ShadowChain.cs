@@ -55,8 +55,6 @@ namespace Penumbra
         /// <summary>The finished penumbra mask; None without.</summary>
         internal int Mask { get; private set; } = None;
 
-        internal int DivisorOf(int texture) => divisors[texture];
-
         /// <summary>The chain of all passes that these options need.</summary>
         internal static ShadowChain Of(in ShadowOptions options, IReadOnlyList<ShadowPass> available)
         {

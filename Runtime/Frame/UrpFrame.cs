@@ -3,6 +3,11 @@ using UnityEngine;
 using UnityEngine.Experimental.Rendering;
 using UnityEngine.Rendering;
 using UnityEngine.Rendering.Universal;
+#if UNITY_6000_0_OR_NEWER
+using FrameCamera = UnityEngine.Rendering.Universal.UniversalCameraData;
+#else
+using FrameCamera = UnityEngine.Rendering.Universal.CameraData;
+#endif
 
 namespace Penumbra
 {
@@ -49,7 +54,21 @@ namespace Penumbra
             return frame;
         }
 
-        /// <summary>The target's size, and how much of it dynamic resolution uses.</summary>
+        /// <summary>
+        /// The target's size, how much of it dynamic resolution uses, and each eye's matrix; false where the camera has
+        /// no picture.
+        /// </summary>
+        internal static bool TrySetCamera(ref ShadowFrame frame, ref FrameCamera camera)
+        {
+            SetSize(ref frame, camera.camera, camera.cameraTargetDescriptor);
+            if (!TryGetScreenToWorld(camera.GetViewMatrix(0), camera.GetProjectionMatrix(0),
+                                     out frame.screenToWorld0)) return false;
+            frame.screenToWorld1 = frame.screenToWorld0;
+            return !camera.xr.enabled || !camera.xr.singlePassEnabled ||
+                   TryGetScreenToWorld(camera.GetViewMatrix(1), camera.GetProjectionMatrix(1),
+                                       out frame.screenToWorld1);
+        }
+
         internal static void SetSize(ref ShadowFrame frame, Camera camera, in RenderTextureDescriptor target)
         {
             frame.width = target.width;
@@ -58,11 +77,9 @@ namespace Penumbra
             frame.heightScale = camera.allowDynamicResolution ? ScalableBufferManager.heightScaleFactor : 1.0f;
         }
 
-        /// <summary>
-        /// One eye's matrix; false where the camera has no picture. Camera depth is always drawn into a texture,
-        /// whatever the camera's target is, so the projection is the one for textures.
-        /// </summary>
-        internal static bool TryGetScreenToWorld(Matrix4x4 view, Matrix4x4 projection, out Matrix4x4 screenToWorld) =>
+        // Camera depth is always drawn into a texture, whatever the camera's target is, so the projection is the one
+        // for textures.
+        private static bool TryGetScreenToWorld(Matrix4x4 view, Matrix4x4 projection, out Matrix4x4 screenToWorld) =>
             ScreenToWorld.TryGet(view, GL.GetGPUProjectionMatrix(projection, true),
                                  new ScreenConventions(SystemInfo.graphicsUVStartsAtTop,
                                                        SystemInfo.usesReversedZBuffer), out screenToWorld);

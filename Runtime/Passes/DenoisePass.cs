@@ -22,13 +22,12 @@ namespace Penumbra
 
         /// <summary>Tents have no noise.</summary>
         internal override bool IsNeeded(in ShadowOptions options) =>
-            options.denoise && options.technique.TakesSamples() && options.angularDiameterDegrees > 0.0f;
+            options.denoise && options.SamplesPenumbrae;
 
         internal override void AddSteps(ShadowChain chain, in ShadowOptions options)
         {
-            int divisor = chain.DivisorOf(chain.Visibility);
-            int rows = chain.Draw("DenoiseHorizontal", divisor, chain.Visibility);
-            chain.SetVisibility(chain.Draw("DenoiseVertical", divisor, rows));
+            int rows = chain.Draw("DenoiseHorizontal", 1, chain.Visibility);
+            chain.SetVisibility(chain.Draw("DenoiseVertical", 1, rows));
         }
 
         /// <summary>Radius (pixels), distance to another surface (pixel widths), difference that is no noise.</summary>

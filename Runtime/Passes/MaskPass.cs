@@ -23,7 +23,7 @@ namespace Penumbra
 
         /// <summary>A filter that costs no more than the mask gains nothing by it.</summary>
         internal override bool IsNeeded(in ShadowOptions options) =>
-            options.mask && options.technique.TakesSamples() && options.angularDiameterDegrees > 0.0f;
+            options.mask && options.SamplesPenumbrae;
 
         internal override void AddSteps(ShadowChain chain, in ShadowOptions options)
         {

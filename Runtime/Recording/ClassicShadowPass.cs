@@ -42,7 +42,7 @@ namespace Penumbra
 
         public override void Execute(ScriptableRenderContext context, ref RenderingData renderingData)
         {
-            if (!SetCamera(ref renderingData.cameraData)) return;
+            if (!UrpFrame.TrySetCamera(ref frame, ref renderingData.cameraData)) return;
             CommandBuffer commands = CommandBufferPool.Get();
             using (new ProfilingScope(commands, profilingSampler))
             {
@@ -52,17 +52,6 @@ namespace Penumbra
             }
             context.ExecuteCommandBuffer(commands);
             CommandBufferPool.Release(commands);
-        }
-
-        private bool SetCamera(ref CameraData camera)
-        {
-            UrpFrame.SetSize(ref frame, camera.camera, camera.cameraTargetDescriptor);
-            if (!UrpFrame.TryGetScreenToWorld(camera.GetViewMatrix(0), camera.GetProjectionMatrix(0),
-                                              out frame.screenToWorld0)) return false;
-            frame.screenToWorld1 = frame.screenToWorld0;
-            return !camera.xr.enabled || !camera.xr.singlePassEnabled ||
-                   UrpFrame.TryGetScreenToWorld(camera.GetViewMatrix(1), camera.GetProjectionMatrix(1),
-                                                out frame.screenToWorld1);
         }
 
         internal void Dispose() => Release(0);

@@ -41,7 +41,7 @@ namespace Penumbra
         {
             UniversalCameraData camera = frameData.Get<UniversalCameraData>();
             UniversalResourceData resources = frameData.Get<UniversalResourceData>();
-            if (!SetCamera(camera)) return;
+            if (!UrpFrame.TrySetCamera(ref frame, ref camera)) return;
             using (IUnsafeRenderGraphBuilder builder =
                        renderGraph.AddUnsafePass("Penumbra Shadows", out PassData data, profilingSampler))
             {
@@ -72,17 +72,6 @@ namespace Penumbra
             for (int i = 0; i < data.draw.Chain.Slots.Count; ++i) data.slots[i] = data.textures[i];
             data.draw.Draw(commands, data.frame, data.slots);
             ShadowKeywords.Global.Open(commands);
-        }
-
-        private bool SetCamera(UniversalCameraData camera)
-        {
-            UrpFrame.SetSize(ref frame, camera.camera, camera.cameraTargetDescriptor);
-            if (!UrpFrame.TryGetScreenToWorld(camera.GetViewMatrix(0), camera.GetProjectionMatrix(0),
-                                              out frame.screenToWorld0)) return false;
-            frame.screenToWorld1 = frame.screenToWorld0;
-            return !camera.xr.enabled || !camera.xr.singlePassEnabled ||
-                   UrpFrame.TryGetScreenToWorld(camera.GetViewMatrix(1), camera.GetProjectionMatrix(1),
-                                                out frame.screenToWorld1);
         }
     }
 }

@@ -60,6 +60,9 @@ namespace Penumbra
             return options;
         }
 
+        /// <summary>The technique samples penumbrae, and there are some: their noise and their place matter.</summary>
+        internal bool SamplesPenumbrae => technique.TakesSamples() && angularDiameterDegrees > 0.0f;
+
         /// <summary>
         /// As the filters are told. What no option changes is as the study measures it (SoftShadowParameters); HDRP's
         /// technique has HDRP's own limits.
