@@ -45,6 +45,8 @@ UniformValues shadows_uniforms(const shaders::Technique& technique) {
 ScreenChainDescription screen_chain(const shaders::Technique& technique) {
   ScreenChainDescription chain;
   chain.keywords = technique.keywords;
+  const std::vector<std::string> of_the_chain = shaders::chain_keywords(technique);
+  chain.keywords.insert(chain.keywords.end(), of_the_chain.begin(), of_the_chain.end());
   chain.parameters = shadows_uniforms(technique);
   chain.parameters.merge(screen_uniforms(technique));
   chain.uses_noise = !technique.unlimited.empty();
@@ -53,9 +55,7 @@ ScreenChainDescription screen_chain(const shaders::Technique& technique) {
       const int before = static_cast<int>(chain.steps.size()) - 1;
       chain.steps.push_back({name, pass.scale, reads_source(pass) ? before : -1});
     }
-    if (pass.kind != "mask-blur") continue;
-    chain.mask = static_cast<int>(chain.steps.size()) - 1;
-    chain.keywords.emplace_back("_PENUMBRA_MASK");
+    if (pass.kind == "mask-blur") chain.mask = static_cast<int>(chain.steps.size()) - 1;
   }
   return chain;
 }

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "shaders/technique_chain.h"
+
 namespace penumbra::shaders {
 
 namespace {
@@ -59,11 +61,6 @@ std::string value_or(const Technique& preset, const char* field, const std::stri
   return otherwise.ends_with("f") ? number(value) : std::to_string(static_cast<int>(value));
 }
 
-bool has(const Technique& preset, const std::string& kind) {
-  return std::any_of(preset.chain.begin(), preset.chain.end(),
-                     [&](const TechniquePass& pass) { return pass.kind == kind; });
-}
-
 std::string row(const Technique& preset) {
   const auto flag = [](bool on) { return std::string(on ? "true" : "false"); };
   std::string text = "            new ShadowOptions  // " + preset.title + "\n            {\n";
@@ -76,9 +73,9 @@ std::string row(const Technique& preset) {
   set("filterSamples", value_or(preset, "filterSamples", "1"));
   set("softnessCapMetres", value_or(preset, "maxPenumbraMetres", "100.0f"));
   set("minFilterTexels", value_or(preset, "minFilterTexels", "1.25f"));
-  set("mask", flag(has(preset, "mask")));
-  set("halfResolution", flag(has(preset, "upsample")));
-  set("denoise", flag(has(preset, "denoise")));
+  set("mask", flag(has_pass(preset, "mask")));
+  set("halfResolution", flag(has_pass(preset, "upsample")));
+  set("denoise", flag(has_pass(preset, "denoise")));
   return text + "            },\n";
 }
 

@@ -30,11 +30,6 @@ std::string order_of_kinds() {
   return text;
 }
 
-bool has(const Technique& technique, const std::string& kind) {
-  return std::any_of(technique.chain.begin(), technique.chain.end(),
-                     [&](const TechniquePass& pass) { return pass.kind == kind; });
-}
-
 std::string wrong_scale(const TechniquePass& pass) {
   const std::vector<int>& scales = pass_kind(pass.kind).scales;
   if (std::find(scales.begin(), scales.end(), pass.scale) != scales.end()) return {};
@@ -55,6 +50,16 @@ std::vector<std::string> pass_kind_names() {
   return names;
 }
 
+bool has_pass(const Technique& technique, const std::string& kind) {
+  return std::any_of(technique.chain.begin(), technique.chain.end(),
+                     [&](const TechniquePass& pass) { return pass.kind == kind; });
+}
+
+std::vector<std::string> chain_keywords(const Technique& technique) {
+  return has_pass(technique, "mask") ? std::vector<std::string>{"_PENUMBRA_MASK"}
+                                     : std::vector<std::string>{};
+}
+
 ChainProblem chain_problem(const Technique& technique) {
   for (std::size_t i = 0; i < technique.chain.size(); ++i) {
     const TechniquePass& pass = technique.chain[i];
@@ -64,14 +69,14 @@ ChainProblem chain_problem(const Technique& technique) {
               "the order is " + order_of_kinds() + ", each once"};
     }
   }
-  if (!has(technique, "resolve")) return {"the chain has no resolve pass", "every technique has one"};
+  if (!has_pass(technique, "resolve")) return {"the chain has no resolve pass", "every technique has one"};
   if (!technique.screen && (technique.chain.size() > 1 || technique.resolve().scale != 1)) {
     return {"a chain of passes runs over the screen", "write \"screen\": true"};
   }
-  if (has(technique, "mask") != has(technique, "mask-blur")) {
+  if (has_pass(technique, "mask") != has_pass(technique, "mask-blur")) {
     return {"'mask' and 'mask-blur' go together", "a penumbra is wider than the edge that the mask finds"};
   }
-  if (has(technique, "upsample") != (technique.resolve().scale == 2)) {
+  if (has_pass(technique, "upsample") != (technique.resolve().scale == 2)) {
     return {"'upsample' belongs to a resolve pass of scale 2, and it to 'upsample'", ""};
   }
   return {};

@@ -24,6 +24,11 @@ struct PassKind {
 const PassKind& pass_kind(const std::string& name);  // throws std::out_of_range for another name
 std::vector<std::string> pass_kind_names();
 
+bool has_pass(const Technique& technique, const std::string& kind);
+
+// Keywords that the chain itself switches on in its passes, beside the technique's own.
+std::vector<std::string> chain_keywords(const Technique& technique);
+
 struct ChainProblem {
   std::string text;  // empty: the chain is right
   std::string way_out;

@@ -14,8 +14,8 @@ std::vector<SourceVariant> screen_variants(const ValidationRequest& request,
       request.techniques->file.parent_path().parent_path() / "Shaders" / "PenumbraShadows.shader";
   const shaders::PackageShader shader(file.lexically_normal(), request.package_roots);
   const bool reversed_z = std::find(keywords.begin(), keywords.end(), "UNITY_REVERSED_Z") != keywords.end();
-  std::vector<std::string> on = keywords;
-  if (technique.chain.front().kind == "mask") on.emplace_back("_PENUMBRA_MASK");
+  std::vector<std::string> on = shaders::chain_keywords(technique);
+  on.insert(on.begin(), keywords.begin(), keywords.end());
   std::vector<SourceVariant> variants;
   for (const shaders::TechniquePass& pass : technique.chain) {
     for (const std::string& name : shaders::pass_kind(pass.kind).shader_passes) {
