@@ -22,16 +22,21 @@ namespace Penumbra
 #endif
 
         [SerializeField] private Shader shader;
+        [SerializeField] private Shader debugShader;
         [SerializeField] private PenumbraShadowsSettings settings = new PenumbraShadowsSettings();
 
         private Material material;
+        private Material debugMaterial;
         private ChainDraw draw;
+        private DebugViewDraw debugDraw;
 #if UNITY_6000_0_OR_NEWER
         private GraphShadowPass shadowPass;
         private GraphRestorePass restorePass;
+        private GraphDebugPass debugPass;
 #else
         private ClassicShadowPass shadowPass;
         private ClassicRestorePass restorePass;
+        private ClassicDebugPass debugPass;
 #endif
 
         /// <summary>Of this feature; what Volumes override is not in it.</summary>
@@ -46,11 +51,14 @@ namespace Penumbra
 #if UNITY_6000_0_OR_NEWER
             shadowPass = shadowPass ?? new GraphShadowPass();
             restorePass = restorePass ?? new GraphRestorePass();
+            debugPass = debugPass ?? new GraphDebugPass(shadowPass);
 #else
             shadowPass = shadowPass ?? new ClassicShadowPass();
             restorePass = restorePass ?? new ClassicRestorePass();
+            debugPass = debugPass ?? new ClassicDebugPass(shadowPass);
 #endif
-            KeepShader();
+            KeepShader(ref shader, ShaderName);
+            KeepShader(ref debugShader, DebugViewDraw.ShaderName);
             LeftOpen.Watch(this);
         }
 
@@ -68,6 +76,9 @@ namespace Penumbra
             shadowPass.Setup(draw, UrpFrame.Frame(source, options, settings.noise));
             renderer.EnqueuePass(shadowPass);
             renderer.EnqueuePass(restorePass);
+            if (options.debugView == DebugView.None || !LoadDebugMaterial()) return;
+            debugPass.Setup(debugDraw);
+            renderer.EnqueuePass(debugPass);
         }
 
         private SkipReason Reason(in ShadowSource source)
@@ -79,23 +90,39 @@ namespace Penumbra
         }
 
         // A player contains what is referenced: the asset remembers the shader as soon as the editor has found it.
-        private void KeepShader()
+        private void KeepShader(ref Shader kept, string name)
         {
 #if UNITY_EDITOR
-            if (shader != null) return;
-            shader = Shader.Find(ShaderName);
-            if (shader != null) UnityEditor.EditorUtility.SetDirty(this);
+            if (kept != null) return;
+            kept = Shader.Find(name);
+            if (kept != null) UnityEditor.EditorUtility.SetDirty(this);
 #endif
         }
 
         private bool LoadMaterial()
         {
             if (material != null) return true;
-            if (shader == null) shader = Shader.Find(ShaderName);
-            if (shader == null || !shader.isSupported) return false;
-            material = CoreUtils.CreateEngineMaterial(shader);
+            material = MaterialOf(ref shader, ShaderName);
+            if (material == null) return false;
             draw = new ChainDraw(material);
             return true;
+        }
+
+        // A release player has the shader without any of its programs.
+        private bool LoadDebugMaterial()
+        {
+            if (!Debug.isDebugBuild) return false;
+            if (debugMaterial != null) return true;
+            debugMaterial = MaterialOf(ref debugShader, DebugViewDraw.ShaderName);
+            if (debugMaterial == null) return false;
+            debugDraw = new DebugViewDraw(debugMaterial);
+            return true;
+        }
+
+        private static Material MaterialOf(ref Shader shader, string name)
+        {
+            if (shader == null) shader = Shader.Find(name);
+            return shader != null && shader.isSupported ? CoreUtils.CreateEngineMaterial(shader) : null;
         }
 
         /// <inheritdoc/>
@@ -107,9 +134,12 @@ namespace Penumbra
 #endif
             shadowPass = null;
             restorePass = null;
+            debugPass = null;
             draw = null;
+            debugDraw = null;
             CoreUtils.Destroy(material);
-            material = null;
+            CoreUtils.Destroy(debugMaterial);
+            material = debugMaterial = null;
         }
     }
 }

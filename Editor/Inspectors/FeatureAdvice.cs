@@ -54,6 +54,8 @@ namespace Penumbra.Editor
             if (state.settings.noise == NoiseMode.PerFrame)
                 Say(MessageType.Info, "The noise moves every frame. Use that only where temporal antialiasing or an " +
                                       "upscaler averages frames; elsewhere penumbrae shimmer.");
+            if (state.settings.debugView != DebugView.None)
+                Say(MessageType.Info, "A debug view is drawn over the picture, here and in development builds.");
             if (!state.deferred && !state.depthPriming)
                 Say(MessageType.Info, "Forward rendering draws a depth prepass for this feature. Depth Priming (Renderer " +
                                       "> Rendering) lets the opaque pass use it too.");

@@ -15,6 +15,11 @@ namespace Penumbra
         private ChainDraw draw;
         private ShadowFrame frame;
 
+        /// <summary>For the camera of the last Setup; what it has drawn stays bound.</summary>
+        internal bool HasDrawn { get; private set; }
+        internal bool HasMask => draw.Chain.Mask != ShadowChain.None;
+        internal ref readonly ShadowOptions Options => ref frame.options;
+
         internal ClassicShadowPass()
         {
             renderPassEvent = RenderPassEvent.AfterRenderingGbuffer;
@@ -25,6 +30,7 @@ namespace Penumbra
         {
             this.draw = draw;
             this.frame = frame;
+            HasDrawn = false;
             ConfigureInput(ScriptableRenderPassInput.Depth);
         }
 
@@ -52,6 +58,7 @@ namespace Penumbra
             }
             context.ExecuteCommandBuffer(commands);
             CommandBufferPool.Release(commands);
+            HasDrawn = true;
         }
 
         internal void Dispose() => Release(0);

@@ -24,6 +24,14 @@ namespace Penumbra
         private ChainDraw draw;
         private ShadowFrame frame;
 
+        /// <summary>Of the camera being recorded; not valid where nothing is drawn.</summary>
+        internal TextureHandle Visibility { get; private set; }
+
+        /// <summary>The same; not valid without a mask.</summary>
+        internal TextureHandle Mask { get; private set; }
+
+        internal ref readonly ShadowOptions Options => ref frame.options;
+
         internal GraphShadowPass()
         {
             renderPassEvent = RenderPassEvent.BeforeRenderingGbuffer;
@@ -41,6 +49,7 @@ namespace Penumbra
         {
             UniversalCameraData camera = frameData.Get<UniversalCameraData>();
             UniversalResourceData resources = frameData.Get<UniversalResourceData>();
+            Visibility = Mask = default;
             if (!UrpFrame.TrySetCamera(ref frame, ref camera)) return;
             using (IUnsafeRenderGraphBuilder builder =
                        renderGraph.AddUnsafePass("Penumbra Shadows", out PassData data, profilingSampler))
@@ -55,6 +64,8 @@ namespace Penumbra
                         renderGraph, texture, ChainSlot.Names[i], false, FilterMode.Bilinear);
                     builder.UseTexture(data.textures[i], AccessFlags.ReadWrite);
                 }
+                Visibility = data.textures[ShadowChain.Output];
+                if (draw.Chain.Mask != ShadowChain.None) Mask = data.textures[draw.Chain.Mask];
                 if (resources.cameraDepthTexture.IsValid()) builder.UseTexture(resources.cameraDepthTexture);
                 if (resources.mainShadowsTexture.IsValid()) builder.UseTexture(resources.mainShadowsTexture);
                 builder.SetGlobalTextureAfterPass(data.textures[ShadowChain.Output],

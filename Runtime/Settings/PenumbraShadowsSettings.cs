@@ -25,11 +25,15 @@ namespace Penumbra
         /// <summary>Realtime reflection probes too; six faces, seldom worth it.</summary>
         public bool reflectionProbes;
 
+        /// <summary>In the editor and in development builds.</summary>
+        public DebugView debugView;
+
         /// <summary>The options before any Volume.</summary>
         public ShadowOptions Options()
         {
             ShadowOptions options = preset == QualityPreset.Custom ? custom : ShadowPresets.Options(preset);
             if (preset != QualityPreset.Custom) options.angularDiameterDegrees = angularDiameterDegrees;
+            options.debugView = debugView;
             return options.Clamped();
         }
     }

@@ -28,15 +28,17 @@ namespace Penumbra
         public BoolParameter mask = new BoolParameter(true);
         public BoolParameter halfResolution = new BoolParameter(false);
         public BoolParameter denoise = new BoolParameter(true);
+        public DebugViewParameter debugView = new DebugViewParameter(DebugView.None);
 
         /// <summary>`options` with what this Volume overrides.</summary>
         public ShadowOptions Over(ShadowOptions options)
         {
             if (preset.overrideState && preset.value != QualityPreset.Custom)
             {
-                float degrees = options.angularDiameterDegrees;
+                ShadowOptions before = options;
                 options = ShadowPresets.Options(preset.value);
-                options.angularDiameterDegrees = degrees;
+                options.angularDiameterDegrees = before.angularDiameterDegrees;
+                options.debugView = before.debugView;
             }
             if (angularDiameterDegrees.overrideState) options.angularDiameterDegrees = angularDiameterDegrees.value;
             if (technique.overrideState) options.technique = technique.value;
@@ -46,6 +48,7 @@ namespace Penumbra
             if (mask.overrideState) options.mask = mask.value;
             if (halfResolution.overrideState) options.halfResolution = halfResolution.value;
             if (denoise.overrideState) options.denoise = denoise.value;
+            if (debugView.overrideState) options.debugView = debugView.value;
             return options.Clamped();
         }
     }
@@ -61,5 +64,10 @@ namespace Penumbra
     {
         public ShadowTechniqueParameter(ShadowTechnique value, bool overrideState = false)
             : base(value, overrideState) { }
+    }
+    [Serializable]
+    public sealed class DebugViewParameter : VolumeParameter<DebugView>
+    {
+        public DebugViewParameter(DebugView value, bool overrideState = false) : base(value, overrideState) { }
     }
 }

@@ -36,11 +36,15 @@ namespace Penumbra
         /// <summary>Blur the noise of the samples away without crossing edges.</summary>
         public bool denoise;
 
+        /// <summary>Drawn over the picture; the feature's and the Volume's to set, no preset's.</summary>
+        [NonSerialized] public DebugView debugView;
+
         public bool Equals(ShadowOptions other) =>
             technique == other.technique && angularDiameterDegrees.Equals(other.angularDiameterDegrees) &&
             blockerSamples == other.blockerSamples && filterSamples == other.filterSamples &&
             softnessCapMetres.Equals(other.softnessCapMetres) && minFilterTexels.Equals(other.minFilterTexels) &&
-            mask == other.mask && halfResolution == other.halfResolution && denoise == other.denoise;
+            mask == other.mask && halfResolution == other.halfResolution && denoise == other.denoise &&
+            debugView == other.debugView;
 
         public override bool Equals(object other) => other is ShadowOptions options && Equals(options);
 

@@ -76,31 +76,64 @@ float FilterDisc(TEXTURE2D_PARAM(shadowMap, sampler_point), QuadReceiver receive
     return LitShare(lit, blocked);
 }
 
+// What the search at a receiver leads to.
+struct AngularSearch
+{
+    QuadReceiver receiver;
+    LightCone cone;
+    float2 rotation;
+    float smallestRadius; // texels
+    float radius;         // texels, of the search
+    BlockerEstimate blockers;
+};
+
+AngularSearch SearchAngular(TEXTURE2D_PARAM(shadowMap, sampler_point), ShadowReceiver receiver, ShadowTile tile,
+                            PcssAngularParameters parameters)
+{
+    const ConeScales scales = ConeScalesOf(tile);
+    AngularSearch search;
+    search.receiver = PrepareQuads(receiver, tile);
+    search.rotation = UnitRotation(receiver.rotation);
+    search.smallestRadius = BoundedOrLow(parameters.minFilterTexels, 0.0, 64.0);
+    search.cone.scales = scales;
+    search.cone.slackTexels = max(search.smallestRadius, kSmallestSlackTexels);
+    search.cone.largestOffset = BoundedOrLow(parameters.maxSamplingMetres, 0.0, 1e6) * scales.depthPerMetre;
+
+    search.radius = SearchRadius(search.receiver.depth, parameters.maxPenumbraMetres, search.smallestRadius, scales);
+    search.blockers = SearchBlockers(TEXTURE2D_ARGS(shadowMap, sampler_point), search.receiver, search.cone,
+                                     search.rotation, search.radius, parameters);
+    return search;
+}
+
+// Radius, texels, of what the blockers make; no wider than the search. Means nothing without blockers.
+float FoundPenumbra(AngularSearch search)
+{
+    return min(PenumbraRadius(search.blockers.gap, search.cone.scales), search.radius);
+}
+
 float FilterPcssAngular(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SAMPLER(sampler_point),
                         ShadowReceiver receiver, ShadowTile tile, PcssAngularParameters parameters)
 {
-    const ConeScales scales = ConeScalesOf(tile);
-    const QuadReceiver prepared = PrepareQuads(receiver, tile);
-    const float2 rotation = UnitRotation(receiver.rotation);
-    const float smallestRadius = BoundedOrLow(parameters.minFilterTexels, 0.0, 64.0);
+    const AngularSearch search = SearchAngular(TEXTURE2D_ARGS(shadowMap, sampler_point), receiver, tile, parameters);
+    if (!(search.blockers.count > 0.0)) return 1.0;
 
-    LightCone cone;
-    cone.scales = scales;
-    cone.slackTexels = max(smallestRadius, kSmallestSlackTexels);
-    cone.largestOffset = BoundedOrLow(parameters.maxSamplingMetres, 0.0, 1e6) * scales.depthPerMetre;
-
-    const float searchRadius =
-        SearchRadius(prepared.depth, parameters.maxPenumbraMetres, smallestRadius, scales);
-    const BlockerEstimate blockers =
-        SearchBlockers(TEXTURE2D_ARGS(shadowMap, sampler_point), prepared, cone, rotation, searchRadius, parameters);
-    if (!(blockers.count > 0.0)) return 1.0;
-
-    const float penumbra = min(PenumbraRadius(blockers.gap, scales), searchRadius);
-    const float radius = max(penumbra - kQuadReachTexels, smallestRadius);
+    const float penumbra = FoundPenumbra(search);
+    const float radius = max(penumbra - kQuadReachTexels, search.smallestRadius);
+    LightCone cone = search.cone;
     // A wall at the blockers' mean gap darkens the whole kernel, also where the kernel is wider than the penumbra.
     cone.slackTexels = radius - penumbra + kQuadSlackTexels;
-    return SanitizeVisibility(FilterDisc(TEXTURE2D_ARGS(shadowMap, sampler_point), prepared, cone, rotation, radius,
-                                         parameters.filterSamples));
+    return SanitizeVisibility(FilterDisc(TEXTURE2D_ARGS(shadowMap, sampler_point), search.receiver, cone,
+                                         search.rotation, radius, parameters.filterSamples));
+}
+
+// Width of the penumbra from 0 to 1, metres across the light, that the blockers found at the receiver make; 0 where
+// nothing blocks. Costs the search alone.
+float PenumbraWidthAngular(TEXTURE2D_PARAM(shadowMap, sampler_point), ShadowReceiver receiver, ShadowTile tile,
+                           PcssAngularParameters parameters)
+{
+    const AngularSearch search = SearchAngular(TEXTURE2D_ARGS(shadowMap, sampler_point), receiver, tile, parameters);
+    if (!(search.blockers.count > 0.0)) return 0.0;
+    return 2.0 * FoundPenumbra(search) / max(search.cone.scales.texelsPerMetre, 1e-9);
 }
 
 #endif

@@ -53,6 +53,18 @@ float4 _PenumbraSamples;
 float4 _PenumbraLimits;
 float4 _PenumbraHdrp;
 
+PcssAngularParameters PcssAngularOfUniforms()
+{
+    PcssAngularParameters angular;
+    angular.blockerSamples = int(_PenumbraSamples.x);
+    angular.filterSamples = int(_PenumbraSamples.y);
+    angular.blockerClump = _PenumbraSamples.z;
+    angular.minFilterTexels = _PenumbraSamples.w;
+    angular.maxPenumbraMetres = _PenumbraLimits.x;
+    angular.maxSamplingMetres = _PenumbraLimits.y;
+    return angular;
+}
+
 PcssHdrpParameters PcssHdrpOfUniforms()
 {
     PcssHdrpParameters hdrp;
@@ -82,15 +94,8 @@ float PcssByKeyword(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SAMPLE
     return FilterPcssHdrp(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), sampler_point, receiver, tile,
                           PcssHdrpOfUniforms());
 #else
-    PcssAngularParameters angular;
-    angular.blockerSamples = int(_PenumbraSamples.x);
-    angular.filterSamples = int(_PenumbraSamples.y);
-    angular.blockerClump = _PenumbraSamples.z;
-    angular.minFilterTexels = _PenumbraSamples.w;
-    angular.maxPenumbraMetres = _PenumbraLimits.x;
-    angular.maxSamplingMetres = _PenumbraLimits.y;
     return FilterPcssAngular(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), sampler_point, receiver, tile,
-                             angular);
+                             PcssAngularOfUniforms());
 #endif
 }
 #endif

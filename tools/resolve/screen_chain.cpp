@@ -1,33 +1,17 @@
 #include "resolve/screen_chain.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <set>
 #include <stdexcept>
+
+#include "resolve/screen_uniforms.h"
 
 namespace penumbra::resolve {
 namespace {
 
 int rounded_up(int size, int scale) {
   return (size + scale - 1) / scale;
-}
-
-glm::vec4 size_of(int width, int height) {
-  const auto w = static_cast<float>(width);
-  const auto h = static_cast<float>(height);
-  return {w, h, 1.0f / w, 1.0f / h};
-}
-
-glm::vec4 size_of(const gpu::Image& image) {
-  return size_of(image.width(), image.height());
-}
-
-// Both eyes: the harness draws one.
-void set_camera(UniformValues& values, const CameraImage& camera) {
-  const std::array<glm::dmat4, 2> eyes{camera.screen_to_world, camera.screen_to_world};
-  values.set("_PenumbraScreenToWorld", std::span<const glm::dmat4>(eyes));
-  values.set("_PenumbraScreenSize", size_of(camera.width, camera.height));
 }
 
 std::vector<std::uint32_t> green(const std::vector<glm::vec4>& texels) {
@@ -96,18 +80,18 @@ ScreenChain::ScreenChain(const gpu::Device& device, const shaders::PackageShader
 double ScreenChain::draw(std::vector<ScreenPass>& passes, Targets& targets, int seed) {
   UniformValues values = targets.frame.uniforms(seed);
   values.merge(description_.parameters);
-  set_camera(values, targets.camera);
+  set_screen(values, targets.camera);
   ScreenResources resources{targets.frame.images(), targets.frame.samplers()};
   resources.images["_CameraDepthTexture"] = &targets.depth;
   double nanoseconds = 0.0;
   for (std::size_t i = 0; i < passes.size(); ++i) {
     const gpu::Image& target = targets.images[i];
     const int source = description_.steps[i].source;
-    values.set("_PenumbraTargetSize", size_of(target));
+    values.set("_PenumbraTargetSize", texture_size(target));
     if (source >= 0) {
       const gpu::Image& read = targets.images.at(static_cast<std::size_t>(source));
       resources.images["_PenumbraSourceTexture"] = &read;
-      values.set("_PenumbraSourceSize", size_of(read));
+      values.set("_PenumbraSourceSize", texture_size(read));
     }
     nanoseconds += passes[i].draw(target, resources, values);
     if (static_cast<int>(i) == description_.mask) resources.images["_PenumbraMaskTexture"] = &target;

@@ -23,7 +23,7 @@ gpu::RasterShaders shaders_of(const CompiledScreenPass& compiled, ScreenPass::Mo
 }  // namespace
 
 gpu::Format ScreenPass::target_format(Module module) {
-  return module == Module::counting ? gpu::Format::rgba32f : gpu::Format::r32f;
+  return module == Module::as_shipped ? gpu::Format::r32f : gpu::Format::rgba32f;
 }
 
 ScreenPass::ScreenPass(const gpu::Device& device, const CompiledScreenPass& compiled, Module module)

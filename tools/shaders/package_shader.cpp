@@ -8,7 +8,6 @@
 #include "input/nearest_name.h"
 #include "platform/data_directory.h"
 #include "shaderlab/parse.h"
-#include "shaderlab/programs.h"
 #include "variants/platform_defines.h"
 #include "variants/pragmas.h"
 
@@ -42,22 +41,6 @@ std::vector<shaderlab::Program> first_programs(const shaderlab::Shader& shader) 
   return programs;
 }
 
-std::vector<std::string> names_of(const std::vector<shaderlab::Program>& programs) {
-  std::vector<std::string> names;
-  names.reserve(programs.size());
-  for (const shaderlab::Program& program : programs) names.emplace_back(shaderlab::pass_name(program));
-  return names;
-}
-
-shaderlab::Program find_program(const shaderlab::Shader& shader, const std::string& pass) {
-  const std::vector<shaderlab::Program> programs = first_programs(shader);
-  for (const shaderlab::Program& program : programs) {
-    if (shaderlab::pass_name(program) == pass) return program;
-  }
-  throw InputError(shader.file, "has no pass '" + pass + "' in its first SubShader",
-                   unknown_name_way_out(pass, names_of(programs)));
-}
-
 std::string entry_point(const variants::Pragmas& pragmas, hlsl::Stage stage,
                         const shaderlab::Program& program) {
   for (const variants::EntryPoint& entry : pragmas.entry_points) {
@@ -81,7 +64,8 @@ variants::Keywords declared(const variants::Pragmas& pragmas, const std::vector<
 }  // namespace
 
 PackageShader::PackageShader(const std::filesystem::path& file, std::vector<PackageRoot> package_roots)
-    : shader_(parsed(file)),
+    : shader_(std::make_shared<const shaderlab::Shader>(parsed(file))),
+      programs_(first_programs(*shader_)),
       package_roots_(std::move(package_roots)),
       prepare_(has_root(package_roots_, kUrp)) {
   const std::filesystem::path root = platform::data_directory();
@@ -94,9 +78,17 @@ PackageShader::PackageShader(const std::filesystem::path& file, std::vector<Pack
   }
 }
 
+const shaderlab::Program& PackageShader::program(const std::string& pass) const {
+  for (const shaderlab::Program& program : programs_) {
+    if (shaderlab::pass_name(program) == pass) return program;
+  }
+  throw InputError(shader_->file, "has no pass '" + pass + "' in its first SubShader",
+                   unknown_name_way_out(pass, pass_names()));
+}
+
 CompileRequest PackageShader::request(const std::string& pass, hlsl::Stage stage,
                                       const std::vector<std::string>& keywords, bool reversed_z) const {
-  const shaderlab::Program program = find_program(shader_, pass);
+  const shaderlab::Program& program = this->program(pass);
   const variants::Platform platform{reversed_z ? variants::GraphicsApi::vulkan
                                                : variants::GraphicsApi::glcore};
   const variants::Pragmas pragmas =
@@ -118,11 +110,18 @@ CompileRequest PackageShader::request(const std::string& pass, hlsl::Stage stage
 }
 
 std::vector<std::string> PackageShader::pass_names() const {
-  return names_of(first_programs(shader_));
+  std::vector<std::string> names;
+  names.reserve(programs_.size());
+  for (const shaderlab::Program& program : programs_) names.emplace_back(shaderlab::pass_name(program));
+  return names;
 }
 
 std::filesystem::path package_shader_file() {
   return platform::data_directory() / "Shaders" / "PenumbraShadows.shader";
+}
+
+std::filesystem::path debug_shader_file() {
+  return platform::data_directory() / "Shaders" / "PenumbraDebugViews.shader";
 }
 
 }  // namespace penumbra::shaders

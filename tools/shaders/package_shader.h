@@ -3,9 +3,11 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "shaderlab/programs.h"
 #include "shaderlab/tree.h"
 #include "shaders/compile.h"
 
@@ -25,12 +27,16 @@ class PackageShader {
   std::vector<std::string> pass_names() const;  // of the first SubShader
 
  private:
-  shaderlab::Shader shader_;
+  const shaderlab::Program& program(const std::string& pass) const;
+
+  std::shared_ptr<const shaderlab::Shader> shader_;  // programs_ points into it
+  std::vector<shaderlab::Program> programs_;         // of the first SubShader
   std::vector<PackageRoot> package_roots_;
   bool prepare_;
 };
 
-// The one that ships.
+// Those that ship: the passes of a frame, and the debug views.
 std::filesystem::path package_shader_file();
+std::filesystem::path debug_shader_file();
 
 }  // namespace penumbra::shaders

@@ -37,6 +37,9 @@ namespace Penumbra.Tests
             state.settings.noise = NoiseMode.PerFrame;
             Assert.That(Texts(state, MessageType.Info).Single(), Does.Contain("temporal"));
             state = Sound();
+            state.settings.debugView = DebugView.Cascades;
+            Assert.That(Texts(state, MessageType.Info).Single(), Does.Contain("debug view"));
+            state = Sound();
             state.deferred = false;
             Assert.That(Texts(state, MessageType.Info).Single(), Does.Contain("Depth Priming"));
             state.depthPriming = true;

@@ -89,6 +89,26 @@ namespace Penumbra.Tests
             Assert.That(chain.Slots.Select(slot => slot.divisor), Is.EqualTo(new[] { 1, 4, 4, 2, 1 }));
         }
 
+        private sealed class TwoQuarterPasses : ShadowPass
+        {
+            internal override int Order => 350;
+            internal override bool IsNeeded(in ShadowOptions options) => true;
+            internal override void AddSteps(ShadowChain chain, in ShadowOptions options) =>
+                chain.Draw("Second", MaskPass.Divisor, chain.Draw("First", MaskPass.Divisor));
+        }
+
+        /// <summary>A debug view shows it after the chain.</summary>
+        [Test]
+        public void TheMaskIsNotWrittenOver()
+        {
+            ShadowPass[] passes =
+                ShadowPassList.All.Append(new TwoQuarterPasses()).OrderBy(pass => pass.Order).ToArray();
+            ShadowChain chain = ShadowChain.Of(Options(true, false, true), passes);
+            ChainStep[] later = chain.Steps.SkipWhile(step => step.shaderPass != "Resolve").ToArray();
+            Assert.That(later.Length, Is.EqualTo(5));
+            Assert.That(later.Select(step => step.target), Has.None.EqualTo(chain.Mask));
+        }
+
         [TestCase(1, 1920, 1920)]
         [TestCase(2, 1921, 961)]
         [TestCase(4, 1921, 481)]

@@ -52,6 +52,7 @@ namespace Penumbra.Tests
                 field.SetValue(changed, value is bool on ? !on
                                         : value is float number ? number + 1.0f
                                         : value is int count ? count + 1
+                                        : value is DebugView ? DebugView.Cascades
                                         : (object)ShadowTechnique.Tent3x3);
                 Assert.That(changed, Is.Not.EqualTo(original), field.Name);
             }

@@ -40,6 +40,7 @@ namespace Penumbra.Tests
             foreach (ScriptableRenderPass pass in queue) pass.OnCameraSetup(new CommandBuffer(), ref data);
             foreach (ScriptableRenderPass pass in queue.Where(IsBeforeOpaques)) pass.Execute(context, ref data);
             DrawOpaques(keywords);
+            Device.Target = "_CameraColorTexture";
             foreach (ScriptableRenderPass pass in queue.Where(pass => !IsBeforeOpaques(pass)))
                 pass.Execute(context, ref data);
             keywords.AtTransparents = Now();

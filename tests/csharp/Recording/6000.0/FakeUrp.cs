@@ -39,6 +39,7 @@ namespace Penumbra.Tests
             frame.Items[typeof(UniversalResourceData)] = new UniversalResourceData
             {
                 cameraDepthTexture = Texture("_CameraDepthTexture"),
+                Colour = Texture("_CameraColorTexture"),
                 mainShadowsTexture = Texture("_MainLightShadowmapTexture"),
             };
             return new RenderingData(frame);
@@ -81,12 +82,25 @@ namespace Penumbra.Tests
             var commands = new CommandBuffer();
             try
             {
-                pass.Work(new UnsafeGraphContext { cmd = new UnsafeCommandBuffer { Wrapped = commands } });
+                Record(pass, commands);
+                foreach ((TextureHandle texture, int property) in pass.Globals)
+                    commands.SetGlobalTexture(property, texture.Handle);
             }
             finally
             {
                 context.ExecuteCommandBuffer(commands);  // what was recorded may still run
             }
+        }
+
+        private static void Record(RenderGraph.Pass pass, CommandBuffer commands)
+        {
+            if (pass.RasterWork == null)
+            {
+                pass.Work(new UnsafeGraphContext { cmd = new UnsafeCommandBuffer { Wrapped = commands } });
+                return;
+            }
+            Recorded.Target(commands, pass.Attachment.Handle.What);
+            pass.RasterWork(new RasterGraphContext { cmd = new RasterCommandBuffer { Wrapped = commands } });
         }
     }
 }

@@ -74,6 +74,20 @@ namespace UnityEngine.Rendering
         [OwnBehaviour] public CommandBuffer Wrapped { get; set; }
     }
 
+    /// <summary>Draws into the attachment of its pass.</summary>
+    [ReadFrom(At.Core17, "core", "Runtime/CommandBuffers/RasterCommandBuffer.cs")]
+    public partial class RasterCommandBuffer
+    {
+        [OwnBehaviour] public RasterCommandBuffer() { }
+        [OwnBehaviour] public CommandBuffer Wrapped { get; set; }
+
+        public void SetGlobalVector(int nameID, Vector4 value) => Wrapped.SetGlobalVector(nameID, value);
+
+        public void DrawProcedural(Matrix4x4 matrix, Material material, int shaderPass, MeshTopology topology,
+                                   int vertexCount, int instanceCount, MaterialPropertyBlock properties) =>
+            Wrapped.DrawProcedural(matrix, material, shaderPass, topology, vertexCount, instanceCount, properties);
+    }
+
     [ReadFrom(At.Core17, "core", "Runtime/CommandBuffers/CommandBufferHelpers.cs")]
     public struct CommandBufferHelpers
     {
@@ -110,6 +124,12 @@ namespace UnityEngine.Rendering.RenderGraphModule
     }
 
     [ReadFrom(At.Core17, "core", "Runtime/RenderGraph/RenderGraph.cs")]
+    public struct RasterGraphContext
+    {
+        public RasterCommandBuffer cmd;
+    }
+
+    [ReadFrom(At.Core17, "core", "Runtime/RenderGraph/RenderGraph.cs")]
     public delegate void BaseRenderFunc<PassData, ContextType>(PassData data, ContextType renderGraphContext)
         where PassData : class, new();
 
@@ -129,18 +149,28 @@ namespace UnityEngine.Rendering.RenderGraphModule
             where PassData : class, new();
     }
 
+    [ReadFrom(At.Core17, "core", "Runtime/RenderGraph/IRenderGraphBuilder.cs")]
+    public interface IRasterRenderGraphBuilder : IBaseRenderGraphBuilder
+    {
+        void SetRenderAttachment(TextureHandle tex, int index, AccessFlags flags = AccessFlags.Write);
+        void SetRenderFunc<PassData>(BaseRenderFunc<PassData, RasterGraphContext> renderFunc)
+            where PassData : class, new();
+    }
+
     /// <summary>Keeps what is recorded; Run() does it.</summary>
     [ReadFrom(At.Core17, "core", "Runtime/RenderGraph/RenderGraph.cs")]
     public partial class RenderGraph
     {
         [OwnBehaviour]
-        public sealed class Pass : IUnsafeRenderGraphBuilder
+        public sealed class Pass : IUnsafeRenderGraphBuilder, IRasterRenderGraphBuilder
         {
             public string Name;
             public object Data;
             public bool MayBeCulled = true;
             public bool ChangesGlobalState;
             public Action<UnsafeGraphContext> Work;
+            public Action<RasterGraphContext> RasterWork;
+            public TextureHandle Attachment;
             public List<(TextureHandle texture, AccessFlags access)> Textures =
                 new List<(TextureHandle, AccessFlags)>();
             public List<(TextureHandle texture, int property)> Globals = new List<(TextureHandle, int)>();
@@ -152,6 +182,9 @@ namespace UnityEngine.Rendering.RenderGraphModule
             public void AllowGlobalStateModification(bool value) => ChangesGlobalState = value;
             public void SetRenderFunc<PassData>(BaseRenderFunc<PassData, UnsafeGraphContext> renderFunc)
                 where PassData : class, new() => Work = context => renderFunc((PassData)Data, context);
+            public void SetRenderFunc<PassData>(BaseRenderFunc<PassData, RasterGraphContext> renderFunc)
+                where PassData : class, new() => RasterWork = context => renderFunc((PassData)Data, context);
+            public void SetRenderAttachment(TextureHandle tex, int index, AccessFlags flags) => Attachment = tex;
             public void Dispose() { }
         }
 
@@ -163,6 +196,20 @@ namespace UnityEngine.Rendering.RenderGraphModule
                                                                  [CallerFilePath] string file = "",
                                                                  [CallerLineNumber] int line = 0)
             where PassData : class, new()
+        {
+            return Add(passName, out passData);
+        }
+
+        public IRasterRenderGraphBuilder AddRasterRenderPass<PassData>(string passName, out PassData passData,
+                                                                       ProfilingSampler sampler,
+                                                                       [CallerFilePath] string file = "",
+                                                                       [CallerLineNumber] int line = 0)
+            where PassData : class, new()
+        {
+            return Add(passName, out passData);
+        }
+
+        private Pass Add<PassData>(string passName, out PassData passData) where PassData : class, new()
         {
             passData = new PassData();
             var pass = new Pass { Name = passName, Data = passData };

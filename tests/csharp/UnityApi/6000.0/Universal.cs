@@ -120,6 +120,9 @@ namespace UnityEngine.Rendering.Universal
     [ReadFrom(At.Universal17, "universal", "Runtime/FrameData/UniversalResourceData.cs")]
     public class UniversalResourceData : ContextItem
     {
+        [OwnBehaviour] public TextureHandle Colour;
+
+        public TextureHandle activeColorTexture => Colour;
         public TextureHandle mainShadowsTexture { get; [OwnBehaviour] set; }
         public TextureHandle cameraDepthTexture { get; [OwnBehaviour] set; }
 
@@ -131,6 +134,7 @@ namespace UnityEngine.Rendering.Universal
     {
         public RenderPassEvent renderPassEvent { get; set; }
         public ScriptableRenderPassInput input { get; private set; }
+        public bool requiresIntermediateTexture { get; set; }
         protected internal ProfilingSampler profilingSampler { get; set; }
 
         public void ConfigureInput(ScriptableRenderPassInput passInput) => input = passInput;

@@ -60,6 +60,15 @@ namespace UnityEditor
         public virtual void OnInspectorGUI() { }
     }
 
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/EditorUserBuildSettings.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/EditorUserBuildSettings.bindings.cs")]
+    public partial class EditorUserBuildSettings : Object
+    {
+        private EditorUserBuildSettings() { }
+
+        public static bool development { get; set; }
+    }
+
     [ReadFrom(At.Unity2022, "engine", "Editor/Mono/EditorWindow.cs")]
     [ReadFrom(At.Unity6, "engine", "Editor/Mono/EditorWindow.cs")]
     public partial class EditorWindow : ScriptableObject

@@ -19,6 +19,13 @@ namespace UnityEngine
         public override int GetHashCode() => base.GetHashCode();
     }
 
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Debug/Debug.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Debug/Debug.bindings.cs")]
+    public partial class Debug
+    {
+        public static bool isDebugBuild { get; [OwnBehaviour] set; } = true;
+    }
+
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Scripting/Component.bindings.cs")]
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/Scripting/Component.bindings.cs")]
     public partial class Component : Object

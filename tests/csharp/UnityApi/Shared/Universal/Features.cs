@@ -44,7 +44,7 @@ namespace UnityEngine.Rendering.Universal
     [ReadFrom(At.Universal14, "universal", "Runtime/Passes/ScriptableRenderPass.cs")]
     [ReadFrom(At.Universal17, "universal", "Runtime/Passes/ScriptableRenderPass.cs")]
     [Flags]
-    public enum ScriptableRenderPassInput { None = 0, Depth = 1 << 0 }
+    public enum ScriptableRenderPassInput { None = 0, Depth = 1 << 0, Color = 1 << 2 }
 
     [ReadFrom(At.Universal14, "universal", "Runtime/Passes/ScriptableRenderPass.cs")]
     [ReadFrom(At.Universal17, "universal", "Runtime/Passes/ScriptableRenderPass.cs")]

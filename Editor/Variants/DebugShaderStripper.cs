@@ -1,0 +1,22 @@
+using System.Collections.Generic;
+using UnityEditor;
+using UnityEditor.Build;
+using UnityEditor.Rendering;
+using UnityEngine;
+
+namespace Penumbra.Editor
+{
+    /// <summary>Takes the debug views out of release players.</summary>
+    internal sealed class DebugShaderStripper : IPreprocessShaders
+    {
+        public int callbackOrder => 0;
+
+        public void OnProcessShader(Shader shader, ShaderSnippetData snippet, IList<ShaderCompilerData> data)
+        {
+            if (Removes(shader.name, EditorUserBuildSettings.development)) data.Clear();
+        }
+
+        internal static bool Removes(string shaderName, bool development) =>
+            shaderName == DebugViewDraw.ShaderName && !development;
+    }
+}

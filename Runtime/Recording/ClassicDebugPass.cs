@@ -1,0 +1,36 @@
+#if !UNITY_6000_0_OR_NEWER
+using UnityEngine.Rendering;
+using UnityEngine.Rendering.Universal;
+
+namespace Penumbra
+{
+    /// <summary>URP 14: draws a debug view over the camera's picture.</summary>
+    internal sealed class ClassicDebugPass : ScriptableRenderPass
+    {
+        private readonly ClassicShadowPass shadows;
+        private DebugViewDraw draw;
+
+        internal ClassicDebugPass(ClassicShadowPass shadows)
+        {
+            this.shadows = shadows;
+            renderPassEvent = RenderPassEvent.BeforeRenderingPostProcessing;
+            profilingSampler = new ProfilingSampler("Penumbra Debug View");
+            // A texture instead of the back buffer, whose rows run the other way than the chain's textures on some
+            // devices.
+            ConfigureInput(ScriptableRenderPassInput.Color);
+        }
+
+        internal void Setup(DebugViewDraw draw) { this.draw = draw; }
+
+        public override void Execute(ScriptableRenderContext context, ref RenderingData renderingData)
+        {
+            if (!shadows.HasDrawn) return;
+            CommandBuffer commands = CommandBufferPool.Get();
+            using (new ProfilingScope(commands, profilingSampler))
+                draw.Draw(commands, shadows.Options.debugView, shadows.HasMask);
+            context.ExecuteCommandBuffer(commands);
+            CommandBufferPool.Release(commands);
+        }
+    }
+}
+#endif

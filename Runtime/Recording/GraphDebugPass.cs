@@ -1,0 +1,54 @@
+#if UNITY_6000_0_OR_NEWER
+using UnityEngine.Rendering;
+using UnityEngine.Rendering.RenderGraphModule;
+using UnityEngine.Rendering.Universal;
+
+namespace Penumbra
+{
+    /// <summary>Unity 6: draws a debug view over the camera's picture.</summary>
+    internal sealed class GraphDebugPass : ScriptableRenderPass
+    {
+        private sealed class PassData
+        {
+            internal DebugViewDraw draw;
+            internal DebugView view;
+            internal bool hasMask;
+        }
+
+        private readonly GraphShadowPass shadows;
+        private DebugViewDraw draw;
+
+        internal GraphDebugPass(GraphShadowPass shadows)
+        {
+            this.shadows = shadows;
+            renderPassEvent = RenderPassEvent.BeforeRenderingPostProcessing;
+            profilingSampler = new ProfilingSampler("Penumbra Debug View");
+            // Instead of the back buffer, whose rows run the other way than the chain's textures on some devices.
+            requiresIntermediateTexture = true;
+        }
+
+        internal void Setup(DebugViewDraw draw) { this.draw = draw; }
+
+        public override void RecordRenderGraph(RenderGraph renderGraph, ContextContainer frameData)
+        {
+            if (!shadows.Visibility.IsValid()) return;
+            UniversalResourceData resources = frameData.Get<UniversalResourceData>();
+            using (IRasterRenderGraphBuilder builder =
+                       renderGraph.AddRasterRenderPass("Penumbra Debug View", out PassData data, profilingSampler))
+            {
+                data.draw = draw;
+                data.view = shadows.Options.debugView;
+                data.hasMask = shadows.Mask.IsValid();
+                builder.SetRenderAttachment(resources.activeColorTexture, 0, AccessFlags.Write);
+                builder.UseTexture(shadows.Visibility, AccessFlags.Read);
+                if (data.hasMask) builder.UseTexture(shadows.Mask, AccessFlags.Read);
+                if (resources.cameraDepthTexture.IsValid()) builder.UseTexture(resources.cameraDepthTexture);
+                if (resources.mainShadowsTexture.IsValid()) builder.UseTexture(resources.mainShadowsTexture);
+                builder.AllowGlobalStateModification(true);
+                builder.SetRenderFunc(static (PassData passData, RasterGraphContext context) =>
+                                          passData.draw.Draw(context.cmd, passData.view, passData.hasMask));
+            }
+        }
+    }
+}
+#endif

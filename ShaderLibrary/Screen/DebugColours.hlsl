@@ -1,0 +1,57 @@
+// Penumbra: numbers made visible, for debug views.
+//
+// Computes:   a colour for a cascade, a length, the size of a shadow texel, and the chequers of the shadow map's texels.
+// Source:     black body colours for lengths: as bright as large. Cascades have hues of nearly equal luminance, so that
+//             the shadow stays visible under them.
+// Inputs:     cascade 0 to 3; metres; screen pixels; texel coordinates of the atlas.
+// Cost:       no fetches.
+// Guarantees: [0, 1] for any input; NaN counts as 0.
+// Use it:     on a screen for people. Not: for anything that is measured.
+#ifndef PENUMBRA_DEBUG_COLOURS_HLSL
+#define PENUMBRA_DEBUG_COLOURS_HLSL
+
+#include "../Core/FloatBits.hlsl"
+
+static const float kShortestShownMetres = 0.01;
+static const float kLongestShownMetres = 1.0;
+static const float kCoarsestShownPixels = 8.0;
+
+// Green, blue, orange, violet. Grey for any other number: no cascade.
+float3 CascadeColour(int cascade)
+{
+    if (cascade == 0) return float3(0.35, 0.75, 0.35);
+    if (cascade == 1) return float3(0.35, 0.62, 0.95);
+    if (cascade == 2) return float3(0.95, 0.58, 0.25);
+    if (cascade == 3) return float3(0.80, 0.50, 0.90);
+    return float3(0.5, 0.5, 0.5);
+}
+
+// 0 black, 1/3 red, 2/3 yellow, 1 white.
+float3 HeatColour(float share)
+{
+    const float heat = 3.0 * BoundedOrLow(share, 0.0, 1.0);
+    return float3(min(heat, 1.0), min(max(heat - 1.0, 0.0), 1.0), max(heat - 2.0, 0.0));
+}
+
+// Equal steps for equal ratios: 1 cm is 0, 10 cm one half, 1 m and more 1.
+float LengthShare(float metres)
+{
+    const float shown = BoundedOrLow(metres, kShortestShownMetres, kLongestShownMetres);
+    return log2(shown / kShortestShownMetres) / log2(kLongestShownMetres / kShortestShownMetres);
+}
+
+// How many pixels of the screen a shadow texel is wide: green up to 1, yellow, red from 8.
+float3 TexelSizeColour(float pixels)
+{
+    const float share = log2(BoundedOrLow(pixels, 1.0, kCoarsestShownPixels)) / log2(kCoarsestShownPixels);
+    return float3(min(2.0 * share, 1.0), min(2.0 - 2.0 * share, 1.0), 0.0);
+}
+
+// 1 and 0 by turns, a texel each.
+float TexelChequer(float2 texels)
+{
+    const int2 texel = int2(floor(float2(BoundedOrLow(texels.x, 0.0, 65536.0), BoundedOrLow(texels.y, 0.0, 65536.0))));
+    return float((texel.x + texel.y) & 1);
+}
+
+#endif

@@ -1,0 +1,72 @@
+// What the renderer feature knows of each pixel, in colours, one pass a view. In the editor and in development builds
+// only: a release player has none of it.
+Shader "Hidden/Penumbra/DebugViews"
+{
+    SubShader
+    {
+        Tags { "RenderPipeline" = "UniversalPipeline" "IgnoreProjector" = "True" }
+        ZTest Always
+        ZWrite Off
+        Cull Off
+
+        Pass
+        {
+            Name "Visibility"
+
+            HLSLPROGRAM
+            #pragma target 4.5
+            #pragma vertex ScreenTriangle
+            #pragma fragment DebugVisibility
+            #include "DebugPass.hlsl"
+            ENDHLSL
+        }
+
+        Pass
+        {
+            Name "Cascades"
+
+            HLSLPROGRAM
+            #pragma target 4.5
+            #pragma vertex ScreenTriangle
+            #pragma fragment DebugCascades
+            #include "DebugPass.hlsl"
+            ENDHLSL
+        }
+
+        Pass
+        {
+            Name "ShadowTexels"
+
+            HLSLPROGRAM
+            #pragma target 4.5
+            #pragma vertex ScreenTriangle
+            #pragma fragment DebugShadowTexels
+            #include "DebugPass.hlsl"
+            ENDHLSL
+        }
+
+        Pass
+        {
+            Name "PenumbraWidth"
+
+            HLSLPROGRAM
+            #pragma target 4.5
+            #pragma vertex ScreenTriangle
+            #pragma fragment DebugPenumbraWidth
+            #include "DebugPass.hlsl"
+            ENDHLSL
+        }
+
+        Pass
+        {
+            Name "PenumbraMask"
+
+            HLSLPROGRAM
+            #pragma target 4.5
+            #pragma vertex ScreenTriangle
+            #pragma fragment DebugPenumbraMask
+            #include "DebugPass.hlsl"
+            ENDHLSL
+        }
+    }
+}

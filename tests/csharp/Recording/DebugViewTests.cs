@@ -1,0 +1,160 @@
+using System;
+using System.IO;
+using System.Linq;
+using NUnit.Framework;
+using UnityEngine;
+using UnityEngine.Rendering;
+using UnityEngine.Rendering.Universal;
+
+namespace Penumbra.Tests
+{
+    /// <summary>A debug view is the last draw of its camera, over the picture, and changes nothing else.</summary>
+    public sealed class DebugViewTests
+    {
+        private static readonly DebugView[] Views =
+            Enum.GetValues(typeof(DebugView)).Cast<DebugView>().Where(view => view != DebugView.None).ToArray();
+
+        private PenumbraShadows feature;
+        private FakeUrp urp;
+
+        [SetUp]
+        public void SetUp()
+        {
+            FakeShader.Install();
+            feature = new PenumbraShadows();
+            feature.Create();
+            feature.Settings.preset = QualityPreset.High;
+            urp = new FakeUrp();
+        }
+
+        [TearDown]
+        public void TearDown()
+        {
+            Debug.isDebugBuild = true;
+            VolumeManager.instance.stack.Components.Clear();
+            feature.Dispose();
+        }
+
+        private string[] Passes() => urp.Device.Draws.Select(draw => draw.Pass).ToArray();
+
+        [Test]
+        public void EachIsDrawnOverTheCamerasPictureAfterTheChain()
+        {
+            urp.Render(new FakeScene(), feature);
+            string[] chain = Passes();
+            foreach (DebugView view in Views)
+            {
+                urp = new FakeUrp();
+                feature.Settings.debugView = view;
+                FrameKeywords keywords = urp.Render(new FakeScene(), feature);
+                Assert.That(Passes(), Is.EqualTo(chain.Append(view.ToString())));
+                FakeDevice.DrawCall draw = urp.Device.Draws.Last();
+                Assert.That(draw.Target, Is.EqualTo("_CameraColorTexture"), view.ToString());
+                Assert.That(draw.Vertices, Is.EqualTo(3));
+                Assert.That(draw.Textures["_ScreenSpaceShadowmapTexture"], Is.EqualTo("_ScreenSpaceShadowmapTexture"));
+                Assert.That(keywords.AtOpaques, Is.EqualTo(ShadowKeywords.ScreenName));
+                Assert.That(keywords.AtEnd, Is.EqualTo(ShadowKeywords.CascadesName));
+            }
+        }
+
+        [Test]
+        public void TheShaderHasAPassForEach()
+        {
+            string shader = File.ReadAllText(
+                Path.Combine(FakeShader.PackageRoot(), "Shaders", "PenumbraDebugViews.shader"));
+            Assert.That(shader, Does.Contain("\"" + DebugViewDraw.ShaderName + "\""));
+            foreach (DebugView view in Views) Assert.That(shader, Does.Contain("Name \"" + view + "\""));
+        }
+
+        [Test]
+        public void TheMaskIsShownWhereThereIsOne()
+        {
+            foreach (QualityPreset preset in new[] { QualityPreset.High, QualityPreset.Reference })
+            {
+                urp = new FakeUrp();
+                feature.Settings.preset = preset;
+                feature.Settings.debugView = DebugView.PenumbraMask;
+                urp.Render(new FakeScene(), feature);
+                FakeDevice.DrawCall draw = urp.Device.Draws.Last();
+                bool masked = ShadowPresets.Options(preset).mask;
+                Assert.That(((Vector4)draw.Uniforms["_PenumbraDebugParams"]).x, Is.EqualTo(masked ? 1.0f : 0.0f));
+                if (!masked) continue;
+                FakeDevice.DrawCall mask = urp.Device.Draws.Single(call => call.Pass == "MaskBlurVertical");
+                Assert.That(draw.Textures["_PenumbraMaskTexture"], Is.EqualTo(mask.Target));
+                Assert.That(urp.Device.Draws.SkipWhile(call => call != mask).Skip(1).Select(call => call.Target),
+                            Has.None.EqualTo(mask.Target), "overwritten before it is shown");
+            }
+        }
+
+        [Test]
+        public void AVolumeChoosesOneByPlace()
+        {
+            var volume = new PenumbraShadowsVolume();
+            volume.debugView.overrideState = true;
+            volume.debugView.value = DebugView.Cascades;
+            volume.preset.overrideState = true;  // has none of its own
+            VolumeManager.instance.stack.Components[typeof(PenumbraShadowsVolume)] = volume;
+            urp.Render(new FakeScene(), feature);
+            Assert.That(Passes().Last(), Is.EqualTo("Cascades"));
+            volume.debugView.overrideState = false;
+            feature.Settings.debugView = DebugView.ShadowTexels;
+            urp.Render(new FakeScene(), feature);
+            Assert.That(Passes().Last(), Is.EqualTo("ShadowTexels"));
+        }
+
+        [Test]
+        public void AReleasePlayerDrawsNone()
+        {
+            feature.Settings.debugView = DebugView.Cascades;
+            Debug.isDebugBuild = false;
+            urp.Render(new FakeScene(), feature);
+            Assert.That(Passes().Last(), Is.EqualTo("Resolve"));
+        }
+
+        [Test]
+        public void WithoutItsShaderTheFrameGoesOn()
+        {
+            feature.Dispose();
+            Shader.Known.Remove(DebugViewDraw.ShaderName);
+            feature = new PenumbraShadows();
+            feature.Create();
+            feature.Settings.debugView = DebugView.Cascades;
+            FrameKeywords keywords = urp.Render(new FakeScene(), feature);
+            Assert.That(Passes().Last(), Is.EqualTo("Resolve"));
+            Assert.That(keywords.AtOpaques, Is.EqualTo(ShadowKeywords.ScreenName));
+        }
+
+        [Test]
+        public void ACameraThatIsLeftToUrpOrHasNoPictureShowsNone()
+        {
+            feature.Settings.debugView = DebugView.Visibility;
+            foreach (FakeScene scene in FakeScene.Every())
+            {
+                urp = new FakeUrp();
+                urp.Render(scene, feature);
+                bool drawn = Passes().Contains("Resolve");
+                Assert.That(Passes().Contains("Visibility"), Is.EqualTo(drawn), scene.ToString());
+            }
+        }
+
+        [Test]
+        public void ThePictureIsATexture()
+        {
+            feature.Settings.debugView = DebugView.Visibility;
+            var renderer = new RoomForPasses();
+            RenderingData data = FakeUrp.Data(new FakeScene(), new Camera());
+            feature.AddRenderPasses(renderer, ref data);
+            ScriptableRenderPass last = renderer.Queue.OrderBy(pass => (int)pass.renderPassEvent).Last();
+            Assert.That(last.renderPassEvent, Is.EqualTo(RenderPassEvent.BeforeRenderingPostProcessing));
+#if UNITY_6000_0_OR_NEWER
+            Assert.That(last.requiresIntermediateTexture);
+#else
+            Assert.That(last.input, Is.EqualTo(ScriptableRenderPassInput.Color));
+#endif
+        }
+
+        private sealed class RoomForPasses : ScriptableRenderer
+        {
+        }
+    }
+}

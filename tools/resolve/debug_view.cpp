@@ -1,0 +1,64 @@
+#include "resolve/debug_view.h"
+
+#include <algorithm>
+
+#include "resolve/screen_uniforms.h"
+
+namespace penumbra::resolve {
+namespace {
+
+constexpr int kMaskBlock = 4;  // pixels of the screen per texel of the mask, each way
+
+// The mask's texture again, from what it says of each pixel.
+gpu::Image mask_texture(const gpu::Device& device, const CameraImage& camera,
+                        const std::vector<std::uint8_t>& masked_out) {
+  const int width = (camera.width + kMaskBlock - 1) / kMaskBlock;
+  const int height = (camera.height + kMaskBlock - 1) / kMaskBlock;
+  const std::vector<std::uint8_t> pixels = rows_from_top(masked_out, camera.width, camera.rows);
+  std::vector<float> texels;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const auto pixel = static_cast<std::size_t>(kMaskBlock * (y * camera.width + x));
+      texels.push_back(pixels.empty() || pixels[pixel] == 0 ? 1.0f : 0.0f);
+    }
+  }
+  gpu::Image image(device, gpu::Format::r32f, width, height);
+  image.upload(texels);
+  return image;
+}
+
+}  // namespace
+
+DebugView::DebugView(const gpu::Device& device, const shaders::PackageShader& shader, const std::string& view,
+                     bool reversed_z)
+    : device_(device), pass_(device, compile(shader, view, {}, reversed_z), ScreenPass::Module::in_colour) {}
+
+std::vector<glm::vec3> DebugView::draw(const FrameOnDevice& frame, const CameraImage& camera,
+                                       const std::vector<float>& visibility,
+                                       const std::vector<std::uint8_t>& masked_out,
+                                       const UniformValues& parameters) {
+  gpu::Image depth(device_, gpu::Format::r32f, camera.width, camera.height);
+  depth.upload(camera.depth);
+  gpu::Image seen(device_, gpu::Format::r32f, camera.width, camera.height);
+  seen.upload(rows_from_top(visibility, camera.width, camera.rows));
+  const gpu::Image mask = mask_texture(device_, camera, masked_out);
+  const gpu::Image target(device_, ScreenPass::target_format(ScreenPass::Module::in_colour), camera.width,
+                          camera.height);
+
+  UniformValues values = frame.uniforms(0);
+  values.merge(parameters);
+  set_screen(values, camera);
+  values.set("_PenumbraTargetSize", texture_size(target));
+  values.set("_PenumbraDebugParams", glm::vec4(masked_out.empty() ? 0.0f : 1.0f, 0.0f, 0.0f, 0.0f));
+  ScreenResources resources{frame.images(), frame.samplers()};
+  resources.images["_CameraDepthTexture"] = &depth;
+  resources.images["_ScreenSpaceShadowmapTexture"] = &seen;
+  resources.images["_PenumbraMaskTexture"] = &mask;
+  pass_.draw(target, resources, values);
+
+  std::vector<glm::vec3> colours;
+  for (const glm::vec4& texel : target.download<glm::vec4>()) colours.emplace_back(texel);
+  return rows_from_top(colours, camera.width, camera.rows);
+}
+
+}  // namespace penumbra::resolve

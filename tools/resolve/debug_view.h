@@ -1,0 +1,33 @@
+// A debug view of the renderer feature over a frame: what Unity would draw over the camera's picture.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+#include "resolve/camera_image.h"
+#include "resolve/frame_on_device.h"
+#include "resolve/screen_pass.h"
+#include "shaders/package_shader.h"
+
+namespace penumbra::resolve {
+
+class DebugView {
+ public:
+  // `view`: a pass of the shader. Throws InputError for one that is not there.
+  DebugView(const gpu::Device& device, const shaders::PackageShader& shader, const std::string& view,
+            bool reversed_z);
+
+  // Colours in [0, 1], rows from the top. Visibility and mask come as a chain's result holds them; an empty
+  // mask: the frame had none. `parameters`: of the technique that made the visibility.
+  std::vector<glm::vec3> draw(const FrameOnDevice& frame, const CameraImage& camera,
+                              const std::vector<float>& visibility,
+                              const std::vector<std::uint8_t>& masked_out, const UniformValues& parameters);
+
+ private:
+  const gpu::Device& device_;
+  ScreenPass pass_;
+};
+
+}  // namespace penumbra::resolve

@@ -1,0 +1,17 @@
+// What every pass over the screen is told of the camera and of its textures. Internal to this room.
+#pragma once
+
+#include "gpu/resources.h"
+#include "resolve/camera_image.h"
+#include "resolve/uniform_values.h"
+
+namespace penumbra::resolve {
+
+// Width, height and their inverses, as _PenumbraTargetSize and its like hold them.
+glm::vec4 texture_size(int width, int height);
+glm::vec4 texture_size(const gpu::Image& image);
+
+// Both eyes: the harness draws one.
+void set_screen(UniformValues& values, const CameraImage& camera);
+
+}  // namespace penumbra::resolve
