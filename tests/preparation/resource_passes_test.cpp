@@ -141,6 +141,41 @@ TEST(BufferAliases, AreTheBufferItself) {
                    "StructuredBuffer<int> A; int g(StructuredBuffer<int> p) { return p[0]; }");
 }
 
+TEST(BufferAliases, OfABufferDeclaredLaterBringItBeforeTheirUse) {
+  const std::string type = "struct E { int x; }; ";
+  expect(resolve_buffer_aliases,
+         type +
+             "struct S { StructuredBuffer<E> b, c; float x; }; int n;"
+             "int early(S s) { return s.b[0].x + s.b[1].x; } int second(S s) { return s.c[2].x; }"
+             "int between; StructuredBuffer<E> A : register(t1), C : register(t2); StructuredBuffer<E> D;"
+             "S make() { S s; s.b = A; s.c = C; s.x = 1; return s; } int late(S s) { return s.b[3].x; }",
+         type +
+             "struct S { float x; }; int n;"
+             "StructuredBuffer<E> A : register(t1), C : register(t2);"
+             "int early(S s) { return A[0].x + A[1].x; } int second(S s) { return C[2].x; }"
+             "int between; StructuredBuffer<E> D;"
+             "S make() { S s; ; ; s.x = 1; return s; } int late(S s) { return A[3].x; }");
+}
+
+TEST(BufferAliases, OfABufferDeclaredLaterCompileAndKeepItsLine) {
+  const PreparedShader prepared = prepare(
+      "struct E { int x; };\nstruct S { StructuredBuffer<E> b; };\nint early(S s) { return s.b[0].x; }\n"
+      "StructuredBuffer<E> A;\nRWStructuredBuffer<int> Out;\n"
+      "[numthreads(1, 1, 1)] void Main() { S s; s.b = A; Out[0] = early(s); }\n",
+      "m.hlsl");
+  EXPECT_THAT(prepared.notes, IsEmpty());
+  TokenText text(prepared.text, "m.hlsl");
+  const auto& tokens = text.tokens();
+  const auto buffer = std::find_if(tokens.begin(), tokens.end(),
+                                   [](const hlsl::Token& token) { return token.spelling == "A"; });
+  ASSERT_NE(buffer, tokens.end());
+  EXPECT_EQ(buffer->line, 4);
+  shaders::CompileRequest request;
+  request.file = "m.hlsl";
+  request.text = prepared.text;
+  EXPECT_FALSE(hlsl::has_errors(shaders::compile(request).diagnostics));
+}
+
 TEST(BufferAliases, OfTwoBuffersAreAnError) {
   const std::string head =
       "StructuredBuffer<int> A; StructuredBuffer<int> B; struct S { StructuredBuffer<int> b; }; ";

@@ -50,6 +50,7 @@ class Aliases {
               [](const TokenRange& a, const TokenRange& b) { return a.first < b.first; });
     for (const TokenRange& range : gone_) text_.erase(range.first, range.last - range.first + 1);
     for (std::size_t at = 0; at < text_.size(); ++at) replace_use(at);
+    for (const auto& [buffer, use] : first_uses_) declare_before(buffer, use);
     text_.apply();
   }
 
@@ -194,6 +195,28 @@ class Aliases {
     if (index == npos || !is_resolved(index) || declared(index).name == at) return;
     if (types_.begin(at) == npos || is_gone(at)) return;
     text_.replace(types_.begin(at), at - types_.begin(at) + 1, name_of(stands_for_[index]));
+    first_uses_.emplace(stands_for_[index], at);
+  }
+
+  // A buffer that is declared after its first use goes, with all of its statement, before the function that
+  // holds the use. What it is made of is known there: the member or variable that stood for it has the same
+  // type.
+  void declare_before(std::size_t buffer, std::size_t use) {
+    const hlsl::Declaration* statement = declaration_with(declared(buffer).name);
+    const hlsl::Declaration* user = declaration_with(use);
+    if (statement == nullptr || user == nullptr || statement->first < use) return;
+    if (statement->scope != user->scope || !moved_.insert(statement->first).second) return;
+    const std::size_t count = statement->last - statement->first + 1;
+    text_.insert_from(statement->first, user->first, text_.spelled(statement->first, count));
+    text_.erase(statement->first, count);
+  }
+
+  const hlsl::Declaration* declaration_with(std::size_t token) const {
+    const auto& outline = types_.outline();
+    const auto after = std::upper_bound(
+        outline.begin(), outline.end(), token,
+        [](std::size_t at, const hlsl::Declaration& declaration) { return at < declaration.first; });
+    return after == outline.begin() || std::prev(after)->last < token ? nullptr : &*std::prev(after);
   }
 
   bool is_gone(std::size_t at) const {
@@ -211,6 +234,8 @@ class Aliases {
   std::vector<TokenRange> gone_;         // assignments without their ';', and declarations
   std::vector<std::size_t> stands_for_;  // of each declared value: a global buffer, npos, or `several`
   std::map<std::size_t, std::pair<std::size_t, std::size_t>> others_;
+  std::map<std::size_t, std::size_t> first_uses_;  // of each buffer: where its name was put first
+  std::set<std::size_t> moved_;                    // first tokens of statements that went before their use
 };
 
 }  // namespace

@@ -5,7 +5,8 @@
 // Everything that is ever assigned to such a variable or member is followed, through parameters and other
 // such variables, to the global buffers it comes from. Where that is one and the same everywhere, its name is
 // put wherever the variable or member was read, and declarations and assignments go: there is nothing else
-// that a read after an assignment can mean.
+// that a read after an assignment can mean. A member may be read before the buffer is declared; the buffer's
+// declaration then goes before the function that reads.
 //
 // Limits: one member stands for one buffer in the whole text; where two structs of a type hold different
 // buffers, an error says which, and the way out is to pass the buffer as an argument. Elements of arrays,
