@@ -2,9 +2,9 @@
 //   --package-root com.unity.render-pipelines.core=DIR --package-root com.unity.render-pipelines.high-definition=DIR
 //   --adapter "hdrp-pcss=tools/resolve/adapters/HdrpPcss.hlsl"
 //
-// Computes:   GetDirectionalShadowAttenuation of the HDRP whose package root is given: cascade selection, biases, shadow
-//             coordinate, blocker search and filter, nothing of ours. HDRP's C# is not run: its shader data is made here
-//             from the map's matrices and the light's diameter.
+// Computes:   GetDirectionalShadowAttenuation of the HDRP whose package root is given: cascade selection, biases,
+//             shadow coordinate, blocker search and filter, nothing of ours. HDRP's C# is not run: its shader data is
+//             made here from the map's matrices and the light's diameter.
 // Source:     the packing of HDRP 17 (HDShadowManager, HDShadowRequest), as Documentation~/hdrp.md lists it; the light
 //             component's defaults.
 // Inputs:     HDRP 17 (Unity 6). Version 14 is refused by the names of the fields it lacks: its softness comes from the
@@ -93,8 +93,8 @@ static const float kNormalBiasTexels = 0.0;
 float TanHalf(float degrees) { return tan(radians(0.5 * degrees)); }
 
 // The rows of world to clip space: x, y in [-1, 1] over the tile, z the stored depth. HDRP keeps them as a unit row of
-// the light's view, its offset, and the projection's scale. In depth the offset is the projection's: view and projection
-// come as one matrix, and only their product is read.
+// the light's view, its offset, and the projection's scale. In depth the offset is the projection's: view and
+// projection come as one matrix, and only their product is read.
 void SetMatrix(inout HDShadowData data, float4x4 worldToShadow, float4 tile)
 {
     const float4 x = (worldToShadow[0] - float4(0.0, 0.0, 0.0, tile.x)) * (2.0 / tile.z) - float4(0.0, 0.0, 0.0, 1.0);
