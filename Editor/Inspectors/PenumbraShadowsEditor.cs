@@ -7,9 +7,6 @@ namespace Penumbra.Editor
     [CustomEditor(typeof(PenumbraShadows))]
     internal sealed class PenumbraShadowsEditor : UnityEditor.Editor
     {
-        private static readonly GUIContent PresetLabel = new GUIContent("Quality", "What a pixel may cost.");
-        private static readonly GUIContent AngleLabel =
-            new GUIContent("Angular Diameter", "Full angle of the light's disc in degrees; the sun's is 0.53.");
         private static readonly GUIContent NoiseLabel =
             new GUIContent("Noise", "Moving noise is for temporal antialiasing or an upscaler that averages frames.");
 
@@ -18,10 +15,9 @@ namespace Penumbra.Editor
             serializedObject.Update();
             SerializedProperty settings = serializedObject.FindProperty("settings");
             SerializedProperty preset = settings.FindPropertyRelative(nameof(PenumbraShadowsSettings.preset));
-            EditorGUILayout.PropertyField(preset, PresetLabel);
+            EditorGUILayout.PropertyField(preset, OptionFields.Preset);
             if ((QualityPreset)preset.intValue == QualityPreset.Custom)
-                EditorGUILayout.PropertyField(settings.FindPropertyRelative(nameof(PenumbraShadowsSettings.custom)),
-                                              true);
+                ShowOptions(settings.FindPropertyRelative(nameof(PenumbraShadowsSettings.custom)));
             else
                 ShowPreset(settings, (QualityPreset)preset.intValue);
             EditorGUILayout.PropertyField(settings.FindPropertyRelative(nameof(PenumbraShadowsSettings.noise)),
@@ -35,11 +31,19 @@ namespace Penumbra.Editor
                 EditorGUILayout.HelpBox(advice.text, advice.type);
         }
 
+        private void ShowOptions(SerializedProperty custom)
+        {
+            ShadowOptions options = ((PenumbraShadows)target).Settings.custom;
+            foreach (OptionField option in OptionFields.All)
+                if (option.Counts(options))
+                    EditorGUILayout.PropertyField(custom.FindPropertyRelative(option.name), option.label);
+        }
+
         private static void ShowPreset(SerializedProperty settings, QualityPreset preset)
         {
             SerializedProperty angle =
                 settings.FindPropertyRelative(nameof(PenumbraShadowsSettings.angularDiameterDegrees));
-            EditorGUILayout.PropertyField(angle, AngleLabel);
+            EditorGUILayout.PropertyField(angle, OptionFields.AngularDiameter.label);
             EditorGUILayout.HelpBox(PresetText.Describe(ShadowPresets.Options(preset)) + "\n" +
                                     PresetText.Figures(preset, angle.floatValue), MessageType.None);
         }

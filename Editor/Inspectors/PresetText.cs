@@ -7,7 +7,7 @@ namespace Penumbra.Editor
     {
         internal static string Describe(in ShadowOptions options)
         {
-            string text = Technique(options);
+            string text = Name(options.technique) + ", " + Cost(options);
             if (options.mask && options.technique.TakesSamples()) text += ", where the mask finds a penumbra";
             if (options.halfResolution) text += ", at half resolution";
             if (options.denoise && options.technique.TakesSamples()) text += ", denoised";
@@ -34,18 +34,33 @@ namespace Penumbra.Editor
 
         private static float Ratio(float a, float b) => a > b ? a / System.Math.Max(b, 1e-3f) : b / a;
 
-        private static string Technique(in ShadowOptions options)
+        /// <summary>"PCSS at 0 degrees": the technique's name, and a light that has no penumbrae.</summary>
+        internal static string Technique(ShadowOptions options) =>
+            Name(options.technique) + (options.technique.TakesSamples() && !options.SamplesPenumbrae ? " at 0 degrees" : "");
+
+        private static string Name(ShadowTechnique technique)
+        {
+            switch (technique)
+            {
+                case ShadowTechnique.Tent3x3: return "Tent 3 x 3";
+                case ShadowTechnique.Tent5x5: return "Tent 5 x 5";
+                case ShadowTechnique.Tent7x7: return "Tent 7 x 7";
+                case ShadowTechnique.PcssPoisson: return "Classic PCSS";
+                case ShadowTechnique.PcssHdrp: return "HDRP's PCSS";
+                default: return "PCSS";
+            }
+        }
+
+        private static string Cost(in ShadowOptions options)
         {
             switch (options.technique)
             {
-                case ShadowTechnique.Tent3x3: return "Tent 3 x 3, 4 fetches a pixel, no contact hardening";
-                case ShadowTechnique.Tent5x5: return "Tent 5 x 5, 9 fetches a pixel, no contact hardening";
-                case ShadowTechnique.Tent7x7: return "Tent 7 x 7, 16 fetches a pixel, no contact hardening";
+                case ShadowTechnique.Tent3x3: return "4 fetches a pixel, no contact hardening";
+                case ShadowTechnique.Tent5x5: return "9 fetches a pixel, no contact hardening";
+                case ShadowTechnique.Tent7x7: return "16 fetches a pixel, no contact hardening";
                 case ShadowTechnique.PcssPoisson:
-                    return "Classic PCSS, " + options.blockerSamples + " blocker and as many filter samples";
-                default:
-                    return "PCSS, " + options.blockerSamples + " blocker and " + options.filterSamples +
-                           " filter samples";
+                    return options.blockerSamples + " blocker and as many filter samples";
+                default: return options.blockerSamples + " blocker and " + options.filterSamples + " filter samples";
             }
         }
     }

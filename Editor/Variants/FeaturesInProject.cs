@@ -20,9 +20,15 @@ namespace Penumbra.Editor
 
         internal static ResolveVariants Variants() => ResolveVariants.Of(Settings(), Volumes());
 
-        private static IEnumerable<PenumbraShadowsSettings> Settings()
+        internal static List<ScriptableRendererData> Renderers() =>
+            new List<ScriptableRendererData>(Assets<ScriptableRendererData>());
+
+        private static IEnumerable<PenumbraShadowsSettings> Settings() => Settings(Assets<ScriptableRendererData>());
+
+        /// <summary>Of the active features of `renderers`.</summary>
+        internal static IEnumerable<PenumbraShadowsSettings> Settings(IEnumerable<ScriptableRendererData> renderers)
         {
-            foreach (ScriptableRendererData renderer in Assets<ScriptableRendererData>())
+            foreach (ScriptableRendererData renderer in renderers)
                 foreach (ScriptableRendererFeature feature in renderer.rendererFeatures)
                     if (feature is PenumbraShadows shadows && shadows.isActive) yield return shadows.Settings;
         }

@@ -13,18 +13,23 @@ namespace Penumbra
         public ShadowTechnique technique;
 
         /// <summary>Full angle of the light's disc, 0 to 30; the sun's is 0.53. Penumbrae widen with it.</summary>
+        [Range(0.0f, 30.0f)]
         public float angularDiameterDegrees;
 
-        /// <summary>Samples that look for blockers, 1 to 64.</summary>
+        /// <summary>Samples that look for blockers, 1 to 64. Classic PCSS takes this many in both loops.</summary>
+        [Range(1, 64)]
         public int blockerSamples;
 
-        /// <summary>Samples of the filter, 1 to 64. Classic PCSS takes this many in both loops.</summary>
+        /// <summary>Samples of the filter, 1 to 64.</summary>
+        [Range(1, 64)]
         public int filterSamples;
 
         /// <summary>Widest penumbra, full width, 0 to 100: what is wider is cut short, and costs less to look for.</summary>
+        [Range(0.0f, 100.0f)]
         public float softnessCapMetres;
 
         /// <summary>Smallest filter radius in shadow-map texels, 0 to 8: hides the texels of contacts.</summary>
+        [Range(0.0f, 8.0f)]
         public float minFilterTexels;
 
         /// <summary>Full filter only where the mask finds a penumbra; one fetch elsewhere.</summary>

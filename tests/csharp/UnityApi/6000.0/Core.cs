@@ -242,5 +242,10 @@ namespace UnityEditor.Rendering
     public interface IShaderVariantStripper : IVariantStripper<UnityEngine.Shader, ShaderSnippetData>
     {
     }
+
+    public partial class VolumeComponentEditor
+    {
+        public bool enableOverrides { get; set; } = true;
+    }
 }
 #endif

@@ -52,8 +52,15 @@ namespace UnityEngine.Rendering
     [ReadFrom(At.Core17, "core", "Runtime/Volume/VolumeParameter.cs")]
     public class ClampedIntParameter : IntParameter
     {
+        public int min;
+        public int max;
+
         public ClampedIntParameter(int value, int min, int max, bool overrideState = false)
-            : base(value, overrideState) { }
+            : base(value, overrideState)
+        {
+            this.min = min;
+            this.max = max;
+        }
     }
 
     [ReadFrom(At.Core14, "core", "Runtime/Volume/VolumeParameter.cs")]
@@ -67,8 +74,15 @@ namespace UnityEngine.Rendering
     [ReadFrom(At.Core17, "core", "Runtime/Volume/VolumeParameter.cs")]
     public class ClampedFloatParameter : FloatParameter
     {
+        public float min;
+        public float max;
+
         public ClampedFloatParameter(float value, float min, float max, bool overrideState = false)
-            : base(value, overrideState) { }
+            : base(value, overrideState)
+        {
+            this.min = min;
+            this.max = max;
+        }
     }
 
     [ReadFrom(At.Core14, "core", "Runtime/Volume/VolumeProfile.cs")]

@@ -9,7 +9,14 @@ namespace UnityEngine
     [ReadFrom(At.Unity6, "engine", "Modules/IMGUI/GUIContent.cs")]
     public class GUIContent
     {
-        public GUIContent(string text, string tooltip) { }
+        public GUIContent(string text, string tooltip)
+        {
+            this.text = text;
+            this.tooltip = tooltip;
+        }
+
+        public string text { get; set; }
+        public string tooltip { get; set; }
     }
 
     [ReadFrom(At.Unity2022, "engine", "Modules/IMGUI/GUIStyle.cs")]
@@ -113,8 +120,6 @@ namespace UnityEditor
         public static void EndScrollView() { }
         public static bool PropertyField(SerializedProperty property, params GUILayoutOption[] options) => false;
         public static bool PropertyField(SerializedProperty property, GUIContent label,
-                                         params GUILayoutOption[] options) => false;
-        public static bool PropertyField(SerializedProperty property, bool includeChildren,
                                          params GUILayoutOption[] options) => false;
     }
 

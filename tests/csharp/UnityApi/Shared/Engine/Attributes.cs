@@ -29,7 +29,14 @@ namespace UnityEngine
     [AttributeUsage(AttributeTargets.Field)]
     public sealed class RangeAttribute : PropertyAttribute
     {
-        public RangeAttribute(float min, float max) { }
+        public readonly float min;
+        public readonly float max;
+
+        public RangeAttribute(float min, float max)
+        {
+            this.min = min;
+            this.max = max;
+        }
     }
 }
 

@@ -1,0 +1,54 @@
+using System.Collections.Generic;
+using UnityEditor;
+using UnityEditor.Rendering;
+using UnityEngine.Rendering.Universal;
+
+namespace Penumbra.Editor
+{
+    /// <summary>The preset first, what it does and costs under it, then the options that count beside it.</summary>
+    [CustomEditor(typeof(PenumbraShadowsVolume))]
+    internal sealed class PenumbraShadowsVolumeEditor : VolumeComponentEditor
+    {
+        private readonly Dictionary<OptionField, SerializedDataParameter> options =
+            new Dictionary<OptionField, SerializedDataParameter>();
+
+        private SerializedDataParameter preset;
+
+        // Looking for assets is too slow for every draw; what these hold is read at each.
+        private List<ScriptableRendererData> renderers;
+
+        /// <inheritdoc/>
+        public override void OnEnable()
+        {
+            preset = Unpack(serializedObject.FindProperty(nameof(PenumbraShadowsVolume.preset)));
+            foreach (OptionField option in OptionFields.All)
+                if (option.IsInVolume) options[option] = Unpack(serializedObject.FindProperty(option.name));
+            renderers = null;
+        }
+
+        /// <inheritdoc/>
+        public override void OnInspectorGUI()
+        {
+            VolumeState state = State();
+            PropertyField(preset, OptionFields.Preset);
+            string figures = VolumeAdvice.Preset(state);
+            if (figures != null) EditorGUILayout.HelpBox(figures, MessageType.None);
+            foreach (OptionField option in OptionFields.All)
+                if (VolumeAdvice.Shows(option, state.volume)) PropertyField(options[option], option.label);
+            foreach (Advice advice in VolumeAdvice.For(state)) EditorGUILayout.HelpBox(advice.text, advice.type);
+        }
+
+        private VolumeState State()
+        {
+            renderers = renderers ?? FeaturesInProject.Renderers();
+            renderers.RemoveAll(renderer => renderer == null);  // deleted meanwhile
+            VolumeState state = default;
+            state.volume = (PenumbraShadowsVolume)target;
+            state.features = new List<PenumbraShadowsSettings>(FeaturesInProject.Settings(renderers));
+#if UNITY_6000_0_OR_NEWER
+            state.defaultProfile = !enableOverrides;
+#endif
+            return state;
+        }
+    }
+}

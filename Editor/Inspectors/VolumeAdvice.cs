@@ -1,0 +1,127 @@
+using System.Collections.Generic;
+using System.Globalization;
+using System.Linq;
+using UnityEditor;
+
+namespace Penumbra.Editor
+{
+    /// <summary>A Volume's override, and what of its project decides what it does.</summary>
+    internal struct VolumeState
+    {
+        internal PenumbraShadowsVolume volume;
+
+        /// <summary>Of the active features of the project's renderers.</summary>
+        internal IReadOnlyList<PenumbraShadowsSettings> features;
+
+        /// <summary>It is in the project's default profile (Unity 6), where everything counts as overridden.</summary>
+        internal bool defaultProfile;
+    }
+
+    /// <summary>What a Volume's inspector shows, and what it says: the worst first, each with the way out.</summary>
+    internal static class VolumeAdvice
+    {
+        /// <summary>An option that has no effect stays as long as its check can be cleared.</summary>
+        internal static bool Shows(OptionField option, PenumbraShadowsVolume volume) =>
+            option.IsInVolume && (option.IsOverridden(volume) || option.Counts(Decided(volume)));
+
+        /// <summary>What the overridden preset does, and its figures under the light in force; null without one.</summary>
+        internal static string Preset(in VolumeState state)
+        {
+            PenumbraShadowsVolume volume = state.volume;
+            if (state.defaultProfile || !HasPreset(volume)) return null;
+            QualityPreset preset = volume.preset.value;
+            return PresetText.Describe(ShadowPresets.Options(preset)) + "\n" +
+                   (volume.angularDiameterDegrees.overrideState
+                        ? PresetText.Figures(preset, volume.angularDiameterDegrees.value)
+                        : FiguresUnderTheFeaturesLight(preset, state.features));
+        }
+
+        internal static List<Advice> For(in VolumeState state)
+        {
+            var found = new List<Advice>();
+            void Say(MessageType type, string text) => found.Add(new Advice(type, text));
+
+            if (state.defaultProfile)
+            {
+                Say(MessageType.Info, "The default profile overrides nothing of Penumbra: the feature's options hold where " +
+                                      "no Volume of a scene overrides them. Volumes that blend begin at these values.");
+                return found;
+            }
+            if (state.features.Count == 0)
+                Say(MessageType.Warning, "No renderer of this project has an active Penumbra Soft Shadows feature, so this " +
+                                         "changes nothing. Select the renderer that the URP asset uses and Add Renderer " +
+                                         "Feature > Penumbra Soft Shadows.");
+            PenumbraShadowsVolume volume = state.volume;
+            if (volume.preset.overrideState && !HasPreset(volume))
+                Say(MessageType.Info, "Custom changes nothing by itself: what is not overridden below stays the feature's. " +
+                                      "Override single options, or choose a preset.");
+            List<string> beside = Beside(volume);
+            if (beside.Count > 0)
+                Say(MessageType.Info, Join(beside, "comes", "come") + " after the preset, whose figures no longer hold. " +
+                                      "Clear the check to keep to them.");
+            SayWhatIsIdle(state, Say);
+            return found;
+        }
+
+        private static void SayWhatIsIdle(in VolumeState state, System.Action<MessageType, string> say)
+        {
+            PenumbraShadowsVolume volume = state.volume;
+            ShadowOptions[] here = { Decided(volume) };
+            List<string> idle = Idle(volume, here);
+            if (idle.Count > 0)
+                say(MessageType.Info, Join(idle, "has", "have") + " no effect with " + Techniques(here) +
+                                      ". Clear the check, or change the technique or preset.");
+
+            ShadowOptions[] features = state.features.Select(feature => volume.Over(feature.Options())).ToArray();
+            if (features.Length == 0) return;
+            idle = Idle(volume, features).Except(idle).ToList();
+            if (idle.Count > 0)
+                say(MessageType.Info, Join(idle, "has", "have") + " no effect with " + Techniques(features) + ", which " +
+                                      "the feature brings. Override the technique or preset too.");
+        }
+
+        // What a Volume leaves to the feature and to other Volumes may be anything; under these options all count.
+        private static ShadowOptions Decided(PenumbraShadowsVolume volume) =>
+            volume.Over(ShadowPresets.Options(QualityPreset.High));
+
+        private static bool HasPreset(PenumbraShadowsVolume volume) =>
+            volume.preset.overrideState && volume.preset.value != QualityPreset.Custom;
+
+        private static string FiguresUnderTheFeaturesLight(QualityPreset preset,
+                                                           IEnumerable<PenumbraShadowsSettings> features)
+        {
+            float[] lights = features.Select(feature => feature.Options().angularDiameterDegrees).Distinct().ToArray();
+            if (lights.Length != 1)
+                return PresetText.Figures(preset, AngularDiameter.SunDegrees) +
+                       "\nThe light is the feature's: override Angular Diameter for figures of another.";
+            return PresetText.Figures(preset, lights[0]) +
+                   string.Format(CultureInfo.InvariantCulture, "\nThe light is the feature's, of {0:0.##} degrees.",
+                                 lights[0]);
+        }
+
+        // The light's size is no part of a preset.
+        private static List<string> Beside(PenumbraShadowsVolume volume) =>
+            Labels(HasPreset(volume)
+                       ? Overridden(volume).Where(option => option != OptionFields.AngularDiameter &&
+                                                            option.Counts(Decided(volume)))
+                       : Enumerable.Empty<OptionField>());
+
+        private static List<string> Idle(PenumbraShadowsVolume volume, IReadOnlyCollection<ShadowOptions> inForce) =>
+            Labels(Overridden(volume).Where(option => !inForce.Any(options => option.Counts(options))));
+
+        private static IEnumerable<OptionField> Overridden(PenumbraShadowsVolume volume) =>
+            OptionFields.All.Where(option => option.IsOverridden(volume));
+
+        private static List<string> Labels(IEnumerable<OptionField> options) =>
+            options.Select(option => option.label.text).ToList();
+
+        private static string Techniques(IEnumerable<ShadowOptions> inForce) =>
+            string.Join(" or ", inForce.Select(PresetText.Technique).Distinct());
+
+        private static string Join(List<string> names, string verbOfOne, string verbOfMany)
+        {
+            if (names.Count == 1) return names[0] + " " + verbOfOne;
+            return string.Join(", ", names.Take(names.Count - 1)) + " and " + names.Last() + " " + verbOfMany;
+        }
+    }
+}

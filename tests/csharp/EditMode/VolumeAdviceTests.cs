@@ -1,0 +1,177 @@
+using System;
+using System.Linq;
+using NUnit.Framework;
+using Penumbra.Editor;
+using UnityEditor;
+using UnityEngine;
+
+namespace Penumbra.Tests
+{
+    public sealed class VolumeAdviceTests
+    {
+        private static VolumeState State(Action<PenumbraShadowsVolume> change, params PenumbraShadowsSettings[] features)
+        {
+            var volume = ScriptableObject.CreateInstance<PenumbraShadowsVolume>();
+            change(volume);
+            return new VolumeState { volume = volume, features = features };
+        }
+
+        private static PenumbraShadowsSettings Feature(QualityPreset preset, float degrees = 0.53f) =>
+            new PenumbraShadowsSettings { preset = preset, angularDiameterDegrees = degrees };
+
+        private static void Nothing(PenumbraShadowsVolume volume) { }
+
+        private static Action<PenumbraShadowsVolume> Preset(QualityPreset preset) => volume =>
+        {
+            volume.preset.overrideState = true;
+            volume.preset.value = preset;
+        };
+
+        private static Action<PenumbraShadowsVolume> Technique(ShadowTechnique technique) => volume =>
+        {
+            volume.technique.overrideState = true;
+            volume.technique.value = technique;
+        };
+
+        private static Action<PenumbraShadowsVolume> Angle(float degrees) => volume =>
+        {
+            volume.angularDiameterDegrees.overrideState = true;
+            volume.angularDiameterDegrees.value = degrees;
+        };
+
+        private static void Denoise(PenumbraShadowsVolume volume) => volume.denoise.overrideState = true;
+
+        private static void Samples(PenumbraShadowsVolume volume) => volume.filterSamples.overrideState = true;
+
+        private static string[] Texts(VolumeState state) => VolumeAdvice.For(state).Select(advice => advice.text).ToArray();
+
+        private static string[] Shown(VolumeState state) =>
+            OptionFields.All.Where(option => VolumeAdvice.Shows(option, state.volume)).Select(option => option.label.text)
+                .ToArray();
+
+        [Test]
+        public void AVolumeThatOverridesNothingShowsEverythingItCan()
+        {
+            VolumeState state = State(Nothing, Feature(QualityPreset.Low));
+            Assert.That(Shown(state), Is.EqualTo(OptionFields.All.Where(option => option.IsInVolume)
+                                                     .Select(option => option.label.text)));
+            Assert.That(VolumeAdvice.Preset(state), Is.Null);
+            Assert.That(Texts(state), Is.Empty);
+        }
+
+        [Test]
+        public void OnlyWhatCountsForTheTechniqueIsShown()
+        {
+            string[] ofTents = { "Technique", "Half Resolution" };
+            Assert.That(Shown(State(Technique(ShadowTechnique.Tent7x7))), Is.EqualTo(ofTents));
+            Assert.That(Shown(State(Preset(QualityPreset.Low))), Is.EqualTo(ofTents));
+            Assert.That(Shown(State(Technique(ShadowTechnique.PcssHdrp))), Does.Not.Contain("Softness Cap"));
+            Assert.That(Shown(State(Technique(ShadowTechnique.PcssPoisson))), Does.Not.Contain("Filter Samples"));
+            Assert.That(Shown(State(Angle(0.0f))), Does.Not.Contain("Denoise"));
+        }
+
+        [Test]
+        public void TheTechniqueComesAfterThePreset() =>
+            Assert.That(Shown(State(Preset(QualityPreset.Low) + Technique(ShadowTechnique.Pcss))),
+                        Does.Contain("Filter Samples"));
+
+        [Test]
+        public void AnOverriddenOptionStaysShownSoThatItsCheckCanBeCleared() =>
+            Assert.That(Shown(State(Preset(QualityPreset.Low) + Denoise)), Does.Contain("Denoise"));
+
+        [Test]
+        public void APresetHasItsFiguresUnderTheVolumesLight()
+        {
+            VolumeState state = State(Preset(QualityPreset.High) + Angle(4.0f), Feature(QualityPreset.Low, 0.53f));
+            Assert.That(VolumeAdvice.Preset(state),
+                        Is.EqualTo(PresetText.Describe(ShadowPresets.Options(QualityPreset.High)) + "\n" +
+                                   PresetText.Figures(QualityPreset.High, 4.0f)));
+        }
+
+        [Test]
+        public void ElseUnderTheFeaturesLightAndSaysSo()
+        {
+            string text = VolumeAdvice.Preset(State(Preset(QualityPreset.High), Feature(QualityPreset.Low, 1.5f)));
+            Assert.That(text, Does.Contain(PresetText.Figures(QualityPreset.High, 1.5f)).And.EndWith("of 1.5 degrees."));
+        }
+
+        [Test]
+        public void ElseUnderTheSunAndSaysSo()
+        {
+            string figures = PresetText.Figures(QualityPreset.High, 0.53f);
+            var two = new[] { Feature(QualityPreset.Low, 1.5f), Feature(QualityPreset.Low, 5.0f) };
+            foreach (VolumeState state in new[] { State(Preset(QualityPreset.High)), State(Preset(QualityPreset.High), two) })
+                Assert.That(VolumeAdvice.Preset(state), Does.Contain(figures + "\n").And.Contain("Angular Diameter"));
+        }
+
+        [Test]
+        public void CustomHasNoFiguresAndChangesNothingByItself()
+        {
+            VolumeState state = State(Preset(QualityPreset.Custom), Feature(QualityPreset.Medium));
+            Assert.That(VolumeAdvice.Preset(state), Is.Null);
+            Assert.That(Texts(state).Single(), Does.StartWith("Custom changes nothing"));
+            ShadowOptions options = ShadowPresets.Options(QualityPreset.Ultra);
+            Assert.That(state.volume.Over(options), Is.EqualTo(options));
+        }
+
+        [Test]
+        public void WithoutAFeatureAVolumeIsWarnedOf()
+        {
+            Advice advice = VolumeAdvice.For(State(Nothing)).Single();
+            Assert.That(advice.type, Is.EqualTo(MessageType.Warning));
+            Assert.That(advice.text, Does.Contain("Add Renderer Feature > Penumbra Soft Shadows"));
+        }
+
+        [Test]
+        public void OptionsBesideAPresetEndItsFigures()
+        {
+            PenumbraShadowsSettings feature = Feature(QualityPreset.Medium);
+            Assert.That(Texts(State(Preset(QualityPreset.High) + Denoise, feature)).Single(),
+                        Does.StartWith("Denoise comes after the preset"));
+            Assert.That(Texts(State(Preset(QualityPreset.High) + Denoise + Samples, feature)).Single(),
+                        Does.StartWith("Filter Samples and Denoise come after the preset"));
+        }
+
+        [Test]
+        public void TheLightIsNoPartOfAPreset() =>
+            Assert.That(Texts(State(Preset(QualityPreset.High) + Angle(2.0f), Feature(QualityPreset.Medium))), Is.Empty);
+
+        [Test]
+        public void OptionsWithoutAPresetAreNobodysFigures() =>
+            Assert.That(Texts(State(Denoise, Feature(QualityPreset.Medium))), Is.Empty);
+
+        [Test]
+        public void WhatHasNoEffectIsNamedWithTheTechnique()
+        {
+            PenumbraShadowsSettings feature = Feature(QualityPreset.Medium);
+            Assert.That(Texts(State(Technique(ShadowTechnique.Tent3x3) + Denoise + Samples + Angle(2.0f), feature)).Single(),
+                        Does.StartWith("Angular Diameter, Filter Samples and Denoise have no effect with Tent 3 x 3."));
+            Assert.That(Texts(State(Preset(QualityPreset.Low) + Denoise, feature)).Single(),
+                        Does.StartWith("Denoise has no effect with Tent 5 x 5."));
+            Assert.That(Texts(State(Angle(0.0f) + Denoise, feature)).Single(),
+                        Does.StartWith("Denoise has no effect with PCSS at 0 degrees."));
+        }
+
+        [Test]
+        public void WhatHasNoEffectWithTheFeaturesTechniqueIsNamed()
+        {
+            Assert.That(Texts(State(Denoise, Feature(QualityPreset.Low))).Single(),
+                        Does.StartWith("Denoise has no effect with Tent 5 x 5, which the feature brings."));
+            Assert.That(Texts(State(Denoise, Feature(QualityPreset.Low), Feature(QualityPreset.High))), Is.Empty);
+        }
+
+        [Test]
+        public void TheDefaultProfileOverridesNothing()
+        {
+            VolumeState state = State(Preset(QualityPreset.Low) + Denoise);
+            state.defaultProfile = true;
+            Assert.That(VolumeAdvice.Preset(state), Is.Null);
+            Assert.That(Texts(state).Single(), Does.StartWith("The default profile"));
+        }
+
+        [Test]
+        public void TheWorstComesFirst() =>
+            Assert.That(VolumeAdvice.For(State(Preset(QualityPreset.Low) + Denoise)).Select(advice => advice.type),
+                        Is.EqualTo(new[] { MessageType.Warning, MessageType.Info }));
+    }
+}
