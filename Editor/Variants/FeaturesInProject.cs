@@ -18,7 +18,7 @@ namespace Penumbra.Editor
             }
         }
 
-        internal static ResolveVariants Variants() => ResolveVariants.Of(Settings(), Volumes());
+        internal static ChainPrograms Programs() => ChainPrograms.Of(Settings(), Volumes());
 
         internal static List<ScriptableRendererData> Renderers() =>
             new List<ScriptableRendererData>(Assets<ScriptableRendererData>());

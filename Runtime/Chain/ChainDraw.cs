@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Linq;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -12,8 +13,8 @@ namespace Penumbra
     {
         private readonly FrameUniforms uniforms = new FrameUniforms();
         private readonly Material material;
-        private readonly LocalKeyword[] techniques = new LocalKeyword[TechniqueKeywords.Names.Length];
-        private readonly LocalKeyword mask;
+        private readonly LocalKeyword[] keywords = new LocalKeyword[TechniqueKeywords.All.Length];
+        private readonly bool[] isOn = new bool[TechniqueKeywords.All.Length];
         private readonly List<int> shaderPasses = new List<int>();
         private ShadowOptions chainOptions;
 
@@ -23,10 +24,8 @@ namespace Penumbra
         internal ChainDraw(Material material)
         {
             this.material = material;
-            for (int i = 0; i < techniques.Length; ++i)
-                if (TechniqueKeywords.Names[i] != null)
-                    techniques[i] = new LocalKeyword(material.shader, TechniqueKeywords.Names[i]);
-            mask = new LocalKeyword(material.shader, TechniqueKeywords.Mask);
+            for (int i = 0; i < keywords.Length; ++i)
+                keywords[i] = new LocalKeyword(material.shader, TechniqueKeywords.All[i]);
         }
 
         /// <summary>Makes the chain for these options, if it is not the one there is.</summary>
@@ -37,25 +36,23 @@ namespace Penumbra
             chainOptions = options;
             shaderPasses.Clear();
             foreach (ChainStep step in Chain.Steps) shaderPasses.Add(material.FindPass(step.shaderPass));
+            for (int i = 0; i < isOn.Length; ++i) isOn[i] = Chain.Keywords.Contains(TechniqueKeywords.All[i]);
         }
 
         /// <summary>`slots` in the order of Chain.Slots.</summary>
         internal void Draw(CommandBuffer commands, in ShadowFrame frame, RTHandle[] slots)
         {
             uniforms.Set(commands, frame);
-            SetKeywords(commands, frame.options.technique);
+            SetKeywords(commands);
             for (int i = 0; i < Chain.Passes.Count; ++i) Chain.Passes[i].SetUniforms(commands, frame);
             for (int i = 0; i < Chain.Steps.Count; ++i) Draw(commands, frame, slots, i);
         }
 
         // By the command buffer, not on the material: another camera may want another technique before this one's
         // commands have run.
-        private void SetKeywords(CommandBuffer commands, ShadowTechnique technique)
+        private void SetKeywords(CommandBuffer commands)
         {
-            for (int i = 0; i < techniques.Length; ++i)
-                if (TechniqueKeywords.Names[i] != null)
-                    commands.SetKeyword(material, techniques[i], i == (int)technique);
-            commands.SetKeyword(material, mask, Chain.Mask != ShadowChain.None);
+            for (int i = 0; i < keywords.Length; ++i) commands.SetKeyword(material, keywords[i], isOn[i]);
         }
 
         private void Draw(CommandBuffer commands, in ShadowFrame frame, RTHandle[] slots, int index)

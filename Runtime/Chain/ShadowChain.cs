@@ -44,10 +44,14 @@ namespace Penumbra
         private readonly List<int> divisors = new List<int>();
         private readonly List<ChainSlot> slots = new List<ChainSlot>();
         private readonly List<ShadowPass> passes = new List<ShadowPass>();
+        private readonly List<string> keywords = new List<string>();
 
         internal IReadOnlyList<ChainStep> Steps => steps;
         internal IReadOnlyList<ChainSlot> Slots => slots;
         internal IReadOnlyList<ShadowPass> Passes => passes;
+
+        /// <summary>Of TechniqueKeywords.All those that are on in every draw; a pass minds the ones it declares.</summary>
+        internal IReadOnlyList<string> Keywords => keywords;
 
         /// <summary>Where the visibility is by now; None before the resolve.</summary>
         internal int Visibility { get; private set; } = None;
@@ -66,6 +70,7 @@ namespace Penumbra
                 pass.AddSteps(chain, options);
             }
             chain.Finish();
+            chain.SetKeywords(options.technique);
             return chain;
         }
 
@@ -80,6 +85,13 @@ namespace Penumbra
 
         internal void SetMask(int texture) { Mask = texture; }
         internal void SetVisibility(int texture) { Visibility = texture; }
+
+        private void SetKeywords(ShadowTechnique technique)
+        {
+            string name = TechniqueKeywords.Names[(int)technique];
+            if (name != null) keywords.Add(name);
+            if (Mask != None) keywords.Add(TechniqueKeywords.Mask);
+        }
 
         private void Finish()
         {

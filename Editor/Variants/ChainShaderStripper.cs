@@ -1,0 +1,53 @@
+using System;
+using System.Collections.Generic;
+using UnityEditor.Build;
+using UnityEditor.Rendering;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Penumbra.Editor
+{
+    /// <summary>
+    /// Takes the programs of the feature's own shader that no feature and no Volume of the project asks for out of
+    /// players: variants, and of passes that no chain draws all of them.
+    /// </summary>
+    internal sealed class ChainShaderStripper : IPreprocessShaders
+    {
+        public int callbackOrder => 0;
+
+        public void OnProcessShader(Shader shader, ShaderSnippetData snippet, IList<ShaderCompilerData> data)
+        {
+            if (shader.name != PenumbraShadows.ShaderName) return;
+            Strip(FeaturesInProject.Programs(), shader, snippet.passName, data);
+        }
+
+        /// <summary>`data` holds the variants of one stage of the pass.</summary>
+        internal static void Strip(ChainPrograms asked, Shader shader, string pass, IList<ShaderCompilerData> data)
+        {
+            List<string> declared = Declared(shader, data);
+            for (int i = data.Count - 1; i >= 0; --i)
+            {
+                Predicate<string> enabled = Enabled(shader, data[i].shaderKeywordSet);
+                if (!asked.Has(pass, declared, enabled)) data.RemoveAt(i);
+            }
+        }
+
+        // What a stage does not declare no variant of it has on, whatever a chain has: vertex programs know nothing of
+        // the fragment's keywords.
+        private static List<string> Declared(Shader shader, IList<ShaderCompilerData> data)
+        {
+            var declared = new List<string>();
+            foreach (string name in TechniqueKeywords.All)
+                foreach (ShaderCompilerData variant in data)
+                {
+                    if (!Enabled(shader, variant.shaderKeywordSet)(name)) continue;
+                    declared.Add(name);
+                    break;
+                }
+            return declared;
+        }
+
+        private static Predicate<string> Enabled(Shader shader, ShaderKeywordSet keywords) =>
+            name => keywords.IsEnabled(new ShaderKeyword(shader, name));
+    }
+}

@@ -1,0 +1,67 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine.Rendering;
+
+namespace Penumbra.Editor
+{
+    /// <summary>
+    /// What a Volume, or several that meet, override of what chooses a program; null is not overridden. Numbers are
+    /// left out, they would make the combinations endless: the only one that chooses is an angular diameter of 0.
+    /// </summary>
+    internal readonly struct VolumeOverrides : IEquatable<VolumeOverrides>
+    {
+        private readonly (QualityPreset? preset, bool? hasWidth, ShadowTechnique? technique, bool? mask,
+            bool? halfResolution, bool? denoise) values;
+
+        private VolumeOverrides((QualityPreset?, bool?, ShadowTechnique?, bool?, bool?, bool?) values)
+        {
+            this.values = values;
+        }
+
+        /// <summary>
+        /// What `volume` can be: two things where it makes the light a point, which has a width while it fades in.
+        /// </summary>
+        internal static IEnumerable<VolumeOverrides> Of(PenumbraShadowsVolume volume)
+        {
+            float? degrees = Value(volume.angularDiameterDegrees);
+            yield return Of(volume, degrees.HasValue ? degrees > 0.0f : (bool?)null);
+            if (degrees.HasValue && !(degrees > 0.0f)) yield return Of(volume, true);
+        }
+
+        private static VolumeOverrides Of(PenumbraShadowsVolume volume, bool? hasWidth) =>
+            new VolumeOverrides((Value(volume.preset), hasWidth, Value(volume.technique), Value(volume.mask),
+                                 Value(volume.halfResolution), Value(volume.denoise)));
+
+        /// <summary>Both, where this one comes later.</summary>
+        internal VolumeOverrides After(in VolumeOverrides earlier) =>
+            new VolumeOverrides((values.preset ?? earlier.values.preset, values.hasWidth ?? earlier.values.hasWidth,
+                                 values.technique ?? earlier.values.technique, values.mask ?? earlier.values.mask,
+                                 values.halfResolution ?? earlier.values.halfResolution,
+                                 values.denoise ?? earlier.values.denoise));
+
+        /// <summary>Makes `stack`, which is nobody's, a Volume with these overrides and no other.</summary>
+        internal void Fill(PenumbraShadowsVolume stack)
+        {
+            Set(stack.preset, values.preset);
+            Set(stack.angularDiameterDegrees,
+                values.hasWidth.HasValue ? (values.hasWidth.Value ? AngularDiameter.SunDegrees : 0.0f) : (float?)null);
+            Set(stack.technique, values.technique);
+            Set(stack.mask, values.mask);
+            Set(stack.halfResolution, values.halfResolution);
+            Set(stack.denoise, values.denoise);
+        }
+
+        private static T? Value<T>(VolumeParameter<T> parameter) where T : struct =>
+            parameter.overrideState ? parameter.value : (T?)null;
+
+        private static void Set<T>(VolumeParameter<T> parameter, T? value) where T : struct
+        {
+            parameter.overrideState = value.HasValue;
+            if (value.HasValue) parameter.value = value.Value;
+        }
+
+        public bool Equals(VolumeOverrides other) => values.Equals(other.values);
+        public override bool Equals(object other) => other is VolumeOverrides overrides && Equals(overrides);
+        public override int GetHashCode() => values.GetHashCode();
+    }
+}

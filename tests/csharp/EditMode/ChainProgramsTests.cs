@@ -1,0 +1,265 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using NUnit.Framework;
+using Penumbra.Editor;
+using UnityEngine;
+
+namespace Penumbra.Tests
+{
+    public sealed class ChainProgramsTests
+    {
+        private static readonly PenumbraShadowsVolume[] NoVolumes = new PenumbraShadowsVolume[0];
+        private static readonly string[] Passes =
+        {
+            "PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical", "Resolve", "Upsample", "DenoiseHorizontal",
+            "DenoiseVertical",
+        };
+
+        private static ChainPrograms Of(QualityPreset preset, params PenumbraShadowsVolume[] volumes) =>
+            ChainPrograms.Of(new[] { new PenumbraShadowsSettings { preset = preset } }, volumes);
+
+        private static ChainPrograms Of(ShadowOptions custom, params PenumbraShadowsVolume[] volumes) =>
+            ChainPrograms.Of(new[] { new PenumbraShadowsSettings { preset = QualityPreset.Custom, custom = custom } },
+                             volumes);
+
+        private static PenumbraShadowsVolume Volume(Action<PenumbraShadowsVolume> set)
+        {
+            var volume = ScriptableObject.CreateInstance<PenumbraShadowsVolume>();
+            set(volume);
+            return volume;
+        }
+
+        private static void Override<T>(UnityEngine.Rendering.VolumeParameter<T> parameter, T value)
+        {
+            parameter.overrideState = true;
+            parameter.value = value;
+        }
+
+        // "Resolve _PENUMBRA_PCSS": only Resolve declares keywords.
+        private static IEnumerable<(string pass, string[] keywords)> EveryProgram()
+        {
+            foreach (string pass in Passes)
+            {
+                if (pass != "Resolve")
+                {
+                    yield return (pass, new string[0]);
+                    continue;
+                }
+                foreach (string technique in TechniqueKeywords.Names)
+                    foreach (string mask in new[] { null, TechniqueKeywords.Mask })
+                        yield return (pass, new[] { technique, mask }.Where(name => name != null).ToArray());
+            }
+        }
+
+        private static string Text(string pass, IEnumerable<string> keywords) =>
+            string.Join(" ", keywords.Prepend(pass));
+
+        private static IReadOnlyCollection<string> Declared(string pass) =>
+            pass == "Resolve" ? TechniqueKeywords.All : new string[0];
+
+        private static string[] Kept(ChainPrograms programs) =>
+            EveryProgram().Where(program => programs.Has(program.pass, Declared(program.pass),
+                                                         program.keywords.Contains))
+                .Select(program => Text(program.pass, program.keywords)).ToArray();
+
+        private static IEnumerable<string> Asked(in ShadowOptions options)
+        {
+            ShadowChain chain = ShadowChain.Of(options, ShadowPassList.All);
+            return chain.Steps.Select(step => Text(step.shaderPass,
+                                                   chain.Keywords.Where(Declared(step.shaderPass).Contains)));
+        }
+
+        [Test]
+        public void APresetKeepsItsOwnPassesAndOneVariantOfEach()
+        {
+            string[] mask = { "PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical" };
+            string[] masked = mask.Append("Resolve _PENUMBRA_PCSS _PENUMBRA_MASK").ToArray();
+            Assert.That(Kept(Of(QualityPreset.Low)), Is.EqualTo(new[] { "Resolve" }));
+            Assert.That(Kept(Of(QualityPreset.Medium)), Is.EqualTo(masked));
+            Assert.That(Kept(Of(QualityPreset.High)), Is.EqualTo(masked));
+            Assert.That(Kept(Of(QualityPreset.Ultra)),
+                        Is.EqualTo(masked.Concat(new[] { "DenoiseHorizontal", "DenoiseVertical" })));
+            Assert.That(Kept(Of(QualityPreset.Reference)), Is.EqualTo(new[] { "Resolve _PENUMBRA_PCSS" }));
+        }
+
+        [Test]
+        public void FeaturesOfAllRenderersCount()
+        {
+            var features = new[] { QualityPreset.Low, QualityPreset.Reference }
+                .Select(preset => new PenumbraShadowsSettings { preset = preset });
+            Assert.That(Kept(ChainPrograms.Of(features, NoVolumes)),
+                        Is.EquivalentTo(new[] { "Resolve", "Resolve _PENUMBRA_PCSS" }));
+        }
+
+        [Test]
+        public void WithoutAFeatureNothingIsKept() =>
+            Assert.That(Kept(ChainPrograms.Of(new PenumbraShadowsSettings[0],
+                                              new[] { Volume(volume => Override(volume.mask, true)) })), Is.Empty);
+
+        [Test]
+        public void APassThatNoChainHasIsNotKept() =>
+            Assert.That(Of(QualityPreset.Ultra).Has("Another", new string[0], name => false), Is.False);
+
+        [Test]
+        public void TwoTechniquesAtOnceAreNobodys() =>
+            Assert.That(Of(QualityPreset.High).Has("Resolve", TechniqueKeywords.All, name => true), Is.False);
+
+        [Test]
+        public void AStageThatDeclaresNoKeywordIsKeptOnceForAll() =>
+            Assert.That(Of(QualityPreset.High).Has("Resolve", new string[0], name => false));
+
+        [Test]
+        public void AVolumeComesWhole()
+        {
+            // Never the one's technique without its mask.
+            PenumbraShadowsVolume volume = Volume(one =>
+            {
+                Override(one.technique, ShadowTechnique.PcssHdrp);
+                Override(one.mask, true);
+            });
+            Assert.That(Kept(Of(QualityPreset.Reference, volume)),
+                        Is.EquivalentTo(Asked(ShadowPresets.Options(QualityPreset.Reference)).Concat(new[]
+                        {
+                            "PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical",
+                            "Resolve _PENUMBRA_PCSS_HDRP _PENUMBRA_MASK",
+                        })));
+        }
+
+        [Test]
+        public void APresetOfOneVolumeMeetsTheSwitchOfAnother()
+        {
+            PenumbraShadowsVolume preset = Volume(one => Override(one.preset, QualityPreset.Reference));
+            PenumbraShadowsVolume both = Volume(one =>
+            {
+                Override(one.preset, QualityPreset.Low);
+                Override(one.halfResolution, true);
+            });
+            Assert.That(Kept(Of(QualityPreset.Low, preset, both)),
+                        Is.EquivalentTo(new[] { "Resolve", "Resolve _PENUMBRA_PCSS", "Upsample" }));
+            ShadowOptions met = ShadowPresets.Options(QualityPreset.Reference);
+            met.halfResolution = true;
+            Assert.That(Kept(Of(QualityPreset.Low, preset, both)), Is.SupersetOf(Asked(met)));
+        }
+
+        [Test]
+        public void ALightThatBecomesAPointHasAWidthOnTheWay()
+        {
+            PenumbraShadowsVolume volume = Volume(one =>
+            {
+                Override(one.angularDiameterDegrees, 0.0f);
+                Override(one.denoise, true);
+            });
+            string[] denoise = { "DenoiseHorizontal", "DenoiseVertical" };
+            Assert.That(Kept(Of(QualityPreset.Reference, volume)),
+                        Is.EquivalentTo(denoise.Append("Resolve _PENUMBRA_PCSS")));
+        }
+
+        // What VolumeOverrides leaves out must not choose.
+        [Test]
+        public void EveryOptionThatChangesAChainIsMinded()
+        {
+            foreach (QualityPreset preset in Enum.GetValues(typeof(QualityPreset)))
+                foreach (System.Reflection.FieldInfo field in typeof(ShadowOptions).GetFields())
+                    foreach (object value in Values(field.FieldType))
+                    {
+                        object options = ShadowPresets.Options(preset);
+                        field.SetValue(options, value);
+                        Assert.That(Kept(Of((ShadowOptions)options)),
+                                    Is.EquivalentTo(Asked(((ShadowOptions)options).Clamped()).Distinct()),
+                                    preset + ", " + field.Name + " " + value);
+                    }
+        }
+
+        private static IEnumerable<object> Values(Type type)
+        {
+            if (type.IsEnum) return Enum.GetValues(type).Cast<object>();
+            if (type == typeof(bool)) return new object[] { false, true };
+            if (type == typeof(int)) return new object[] { 1, 64 };
+            Assert.That(type, Is.EqualTo(typeof(float)), "an option of a new type");
+            return new object[] { 0.0f, 1e-3f, 8.0f };
+        }
+
+        // Everything that a few Volumes come to in any order and however far each has faded in, as Unity blends them.
+        [Test]
+        public void VolumesThatMeetAskForAllThatIsKeptAndNoMore()
+        {
+            var random = new System.Random(7);
+            for (int round = 0; round < 60; ++round)
+            {
+                PenumbraShadowsVolume[] volumes = Enumerable.Range(0, random.Next(4))
+                    .Select(_ => Volume(one => RandomOverrides(one, random))).ToArray();
+                var settings = new PenumbraShadowsSettings
+                {
+                    preset = Random<QualityPreset>(random), angularDiameterDegrees = random.Next(4) * 0.5f,
+                };
+                var asked = new HashSet<string>(Asked(settings.Options()));
+                foreach (PenumbraShadowsVolume[] meeting in Orders(volumes))
+                    for (int faded = 0; faded < 1 << meeting.Length; ++faded)
+                        asked.UnionWith(Asked(Blended(meeting, faded).Over(settings.Options())));
+                Assert.That(Kept(ChainPrograms.Of(new[] { settings }, volumes)), Is.EquivalentTo(asked),
+                            "round " + round);
+            }
+        }
+
+        private static T Random<T>(System.Random random) where T : Enum
+        {
+            Array values = Enum.GetValues(typeof(T));
+            return (T)values.GetValue(random.Next(values.Length));
+        }
+
+        private static void RandomOverrides(PenumbraShadowsVolume volume, System.Random random)
+        {
+            if (random.Next(3) == 0) Override(volume.preset, Random<QualityPreset>(random));
+            if (random.Next(3) == 0) Override(volume.technique, Random<ShadowTechnique>(random));
+            if (random.Next(3) == 0) Override(volume.angularDiameterDegrees, random.Next(2) * 0.5f);
+            if (random.Next(3) == 0) Override(volume.mask, random.Next(2) == 0);
+            if (random.Next(3) == 0) Override(volume.halfResolution, random.Next(2) == 0);
+            if (random.Next(3) == 0) Override(volume.denoise, random.Next(2) == 0);
+            if (random.Next(3) == 0) Override(volume.filterSamples, random.Next(1, 65));
+        }
+
+        // Of every subset every order.
+        private static IEnumerable<PenumbraShadowsVolume[]> Orders(PenumbraShadowsVolume[] volumes)
+        {
+            yield return new PenumbraShadowsVolume[0];
+            foreach (PenumbraShadowsVolume first in volumes)
+                foreach (PenumbraShadowsVolume[] rest in Orders(volumes.Where(other => other != first).ToArray()))
+                    yield return rest.Prepend(first).ToArray();
+        }
+
+        // The stack after all of `meeting`, those in the bits of `faded` at half their weight.
+        private static PenumbraShadowsVolume Blended(PenumbraShadowsVolume[] meeting, int faded)
+        {
+            PenumbraShadowsVolume stack = Volume(_ => { });
+            for (int i = 0; i < meeting.Length; ++i)
+            {
+                float weight = (faded >> i & 1) != 0 ? 0.5f : 1.0f;
+                Take(stack.preset, meeting[i].preset);
+                Take(stack.technique, meeting[i].technique);
+                Take(stack.mask, meeting[i].mask);
+                Take(stack.halfResolution, meeting[i].halfResolution);
+                Take(stack.denoise, meeting[i].denoise);
+                if (meeting[i].angularDiameterDegrees.overrideState)
+                {
+                    float before = stack.angularDiameterDegrees.value;
+                    Override(stack.angularDiameterDegrees,
+                             before + (meeting[i].angularDiameterDegrees.value - before) * weight);
+                }
+            }
+            return stack;
+        }
+
+        private static void Take<T>(UnityEngine.Rendering.VolumeParameter<T> stack,
+                                    UnityEngine.Rendering.VolumeParameter<T> volume)
+        {
+            if (volume.overrideState) Override(stack, volume.value);
+        }
+
+        [TestCase(true, false, false)]
+        [TestCase(true, true, true)]
+        [TestCase(false, false, true)]
+        public void OpaqueReceiversOfTheScreenTextureStay(bool screen, bool transparent, bool canRemove) =>
+            Assert.That(ScreenShadowStripper.CanRemove(screen, transparent), Is.EqualTo(canRemove));
+    }
+}

@@ -1,0 +1,144 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using NUnit.Framework;
+using Penumbra.Editor;
+using UnityEditor.Rendering;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Penumbra.Tests
+{
+    /// <summary>Of the shader's programs a player contains those that frames draw with, and no other.</summary>
+    public sealed class StripTests
+    {
+        private PenumbraShadows feature;
+        private Shader shader;
+
+        [SetUp]
+        public void SetUp()
+        {
+            shader = FakeShader.Install();
+            feature = new PenumbraShadows();
+            feature.Create();
+        }
+
+        [TearDown]
+        public void TearDown() => feature.Dispose();
+
+        private static string Text(string pass, IEnumerable<string> keywords) =>
+            string.Join(" ", keywords.OrderBy(name => name, StringComparer.Ordinal).Prepend(pass));
+
+        private static List<ShaderCompilerData> Data(IEnumerable<HashSet<string>> sets) =>
+            sets.Select(set => new ShaderCompilerData { shaderKeywordSet = new ShaderKeywordSet { Enabled = set } })
+                .ToList();
+
+        /// <summary>Fragment programs: passes with their keywords.</summary>
+        internal static string[] Kept(Shader shader, ChainPrograms programs)
+        {
+            var kept = new List<string>();
+            foreach (KeyValuePair<string, List<HashSet<string>>> pass in FakeShader.FragmentVariants())
+            {
+                List<ShaderCompilerData> data = Data(pass.Value);
+                ChainShaderStripper.Strip(programs, shader, pass.Key, data);
+                kept.AddRange(data.Select(variant => Text(pass.Key, variant.shaderKeywordSet.Enabled)));
+            }
+            return kept.ToArray();
+        }
+
+        // Of a draw's keywords its pass minds those that it declares.
+        private static string Program(FakeDevice.DrawCall draw, Dictionary<string, List<HashSet<string>>> variants)
+        {
+            IEnumerable<string> declared = variants[draw.Pass].SelectMany(set => set);
+            return Text(draw.Pass, draw.Keywords.Intersect(declared));
+        }
+
+        private string[] Drawn(PenumbraShadowsSettings settings)
+        {
+            feature.Settings.preset = settings.preset;
+            feature.Settings.custom = settings.custom;
+            feature.Settings.angularDiameterDegrees = settings.angularDiameterDegrees;
+            var urp = new FakeUrp();
+            urp.Render(new FakeScene(), feature);
+            Dictionary<string, List<HashSet<string>>> variants = FakeShader.FragmentVariants();
+            return urp.Device.Draws.Select(draw => Program(draw, variants)).ToArray();
+        }
+
+        private static IEnumerable<PenumbraShadowsSettings> EverySetting()
+        {
+            foreach (QualityPreset preset in Enum.GetValues(typeof(QualityPreset)))
+                foreach (float degrees in new[] { 0.0f, AngularDiameter.SunDegrees })
+                    yield return new PenumbraShadowsSettings { preset = preset, angularDiameterDegrees = degrees };
+            foreach (ShadowTechnique technique in Enum.GetValues(typeof(ShadowTechnique)))
+                for (int bits = 0; bits < 16; ++bits)
+                {
+                    ShadowOptions options = ShadowPresets.Options(QualityPreset.Custom);
+                    options.technique = technique;
+                    options.mask = (bits & 1) != 0;
+                    options.halfResolution = (bits & 2) != 0;
+                    options.denoise = (bits & 4) != 0;
+                    if ((bits & 8) != 0) options.angularDiameterDegrees = 0.0f;
+                    yield return new PenumbraShadowsSettings { preset = QualityPreset.Custom, custom = options };
+                }
+        }
+
+        [Test]
+        public void WhatAFrameDrawsWithIsKeptAndNothingElse()
+        {
+            foreach (PenumbraShadowsSettings settings in EverySetting())
+            {
+                ChainPrograms programs = ChainPrograms.Of(new[] { settings }, new PenumbraShadowsVolume[0]);
+                Assert.That(Kept(shader, programs), Is.EquivalentTo(Drawn(settings)),
+                            settings.preset + " " + string.Join(" ", Drawn(settings)));
+            }
+        }
+
+        // The vertex programs know no fragment keyword: one is there, and it is for all.
+        [Test]
+        public void VertexProgramsOfTheSamePassesAreKept()
+        {
+            foreach (PenumbraShadowsSettings settings in EverySetting())
+            {
+                ChainPrograms programs = ChainPrograms.Of(new[] { settings }, new PenumbraShadowsVolume[0]);
+                var kept = new List<string>();
+                foreach (string pass in FakeShader.FragmentVariants().Keys)
+                {
+                    List<ShaderCompilerData> data = Data(new[] { new HashSet<string>() });
+                    ChainShaderStripper.Strip(programs, shader, pass, data);
+                    if (data.Count > 0) kept.Add(pass);
+                }
+                Assert.That(kept, Is.EquivalentTo(Drawn(settings).Select(program => program.Split(' ')[0])));
+            }
+        }
+
+        // Stereo and the like multiply programs too, and are not ours to strip.
+        [Test]
+        public void KeywordsOfOthersDoNotDecide()
+        {
+            var low = ChainPrograms.Of(new[] { new PenumbraShadowsSettings { preset = QualityPreset.Low } },
+                                       new PenumbraShadowsVolume[0]);
+            List<ShaderCompilerData> data = Data(FakeShader.FragmentVariants()["Resolve"].SelectMany(
+                set => new[] { set, new HashSet<string>(set.Append("STEREO_INSTANCING_ON")) }));
+            ChainShaderStripper.Strip(low, shader, "Resolve", data);
+            Assert.That(data.Select(variant => Text("Resolve", variant.shaderKeywordSet.Enabled)),
+                        Is.EqualTo(new[] { "Resolve", "Resolve STEREO_INSTANCING_ON" }));
+        }
+
+        [Test]
+        public void ShadersOfOthersAreLeftAlone()
+        {
+            List<ShaderCompilerData> data = Data(new[] { new HashSet<string>() });
+            new ChainShaderStripper().OnProcessShader(new Shader { name = "Somebody/Else" }, default, data);
+            Assert.That(data, Has.Count.EqualTo(1));
+        }
+
+        // FindAssets finds nothing here: a project without the feature.
+        [Test]
+        public void WithoutAFeatureTheShaderIsEmpty()
+        {
+            List<ShaderCompilerData> data = Data(FakeShader.FragmentVariants()["Resolve"]);
+            new ChainShaderStripper().OnProcessShader(shader, default, data);
+            Assert.That(data, Is.Empty);
+        }
+    }
+}
