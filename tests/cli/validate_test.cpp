@@ -96,6 +96,36 @@ TEST_F(Validate, KeywordsNarrowAndAreCounted) {
   EXPECT_EQ(report({"--targets", "spirv", "--sample", "1"})["summary"]["variants"], 2);
 }
 
+TEST_F(Validate, WhatAKeywordAddsIsCounted) {
+  const auto text = run(command({"--targets", "spirv", "--list", "--what-if=-WARM"}));
+  EXPECT_THAT(text.output,
+              AllOf(HasSubstr("vertex 2 (1)   fragment 4 (2)"), HasSubstr("in all 6 (3 with -WARM)")));
+  const auto list = run(command({"--api", "d3d11", "--list", "--what-if=-WARM", "--report", "json"}));
+  const auto json = nlohmann::json::parse(list.output);
+  EXPECT_EQ(json["programs"][0]["api"], "d3d11");
+  EXPECT_EQ(json["programs"][0]["stages"][1],
+            (nlohmann::json{{"stage", "fragment"}, {"variants", 4}, {"what_if", 2}}));
+  EXPECT_EQ(json["variants"], 6);
+  EXPECT_EQ(json["what_if"], 3);
+  EXPECT_EQ(json["condition"], "-WARM");
+  const auto plain =
+      nlohmann::json::parse(run(command({"--api", "d3d11", "--list", "--report", "json"})).output);
+  EXPECT_FALSE(plain.contains("what_if"));
+  EXPECT_FALSE(plain["programs"][0]["stages"][1].contains("what_if"));
+}
+
+TEST_F(Validate, WhatCannotBeListedIsSaid) {
+  EXPECT_THAT(run(command({"--list", "--what-if=-WRAM"})).errors,
+              AllOf(HasSubstr("WRAM"), HasSubstr("WARM")));
+  EXPECT_EQ(run(command({"--what-if=-WARM"})).exit_code, 2);
+  const auto sarif = run(command({"--list", "--report", "sarif"}));
+  EXPECT_EQ(sarif.exit_code, 2);
+  EXPECT_THAT(sarif.errors, HasSubstr("text or json"));
+  const auto nothing = run({"validate", "--list"});
+  EXPECT_EQ(nothing.exit_code, 2);
+  EXPECT_THAT(nothing.errors, HasSubstr("shader files"));
+}
+
 TEST_F(Validate, APipelineAssetNarrowsKeywordsAndPasses) {
   write(
       "Lit.shader",

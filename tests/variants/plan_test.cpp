@@ -30,6 +30,14 @@ TEST(Plan, CountsEveryStageOfEveryProgram) {
             "  Lit.shader: Forward   vertex 6   fragment 12\n  Blur.compute: K   compute 2\n  in all 20\n");
 }
 
+TEST(Plan, SaysWhatWouldBeBesideWhatIs) {
+  const KeywordSpace lit(pragmas_of(lit_text));
+  const KeywordSpace less(pragmas_of(lit_text), {{never("COOKIES", "")}, {}, {}, {}});
+  EXPECT_EQ(text_of(plan({{"Lit", &lit, {Stage::vertex, Stage::fragment}}}),
+                    plan({{"Lit", &less, {Stage::vertex, Stage::fragment}}}), "-COOKIES"),
+            "  Lit   vertex 6 (6)   fragment 12 (6)\n  in all 18 (12 with -COOKIES)\n");
+}
+
 TEST(Refusal, IsEmptyWithinTheLimit) {
   const KeywordSpace lit(pragmas_of(lit_text));
   EXPECT_EQ(refusal({{"Lit", &lit, {Stage::vertex}}}, 6), "");

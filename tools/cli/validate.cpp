@@ -19,11 +19,14 @@
 #include "project/shader_files.h"
 #include "project/unity_project.h"
 #include "shaders/cross_compile.h"
+#include "shaders/package_shader.h"
 #include "shaders/preset_emit.h"
+#include "shaders/preset_programs.h"
 #include "validation/explain.h"
 #include "validation/shader_sources.h"
 #include "validation/spirv_target.h"
 #include "validation/validate_techniques.h"
+#include "validation/variant_counts.h"
 #include "validation/variant_name.h"
 #include "variants/keyword_expression.h"
 #include "variants/stripping.h"
@@ -200,6 +203,23 @@ void explain(const ValidateOptions& options, const validation::ShaderSources& so
   if (hlsl::has_errors(explanation.diagnostics)) context.exit_code = findings;
 }
 
+void list(const ValidateOptions& options, const validation::ShaderSources& sources,
+          const variants::Plan& plan, const Context& context) {
+  validation::VariantCounts counts{plan, {}, options.what_if};
+  if (!options.what_if.empty()) {
+    const std::vector<variants::Clause> clauses = variants::parse_keyword_expression(options.what_if);
+    std::vector<const variants::Pragmas*> declared;
+    for (const validation::SourceProgram& program : sources.programs()) declared.push_back(&program.pragmas);
+    for (const std::string& unknown : variants::unknown_keywords(clauses, declared))
+      say(context, "--what-if: " + unknown);
+    counts.what_if = sources.plan(clauses);
+  }
+  if (options.report.form == "json") return write_output(options.report.output, counts_json(sources, counts));
+  write_output(options.report.output, counts.what_if
+                                          ? variants::text_of(plan, *counts.what_if, options.what_if)
+                                          : variants::text_of(plan));
+}
+
 void add_sources(const ValidateOptions& options, validation::ValidationRequest& request, Context& context) {
   Found found = look_around(options);
   project::ShaderSelection selection;
@@ -230,15 +250,18 @@ void add_sources(const ValidateOptions& options, validation::ValidationRequest& 
   say(context, variants::text_of(plan.total) + " variants in " +
                    counted(sources.programs().size(), "program") + " of " +
                    counted(files.files.size(), "file"));
-  if (options.list) {
-    write_output(options.report.output, variants::text_of(plan));
-    return;
-  }
+  if (options.list) return list(options, sources, plan, context);
   const std::string refusal = options.sample == 0 ? sources.refusal(options.limit) : std::string();
   if (!refusal.empty()) throw InputError("--limit", refusal);
   request.units = sources.units();
   request.records = sources.records();
   request.programs = sources.to_lint();
+}
+
+void check_list(const ValidateOptions& options, bool sources_given) {
+  if (!sources_given) throw InputError("--list", "needs shader files or --project");
+  if (options.report.form != "text" && options.report.form != "json")
+    throw InputError("--report", "--list has no form '" + options.report.form + "'", "take text or json");
 }
 
 void run_validate(const ValidateOptions& options, Context& context) {
@@ -259,15 +282,20 @@ void run_validate(const ValidateOptions& options, Context& context) {
     request.include_directories.assign(options.include_directories.begin(),
                                        options.include_directories.end());
   }
-  if (!options.emit_parameters.empty() || !options.emit_presets.empty()) {
+  if (!options.emit_parameters.empty() || !options.emit_presets.empty() || !options.emit_programs.empty()) {
     if (!request.techniques) throw InputError("--emit-...", "needs a technique list, not files alone");
     if (!options.emit_parameters.empty())
       write_output(options.emit_parameters, shaders::emit_parameter_structs_hlsl(*request.techniques));
     if (!options.emit_presets.empty())
       write_output(options.emit_presets, shaders::emit_presets_csharp(*request.techniques));
+    if (!options.emit_programs.empty())
+      write_output(options.emit_programs,
+                   shaders::preset_programs_json(*request.techniques,
+                                                 shaders::PackageShader(shaders::package_shader_file())));
     return;
   }
   if (options.explain && !sources_given) throw InputError("--explain", "needs a shader file");
+  if (options.list) check_list(options, sources_given);
   if (sources_given) add_sources(options, request, context);
   if (options.list || options.explain) return;
   validation::ValidationReport report;

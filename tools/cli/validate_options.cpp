@@ -52,7 +52,14 @@ void add_which(CLI::App& command, ValidateOptions& options) {
   command.add_option("--limit", options.limit, "Refuse more variants than this")->capture_default_str();
   command.add_option("--sample", options.sample,
                      "Of each entry point at most so many variants, spread evenly");
-  command.add_flag("--list", options.list, "Count the variants and compile nothing");
+  CLI::Option* list = command.add_flag("--list", options.list,
+                                       "Count the variants and compile nothing; --report text or json");
+  command
+      .add_option(
+          "--what-if", options.what_if,
+          "With --list: count again with these keywords, too, written as for --keywords: '-_FOAM' says "
+          "what _FOAM adds")
+      ->needs(list);
   command
       .add_option("--targets", options.targets,
                   "Of spirv, vulkan1.0, vulkan1.1, vulkan1.2, essl300, essl310, glsl410, glsl450, msl20, "
@@ -94,6 +101,10 @@ void add_how(CLI::App& command, ValidateOptions& options) {
   command.add_option(
       "--emit-presets", options.emit_presets,
       "Write the quality presets as C# to this file (- for standard output), and validate nothing");
+  command.add_option(
+      "--emit-programs", options.emit_programs,
+      "Write which programs of the renderer feature's shader each quality preset keeps in a player, as "
+      "JSON, to this file (- for standard output), and validate nothing");
 }
 
 }  // namespace

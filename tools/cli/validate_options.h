@@ -40,6 +40,7 @@ struct ValidateOptions {
   std::uint64_t limit = 20'000;
   std::uint64_t sample = 0;
   bool list = false;
+  std::string what_if;
   std::vector<std::string> targets;
   std::string api;
   bool no_lint = false;
@@ -57,6 +58,7 @@ struct ValidateOptions {
   ReportOptions report;
   std::string emit_parameters;
   std::string emit_presets;
+  std::string emit_programs;
 };
 
 void add_validate_options(CLI::App& command, ValidateOptions& options);

@@ -8,6 +8,7 @@
 #include "input/nearest_name.h"
 #include "platform/data_directory.h"
 #include "shaderlab/parse.h"
+#include "variants/keyword_space.h"
 #include "variants/platform_defines.h"
 #include "variants/pragmas.h"
 
@@ -50,7 +51,11 @@ std::string entry_point(const variants::Pragmas& pragmas, hlsl::Stage stage,
                    std::string("the program has no #pragma ") + hlsl::stage_name(stage));
 }
 
-variants::Keywords declared(const variants::Pragmas& pragmas, const std::vector<std::string>& keywords) {
+variants::Pragmas pragmas_of(const shaderlab::Program& program, const variants::Platform& platform) {
+  return variants::read_pragmas({program.file, program.text, variants::pragma_defines(platform), {}});
+}
+
+variants::Keywords declared_in(const variants::Pragmas& pragmas, const std::vector<std::string>& keywords) {
   variants::Keywords known;
   for (const variants::KeywordSet& set : pragmas.keyword_sets) {
     for (const std::string& keyword : variants::keywords_of(set)) {
@@ -91,9 +96,8 @@ CompileRequest PackageShader::request(const std::string& pass, hlsl::Stage stage
   const shaderlab::Program& program = this->program(pass);
   const variants::Platform platform{reversed_z ? variants::GraphicsApi::vulkan
                                                : variants::GraphicsApi::glcore};
-  const variants::Pragmas pragmas =
-      variants::read_pragmas({program.file, program.text, variants::pragma_defines(platform), {}});
-  const variants::Keywords on = declared(pragmas, keywords);
+  const variants::Pragmas pragmas = pragmas_of(program, platform);
+  const variants::Keywords on = declared_in(pragmas, keywords);
   CompileRequest compile;
   compile.file = program.file;
   compile.text = program.text;
@@ -114,6 +118,16 @@ std::vector<std::string> PackageShader::pass_names() const {
   names.reserve(programs_.size());
   for (const shaderlab::Program& program : programs_) names.emplace_back(shaderlab::pass_name(program));
   return names;
+}
+
+std::vector<std::string> PackageShader::declared(const std::string& pass,
+                                                 const std::vector<std::string>& keywords) const {
+  return declared_in(pragmas_of(program(pass), {}), keywords);
+}
+
+std::uint64_t PackageShader::variant_count(const std::string& pass) const {
+  const variants::KeywordSpace space(pragmas_of(program(pass), {}));
+  return space.whole_program().count().value();
 }
 
 std::filesystem::path package_shader_file() {

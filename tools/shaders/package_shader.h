@@ -2,6 +2,7 @@
 // their pragmas, the platform's macros as its importer defines them.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -24,7 +25,14 @@ class PackageShader {
   CompileRequest request(const std::string& pass, hlsl::Stage stage, const std::vector<std::string>& keywords,
                          bool reversed_z) const;
 
+  const std::string& name() const { return shader_->name.text; }
   std::vector<std::string> pass_names() const;  // of the first SubShader
+
+  // Of the keywords those that the pass declares, in the order it does. Throws as request() does.
+  std::vector<std::string> declared(const std::string& pass, const std::vector<std::string>& keywords) const;
+
+  // The pass's variants, for every graphics API the same: each is a program of a vertex and a fragment stage.
+  std::uint64_t variant_count(const std::string& pass) const;
 
  private:
   const shaderlab::Program& program(const std::string& pass) const;

@@ -234,15 +234,22 @@ void ShaderSources::add_program(const SourceProgram& program) {
     leave_unchecked(program, "only_renderers or exclude_renderers leave out every graphics API of this run");
 }
 
-std::vector<variants::PlannedProgram> ShaderSources::planned() const {
+ShaderSources::Spaces ShaderSources::spaces() const {
+  Spaces spaces;
+  for (const SourceProgram& program : programs_) spaces.push_back(program.space);
+  return spaces;
+}
+
+std::vector<variants::PlannedProgram> ShaderSources::planned(const Spaces& spaces) const {
   std::vector<variants::PlannedProgram> list;
-  for (const SourceProgram& program : programs_) {
+  for (std::size_t i = 0; i < programs_.size(); ++i) {
+    const SourceProgram& program = programs_[i];
     variants::PlannedProgram planned;
     planned.name = fs::path(program.file).filename().string();
     if (!program.pass.empty()) planned.name += ": " + program.pass;
     if (options_.platforms.size() > 1)
       planned.name += std::string(" for ") + variants::renderer_name(program.platform.api);
-    planned.space = program.space.get();
+    planned.space = spaces[i].get();
     for (const auto& [function, stage] : program.entries) planned.stages.push_back(stage);
     planned.stages.insert(planned.stages.end(), program.kernels.size(), hlsl::Stage::compute);
     list.push_back(std::move(planned));
@@ -251,11 +258,20 @@ std::vector<variants::PlannedProgram> ShaderSources::planned() const {
 }
 
 variants::Plan ShaderSources::plan() const {
-  return variants::plan(planned());
+  return variants::plan(planned(spaces()));
+}
+
+variants::Plan ShaderSources::plan(const std::vector<variants::Clause>& more) const {
+  variants::Narrowing narrowing = options_.narrowing;
+  narrowing.clauses.insert(narrowing.clauses.end(), more.begin(), more.end());
+  Spaces spaces;
+  for (const SourceProgram& program : programs_)
+    spaces.push_back(std::make_shared<variants::KeywordSpace>(program.pragmas, narrowing));
+  return variants::plan(planned(spaces));
 }
 
 std::string ShaderSources::refusal(std::uint64_t limit) const {
-  return variants::refusal(planned(), limit);
+  return variants::refusal(planned(spaces()), limit);
 }
 
 CompileUnit ShaderSources::unit(const SourceProgram& program, const std::string& entry, hlsl::Stage stage,

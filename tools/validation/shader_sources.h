@@ -77,6 +77,8 @@ class ShaderSources {
   const std::vector<VariantRecord>& records() const { return records_; }
 
   variants::Plan plan() const;
+  // Of the same programs, with these clauses beside the narrowing.
+  variants::Plan plan(const std::vector<variants::Clause>& more) const;
   std::string refusal(std::uint64_t limit) const;  // empty while the count is within the limit
   std::vector<CompileUnit> units() const;
   // Of one of programs(), the entry point at `index`: its entries, then its kernels.
@@ -92,7 +94,9 @@ class ShaderSources {
   void say(const std::string& file, const std::string& shader, const std::string& pass,
            std::vector<hlsl::Diagnostic> diagnostics);
   void leave_unchecked(const SourceProgram& program, const std::string& reason);
-  std::vector<variants::PlannedProgram> planned() const;
+  using Spaces = std::vector<std::shared_ptr<const variants::KeywordSpace>>;
+  Spaces spaces() const;  // of programs()
+  std::vector<variants::PlannedProgram> planned(const Spaces& spaces) const;
   CompileUnit unit(const SourceProgram& program, const std::string& entry, hlsl::Stage stage,
                    const variants::Keywords& keywords) const;
 

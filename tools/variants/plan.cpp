@@ -86,6 +86,22 @@ Plan plan(const std::vector<PlannedProgram>& programs) {
   return result;
 }
 
+std::string text_of(const Plan& plan, const Plan& what_if, const std::string& condition) {
+  const auto both = [](VariantCount count, VariantCount other) {
+    return text_of(count) + " (" + text_of(other);
+  };
+  std::string text;
+  for (std::size_t i = 0; i < plan.programs.size(); ++i) {
+    const ProgramPlan& program = plan.programs[i];
+    text += "  " + program.name;
+    for (std::size_t j = 0; j < program.stages.size(); ++j)
+      text += std::string("   ") + hlsl::stage_name(program.stages[j].stage) + " " +
+              both(program.stages[j].variants, what_if.programs.at(i).stages.at(j).variants) + ")";
+    text += "\n";
+  }
+  return text + "  in all " + both(plan.total, what_if.total) + " with " + condition + ")\n";
+}
+
 std::string text_of(const Plan& plan) {
   std::string text;
   for (const ProgramPlan& program : plan.programs) text += line_of(program);

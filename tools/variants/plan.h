@@ -37,6 +37,10 @@ Plan plan(const std::vector<PlannedProgram>& programs);
 // "Lit.shader: ForwardLit   vertex 512   fragment 8,192" a line, and the total.
 std::string text_of(const Plan& plan);
 
+// The same, and behind each count in brackets what it would be: "vertex 512 (256)". `what_if` counts the same
+// programs, and `condition` says in the last line what is different there.
+std::string text_of(const Plan& plan, const Plan& what_if, const std::string& condition);
+
 // Empty while the total is within the limit. Else: the count, the largest programs, the sets that multiply
 // most with what would be left if each stood still at its empty keyword (or its first), over all programs
 // together, and how to write that.
