@@ -1,6 +1,8 @@
 using System;
 using System.Collections.Generic;
+using System.IO;
 using System.Linq;
+using System.Text.Json;
 using NUnit.Framework;
 using Penumbra.Editor;
 using UnityEditor.Rendering;
@@ -34,7 +36,7 @@ namespace Penumbra.Tests
                 .ToList();
 
         /// <summary>Fragment programs: passes with their keywords.</summary>
-        internal static string[] Kept(Shader shader, ChainPrograms programs)
+        private static string[] Kept(Shader shader, ChainPrograms programs)
         {
             var kept = new List<string>();
             foreach (KeyValuePair<string, List<HashSet<string>>> pass in FakeShader.FragmentVariants())
@@ -92,6 +94,31 @@ namespace Penumbra.Tests
                             settings.preset + " " + string.Join(" ", Drawn(settings)));
             }
         }
+
+        /// <summary>Documentation~/presets.md shows that file; the program writes it from techniques.json.</summary>
+        [Test]
+        public void WhatThePageSaysOfEachPresetIsWhatIsKept()
+        {
+            string file = Path.Combine(FakeShader.PackageRoot(), "Documentation~", "variants", "presets.json");
+            using JsonDocument page = JsonDocument.Parse(File.ReadAllText(file));
+            Assert.That(page.RootElement.GetProperty("shader").GetString(), Is.EqualTo(PenumbraShadows.ShaderName));
+            Assert.That(page.RootElement.GetProperty("programs").GetInt32(),
+                        Is.EqualTo(FakeShader.FragmentVariants().Values.Sum(sets => sets.Count)));
+            JsonElement presets = page.RootElement.GetProperty("presets");
+            Assert.That(presets.GetArrayLength(), Is.EqualTo((int)QualityPreset.Custom));
+            foreach (JsonElement preset in presets.EnumerateArray())
+            {
+                string name = preset.GetProperty("name").GetString().Substring("preset-".Length);
+                var settings = new PenumbraShadowsSettings { preset = Enum.Parse<QualityPreset>(name, true) };
+                IEnumerable<string> programs = preset.GetProperty("programs").EnumerateArray().Select(Program);
+                Assert.That(Kept(shader, ChainPrograms.Of(new[] { settings }, new PenumbraShadowsVolume[0])),
+                            Is.EquivalentTo(programs), name);
+            }
+        }
+
+        private static string Program(JsonElement program) =>
+            Text(program.GetProperty("pass").GetString(),
+                 program.GetProperty("keywords").EnumerateArray().Select(keyword => keyword.GetString()));
 
         // The vertex programs know no fragment keyword: one is there, and it is for all.
         [Test]
