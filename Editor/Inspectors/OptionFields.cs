@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Penumbra.Editor
 {
-    /// <summary>All options in the order in which the feature's inspector and the Volume's show them.</summary>
+    /// <summary>The options in the order in which the feature's inspector and the Volume's show them.</summary>
     internal static class OptionFields
     {
         internal static readonly GUIContent Preset =
@@ -60,6 +60,13 @@ namespace Penumbra.Editor
             nameof(ShadowOptions.denoise), "Denoise",
             "Smooths the samples' noise along surfaces, not across their edges.",
             options => options.SamplesPenumbrae, volume => volume.denoise);
+
+        /// <summary>Beside the options: of no preset, and the feature's own where no Volume overrides it.</summary>
+        internal static readonly OptionField DebugView = new OptionField(
+            nameof(ShadowOptions.debugView), "Debug View",
+            "Drawn over the picture in the editor and in development builds: visibility, cascades, the shadow map's " +
+            "texels, the width of penumbrae, the mask.",
+            options => true, volume => volume.debugView);
 
         internal static readonly OptionField[] All =
         {

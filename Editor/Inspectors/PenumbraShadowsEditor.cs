@@ -25,6 +25,8 @@ namespace Penumbra.Editor
             EditorGUILayout.PropertyField(settings.FindPropertyRelative(nameof(PenumbraShadowsSettings.sceneView)));
             EditorGUILayout.PropertyField(
                 settings.FindPropertyRelative(nameof(PenumbraShadowsSettings.reflectionProbes)));
+            EditorGUILayout.PropertyField(settings.FindPropertyRelative(nameof(PenumbraShadowsSettings.debugView)),
+                                          OptionFields.DebugView.label);
             serializedObject.ApplyModifiedProperties();
 
             foreach (Advice advice in FeatureAdvice.For(FeatureSurroundings.Of((PenumbraShadows)target)))

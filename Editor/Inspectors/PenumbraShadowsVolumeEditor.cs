@@ -13,6 +13,7 @@ namespace Penumbra.Editor
             new Dictionary<OptionField, SerializedDataParameter>();
 
         private SerializedDataParameter preset;
+        private SerializedDataParameter debugView;
 
         // Looking for assets is too slow for every draw; what these hold is read at each.
         private List<ScriptableRendererData> renderers;
@@ -23,6 +24,7 @@ namespace Penumbra.Editor
             preset = Unpack(serializedObject.FindProperty(nameof(PenumbraShadowsVolume.preset)));
             foreach (OptionField option in OptionFields.All)
                 if (option.IsInVolume) options[option] = Unpack(serializedObject.FindProperty(option.name));
+            debugView = Unpack(serializedObject.FindProperty(OptionFields.DebugView.name));
             renderers = null;
         }
 
@@ -35,6 +37,7 @@ namespace Penumbra.Editor
             if (figures != null) EditorGUILayout.HelpBox(figures, MessageType.None);
             foreach (OptionField option in OptionFields.All)
                 if (VolumeAdvice.Shows(option, state.volume)) PropertyField(options[option], option.label);
+            PropertyField(debugView, OptionFields.DebugView.label);
             foreach (Advice advice in VolumeAdvice.For(state)) EditorGUILayout.HelpBox(advice.text, advice.type);
         }
 

@@ -35,10 +35,10 @@ namespace Penumbra.Tests
         [Test]
         public void EveryOptionIsShownOnceWithItsLabelAndTooltip()
         {
-            Assert.That(OptionFields.All.Select(option => option.name),
-                        Is.EquivalentTo(Fields.Select(field => field.Name)));
-            Assert.That(OptionFields.All.Select(option => option.label.text), Is.Unique);
-            foreach (OptionField option in OptionFields.All)
+            OptionField[] all = OptionFields.All.Append(OptionFields.DebugView).ToArray();
+            Assert.That(all.Select(option => option.name), Is.EquivalentTo(Fields.Select(field => field.Name)));
+            Assert.That(all.Select(option => option.label.text), Is.Unique);
+            foreach (OptionField option in all)
                 Assert.That(option.label.tooltip, Does.EndWith("."), option.name);
         }
 
