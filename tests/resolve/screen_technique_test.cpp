@@ -66,6 +66,8 @@ TEST(ScreenTechnique, HalfResolutionKeepsThePixelsItSaw) {
     for (int x = 1; x < camera.width; x += 2) {
       const auto at = static_cast<std::size_t>(y * camera.width + x);
       ASSERT_EQ(half.image.visibility[0][at], full.image.visibility[0][at]) << x << ", " << y;
+      ASSERT_EQ(4.0f * half.fetches_of_others_at[at], static_cast<float>(full.image.fetches[at]))
+          << "a quarter of a texel's";
     }
   }
   EXPECT_LT(half.fetches[0], 0.3 * full.fetches[0]);

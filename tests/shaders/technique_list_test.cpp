@@ -18,7 +18,7 @@ using testing::HasSubstr;
 constexpr const char* good = R"({
   "structs": [
     {"name": "BoxParameters", "doc": "Even kernel.", "fields": [
-      {"name": "taps", "type": "int", "unit": "taps", "doc": "per side"},
+      {"name": "taps", "type": "int", "unit": "taps", "doc": "per side", "range": [1, 9]},
       {"name": "scale", "type": "float2", "unit": "1", "doc": "stretch"}]}
   ],
   "techniques": [
@@ -67,7 +67,12 @@ TEST_F(TechniqueListTest, ReadsWhatIsThere) {
   EXPECT_EQ(box.unlimited.at("taps"), "4096");
   EXPECT_EQ(box.targets_absent.at("hlsl50"), "too long");
   ASSERT_NE(list.find_struct("BoxParameters"), nullptr);
-  EXPECT_EQ(list.find_struct("BoxParameters")->fields[1].type, "float2");
+  const std::vector<ParameterField>& fields = list.find_struct("BoxParameters")->fields;
+  EXPECT_EQ(fields[1].type, "float2");
+  ASSERT_TRUE(fields[0].range);
+  EXPECT_EQ(fields[0].range->smallest, 1.0);
+  EXPECT_EQ(fields[0].range->largest, 9.0);
+  EXPECT_FALSE(fields[1].range);
 }
 
 TEST_F(TechniqueListTest, UnlimitedMayBeANumber) {
@@ -85,6 +90,10 @@ TEST_F(TechniqueListTest, WrongEntriesAreNamedWithTheirPlaceAndAWayOut) {
   EXPECT_THAT(problem("\"taps\": 3", "\"tap\": 3"), HasSubstr("no value for 'taps' of BoxParameters"));
   EXPECT_THAT(problem("\"taps\": 3", "\"taps\": 3, \"radius\": 1"), HasSubstr("unknown key 'radius'"));
   EXPECT_THAT(problem("\"taps\": 3", "\"taps\": 2.5"), HasSubstr("must be a whole number"));
+  EXPECT_THAT(problem("\"taps\": 3", "\"taps\": 11"),
+              HasSubstr("'taps' is a whole number from 1 to 9, not 11"));
+  EXPECT_THAT(problem("[1, 9]", "[9, 1]"), HasSubstr("the smallest value stands after the largest"));
+  EXPECT_THAT(problem("[1, 9]", "[1]"), HasSubstr("array of 2 numbers"));
   EXPECT_THAT(problem("[1.0, 0.5]", "[1.0]"), HasSubstr("array of 2 numbers"));
   EXPECT_THAT(problem("Box.hlsl", "Bax.hlsl"), HasSubstr("there is no file"));
   EXPECT_THAT(problem("\"pointSampler\"", "\"pointSamplr\""), HasSubstr("did you mean 'pointSampler'?"));

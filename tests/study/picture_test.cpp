@@ -8,6 +8,7 @@
 #include "input/input_error.h"
 #include "study/colour_map.h"
 #include "study/composition.h"
+#include "study/picture_search.h"
 
 namespace penumbra::study {
 namespace {
@@ -30,6 +31,55 @@ TEST(Png, EverySampleComesBack) {
 
 TEST(Png, TheSamePictureIsTheSameBytes) {
   EXPECT_EQ(encode_png(noise(20, 20, 3)), encode_png(noise(20, 20, 3)));
+}
+
+// Greys and one colour, as in a sheet of visibility: a palette of 256 holds them, of 257 does not.
+TEST(Png, FewColoursTakeAPalette) {
+  Picture picture = filled_picture(257, 8, {7, 8, 9});
+  for (int x = 1; x < 256; ++x) {
+    const auto grey = static_cast<std::uint8_t>(x);
+    set_pixel(picture, x, 0, {grey, grey, grey});
+  }
+  const std::vector<std::byte> small = encode_png(picture);
+  EXPECT_EQ(decode_png(small, "test"), picture);
+  Picture more = picture;
+  set_pixel(more, 256, 0, {1, 2, 3});
+  const std::vector<std::byte> large = encode_png(more);
+  EXPECT_EQ(decode_png(large, "test"), more);
+  constexpr std::size_t kColourType = 25;  // of the IHDR chunk
+  EXPECT_EQ(static_cast<int>(small[kColourType]), 3) << "palette";
+  EXPECT_EQ(static_cast<int>(large[kColourType]), 2) << "RGB";
+}
+
+TEST(Crop, KeepsTheWindowsPixels) {
+  const Picture picture = noise(12, 9, 3);
+  const Picture part = cropped(picture, {3, 2, 5, 4});
+  ASSERT_EQ(part.width, 5);
+  ASSERT_EQ(part.height, 4);
+  for (int y = 0; y < 4; ++y) {
+    for (int x = 0; x < 5; ++x) EXPECT_EQ(pixel(part, x, y), pixel(picture, 3 + x, 2 + y)) << x << ", " << y;
+  }
+  EXPECT_EQ(cropped(picture, {0, 0, 12, 9}), picture);
+}
+
+TEST(Crop, BeyondThePictureIsRefused) {
+  const Picture picture = noise(12, 9, 3);
+  const std::vector<PictureWindow> beyond{{-1, 0, 4, 4}, {0, -1, 4, 4}, {9, 0, 4, 4},
+                                          {0, 6, 4, 4},  {0, 0, 0, 4},  {0, 0, 4, 0}};
+  for (const PictureWindow& window : beyond) {
+    EXPECT_THROW(cropped(picture, window), std::invalid_argument) << window.x << ", " << window.y;
+  }
+}
+
+TEST(Zoom, EveryPixelIsASquare) {
+  const Picture picture = noise(5, 4, 3);
+  const Picture large = enlarged(picture, 3);
+  ASSERT_EQ(large.width, 15);
+  ASSERT_EQ(large.height, 12);
+  for (int y = 0; y < 12; ++y) {
+    for (int x = 0; x < 15; ++x)
+      EXPECT_EQ(pixel(large, x, y), pixel(picture, x / 3, y / 3)) << x << ", " << y;
+  }
 }
 
 TEST(Png, WhatDoesNotFitIsRefused) {
@@ -112,23 +162,6 @@ TEST(ColourMaps, ImagesOfAnotherSizeAreRefused) {
   EXPECT_THROW(error_picture({3, 2, valid}, six, five, 1.0), std::invalid_argument);
 }
 
-// How often a picture occurs unchanged in another.
-int occurrences(const Picture& whole, const Picture& part) {
-  int count = 0;
-  for (int top = 0; top + part.height <= whole.height; ++top) {
-    for (int left = 0; left + part.width <= whole.width; ++left) {
-      bool same = true;
-      for (int i = 0; same && i < part.width * part.height; ++i) {
-        const int x = i % part.width;
-        const int y = i / part.width;
-        same = pixel(whole, left + x, top + y) == pixel(part, x, y);
-      }
-      count += same ? 1 : 0;
-    }
-  }
-  return count;
-}
-
 TEST(Composition, HoldsEveryPictureOnceAndUnchanged) {
   const Picture a = noise(40, 20, 3);
   Picture b = a;
@@ -171,6 +204,29 @@ TEST(Composition, LegendsShowBothEndsOfTheRamp) {
       compose({{"error", white, Legend{ramp_strip(error_colour, -1.0, 1.0), "-0.5", "+0.5"}}}, 1);
   EXPECT_GE(occurrences(whole, filled_picture(1, 8, error_colour(-1.0))), 1);
   EXPECT_GE(occurrences(whole, filled_picture(1, 8, error_colour(1.0))), 1);
+}
+
+TEST(Composition, EveryLineOfACaptionIsDrawnAboveItsPicture) {
+  const Picture white = filled_picture(200, 30, {255, 255, 255});
+  const Picture one = compose({{"error", white, {}}}, 1);
+  const Picture two = compose({{"error\nerror", white, {}}}, 1);
+  const int line = two.height - one.height;
+  EXPECT_GT(line, 0);
+  EXPECT_EQ(dark_pixels(two, two.height), 2 * dark_pixels(one, one.height));
+  // Beside a longer caption, a short one leaves its second line to the legend.
+  const Legend legend{ramp_strip(error_colour, -1.0, 1.0), "", ""};
+  const Picture mixed = compose({{"a\nb", white, {}}, {"c", white, legend}}, 1);
+  EXPECT_EQ(mixed.height - compose({{"a", white, {}}, {"c", white, legend}}, 1).height, 2 * line);
+}
+
+TEST(Composition, NarrowPicturesMakeRoomForTheirCaptions) {
+  const std::string caption = "RMSE 0.123, 47.2 fetches";
+  const Picture narrow = filled_picture(20, 30, {255, 255, 255});
+  const Picture wide = filled_picture(600, 30, {255, 255, 255});
+  const int all = dark_pixels(compose({{caption, wide, {}}}, 1), 30);
+  EXPECT_EQ(dark_pixels(compose({{caption, narrow, {}}}, 1, caption_width(caption)), 30), all);
+  EXPECT_LT(dark_pixels(compose({{caption, narrow, {}}}, 1, caption_width(caption) - 1), 30), all);
+  EXPECT_EQ(caption_width(caption + "\nshort"), caption_width(caption));
 }
 
 TEST(Composition, UnequalPicturesAreRefused) {

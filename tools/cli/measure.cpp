@@ -74,7 +74,7 @@ std::vector<study::Subject> chosen_subjects(const MeasureOptions& options,
   const std::vector<resolve::Adapter> adapters = chosen_adapters(options);
   subjects.reserve(names.size() + adapters.size());
   for (const std::string& name : names) {
-    subjects.push_back(study::technique_subject(list, name, !options.conventional_z));
+    subjects.push_back(study::technique_subject(list, list.find(name), !options.conventional_z));
   }
   for (const resolve::Adapter& adapter : adapters) {
     subjects.push_back(study::adapter_subject(adapter, !options.conventional_z));

@@ -1,25 +1,23 @@
-// penumbra render: one frame as pictures, the technique beside the reference.
+// penumbra render: one frame as pictures, techniques beside the reference.
 #include <memory>
 
+#include "cli/sheet_options.h"
 #include "cli/study_options.h"
 #include "cli/subcommand.h"
-#include "platform/data_directory.h"
+#include "cli/varied_subjects.h"
+#include "study/contact_sheet.h"
 #include "study/picture_sheet.h"
 #include "study/study.h"
 
 namespace penumbra::cli {
 namespace {
 
-study::Subject chosen_subject(const StudyOptions& options) {
-  const bool reversed_z = !options.conventional_z;
-  if (!options.adapters.empty()) return study::adapter_subject(chosen_adapters(options).front(), reversed_z);
-  const shaders::TechniqueList list =
-      shaders::read_technique_list(platform::data_directory() / "ShaderLibrary" / "techniques.json");
-  const std::string name = options.techniques.empty() ? "pcss-angular-24-16" : options.techniques.front();
-  return study::technique_subject(list, name, reversed_z);
-}
+struct RenderOptions : StudyOptions {
+  VariedSubjects varied;
+  SheetArguments sheet;
+};
 
-void render(const StudyOptions& options, const Context& context) {
+study::StudySettings study_settings(const StudyOptions& options) {
   study::StudySettings settings;
   settings.scenes = chosen_scenes(options, {"contact-boxes"});
   settings.light_degrees = options.lights.empty() ? std::vector<double>{2.0} : options.lights;
@@ -31,37 +29,67 @@ void render(const StudyOptions& options, const Context& context) {
   settings.split_error = false;
   settings.jobs = options.jobs;
   settings.cache = options.cache;
-  const study::Subject subject = chosen_subject(options);
-  gpu::Device device = open_device(options);
+  return settings;
+}
 
-  const study::StudyOutcome outcome = study::run_study(device, {subject}, settings, study_progress(context));
-
-  const std::filesystem::path folder = options.output.empty() ? "." : options.output;
+void write_rows(const std::filesystem::path& folder, const std::vector<study::PictureRow>& rows) {
   make_folder(folder);
-  for (const study::PictureRow& row : outcome.pictures) {
+  for (const study::PictureRow& row : rows) {
     const std::string name = study::file_stem(row);
     write_picture(folder / (name + "_reference.png"), row.reference);
     write_picture(folder / (name + "_result.png"), row.result);
     write_picture(folder / (name + "_error.png"), row.error);
     write_picture(folder / (name + "_fetches.png"), row.fetches);
+    if (!row.mask.samples.empty()) write_picture(folder / (name + "_mask.png"), row.mask);
     write_picture(folder / (name + ".png"), study::side_by_side(row));
     write_output("", (folder / (name + ".png")).string() + "\n");
+  }
+}
+
+void render(const RenderOptions& options, const Context& context) {
+  study::StudySettings settings = study_settings(options);
+  const std::vector<study::Subject> subjects = varied_subjects(options, options.varied);
+  study::SheetOptions sheet;
+  if (!options.sheet.file.empty()) {
+    sheet = sheet_options(options.sheet, settings, subjects);
+    settings.window = sheet.window;
+  }
+  gpu::Device device = open_device(options);
+  const study::StudyOutcome outcome = study::run_study(device, subjects, settings, study_progress(context));
+
+  if (options.sheet.file.empty()) {
+    write_rows(options.output.empty() ? "." : options.output, outcome.pictures);
+  } else {
+    write_picture(options.sheet.file, study::contact_sheet(outcome.records, outcome.pictures, sheet));
+    write_output("", options.sheet.file + "\n");
   }
 }
 
 }  // namespace
 
 void add_render(CLI::App& app, Context& context) {
-  CLI::App* command = app.add_subcommand("render", "Render one technique beside the ray-traced reference");
-  auto options = std::make_shared<StudyOptions>();
+  CLI::App* command = app.add_subcommand("render", "Render techniques beside the ray-traced reference");
+  auto options = std::make_shared<RenderOptions>();
   add_study_options(*command, *options);
-  command->add_option("--technique", options->techniques, "Technique of techniques.json")
-      ->expected(1)
+  command->add_option("--technique", options->techniques, "Technique of techniques.json; repeatable")
       ->group("What to render");
-  command->add_option("--adapter", options->adapters, "NAME=FILE: your own ShadowVisibility function")
-      ->expected(1)
+  command
+      ->add_option("--adapter", options->adapters,
+                   "NAME=FILE[;KEYWORD][;UNIFORM=a,b,c,d]: your own ShadowVisibility function; repeatable")
       ->group("What to render");
-  command->add_option("-o,--output", options->output, "Folder for the pictures; default: this one");
+  command
+      ->add_option("--set", options->varied.set,
+                   "NAME=V1[,V2...]: a parameter of the techniques, one picture per value; repeatable")
+      ->group("What to render");
+  command
+      ->add_option("--frames", options->varied.frames,
+                   "N1[,N2...]: frames averaged, each with noise of its own; one picture per number")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 64))
+      ->group("What to render");
+  CLI::Option* folder =
+      command->add_option("-o,--output", options->output, "Folder for the pictures; default: this one");
+  add_sheet_options(*command, options->sheet)->excludes(folder);
   command->callback([options, &context] { render(*options, context); });
 }
 

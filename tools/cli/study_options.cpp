@@ -3,52 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <memory>
-#include <sstream>
 
+#include "cli/option_text.h"
 #include "input/input_error.h"
 #include "platform/atomic_file.h"
 
 namespace penumbra::cli {
 namespace {
-
-std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> parts;
-  std::istringstream stream(text);
-  for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
-  return parts;
-}
-
-std::pair<std::string, std::string> name_and_value(const std::string& option, const std::string& text) {
-  const std::size_t equals = text.find('=');
-  if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
-    throw InputError("", option + " '" + text + "' is not of the form NAME=VALUE");
-  }
-  return {text.substr(0, equals), text.substr(equals + 1)};
-}
-
-double number(const std::string& option, const std::string& text) {
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0' || !std::isfinite(value)) {
-    throw InputError("", option + ": '" + text + "' is not a number");
-  }
-  return value;
-}
-
-std::pair<int, int> picture_size(const std::string& text) {
-  int width = 0;
-  int height = 0;
-  char extra = 0;
-  const int read = std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &extra);
-  if (read != 2 || width < 8 || height < 8 || width > 8192 || height > 8192) {
-    throw InputError("", "--size '" + text + "' is not WIDTHxHEIGHT with sides of 8 to 8192 pixels");
-  }
-  return {width, height};
-}
 
 scene::DepthFormat depth_format(const std::string& text) {
   if (text == "d16") return scene::DepthFormat::d16;
@@ -149,6 +112,17 @@ void add_study_options(CLI::App& command, StudyOptions& options) {
       ->group("Study");
 }
 
+std::pair<int, int> picture_size(const StudyOptions& options) {
+  int width = 0;
+  int height = 0;
+  char extra = 0;
+  const int read = std::sscanf(options.size.c_str(), "%dx%d%c", &width, &height, &extra);
+  if (read != 2 || width < 8 || height < 8 || width > 8192 || height > 8192) {
+    throw InputError("", "--size '" + options.size + "' is not WIDTHxHEIGHT with sides of 8 to 8192 pixels");
+  }
+  return {width, height};
+}
+
 std::vector<scene::Scene> chosen_scenes(const StudyOptions& options,
                                         const std::vector<std::string>& fallback) {
   std::vector<scene::Scene> scenes;
@@ -168,7 +142,7 @@ std::vector<scene::Scene> chosen_scenes(const StudyOptions& options,
 
 scene::FrameSettings frame_settings(const StudyOptions& options) {
   scene::FrameSettings settings;
-  std::tie(settings.width, settings.height) = picture_size(options.size);
+  std::tie(settings.width, settings.height) = picture_size(options);
   settings.format = depth_format(options.map_format);
   settings.shadows.resolution = options.map_size;
   settings.shadows.cascades = options.cascades;

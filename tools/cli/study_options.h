@@ -58,6 +58,8 @@ gpu::Device open_device(const StudyOptions& options);
 // A progress line per stage of a study.
 study::StudyProgress study_progress(const Context& context);
 
+std::pair<int, int> picture_size(const StudyOptions& options);  // width and height
+
 void make_folder(const std::filesystem::path& folder);  // with its parents; InputError when that fails
 void write_picture(const std::filesystem::path& file, const study::Picture& picture);
 

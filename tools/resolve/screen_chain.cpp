@@ -27,19 +27,28 @@ double sum(const std::vector<std::uint32_t>& counts) {
   return total;
 }
 
-// Per pixel of the screen, rows from the top: whether the mask is 0 there.
-std::vector<std::uint8_t> masked_out(const gpu::Image& mask, int scale, const CameraImage& camera) {
-  const std::vector<float> texels = mask.download<float>();
-  std::vector<std::uint8_t> pixels;
+// Per pixel of the screen, rows from the top: what `of` says of the texel of a smaller image that covers it.
+template <typename Texel, typename Of>
+auto at_each_pixel(const std::vector<Texel>& texels, int width, int scale, const CameraImage& camera, Of of) {
+  std::vector<decltype(of(texels.front()))> pixels;
+  pixels.reserve(camera.depth.size());
   for (int y = 0; y < camera.height; ++y) {
     for (int x = 0; x < camera.width; ++x) {
-      pixels.push_back(texels[static_cast<std::size_t>(y / scale) * static_cast<std::size_t>(mask.width()) +
-                              static_cast<std::size_t>(x / scale)] == 0.0f
-                           ? 1
-                           : 0);
+      pixels.push_back(of(texels[static_cast<std::size_t>(y / scale) * static_cast<std::size_t>(width) +
+                                 static_cast<std::size_t>(x / scale)]));
     }
   }
   return rows_from_top(pixels, camera.width, camera.rows);
+}
+
+// Whether the mask is 0 there.
+std::vector<std::uint8_t> masked_out(const gpu::Image& mask, int scale, const CameraImage& camera) {
+  return at_each_pixel(mask.download<float>(), mask.width(), scale, camera,
+                       [](float texel) { return static_cast<std::uint8_t>(texel == 0.0f ? 1 : 0); });
+}
+
+void add(std::vector<float>& sums, const std::vector<float>& terms) {
+  for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += terms[i];
 }
 
 }  // namespace
@@ -128,15 +137,21 @@ ScreenChainResult ScreenChain::run(const FrameOnDevice& frame, const CameraImage
   Targets counted(device_, description_, frame, camera, ScreenPass::Module::counting);
   draw(counting_, counted, 0);
   result.image.fetches.assign(camera.depth.size(), 0);
+  result.fetches_of_others_at.assign(camera.depth.size(), 0.0f);
   for (std::size_t i = 0; i < counting_.size(); ++i) {
-    const std::vector<std::uint32_t> counts =
-        rows_from_top(green(counted.images[i].download<glm::vec4>()), counted.images[i].width(), camera.rows);
+    const std::vector<std::uint32_t> counts = green(counted.images[i].download<glm::vec4>());
+    const int width = counted.images[i].width();
+    const int scale = description_.steps[i].scale;
     result.fetches.push_back(sum(counts) / pixels);
-    if (description_.steps[i].scale == 1) {
-      for (std::size_t pixel = 0; pixel < counts.size(); ++pixel)
-        result.image.fetches[pixel] += counts[pixel];
+    if (scale == 1) {
+      const std::vector<std::uint32_t> rows = rows_from_top(counts, width, camera.rows);
+      for (std::size_t pixel = 0; pixel < rows.size(); ++pixel) result.image.fetches[pixel] += rows[pixel];
     } else {
       result.fetches_of_others += result.fetches.back();
+      const auto share = [scale](std::uint32_t count) {
+        return static_cast<float>(count) / static_cast<float>(scale * scale);
+      };
+      add(result.fetches_of_others_at, at_each_pixel(counts, width, scale, camera, share));
     }
   }
   return result;

@@ -33,8 +33,9 @@ struct ScreenChainDescription {
 struct ScreenChainResult {
   ResolveResult image;             // rows from the top; fetches: of the steps at full resolution, per pixel
   double fetches_of_others = 0.0;  // of steps at lower resolution, per pixel of the screen
-  std::vector<double> fetches;     // of each step, per pixel of the screen
-  std::vector<std::uint8_t> masked_out;  // per pixel: the mask is 0 there; empty without a mask
+  std::vector<float> fetches_of_others_at;  // the same at each pixel: its share of their texels' fetches
+  std::vector<double> fetches;              // of each step, per pixel of the screen
+  std::vector<std::uint8_t> masked_out;     // per pixel: the mask is 0 there; empty without a mask
 };
 
 class ScreenChain {

@@ -13,6 +13,7 @@
 #include "input/located_json.h"
 #include "input/nearest_name.h"
 #include "shaders/technique_chain.h"
+#include "shaders/technique_values.h"
 
 namespace penumbra::shaders {
 
@@ -57,8 +58,13 @@ std::vector<std::string> field_names(const ParameterStruct* parameters) {
 
 ParameterField read_field(JsonObject object) {
   ParameterField field{required_identifier(object, "name"), required_text(object, "type"),
-                       required_text(object, "unit"), required_text(object, "doc")};
+                       required_text(object, "unit"), required_text(object, "doc"), std::nullopt};
   require_known(object, "type", "type", field.type, field_types);
+  if (object.has("range")) {
+    const std::vector<double> ends = object.numbers("range", 2);
+    if (ends[0] > ends[1]) object.fail("range", "the smallest value stands after the largest");
+    field.range = {ends[0], ends[1]};
+  }
   object.finish();
   return field;
 }
@@ -110,6 +116,10 @@ void read_values(JsonObject object, const std::vector<const ParameterStruct*>& s
                                          ? std::vector<double>{object.number(field.name, 0.0)}
                                          : object.numbers(field.name, components(field));
       if (field.type == "int") object.integer(field.name, 0);
+      for (const double value : technique.values[field.name]) {
+        const std::string problem = value_problem(field, value);
+        if (!problem.empty()) object.fail(field.name, problem);
+      }
     }
   }
   object.finish();

@@ -1,22 +1,28 @@
 // ShaderLibrary/techniques.json: which techniques there are, how their functions are called, what they need.
 //
-// {"structs": [{name, doc, fields: [{name, type, unit, doc}]}],
+// {"structs": [{name, doc, fields: [{name, type, unit, doc, range: [smallest, largest]}]}],
 //  "techniques": [{name, title, family, source, screen,
 //                  chain: [{kind, file, function, resources, parameters, scale}],
 //                  values: {field: number or numbers}, keywords, keyword_sets: [[...]],
 //                  unlimited: {field: number or its text}, targets_absent: {target: reason}}]}
 // Keys are the members' names below; screen is false and scale 1 where they are left out. Every field of the
-// structs a chain uses has a value and every value a field; without keyword_sets there is one set, the empty
-// one.
+// structs a chain uses has a value, within the field's range where it has one, and every value a field;
+// without keyword_sets there is one set, the empty one.
 #pragma once
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 namespace penumbra::shaders {
+
+struct ParameterRange {
+  double smallest = 0.0;
+  double largest = 0.0;
+};
 
 // One field of a parameter struct; `unit` and `doc` go into the emitted HLSL.
 struct ParameterField {
@@ -24,6 +30,7 @@ struct ParameterField {
   std::string type;  // float, float2, float4 or int
   std::string unit;
   std::string doc;
+  std::optional<ParameterRange> range;  // absent: any finite value
 };
 
 struct ParameterStruct {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <sstream>
 #include <stdexcept>
 
 namespace penumbra::study {
@@ -16,7 +17,7 @@ constexpr int kTextScale = 2;  // stb_easy_font's letters are 7 pixels high
 constexpr int kTextHeight = 12 * kTextScale;
 constexpr int kStripHeight = 10;
 constexpr Rgb kPaper{255, 255, 255};
-constexpr Rgb kInk{32, 34, 40};
+constexpr Rgb kInk{34, 34, 34};  // a grey: sheets of greys keep within a palette
 
 std::string printable(std::string text) {
   for (char& c : text) {
@@ -27,6 +28,19 @@ std::string printable(std::string text) {
 
 int text_width(std::string text) {
   return stb_easy_font_width(text.data()) * kTextScale;
+}
+
+std::vector<std::string> lines_of(const std::string& caption) {
+  std::vector<std::string> lines;
+  std::istringstream text(caption);
+  for (std::string line; std::getline(text, line);) lines.push_back(printable(line));
+  return lines;
+}
+
+int most_lines(const std::vector<CaptionedPicture>& pictures) {
+  std::size_t most = 1;
+  for (const CaptionedPicture& item : pictures) most = std::max(most, lines_of(item.caption).size());
+  return static_cast<int>(most);
 }
 
 std::string cut_to(std::string text, int width) {
@@ -82,28 +96,50 @@ int draw_legend(Picture& canvas, int right, int top, const Legend& legend, int s
   return left;
 }
 
+// The caption's lines from the top, and the legend in the last of `rows`.
+void draw_caption(Picture& canvas, int left, int top, int width, int rows, const CaptionedPicture& item) {
+  const int last = rows - 1;
+  int last_right = left + width;
+  if (item.legend) {
+    last_right = draw_legend(canvas, left + width, top + last * kTextHeight, *item.legend, width / 5) - kGap;
+  }
+  const std::vector<std::string> lines = lines_of(item.caption);
+  for (int row = 0; row < static_cast<int>(lines.size()); ++row) {
+    const int right = row == last ? last_right : left + width;
+    draw_text(canvas, left, top + row * kTextHeight,
+              cut_to(lines[static_cast<std::size_t>(row)], right - left));
+  }
+}
+
 }  // namespace
 
-Picture compose(const std::vector<CaptionedPicture>& pictures, int columns) {
+int caption_width(const std::string& caption) {
+  int width = 0;
+  for (const std::string& line : lines_of(caption)) width = std::max(width, text_width(line));
+  return width;
+}
+
+Picture compose(const std::vector<CaptionedPicture>& pictures, int columns, int least_width) {
   if (pictures.empty() || columns < 1) throw std::invalid_argument("nothing to compose");
   const int width = pictures.front().picture.width;
   const int height = pictures.front().picture.height;
+  const int cell_width = std::max(width, least_width);
   const int used = std::min(columns, static_cast<int>(pictures.size()));
   const int rows = (static_cast<int>(pictures.size()) + columns - 1) / columns;
-  const int cell_height = kTextHeight + height + kGap;
-  Picture canvas = filled_picture(used * (width + kGap) + kGap, rows * cell_height + kGap, kPaper);
+  const int caption_rows = most_lines(pictures);
+  const int caption_height = caption_rows * kTextHeight;
+  const int cell_height = caption_height + height + kGap;
+  Picture canvas = filled_picture(used * (cell_width + kGap) + kGap, rows * cell_height + kGap, kPaper);
 
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     const CaptionedPicture& item = pictures[i];
     if (item.picture.width != width || item.picture.height != height || item.picture.channels != 3) {
       throw std::invalid_argument("pictures to compose differ in size");
     }
-    const int left = kGap + static_cast<int>(i) % columns * (width + kGap);
+    const int left = kGap + static_cast<int>(i) % columns * (cell_width + kGap);
     const int top = kGap + static_cast<int>(i) / columns * cell_height;
-    int text_right = left + width;
-    if (item.legend) text_right = draw_legend(canvas, left + width, top, *item.legend, width / 5) - kGap;
-    draw_text(canvas, left, top, cut_to(printable(item.caption), text_right - left));
-    place(canvas, left, top + kTextHeight, item.picture);
+    draw_caption(canvas, left, top, cell_width, caption_rows, item);
+    place(canvas, left, top + caption_height, item.picture);
   }
   return canvas;
 }

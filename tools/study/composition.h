@@ -16,14 +16,17 @@ struct Legend {
 };
 
 struct CaptionedPicture {
-  std::string caption;
-  Picture picture;  // RGB; all of one size
+  std::string caption;  // lines of text; a legend stands in the last line of the longest caption
+  Picture picture;      // RGB; all of one size
   std::optional<Legend> legend;
 };
 
 // Rows of at most `columns` pictures, dark text on white, each caption above its picture and cut to its
-// width. Characters outside printable ASCII are drawn as '?'. Throws std::invalid_argument without a picture
-// or when sizes differ.
-Picture compose(const std::vector<CaptionedPicture>& pictures, int columns);
+// width, or to `least_width` pixels where that is more. Characters outside printable ASCII are drawn as '?'.
+// Throws std::invalid_argument without a picture or when sizes differ.
+Picture compose(const std::vector<CaptionedPicture>& pictures, int columns, int least_width = 0);
+
+// Pixels that the longest line of a caption takes.
+int caption_width(const std::string& caption);
 
 }  // namespace penumbra::study

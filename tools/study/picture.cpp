@@ -2,7 +2,10 @@
 
 #include <png.h>
 
+#include <array>
 #include <cstring>
+#include <map>
+#include <optional>
 #include <stdexcept>
 
 #include "input/input_error.h"
@@ -33,6 +36,34 @@ png_uint_32 format_of(int channels) {
   throw std::invalid_argument("a picture has 1, 3 or 4 channels");
 }
 
+struct Palette {
+  std::vector<std::uint8_t> colours;  // three samples each
+  std::vector<std::uint8_t> indices;  // one per pixel
+};
+
+// Of an RGB picture with few enough colours, in their order: neighbouring greys get neighbouring indices.
+std::optional<Palette> palette_of(const Picture& picture) {
+  constexpr std::size_t kMostColours = 256;
+  if (picture.channels != 3) return std::nullopt;
+  const auto colour_at = [&](std::size_t i) {
+    return std::array{picture.samples[i], picture.samples[i + 1], picture.samples[i + 2]};
+  };
+  std::map<std::array<std::uint8_t, 3>, std::uint8_t> places;
+  for (std::size_t i = 0; i < picture.samples.size(); i += 3) {
+    places.emplace(colour_at(i), 0);
+    if (places.size() > kMostColours) return std::nullopt;
+  }
+  Palette palette;
+  for (auto& [colour, place] : places) {
+    place = static_cast<std::uint8_t>(palette.colours.size() / 3);
+    palette.colours.insert(palette.colours.end(), colour.begin(), colour.end());
+  }
+  for (std::size_t i = 0; i < picture.samples.size(); i += 3) {
+    palette.indices.push_back(places.at(colour_at(i)));
+  }
+  return palette;
+}
+
 }  // namespace
 
 Picture filled_picture(int width, int height, Rgb colour) {
@@ -56,21 +87,44 @@ void set_pixel(Picture& rgb, int x, int y, Rgb colour) {
   rgb.samples[at + 2] = colour.b;
 }
 
+Picture cropped(const Picture& rgb, const PictureWindow& window) {
+  if (window.x < 0 || window.y < 0 || window.width < 1 || window.height < 1 ||
+      window.x > rgb.width - window.width || window.y > rgb.height - window.height) {
+    throw std::invalid_argument("a window reaches beyond its picture");
+  }
+  Picture part = filled_picture(window.width, window.height, {});
+  for (int y = 0; y < part.height; ++y) {
+    for (int x = 0; x < part.width; ++x) set_pixel(part, x, y, pixel(rgb, window.x + x, window.y + y));
+  }
+  return part;
+}
+
+Picture enlarged(const Picture& rgb, int factor) {
+  Picture large = filled_picture(rgb.width * factor, rgb.height * factor, {});
+  for (int y = 0; y < large.height; ++y) {
+    for (int x = 0; x < large.width; ++x) set_pixel(large, x, y, pixel(rgb, x / factor, y / factor));
+  }
+  return large;
+}
+
 std::vector<std::byte> encode_png(const Picture& picture) {
-  PngImage png;
-  png.image.format = format_of(picture.channels);
-  png.image.width = static_cast<png_uint_32>(picture.width);
-  png.image.height = static_cast<png_uint_32>(picture.height);
   const std::size_t expected = static_cast<std::size_t>(picture.width) *
                                static_cast<std::size_t>(picture.height) *
                                static_cast<std::size_t>(picture.channels);
   if (expected == 0 || picture.samples.size() != expected) {
     throw std::invalid_argument("a picture's samples do not fit its size");
   }
+  const std::optional<Palette> palette = palette_of(picture);
+  PngImage png;
+  png.image.format = palette ? PNG_FORMAT_RGB_COLORMAP : format_of(picture.channels);
+  png.image.width = static_cast<png_uint_32>(picture.width);
+  png.image.height = static_cast<png_uint_32>(picture.height);
+  if (palette) png.image.colormap_entries = static_cast<png_uint_32>(palette->colours.size() / 3);
+  const std::vector<std::uint8_t>& samples = palette ? palette->indices : picture.samples;
+  const void* colours = palette ? palette->colours.data() : nullptr;
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png.image);
   std::vector<std::byte> bytes(size);
-  if (png_image_write_to_memory(&png.image, bytes.data(), &size, 0, picture.samples.data(), 0, nullptr) ==
-      0) {
+  if (png_image_write_to_memory(&png.image, bytes.data(), &size, 0, samples.data(), 0, colours) == 0) {
     throw std::invalid_argument(std::string("libpng: ") + png.image.message);
   }
   bytes.resize(size);

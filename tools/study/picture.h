@@ -26,11 +26,31 @@ struct Picture {
   bool operator==(const Picture&) const = default;
 };
 
+// A part of a picture in pixels, from its left upper corner.
+struct PictureWindow {
+  int x = 0;
+  int y = 0;
+  int width = 0;
+  int height = 0;
+
+  bool contains(int column, int row) const {
+    return column >= x && column < x + width && row >= y && row < y + height;
+  }
+  bool operator==(const PictureWindow&) const = default;
+};
+
 Picture filled_picture(int width, int height, Rgb colour);
 Rgb pixel(const Picture& rgb, int x, int y);
 void set_pixel(Picture& rgb, int x, int y, Rgb colour);
 
-// The same picture gives the same bytes. Throws std::invalid_argument when the sample count does not fit.
+// The window's pixels. Throws std::invalid_argument when it is empty or reaches beyond the picture.
+Picture cropped(const Picture& rgb, const PictureWindow& window);
+
+// Every pixel as a square of `factor` pixels.
+Picture enlarged(const Picture& rgb, int factor);
+
+// The same picture gives the same bytes. RGB with at most 256 colours is written with a palette. Throws
+// std::invalid_argument when the sample count does not fit.
 std::vector<std::byte> encode_png(const Picture& picture);
 
 // Throws InputError naming `name` for bytes that are no PNG, cut short or larger than 2^26 pixels. Palettes

@@ -14,15 +14,6 @@ namespace {
 
 constexpr int kCaptionWidth = 440;  // pixels that a caption and its legend need
 
-// Every pixel as a square of `factor` pixels.
-Picture enlarged(const Picture& picture, int factor) {
-  Picture large = filled_picture(picture.width * factor, picture.height * factor, {});
-  for (int y = 0; y < large.height; ++y) {
-    for (int x = 0; x < large.width; ++x) set_pixel(large, x, y, pixel(picture, x / factor, y / factor));
-  }
-  return large;
-}
-
 std::vector<CaptionedPicture> captioned(const PictureRow& small) {
   const int factor = (kCaptionWidth + small.reference.width - 1) / small.reference.width;
   PictureRow row = small;

@@ -24,6 +24,7 @@ struct PictureRow {
   Picture result;
   Picture error;
   Picture fetches;
+  Picture mask{};  // white where the full filter runs, black where one fetch does; empty without a mask
   double error_scale = 0.5;
   double fetch_scale = 64.0;
 };

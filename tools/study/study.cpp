@@ -1,6 +1,7 @@
 #include "study/study.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "input/input_error.h"
@@ -30,7 +31,8 @@ constexpr double kFetchScale = 128.0;
 // What one subject said of one stage.
 struct Answer {
   resolve::ResolveResult image;
-  double fetches_of_others = 0.0;  // of passes at lower resolution, per pixel
+  double fetches_of_others = 0.0;           // of passes at lower resolution, per pixel
+  std::vector<float> fetches_of_others_at;  // the same at each pixel; empty without such passes
   std::vector<std::uint8_t> masked_out;
 };
 
@@ -97,9 +99,10 @@ std::vector<float> mean_image(const std::vector<std::vector<float>>& images) {
 
 Answer answer_of(PreparedSubject& prepared, const StagedFrame& frame,
                  const resolve::ResolveOptions& options) {
-  if (prepared.resolver) return {prepared.resolver->resolve(frame.on_device, options), 0.0, {}};
+  if (prepared.resolver) return {prepared.resolver->resolve(frame.on_device, options), 0.0, {}, {}};
   resolve::ScreenChainResult result = prepared.chain->run(frame.on_device, frame.camera, options);
-  return {std::move(result.image), result.fetches_of_others, std::move(result.masked_out)};
+  return {std::move(result.image), result.fetches_of_others, std::move(result.fetches_of_others_at),
+          std::move(result.masked_out)};
 }
 
 VisibilityImage unlimited_answer(const resolve::FrameOnDevice& frame, const Stage& stage,
@@ -120,7 +123,52 @@ VisibilityImage unlimited_answer(const resolve::FrameOnDevice& frame, const Stag
   return answer;
 }
 
-PictureRow pictures(const Stage& stage, const Subject& subject, const resolve::ResolveResult& result) {
+// The mean over frames becomes the one answer.
+void average(std::vector<std::vector<float>>& frames) {
+  frames = {mean_image(frames)};
+}
+
+// Receivers inside of the window alone.
+std::vector<std::uint8_t> counted_receivers(const VisibilityImage& t1,
+                                            const std::optional<PictureWindow>& window) {
+  std::vector<std::uint8_t> counted = t1.valid;
+  if (!window) return counted;
+  for (std::size_t i = 0; i < counted.size(); ++i) {
+    const int x = static_cast<int>(i) % t1.width;
+    const int y = static_cast<int>(i) / t1.width;
+    if (!window->contains(x, y)) counted[i] = 0;
+  }
+  return counted;
+}
+
+double fetches_of_others(const Answer& answer, int width, const std::optional<PictureWindow>& window) {
+  if (!window || answer.fetches_of_others_at.empty()) return answer.fetches_of_others;
+  double sum = 0.0;
+  for (int y = window->y; y < window->y + window->height; ++y) {
+    const auto row = answer.fetches_of_others_at.begin() + static_cast<std::ptrdiff_t>(y) * width + window->x;
+    sum = std::accumulate(row, row + window->width, sum);
+  }
+  return sum / (static_cast<double>(window->width) * window->height);
+}
+
+// Of every pass at each pixel.
+std::vector<std::uint32_t> all_fetches(const Answer& answer) {
+  std::vector<std::uint32_t> all = answer.image.fetches;
+  for (std::size_t i = 0; i < answer.fetches_of_others_at.size(); ++i) {
+    all[i] += static_cast<std::uint32_t>(std::lround(answer.fetches_of_others_at[i]));
+  }
+  return all;
+}
+
+Picture mask_picture(const PixelGrid& grid, const std::vector<std::uint8_t>& masked_out) {
+  std::vector<float> runs;
+  runs.reserve(masked_out.size());
+  for (const std::uint8_t left_out : masked_out) runs.push_back(left_out != 0 ? 0.0F : 1.0F);
+  return visibility_picture(grid, runs);
+}
+
+PictureRow pictures(const Stage& stage, const Subject& subject, const Answer& answer) {
+  const resolve::ResolveResult& result = answer.image;
   const PixelGrid grid{stage.t1.width, stage.t1.height, stage.t1.valid};
   PictureRow row;
   row.scene = stage.scene.name;
@@ -129,20 +177,22 @@ PictureRow pictures(const Stage& stage, const Subject& subject, const resolve::R
   row.reference = visibility_picture(grid, stage.t1.visibility);
   row.result = visibility_picture(grid, result.visibility.front());
   row.error = error_picture(grid, result.visibility.front(), stage.t1.visibility, kErrorScale);
-  row.fetches = fetch_picture(grid, result.fetches, kFetchScale);
+  row.fetches = fetch_picture(grid, all_fetches(answer), kFetchScale);
+  if (!answer.masked_out.empty()) row.mask = mask_picture(grid, answer.masked_out);
   row.error_scale = kErrorScale;
   row.fetch_scale = kFetchScale;
   return row;
 }
 
-Metrics metrics_of(const Stage& stage, const Answer& answer,
+Metrics metrics_of(const Stage& stage, const Answer& answer, const std::optional<PictureWindow>& window,
                    const std::optional<VisibilityImage>& unlimited) {
   const resolve::ResolveResult& result = answer.image;
   MeasuredImages images;
-  images.preprocess_fetches_per_pixel = answer.fetches_of_others;
+  const std::vector<std::uint8_t> counted = counted_receivers(stage.t1, window);
+  images.preprocess_fetches_per_pixel = fetches_of_others(answer, stage.t1.width, window);
   images.masked_out = answer.masked_out;
   images.t1 = stage.t1.visibility;
-  images.valid = stage.t1.valid;
+  images.valid = counted;
   for (const std::vector<float>& image : result.visibility) images.results.emplace_back(image);
   images.fetches.emplace_back(result.fetches);
   if (stage.t2) {
@@ -264,9 +314,11 @@ class Study {
 
   void measure_subject(const Stage& stage, const StagedFrame& frame, PreparedSubject& prepared) {
     resolve::ResolveOptions options;
-    options.noise_seeds = settings_.noise_seeds;
+    const bool averaged = prepared.subject->averaged_frames > 1;
+    options.noise_seeds = averaged ? prepared.subject->averaged_frames : settings_.noise_seeds;
     options.timing_repeats = settings_.timing_repeats;
-    const Answer answer = answer_of(prepared, frame, options);
+    Answer answer = answer_of(prepared, frame, options);
+    if (averaged) average(answer.image.visibility);
     std::optional<VisibilityImage> unlimited;
     if (prepared.unlimited) unlimited = unlimited_answer(frame.on_device, stage, prepared, cache_);
 
@@ -281,13 +333,13 @@ class Study {
     record.map_format = map_format_name(stage.frame.atlas.format);
     record.cascades = static_cast<int>(stage.frame.cascades.cascades.size());
     record.device = device_.info().name;
-    record.metrics = metrics_of(stage, answer, unlimited);
+    record.metrics = metrics_of(stage, answer, settings_.window, unlimited);
     std::vector<double> milliseconds = answer.image.time_ns;
     for (double& time : milliseconds) time *= 1e-6;
     record.time = summarise(std::move(milliseconds));
     record.reference = {"ray-traced disc light", stage.t1.samples, stage.t1.noise_floor};
     outcome_.records.push_back(std::move(record));
-    outcome_.pictures.push_back(pictures(stage, subject, answer.image));
+    outcome_.pictures.push_back(pictures(stage, subject, answer));
     note_unset(subject, answer.image);
   }
 
@@ -310,8 +362,8 @@ class Study {
 
 }  // namespace
 
-Subject technique_subject(const shaders::TechniqueList& list, const std::string& name, bool reversed_z) {
-  const shaders::Technique& technique = list.find(name);
+Subject technique_subject(const shaders::TechniqueList& list, const shaders::Technique& technique,
+                          bool reversed_z) {
   Subject subject;
   subject.name = technique.name;
   subject.title = technique.title;

@@ -20,6 +20,7 @@
 #include "scene/frame.h"
 #include "scene/scene.h"
 #include "shaders/technique_list.h"
+#include "study/picture.h"
 #include "study/report.h"
 #include "study/results.h"
 
@@ -34,9 +35,13 @@ struct Subject {
   // surfaces.
   std::optional<resolve::ScreenChainDescription> screen;
   std::optional<resolve::ShadowShader> unlimited;  // absent: the subject takes no samples and is its own T3
+  // Frames, each with noise of its own, whose mean counts as the subject's one answer: what an antialiasing
+  // over time comes to where nothing moves. 1: every noise seed is an answer.
+  int averaged_frames = 1;
 };
 
-Subject technique_subject(const shaders::TechniqueList& list, const std::string& name, bool reversed_z);
+Subject technique_subject(const shaders::TechniqueList& list, const shaders::Technique& technique,
+                          bool reversed_z);
 Subject adapter_subject(const resolve::Adapter& adapter, bool reversed_z);
 
 struct StudySettings {
@@ -49,6 +54,8 @@ struct StudySettings {
   int timing_repeats = 5;
   bool split_error = true;  // T2 and T3
   int pan_frames = 0;       // of a slow pan, for shimmer; below 2: none
+  // The part of the picture that figures are of; shimmer, and the pictures, are of all of it. Absent: all.
+  std::optional<PictureWindow> window;
   int jobs = 0;
   std::filesystem::path cache;  // empty: the user's cache folder
 };

@@ -1,0 +1,152 @@
+// penumbra render: what it refuses before anything is drawn, and one small sheet from end to end.
+#include "cli/program.h"
+
+namespace penumbra {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+class Render : public ProgramTest {
+ protected:
+  // Runs a small render with these options and a sheet; expects refusal with every one of the words, and no
+  // file.
+  void expect_refused(const std::vector<std::string>& options, const std::vector<std::string>& words) {
+    std::vector<std::string> arguments = small(options);
+    arguments.insert(arguments.end(), {"--sheet", path("sheet.png").string()});
+    const auto result = run(arguments);
+    EXPECT_EQ(result.exit_code, 2) << result.errors;
+    for (const std::string& word : words) EXPECT_THAT(result.errors, HasSubstr(word));
+    EXPECT_THAT(listing(), IsEmpty());
+  }
+
+  std::vector<std::string> small(const std::vector<std::string>& options) const {
+    std::vector<std::string> arguments{
+        "render",  "--size", size_,     "--map-size",          "512", "--reference-samples", "32",
+        "--scene", "slabs",  "--cache", path("cache").string()};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return arguments;
+  }
+
+  std::string drawn(const std::string& folder, const std::vector<std::string>& options,
+                    const std::string& file) {
+    std::vector<std::string> arguments = small(options);
+    arguments.insert(arguments.end(), {"-o", path(folder).string()});
+    const auto result = run(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    EXPECT_THAT(result.output, HasSubstr(folder));
+    return read(folder + "/" + file);
+  }
+
+  std::string size_ = "64x36";
+};
+
+// Width and height from a PNG's header.
+std::pair<int, int> png_size(const std::string& png) {
+  const auto number = [&](std::size_t at) {
+    int value = 0;
+    for (std::size_t i = at; i < at + 4; ++i) value = value * 256 + static_cast<unsigned char>(png.at(i));
+    return value;
+  };
+  return {number(16), number(20)};
+}
+
+TEST_F(Render, AnUnknownParameterNamesTheTechniqueTheNearestAndAll) {
+  expect_refused({"--technique", "preset-high", "--set", "blockerSample=4"},
+                 {"technique 'preset-high' has no parameter 'blockerSample'",
+                  "did you mean 'blockerSamples'?", "maskPenumbraMetres"});
+  expect_refused({"--technique", "pcss-angular-24-16", "--technique", "tent-5", "--set", "blockerSamples=4"},
+                 {"technique 'tent-5'", "it has no parameters"});
+}
+
+TEST_F(Render, ValuesThatAreNoneAreRefused) {
+  expect_refused({"--set", "blockerSamples=65"}, {"'blockerSamples' is a whole number from 1 to 64, not 65"});
+  expect_refused({"--set", "blockerSamples=4,2.5"}, {"not 2.5"});
+  expect_refused({"--set", "minFilterTexels=wide"}, {"--set minFilterTexels", "'wide' is not a number"});
+  expect_refused({"--set", "minFilterTexels=1,,2"}, {"'' is not a number"});
+  expect_refused({"--set", "minFilterTexels=1,"}, {"no value after the last comma"});
+  expect_refused({"--set", "minFilterTexels"}, {"--set 'minFilterTexels' is not of the form NAME=VALUE"});
+  expect_refused({"--frames", "0"}, {"--frames", "1 to 64"});
+}
+
+TEST_F(Render, NothingStandsTwice) {
+  expect_refused({"--set", "blockerSamples=4,4"}, {"--set blockerSamples=4 is asked for twice"});
+  expect_refused({"--set", "blockerSamples=4", "--set", "blockerSamples=5"}, {"--set blockerSamples"});
+  expect_refused({"--technique", "tent-5", "--technique", "tent-5"}, {"'tent-5' is asked for twice"});
+}
+
+TEST_F(Render, AnAdapterAloneHasNothingToSet) {
+  const auto file = write("mine.hlsl", "");
+  const auto result = run(small({"--adapter", "mine=" + file.string(), "--set", "blockerSamples=4"}));
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.errors, AllOf(HasSubstr("only adapters"), HasSubstr("UNIFORM=")));
+}
+
+TEST_F(Render, ACropLiesInThePicture) {
+  expect_refused({"--crop", "32,0,33,8"}, {"--crop 32,0,33,8 reaches beyond the picture of 64x36 pixels"});
+  expect_refused({"--crop", "0,-1,8,8"}, {"reaches beyond"});
+  expect_refused({"--crop", "2147483647,0,8,8"}, {"reaches beyond"});
+  for (const char* crop : {"0,0,8", "0,0,0,8", "0,0,8,8,8", "wide"}) {
+    expect_refused({"--crop", crop}, {"X,Y,WIDTH,HEIGHT"});
+  }
+}
+
+TEST_F(Render, ASheetThatNobodyCouldOpenIsRefused) {
+  size_ = "8192x8192";
+  expect_refused({"--zoom", "16"}, {"million pixels", "zoom less"});
+  size_ = "64x36";
+  expect_refused({"--zoom", "17"}, {"--zoom", "1 to 16"});
+  expect_refused({"--show", "mask"}, {"--show mask", "preset-high"});
+  expect_refused({"--show", "colour"}, {"--show", "fetches"});
+}
+
+TEST_F(Render, ASheetNeedsAPlaceBeforeAnythingIsDrawn) {
+  const auto nowhere = run(small({"--sheet", path("no/sheet.png").string()}));
+  EXPECT_EQ(nowhere.exit_code, 2);
+  EXPECT_THAT(nowhere.errors, AllOf(HasSubstr("no/sheet.png"), HasSubstr("there is no folder")));
+  const auto folder = run(small({"--sheet", path("").string()}));
+  EXPECT_EQ(folder.exit_code, 2);
+  EXPECT_THAT(folder.errors, HasSubstr("is a folder"));
+  EXPECT_THAT(listing(), IsEmpty());
+}
+
+TEST_F(Render, OptionsOfASheetNeedOne) {
+  for (const char* option : {"--crop", "--zoom", "--columns"}) {
+    const auto result = run(small({option, "1"}));
+    EXPECT_EQ(result.exit_code, 2) << option;
+    EXPECT_THAT(result.errors, HasSubstr("--sheet"));
+  }
+  const auto both = run(small({"--sheet", path("sheet.png").string(), "-o", path("out").string()}));
+  EXPECT_EQ(both.exit_code, 2);
+  EXPECT_THAT(listing(), IsEmpty());
+}
+
+// The reference and two values with a mask each: five cells in three rows of two.
+TEST_F(Render, OneCommandMakesASheet) {
+  const auto result = run(small({"--technique", "screen-pcss-angular-24-16-masked", "--set",
+                                 "blockerSamples=1,64", "--show", "result,mask", "--crop", "8,4,48,24",
+                                 "--zoom", "8", "--columns", "2", "--sheet", path("sheet.png").string()}));
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_EQ(result.output, path("sheet.png").string() + "\n");
+  EXPECT_THAT(listing(), testing::UnorderedElementsAre("cache", "sheet.png"));
+  const auto [width, height] = png_size(read("sheet.png"));
+  EXPECT_EQ(width, 2 * (48 * 8 + 8) + 8);
+  EXPECT_GT(height, 3 * 24 * 8);
+  EXPECT_LT(height, 4 * 24 * 8);
+}
+
+TEST_F(Render, AValueReachesTheShaderAndItsOwnChangesNothing) {
+  const std::string own = drawn("own", {}, "slabs_pcss-angular-24-16_2_result.png");
+  const std::string same = drawn("same", {"--set", "blockerSamples=24"},
+                                 "slabs_pcss-angular-24-16-blockerSamples-24_2_result.png");
+  const std::string other =
+      drawn("other", {"--set", "blockerSamples=1"}, "slabs_pcss-angular-24-16-blockerSamples-1_2_result.png");
+  EXPECT_THAT(own, Not(IsEmpty()));
+  EXPECT_EQ(own, same);
+  EXPECT_NE(own, other);
+}
+
+}  // namespace
+}  // namespace penumbra

@@ -1,0 +1,123 @@
+#include "study/contact_sheet.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "study/composition.h"
+#include "study/picture_search.h"
+
+namespace penumbra::study {
+namespace {
+
+Picture noise(std::uint32_t seed) {
+  Picture picture = filled_picture(30, 20, {});
+  std::mt19937 random(seed);
+  for (std::uint8_t& sample : picture.samples) sample = static_cast<std::uint8_t>(random());
+  return picture;
+}
+
+struct MadeUp {
+  std::vector<Record> records;
+  std::vector<PictureRow> rows;
+
+  void add(const std::string& scene, double degrees, const std::string& technique) {
+    const auto seed = static_cast<std::uint32_t>(10 * rows.size());
+    Record record;
+    record.scene = scene;
+    record.light_degrees = degrees;
+    record.title = technique;
+    record.metrics.rmse_penumbra = 0.125;
+    record.metrics.fetches_mean = 40.0;
+    record.metrics.preprocess_fetches_per_pixel = 2.5;
+    records.push_back(record);
+    PictureRow row;
+    row.scene = scene;
+    row.technique = technique;
+    row.light_degrees = degrees;
+    row.reference = noise(1000 + static_cast<std::uint32_t>(degrees));
+    row.result = noise(seed + 1);
+    row.error = noise(seed + 2);
+    row.fetches = noise(seed + 3);
+    rows.push_back(row);
+  }
+};
+
+TEST(ContactSheet, HoldsTheReferenceOncePerLightAndEveryResult) {
+  MadeUp study;
+  for (const double degrees : {2.0, 5.0}) {
+    for (const char* technique : {"a", "b"}) study.add("boxes", degrees, technique);
+  }
+  const Picture sheet = contact_sheet(study.records, study.rows, {});
+  EXPECT_EQ(occurrences(sheet, study.rows[0].reference), 1);
+  EXPECT_EQ(occurrences(sheet, study.rows[2].reference), 1);
+  for (const PictureRow& row : study.rows) {
+    EXPECT_EQ(occurrences(sheet, row.result), 1);
+    EXPECT_EQ(occurrences(sheet, row.error), 0) << "nobody asked for it";
+  }
+}
+
+TEST(ContactSheet, ALightTakesARow) {
+  MadeUp study;
+  for (const double degrees : {2.0, 5.0}) {
+    for (const char* technique : {"a", "b"}) study.add("boxes", degrees, technique);
+  }
+  const Picture rows = contact_sheet(study.records, study.rows, {});
+  const Picture one = contact_sheet(study.records, study.rows, {.columns = 6});
+  EXPECT_EQ(rows.width - 8, (one.width - 8) / 2) << "three cells of six, and a margin";
+  EXPECT_GT(rows.height, one.height);
+}
+
+TEST(ContactSheet, ShowsTheWindowZoomed) {
+  MadeUp study;
+  study.add("boxes", 2.0, "a");
+  const PictureWindow window{4, 3, 10, 8};
+  const Picture sheet = contact_sheet(study.records, study.rows, {.window = window, .zoom = 4});
+  EXPECT_EQ(occurrences(sheet, enlarged(cropped(study.rows[0].result, window), 4)), 1);
+  EXPECT_EQ(occurrences(sheet, study.rows[0].result), 0);
+  EXPECT_THROW(contact_sheet(study.records, study.rows, {.window = PictureWindow{25, 0, 10, 8}}),
+               std::invalid_argument);
+}
+
+TEST(ContactSheet, ShowsWhatIsAskedForAndAMaskOnlyWhereThereIsOne) {
+  MadeUp study;
+  study.add("boxes", 2.0, "a");
+  study.add("boxes", 2.0, "b");
+  study.rows[1].mask = noise(77);
+  study.records[1].metrics.mask = MaskShares{0.25, 0.001};
+  const Picture sheet =
+      contact_sheet(study.records, study.rows,
+                    {.pictures = {SheetPicture::error, SheetPicture::fetches, SheetPicture::mask}});
+  for (const PictureRow& row : study.rows) {
+    EXPECT_EQ(occurrences(sheet, row.error), 1);
+    EXPECT_EQ(occurrences(sheet, row.fetches), 1);
+    EXPECT_EQ(occurrences(sheet, row.result), 0);
+  }
+  EXPECT_EQ(occurrences(sheet, study.rows[1].mask), 1);
+}
+
+// A caption drawn alone, found again in the sheet: error, and the fetches of all passes together.
+TEST(ContactSheet, CaptionsHoldNameErrorAndFetches) {
+  MadeUp study;
+  study.add("boxes", 2.0, "blockerSamples=4");
+  const Picture sheet = contact_sheet(study.records, study.rows, {});
+  for (const std::string line :
+       {"ray traced", "boxes, 2 deg", "blockerSamples=4", "RMSE 0.125, 42.5 fetches"}) {
+    const int width = caption_width(line);
+    const Picture alone = compose({{line, filled_picture(width, 1, {255, 255, 255}), {}}}, 1);
+    EXPECT_EQ(occurrences(sheet, cropped(alone, {8, 8, width, 20})), 1) << line;
+  }
+  study.records[0].metrics.rmse_penumbra.reset();
+  const Picture lit = contact_sheet(study.records, study.rows, {});
+  EXPECT_NE(lit, sheet) << "no penumbra to be wrong in";
+}
+
+TEST(ContactSheet, RecordsAndPicturesGoTogether) {
+  MadeUp study;
+  EXPECT_THROW(contact_sheet({}, {}, {}), std::invalid_argument);
+  study.add("boxes", 2.0, "a");
+  EXPECT_THROW(contact_sheet(study.records, {}, {}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace penumbra::study

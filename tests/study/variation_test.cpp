@@ -1,0 +1,108 @@
+// A technique with other values, over a part of the picture, or averaged: each really reaches the answer.
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "reference/scratch_folder.h"
+#include "resolve/test_device.h"
+#include "shaders/technique_values.h"
+#include "study/study.h"
+
+namespace penumbra::study {
+namespace {
+
+constexpr int kFrames = 8;
+
+Subject with(const std::string& technique, const std::map<std::string, double>& values) {
+  const shaders::TechniqueList& list = library_techniques();
+  shaders::Technique varied = list.find(technique);
+  for (const auto& [name, value] : values) varied = with_value(list, std::move(varied), name, value);
+  return technique_subject(list, varied, true);
+}
+
+StudyOutcome outcome(const std::vector<Subject>& subjects,
+                     const std::optional<PictureWindow>& window = std::nullopt) {
+  const reference::ScratchFolder cache;
+  StudySettings settings;
+  settings.scenes = {scene::built_in("trees")};
+  settings.light_degrees = {2.0};
+  settings.frame.width = 96;
+  settings.frame.height = 54;
+  settings.frame.shadows.cascades = 4;
+  settings.frame.shadows.normal_bias = 0.0;
+  settings.reference_samples = 64;
+  settings.noise_seeds = kFrames;
+  settings.timing_repeats = 0;
+  settings.split_error = false;
+  settings.window = window;
+  settings.cache = cache.path();
+  return run_study(test_device(), subjects, settings, [](auto&&...) {});
+}
+
+class Variation : public testing::TestWithParam<const char*> {};
+
+TEST_P(Variation, MoreSamplesFetchMoreAndErrLess) {
+  const StudyOutcome of =
+      outcome({with(GetParam(), {{"blockerSamples", 1.0}}), with(GetParam(), {{"blockerSamples", 64.0}})});
+  EXPECT_NE(of.pictures[0].result, of.pictures[1].result);
+  EXPECT_GT(*of.records[0].metrics.rmse_penumbra, 1.5 * *of.records[1].metrics.rmse_penumbra);
+  EXPECT_GT(*of.records[1].metrics.fetches_mean, *of.records[0].metrics.fetches_mean + 30.0);
+  EXPECT_EQ(of.records[0].parameters.at("blockerSamples"), std::vector<double>{1.0});
+}
+
+TEST_P(Variation, TheValueItHasAlreadyChangesNothing) {
+  const StudyOutcome of = outcome(
+      {with(GetParam(), {}), with(GetParam(), {{"blockerSamples", 24.0}, {"minFilterTexels", 1.25}})});
+  EXPECT_EQ(of.pictures[0].result, of.pictures[1].result);
+  EXPECT_EQ(of.records[0].metrics, of.records[1].metrics);
+}
+
+INSTANTIATE_TEST_SUITE_P(Techniques, Variation,
+                         testing::Values("pcss-angular-24-16", "screen-pcss-angular-24-16-masked"));
+
+TEST(ScreenVariation, TheDenoisersValueReachesItsPass) {
+  const char* technique = "screen-pcss-angular-24-16-denoised";
+  const StudyOutcome of = outcome({with(technique, {{"denoiseRadius", 0.0}}), with(technique, {}),
+                                   with("screen-pcss-angular-24-16", {})});
+  EXPECT_EQ(of.pictures[0].result, of.pictures[2].result) << "of radius 0";
+  EXPECT_NE(of.pictures[1].result, of.pictures[2].result);
+}
+
+// The mean square of the frames' errors is that of their mean, and the frames' variance.
+TEST(AveragedFrames, AreTheMeanOfTheFrames) {
+  Subject averaged = with("pcss-angular-24-16", {});
+  averaged.averaged_frames = kFrames;
+  const StudyOutcome of = outcome({with("pcss-angular-24-16", {}), averaged});
+  const Metrics& each = of.records[0].metrics;
+  const Metrics& mean = of.records[1].metrics;
+  EXPECT_EQ(mean.seeds, 1u);
+  ASSERT_GT(*each.variance, 1e-4);
+  const double variance = *each.variance * (kFrames - 1) / kFrames;
+  EXPECT_NEAR(std::pow(*each.rmse_penumbra, 2), std::pow(*mean.rmse_penumbra, 2) + variance, 1e-6);
+  EXPECT_EQ(mean.fetches_mean, each.fetches_mean) << "of one frame";
+}
+
+// Both halves of the picture make up the whole, passes at lower resolution included.
+TEST(Window, FiguresAreOfItAlone) {
+  const std::vector<Subject> subjects{with("screen-pcss-angular-24-16-half-masked-denoised", {})};
+  const StudyOutcome all = outcome(subjects);
+  const StudyOutcome left = outcome(subjects, PictureWindow{0, 0, 48, 54});
+  const StudyOutcome right = outcome(subjects, PictureWindow{48, 0, 48, 54});
+  const Metrics& of_all = all.records[0].metrics;
+  const Metrics& of_left = left.records[0].metrics;
+  const Metrics& of_right = right.records[0].metrics;
+  EXPECT_EQ(of_left.pixels + of_right.pixels, of_all.pixels);
+  const auto sum = [](const Metrics& metrics, double figure) {
+    return figure * static_cast<double>(metrics.pixels);
+  };
+  EXPECT_NEAR(sum(of_left, *of_left.fetches_mean) + sum(of_right, *of_right.fetches_mean),
+              sum(of_all, *of_all.fetches_mean), 1e-6 * sum(of_all, *of_all.fetches_mean));
+  EXPECT_NE(of_left.preprocess_fetches_per_pixel, of_right.preprocess_fetches_per_pixel);
+  // Fifty-four rows are no whole blocks of four: the last row of blocks counts for its share here.
+  EXPECT_NEAR((of_left.preprocess_fetches_per_pixel + of_right.preprocess_fetches_per_pixel) / 2.0,
+              of_all.preprocess_fetches_per_pixel, 0.02 * of_all.preprocess_fetches_per_pixel);
+  EXPECT_EQ(left.pictures[0].result, all.pictures[0].result) << "pictures are of everything";
+}
+
+}  // namespace
+}  // namespace penumbra::study

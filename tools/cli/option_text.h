@@ -1,0 +1,16 @@
+// The texts in which options hold more than one thing: NAME=VALUE, A,B,C.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace penumbra::cli {
+
+std::vector<std::string> split(const std::string& text, char separator);
+
+// These throw InputError, naming the option, for a text of another form.
+std::pair<std::string, std::string> name_and_value(const std::string& option, const std::string& text);
+double number(const std::string& option, const std::string& text);  // finite
+
+}  // namespace penumbra::cli

@@ -1,0 +1,151 @@
+#include "cli/varied_subjects.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+
+#include "cli/option_text.h"
+#include "input/input_error.h"
+#include "platform/data_directory.h"
+#include "shaders/technique_values.h"
+
+namespace penumbra::cli {
+namespace {
+
+constexpr const char* kDefaultTechnique = "pcss-angular-24-16";
+
+struct Setting {
+  std::string parameter;
+  double value;
+  bool varies;  // is one of several values
+};
+
+struct Parameter {
+  std::string name;
+  std::vector<double> values;
+};
+
+[[noreturn]] void refuse_twice(const std::string& what) {
+  throw InputError("", what + " is asked for twice", "each picture of a sheet differs from the others");
+}
+
+std::vector<Parameter> parameters(const std::vector<std::string>& set) {
+  std::vector<Parameter> parameters;
+  std::set<std::string> names;
+  for (const std::string& text : set) {
+    const auto [name, values] = name_and_value("--set", text);
+    if (!names.insert(name).second) refuse_twice("--set " + name);
+    Parameter parameter{name, {}};
+    std::set<double> seen;
+    if (values.back() == ',') throw InputError("", "--set " + text + ": no value after the last comma");
+    for (const std::string& value : split(values, ',')) {
+      parameter.values.push_back(number("--set " + name, value));
+      if (!seen.insert(parameter.values.back()).second) refuse_twice("--set " + name + "=" + value);
+    }
+    parameters.push_back(std::move(parameter));
+  }
+  return parameters;
+}
+
+// Every value of each with every value of the others; the last varies fastest.
+std::vector<std::vector<Setting>> combinations(const std::vector<Parameter>& parameters) {
+  std::vector<std::vector<Setting>> all{{}};
+  for (const Parameter& parameter : parameters) {
+    std::vector<std::vector<Setting>> longer;
+    for (const std::vector<Setting>& start : all) {
+      for (const double value : parameter.values) {
+        longer.push_back(start);
+        longer.back().push_back({parameter.name, value, parameter.values.size() > 1});
+      }
+    }
+    all = std::move(longer);
+  }
+  return all;
+}
+
+std::string joined(const std::string& a, const std::string& b) {
+  return a.empty() || b.empty() ? a + b : a + " " + b;
+}
+
+std::string text_of(const std::vector<Setting>& settings) {
+  std::string text;
+  for (const Setting& setting : settings) {
+    text = joined(text, fmt::format("{}={}", setting.parameter, setting.value));
+  }
+  return text;
+}
+
+// What tells a picture from its neighbours; where nothing does, everything that was set.
+std::string text_of_varying(const std::vector<Setting>& settings) {
+  std::vector<Setting> varying;
+  std::copy_if(settings.begin(), settings.end(), std::back_inserter(varying),
+               [](const Setting& setting) { return setting.varies; });
+  return text_of(varying.empty() ? settings : varying);
+}
+
+// One technique's name would only repeat itself where something varies.
+std::string caption(const std::string& name, const std::string& varied, bool alone) {
+  return alone && !varied.empty() ? varied : joined(name, varied);
+}
+
+void add_frames(std::vector<study::Subject>& subjects, const study::Subject& subject,
+                const std::vector<int>& frames, bool alone, const std::string& base,
+                const std::string& varied) {
+  if (frames.empty()) {
+    subjects.push_back(subject);
+    subjects.back().title = caption(base, varied, alone);
+  }
+  for (const int count : frames) {
+    const std::string text = fmt::format("{} frame{}", count, count == 1 ? "" : "s");
+    subjects.push_back(subject);
+    subjects.back().name = joined(subject.name, text);
+    subjects.back().title = caption(base, joined(varied, text), alone);
+    subjects.back().averaged_frames = count;
+  }
+}
+
+void refuse_repetitions(const std::vector<study::Subject>& subjects) {
+  std::set<std::string> names;
+  for (const study::Subject& subject : subjects) {
+    if (!names.insert(subject.name).second) refuse_twice("'" + subject.name + "'");
+  }
+}
+
+}  // namespace
+
+std::vector<study::Subject> varied_subjects(const StudyOptions& options, const VariedSubjects& varied) {
+  const bool reversed_z = !options.conventional_z;
+  const shaders::TechniqueList list =
+      shaders::read_technique_list(platform::data_directory() / "ShaderLibrary" / "techniques.json");
+  std::vector<std::string> names = options.techniques;
+  if (names.empty() && options.adapters.empty()) names.emplace_back(kDefaultTechnique);
+  if (names.empty() && !varied.set.empty()) {
+    throw InputError("", "--set changes techniques, and there are only adapters",
+                     "an adapter's uniforms are set with it: --adapter 'NAME=FILE;UNIFORM=a,b,c,d'");
+  }
+  const std::vector<std::vector<Setting>> settings = combinations(parameters(varied.set));
+  const std::vector<resolve::Adapter> adapters = chosen_adapters(options);
+  const bool alone = names.size() + adapters.size() == 1;
+
+  std::vector<study::Subject> subjects;
+  for (const std::string& name : names) {
+    for (const std::vector<Setting>& combination : settings) {
+      shaders::Technique technique = list.find(name);
+      for (const Setting& setting : combination) {
+        technique = shaders::with_value(list, std::move(technique), setting.parameter, setting.value);
+      }
+      study::Subject subject = study::technique_subject(list, technique, reversed_z);
+      subject.name = joined(name, text_of(combination));
+      add_frames(subjects, subject, varied.frames, alone, name, text_of_varying(combination));
+    }
+  }
+  for (const resolve::Adapter& adapter : adapters) {
+    add_frames(subjects, study::adapter_subject(adapter, reversed_z), varied.frames, alone, adapter.name, "");
+  }
+  refuse_repetitions(subjects);
+  return subjects;
+}
+
+}  // namespace penumbra::cli

@@ -1,0 +1,102 @@
+#include "study/contact_sheet.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "study/colour_map.h"
+#include "study/composition.h"
+
+namespace penumbra::study {
+namespace {
+
+constexpr int kMostColumns = 4;
+constexpr int kLeastWidth = 240;  // pixels that a legend needs
+
+std::string reference_caption(const Record& record) {
+  return fmt::format("ray traced\n{}, {} deg", record.scene, record.light_degrees);
+}
+
+std::string figures(const Metrics& metrics) {
+  const std::string error =
+      metrics.rmse_penumbra ? fmt::format("RMSE {:.3f}", *metrics.rmse_penumbra) : "no penumbra";
+  if (!metrics.fetches_mean) return error;
+  return fmt::format("{}, {:.1f} fetches", error,
+                     *metrics.fetches_mean + metrics.preprocess_fetches_per_pixel);
+}
+
+std::string mask_figures(const Metrics& metrics) {
+  if (!metrics.mask) return "mask";
+  return fmt::format("mask: spares {:.1f} %, misses {:.1f} %", 100.0 * metrics.mask->pixels_saved,
+                     100.0 * metrics.mask->penumbra_pixels_missed.value_or(0.0));
+}
+
+std::optional<CaptionedPicture> cell(SheetPicture kind, const Record& record, const PictureRow& row) {
+  switch (kind) {
+    case SheetPicture::result:
+      return CaptionedPicture{record.title + "\n" + figures(record.metrics), row.result, {}};
+    case SheetPicture::error:
+      return CaptionedPicture{record.title + "\nerror", row.error,
+                              Legend{ramp_strip(error_colour, -1.0, 1.0), fmt::format("-{}", row.error_scale),
+                                     fmt::format("+{}", row.error_scale)}};
+    case SheetPicture::fetches:
+      return CaptionedPicture{
+          record.title + "\nfetches", row.fetches,
+          Legend{ramp_strip(fetch_colour, 0.0, 1.0), "0", fmt::format("{}", row.fetch_scale)}};
+    case SheetPicture::mask:
+      break;
+  }
+  if (row.mask.samples.empty()) return std::nullopt;
+  return CaptionedPicture{record.title + "\n" + mask_figures(record.metrics), row.mask, {}};
+}
+
+bool of_one_frame(const Record& a, const Record& b) {
+  return a.scene == b.scene && a.light_degrees == b.light_degrees;
+}
+
+struct Cells {
+  std::vector<CaptionedPicture> all;
+  std::size_t of_the_first_frame = 0;
+};
+
+Cells cells_of(const std::vector<Record>& records, const std::vector<PictureRow>& rows,
+               const SheetOptions& options) {
+  Cells cells;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    if (i == 0 || !of_one_frame(records[i - 1], records[i])) {
+      cells.all.push_back({reference_caption(records[i]), rows[i].reference, {}});
+    }
+    for (const SheetPicture kind : options.pictures) {
+      if (auto shown = cell(kind, records[i], rows[i])) cells.all.push_back(*std::move(shown));
+    }
+    if (of_one_frame(records[0], records[i])) cells.of_the_first_frame = cells.all.size();
+  }
+  return cells;
+}
+
+int least_width(const std::vector<CaptionedPicture>& cells) {
+  int width = kLeastWidth;
+  for (const CaptionedPicture& cell : cells) width = std::max(width, caption_width(cell.caption));
+  return width;
+}
+
+}  // namespace
+
+Picture contact_sheet(const std::vector<Record>& records, const std::vector<PictureRow>& rows,
+                      const SheetOptions& options) {
+  if (records.empty() || records.size() != rows.size()) {
+    throw std::invalid_argument("a sheet needs a picture of every record");
+  }
+  Cells cells = cells_of(records, rows, options);
+  for (CaptionedPicture& cell : cells.all) {
+    if (options.window) cell.picture = cropped(cell.picture, *options.window);
+    cell.picture = enlarged(cell.picture, options.zoom);
+  }
+  const int columns = options.columns > 0
+                          ? options.columns
+                          : std::min(static_cast<int>(cells.of_the_first_frame), kMostColumns);
+  return compose(cells.all, columns, least_width(cells.all));
+}
+
+}  // namespace penumbra::study

@@ -1,0 +1,31 @@
+// A contact sheet: what a light really casts and what each subject makes of it, side by side, each picture
+// under its name, its error and its cost.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "study/picture.h"
+#include "study/report.h"
+#include "study/results.h"
+
+namespace penumbra::study {
+
+enum class SheetPicture { result, error, fetches, mask };
+
+struct SheetOptions {
+  std::optional<PictureWindow> window{};  // what is shown of every picture; absent: all
+  int zoom = 1;                           // pixels of the sheet per pixel shown, each way
+  int columns = 0;                        // 0: a scene and light take a row, of at most four pictures
+  std::vector<SheetPicture> pictures{
+      SheetPicture::result};  // of each subject; a mask only where there is one
+};
+
+// Per scene and light the ray-traced reference, then the subjects. `records` and `rows` are those of one
+// study, in its order; a record's title names its pictures, and its figures are the caption's.
+// Throws std::invalid_argument when they do not go together, and for a window beyond the pictures.
+Picture contact_sheet(const std::vector<Record>& records, const std::vector<PictureRow>& rows,
+                      const SheetOptions& options);
+
+}  // namespace penumbra::study
