@@ -1,0 +1,92 @@
+"""scripts/pictures over the pages as they are, and over made-up ones; the program is a stand-in that says what it is
+asked for."""
+import os
+import shutil
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+SCRIPT = Path("scripts") / "pictures"
+LARGEST = 1_000_000  # bytes
+
+
+class Pages(unittest.TestCase):
+    def test_every_picture_is_drawn_by_the_page_that_shows_it(self):
+        listed = subprocess.run([ROOT / SCRIPT, "--list"], check=True, capture_output=True, text=True).stdout
+        drawn = dict(line.split(" ") for line in listed.splitlines())
+        there = {file.stem for file in (ROOT / "Documentation~" / "images").iterdir()}
+        self.assertEqual(set(drawn), there)
+        for name, page in drawn.items():
+            self.assertIn(f"](images/{name}.png)", (ROOT / page).read_text())
+
+    def test_no_picture_is_large(self):
+        for file in (ROOT / "Documentation~" / "images").iterdir():
+            self.assertLess(file.stat().st_size, LARGEST, file.name)
+
+
+class Script(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.root = Path(scratch.name)
+        for folder in ("scripts", "Documentation~"):
+            (self.root / folder).mkdir()
+        shutil.copy(ROOT / SCRIPT, self.root / SCRIPT)
+        self.program = self.root / "program"
+        self.program.write_text('#!/bin/sh\nprintf "<%s>" "$@"\necho\n[ "$2" != --broken ] || exit 7\n')
+        self.program.chmod(0o755)
+
+    def page(self, *commands, name="page.md"):
+        text = "".join(f"Text.\n\n```sh\n{command}\n```\n" for command in commands)
+        (self.root / "Documentation~" / name).write_text(text)
+
+    def run_script(self, *arguments, packages=None):
+        environment = {key: value for key, value in os.environ.items() if key != "URP_PACKAGES"}
+        if packages:
+            environment["URP_PACKAGES"] = packages
+        return subprocess.run([self.root / SCRIPT, "--program", self.program, *arguments], env=environment,
+                              capture_output=True, text=True)
+
+    def test_commands_are_run_as_they_stand(self):
+        self.page("penumbra render --adapter 'a=b;C' \\\n  --sheet Documentation~/images/one.png",
+                  "penumbra render --sheet elsewhere.png", "penumbra measure --output report", "other --sheet x.png")
+        result = self.run_script()
+        self.assertEqual(result.stdout, "<render><--adapter><a=b;C><--sheet><Documentation~/images/one.png>\n")
+        self.assertEqual(result.returncode, 0)
+
+    def test_names_choose(self):
+        self.page(*(f"penumbra render --sheet Documentation~/images/{name}.png" for name in ("one", "two")))
+        self.assertEqual(self.run_script("two").stdout, "<render><--sheet><Documentation~/images/two.png>\n")
+        unknown = self.run_script("three")
+        self.assertEqual(unknown.returncode, 2)
+        self.assertIn("no page draws Documentation~/images/three.png; there are: one two", unknown.stderr)
+
+    def test_packages_stand_for_dir(self):
+        self.page("penumbra render --package-root com.unity.a-b=DIR --sheet Documentation~/images/one.png")
+        without = self.run_script()
+        self.assertEqual((without.returncode, without.stdout), (0, ""))
+        self.assertIn("one.png: stays as it is", without.stderr)
+        self.assertIn("<com.unity.a-b=/packages/com.unity.a-b>", self.run_script(packages="/packages").stdout)
+
+    def test_a_failure_ends_it(self):
+        self.page("penumbra render --broken --sheet Documentation~/images/one.png",
+                  "penumbra render --sheet Documentation~/images/two.png")
+        result = self.run_script()
+        self.assertEqual(result.returncode, 7)
+        self.assertNotIn("two.png", result.stdout)
+
+    def test_commands_that_are_none(self):
+        self.page("penumbra render --sheet Documentation~/images/one.jpg")
+        self.assertIn("Documentation~/page.md: Documentation~/images/one.jpg is not called .png",
+                      self.run_script().stderr)
+        self.page("penumbra render --sheet Documentation~/images/one.png")
+        self.page("penumbra render --sheet Documentation~/images/one.png", name="other.md")
+        twice = self.run_script()
+        self.assertEqual(twice.returncode, 2)
+        self.assertIn("is drawn by a command of Documentation~/other.md, too", twice.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
