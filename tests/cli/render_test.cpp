@@ -1,4 +1,6 @@
 // penumbra render: what it refuses before anything is drawn, and one small sheet from end to end.
+#include <set>
+
 #include "cli/program.h"
 
 namespace penumbra {
@@ -135,6 +137,23 @@ TEST_F(Render, OneCommandMakesASheet) {
   EXPECT_EQ(width, 2 * (48 * 8 + 8) + 8);
   EXPECT_GT(height, 3 * 24 * 8);
   EXPECT_LT(height, 4 * 24 * 8);
+}
+
+TEST_F(Render, DebugViewsAreOfTechniquesOverTheScreen) {
+  expect_refused({"--technique", "tent-5", "--show", "cascades"},
+                 {"--show cascades: no technique of this sheet runs over the screen", "the presets do"});
+  expect_refused({"--technique", "preset-low", "--show", "cascade"}, {"--show", "cascades"});
+}
+
+TEST_F(Render, EveryDebugViewIsAnotherPicture) {
+  std::set<std::string> sheets;
+  for (const char* view : {"visibility", "cascades", "shadow-texels", "penumbra-width", "penumbra-mask"}) {
+    const auto result =
+        run(small({"--technique", "preset-low", "--show", view, "--sheet", path("sheet.png").string()}));
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    sheets.insert(read("sheet.png"));
+  }
+  EXPECT_EQ(sheets.size(), 5);
 }
 
 TEST_F(Render, AValueReachesTheShaderAndItsOwnChangesNothing) {

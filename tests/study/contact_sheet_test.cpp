@@ -68,6 +68,20 @@ TEST(ContactSheet, ALightTakesARow) {
   EXPECT_GT(rows.height, one.height);
 }
 
+TEST(ContactSheet, ShowsADebugViewOfThoseThatHaveIt) {
+  MadeUp study;
+  for (const char* technique : {"over the screen", "a function"}) study.add("boxes", 2.0, technique);
+  study.rows[0].debug_views["Cascades"] = noise(77);
+  study.rows[0].debug_views["PenumbraWidth"] = noise(78);
+  const Picture sheet =
+      contact_sheet(study.records, study.rows, {.pictures = {{SheetPicture::debug_view, "Cascades"}}});
+  EXPECT_EQ(occurrences(sheet, noise(77)), 1);
+  EXPECT_EQ(occurrences(sheet, noise(78)), 0) << "nobody asked for it";
+  EXPECT_EQ(sheet, contact_sheet({study.records[0]}, {study.rows[0]},
+                                 {.pictures = {{SheetPicture::debug_view, "Cascades"}}}))
+      << "the function has no cell";
+}
+
 TEST(ContactSheet, ShowsTheWindowZoomed) {
   MadeUp study;
   study.add("boxes", 2.0, "a");

@@ -53,6 +53,9 @@ void render(const RenderOptions& options, const Context& context) {
   if (!options.sheet.file.empty()) {
     sheet = sheet_options(options.sheet, settings, subjects);
     settings.window = sheet.window;
+    for (const study::SheetChoice& choice : sheet.pictures) {
+      if (choice.kind == study::SheetPicture::debug_view) settings.debug_views.push_back(choice.view);
+    }
   }
   gpu::Device device = open_device(options);
   const study::StudyOutcome outcome = study::run_study(device, subjects, settings, study_progress(context));

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
-#include <set>
+#include <map>
 
 #include "input/input_error.h"
 
@@ -32,10 +32,31 @@ study::PictureWindow window_of(const std::string& crop, int width, int height) {
   return window;
 }
 
-study::SheetPicture picture_called(const std::string& name) {
-  if (name == "error") return study::SheetPicture::error;
-  if (name == "fetches") return study::SheetPicture::fetches;
-  return name == "mask" ? study::SheetPicture::mask : study::SheetPicture::result;
+// What --show may name; a debug view by its pass of PenumbraDebugViews.shader.
+const std::map<std::string, study::SheetChoice>& shown_pictures() {
+  using study::SheetPicture;
+  static const std::map<std::string, study::SheetChoice> pictures{
+      {"result", SheetPicture::result},
+      {"error", SheetPicture::error},
+      {"fetches", SheetPicture::fetches},
+      {"mask", SheetPicture::mask},
+      {"cascades", {SheetPicture::debug_view, "Cascades"}},
+      {"shadow-texels", {SheetPicture::debug_view, "ShadowTexels"}},
+      {"penumbra-width", {SheetPicture::debug_view, "PenumbraWidth"}},
+      {"penumbra-mask", {SheetPicture::debug_view, "PenumbraMask"}},
+      {"visibility", {SheetPicture::debug_view, "Visibility"}},
+  };
+  return pictures;
+}
+
+std::vector<std::string> shown_names() {
+  std::vector<std::string> names;
+  for (const auto& [name, choice] : shown_pictures()) names.push_back(name);
+  return names;
+}
+
+bool runs_over_the_screen(const study::Subject& subject) {
+  return subject.screen.has_value();
 }
 
 bool has_mask(const study::Subject& subject) {
@@ -84,9 +105,13 @@ CLI::Option* add_sheet_options(CLI::App& command, SheetArguments& arguments) {
       ->check(CLI::Range(1, 64))
       ->needs(sheet)
       ->group("Sheet");
-  command.add_option("--show", arguments.show, "Of each technique: result, error, fetches, mask")
+  command
+      .add_option(
+          "--show", arguments.show,
+          "Of each technique: result, error, fetches, mask; of those over the screen also the debug views "
+          "visibility, cascades, shadow-texels, penumbra-width, penumbra-mask")
       ->delimiter(',')
-      ->check(CLI::IsMember({"result", "error", "fetches", "mask"}))
+      ->check(CLI::IsMember(shown_names()))
       ->needs(sheet)
       ->group("Sheet");
   return sheet;
@@ -103,13 +128,19 @@ study::SheetOptions sheet_options(const SheetArguments& arguments, const study::
   }
   options.pictures.clear();
   for (const std::string& name : arguments.show) {
-    const study::SheetPicture kind = picture_called(name);
-    if (std::find(options.pictures.begin(), options.pictures.end(), kind) == options.pictures.end()) {
-      options.pictures.push_back(kind);
+    const study::SheetChoice& choice = shown_pictures().at(name);
+    if (std::find(options.pictures.begin(), options.pictures.end(), choice) == options.pictures.end()) {
+      options.pictures.push_back(choice);
     }
-    if (kind == study::SheetPicture::mask && std::none_of(subjects.begin(), subjects.end(), has_mask)) {
+    if (choice.kind == study::SheetPicture::mask &&
+        std::none_of(subjects.begin(), subjects.end(), has_mask)) {
       throw InputError("", "--show mask: no technique of this sheet has a mask",
                        "preset-high has one, and so has what is called ...-masked");
+    }
+    if (choice.kind == study::SheetPicture::debug_view &&
+        std::none_of(subjects.begin(), subjects.end(), runs_over_the_screen)) {
+      throw InputError("", "--show " + name + ": no technique of this sheet runs over the screen",
+                       "the presets do, and what is called screen-...");
     }
   }
   refuse_too_large(options, settings, subjects.size());

@@ -78,6 +78,21 @@ Picture fetch_picture(const PixelGrid& grid, std::span<const std::uint32_t> fetc
   return paint(grid, fetches.size(), [&](std::size_t i) { return fetch_colour(fetches[i] / full_scale); });
 }
 
+Picture colour_picture(int width, int height, std::span<const glm::vec3> colours) {
+  if (colours.size() != static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
+    throw std::invalid_argument("the colours are not those of a picture of this size");
+  }
+  Picture picture = filled_picture(width, height, {});
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const glm::vec3& colour = colours[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                                        static_cast<std::size_t>(x)];
+      set_pixel(picture, x, y, {to_byte(colour.r), to_byte(colour.g), to_byte(colour.b)});
+    }
+  }
+  return picture;
+}
+
 Picture ramp_strip(Rgb (*ramp)(double), double from, double to) {
   constexpr int kWidth = 256;
   Picture strip = filled_picture(kWidth, 1, {});

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <span>
 
 #include "study/picture.h"
@@ -38,6 +39,9 @@ Picture visibility_picture(const PixelGrid& grid, std::span<const float> visibil
 Picture error_picture(const PixelGrid& grid, std::span<const float> result, std::span<const float> reference,
                       double full_scale);
 Picture fetch_picture(const PixelGrid& grid, std::span<const std::uint32_t> fetches, double full_scale);
+
+// Colours in [0, 1], row 0 at the top, as they are.
+Picture colour_picture(int width, int height, std::span<const glm::vec3> colours);
 
 // A horizontal strip of a ramp for a legend: the first column is `from`, the last `to`.
 Picture ramp_strip(Rgb (*ramp)(double), double from, double to);

@@ -32,8 +32,20 @@ std::string mask_figures(const Metrics& metrics) {
                      100.0 * metrics.mask->penumbra_pixels_missed.value_or(0.0));
 }
 
-std::optional<CaptionedPicture> cell(SheetPicture kind, const Record& record, const PictureRow& row) {
-  switch (kind) {
+std::optional<CaptionedPicture> mask_cell(const Record& record, const PictureRow& row) {
+  if (row.mask.samples.empty()) return std::nullopt;
+  return CaptionedPicture{record.title + "\n" + mask_figures(record.metrics), row.mask, {}};
+}
+
+std::optional<CaptionedPicture> view_cell(const std::string& view, const Record& record,
+                                          const PictureRow& row) {
+  const auto found = row.debug_views.find(view);
+  if (found == row.debug_views.end()) return std::nullopt;
+  return CaptionedPicture{record.title + "\n" + view, found->second, {}};
+}
+
+std::optional<CaptionedPicture> cell(const SheetChoice& choice, const Record& record, const PictureRow& row) {
+  switch (choice.kind) {
     case SheetPicture::result:
       return CaptionedPicture{record.title + "\n" + figures(record.metrics), row.result, {}};
     case SheetPicture::error:
@@ -45,10 +57,11 @@ std::optional<CaptionedPicture> cell(SheetPicture kind, const Record& record, co
           record.title + "\nfetches", row.fetches,
           Legend{ramp_strip(fetch_colour, 0.0, 1.0), "0", fmt::format("{}", row.fetch_scale)}};
     case SheetPicture::mask:
-      break;
+      return mask_cell(record, row);
+    case SheetPicture::debug_view:
+      return view_cell(choice.view, record, row);
   }
-  if (row.mask.samples.empty()) return std::nullopt;
-  return CaptionedPicture{record.title + "\n" + mask_figures(record.metrics), row.mask, {}};
+  return std::nullopt;
 }
 
 bool of_one_frame(const Record& a, const Record& b) {
@@ -67,8 +80,8 @@ Cells cells_of(const std::vector<Record>& records, const std::vector<PictureRow>
     if (i == 0 || !of_one_frame(records[i - 1], records[i])) {
       cells.all.push_back({reference_caption(records[i]), rows[i].reference, {}});
     }
-    for (const SheetPicture kind : options.pictures) {
-      if (auto shown = cell(kind, records[i], rows[i])) cells.all.push_back(*std::move(shown));
+    for (const SheetChoice& choice : options.pictures) {
+      if (auto shown = cell(choice, records[i], rows[i])) cells.all.push_back(*std::move(shown));
     }
     if (of_one_frame(records[0], records[i])) cells.of_the_first_frame = cells.all.size();
   }

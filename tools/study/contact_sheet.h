@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "study/picture.h"
@@ -12,14 +13,24 @@
 
 namespace penumbra::study {
 
-enum class SheetPicture { result, error, fetches, mask };
+enum class SheetPicture { result, error, fetches, mask, debug_view };
+
+struct SheetChoice {
+  SheetChoice(SheetPicture picture, std::string debug_view = {})
+      : kind(picture), view(std::move(debug_view)) {}
+
+  SheetPicture kind;
+  std::string view;  // of the debug views, by its pass
+
+  bool operator==(const SheetChoice&) const = default;
+};
 
 struct SheetOptions {
   std::optional<PictureWindow> window{};  // what is shown of every picture; absent: all
   int zoom = 1;                           // pixels of the sheet per pixel shown, each way
   int columns = 0;                        // 0: a scene and light take a row, of at most four pictures
-  std::vector<SheetPicture> pictures{
-      SheetPicture::result};  // of each subject; a mask only where there is one
+  // Of each subject; a mask and debug views only where there are some.
+  std::vector<SheetChoice> pictures{SheetPicture::result};
 };
 
 // Per scene and light the ray-traced reference, then the subjects. `records` and `rows` are those of one

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,7 @@ struct PictureRow {
   Picture error;
   Picture fetches;
   Picture mask{};  // white where the full filter runs, black where one fetch does; empty without a mask
+  std::map<std::string, Picture> debug_views{};  // by pass
   double error_scale = 0.5;
   double fetch_scale = 64.0;
 };

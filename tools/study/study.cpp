@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
+#include <optional>
 
 #include "input/input_error.h"
 #include "platform/content_hash.h"
@@ -10,6 +12,7 @@
 #include "reference/reference_cache.h"
 #include "reference/same_map_estimate.h"
 #include "reference/trace_visibility.h"
+#include "resolve/debug_view.h"
 #include "resolve/resolve.h"
 #include "resolve/screen_technique.h"
 #include "scene/content_hash.h"
@@ -215,7 +218,7 @@ class Study {
       scene::Rasteriser rasteriser(device_, scene);
       for (const double degrees : settings_.light_degrees) {
         const Stage stage = set_stage(scene, rasteriser, degrees);
-        const StagedFrame frame{{device_, stage.frame}, resolve::camera_image(stage.frame)};
+        const StagedFrame frame = staged(stage.frame);
         const std::vector<StagedFrame> pan = pan_frames(stage, rasteriser);
         for (std::size_t i = 0; i < subjects_.size(); ++i) {
           progress_(label(stage) + ", " + subjects_[i].subject->name, static_cast<double>(i),
@@ -237,8 +240,8 @@ class Study {
                 " techniques");
       PreparedSubject prepared{&subject, std::nullopt, std::nullopt, std::nullopt, std::nullopt};
       if (subject.screen) {
-        prepared.chain.emplace(device_, shaders::PackageShader(shaders::package_shader_file()),
-                               *subject.screen, settings_.frame.shadows.reversed_z);
+        prepared.chain.emplace(device_, package_shader(), *subject.screen,
+                               settings_.frame.shadows.reversed_z);
       } else {
         prepared.resolver.emplace(device_, resolve::compile(subject.shader));
       }
@@ -249,6 +252,24 @@ class Study {
       subjects_.push_back(std::move(prepared));
       platform::throw_if_interrupted();
     }
+    if (settings_.debug_views.empty()) return;
+    const shaders::PackageShader views(shaders::debug_shader_file());
+    for (const std::string& view : settings_.debug_views) {
+      debug_views_.try_emplace(view, device_, views, view, settings_.frame.shadows.reversed_z);
+    }
+  }
+
+  // Parsed once, when a subject needs it.
+  const shaders::PackageShader& package_shader() {
+    if (!package_shader_) package_shader_.emplace(shaders::package_shader_file());
+    return *package_shader_;
+  }
+
+  // The camera's image only for those who read it.
+  StagedFrame staged(const scene::Frame& frame) const {
+    const bool read = std::any_of(subjects_.begin(), subjects_.end(),
+                                  [](const PreparedSubject& subject) { return subject.chain.has_value(); });
+    return {{device_, frame}, read ? resolve::camera_image(frame) : resolve::CameraImage{}};
   }
 
   static std::string label(const Stage& stage) {
@@ -285,7 +306,7 @@ class Study {
       scene::FrameSettings moved = stage.frame.settings;
       moved.lens_shift.x += k * 2.0 / moved.width;
       const scene::Frame frame = rasteriser.frame(moved);
-      frames.push_back({{device_, frame}, resolve::camera_image(frame)});
+      frames.push_back(staged(frame));
     }
     return frames;
   }
@@ -340,7 +361,21 @@ class Study {
     record.reference = {"ray-traced disc light", stage.t1.samples, stage.t1.noise_floor};
     outcome_.records.push_back(std::move(record));
     outcome_.pictures.push_back(pictures(stage, subject, answer));
+    if (subject.screen) outcome_.pictures.back().debug_views = debug_views(frame, *subject.screen, answer);
     note_unset(subject, answer.image);
+  }
+
+  std::map<std::string, Picture> debug_views(const StagedFrame& frame,
+                                             const resolve::ScreenChainDescription& chain,
+                                             const Answer& answer) {
+    std::map<std::string, Picture> pictures;
+    for (auto& [name, view] : debug_views_) {
+      const std::vector<glm::vec3> colours =
+          view.draw(frame.on_device, frame.camera, answer.image.visibility.front(), answer.masked_out,
+                    chain.parameters);
+      pictures.emplace(name, colour_picture(frame.camera.width, frame.camera.height, colours));
+    }
+    return pictures;
   }
 
   void note_unset(const Subject& subject, const resolve::ResolveResult& result) {
@@ -356,7 +391,9 @@ class Study {
   const StudySettings& settings_;
   const StudyProgress& progress_;
   reference::ReferenceCache cache_;
+  std::optional<shaders::PackageShader> package_shader_;
   std::vector<PreparedSubject> subjects_;
+  std::map<std::string, resolve::DebugView> debug_views_;  // by pass
   StudyOutcome outcome_;
 };
 

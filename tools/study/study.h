@@ -56,6 +56,8 @@ struct StudySettings {
   int pan_frames = 0;       // of a slow pan, for shimmer; below 2: none
   // The part of the picture that figures are of; shimmer, and the pictures, are of all of it. Absent: all.
   std::optional<PictureWindow> window;
+  // Passes of PenumbraDebugViews.shader to draw of every subject that runs over the screen.
+  std::vector<std::string> debug_views{};
   int jobs = 0;
   std::filesystem::path cache;  // empty: the user's cache folder
 };
