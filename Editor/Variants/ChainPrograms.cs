@@ -29,6 +29,7 @@ namespace Penumbra.Editor
         {
             foreach (ChainStep step in chain.Steps)
             {
+                if (step.recorder != null) continue;  // draws with what is its own, if it draws
                 if (!keywordsOf.TryGetValue(step.shaderPass, out List<IReadOnlyList<string>> sets))
                     keywordsOf[step.shaderPass] = sets = new List<IReadOnlyList<string>>();
                 if (!sets.Any(set => set.SequenceEqual(chain.Keywords))) sets.Add(chain.Keywords);

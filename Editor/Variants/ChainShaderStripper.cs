@@ -37,7 +37,7 @@ namespace Penumbra.Editor
         private static List<string> Declared(Shader shader, IList<ShaderCompilerData> data)
         {
             var declared = new List<string>();
-            foreach (string name in TechniqueKeywords.All)
+            foreach (string name in ChainKeywords.All)
                 foreach (ShaderCompilerData variant in data)
                 {
                     if (!Enabled(shader, variant.shaderKeywordSet)(name)) continue;

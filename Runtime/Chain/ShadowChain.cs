@@ -3,35 +3,34 @@ using System.Collections.Generic;
 
 namespace Penumbra
 {
-    /// <summary>One full-screen draw. Textures are indices into ShadowChain.Slots; None where it reads none.</summary>
+    /// <summary>
+    /// A full-screen draw by a pass of the shader, or what a ShadowPass records itself. Textures are indices into
+    /// ShadowChain.Slots; None where it reads none.
+    /// </summary>
     internal struct ChainStep
     {
+        /// <summary>Null where `recorder` has the step.</summary>
         internal string shaderPass;
+
+        internal ShadowPass recorder;
+
+        /// <summary>Which of the recorder's.</summary>
+        internal int run;
+
         internal int source;
-        internal int mask;
         internal int target;
     }
 
-    /// <summary>A texture of the chain: one in `divisor` of the screen's pixels along each axis.</summary>
-    internal readonly struct ChainSlot
+    /// <summary>A texture that every step behind the one that wrote it finds under a global name.</summary>
+    internal struct ChainGlobal
     {
-        /// <summary>Of the slots' textures, in order: as many as a chain may need.</summary>
-        internal static readonly string[] Names =
-        {
-            "_ScreenSpaceShadowmapTexture", "_PenumbraSlot1", "_PenumbraSlot2", "_PenumbraSlot3", "_PenumbraSlot4",
-            "_PenumbraSlot5", "_PenumbraSlot6", "_PenumbraSlot7",
-        };
-
-        internal readonly int divisor;
-
-        internal ChainSlot(int divisor) { this.divisor = divisor; }
-
-        /// <summary>Size along one axis: rounded up, so that the last pixels of an odd screen have one too.</summary>
-        internal int Size(int screenSize) => Math.Max(1, (screenSize + divisor - 1) / divisor);
+        internal int texture;
+        internal int property;
+        internal int afterStep;
     }
 
     /// <summary>
-    /// The draws of a frame and the textures between them, made anew only when the options change. Passes speak of
+    /// The steps of a frame and the textures between them, made anew only when the options change. Passes speak of
     /// textures by number, as many as they like; Finish() puts those that are not alive together into one slot.
     /// Slot 0 is the screen-space shadow texture that receivers read.
     /// </summary>
@@ -40,24 +39,30 @@ namespace Penumbra
         internal const int None = -1;
         internal const int Output = 0;
 
+        /// <summary>Of the slots' textures, in order: as many as a chain may need.</summary>
+        internal static readonly string[] SlotNames =
+        {
+            "_ScreenSpaceShadowmapTexture", "_PenumbraSlot1", "_PenumbraSlot2", "_PenumbraSlot3", "_PenumbraSlot4",
+            "_PenumbraSlot5", "_PenumbraSlot6", "_PenumbraSlot7",
+        };
+
         private readonly List<ChainStep> steps = new List<ChainStep>();
-        private readonly List<int> divisors = new List<int>();
-        private readonly List<ChainSlot> slots = new List<ChainSlot>();
+        private readonly List<ChainTexture> textures = new List<ChainTexture>();
+        private readonly List<ChainTexture> slots = new List<ChainTexture>();
+        private readonly List<ChainGlobal> globals = new List<ChainGlobal>();
         private readonly List<ShadowPass> passes = new List<ShadowPass>();
-        private readonly List<string> keywords = new List<string>();
+        private List<string> keywords;
 
         internal IReadOnlyList<ChainStep> Steps => steps;
-        internal IReadOnlyList<ChainSlot> Slots => slots;
+        internal IReadOnlyList<ChainTexture> Slots => slots;
+        internal IReadOnlyList<ChainGlobal> Globals => globals;
         internal IReadOnlyList<ShadowPass> Passes => passes;
 
-        /// <summary>Of TechniqueKeywords.All those that are on in every draw; a pass minds the ones it declares.</summary>
+        /// <summary>Of ChainKeywords.All those that are on in every draw; a pass minds the ones it declares.</summary>
         internal IReadOnlyList<string> Keywords => keywords;
 
         /// <summary>Where the visibility is by now; None before the resolve.</summary>
         internal int Visibility { get; private set; } = None;
-
-        /// <summary>The finished penumbra mask; None without.</summary>
-        internal int Mask { get; private set; } = None;
 
         /// <summary>The chain of all passes that these options need.</summary>
         internal static ShadowChain Of(in ShadowOptions options, IReadOnlyList<ShadowPass> available)
@@ -70,49 +75,67 @@ namespace Penumbra
                 pass.AddSteps(chain, options);
             }
             chain.Finish();
-            chain.SetKeywords(options.technique);
+            chain.keywords = ChainKeywords.Of(new[] { TechniqueKeywords.Names[(int)options.technique] }, chain.passes);
             return chain;
         }
 
-        /// <summary>A draw into a texture of its own, whose number it returns.</summary>
-        internal int Draw(string shaderPass, int divisor, int source = None)
+        /// <summary>A draw over the screen into a texture of its own, whose number it returns.</summary>
+        internal int Draw(string shaderPass, int divisor, int source = None) =>
+            Draw(shaderPass, ChainTexture.OfScreen(divisor), source);
+
+        internal int Draw(string shaderPass, in ChainTexture texture, int source = None) =>
+            Add(new ChainStep { shaderPass = shaderPass, source = source }, texture);
+
+        /// <summary>What `recorder` records itself, its `run`; into a texture of its own, whose number it returns.</summary>
+        internal int Run(ShadowPass recorder, int run, in ChainTexture texture, int source = None) =>
+            Add(new ChainStep { recorder = recorder, run = run, source = source }, texture);
+
+        private int Add(ChainStep step, in ChainTexture texture)
         {
-            divisors.Add(divisor);
-            int target = divisors.Count - 1;
-            steps.Add(new ChainStep { shaderPass = shaderPass, source = source, mask = Mask, target = target });
-            return target;
+            textures.Add(texture);
+            step.target = textures.Count - 1;
+            steps.Add(step);
+            return step.target;
         }
 
-        internal void SetMask(int texture) { Mask = texture; }
         internal void SetVisibility(int texture) { Visibility = texture; }
 
-        private void SetKeywords(ShadowTechnique technique)
+        /// <summary>`texture`, as it is now, for all steps from here on and for who draws after the chain.</summary>
+        internal void Publish(int texture, int property) =>
+            globals.Add(new ChainGlobal { texture = texture, property = property, afterStep = steps.Count - 1 });
+
+        /// <summary>The slot that Publish has put under the name; None without.</summary>
+        internal int Published(int property)
         {
-            string name = TechniqueKeywords.Names[(int)technique];
-            if (name != null) keywords.Add(name);
-            if (Mask != None) keywords.Add(TechniqueKeywords.Mask);
+            foreach (ChainGlobal global in globals)
+                if (global.property == property) return global.texture;
+            return None;
         }
 
         private void Finish()
         {
             if (Visibility == None) throw new InvalidOperationException("no pass of the chain makes a visibility");
-            if (divisors[Visibility] != 1)
+            if (textures[Visibility].extent != ChainExtent.Screen || textures[Visibility].divisor != 1)
                 throw new InvalidOperationException("the chain ends below the screen's resolution");
             if (steps[steps.Count - 1].target != Visibility)
-                throw new InvalidOperationException("the chain's last draw is not its visibility");
-            int[] slotOf = SlotAssignment.Assign(steps, divisors, slots);
-            if (slots.Count > ChainSlot.Names.Length)
+                throw new InvalidOperationException("the chain's last step is not its visibility");
+            int[] slotOf = SlotAssignment.Assign(steps, textures, globals, slots);
+            if (slots.Count > SlotNames.Length)
                 throw new InvalidOperationException("the chain needs " + slots.Count + " textures at once");
             for (int i = 0; i < steps.Count; ++i)
             {
                 ChainStep step = steps[i];
                 step.source = step.source == None ? None : slotOf[step.source];
-                step.mask = step.mask == None ? None : slotOf[step.mask];
                 step.target = slotOf[step.target];
                 steps[i] = step;
             }
+            for (int i = 0; i < globals.Count; ++i)
+            {
+                ChainGlobal global = globals[i];
+                global.texture = slotOf[global.texture];
+                globals[i] = global;
+            }
             Visibility = slotOf[Visibility];
-            Mask = Mask == None ? None : slotOf[Mask];
         }
     }
 }

@@ -1,11 +1,12 @@
+using System;
 using UnityEngine.Rendering;
 using UnityEngine.Scripting;
 
 namespace Penumbra
 {
     /// <summary>
-    /// One idea of the frame: which of PenumbraShadows.shader's passes it draws, from what, into what. Every class
-    /// derived from it is found and put in by its Order, so that a new one needs no change anywhere else.
+    /// One idea of the frame: what it draws or computes, from what, into what. Every class derived from it is found and
+    /// put in by its Order, so that a new one needs no change anywhere else.
     /// </summary>
     [RequireDerived]
     internal abstract class ShadowPass
@@ -13,12 +14,22 @@ namespace Penumbra
         /// <summary>Place in the chain. Mask 100, resolve 200, upsample 300, denoise 400.</summary>
         internal abstract int Order { get; }
 
+        /// <summary>Of Hidden/Penumbra/Shadows, on in every draw of a chain that has this pass; null: none.</summary>
+        internal virtual string Keyword => null;
+
         internal abstract bool IsNeeded(in ShadowOptions options);
 
-        /// <summary>Adds its draws to the chain.</summary>
+        /// <summary>Adds its steps to the chain: Draw for a pass of the shader, Run for anything else.</summary>
         internal abstract void AddSteps(ShadowChain chain, in ShadowOptions options);
 
         /// <summary>Sets the uniforms that only it reads. Must not allocate.</summary>
         internal virtual void SetUniforms(CommandBuffer commands, in ShadowFrame frame) { }
+
+        /// <summary>
+        /// Records the step that AddSteps has added by Run with this number: a dispatch, or draws with a material of its
+        /// own. The source and the sizes are set as for a draw; no target is bound. Must not allocate.
+        /// </summary>
+        internal virtual void Record(CommandBuffer commands, in ShadowFrame frame, RTHandle target, int run) =>
+            throw new NotSupportedException(GetType().Name + " adds a step of its own and does not record it");
     }
 }

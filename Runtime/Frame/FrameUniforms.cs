@@ -19,7 +19,6 @@ namespace Penumbra
         internal static readonly int TargetSize = Shader.PropertyToID("_PenumbraTargetSize");
         internal static readonly int SourceSize = Shader.PropertyToID("_PenumbraSourceSize");
         internal static readonly int SourceTexture = Shader.PropertyToID("_PenumbraSourceTexture");
-        internal static readonly int MaskTexture = Shader.PropertyToID("_PenumbraMaskTexture");
         internal static readonly int ScreenSpaceShadowmap = Shader.PropertyToID("_ScreenSpaceShadowmapTexture");
 
         private readonly Matrix4x4[] screenToWorld = new Matrix4x4[ShadowFrame.MostViews];
@@ -31,17 +30,20 @@ namespace Penumbra
             commands.SetGlobalVector(Samples, frame.uniforms.Samples);
             commands.SetGlobalVector(Limits, frame.uniforms.Limits);
             commands.SetGlobalVector(Hdrp, frame.uniforms.Hdrp);
-            commands.SetGlobalVector(ScreenSize, Size(frame, new ChainSlot(1)));
+            commands.SetGlobalVector(ScreenSize, Size(frame, ChainTexture.OfScreen(1)));
             screenToWorld[0] = frame.screenToWorld0;
             screenToWorld[1] = frame.screenToWorld1;
             commands.SetGlobalMatrixArray(ScreenToWorldMatrices, screenToWorld);
         }
 
         /// <summary>Width, height and their inverses of what is drawn of a texture.</summary>
-        internal static Vector4 Size(in ShadowFrame frame, in ChainSlot slot)
+        internal static Vector4 Size(in ShadowFrame frame, in ChainTexture texture)
         {
-            float width = Mathf.Ceil(slot.Size(frame.width) * frame.widthScale);
-            float height = Mathf.Ceil(slot.Size(frame.height) * frame.heightScale);
+            bool ofScreen = texture.extent == ChainExtent.Screen;
+            float width = ofScreen ? Mathf.Ceil(texture.Size(frame.width) * frame.widthScale)
+                                   : texture.Size(frame.MapWidth);
+            float height = ofScreen ? Mathf.Ceil(texture.Size(frame.height) * frame.heightScale)
+                                    : texture.Size(frame.MapHeight);
             return new Vector4(width, height, 1.0f / width, 1.0f / height);
         }
     }

@@ -23,5 +23,9 @@ namespace Penumbra
         /// <summary>(uv, stored camera depth, 1) to world, by eye; both the same unless both are drawn at once.</summary>
         internal Matrix4x4 screenToWorld0;
         internal Matrix4x4 screenToWorld1;
+
+        /// <summary>Of the shadow map, all cascades, in texels.</summary>
+        internal int MapWidth => (int)uniforms.MainLightAtlasTexelSize.z;
+        internal int MapHeight => (int)uniforms.MainLightAtlasTexelSize.w;
     }
 }

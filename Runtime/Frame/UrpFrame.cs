@@ -95,20 +95,38 @@ namespace Penumbra
 #endif
         }
 
-        /// <summary>A texture of the chain: one channel, one sample, in the camera's arrangement of eyes.</summary>
-        internal static RenderTextureDescriptor Texture(RenderTextureDescriptor target, in ChainSlot slot)
+        /// <summary>A texture of the chain: one sample; over the screen in the camera's arrangement of eyes.</summary>
+        internal static RenderTextureDescriptor Texture(RenderTextureDescriptor target, in ChainTexture texture,
+                                                        in ShadowFrame frame)
         {
-            target.width = slot.Size(target.width);
-            target.height = slot.Size(target.height);
+            if (texture.extent == ChainExtent.ShadowMap)
+            {
+                target.width = frame.MapWidth;
+                target.height = frame.MapHeight;
+                target.volumeDepth = 1;
+                target.dimension = TextureDimension.Tex2D;
+                target.vrUsage = VRTextureUsage.None;
+                target.useDynamicScale = false;
+            }
+            target.width = texture.Size(target.width);
+            target.height = texture.Size(target.height);
             target.msaaSamples = 1;
+            target.enableRandomWrite = texture.randomWrite;
             target.depthStencilFormat = GraphicsFormat.None;
-#if UNITY_6000_0_OR_NEWER
-            bool renders = SystemInfo.IsFormatSupported(GraphicsFormat.R8_UNorm, GraphicsFormatUsage.Render);
-#else
-            bool renders = SystemInfo.IsFormatSupported(GraphicsFormat.R8_UNorm, FormatUsage.Render);
-#endif
-            target.graphicsFormat = renders ? GraphicsFormat.R8_UNorm : GraphicsFormat.B8G8R8A8_UNorm;
+            target.graphicsFormat = Supported(texture.format);
             return target;
+        }
+
+        // One channel of 8 bits is the one format that some devices cannot draw to.
+        private static GraphicsFormat Supported(GraphicsFormat format)
+        {
+            if (format != GraphicsFormat.R8_UNorm) return format;
+#if UNITY_6000_0_OR_NEWER
+            bool renders = SystemInfo.IsFormatSupported(format, GraphicsFormatUsage.Render);
+#else
+            bool renders = SystemInfo.IsFormatSupported(format, FormatUsage.Render);
+#endif
+            return renders ? format : GraphicsFormat.B8G8R8A8_UNorm;
         }
     }
 }

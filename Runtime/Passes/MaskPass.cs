@@ -12,14 +12,19 @@ namespace Penumbra
     internal sealed class MaskPass : ShadowPass
     {
         internal const int Divisor = 4;
+        internal const string KeywordName = "_PENUMBRA_MASK";
 
         // Of the technique list's masked chains (ShaderLibrary/techniques.json).
         internal const float FilterTexels = 2.0f;
         internal const float LargestRadius = 32.0f;
 
+        internal static readonly int Texture = Shader.PropertyToID("_PenumbraMaskTexture");
         private static readonly int Params = Shader.PropertyToID("_PenumbraMaskParams");
 
         internal override int Order => 100;
+
+        /// <summary>The resolve pass reads the mask.</summary>
+        internal override string Keyword => KeywordName;
 
         /// <summary>A filter that costs no more than the mask gains nothing by it.</summary>
         internal override bool IsNeeded(in ShadowOptions options) =>
@@ -29,7 +34,7 @@ namespace Penumbra
         {
             int found = chain.Draw("PenumbraMask", Divisor);
             int wide = chain.Draw("MaskBlurHorizontal", Divisor, found);
-            chain.SetMask(chain.Draw("MaskBlurVertical", Divisor, wide));
+            chain.Publish(chain.Draw("MaskBlurVertical", Divisor, wide), Texture);
         }
 
         /// <summary>Widest penumbra (m), smallest filter radius (texels), largest radius of the blur (mask texels).</summary>

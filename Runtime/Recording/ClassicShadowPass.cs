@@ -11,13 +11,13 @@ namespace Penumbra
     /// </summary>
     internal sealed class ClassicShadowPass : ScriptableRenderPass
     {
-        private readonly RTHandle[] slots = new RTHandle[ChainSlot.Names.Length];
+        private readonly RTHandle[] slots = new RTHandle[ShadowChain.SlotNames.Length];
         private ChainDraw draw;
         private ShadowFrame frame;
 
         /// <summary>For the camera of the last Setup; what it has drawn stays bound.</summary>
         internal bool HasDrawn { get; private set; }
-        internal bool HasMask => draw.Chain.Mask != ShadowChain.None;
+        internal bool HasMask => draw.Chain.Published(MaskPass.Texture) != ShadowChain.None;
         internal ref readonly ShadowOptions Options => ref frame.options;
 
         internal ClassicShadowPass()
@@ -38,8 +38,9 @@ namespace Penumbra
         {
             RenderTextureDescriptor target = renderingData.cameraData.cameraTargetDescriptor;
             for (int i = 0; i < draw.Chain.Slots.Count; ++i)
-                RenderingUtils.ReAllocateIfNeeded(ref slots[i], UrpFrame.Texture(target, draw.Chain.Slots[i]),
-                                                  FilterMode.Bilinear, TextureWrapMode.Clamp, name: ChainSlot.Names[i]);
+                RenderingUtils.ReAllocateIfNeeded(ref slots[i], UrpFrame.Texture(target, draw.Chain.Slots[i], frame),
+                                                  FilterMode.Bilinear, TextureWrapMode.Clamp,
+                                                  name: ShadowChain.SlotNames[i]);
             Release(draw.Chain.Slots.Count);
             // The renderer has to know what the last draw leaves bound, or it does not bind its own again.
             ConfigureTarget(slots[ShadowChain.Output]);

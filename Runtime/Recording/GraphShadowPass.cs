@@ -15,8 +15,8 @@ namespace Penumbra
     {
         private sealed class PassData
         {
-            internal readonly TextureHandle[] textures = new TextureHandle[ChainSlot.Names.Length];
-            internal readonly RTHandle[] slots = new RTHandle[ChainSlot.Names.Length];
+            internal readonly TextureHandle[] textures = new TextureHandle[ShadowChain.SlotNames.Length];
+            internal readonly RTHandle[] slots = new RTHandle[ShadowChain.SlotNames.Length];
             internal ChainDraw draw;
             internal ShadowFrame frame;
         }
@@ -59,13 +59,14 @@ namespace Penumbra
                 for (int i = 0; i < draw.Chain.Slots.Count; ++i)
                 {
                     RenderTextureDescriptor texture =
-                        UrpFrame.Texture(camera.cameraTargetDescriptor, draw.Chain.Slots[i]);
+                        UrpFrame.Texture(camera.cameraTargetDescriptor, draw.Chain.Slots[i], frame);
                     data.textures[i] = UniversalRenderer.CreateRenderGraphTexture(
-                        renderGraph, texture, ChainSlot.Names[i], false, FilterMode.Bilinear);
+                        renderGraph, texture, ShadowChain.SlotNames[i], false, FilterMode.Bilinear);
                     builder.UseTexture(data.textures[i], AccessFlags.ReadWrite);
                 }
                 Visibility = data.textures[ShadowChain.Output];
-                if (draw.Chain.Mask != ShadowChain.None) Mask = data.textures[draw.Chain.Mask];
+                int mask = draw.Chain.Published(MaskPass.Texture);
+                if (mask != ShadowChain.None) Mask = data.textures[mask];
                 if (resources.cameraDepthTexture.IsValid()) builder.UseTexture(resources.cameraDepthTexture);
                 if (resources.mainShadowsTexture.IsValid()) builder.UseTexture(resources.mainShadowsTexture);
                 builder.SetGlobalTextureAfterPass(data.textures[ShadowChain.Output],

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Penumbra
 {
     /// <summary>
@@ -27,7 +25,7 @@ namespace Penumbra
         PcssHdrp,
     }
 
-    /// <summary>Keywords of Hidden/Penumbra/Shadows; Tent5x5 is what the shader does without any.</summary>
+    /// <summary>Shader keywords of the techniques; Tent5x5 is what the shader does without any.</summary>
     internal static class TechniqueKeywords
     {
         /// <summary>By technique; null where there is none.</summary>
@@ -37,21 +35,6 @@ namespace Penumbra
             "_PENUMBRA_PCSS_HDRP",
         };
 
-        /// <summary>The resolve pass reads the penumbra mask.</summary>
-        internal const string Mask = "_PENUMBRA_MASK";
-
-        /// <summary>All that a pass of the shader may declare.</summary>
-        internal static readonly string[] All = WithMask(Names);
-
         internal static bool TakesSamples(this ShadowTechnique technique) => technique >= ShadowTechnique.Pcss;
-
-        private static string[] WithMask(string[] names)
-        {
-            var all = new List<string>();
-            foreach (string name in names)
-                if (name != null) all.Add(name);
-            all.Add(Mask);
-            return all.ToArray();
-        }
     }
 }

@@ -47,7 +47,7 @@ namespace Penumbra.Tests
                     continue;
                 }
                 foreach (string technique in TechniqueKeywords.Names)
-                    foreach (string mask in new[] { null, TechniqueKeywords.Mask })
+                    foreach (string mask in new[] { null, MaskPass.KeywordName })
                         yield return (pass, new[] { technique, mask }.Where(name => name != null).ToArray());
             }
         }
@@ -56,7 +56,7 @@ namespace Penumbra.Tests
             string.Join(" ", keywords.Prepend(pass));
 
         private static IReadOnlyCollection<string> Declared(string pass) =>
-            pass == "Resolve" ? TechniqueKeywords.All : new string[0];
+            pass == "Resolve" ? ChainKeywords.All : new string[0];
 
         private static string[] Kept(ChainPrograms programs) =>
             EveryProgram().Where(program => programs.Has(program.pass, Declared(program.pass),
@@ -103,7 +103,7 @@ namespace Penumbra.Tests
 
         [Test]
         public void TwoTechniquesAtOnceAreNobodys() =>
-            Assert.That(Of(QualityPreset.High).Has("Resolve", TechniqueKeywords.All, name => true), Is.False);
+            Assert.That(Of(QualityPreset.High).Has("Resolve", ChainKeywords.All, name => true), Is.False);
 
         [Test]
         public void AStageThatDeclaresNoKeywordIsKeptOnceForAll() =>

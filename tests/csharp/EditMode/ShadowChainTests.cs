@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using System.Linq;
 using NUnit.Framework;
+using UnityEngine.Experimental.Rendering;
 
 namespace Penumbra.Tests
 {
@@ -71,12 +72,12 @@ namespace Penumbra.Tests
             foreach (ChainStep step in Chain(options).Steps)
             {
                 Assert.That(step.source, Is.Not.EqualTo(step.target));
-                Assert.That(step.mask == ShadowChain.None || step.mask != step.target);
                 if (step.source != ShadowChain.None) Assert.That(holds.Keys, Has.Member(step.source));
-                if (step.mask != ShadowChain.None)
-                    Assert.That(holds[step.mask], Is.EqualTo("MaskBlurVertical"), "the mask was overwritten");
-                if (step.shaderPass == "Resolve")
-                    Assert.That(step.mask == ShadowChain.None, Is.EqualTo(!options.mask || !options.technique.TakesSamples()));
+                if (step.shaderPass != "Resolve") { holds[step.target] = step.shaderPass; continue; }
+                int mask = Chain(options).Published(MaskPass.Texture);
+                Assert.That(mask == ShadowChain.None, Is.EqualTo(!options.mask || !options.technique.TakesSamples()));
+                if (mask != ShadowChain.None)
+                    Assert.That(holds[mask], Is.EqualTo("MaskBlurVertical"), "the mask was overwritten");
                 holds[step.target] = step.shaderPass;
             }
         }
@@ -106,7 +107,7 @@ namespace Penumbra.Tests
             ShadowChain chain = ShadowChain.Of(Options(true, false, true), passes);
             ChainStep[] later = chain.Steps.SkipWhile(step => step.shaderPass != "Resolve").ToArray();
             Assert.That(later.Length, Is.EqualTo(5));
-            Assert.That(later.Select(step => step.target), Has.None.EqualTo(chain.Mask));
+            Assert.That(later.Select(step => step.target), Has.None.EqualTo(chain.Published(MaskPass.Texture)));
         }
 
         [TestCase(1, 1920, 1920)]
@@ -114,7 +115,7 @@ namespace Penumbra.Tests
         [TestCase(4, 1921, 481)]
         [TestCase(4, 2, 1)]
         public void SlotsRoundUp(int divisor, int screen, int size) =>
-            Assert.That(new ChainSlot(divisor).Size(screen), Is.EqualTo(size));
+            Assert.That(ChainTexture.OfScreen(divisor).Size(screen), Is.EqualTo(size));
 
         [Test]
         public void PassesAreFoundInTheirOrder()
@@ -124,6 +125,50 @@ namespace Penumbra.Tests
                         Is.EqualTo(new[] { typeof(MaskPass), typeof(ResolvePass), typeof(UpsamplePass),
                                            typeof(DenoisePass) }));
         }
+
+        /// <summary>What a later one could be: a reduction of the shadow map by a compute shader, read by name.</summary>
+        private sealed class MapReduction : ShadowPass
+        {
+            internal static readonly ChainTexture Half =
+                new ChainTexture(ChainExtent.ShadowMap, 2, GraphicsFormat.B8G8R8A8_UNorm, randomWrite: true);
+
+            internal override int Order => 50;
+            internal override string Keyword => "_MAP_REDUCTION";
+            internal override bool IsNeeded(in ShadowOptions options) => options.mask;
+
+            internal override void AddSteps(ShadowChain chain, in ShadowOptions options)
+            {
+                int half = chain.Run(this, 0, Half);
+                var quarter = new ChainTexture(ChainExtent.ShadowMap, 4, Half.format, randomWrite: true);
+                chain.Publish(chain.Run(this, 1, quarter, half), 7);
+            }
+        }
+
+        [Test]
+        public void APassMayRecordStepsOfItsOwnIntoTexturesOfItsOwn()
+        {
+            var reduction = new MapReduction();
+            ShadowPass[] passes = ShadowPassList.All.Append(reduction).OrderBy(pass => pass.Order).ToArray();
+            ShadowChain chain = ShadowChain.Of(Options(true, true, true), passes);
+            Assert.That(chain.Steps.Take(2).Select(step => step.recorder), Is.All.SameAs(reduction));
+            Assert.That(chain.Steps.Take(2).Select(step => step.run), Is.EqualTo(new[] { 0, 1 }));
+            Assert.That(chain.Steps[1].source, Is.EqualTo(chain.Steps[0].target));
+            Assert.That(chain.Slots[chain.Steps[0].target], Is.EqualTo(MapReduction.Half));
+            Assert.That(chain.Published(7), Is.EqualTo(chain.Steps[1].target));
+            Assert.That(chain.Steps.Skip(2).Select(step => step.target), Has.None.EqualTo(chain.Published(7)));
+            Assert.That(chain.Keywords, Has.Member("_MAP_REDUCTION"));
+            Assert.That(ShadowChain.Of(Options(false, true, true), passes).Keywords, Has.None.EqualTo("_MAP_REDUCTION"));
+        }
+
+        [Test]
+        public void AStepThatNobodyRecordsIsRefused() =>
+            Assert.That(() => new MapReduction().Record(null, default, null, 0),
+                        Throws.TypeOf<System.NotSupportedException>().With.Message.Contains("MapReduction"));
+
+        [Test]
+        public void TheKeywordsAreTheTechniquesAndThePasses() =>
+            Assert.That(ChainKeywords.All, Is.EquivalentTo(TechniqueKeywords.Names.Where(name => name != null)
+                                                               .Append("_PENUMBRA_MASK")));
 
         private sealed class WithoutVisibility : ShadowPass
         {

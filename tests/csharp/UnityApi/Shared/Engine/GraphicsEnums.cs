@@ -42,6 +42,17 @@ namespace UnityEngine.Rendering
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     public enum RenderBufferStoreAction { Store = 0, DontCare = 3 }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    public enum TextureDimension { Tex2D = 2, Tex2DArray = 5 }
+}
+
+namespace UnityEngine
+{
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    public enum VRTextureUsage { None, OneEye, TwoEyes }
 }
 
 namespace UnityEngine.Experimental.Rendering

@@ -31,6 +31,9 @@ namespace UnityEngine
         public GraphicsFormat graphicsFormat { get; set; }
         public GraphicsFormat depthStencilFormat { get; set; }
         public bool useDynamicScale { get; set; }
+        public bool enableRandomWrite { get; set; }
+        public Rendering.TextureDimension dimension { get; set; }
+        public VRTextureUsage vrUsage { get; set; }
     }
 }
 
