@@ -23,6 +23,7 @@ namespace Penumbra
 
         [SerializeField] private Shader shader;
         [SerializeField] private Shader debugShader;
+        [SerializeField] private PassAssets passAssets = new PassAssets();
         [SerializeField] private PenumbraShadowsSettings settings = new PenumbraShadowsSettings();
 
         private Material material;
@@ -59,6 +60,8 @@ namespace Penumbra
 #endif
             KeepShader(ref shader, ShaderName);
             KeepShader(ref debugShader, DebugViewDraw.ShaderName);
+            if (passAssets.Find(ShadowPassList.All)) MarkChanged();
+            passAssets.Give(ShadowPassList.All);
             LeftOpen.Watch(this);
         }
 
@@ -72,6 +75,11 @@ namespace Penumbra
             PenumbraShadowsVolume volume = VolumeManager.instance.stack.GetComponent<PenumbraShadowsVolume>();
             ShadowOptions options = settings.Options();
             if (volume != null) options = volume.Over(options);
+            if (!FrameGate.Runs(options, SystemInfo.graphicsShaderLevel))
+            {
+                LastSkip = SkipReason.UnsupportedDevice;
+                return;
+            }
             draw.Prepare(options);
             shadowPass.Setup(draw, UrpFrame.Frame(source, options, settings.noise));
             renderer.EnqueuePass(shadowPass);
@@ -95,7 +103,14 @@ namespace Penumbra
 #if UNITY_EDITOR
             if (kept != null) return;
             kept = Shader.Find(name);
-            if (kept != null) UnityEditor.EditorUtility.SetDirty(this);
+            if (kept != null) MarkChanged();
+#endif
+        }
+
+        private void MarkChanged()
+        {
+#if UNITY_EDITOR
+            UnityEditor.EditorUtility.SetDirty(this);
 #endif
         }
 

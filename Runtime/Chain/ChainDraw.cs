@@ -6,8 +6,8 @@ using UnityEngine.Rendering;
 namespace Penumbra
 {
     /// <summary>
-    /// Records a chain, its draws with one material: the same for both of URP's ways to record a frame. Allocates when the chain
-    /// changes, not while it draws.
+    /// Records a chain, its draws with one material: the same for both of URP's ways to record a frame. Allocates when
+    /// the chain changes, not while it draws.
     /// </summary>
     internal sealed class ChainDraw
     {

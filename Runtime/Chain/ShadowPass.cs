@@ -6,7 +6,8 @@ namespace Penumbra
 {
     /// <summary>
     /// One idea of the frame: what it draws or computes, from what, into what. Every class derived from it is found and
-    /// put in by its Order, so that a new one needs no change anywhere else.
+    /// put in by its Order. A new one that records its steps itself (Run) brings its shader along (AssetPath) and needs
+    /// no change anywhere else; one that draws by a pass of Hidden/Penumbra/Shadows (Draw) adds that pass there.
     /// </summary>
     [RequireDerived]
     internal abstract class ShadowPass
@@ -16,6 +17,12 @@ namespace Penumbra
 
         /// <summary>Of Hidden/Penumbra/Shadows, on in every draw of a chain that has this pass; null: none.</summary>
         internal virtual string Keyword => null;
+
+        /// <summary>Path in the package of a shader or compute shader of its own, kept for players; null: none.</summary>
+        internal virtual string AssetPath => null;
+
+        /// <summary>What AssetPath names, before any chain is made; null where it is missing: it is not needed then.</summary>
+        internal virtual void SetAsset(UnityEngine.Object asset) { }
 
         internal abstract bool IsNeeded(in ShadowOptions options);
 

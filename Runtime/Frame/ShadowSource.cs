@@ -51,6 +51,7 @@ namespace Penumbra
         NoCasters,
         MissingShader,
         CompatibilityMode,
+        UnsupportedDevice,
     }
 
     internal static class FrameGate
@@ -73,5 +74,12 @@ namespace Penumbra
             if (!(source.distanceMetres > 0.0f)) return SkipReason.NoShadowDistance;
             return source.hasCasters ? SkipReason.None : SkipReason.NoCasters;
         }
+
+        /// <summary>
+        /// PCSS's programs ask for shader target 4.5 (`SystemInfo.graphicsShaderLevel`); a device below it has none of
+        /// them.
+        /// </summary>
+        internal static bool Runs(in ShadowOptions options, int shaderLevel) =>
+            !options.technique.TakesSamples() || shaderLevel >= 45;
     }
 }

@@ -17,9 +17,9 @@
 #include "../Core/ShadowStructs.hlsl"
 #include "../Core/TechniqueParameters.hlsl"
 
-// PCSS reads depths by gather. Where there is none, or where a raw read of a comparison texture is undefined (OpenGL
-// ES before 3.1, WebGL), the widest tent stands in.
-#if defined(SHADER_API_GLES) || defined(SHADER_API_WEBGL) || (defined(SHADER_API_GLES3) && (SHADER_TARGET < 45))
+// PCSS reads depths by gather from a texture whose sampler compares. That is undefined in OpenGL ES and WebGL, and
+// before ES 3.1 there is no gather: the widest tent stands in.
+#if defined(SHADER_API_GLES) || defined(SHADER_API_GLES3) || defined(SHADER_API_WEBGL)
 #define PENUMBRA_WITHOUT_GATHER
 #endif
 

@@ -56,8 +56,12 @@ TEST_P(UrpInclude, CompilesAndBindsTheMap) {
 TEST_P(UrpInclude, FallsBackToComparisonsWhereThereIsNoGather) {
   const bool gathers = GetParam().starts_with("_PENUMBRA_PCSS");
   EXPECT_EQ(binds(compile_umbrella({{GetParam(), "1"}}), "sampler_PenumbraPointClamp"), gathers);
-  EXPECT_FALSE(
-      binds(compile_umbrella({{GetParam(), "1"}, {"SHADER_API_GLES3", "1"}}), "sampler_PenumbraPointClamp"));
+  // Also where there is one, but not of a texture that compares: OpenGL ES 3.1 and later.
+  for (const char* target : {"35", "45"}) {
+    EXPECT_FALSE(
+        binds(compile_umbrella({{GetParam(), "1"}, {"SHADER_API_GLES3", "1"}, {"SHADER_TARGET", target}}),
+              "sampler_PenumbraPointClamp"));
+  }
 }
 
 }  // namespace

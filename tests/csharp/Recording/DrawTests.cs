@@ -30,6 +30,7 @@ namespace Penumbra.Tests
             VolumeManager.instance.stack.Components.Clear();
             ScalableBufferManager.widthScaleFactor = ScalableBufferManager.heightScaleFactor = 1.0f;
             Time.frameCount = 0;
+            SystemInfo.graphicsShaderLevel = 50;
             CommandBuffer.Silent = false;
             SystemInfo.graphicsUVStartsAtTop = true;
             SystemInfo.usesReversedZBuffer = true;
@@ -215,6 +216,20 @@ namespace Penumbra.Tests
             for (int i = 0; i < 1000; ++i) OneFrame();
             Assert.That(GC.GetAllocatedBytesForCurrentThread() - before, Is.Zero);
             Assert.That(feature.LastSkip, Is.EqualTo(SkipReason.None));
+        }
+
+        [TestCase(QualityPreset.Low, 35, SkipReason.None)]
+        [TestCase(QualityPreset.Medium, 35, SkipReason.UnsupportedDevice)]
+        [TestCase(QualityPreset.Medium, 45, SkipReason.None)]
+        public void ADeviceWithoutThePresetsProgramsIsLeftToUrp(QualityPreset preset, int level, object reason)
+        {
+            SystemInfo.graphicsShaderLevel = level;
+            feature.Settings.preset = preset;
+            FrameKeywords keywords = urp.Render(new FakeScene(), feature);
+            Assert.That(feature.LastSkip, Is.EqualTo(reason));
+            Assert.That(keywords.AtOpaques, Is.EqualTo((SkipReason)reason == SkipReason.None
+                                                           ? ShadowKeywords.ScreenName
+                                                           : ShadowKeywords.CascadesName));
         }
 
         private sealed class FakeRendererWithRoom : ScriptableRenderer

@@ -149,7 +149,11 @@ namespace UnityEditor
     {
         public static string GetAssetPath(Object assetObject) => "";
         public static Object LoadMainAssetAtPath(string assetPath) => null;
-        public static T LoadAssetAtPath<T>(string assetPath) where T : Object => null;
+        [OwnBehaviour] public static System.Collections.Generic.Dictionary<string, Object> Assets { get; } =
+            new System.Collections.Generic.Dictionary<string, Object>();
+
+        public static T LoadAssetAtPath<T>(string assetPath) where T : Object =>
+            Assets.TryGetValue(assetPath, out Object asset) ? asset as T : null;
         public static string GUIDToAssetPath(string guid) => "";
         public static string[] GetAllAssetPaths() => new string[0];
         public static void ImportAsset(string path) { }

@@ -72,6 +72,7 @@ namespace UnityEngine
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/SystemInfo/SystemInfo.bindings.cs")]
     public sealed partial class SystemInfo
     {
+        public static int graphicsShaderLevel { get; [OwnBehaviour] set; } = 50;
         public static bool graphicsUVStartsAtTop { get; [OwnBehaviour] set; } = true;
         public static bool usesReversedZBuffer { get; [OwnBehaviour] set; } = true;
     }
