@@ -58,9 +58,7 @@ namespace Penumbra
             restorePass = restorePass ?? new ClassicRestorePass();
             debugPass = debugPass ?? new ClassicDebugPass(shadowPass);
 #endif
-            KeepShader(ref shader, ShaderName);
-            KeepShader(ref debugShader, DebugViewDraw.ShaderName);
-            if (passAssets.Find(ShadowPassList.All)) MarkChanged();
+            FindShaders();
             passAssets.Give(ShadowPassList.All);
             LeftOpen.Watch(this);
         }
@@ -72,9 +70,7 @@ namespace Penumbra
             LastSkip = Reason(source);
             if (LastSkip != SkipReason.None) return;
 
-            PenumbraShadowsVolume volume = VolumeManager.instance.stack.GetComponent<PenumbraShadowsVolume>();
-            ShadowOptions options = settings.Options();
-            if (volume != null) options = volume.Over(options);
+            ShadowOptions options = Options();
             if (!FrameGate.Runs(options, SystemInfo.graphicsShaderLevel))
             {
                 LastSkip = SkipReason.UnsupportedDevice;
@@ -82,11 +78,25 @@ namespace Penumbra
             }
             draw.Prepare(options);
             shadowPass.Setup(draw, UrpFrame.Frame(source, options, settings.noise));
+#if !UNITY_6000_0_OR_NEWER
+            shadowPass.SetPath(UrpFrame.IsDeferred(renderer, renderingData.cameraData));
+#endif
             renderer.EnqueuePass(shadowPass);
             renderer.EnqueuePass(restorePass);
             if (options.debugView == DebugView.None || !LoadDebugMaterial()) return;
             debugPass.Setup(debugDraw);
             renderer.EnqueuePass(debugPass);
+        }
+
+        // The feature's, then what its project's Volumes override.
+        private ShadowOptions Options()
+        {
+            ShadowOptions options = settings.Options();
+#if UNITY_6000_0_OR_NEWER
+            options = DefaultVolumes.Over(options);
+#endif
+            PenumbraShadowsVolume volume = VolumeManager.instance.stack.GetComponent<PenumbraShadowsVolume>();
+            return volume != null ? volume.Over(options) : options;
         }
 
         private SkipReason Reason(in ShadowSource source)
@@ -97,21 +107,24 @@ namespace Penumbra
             return LoadMaterial() ? SkipReason.None : SkipReason.MissingShader;
         }
 
-        // A player contains what is referenced: the asset remembers the shader as soon as the editor has found it.
-        private void KeepShader(ref Shader kept, string name)
+        /// <summary>
+        /// A player contains what is referenced: the asset remembers its shaders as soon as the editor has found them.
+        /// </summary>
+        internal void FindShaders()
         {
 #if UNITY_EDITOR
-            if (kept != null) return;
-            kept = Shader.Find(name);
-            if (kept != null) MarkChanged();
+            bool changed = passAssets.Find(ShadowPassList.All);
+            changed |= Find(ref shader, ShaderName);
+            changed |= Find(ref debugShader, DebugViewDraw.ShaderName);
+            if (changed) UnityEditor.EditorUtility.SetDirty(this);
 #endif
         }
 
-        private void MarkChanged()
+        private static bool Find(ref Shader shader, string name)
         {
-#if UNITY_EDITOR
-            UnityEditor.EditorUtility.SetDirty(this);
-#endif
+            if (shader != null) return false;
+            shader = Shader.Find(name);
+            return shader != null;
         }
 
         private bool LoadMaterial()
@@ -136,7 +149,7 @@ namespace Penumbra
 
         private static Material MaterialOf(ref Shader shader, string name)
         {
-            if (shader == null) shader = Shader.Find(name);
+            Find(ref shader, name);
             return shader != null && shader.isSupported ? CoreUtils.CreateEngineMaterial(shader) : null;
         }
 

@@ -4,9 +4,10 @@
 //             texel of the shadow map is there; how wide the penumbra is; where the mask lets the filter run.
 // Source:     Screen/DebugColours.hlsl; the width: Filters/PcssAngular.hlsl, whatever the technique is.
 // Inputs:     those of ScreenPass.hlsl and Shadows.hlsl as the frame's own passes had them; URP's
-//             _ScreenSpaceShadowmapTexture; _PenumbraMaskTexture; _PenumbraDebugParams.x: 1 where there is a mask, else 0.
+//             _ScreenSpaceShadowmapTexture; _PenumbraMaskTexture; _PenumbraDebugParams: x 1 where there is a mask, y 1
+//             where the camera draws over another's picture.
 // Cost:       the width: a blocker search; the others 2 to 7 fetches.
-// Guarantees: black on the sky; alpha 1. A width below a texel is blue: a tent filter draws such a penumbra as well.
+// Guarantees: black on the sky, or nothing over another camera's picture; alpha 1. A width below a texel is blue: a tent filter draws such a penumbra as well.
 // Use it:     in the editor and in development builds, by the passes of PenumbraDebugViews.shader.
 #ifndef PENUMBRA_DEBUG_PASS_HLSL
 #define PENUMBRA_DEBUG_PASS_HLSL
@@ -16,6 +17,7 @@
 
 #include "ScreenPass.hlsl"
 #include "../ShaderLibrary/Shadows.hlsl"
+#include "../ShaderLibrary/Core/Penumbra.hlsl"
 #include "../ShaderLibrary/Screen/DebugColours.hlsl"
 #include "../ShaderLibrary/Screen/PenumbraMask.hlsl"
 
@@ -46,6 +48,7 @@ DebugPixel ReadDebugPixel(float4 positionCS)
 
 float4 OnSurface(DebugPixel here, float3 colour)
 {
+    if (!here.surface.seen && _PenumbraDebugParams.y > 0.5) discard;
     return here.surface.seen ? float4(colour, 1.0) : float4(0.0, 0.0, 0.0, 1.0);
 }
 

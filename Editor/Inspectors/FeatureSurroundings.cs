@@ -34,8 +34,12 @@ namespace Penumbra.Editor
                                                other.GetType().FullName == UrpScreenSpaceShadows;
             if (!(renderer is UniversalRendererData universal)) return;
             state.depthPriming = universal.depthPrimingMode != DepthPrimingMode.Disabled;
-            state.deferred = universal.renderingMode != RenderingMode.Forward &&
-                             universal.renderingMode != RenderingMode.ForwardPlus;
+            state.deferred = IsDeferred(universal);
         }
+
+        /// <summary>True as well for a renderer that is not URP's own: it may be.</summary>
+        internal static bool IsDeferred(ScriptableRendererData renderer) =>
+            !(renderer is UniversalRendererData universal) || (universal.renderingMode != RenderingMode.Forward &&
+                                                               universal.renderingMode != RenderingMode.ForwardPlus);
     }
 }

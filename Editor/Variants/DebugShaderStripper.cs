@@ -1,5 +1,4 @@
 using System.Collections.Generic;
-using UnityEditor;
 using UnityEditor.Build;
 using UnityEditor.Rendering;
 using UnityEngine;
@@ -13,7 +12,7 @@ namespace Penumbra.Editor
 
         public void OnProcessShader(Shader shader, ShaderSnippetData snippet, IList<ShaderCompilerData> data)
         {
-            if (Removes(shader.name, EditorUserBuildSettings.development)) data.Clear();
+            if (Removes(shader.name, PlayerBuild.IsDevelopment)) data.Clear();
         }
 
         internal static bool Removes(string shaderName, bool development) =>

@@ -23,14 +23,33 @@ namespace Penumbra.Editor
         internal static List<ScriptableRendererData> Renderers() =>
             new List<ScriptableRendererData>(Assets<ScriptableRendererData>());
 
+        /// <summary>The active ones.</summary>
+        internal static IEnumerable<PenumbraShadows> Features() => Features(Assets<ScriptableRendererData>());
+
+        /// <summary>A renderer of the project may draw a G-buffer.</summary>
+        internal static bool AnyDeferred
+        {
+            get
+            {
+                foreach (ScriptableRendererData renderer in Assets<ScriptableRendererData>())
+                    if (FeatureSurroundings.IsDeferred(renderer)) return true;
+                return false;
+            }
+        }
+
         private static IEnumerable<PenumbraShadowsSettings> Settings() => Settings(Assets<ScriptableRendererData>());
 
         /// <summary>Of the active features of `renderers`.</summary>
         internal static IEnumerable<PenumbraShadowsSettings> Settings(IEnumerable<ScriptableRendererData> renderers)
         {
+            foreach (PenumbraShadows feature in Features(renderers)) yield return feature.Settings;
+        }
+
+        private static IEnumerable<PenumbraShadows> Features(IEnumerable<ScriptableRendererData> renderers)
+        {
             foreach (ScriptableRendererData renderer in renderers)
                 foreach (ScriptableRendererFeature feature in renderer.rendererFeatures)
-                    if (feature is PenumbraShadows shadows && shadows.isActive) yield return shadows.Settings;
+                    if (feature is PenumbraShadows shadows && shadows.isActive) yield return shadows;
         }
 
         private static List<PenumbraShadowsVolume> Volumes()

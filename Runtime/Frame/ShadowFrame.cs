@@ -12,6 +12,9 @@ namespace Penumbra
         internal ShadowOptions options;
         internal ShadowUniforms uniforms;
 
+        /// <summary>The camera draws over what another one has drawn.</summary>
+        internal bool overlay;
+
         /// <summary>Of the camera's target in pixels, before dynamic resolution.</summary>
         internal int width;
         internal int height;

@@ -60,7 +60,8 @@ namespace Penumbra
         /// </summary>
         internal static bool TrySetCamera(ref ShadowFrame frame, ref FrameCamera camera)
         {
-            SetSize(ref frame, camera.camera, camera.cameraTargetDescriptor);
+            SetSize(ref frame, camera.cameraTargetDescriptor);
+            frame.overlay = camera.renderType == CameraRenderType.Overlay;
             if (!TryGetScreenToWorld(camera.GetViewMatrix(0), camera.GetProjectionMatrix(0),
                                      out frame.screenToWorld0)) return false;
             frame.screenToWorld1 = frame.screenToWorld0;
@@ -69,12 +70,12 @@ namespace Penumbra
                                        out frame.screenToWorld1);
         }
 
-        internal static void SetSize(ref ShadowFrame frame, Camera camera, in RenderTextureDescriptor target)
+        internal static void SetSize(ref ShadowFrame frame, in RenderTextureDescriptor target)
         {
             frame.width = target.width;
             frame.height = target.height;
-            frame.widthScale = camera.allowDynamicResolution ? ScalableBufferManager.widthScaleFactor : 1.0f;
-            frame.heightScale = camera.allowDynamicResolution ? ScalableBufferManager.heightScaleFactor : 1.0f;
+            frame.widthScale = target.useDynamicScale ? ScalableBufferManager.widthScaleFactor : 1.0f;
+            frame.heightScale = target.useDynamicScale ? ScalableBufferManager.heightScaleFactor : 1.0f;
         }
 
         // Camera depth is always drawn into a texture, whatever the camera's target is, so the projection is the one
@@ -83,6 +84,15 @@ namespace Penumbra
             ScreenToWorld.TryGet(view, GL.GetGPUProjectionMatrix(projection, true),
                                  new ScreenConventions(SystemInfo.graphicsUVStartsAtTop,
                                                        SystemInfo.usesReversedZBuffer), out screenToWorld);
+
+#if !UNITY_6000_0_OR_NEWER
+        /// <summary>
+        /// This camera draws a G-buffer. URP 14 has no public word for a renderer that does but that it has no
+        /// multisampling; overlay cameras and wireframe run forward in it.
+        /// </summary>
+        internal static bool IsDeferred(ScriptableRenderer renderer, in CameraData camera) =>
+            !renderer.supportedRenderingFeatures.msaa && camera.renderType == CameraRenderType.Base && !GL.wireframe;
+#endif
 
         /// <summary>Unity 6 with the render graph switched off, which some versions still allow: we do not record.</summary>
         internal static bool InCompatibilityMode()

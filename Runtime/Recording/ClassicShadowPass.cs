@@ -5,10 +5,7 @@ using UnityEngine.Rendering.Universal;
 
 namespace Penumbra
 {
-    /// <summary>
-    /// URP 14: draws the chain and switches receivers to its texture. One event serves every rendering path: forward
-    /// has its depth prepass before it, deferred its G-buffer and the copy of its depth.
-    /// </summary>
+    /// <summary>URP 14: draws the chain and switches receivers to its texture.</summary>
     internal sealed class ClassicShadowPass : ScriptableRenderPass
     {
         private readonly RTHandle[] slots = new RTHandle[ShadowChain.SlotNames.Length];
@@ -17,12 +14,12 @@ namespace Penumbra
 
         /// <summary>For the camera of the last Setup; what it has drawn stays bound.</summary>
         internal bool HasDrawn { get; private set; }
+        internal bool IsOverlay => frame.overlay;
         internal bool HasMask => draw.Chain.Published(MaskPass.Texture) != ShadowChain.None;
         internal ref readonly ShadowOptions Options => ref frame.options;
 
         internal ClassicShadowPass()
         {
-            renderPassEvent = RenderPassEvent.AfterRenderingGbuffer;
             profilingSampler = new ProfilingSampler("Penumbra Shadows");
         }
 
@@ -31,7 +28,19 @@ namespace Penumbra
             this.draw = draw;
             this.frame = frame;
             HasDrawn = false;
-            ConfigureInput(ScriptableRenderPassInput.Depth);
+        }
+
+        /// <summary>
+        /// Forward has a depth prepass where depth is asked for no later than the G-buffer's place; a deferred renderer's
+        /// overlay cameras run forward and are judged like the others. Deferred has its G-buffer's depth after it, and
+        /// asked for normals also that of what is drawn forward there.
+        /// </summary>
+        internal void SetPath(bool deferred)
+        {
+            renderPassEvent =
+                deferred ? RenderPassEvent.AfterRenderingGbuffer : RenderPassEvent.BeforeRenderingGbuffer;
+            ConfigureInput(deferred ? ScriptableRenderPassInput.Depth | ScriptableRenderPassInput.Normal
+                                    : ScriptableRenderPassInput.Depth);
         }
 
         public override void OnCameraSetup(CommandBuffer cmd, ref RenderingData renderingData)

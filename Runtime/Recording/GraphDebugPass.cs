@@ -13,6 +13,7 @@ namespace Penumbra
             internal DebugViewDraw draw;
             internal DebugView view;
             internal bool hasMask;
+            internal bool overlay;
         }
 
         private readonly GraphShadowPass shadows;
@@ -21,7 +22,8 @@ namespace Penumbra
         internal GraphDebugPass(GraphShadowPass shadows)
         {
             this.shadows = shadows;
-            renderPassEvent = RenderPassEvent.BeforeRenderingPostProcessing;
+            // Gizmos come between the transparents and post-processing.
+            renderPassEvent = RenderPassEvent.AfterRenderingTransparents;
             profilingSampler = new ProfilingSampler("Penumbra Debug View");
             // Instead of the back buffer, whose rows run the other way than the chain's textures on some devices.
             requiresIntermediateTexture = true;
@@ -39,6 +41,7 @@ namespace Penumbra
                 data.draw = draw;
                 data.view = shadows.Options.debugView;
                 data.hasMask = shadows.Mask.IsValid();
+                data.overlay = shadows.IsOverlay;
                 builder.SetRenderAttachment(resources.activeColorTexture, 0, AccessFlags.Write);
                 builder.UseTexture(shadows.Visibility, AccessFlags.Read);
                 if (data.hasMask) builder.UseTexture(shadows.Mask, AccessFlags.Read);
@@ -46,7 +49,8 @@ namespace Penumbra
                 if (resources.mainShadowsTexture.IsValid()) builder.UseTexture(resources.mainShadowsTexture);
                 builder.AllowGlobalStateModification(true);
                 builder.SetRenderFunc(static (PassData passData, RasterGraphContext context) =>
-                                          passData.draw.Draw(context.cmd, passData.view, passData.hasMask));
+                                          passData.draw.Draw(context.cmd, passData.view, passData.hasMask,
+                                                             passData.overlay));
             }
         }
     }

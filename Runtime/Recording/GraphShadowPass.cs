@@ -30,6 +30,7 @@ namespace Penumbra
         /// <summary>The same; not valid without a mask.</summary>
         internal TextureHandle Mask { get; private set; }
 
+        internal bool IsOverlay => frame.overlay;
         internal ref readonly ShadowOptions Options => ref frame.options;
 
         internal GraphShadowPass()

@@ -260,6 +260,16 @@ namespace Penumbra.Tests
         [TestCase(true, true, true)]
         [TestCase(false, false, true)]
         public void OpaqueReceiversOfTheScreenTextureStay(bool screen, bool transparent, bool canRemove) =>
-            Assert.That(ScreenShadowStripper.CanRemove(screen, transparent), Is.EqualTo(canRemove));
+            Assert.That(ScreenShadowStripper.CanRemove(screen, transparent, isDrawnByNobody: false),
+                        Is.EqualTo(canRemove));
+
+        [TestCase("Universal Render Pipeline/Lit", "GBuffer", true)]
+        [TestCase("Universal Render Pipeline/Lit", "ForwardLit", false)]
+        [TestCase("Hidden/Universal Render Pipeline/StencilDeferred", "Deferred Directional Light (Lit)", true)]
+        public void WithoutADeferredRendererItsPassesGo(string shader, string pass, bool ofDeferred)
+        {
+            Assert.That(ScreenShadowStripper.IsOfDeferred(shader, pass), Is.EqualTo(ofDeferred));
+            Assert.That(ScreenShadowStripper.CanRemove(true, false, isDrawnByNobody: ofDeferred), Is.EqualTo(ofDeferred));
+        }
     }
 }

@@ -87,6 +87,18 @@ namespace Penumbra.Tests
         }
 
         [Test]
+        public void AnOverlayCameraLeavesWhatItDoesNotSee()
+        {
+            feature.Settings.debugView = DebugView.Cascades;
+            foreach (bool overlay in new[] { false, true })
+            {
+                urp.Render(new FakeScene { Overlay = overlay }, feature);
+                Assert.That(((Vector4)urp.Device.Draws.Last().Uniforms["_PenumbraDebugParams"]).y,
+                            Is.EqualTo(overlay ? 1.0f : 0.0f));
+            }
+        }
+
+        [Test]
         public void AVolumeChoosesOneByPlace()
         {
             var volume = new PenumbraShadowsVolume();
@@ -145,10 +157,11 @@ namespace Penumbra.Tests
             RenderingData data = FakeUrp.Data(new FakeScene(), new Camera());
             feature.AddRenderPasses(renderer, ref data);
             ScriptableRenderPass last = renderer.Queue.OrderBy(pass => (int)pass.renderPassEvent).Last();
-            Assert.That(last.renderPassEvent, Is.EqualTo(RenderPassEvent.BeforeRenderingPostProcessing));
 #if UNITY_6000_0_OR_NEWER
+            Assert.That(last.renderPassEvent, Is.EqualTo(RenderPassEvent.AfterRenderingTransparents));
             Assert.That(last.requiresIntermediateTexture);
 #else
+            Assert.That(last.renderPassEvent, Is.EqualTo(RenderPassEvent.BeforeRenderingPostProcessing));
             Assert.That(last.input, Is.EqualTo(ScriptableRenderPassInput.Color));
 #endif
         }

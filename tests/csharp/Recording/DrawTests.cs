@@ -195,7 +195,7 @@ namespace Penumbra.Tests
             feature.AddRenderPasses(renderer, ref data);
             ShadowSource source = UrpFrame.Source(ref data);
             ShadowFrame frame = UrpFrame.Frame(source, feature.Settings.Options(), NoiseMode.PerFrame);
-            UrpFrame.SetSize(ref frame, new Camera(), new FakeScene().Target());
+            UrpFrame.SetSize(ref frame, new FakeScene().Target());
             var draw = new ChainDraw(new Material(FakeShader.Install()));
             draw.Prepare(feature.Settings.Options());
             RTHandle[] slots = draw.Chain.Slots.Select(slot => new RTHandle()).ToArray();

@@ -18,6 +18,7 @@ namespace Penumbra.Tests
         internal int Cascades = 4;
         internal bool SceneLightingOff;
         internal bool DepthOnly;
+        internal bool Overlay;
         internal int Views = 0;
         internal int Width = 321;
         internal int Height = 181;

@@ -15,6 +15,7 @@ namespace Penumbra.Tests
             data.cullResults.HasCasters = scene.Casters;
             data.cameraData.camera = camera;
             data.cameraData.cameraType = scene.Camera;
+            data.cameraData.renderType = scene.Overlay ? CameraRenderType.Overlay : CameraRenderType.Base;
             data.cameraData.targetTexture = scene.Texture();
             data.cameraData.cameraTargetDescriptor = scene.Target();
             data.cameraData.maxShadowDistance = scene.Distance;

@@ -30,6 +30,7 @@ namespace Penumbra.Tests
             };
             var cameraData = new UniversalCameraData
             {
+                renderType = scene.Overlay ? CameraRenderType.Overlay : CameraRenderType.Base,
                 camera = camera, cameraType = scene.Camera, targetTexture = scene.Texture(),
                 cameraTargetDescriptor = scene.Target(), maxShadowDistance = scene.Distance,
                 Views = scene.ViewMatrices(), Projections = scene.Projections(),

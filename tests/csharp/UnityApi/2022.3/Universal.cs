@@ -44,6 +44,7 @@ namespace UnityEngine.Rendering.Universal
         public Camera camera;
         public RenderTexture targetTexture;
         public RenderTextureDescriptor cameraTargetDescriptor;
+        public CameraRenderType renderType;
         public CameraType cameraType;
         public float maxShadowDistance;
 
@@ -86,5 +87,16 @@ namespace UnityEngine.Rendering.Universal
             handle = new RTHandle { What = name, Descriptor = descriptor };
             return true;
         }
+    }
+
+    public abstract partial class ScriptableRenderer
+    {
+        [ReadFrom(At.Universal14, "universal", "Runtime/ScriptableRenderer.cs")]
+        public class RenderingFeatures
+        {
+            public bool msaa { get; set; } = true;
+        }
+
+        public RenderingFeatures supportedRenderingFeatures { get; set; } = new RenderingFeatures();
     }
 }

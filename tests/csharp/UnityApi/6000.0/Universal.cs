@@ -102,6 +102,7 @@ namespace UnityEngine.Rendering.Universal
         [OwnBehaviour] public Matrix4x4[] Projections;
 
         public Camera camera;
+        public CameraRenderType renderType;
         public RenderTexture targetTexture;
         public RenderTextureDescriptor cameraTargetDescriptor;
         public CameraType cameraType;

@@ -8,6 +8,7 @@ namespace UnityEngine.Rendering
     [ReadFrom(At.Core17, "core", "Runtime/Volume/VolumeComponent.cs")]
     public partial class VolumeComponent : ScriptableObject
     {
+        public bool active = true;
     }
 
     [ReadFrom(At.Core14, "core", "Runtime/Volume/VolumeParameter.cs")]
@@ -89,10 +90,13 @@ namespace UnityEngine.Rendering
     [ReadFrom(At.Core17, "core", "Runtime/Volume/VolumeProfile.cs")]
     public sealed partial class VolumeProfile : ScriptableObject
     {
+        public List<VolumeComponent> components = new List<VolumeComponent>();
+
         public bool TryGet<T>(out T component) where T : VolumeComponent
         {
             component = null;
-            return false;
+            foreach (VolumeComponent one in components) component = component ?? one as T;
+            return component != null;
         }
     }
 
@@ -120,5 +124,14 @@ namespace UnityEngine.Rendering
         public static VolumeManager instance { get; } = new VolumeManager();
 
         public VolumeStack stack { get; set; } = new VolumeStack();
+
+#if UNITY_6000_0_OR_NEWER
+        public VolumeProfile qualityDefaultProfile { get; [OwnBehaviour] set; }
+        public System.Collections.ObjectModel.ReadOnlyCollection<VolumeProfile> customDefaultProfiles
+        {
+            get;
+            [OwnBehaviour] set;
+        }
+#endif
     }
 }

@@ -67,6 +67,11 @@ namespace UnityEditor
         public virtual void OnInspectorGUI() { }
     }
 
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/BuildPipeline.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/BuildPipeline.bindings.cs")]
+    [Flags]
+    public enum BuildOptions { None = 0, Development = 1 << 0 }
+
     [ReadFrom(At.Unity2022, "engine", "Editor/Mono/EditorUserBuildSettings.bindings.cs")]
     [ReadFrom(At.Unity6, "engine", "Editor/Mono/EditorUserBuildSettings.bindings.cs")]
     public partial class EditorUserBuildSettings : Object
@@ -166,8 +171,41 @@ namespace UnityEditor
     }
 }
 
+namespace UnityEditor.Build.Reporting
+{
+    [ReadFrom(At.Unity2022, "engine", "Modules/BuildReportingEditor/Managed/BuildSummary.cs")]
+    [ReadFrom(At.Unity6, "engine", "Modules/BuildReportingEditor/Managed/BuildSummary.cs")]
+    public struct BuildSummary
+    {
+        public BuildOptions options { get; }
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Modules/BuildReportingEditor/Managed/BuildReport.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Modules/BuildReportingEditor/Managed/BuildReport.bindings.cs")]
+    public sealed partial class BuildReport : Object
+    {
+        private BuildReport() { }
+
+        public BuildSummary summary => default;
+    }
+}
+
 namespace UnityEditor.Build
 {
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/BuildPipeline/BuildPipelineInterfaces.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/BuildPipeline/BuildPipelineInterfaces.cs")]
+    public interface IPreprocessBuildWithReport : IOrderedCallback
+    {
+        void OnPreprocessBuild(Reporting.BuildReport report);
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/BuildPipeline/BuildPipelineInterfaces.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/BuildPipeline/BuildPipelineInterfaces.cs")]
+    public interface IPostprocessBuildWithReport : IOrderedCallback
+    {
+        void OnPostprocessBuild(Reporting.BuildReport report);
+    }
+
     [ReadFrom(At.Unity2022, "engine", "Editor/Mono/BuildPipeline/BuildPipelineInterfaces.cs")]
     [ReadFrom(At.Unity6, "engine", "Editor/Mono/BuildPipeline/BuildPipelineInterfaces.cs")]
     public interface IOrderedCallback

@@ -40,6 +40,8 @@ namespace UnityEngine
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/Graphics.bindings.cs")]
     public sealed partial class GL
     {
+        public static bool wireframe { get; set; }
+
         /// <summary>As on Direct3D: depth reversed and to 0..1; y turned for textures.</summary>
         public static Matrix4x4 GetGPUProjectionMatrix(Matrix4x4 proj, bool renderIntoTexture)
         {

@@ -44,7 +44,7 @@ namespace UnityEngine.Rendering.Universal
     [ReadFrom(At.Universal14, "universal", "Runtime/Passes/ScriptableRenderPass.cs")]
     [ReadFrom(At.Universal17, "universal", "Runtime/Passes/ScriptableRenderPass.cs")]
     [Flags]
-    public enum ScriptableRenderPassInput { None = 0, Depth = 1 << 0, Color = 1 << 2 }
+    public enum ScriptableRenderPassInput { None = 0, Depth = 1 << 0, Normal = 1 << 1, Color = 1 << 2 }
 
     [ReadFrom(At.Universal14, "universal", "Runtime/Passes/ScriptableRenderPass.cs")]
     [ReadFrom(At.Universal17, "universal", "Runtime/Passes/ScriptableRenderPass.cs")]
@@ -53,6 +53,7 @@ namespace UnityEngine.Rendering.Universal
         BeforeRenderingGbuffer = 210,
         AfterRenderingGbuffer = 220,
         BeforeRenderingTransparents = 450,
+        AfterRenderingTransparents = 500,
         BeforeRenderingPostProcessing = 550,
     }
 }
@@ -65,6 +66,10 @@ namespace UnityEngine.Rendering.Universal
     {
         public List<ScriptableRendererFeature> rendererFeatures { get; } = new List<ScriptableRendererFeature>();
     }
+
+    [ReadFrom(At.Universal14, "universal", "Runtime/UniversalAdditionalCameraData.cs")]
+    [ReadFrom(At.Universal17, "universal", "Runtime/UniversalAdditionalCameraData.cs")]
+    public enum CameraRenderType { Base, Overlay }
 
     [ReadFrom(At.Universal14, "universal", "Runtime/UniversalRenderer.cs")]
     [ReadFrom(At.Universal17, "universal", "Runtime/UniversalRenderer.cs")]
