@@ -90,10 +90,9 @@ class Branch(CopiedRepository):
         self.assert_refused(1, f"scripts/package: Documentation~/made.md and 1 more: {text}", "--branch", "upm")
         (self.folder / "Documentation~/made.md").unlink()
         self.git("checkout", "--quiet", "README.md")
-        (self.folder / "Documentation~/ci.md").rename(self.outside / "ci.md")
-        self.replace("README.md", "(Documentation~/ci.md)", "(Documentation~/cost.md)")
-        self.git("commit", "--quiet", "--message", "Link", "README.md")
-        self.assert_refused(1, f"scripts/package: Documentation~/ci.md: {text}", "--branch", "upm")
+        unlinked = "Documentation~/variants/receivers.json"
+        (self.folder / unlinked).unlink()
+        self.assert_refused(1, f"scripts/package: {unlinked}: {text}", "--branch", "upm")
         self.assertEqual(self.git("branch", "--list", "upm"), "")
 
     def test_branches_of_other_things_stay(self):
