@@ -9,6 +9,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 SCRIPT = Path("scripts") / "pictures"
+PACKAGES = "PENUMBRA_URP_PACKAGES"
 LARGEST = 1_000_000  # bytes
 
 
@@ -43,9 +44,9 @@ class Script(unittest.TestCase):
         (self.root / "Documentation~" / name).write_text(text)
 
     def run_script(self, *arguments, packages=None):
-        environment = {key: value for key, value in os.environ.items() if key != "URP_PACKAGES"}
+        environment = {key: value for key, value in os.environ.items() if key != PACKAGES}
         if packages:
-            environment["URP_PACKAGES"] = packages
+            environment[PACKAGES] = packages
         return subprocess.run([self.root / SCRIPT, "--program", self.program, *arguments], env=environment,
                               capture_output=True, text=True)
 
@@ -67,7 +68,7 @@ class Script(unittest.TestCase):
         self.page("penumbra render --package-root com.unity.a-b=DIR --sheet Documentation~/images/one.png")
         without = self.run_script()
         self.assertEqual((without.returncode, without.stdout), (0, ""))
-        self.assertIn("one.png: stays as it is", without.stderr)
+        self.assertIn(f"one.png: stays as it is: {PACKAGES} names no folder", without.stderr)
         self.assertIn("<com.unity.a-b=/packages/com.unity.a-b>", self.run_script(packages="/packages").stdout)
 
     def test_a_failure_ends_it(self):
