@@ -1,0 +1,70 @@
+"""The tables of masks and shimmer say what their results say, as means are taken and as masks are told apart."""
+import importlib.machinery
+import importlib.util
+import unittest
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+loader = importlib.machinery.SourceFileLoader("page", str(HERE / "page"))
+page = importlib.util.module_from_spec(importlib.util.spec_from_loader("page", loader))
+loader.exec_module(page)
+
+
+def record(technique, scene="a", light=2.0, mask=None, shimmer=None, **figures):
+    made = {"technique": technique, "scene": scene, "light_degrees": light, "rmse_penumbra": 0.1, "fetches_mean": 4.0,
+            "preprocess_fetches_per_pixel": 0.0, **figures}
+    if mask:
+        made["mask"] = {"pixels_saved": mask[0], "penumbra_pixels_missed": mask[1]}
+    if shimmer:
+        made["shimmer"] = {"frames": 3, "static_noise": shimmer[0], "per_frame_noise": shimmer[1]}
+    return made
+
+
+def results(*records):
+    return {"device": "device", "command": "penumbra measure --made", "records": list(records)}
+
+
+class Pages(unittest.TestCase):
+    def test_say_what_the_files_say(self):
+        for path, parts in page.pages().items():
+            text = path.read_text()
+            self.assertEqual(text, page.written(text, parts), "run tests/study/page")
+
+
+class PresetMasks(unittest.TestCase):
+    def test_lights_are_columns_and_scenes_rows(self):
+        text = page.preset_masks(results(
+            record("preset-low"), record("preset-high", light=0.5, mask=(0.256, 0.0004)),
+            record("preset-high", mask=(0.1, None)), record("preset-high", "b", 0.5, mask=(1.0, 0.5)),
+            record("preset-high", "b", mask=(0.0, 0.0)), record("other", mask=(0.9, 0.9))))
+        self.assertTrue(text.endswith(
+            "High:\n\n"
+            "| scene | spared 2°, % | spared 0.5°, % | missed 2°, % | missed 0.5°, % |\n"
+            "|:--|--:|--:|--:|--:|\n"
+            "| a | 10 | 26 | - | 0.04 |\n"
+            "| b | 0 | 100 | 0.00 | 50.00 |"), text)
+
+    def test_presets_of_one_mask_share_a_table(self):
+        text = page.preset_masks(results(record("preset-medium", mask=(0.1, 0.0)), record("preset-high", mask=(0.2, 0.0)),
+                                         record("preset-ultra", mask=(0.1, 0.0))))
+        self.assertIn("Medium, Ultra:\n\n", text)
+        self.assertIn("\n\nHigh:\n\n", text)
+
+    def test_no_mask_at_all(self):
+        with self.assertRaisesRegex(page.Problem, "no preset of results/presets/results.json has a mask"):
+            page.preset_masks(results(record("preset-low")))
+
+
+class ScreenFigures(unittest.TestCase):
+    def test_means_over_scenes_of_all_passes(self):
+        text = page.screen_figures(results(
+            record("t", "a", mask=(0.2, 0.01), shimmer=(0.1, 0.2), preprocess_fetches_per_pixel=1.0),
+            record("t", "b", mask=(0.4, None), shimmer=(0.3, None), rmse_penumbra=0.2),
+            record("plain", "a", rmse_penumbra=None, fetches_mean=None)))
+        self.assertTrue(text.startswith("device, mean of 2 scenes.  \nCommand: `penumbra measure --made`\n"), text)
+        self.assertIn("| t | 0.150 | 4.5 | 30 | 1.00 | 0.200 | 0.200 |", text)
+        self.assertIn("| plain | - | - | - | - | - | - |", text)
+
+
+if __name__ == "__main__":
+    unittest.main()
