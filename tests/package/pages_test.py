@@ -1,6 +1,8 @@
-"""The changelog's form and version, and where the pages' links lead."""
+"""The changelog's form and version, where the pages' links lead, and that the first page leads to all."""
 import json
+import re
 import unittest
+from pathlib import Path
 
 from scratch import UnpackedTarball
 
@@ -72,6 +74,15 @@ class Links(UnpackedTarball):
     def test_code_has_no_links(self):
         self.write(PAGE, "`a[0](nothing)`\n\n```\nb[1](nothing)\n```\n\n[c](nothing.md)\n")
         self.assert_problems(f"{PAGE}:7:5: nothing.md {NOT_THERE}")
+
+
+class Index(unittest.TestCase):
+    def test_every_page_has_its_line(self):
+        """Unity's Package Manager opens index.md, and nothing shows its users a list of the others."""
+        folder = Path(__file__).resolve().parent.parent.parent / "Documentation~"
+        lines = re.findall(r"^- \[[^]]+\]\(([^)#]+\.md)\): .", (folder / "index.md").read_text(), re.MULTILINE)
+        pages = {page.name for page in folder.glob("*.md")} - {"index.md"}
+        self.assertEqual(sorted(lines), sorted(pages))
 
 
 if __name__ == "__main__":
