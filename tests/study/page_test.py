@@ -1,6 +1,9 @@
-"""The tables of masks and shimmer say what their results say, as means are taken and as masks are told apart."""
+"""The tables of masks and shimmer say what their results say, as means are taken and as masks are told apart; the page
+of figures names every one."""
 import importlib.machinery
 import importlib.util
+import json
+import re
 import unittest
 from pathlib import Path
 
@@ -8,6 +11,8 @@ HERE = Path(__file__).resolve().parent
 loader = importlib.machinery.SourceFileLoader("page", str(HERE / "page"))
 page = importlib.util.module_from_spec(importlib.util.spec_from_loader("page", loader))
 loader.exec_module(page)
+
+PARTS = ("mask", "shimmer", "error_split", "reference")  # of a record, with fields of their own
 
 
 def record(technique, scene="a", light=2.0, mask=None, shimmer=None, **figures):
@@ -30,6 +35,15 @@ class Pages(unittest.TestCase):
             text = path.read_text()
             self.assertEqual(text, page.written(text, parts), "run tests/study/page")
 
+    def test_every_field_of_a_record_has_its_meaning(self):
+        figures = (page.DOCUMENTATION / "measure.md").read_text().split("\n## Figures\n")[1].split("\n## ")[0]
+        cells = re.findall(r"^\| (.*?) \|", figures, re.MULTILINE)
+        named = {name for cell in cells for name in re.findall("`([^`]*)`", cell)}
+        for file in page.RESULTS.glob("**/results.json"):
+            for record in json.loads(file.read_text())["records"]:
+                parts = [record, *(record[part] for part in PARTS if part in record)]
+                self.assertLessEqual({name for part in parts for name in part}, named, f"{file}: say it in measure.md")
+
 
 class PresetMasks(unittest.TestCase):
     def test_lights_are_columns_and_scenes_rows(self):
@@ -45,7 +59,8 @@ class PresetMasks(unittest.TestCase):
             "| b | 0 | 100 | 0.00 | 50.00 |"), text)
 
     def test_presets_of_one_mask_share_a_table(self):
-        text = page.preset_masks(results(record("preset-medium", mask=(0.1, 0.0)), record("preset-high", mask=(0.2, 0.0)),
+        text = page.preset_masks(results(record("preset-medium", mask=(0.1, 0.0)),
+                                         record("preset-high", mask=(0.2, 0.0)),
                                          record("preset-ultra", mask=(0.1, 0.0))))
         self.assertIn("Medium, Ultra:\n\n", text)
         self.assertIn("\n\nHigh:\n\n", text)
