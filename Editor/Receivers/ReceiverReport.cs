@@ -1,5 +1,7 @@
+using System;
 using System.Collections.Generic;
 using System.IO;
+using System.Linq;
 using UnityEditor;
 
 namespace Penumbra.Editor
@@ -10,11 +12,14 @@ namespace Penumbra.Editor
         /// <summary>A text of the project: the keyword is added to its pragmas.</summary>
         AddKeyword,
 
-        /// <summary>Made by Shader Graph of an older URP: reimporting makes its pragmas anew.</summary>
-        Reimport,
-
         /// <summary>Lies in a package, which the next update would overwrite: copy it into the project.</summary>
         CopyToProject,
+
+        /// <summary>A Shader Graph: its blackboard is for its author to change.</summary>
+        EditGraph,
+
+        /// <summary>An include file in a package: shaders that include it with its pragmas need one of their own.</summary>
+        EditIncluder,
     }
 
     internal readonly struct ReceiverProblem
@@ -28,6 +33,9 @@ namespace Penumbra.Editor
             this.fix = fix;
         }
 
+        /// <summary>Apply does it; else the explanation says what to do by hand.</summary>
+        internal bool CanApply => fix == ReceiverFix.AddKeyword || fix == ReceiverFix.CopyToProject;
+
         internal string Explanation
         {
             get
@@ -37,67 +45,100 @@ namespace Penumbra.Editor
                     case ReceiverFix.AddKeyword:
                         return "A multi_compile of " + ShadowKeywords.MapName + " without " +
                                ShadowKeywords.ScreenName + ": surfaces lose the main light's shadow.";
-                    case ReceiverFix.Reimport:
-                        return "A Shader Graph that was generated without " + ShadowKeywords.ScreenName +
-                               ": reimport it.";
+                    case ReceiverFix.CopyToProject:
+                        return "In a package: copy the shader into the project, where it gets " +
+                               ShadowKeywords.ScreenName + " and the prefix " + ShaderCopy.OfProject +
+                               " to its name, and choose the copy in materials.";
+                    case ReceiverFix.EditGraph:
+                        return "The blackboard has " + ShadowKeywords.MapName + " without " +
+                               ShadowKeywords.ScreenName + ". Add a Boolean keyword with that reference, Multi Compile " +
+                               "and Global. Where it is defined, URP's functions take ComputeScreenPos(TransformWorldToHClip(" +
+                               "position)) as the shadow's coordinate.";
                     default:
-                        return "In a package: copy the shader into the project, use the copy and add " +
-                               ShadowKeywords.ScreenName + " there.";
+                        return "An include file in a package. In each shader of the project that takes it by " +
+                               "#include_with_pragmas, add #pragma multi_compile _ " + ShadowKeywords.ScreenName + ".";
                 }
             }
         }
     }
 
-    /// <summary>Looks through the project's shaders and shader includes.</summary>
+    /// <summary>Looks through the project's shaders, shader includes and Shader Graphs.</summary>
     internal static class ReceiverReport
     {
+        private const string OfProject = "Assets/";
+
         // Pipelines bring their own: URP's have the keyword wherever they need it.
         private static readonly string[] OfPipelines =
             { "Packages/com.unity.render-pipelines.", "Packages/com.unity.shadergraph", "Packages/com.penumbra.shadows" };
 
-        internal static List<ReceiverProblem> Find()
+        private static readonly string[] Includes = { ".hlsl", ".cginc" };
+        private static readonly string[] Graphs = { ".shadergraph", ".shadersubgraph" };
+        private static readonly string[] Shaders = { ".shader" };
+
+        internal static List<ReceiverProblem> Find() =>
+            In(AssetDatabase.GetAllAssetPaths().Where(IsFile), path => File.ReadAllText(Path.GetFullPath(path)));
+
+        /// <summary>A package's shader is one no more as soon as the project has its copy.</summary>
+        internal static List<ReceiverProblem> In(IEnumerable<string> paths, Func<string, string> read)
         {
-            var problems = new List<ReceiverProblem>();
-            foreach (string path in AssetDatabase.GetAllAssetPaths())
-                if (IsShaderText(path) && !IsPipelines(path) && File.Exists(path) &&
-                    ReceiverPragma.KindOf(File.ReadAllText(path)) == ReceiverKind.LacksScreen)
-                    problems.Add(new ReceiverProblem(path, FixFor(path)));
-            return problems;
+            var lacking = new List<(string path, string name)>();
+            var names = new HashSet<string>();
+            foreach (string path in paths)
+            {
+                if (!IsShaderText(path) || IsPipelines(path)) continue;
+                string text = read(path);
+                string name = ShaderCopy.Name(text);
+                if (name != null && IsProjects(path)) names.Add(name);
+                if (KindOf(path, text) == ReceiverKind.LacksScreen) lacking.Add((path, name));
+            }
+            return lacking.Where(one => IsProjects(one.path) || one.name == null ||
+                                        !names.Contains(ShaderCopy.NameOf(one.name)))
+                .Select(one => new ReceiverProblem(one.path, FixFor(one.path))).ToList();
         }
+
+        internal static ReceiverKind KindOf(string path, string text) =>
+            EndsWith(path, Graphs) ? ReceiverGraph.KindOf(text) : ReceiverPragma.KindOf(text);
 
         internal static bool IsShaderText(string path) =>
-            path.EndsWith(".shader", System.StringComparison.OrdinalIgnoreCase) ||
-            path.EndsWith(".hlsl", System.StringComparison.OrdinalIgnoreCase) ||
-            path.EndsWith(".cginc", System.StringComparison.OrdinalIgnoreCase) ||
-            path.EndsWith(".shadergraph", System.StringComparison.OrdinalIgnoreCase);
+            EndsWith(path, Shaders) || EndsWith(path, Includes) || EndsWith(path, Graphs);
 
-        internal static bool IsPipelines(string path)
-        {
-            foreach (string folder in OfPipelines)
-                if (path.StartsWith(folder, System.StringComparison.Ordinal)) return true;
-            return false;
-        }
+        internal static bool IsPipelines(string path) =>
+            OfPipelines.Any(folder => path.StartsWith(folder, StringComparison.Ordinal));
 
         internal static ReceiverFix FixFor(string path)
         {
-            if (path.EndsWith(".shadergraph", System.StringComparison.OrdinalIgnoreCase)) return ReceiverFix.Reimport;
-            return path.StartsWith("Assets/", System.StringComparison.Ordinal) ? ReceiverFix.AddKeyword
-                                                                               : ReceiverFix.CopyToProject;
+            if (EndsWith(path, Graphs)) return ReceiverFix.EditGraph;
+            if (IsProjects(path)) return ReceiverFix.AddKeyword;
+            return EndsWith(path, Includes) ? ReceiverFix.EditIncluder : ReceiverFix.CopyToProject;
+        }
+
+        /// <summary>What the fix makes of the text at `path`.</summary>
+        internal static string Fixed(in ReceiverProblem problem, string text, Predicate<string> exists)
+        {
+            if (problem.fix == ReceiverFix.CopyToProject) text = ShaderCopy.TextOf(text, problem.path, exists);
+            return problem.CanApply ? ReceiverPragma.WithScreen(text) : text;
         }
 
         internal static void Apply(in ReceiverProblem problem)
         {
-            if (problem.fix == ReceiverFix.AddKeyword)
-                File.WriteAllText(problem.path, ReceiverPragma.WithScreen(File.ReadAllText(problem.path)));
+            string target = problem.path;
             if (problem.fix == ReceiverFix.CopyToProject)
             {
-                string copy = AssetDatabase.GenerateUniqueAssetPath("Assets/" + Path.GetFileName(problem.path));
-                if (!AssetDatabase.CopyAsset(problem.path, copy)) return;
-                File.WriteAllText(copy, ReceiverPragma.WithScreen(File.ReadAllText(copy)));
-                AssetDatabase.ImportAsset(copy);
-                return;
+                target = AssetDatabase.GenerateUniqueAssetPath(OfProject + Path.GetFileName(problem.path));
+                if (!AssetDatabase.CopyAsset(problem.path, target))
+                    throw new IOException("cannot copy " + problem.path + " to " + target);
             }
-            AssetDatabase.ImportAsset(problem.path);
+            string text = File.ReadAllText(Path.GetFullPath(problem.path));
+            File.WriteAllText(target, Fixed(problem, text, IsFile));
+            AssetDatabase.ImportAsset(target);
         }
+
+        // A package's path is not where its files lie: only the full one is.
+        private static bool IsFile(string path) => File.Exists(Path.GetFullPath(path));
+
+        private static bool IsProjects(string path) => path.StartsWith(OfProject, StringComparison.Ordinal);
+
+        private static bool EndsWith(string path, string[] endings) =>
+            endings.Any(ending => path.EndsWith(ending, StringComparison.OrdinalIgnoreCase));
     }
 }

@@ -31,19 +31,12 @@ namespace Penumbra.Editor
         {
             EditorGUILayout.LabelField(problem.path, EditorStyles.boldLabel);
             EditorGUILayout.LabelField(problem.Explanation, EditorStyles.wordWrappedLabel);
-            if (!GUILayout.Button(ButtonText(problem.fix))) return false;
+            if (!problem.CanApply || !GUILayout.Button(ButtonText(problem.fix))) return false;
             ReceiverReport.Apply(problem);
             return true;
         }
 
-        private static string ButtonText(ReceiverFix fix)
-        {
-            switch (fix)
-            {
-                case ReceiverFix.AddKeyword: return "Add the keyword";
-                case ReceiverFix.Reimport: return "Reimport";
-                default: return "Copy into the project and add the keyword";
-            }
-        }
+        private static string ButtonText(ReceiverFix fix) =>
+            fix == ReceiverFix.AddKeyword ? "Add the keyword" : "Copy into the project and add the keyword";
     }
 }

@@ -21,38 +21,64 @@ namespace Penumbra.Tests
         public void KindIsReadFromPragmas(string text, ReceiverKind kind) =>
             Assert.That(ReceiverPragma.KindOf(text), Is.EqualTo(kind));
 
-        [Test]
-        public void OneLackingPassIsEnough() =>
-            Assert.That(ReceiverPragma.KindOf("#pragma multi_compile _ _MAIN_LIGHT_SHADOWS _MAIN_LIGHT_SHADOWS_SCREEN\n" +
-                                              "#pragma multi_compile _ _MAIN_LIGHT_SHADOWS"),
-                        Is.EqualTo(ReceiverKind.LacksScreen));
+        private const string Map = "#pragma multi_compile _ _MAIN_LIGHT_SHADOWS\n";
+        private const string Cascade = "#pragma multi_compile _ _MAIN_LIGHT_SHADOWS_CASCADE\n";
+        private const string Screen = "#pragma multi_compile _ _MAIN_LIGHT_SHADOWS_SCREEN\n";
+        private const string CascadeOrScreen =
+            "#pragma multi_compile _ _MAIN_LIGHT_SHADOWS_CASCADE _MAIN_LIGHT_SHADOWS_SCREEN\n";
+        private const string MapOrScreen = "#pragma multi_compile _ _MAIN_LIGHT_SHADOWS _MAIN_LIGHT_SHADOWS_SCREEN\n";
 
-        [Test]
-        public void TheKeywordGoesBehindThePragmasWordsAndNothingElseChanges()
+        private static string Program(string pragmas) => "HLSLPROGRAM\n" + pragmas + "ENDHLSL\n";
+        private static string OldProgram(string pragmas) => "CGPROGRAM\n" + pragmas + "ENDCG\n";
+        private static string Block(string pragmas) => "HLSLINCLUDE\n" + pragmas + "ENDHLSL\n";
+
+        private static void Becomes(string before, string after)
         {
-            const string before = "Shader \"A\" {\r\n  #pragma multi_compile _ _MAIN_LIGHT_SHADOWS  // soft\r\n" +
-                                  "  #pragma multi_compile _ _MAIN_LIGHT_SHADOWS_CASCADE _MAIN_LIGHT_SHADOWS_SCREEN\r\n" +
-                                  "  #pragma multi_compile _ _MAIN_LIGHT_SHADOWS";
-            const string after = "Shader \"A\" {\r\n  #pragma multi_compile _ _MAIN_LIGHT_SHADOWS" +
-                                 " _MAIN_LIGHT_SHADOWS_SCREEN  // soft\r\n" +
-                                 "  #pragma multi_compile _ _MAIN_LIGHT_SHADOWS_CASCADE _MAIN_LIGHT_SHADOWS_SCREEN\r\n" +
-                                 "  #pragma multi_compile _ _MAIN_LIGHT_SHADOWS _MAIN_LIGHT_SHADOWS_SCREEN";
+            bool lacks = before != after;
+            Assert.That(ReceiverPragma.KindOf(before),
+                        Is.EqualTo(lacks ? ReceiverKind.LacksScreen : ReceiverKind.Complete), before);
             Assert.That(ReceiverPragma.WithScreen(before), Is.EqualTo(after));
-            Assert.That(ReceiverPragma.KindOf(after), Is.EqualTo(ReceiverKind.Complete));
-            Assert.That(ReceiverPragma.WithScreen(after), Is.EqualTo(after));
+            Assert.That(ReceiverPragma.KindOf(after), Is.EqualTo(ReceiverKind.Complete), after);
         }
-
-        [TestCase("Assets/Water.shader", ReceiverFix.AddKeyword)]
-        [TestCase("Packages/com.other.water/Water.shader", ReceiverFix.CopyToProject)]
-        [TestCase("Assets/Water.shadergraph", ReceiverFix.Reimport)]
-        public void EachPlaceHasItsFix(string path, ReceiverFix fix) =>
-            Assert.That(ReceiverReport.FixFor(path), Is.EqualTo(fix));
 
         [Test]
-        public void ThePipelinesOwnAreNotLookedAt()
+        public void APragmaOfItsOwnIsEnough()
         {
-            Assert.That(ReceiverReport.IsPipelines("Packages/com.unity.render-pipelines.universal/Shaders/Lit.shader"));
-            Assert.That(ReceiverReport.IsPipelines("Packages/com.other/Lit.shader"), Is.False);
+            Becomes(Map + Screen, Map + Screen);
+            Becomes(Program(Screen + Map + Cascade), Program(Screen + Map + Cascade));
         }
+
+        [Test]
+        public void TwoPragmasOfAProgramGetItOnceAtTheCascades()
+        {
+            Becomes(Map + Cascade, Map + CascadeOrScreen);
+            Becomes(Program(Cascade + Map), Program(CascadeOrScreen + Map));
+        }
+
+        [Test]
+        public void EachProgramIsForItself()
+        {
+            Becomes(Program(Map + Screen) + Program(Map), Program(Map + Screen) + Program(MapOrScreen));
+            Becomes(OldProgram(Map) + Program(Cascade) + Program(""),
+                    OldProgram(MapOrScreen) + Program(CascadeOrScreen) + Program(""));
+        }
+
+        [Test]
+        public void ABlockOfAllProgramsCountsInEach()
+        {
+            Becomes(Block(Screen) + Program(Map), Block(Screen) + Program(Map));
+            Becomes(Program("") + Program("") + Block(Map), Program("") + Program("") + Block(MapOrScreen));
+            Becomes(Block(Cascade) + Program(Map) + Program(Map + Screen),
+                    Block(CascadeOrScreen) + Program(Map) + Program(Map + Screen));
+        }
+
+        [Test]
+        public void TheKeywordGoesBehindThePragmasWordsAndNothingElseChanges() =>
+            Becomes("Shader \"A\" {\r\n  HLSLPROGRAM\r\n  #pragma multi_compile _ _MAIN_LIGHT_SHADOWS  // soft\r\n" +
+                    "  ENDHLSL CGPROGRAM\r\n #pragma target 3.5\r\n\t#pragma multi_compile _ _MAIN_LIGHT_SHADOWS",
+                    "Shader \"A\" {\r\n  HLSLPROGRAM\r\n  #pragma multi_compile _ _MAIN_LIGHT_SHADOWS" +
+                    " _MAIN_LIGHT_SHADOWS_SCREEN  // soft\r\n" +
+                    "  ENDHLSL CGPROGRAM\r\n #pragma target 3.5\r\n\t#pragma multi_compile _ _MAIN_LIGHT_SHADOWS" +
+                    " _MAIN_LIGHT_SHADOWS_SCREEN");
     }
 }
