@@ -7,6 +7,7 @@ namespace Penumbra.Editor
     internal struct FeatureState
     {
         internal bool shaderFound;
+        internal bool debugShaderFound;
         internal bool compatibilityMode;
         internal bool mainLightShadows;
 
@@ -16,6 +17,9 @@ namespace Penumbra.Editor
         internal bool depthPriming;
         internal bool deferred;
         internal PenumbraShadowsSettings settings;
+
+        /// <summary>Why the last camera was left to URP.</summary>
+        internal SkipReason lastSkip;
     }
 
     internal readonly struct Advice
@@ -51,15 +55,55 @@ namespace Penumbra.Editor
             if (state.urpScreenSpaceShadows)
                 Say(MessageType.Warning, "URP's Screen Space Shadows feature is active in this renderer and writes the " +
                                          "same texture. Remove it: which of the two receivers see is left to chance.");
+            bool showsView = state.settings.debugView != DebugView.None;
+            if (showsView && !state.debugShaderFound)
+                Say(MessageType.Warning, "The shader " + DebugViewDraw.ShaderName + " is missing or does not compile for " +
+                                         "this platform: no debug view is drawn. Reimport the package.");
+            string skip = Skipped(state);
+            if (skip != null) Say(MessageType.Info, "The last camera was left to URP: " + skip);
             if (state.settings.noise == NoiseMode.PerFrame)
                 Say(MessageType.Info, "The noise moves every frame. Use that only where temporal antialiasing or an " +
                                       "upscaler averages frames; elsewhere penumbrae shimmer.");
-            if (state.settings.debugView != DebugView.None)
+            if (showsView && state.debugShaderFound)
                 Say(MessageType.Info, "A debug view is drawn over the picture, here and in development builds.");
             if (!state.deferred && !state.depthPriming)
                 Say(MessageType.Info, "Forward rendering draws a depth prepass for this feature. Depth Priming (Renderer " +
                                       "> Rendering) lets the opaque pass use it too.");
             return found;
+        }
+
+        // Null where nothing was skipped, where it is meant to be, or where a message above has said it.
+        private static string Skipped(in FeatureState state)
+        {
+            switch (state.lastSkip)
+            {
+                case SkipReason.None:
+                case SkipReason.PreviewCamera:
+                case SkipReason.DepthOnlyCamera:
+                case SkipReason.SceneViewOff:
+                case SkipReason.ReflectionProbesOff:
+                case SkipReason.MissingShader:
+                case SkipReason.CompatibilityMode:
+                    return null;
+                case SkipReason.SceneLightingOff:
+                    return "scene lighting is off. Switch on the light bulb in the Scene view's toolbar.";
+                case SkipReason.ShadowsOff:
+                    return !state.mainLightShadows ? null
+                               : "this quality level or device has no main light shadows. Look at Cast Shadows in the " +
+                                 "URP asset of the quality level.";
+                case SkipReason.NoMainLight:
+                    return "there is no main light. It needs an active directional light, and Main Light > Per Pixel in " +
+                           "the URP asset.";
+                case SkipReason.LightWithoutShadows:
+                    return "the main light casts none. Set its Shadow Type to Soft Shadows or Hard Shadows.";
+                case SkipReason.NoShadowDistance:
+                    return "the shadow distance is 0. Raise Shadows > Max Distance in the URP asset.";
+                case SkipReason.NoCasters:
+                    return "nothing in view casts a shadow. Look at Cast Shadows of the renderers, and at Shadows > Max " +
+                           "Distance in the URP asset.";
+                default:
+                    return state.lastSkip + ".";
+            }
         }
     }
 }

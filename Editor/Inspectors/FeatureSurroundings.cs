@@ -13,14 +13,21 @@ namespace Penumbra.Editor
         internal static FeatureState Of(PenumbraShadows feature)
         {
             FeatureState state = default;
-            Shader shader = Shader.Find(PenumbraShadows.ShaderName);
-            state.shaderFound = shader != null && shader.isSupported;
+            state.shaderFound = IsFound(PenumbraShadows.ShaderName);
+            state.debugShaderFound = IsFound(DebugViewDraw.ShaderName);
+            state.lastSkip = feature.LastSkip;
             state.compatibilityMode = UrpFrame.InCompatibilityMode();
             state.settings = feature.Settings;
             var asset = GraphicsSettings.currentRenderPipeline as UniversalRenderPipelineAsset;
             state.mainLightShadows = asset == null || asset.supportsMainLightShadows;
             ReadRenderer(RendererOf(feature), ref state);
             return state;
+        }
+
+        private static bool IsFound(string shaderName)
+        {
+            Shader shader = Shader.Find(shaderName);
+            return shader != null && shader.isSupported;
         }
 
         private static ScriptableRendererData RendererOf(PenumbraShadows feature) =>

@@ -9,7 +9,8 @@ namespace Penumbra.Tests
     {
         private static FeatureState Sound() => new FeatureState
         {
-            shaderFound = true, mainLightShadows = true, deferred = true, settings = new PenumbraShadowsSettings(),
+            shaderFound = true, debugShaderFound = true, mainLightShadows = true, deferred = true,
+            settings = new PenumbraShadowsSettings(),
         };
 
         private static string[] Texts(FeatureState state, MessageType type) =>
@@ -47,10 +48,66 @@ namespace Penumbra.Tests
         }
 
         [Test]
+        public void AMissingDebugShaderIsNamedWhenAViewIsChosen()
+        {
+            FeatureState state = Sound();
+            state.debugShaderFound = false;
+            Assert.That(FeatureAdvice.For(state), Is.Empty);
+            state.settings.debugView = DebugView.Cascades;
+            Advice advice = FeatureAdvice.For(state).Single();
+            Assert.That(advice.type, Is.EqualTo(MessageType.Warning));
+            Assert.That(advice.text, Does.Contain(DebugViewDraw.ShaderName));
+        }
+
+        private static string[] Skipped(SkipReason reason)
+        {
+            FeatureState state = Sound();
+            state.lastSkip = reason;
+            Assert.That(FeatureAdvice.For(state).Select(advice => advice.type), Is.All.EqualTo(MessageType.Info));
+            return Texts(state, MessageType.Info);
+        }
+
+        [Test]
+        public void WhyTheLastCameraWasLeftIsSaidWithTheWayOut()
+        {
+            const string left = "The last camera was left to URP: ";
+            Assert.That(Skipped(SkipReason.SceneLightingOff).Single(), Does.StartWith(left).And.Contain("light bulb"));
+            Assert.That(Skipped(SkipReason.ShadowsOff).Single(), Does.StartWith(left).And.Contain("Cast Shadows"));
+            Assert.That(Skipped(SkipReason.NoMainLight).Single(), Does.StartWith(left).And.Contain("directional light"));
+            Assert.That(Skipped(SkipReason.LightWithoutShadows).Single(),
+                        Does.StartWith(left).And.Contain("Shadow Type"));
+            Assert.That(Skipped(SkipReason.NoShadowDistance).Single(), Does.StartWith(left).And.Contain("Max Distance"));
+            Assert.That(Skipped(SkipReason.NoCasters).Single(), Does.StartWith(left).And.Contain("renderers"));
+        }
+
+        [Test]
+        public void AReasonWithoutWordsIsSaidByName()
+        {
+            var unknown = (SkipReason)1000;
+            Assert.That(Skipped(unknown).Single(), Does.EndWith("URP: " + unknown + "."));
+        }
+
+        [Test]
+        public void WhatIsMeantOrSaidAlreadyIsNotSaid()
+        {
+            foreach (SkipReason reason in new[]
+                     {
+                         SkipReason.None, SkipReason.PreviewCamera, SkipReason.DepthOnlyCamera, SkipReason.SceneViewOff,
+                         SkipReason.ReflectionProbesOff, SkipReason.MissingShader, SkipReason.CompatibilityMode,
+                     })
+                Assert.That(Skipped(reason), Is.Empty, reason.ToString());
+            FeatureState state = Sound();
+            state.mainLightShadows = false;
+            state.lastSkip = SkipReason.ShadowsOff;
+            Assert.That(FeatureAdvice.For(state).Single().type, Is.EqualTo(MessageType.Warning));
+        }
+
+        [Test]
         public void TheWorstComesFirst()
         {
             FeatureState state = default;
-            state.settings = new PenumbraShadowsSettings { noise = NoiseMode.PerFrame };
+            state.settings = new PenumbraShadowsSettings { noise = NoiseMode.PerFrame, debugView = DebugView.Cascades };
+            state.lastSkip = SkipReason.NoCasters;
             state.compatibilityMode = state.urpScreenSpaceShadows = true;
             Assert.That(FeatureAdvice.For(state).Select(advice => (int)advice.type), Is.Ordered.Descending);
         }
