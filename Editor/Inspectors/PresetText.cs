@@ -55,9 +55,9 @@ namespace Penumbra.Editor
         {
             switch (options.technique)
             {
-                case ShadowTechnique.Tent3x3: return "4 fetches a pixel, no contact hardening";
-                case ShadowTechnique.Tent5x5: return "9 fetches a pixel, no contact hardening";
-                case ShadowTechnique.Tent7x7: return "16 fetches a pixel, no contact hardening";
+                case ShadowTechnique.Tent3x3: return "4 fetches of the shadow map, no contact hardening";
+                case ShadowTechnique.Tent5x5: return "9 fetches of the shadow map, no contact hardening";
+                case ShadowTechnique.Tent7x7: return "16 fetches of the shadow map, no contact hardening";
                 case ShadowTechnique.PcssPoisson:
                     return options.blockerSamples + " blocker and as many filter samples";
                 default: return options.blockerSamples + " blocker and " + options.filterSamples + " filter samples";
