@@ -48,12 +48,44 @@ namespace Penumbra.Tests
             Assert.That(ours, Is.GreaterThan(20));
         }
 
+        // Of another renderer, which does not have the feature.
+        private static readonly FakeScene[] Others =
+            { new FakeScene { Cascades = 1 }, new FakeScene { Casters = false }, new FakeScene() };
+
+        private static string[] Frames(FakeUrp urp) => Others.Select(other => urp.Render(other).ToString()).ToArray();
+
         [Test]
         public void ACameraThatThrowsAnywhereDoesNotReachTheNext()
         {
-            var scene = new FakeScene();
-            FakeScene[] others = { new FakeScene { Cascades = 1 }, new FakeScene { Casters = false } };
-            string[] expected = others.Select(other => new FakeUrp().Render(other).ToString()).ToArray();
+            feature.Settings.reflectionProbes = true;
+            var drawn = new HashSet<CameraType>();
+            foreach (FakeScene scene in FakeScene.Every())
+            {
+                var urp = new FakeUrp();
+                urp.Render(scene, feature);
+                if (urp.Device.Draws.Count == 0) continue;
+                drawn.Add(scene.Camera);
+                Assert.That(FailEverywhere(scene), Is.GreaterThan(30), "commands of a frame, each of which failed once");
+            }
+            Assert.That(drawn, Is.EquivalentTo(new[]
+            {
+                CameraType.Game, CameraType.SceneView, CameraType.VR, CameraType.Reflection,
+            }));
+        }
+
+        [Test]
+        public void ADebugViewThatThrowsDoesNotReachTheNext()
+        {
+            int without = FailEverywhere(new FakeScene());
+            feature.Settings.debugView = DebugView.Visibility;
+            Assert.That(FailEverywhere(new FakeScene()), Is.GreaterThan(without), "commands of the view");
+        }
+
+        // A camera of the scene for each command that it records, which fails there; how many.
+        private int FailEverywhere(FakeScene scene)
+        {
+            string[] expected = Frames(new FakeUrp());
+            FrameKeywords sound = new FakeUrp().Render(scene, feature);
             int points = 0;
             for (bool failed = true; failed; ++points)
             {
@@ -62,14 +94,11 @@ namespace Penumbra.Tests
                 urp.Render(scene, feature);
                 failed = CommandBuffer.FailAt < 0;
                 CommandBuffer.FailAt = -1;
-                // Of another renderer, which does not have the feature.
-                string[] found = others.Select(other => urp.Render(other).ToString()).ToArray();
-                Assert.That(found, Is.EqualTo(expected), $"after command {points}");
-                FrameKeywords again = urp.Render(scene, feature);
-                Assert.That(again.AtOpaques, Is.EqualTo(ShadowKeywords.ScreenName), $"after command {points}");
-                Assert.That(again.AtEnd, Is.EqualTo(ShadowKeywords.CascadesName), $"after command {points}");
+                string place = $"{scene}, after command {points}";
+                Assert.That(Frames(urp), Is.EqualTo(expected), place);
+                Assert.That(urp.Render(scene, feature).ToString(), Is.EqualTo(sound.ToString()), place);
             }
-            Assert.That(points, Is.GreaterThan(30), "commands of a frame, each of which failed once");
+            return points;
         }
 
         [Test]
