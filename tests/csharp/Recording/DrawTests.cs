@@ -1,7 +1,11 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
+using System.Reflection;
 using NUnit.Framework;
+using UnityEditor.ShaderKeywordFilter;
 using UnityEngine;
+using UnityEngine.Experimental.Rendering;
 using UnityEngine.Rendering;
 using UnityEngine.Rendering.Universal;
 
@@ -34,6 +38,7 @@ namespace Penumbra.Tests
             CommandBuffer.Silent = false;
             SystemInfo.graphicsUVStartsAtTop = true;
             SystemInfo.usesReversedZBuffer = true;
+            SystemInfo.Unsupported = null;
         }
 
         private void Use(ShadowOptions options)
@@ -170,6 +175,54 @@ namespace Penumbra.Tests
             Assert.That(Vector(Draw("DenoiseVertical"), "_PenumbraDenoiseParams"),
                         Is.EqualTo(new Vector4(DenoisePass.Radius, DenoisePass.PlaneTolerance,
                                                DenoisePass.NoiseAmplitude, 0.0f)));
+        }
+
+        private static RenderTextureDescriptor[] Textures(int samples)
+        {
+            ShadowOptions options = ShadowPresets.Options(QualityPreset.Ultra);
+            options.halfResolution = true;
+            RenderTextureDescriptor target = new FakeScene().Target();
+            target.msaaSamples = samples;
+            return ShadowChain.Of(options, ShadowPassList.All).Slots
+                .Select(slot => UrpFrame.Texture(target, slot, default)).ToArray();
+        }
+
+        [TestCase(1)]
+        [TestCase(4)]
+        [TestCase(8)]
+        public void TheChainHasOneSampleWhateverTheCameraHas(int samples) =>
+            Assert.That(Textures(samples).Select(texture => texture.msaaSamples), Is.Not.Empty.And.All.EqualTo(1));
+
+        [Test]
+        public void ADeviceThatCannotDrawToOneChannelGetsFour()
+        {
+            Assert.That(Textures(1).Select(texture => texture.graphicsFormat), Is.All.EqualTo(GraphicsFormat.R8_UNorm));
+            SystemInfo.Unsupported = GraphicsFormat.R8_UNorm;
+            Assert.That(Textures(1).Select(texture => texture.graphicsFormat),
+                        Is.Not.Empty.And.All.EqualTo(GraphicsFormat.B8G8R8A8_UNorm));
+        }
+
+        [Test]
+        public void ALightWithHardShadowsIsSoftToo()
+        {
+            urp.Render(new FakeScene { Shadows = LightShadows.Soft }, feature);
+            string[] soft = urp.Device.Draws.Select(draw => draw.Pass).ToArray();
+            var hard = new FakeUrp();
+            hard.Render(new FakeScene { Shadows = LightShadows.Hard }, feature);
+            Assert.That(hard.Device.Draws.Select(draw => draw.Pass), Is.Not.Empty.And.EqualTo(soft));
+        }
+
+        [Test]
+        public void APlayerKeepsTheScreensVariantsOfEveryShader()
+        {
+            const BindingFlags constants = BindingFlags.Static | BindingFlags.NonPublic | BindingFlags.Public;
+            CustomAttributeData filter = typeof(PenumbraShadows).GetFields(constants).Where(field => field.IsLiteral)
+                .SelectMany(field => field.CustomAttributes)
+                .Single(attribute => attribute.AttributeType == typeof(SelectIfAttribute));
+            object[] arguments = filter.ConstructorArguments.Select(argument => argument.Value).ToArray();
+            Assert.That(arguments[0], Is.EqualTo(true), "the value of the constant that it is kept for");
+            Assert.That(((IEnumerable<CustomAttributeTypedArgument>)arguments.Last()).Select(name => name.Value),
+                        Is.EqualTo(new[] { ShadowKeywords.ScreenName }));
         }
 
         [Test]

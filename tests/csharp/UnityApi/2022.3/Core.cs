@@ -12,7 +12,8 @@ namespace UnityEngine
     public sealed partial class SystemInfo
     {
         public static bool IsFormatSupported(Experimental.Rendering.GraphicsFormat format,
-                                             Experimental.Rendering.FormatUsage usage) => true;
+                                             Experimental.Rendering.FormatUsage usage) =>
+            format != Unsupported;
     }
 }
 

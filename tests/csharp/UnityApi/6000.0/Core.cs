@@ -15,7 +15,8 @@ namespace UnityEngine
     public sealed partial class SystemInfo
     {
         public static bool IsFormatSupported(Experimental.Rendering.GraphicsFormat format,
-                                             Experimental.Rendering.GraphicsFormatUsage usage) => true;
+                                             Experimental.Rendering.GraphicsFormatUsage usage) =>
+            format != Unsupported;
     }
 }
 

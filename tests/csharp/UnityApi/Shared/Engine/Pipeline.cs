@@ -77,6 +77,9 @@ namespace UnityEngine
         public static int graphicsShaderLevel { get; [OwnBehaviour] set; } = 50;
         public static bool graphicsUVStartsAtTop { get; [OwnBehaviour] set; } = true;
         public static bool usesReversedZBuffer { get; [OwnBehaviour] set; } = true;
+
+        /// <summary>A format that this device cannot render to.</summary>
+        [OwnBehaviour] public static Experimental.Rendering.GraphicsFormat? Unsupported { get; set; }
     }
 
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Time/Time.bindings.cs")]
