@@ -10,6 +10,9 @@ namespace Penumbra.ApiCheck.Package;
 /// </summary>
 public sealed class PackageBuild(PackageSources sources, PackageVersions versions, SymbolSet set)
 {
+    /// <summary>Beside those of the symbol set and of versionDefines.</summary>
+    public IReadOnlyList<string> Symbols { get; init; } = [];
+
     /// <summary>Assemblies whose constraints or platforms leave them out, with the reason.</summary>
     public List<string> LeftOut { get; } = [];
 
@@ -18,7 +21,7 @@ public sealed class PackageBuild(PackageSources sources, PackageVersions version
         var compiled = new Dictionary<string, CSharpCompilation>();
         foreach (var assembly in sources.Assemblies)
         {
-            var symbols = set.Symbols(versions.Unity).Concat(versions.Symbols(assembly, set)).ToHashSet();
+            var symbols = set.Symbols(versions.Unity).Concat(versions.Symbols(assembly, set)).Concat(Symbols).ToHashSet();
             if (Reason(assembly, symbols) is { } reason)
             {
                 if (reason.Length > 0)

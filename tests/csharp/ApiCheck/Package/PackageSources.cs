@@ -4,7 +4,7 @@ using Microsoft.CodeAnalysis.CSharp;
 namespace Penumbra.ApiCheck.Package;
 
 /// <summary>
-/// The C# that the package ships: each assembly definition in Runtime/ and Editor/ with the files that belong to it,
+/// C# as Unity compiles it, by default what the package ships, Runtime/ and Editor/: each assembly definition with its files,
 /// in the order in which they refer to each other. Folders whose name ends with ~ or starts with . are not Unity's.
 /// </summary>
 public sealed class PackageSources
@@ -21,10 +21,11 @@ public sealed class PackageSources
 
     private IReadOnlyDictionary<string, Asmdef> Owners { get; }
 
-    public static PackageSources Read(string root)
+    public static PackageSources Read(string root) => Read(root, ["Runtime", "Editor"]);
+
+    public static PackageSources Read(string root, IEnumerable<string> folders)
     {
-        string[] roots = [Path.Combine(root, "Runtime"), Path.Combine(root, "Editor")];
-        var files = roots.Where(Directory.Exists).SelectMany(ShippedFiles.Below).ToArray();
+        var files = folders.Select(folder => Path.Combine(root, folder)).Where(Directory.Exists).SelectMany(ShippedFiles.Below).ToArray();
         var assemblies = files.Where(file => file.EndsWith(".asmdef", StringComparison.Ordinal)).Select(Asmdef.Read).ToArray();
         if (assemblies.Length == 0)
             throw CheckException.Usage($"{root} holds no package: there is no .asmdef in Runtime/ or Editor/");

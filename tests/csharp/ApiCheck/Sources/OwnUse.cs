@@ -14,12 +14,16 @@ namespace Penumbra.ApiCheck.Sources;
 /// </summary>
 public sealed class OwnUse(PackageSources package, PackageVersions versions, Findings findings)
 {
+    /// <summary>What tests need beside the declarations: their framework, and the symbol that it comes with.</summary>
+    public IReadOnlyList<MetadataReference> Frameworks { get; init; } = [];
+    public IReadOnlyList<string> Symbols { get; init; } = [];
+
     /// <returns>The declared types from which types of the package derive directly, or which they name as interfaces.</returns>
     public IReadOnlySet<INamedTypeSymbol> Check(SymbolSet set, CSharpCompilation declarations)
     {
-        MetadataReference[] references = [Profile.Reference, declarations.ToMetadataReference()];
+        MetadataReference[] references = [Profile.Reference, declarations.ToMetadataReference(), .. Frameworks];
         var parents = new HashSet<INamedTypeSymbol>(SymbolEqualityComparer.Default);
-        foreach (var compilation in new PackageBuild(package, versions, set).Compile(_ => references))
+        foreach (var compilation in new PackageBuild(package, versions, set) { Symbols = Symbols }.Compile(_ => references))
         {
             var name = compilation.AssemblyName!;
             findings.Look(name);

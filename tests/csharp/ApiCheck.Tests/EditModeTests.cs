@@ -1,0 +1,48 @@
+using Microsoft.CodeAnalysis;
+using NUnit.Framework;
+using Penumbra.ApiCheck.Compare;
+using Penumbra.ApiCheck.Package;
+using Penumbra.ApiCheck.Sources;
+
+namespace Penumbra.ApiCheck.Tests;
+
+/// <summary>
+/// tests/csharp/EditMode as Unity's test runner compiles it: beside the package, in C# 9 and .NET Standard 2.1, without
+/// what only our declarations have.
+/// </summary>
+public sealed class EditModeTests
+{
+    private static readonly string[] Folders = ["Runtime", "Editor", "tests/csharp/EditMode"];
+
+    private static Findings Check(string root, string generation)
+    {
+        var set = SymbolSet.All.First(one => one.IsEditor);
+        var unity = UnityVersion.Parse(generation);
+        var declarations = new Declarations(Repository.At("tests/csharp/UnityApi"), generation, Repository.Root);
+        var findings = new Findings();
+        findings.Begin(set);
+        new OwnUse(PackageSources.Read(root, Folders), PackageVersions.Of(unity), findings)
+        {
+            Frameworks = [MetadataReference.CreateFromFile(typeof(TestAttribute).Assembly.Location)],
+            Symbols = ["UNITY_INCLUDE_TESTS"],
+        }.Check(set, declarations.Compile(set, unity));
+        return findings;
+    }
+
+    [TestCase("2022.3")]
+    [TestCase("6000.0")]
+    public void CompileInUnity(string generation) => Assert.That(Check(Repository.Root, generation).Problems, Is.Empty);
+
+    [TestCase("class A { object B => UnityEngine.Shader.Known; }", "ours, not Unity's")]
+    [TestCase("class A { object B => typeof(Penumbra.Tests.FakeScene); }", "CS0234")]
+    [TestCase("class A { object B => new System.Half(); }", "CS0234")]
+    [TestCase("namespace A;", "CS8773")]
+    public void WhatUnityHasNotIsFound(string code, string expected)
+    {
+        using var folder = new TemporaryFolder();
+        foreach (var part in Folders)
+            folder.Copy(Repository.At(part), part);
+        folder.Write(Folders[^1] + "/Other.cs", code + "\n");
+        Assert.That(Check(folder.Path, "6000.0").Problems, Has.Some.StartsWith(Folders[^1] + "/Other.cs:1:").And.Some.Contains(expected));
+    }
+}
