@@ -140,6 +140,20 @@ TEST(KeywordSpace, StereoAndTiersAreAddedOnRequest) {
               ElementsAre("UNITY_HARDWARE_TIER1", "UNITY_HARDWARE_TIER2", "UNITY_HARDWARE_TIER3"));
 }
 
+TEST(KeywordSpace, OpenGlEsDrawsBothEyesByMultiviewAlone) {
+  const Narrowing both{{}, {}, {"STEREO_INSTANCING_ON", "STEREO_MULTIVIEW_ON"}, {}};
+  for (const GraphicsApi api : all_graphics_apis) {
+    const KeywordSpace space = KeywordSpace(pragmas_of("#pragma vertex V\n"), on_api(both, api));
+    if (api == GraphicsApi::gles3) {
+      EXPECT_THAT(texts_of(space.whole_program()), ElementsAre("-", "STEREO_MULTIVIEW_ON"));
+    } else {
+      EXPECT_THAT(texts_of(space.whole_program()),
+                  ElementsAre("-", "STEREO_INSTANCING_ON", "STEREO_MULTIVIEW_ON"))
+          << renderer_name(api);
+    }
+  }
+}
+
 TEST(KeywordSpace, CountsWithoutEnumerating) {
   const KeywordSpace space = space_of(sets_with_unique_keywords(60, 1));
   EXPECT_EQ(space.whole_program().count(), VariantCount(std::uint64_t{1} << 60U));

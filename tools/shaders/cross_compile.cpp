@@ -9,6 +9,7 @@
 
 #include "shaders/precision_copies.h"
 #include "shaders/spirv_cross_session.h"
+#include "shaders/vertex_layer.h"
 
 namespace penumbra::shaders {
 
@@ -122,12 +123,13 @@ void number_bindings(const SpirvCrossSession& session, Target target) {
 std::string emit_module(const SpirvCrossModule& module, Target target) {
   const SpirvCrossSession session(module, backend(target));
   set_options(session, target);
+  const VertexLayer layer(session, target);
   if (is_gl(target)) combine_samplers(session);
   if (target_language(target) != TargetLanguage::msl)
     number_bindings(session, target);  // MSL numbers by itself
   const char* text = nullptr;
   session.require(spvc_compiler_compile(session.compiler(), &text));
-  return text;
+  return layer.completed(text);
 }
 
 }  // namespace

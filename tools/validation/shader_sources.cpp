@@ -227,7 +227,8 @@ void ShaderSources::add_program(const SourceProgram& program) {
       if (first) say(one.file, one.shader, one.pass, {no_entry_point(one)});
       continue;
     }
-    one.space = std::make_shared<variants::KeywordSpace>(one.pragmas, options_.narrowing);
+    one.space = std::make_shared<variants::KeywordSpace>(
+        one.pragmas, variants::on_api(options_.narrowing, one.platform.api));
     programs_.push_back(std::move(one));
   }
   if (is_for_another_api)
@@ -266,7 +267,8 @@ variants::Plan ShaderSources::plan(const std::vector<variants::Clause>& more) co
   narrowing.clauses.insert(narrowing.clauses.end(), more.begin(), more.end());
   Spaces spaces;
   for (const SourceProgram& program : programs_)
-    spaces.push_back(std::make_shared<variants::KeywordSpace>(program.pragmas, narrowing));
+    spaces.push_back(std::make_shared<variants::KeywordSpace>(
+        program.pragmas, variants::on_api(narrowing, program.platform.api)));
   return variants::plan(planned(spaces));
 }
 

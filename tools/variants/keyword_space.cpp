@@ -215,6 +215,11 @@ Keywords VariantList::at(std::uint64_t index) const {
   return keywords;
 }
 
+Narrowing on_api(Narrowing narrowing, GraphicsApi api) {
+  if (api == GraphicsApi::gles3) std::erase(narrowing.stereo_modes, "STEREO_INSTANCING_ON");
+  return narrowing;
+}
+
 KeywordSpace::KeywordSpace(const Pragmas& pragmas, const Narrowing& narrowing)
     : sets_(declared_sets(pragmas, narrowing)), dynamic_(pragmas.dynamic_keywords) {
   Numbering numbering;

@@ -34,6 +34,7 @@
 #include "variants/clause.h"
 #include "variants/keyword_join.h"
 #include "variants/keyword_set.h"
+#include "variants/platform_defines.h"
 #include "variants/pragmas.h"
 #include "variants/variant_count.h"
 
@@ -46,6 +47,10 @@ struct Narrowing {
   std::string tiers_for;                           // renderer for which hardware_tier_variants count
   std::vector<std::string> unused_passes{};  // by name or LightMode tag: none of their variants is built
 };
+
+// On one graphics API: OpenGL ES draws both eyes by multiview in place of instancing (Unity Manual, "Stereo
+// rendering"), whose layer a vertex shader cannot choose there, so STEREO_INSTANCING_ON is no mode of it.
+Narrowing on_api(Narrowing narrowing, GraphicsApi api);
 
 class VariantList {
  public:
