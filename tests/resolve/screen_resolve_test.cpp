@@ -1,5 +1,6 @@
 // The resolve pass of the package's own .shader against the library's filter alone, on every built-in scene:
-// an asymmetric lens, either row order, either depth direction, one to four cascades.
+// an asymmetric lens, either row order, either depth direction, one to four cascades; and of the maps with
+// fewer bits, of which URP's has 16 unless the project says otherwise.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -107,6 +108,16 @@ Difference difference(const std::vector<float>& a, const std::vector<float>& b, 
   return result;
 }
 
+void expect_the_same(const std::vector<float>& by_pass, const std::vector<float>& by_depth,
+                     const scene::Frame& frame, const std::string& what) {
+  const Difference d = difference(by_pass, by_depth, frame, 0.01);
+  ASSERT_GT(d.pixels, 3000) << what;
+  // Both sides round the same depth to a position once, but in float there and in double here: a hundredth of
+  // a millimetre. Where a shadow texel's edge lies in between, a whole tap changes.
+  EXPECT_LE(d.above, 4) << what;
+  EXPECT_LE(d.rms, 0.005) << what;
+}
+
 // The same picture with its rows the other way round: noise goes by the row a pixel is stored in.
 scene::Frame in_order(scene::Frame frame, RowOrder rows) {
   scene::Receivers& seen = frame.receivers;
@@ -151,12 +162,7 @@ TEST_P(ScreenResolve, DrawsWhatTheFilterAloneSaysAndIsAsFarFromRayTracing) {
                                  (rows == RowOrder::top_first ? "top row first" : "bottom row first");
         const std::vector<float> by_pass = by_shader(frame, rows);
         const std::vector<float> by_depth = by_library_from_depth(frame, rows);
-        const Difference d = difference(by_pass, by_depth, frame, 0.01);
-        ASSERT_GT(d.pixels, 3000) << what;
-        // Both sides round the same depth to a position once, but in float there and in double here: a
-        // hundredth of a millimetre. Where a shadow texel's edge lies in between, a whole tap changes.
-        EXPECT_LE(d.above, 4) << what;
-        EXPECT_LE(d.rms, 0.005) << what;
+        expect_the_same(by_pass, by_depth, frame, what);
 
         const reference::VisibilityImage& t1 = traced(scene);
         EXPECT_NEAR(rmse(by_pass, t1), rmse(by_depth, t1), 0.0005) << what;
@@ -170,11 +176,32 @@ TEST_P(ScreenResolve, DrawsWhatTheFilterAloneSaysAndIsAsFarFromRayTracing) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Package, ScreenResolve, testing::ValuesIn(all_cases()), [](const auto& instance) {
+// One technique that compares and one that reads the depths themselves.
+class ScreenResolveOfFewerBits : public ScreenResolve {};
+
+TEST_P(ScreenResolveOfFewerBits, DrawsWhatTheFilterAloneSays) {
+  const bool reversed_z = GetParam().reversed_z;
+  for (const scene::DepthFormat format : {scene::DepthFormat::d16, scene::DepthFormat::d24}) {
+    const std::string what = format == scene::DepthFormat::d16 ? "16 bits" : "24 bits";
+    const scene::Frame& frame = drawn("trees", 4, reversed_z, format);
+    ASSERT_NE(frame.atlas.depth, drawn("trees", 4, reversed_z).atlas.depth) << what;
+    expect_the_same(by_shader(frame, RowOrder::top_first), by_library_from_depth(frame, RowOrder::top_first),
+                    frame, what);
+  }
+}
+
+std::string case_name(const testing::TestParamInfo<Case>& instance) {
   std::string name = instance.param.technique + (instance.param.reversed_z ? "_reversed" : "_conventional");
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
-});
+}
+
+INSTANTIATE_TEST_SUITE_P(Package, ScreenResolve, testing::ValuesIn(all_cases()), case_name);
+INSTANTIATE_TEST_SUITE_P(Package, ScreenResolveOfFewerBits,
+                         testing::Values(Case{"tent-5-plane", "_", true}, Case{"tent-5-plane", "_", false},
+                                         Case{"pcss-angular-24-16", "_PENUMBRA_PCSS", true},
+                                         Case{"pcss-angular-24-16", "_PENUMBRA_PCSS", false}),
+                         case_name);
 
 }  // namespace
 }  // namespace penumbra::resolve
