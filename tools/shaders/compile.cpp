@@ -15,6 +15,7 @@
 #include "shaders/flat_inputs.h"
 #include "shaders/lost_resources.h"
 #include "shaders/macro_expansion.h"
+#include "shaders/misread_textures.h"
 #include "shaders/parse_failure.h"
 #include "shaders/parse_log.h"
 #include "shaders/scalar_conditions.h"
@@ -112,6 +113,8 @@ bool finish_module(const Source& source, CompileResult& result) {
   if (optimised && source.request.optimise) {
     for (const std::string& lost : lost_resources(result.spirv))
       result.diagnostics.push_back(whole_file(source, hlsl::Severity::error, lost));
+    for (const std::string& misread : misread_textures(result.spirv))
+      result.diagnostics.push_back(whole_file(source, hlsl::Severity::error, misread));
     if (hlsl::has_errors(result.diagnostics)) return false;
   }
   if (optimised)

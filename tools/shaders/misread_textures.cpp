@@ -1,0 +1,128 @@
+#include "shaders/misread_textures.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <span>
+
+#define SPV_ENABLE_UTILITY_CODE
+#include <glslang/SPIRV/spirv.hpp>
+
+namespace penumbra::shaders {
+
+namespace {
+
+constexpr std::size_t header_words = 5;
+
+using Words = std::span<const std::uint32_t>;
+
+spv::Op opcode(Words instruction) {
+  return static_cast<spv::Op>(instruction[0] & 0xFFFFU);
+}
+
+// By comparison glslang leaves the reference in the coordinate, and by projection the divisor: not those.
+bool reads_by_coordinate_alone(spv::Op op) {
+  return op == spv::OpImageSampleImplicitLod || op == spv::OpImageSampleExplicitLod ||
+         op == spv::OpImageFetch || op == spv::OpImageGather || op == spv::OpImageRead;
+}
+
+std::uint32_t coordinates(spv::Dim dimension, bool is_array) {
+  switch (dimension) {
+    case spv::Dim1D:
+    case spv::DimBuffer:
+      return 1U + (is_array ? 1U : 0U);
+    case spv::Dim3D:
+    case spv::DimCube:
+      return 3U + (is_array ? 1U : 0U);
+    default:
+      return 2U + (is_array ? 1U : 0U);
+  }
+}
+
+class Search {
+ public:
+  explicit Search(const SpirvModule& module) : module_(module) {}
+
+  std::vector<std::string> run() {
+    for (std::size_t at = header_words; at < module_.size();) {
+      const std::size_t length = module_[at] >> 16U;
+      if (length == 0 || at + length > module_.size()) break;
+      visit(Words(module_).subspan(at, length));
+      at += length;
+    }
+    return {sentences_.begin(), sentences_.end()};
+  }
+
+ private:
+  void visit(Words instruction) {
+    const spv::Op op = opcode(instruction);
+    if (op == spv::OpName && instruction.size() > 2) {
+      names_[instruction[1]] = text(instruction.subspan(2));
+    } else if (op == spv::OpTypeImage && instruction.size() > 5) {
+      textures_[instruction[1]] = coordinates(static_cast<spv::Dim>(instruction[3]), instruction[5] != 0);
+    } else if (op == spv::OpTypeVector && instruction.size() > 3) {
+      vectors_[instruction[1]] = instruction[3];
+    } else if (reads_by_coordinate_alone(op) && instruction.size() > 4) {
+      read(instruction[3], instruction[4]);
+      types_[instruction[2]] = instruction[1];
+    } else if (instruction.size() > 2) {
+      remember(op, instruction);
+    }
+  }
+
+  // What a value is of: its type, and the variable that it was loaded from.
+  void remember(spv::Op op, Words instruction) {
+    bool has_result = false;
+    bool has_type = false;
+    spv::HasResultAndType(op, &has_result, &has_type);
+    if (!has_result || !has_type) return;
+    types_[instruction[2]] = instruction[1];
+    if ((op == spv::OpLoad || op == spv::OpSampledImage || op == spv::OpImage) && instruction.size() > 3)
+      sources_[instruction[2]] = instruction[3];
+  }
+
+  void read(std::uint32_t image, std::uint32_t coordinate) {
+    const auto given = vectors_.find(types_[coordinate]);
+    if (given == vectors_.end()) return;
+    std::uint32_t type = types_[image];
+    while (textures_.count(type) == 0 && sources_.count(image) != 0) {  // of a pair with its sampler
+      image = sources_[image];
+      type = types_[image];
+    }
+    const auto needed = textures_.find(type);
+    if (needed == textures_.end() || given->second <= needed->second) return;
+    while (sources_.count(image) != 0) image = sources_[image];
+    sentences_.insert("'" + names_[image] + "' is read with " + std::to_string(given->second) +
+                      " coordinates and has " + std::to_string(needed->second) +
+                      ": a texture is handed to a function that takes another kind (an array, where both "
+                      "eyes are drawn at once); declare it as that kind (TEXTURE2D_X)");
+  }
+
+  static std::string text(Words words) {
+    std::string text;
+    for (const std::uint32_t word : words)
+      for (unsigned shift = 0; shift < 32; shift += 8) {
+        const char c = static_cast<char>((word >> shift) & 0xFFU);
+        if (c == '\0') return text;
+        text += c;
+      }
+    return text;
+  }
+
+  const SpirvModule& module_;
+  std::map<std::uint32_t, std::string> names_;
+  std::map<std::uint32_t, std::uint32_t> textures_;  // coordinates of each image type
+  std::map<std::uint32_t, std::uint32_t> vectors_;   // components of each vector type
+  std::map<std::uint32_t, std::uint32_t> types_;     // of values
+  std::map<std::uint32_t, std::uint32_t> sources_;   // values to what they were made from
+  std::set<std::string> sentences_;
+};
+
+}  // namespace
+
+std::vector<std::string> misread_textures(const SpirvModule& module) {
+  return Search(module).run();
+}
+
+}  // namespace penumbra::shaders
