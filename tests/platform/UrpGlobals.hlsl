@@ -12,6 +12,6 @@ float4 _CascadeShadowSplitSphereRadii; // squared
 float4 _MainLightShadowParams;         // x: strength
 
 TEXTURE2D_SHADOW(_MainLightShadowmapTexture);
-TEXTURE2D(_ScreenSpaceShadowmapTexture); // of two eyes drawn at once an array, which the stand-ins do not know
+TEXTURE2D_X(_ScreenSpaceShadowmapTexture);
 
 #endif

@@ -9,10 +9,6 @@
 
 #include "Packages/com.penumbra.shadows/ShaderLibrary/Platform/Platform.hlsl"
 
-#define UNITY_VERTEX_INPUT_INSTANCE_ID
-#define UNITY_VERTEX_OUTPUT_STEREO
-#define UNITY_SETUP_INSTANCE_ID(input)
-#define UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(output)
-#define UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(input)
+#include "UnityInstancing.hlsl"
 
 #endif

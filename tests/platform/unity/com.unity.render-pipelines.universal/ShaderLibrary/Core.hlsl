@@ -1,6 +1,6 @@
 // Stands in for URP's Core.hlsl, so that the package's own shaders compile and run without Unity: the platform macros,
-// the depth direction of the graphics API, and the stereo macros with one eye. Names are Unity's interface (core and
-// URP 14 to 17).
+// the depth direction of the graphics API, and the textures of the screen for one eye or both. Names are Unity's
+// interface (core and URP 14 to 17).
 #ifndef UNIVERSAL_PIPELINE_CORE_INCLUDED
 #define UNIVERSAL_PIPELINE_CORE_INCLUDED
 
@@ -10,11 +10,24 @@
 #endif
 
 #include "Packages/com.penumbra.shadows/ShaderLibrary/Platform/Platform.hlsl"
+#include "Packages/com.unity.render-pipelines.core/ShaderLibrary/UnityInstancing.hlsl"
 
-#define UNITY_VERTEX_INPUT_INSTANCE_ID
-#define UNITY_VERTEX_OUTPUT_STEREO
-#define UNITY_SETUP_INSTANCE_ID(input)
-#define UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(output)
-#define UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(input)
+// Of two eyes drawn at once a texture of the screen is an array with a slice for each. By a function, which takes no
+// plain texture; Load itself would shorten the coordinate.
+#if defined(UNITY_STEREO_INSTANCING_ENABLED) || defined(UNITY_STEREO_MULTIVIEW_ENABLED)
+#undef SLICE_ARRAY_INDEX
+#undef TEXTURE2D_X
+#undef TEXTURE2D_X_FLOAT
+#undef LOAD_TEXTURE2D_X
+#define SLICE_ARRAY_INDEX unity_StereoEyeIndex
+#define TEXTURE2D_X(textureName) Texture2DArray textureName
+#define TEXTURE2D_X_FLOAT(textureName) Texture2DArray textureName
+#define LOAD_TEXTURE2D_X(textureName, texel) LoadOfThisEye(textureName, texel)
+
+float4 LoadOfThisEye(Texture2DArray image, int2 texel)
+{
+    return image.Load(int4(texel, unity_StereoEyeIndex, 0));
+}
+#endif
 
 #endif
