@@ -22,9 +22,8 @@ class ScreenPass {
  public:
   enum class Module { as_shipped, in_colour, counting };
 
-  // Targets of the shipped module are r32f, or rgba32f in colour; those of the counting one rgba32f: red, and in
-  // green the fetches.
-  // Throws InputError when the vertex stage binds anything: it has nothing to read.
+  // Targets of the shipped module are r32f, or rgba32f in colour; those of the counting one rgba32f: red, and
+  // in green the fetches. Throws InputError when the vertex stage binds anything: it has nothing to read.
   ScreenPass(const gpu::Device& device, const CompiledScreenPass& compiled, Module module);
 
   static gpu::Format target_format(Module module);
