@@ -42,7 +42,7 @@ std::vector<Parameter> parameters(const std::vector<std::string>& set) {
     if (values.back() == ',') throw InputError("", "--set " + text + ": no value after the last comma");
     for (const std::string& value : split(values, ',')) {
       parameter.values.push_back(number("--set " + name, value));
-      if (!seen.insert(parameter.values.back()).second) refuse_twice("--set " + name + "=" + value);
+      if (!seen.insert(parameter.values.back()).second) refuse_twice(fmt::format("--set {}={}", name, value));
     }
     parameters.push_back(std::move(parameter));
   }

@@ -18,7 +18,9 @@ gpu::Image mask_texture(const gpu::Device& device, const CameraImage& camera,
   std::vector<float> texels;
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
-      const auto pixel = static_cast<std::size_t>(kMaskBlock * (y * camera.width + x));
+      const std::size_t pixel = static_cast<std::size_t>(kMaskBlock) *
+                                (static_cast<std::size_t>(y) * static_cast<std::size_t>(camera.width) +
+                                 static_cast<std::size_t>(x));
       texels.push_back(pixels.empty() || pixels[pixel] == 0 ? 1.0f : 0.0f);
     }
   }
