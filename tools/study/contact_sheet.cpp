@@ -19,7 +19,7 @@ std::string reference_caption(const Record& record) {
 }
 
 std::string figures(const Metrics& metrics) {
-  const std::string error =
+  std::string error =
       metrics.rmse_penumbra ? fmt::format("RMSE {:.3f}", *metrics.rmse_penumbra) : "no penumbra";
   if (!metrics.fetches_mean) return error;
   return fmt::format("{}, {:.1f} fetches", error,
