@@ -1,34 +1,24 @@
 #include "shaders/lost_resources.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <set>
-#include <span>
 
-#include <glslang/SPIRV/spirv.hpp>
+#include "shaders/spirv_words.h"
 
 namespace penumbra::shaders {
 
 namespace {
 
-constexpr std::size_t header_words = 5;
-
-using Words = std::span<const std::uint32_t>;
-
-spv::Op opcode(Words instruction) {
-  return static_cast<spv::Op>(instruction[0] & 0xFFFFU);
-}
-
 // The operands of a reading instruction that may be textures and samplers.
-Words handles(Words instruction) {
+SpirvWords handles(SpirvWords instruction) {
   const spv::Op op = opcode(instruction);
   const bool reads = (op >= spv::OpImageSampleImplicitLod && op <= spv::OpImageQuerySamples) ||
                      (op >= spv::OpImageSparseSampleImplicitLod && op <= spv::OpImageSparseRead);
   if (op == spv::OpSampledImage && instruction.size() > 4) return instruction.subspan(3, 2);
   if (op == spv::OpImageWrite && instruction.size() > 1) return instruction.subspan(1, 1);
-  return reads && instruction.size() > 3 ? instruction.subspan(3, 1) : Words{};
+  return reads && instruction.size() > 3 ? instruction.subspan(3, 1) : SpirvWords{};
 }
 
 class Search {
@@ -36,17 +26,12 @@ class Search {
   explicit Search(const SpirvModule& module) : module_(module) {}
 
   std::vector<std::string> run() {
-    for (std::size_t at = header_words; at < module_.size();) {
-      const std::size_t length = module_[at] >> 16U;
-      if (length == 0 || at + length > module_.size()) break;
-      visit(Words(module_).subspan(at, length));
-      at += length;
-    }
+    for_each_instruction(module_, [this](SpirvWords instruction) { visit(instruction); });
     return {sentences_.begin(), sentences_.end()};
   }
 
  private:
-  void visit(Words instruction) {
+  void visit(SpirvWords instruction) {
     switch (opcode(instruction)) {
       case spv::OpTypeImage:
       case spv::OpTypeSampledImage:
@@ -72,7 +57,7 @@ class Search {
     }
   }
 
-  bool of_resource(Words instruction) const {
+  bool of_resource(SpirvWords instruction) const {
     return instruction.size() > 2 && kinds_.count(instruction[1]) != 0;
   }
 

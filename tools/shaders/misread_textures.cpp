@@ -1,25 +1,15 @@
 #include "shaders/misread_textures.h"
 
-#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <set>
-#include <span>
 
 #define SPV_ENABLE_UTILITY_CODE
-#include <glslang/SPIRV/spirv.hpp>
+#include "shaders/spirv_words.h"
 
 namespace penumbra::shaders {
 
 namespace {
-
-constexpr std::size_t header_words = 5;
-
-using Words = std::span<const std::uint32_t>;
-
-spv::Op opcode(Words instruction) {
-  return static_cast<spv::Op>(instruction[0] & 0xFFFFU);
-}
 
 // By comparison glslang leaves the reference in the coordinate, and by projection the divisor: not those.
 bool reads_by_coordinate_alone(spv::Op op) {
@@ -45,17 +35,12 @@ class Search {
   explicit Search(const SpirvModule& module) : module_(module) {}
 
   std::vector<std::string> run() {
-    for (std::size_t at = header_words; at < module_.size();) {
-      const std::size_t length = module_[at] >> 16U;
-      if (length == 0 || at + length > module_.size()) break;
-      visit(Words(module_).subspan(at, length));
-      at += length;
-    }
+    for_each_instruction(module_, [this](SpirvWords instruction) { visit(instruction); });
     return {sentences_.begin(), sentences_.end()};
   }
 
  private:
-  void visit(Words instruction) {
+  void visit(SpirvWords instruction) {
     const spv::Op op = opcode(instruction);
     if (op == spv::OpName && instruction.size() > 2) {
       names_[instruction[1]] = text(instruction.subspan(2));
@@ -72,7 +57,7 @@ class Search {
   }
 
   // What a value is of: its type, and the variable that it was loaded from.
-  void remember(spv::Op op, Words instruction) {
+  void remember(spv::Op op, SpirvWords instruction) {
     bool has_result = false;
     bool has_type = false;
     spv::HasResultAndType(op, &has_result, &has_type);
@@ -99,7 +84,7 @@ class Search {
                       "eyes are drawn at once); declare it as that kind (TEXTURE2D_X)");
   }
 
-  static std::string text(Words words) {
+  static std::string text(SpirvWords words) {
     std::string text;
     for (const std::uint32_t word : words)
       for (unsigned shift = 0; shift < 32; shift += 8) {

@@ -1,0 +1,31 @@
+// A module's instructions one after the other, as words. Internal to this room.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glslang/SPIRV/spirv.hpp>
+#include <span>
+
+#include "shaders/spirv_module.h"
+
+namespace penumbra::shaders {
+
+using SpirvWords = std::span<const std::uint32_t>;
+
+inline spv::Op opcode(SpirvWords instruction) {
+  return static_cast<spv::Op>(instruction[0] & 0xFFFFU);
+}
+
+// visit(SpirvWords) for each instruction behind the header. Ends where the words are those of no module.
+template <typename Visit>
+void for_each_instruction(const SpirvModule& module, Visit visit) {
+  constexpr std::size_t header_words = 5;
+  for (std::size_t at = header_words; at < module.size();) {
+    const std::size_t length = module[at] >> 16U;
+    if (length == 0 || at + length > module.size()) return;
+    visit(SpirvWords(module).subspan(at, length));
+    at += length;
+  }
+}
+
+}  // namespace penumbra::shaders
