@@ -3,6 +3,7 @@
 
 #include <glm/trigonometric.hpp>
 #include <map>
+#include <set>
 
 #include "input/input_error.h"
 #include "scene/content_hash.h"
@@ -49,6 +50,21 @@ TEST_P(BuiltIn, HasTrianglesWithAnAreaWhoseNormalsFollowTheWinding) {
     for (std::size_t k = 0; k < 3; ++k) {
       const glm::dvec3 normal(scene.mesh.normals[scene.mesh.indices[3 * i + k]]);
       ASSERT_GT(glm::dot(normal, area), 0.0) << "triangle " << i;
+    }
+  }
+}
+
+TEST_P(BuiltIn, GivesEveryTriangleAMaterialOfNature) {
+  ASSERT_EQ(scene.mesh.triangle_materials.size(), scene.mesh.triangle_count());
+  std::set<std::size_t> used;
+  for (std::size_t i = 0; i < scene.mesh.triangle_count(); ++i) used.insert(scene.mesh.material_of(i));
+  EXPECT_LT(*used.rbegin(), scene.materials.size());
+  EXPECT_FALSE(used.contains(0)) << "some surface was drawn before any material was chosen";
+  EXPECT_GE(used.size(), 3U);
+  for (const Material& material : scene.materials) {
+    for (int channel = 0; channel < 3; ++channel) {
+      EXPECT_GT(material.base_colour[channel], 0.0F) << material.name;
+      EXPECT_LT(material.base_colour[channel], 0.9F) << material.name << " is whiter than snow";
     }
   }
 }

@@ -45,5 +45,15 @@ TEST(ContentHash, OfASceneIgnoresWhatItIsCalled) {
   EXPECT_EQ(content_hash(scene), before);
 }
 
+TEST(ContentHash, OfASceneIgnoresItsPaint) {
+  Scene scene = built_in("slabs");
+  const std::string before = content_hash(scene);
+  scene.materials.front().base_colour = {1.0F, 0.0F, 0.0F};
+  scene.textures.push_back({1, 1, {255, 0, 0, 255}});
+  scene.mesh.triangle_materials.clear();
+  scene.mesh.uvs.resize(scene.mesh.positions.size());
+  EXPECT_EQ(content_hash(scene), before);
+}
+
 }  // namespace
 }  // namespace penumbra::scene

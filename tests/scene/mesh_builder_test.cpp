@@ -77,6 +77,31 @@ TEST(MeshBuilder, GroundFacesUp) {
   expect_normals_agree_with_winding(mesh);
 }
 
+TEST(MeshBuilder, PaintsWhatFollowsWithTheMaterialInUse) {
+  const auto named = [](const char* name) {
+    Material material;
+    material.name = name;
+    return material;
+  };
+  MeshBuilder builder;
+  builder.ground({}, 1.0);
+  builder.use(named("stone"));
+  builder.ground({}, 2.0);
+  builder.use(named("wood"));
+  builder.ground({}, 3.0);
+  builder.use(named("stone"));
+  builder.ground({}, 4.0);
+  Scene scene;
+  builder.move_into(scene);
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < scene.mesh.triangle_count(); i += 2) {
+    EXPECT_EQ(scene.mesh.material_of(i), scene.mesh.material_of(i + 1));
+    names.push_back(scene.materials.at(scene.mesh.material_of(i)).name);
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"grey", "stone", "wood", "stone"}));
+  EXPECT_EQ(scene.materials.size(), 3U);
+}
+
 TEST(MeshBuilder, RotationTurnsZTowardsXAndKeepsSizes) {
   const glm::dvec3 turned = rotation(90.0) * glm::dvec3(0, 0, 1);
   EXPECT_NEAR(turned.x, 1.0, 1e-12);

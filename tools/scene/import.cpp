@@ -11,6 +11,7 @@
 #include "scene/mesh_builder.h"
 #include "scene/model_file.h"
 #include "scene/scene.h"
+#include "scene/surfaces.h"
 
 namespace penumbra::scene {
 namespace {
@@ -115,14 +116,16 @@ Mesh placed_mesh(const ModelFile& model, const parameters::Bounds& bounds, doubl
     }
     mesh.indices.push_back(place[from]);
   }
+  mesh.triangle_materials.assign(mesh.triangle_count(), 0);
   return mesh;
 }
 
-void append(Mesh& mesh, const Mesh& more) {
+void append(Mesh& mesh, const Mesh& more, std::uint16_t material) {
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
   mesh.positions.insert(mesh.positions.end(), more.positions.begin(), more.positions.end());
   mesh.normals.insert(mesh.normals.end(), more.normals.begin(), more.normals.end());
   for (const std::uint32_t index : more.indices) mesh.indices.push_back(first + index);
+  mesh.triangle_materials.insert(mesh.triangle_materials.end(), more.triangle_count(), material);
 }
 
 // The camera steps back along -Z, a little to the side, until the model's bounding sphere just fits the
@@ -161,7 +164,9 @@ Scene import(const std::filesystem::path& file, const ImportOptions& options) {
   if (options.ground) {
     MeshBuilder ground;
     ground.ground({0.0, 0.0, 0.0}, 1.2 * scene.shadow_distance_metres);
-    append(scene.mesh, ground.take());
+    const std::size_t material = scene.materials.size();
+    scene.materials.push_back(surfaces::concrete());
+    append(scene.mesh, ground.take(), static_cast<std::uint16_t>(material));
   }
   return scene;
 }

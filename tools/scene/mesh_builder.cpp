@@ -1,5 +1,6 @@
 #include "scene/mesh_builder.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -42,6 +43,18 @@ glm::dmat3 rotation(double yaw_degrees, double pitch_degrees, double roll_degree
   return turn(yaw_degrees, 2, 0) * turn(pitch_degrees, 1, 2) * turn(roll_degrees, 0, 1);
 }
 
+void MeshBuilder::use(const Material& material) {
+  const auto same_name = [&](const Material& known) { return known.name == material.name; };
+  const auto found = std::find_if(materials_.begin(), materials_.end(), same_name);
+  material_ = static_cast<std::uint16_t>(found - materials_.begin());
+  if (found == materials_.end()) materials_.push_back(material);
+}
+
+void MeshBuilder::move_into(Scene& scene) {
+  scene.mesh = std::move(mesh_);
+  scene.materials = std::move(materials_);
+}
+
 std::uint32_t MeshBuilder::vertex(const glm::dvec3& position, const glm::dvec3& normal) {
   mesh_.positions.push_back(rounded(position));
   mesh_.normals.push_back(rounded(normal));
@@ -50,6 +63,7 @@ std::uint32_t MeshBuilder::vertex(const glm::dvec3& position, const glm::dvec3& 
 
 void MeshBuilder::triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
   mesh_.indices.insert(mesh_.indices.end(), {a, b, c});
+  mesh_.triangle_materials.push_back(material_);
 }
 
 void MeshBuilder::flat_triangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {

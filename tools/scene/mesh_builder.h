@@ -4,6 +4,8 @@
 // that is clockwise seen from outside, Unity's front face. Every solid is closed; faces of a box have their
 // own vertices (flat normals), the mantle of a tube shares them (smooth normals).
 //
+// What is drawn has the material in use at that time.
+//
 // All is computed in double and rounded once, to multiples of 2^-20 (a micrometre), so that the last bits in
 // which mathematics libraries differ do not reach the mesh: the same calls give the same bytes on every
 // machine.
@@ -43,6 +45,10 @@ struct Gable {
 
 class MeshBuilder {
  public:
+  // The surface of all that follows, until the next. One material of a name is kept, the first. Before the
+  // first call it is Material's default.
+  void use(const Material& material);
+
   // A flat quadrilateral, two triangles; corners in winding order. The only shape here that is not closed.
   void quad(const std::array<glm::dvec3, 4>& corners);
   void box(const Pose& pose, const glm::dvec3& size);
@@ -53,6 +59,7 @@ class MeshBuilder {
   void ground(const glm::dvec3& centre, double half_size);
 
   Mesh take() { return std::move(mesh_); }
+  void move_into(Scene& scene);  // the mesh and its materials
 
  private:
   std::uint32_t vertex(const glm::dvec3& position, const glm::dvec3& normal);
@@ -61,6 +68,8 @@ class MeshBuilder {
   void cap(const Tube& tube, const std::array<glm::dvec3, 2>& across, bool at_end);
 
   Mesh mesh_;
+  std::vector<Material> materials_{Material{}};
+  std::uint16_t material_ = 0;
 };
 
 }  // namespace penumbra::scene

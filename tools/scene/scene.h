@@ -3,12 +3,14 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "parameters/cascades.h"
+#include "scene/material.h"
 
 namespace penumbra::scene {
 
@@ -18,14 +20,21 @@ struct Mesh {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;
   std::vector<std::uint32_t> indices;  // three per triangle
+  std::vector<glm::vec2> uvs;          // one per vertex, or none at all; Texture says where (0, 0) is
+  std::vector<std::uint16_t> triangle_materials;  // one per triangle, or none at all: then all have the first
 
   std::size_t triangle_count() const { return indices.size() / 3; }
+  std::size_t material_of(std::size_t triangle) const {
+    return triangle_materials.empty() ? 0 : triangle_materials[triangle];
+  }
 };
 
 struct Scene {
   std::string name;
   std::string description;  // one line, for reports
   Mesh mesh;
+  std::vector<Material> materials{Material{}};  // at least one
+  std::vector<Texture> textures;
   glm::dvec3 origin{0.0};                       // world position of the mesh's own origin
   parameters::Camera camera;                    // position relative to origin, like the mesh
   glm::dvec3 light_direction{0.4, -0.8, 0.45};  // the way the light travels

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "scene/built_in_scenes.h"
+#include "scene/surfaces.h"
 
 namespace penumbra::scene {
 namespace {
@@ -17,10 +18,13 @@ struct House {
   double z;
   double width;  // along the street
   double height;
+  int tint;  // of its plaster
 };
 
 void add_balcony(MeshBuilder& mesh, const glm::dvec3& centre, double side) {
+  mesh.use(surfaces::concrete());
   mesh.standing_box(centre, {1.0, 0.12, 2.4});
+  mesh.use(surfaces::painted_iron());
   const double front = centre.x - side * 0.46;
   const auto rail = [&](const glm::dvec3& from, const glm::dvec3& to) {
     mesh.tube({from, to, 0.01, 0.01, 6});
@@ -35,9 +39,11 @@ void add_balcony(MeshBuilder& mesh, const glm::dvec3& centre, double side) {
 
 void add_house(MeshBuilder& mesh, const House& house) {
   const double depth = 8.0;
+  mesh.use(surfaces::plaster(house.tint));
   mesh.standing_box({house.side * (kFacade + 0.5 * depth), 0.0, house.z}, {depth, house.height, house.width});
   mesh.standing_box({house.side * (kFacade + 0.5 * depth - 0.2), house.height, house.z},
                     {depth + 0.4, 0.3, house.width});  // the cornice overhangs by 40 cm
+  mesh.use(surfaces::sandstone());
   const double out = house.side * (kFacade - 0.1);
   const int storeys = static_cast<int>(std::ceil((house.height - 1.5 - 3.6) / 3.0));
   const int windows = static_cast<int>(std::ceil((house.width - 1.2 - 0.6) / 2.2));
@@ -50,14 +56,17 @@ void add_house(MeshBuilder& mesh, const House& house) {
     }
   }
   // An awning on the ground floor that slopes to the street.
+  mesh.use(surfaces::cloth(house.tint));
   const glm::dvec3 awning{house.side * (kFacade - 0.75), 2.7, house.z};
   mesh.box({awning, rotation(0.0, 0.0, -house.side * -18.0)}, {1.5, 0.04, 0.6 * house.width});
   add_balcony(mesh, {house.side * (kFacade - 0.5), 3.4, house.z + 0.2 * house.width}, house.side);
 }
 
-void add_car(MeshBuilder& mesh, double x, double z) {
+void add_car(MeshBuilder& mesh, double x, double z, int tint) {
+  mesh.use(surfaces::car_paint(tint));
   mesh.standing_box({x, 0.28, z}, {1.75, 0.55, 4.2});
   mesh.standing_box({x, 0.83, z - 0.2}, {1.5, 0.55, 2.1});
+  mesh.use(surfaces::rubber());
   for (const double side : {-0.78, 0.78}) {
     for (const double axle : {-1.3, 1.3}) {
       mesh.tube({{x + side - 0.1, 0.31, z + axle}, {x + side + 0.1, 0.31, z + axle}, 0.31, 0.31, 20});
@@ -71,6 +80,7 @@ void add_cable(MeshBuilder& mesh, double z) {
     const double s = i / 6.0 - 1.0;
     return glm::dvec3(kFacade * s, 6.5 - 0.6 * (1.0 - s * s), z + 0.8 * s);
   };
+  mesh.use(surfaces::painted_iron());
   for (int i = 0; i < 12; ++i) mesh.tube({at(i), at(i + 1), 0.01, 0.01, 6});
   mesh.standing_box({0.0, 5.55, z}, {0.35, 0.35, 0.35}, 45.0);  // the lantern it carries
 }
@@ -80,15 +90,18 @@ void add_cable(MeshBuilder& mesh, double z) {
 Scene street() {
   MeshBuilder mesh;
   SeededRandom random(4);
+  mesh.use(surfaces::asphalt());
   mesh.ground({0.0, 0.0, 20.0}, 60.0);
   for (const double side : {-1.0, 1.0}) {
+    mesh.use(surfaces::concrete());
     mesh.standing_box({side * 0.5 * (kRoadHalf + kFacade + 8.0), 0.0, 20.0},
                       {kFacade + 8.0 - kRoadHalf, kKerb, 56.0});
     double z = -2.0;
     for (int i = 0; i < 5; ++i) {
       const double width = random.between(7.0, 9.5);
-      add_house(mesh, {side, z + 0.5 * width, width,
-                       side > 0 ? random.between(5.0, 7.5) : random.between(7.0, 12.0)});
+      add_house(mesh,
+                {side, z + 0.5 * width, width,
+                 side > 0 ? random.between(5.0, 7.5) : random.between(7.0, 12.0), i + (side > 0 ? 2 : 0)});
       z += width + (i % 2 == 1 ? 1.8 : 0.0);
     }
     for (int i = 0; i < 4; ++i) {
@@ -96,16 +109,16 @@ Scene street() {
     }
   }
   for (const double z : {5.0, 14.0, 23.0, 34.0}) add_cable(mesh, z);
-  add_car(mesh, 2.4, 5.0);
-  add_car(mesh, 2.4, 12.5);
-  add_car(mesh, -2.4, 9.0);
-  add_car(mesh, 2.4, 26.0);
+  add_car(mesh, 2.4, 5.0, 0);
+  add_car(mesh, 2.4, 12.5, 1);
+  add_car(mesh, -2.4, 9.0, 2);
+  add_car(mesh, 2.4, 26.0, 3);
   add_tree(mesh, {{-4.6, kKerb, 12.5}, 4.6, 5000}, random);
   add_tree(mesh, {{4.7, kKerb, 17.0}, 4.8, 5000}, random);
   add_tree(mesh, {{-4.6, kKerb, 30.0}, 5.0, 5000}, random);
   Scene scene;
   scene.description = "a street with houses, balconies, lamps, cables, cars and trees";
-  scene.mesh = mesh.take();
+  mesh.move_into(scene);
   scene.camera = camera_looking({-0.6, 1.7, -3.5}, {0.2, 1.6, 8.0});
   scene.light_direction = sunlight(40.0, 58.0);
   return scene;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scene/built_in_scenes.h"
+#include "scene/surfaces.h"
 
 namespace penumbra::scene {
 namespace {
@@ -61,6 +62,7 @@ void grow(MeshBuilder& mesh, const Branch& branch, SeededRandom& random, std::ve
 void add_clump(MeshBuilder& mesh, const glm::dvec3& centre, const std::array<double, 2>& radius_and_count,
                SeededRandom& random) {
   for (int i = 0; i < static_cast<int>(radius_and_count[1]); ++i) {
+    mesh.use(surfaces::leaf(i));
     const double distance = radius_and_count[0] * std::cbrt(random.between(0.0, 1.0));
     glm::dvec3 stalk = centre + distance * random_direction(random);
     stalk.y = std::max(stalk.y, 0.12);  // a leaf reaches at most 11 cm down: it stays above the ground
@@ -72,6 +74,7 @@ void add_clump(MeshBuilder& mesh, const glm::dvec3& centre, const std::array<dou
 
 void add_tree(MeshBuilder& mesh, const Tree& tree, SeededRandom& random) {
   std::vector<glm::dvec3> twigs;
+  mesh.use(surfaces::bark());
   const double trunk = 0.42 * tree.height;
   grow(mesh, {tree.foot, {0, 1, 0}, trunk, 0.035 * tree.height, 0}, random, twigs);
   const double per_twig = static_cast<double>(tree.leaves) / static_cast<double>(twigs.size());
@@ -81,6 +84,7 @@ void add_tree(MeshBuilder& mesh, const Tree& tree, SeededRandom& random) {
 Scene trees() {
   MeshBuilder mesh;
   SeededRandom random(17);
+  mesh.use(surfaces::lawn());
   mesh.ground({0.0, 0.0, 20.0}, 60.0);
   add_tree(mesh, {{-2.8, 0.0, 4.5}, 5.0, 9000}, random);
   add_tree(mesh, {{4.4, 0.0, 4.0}, 6.5, 12000}, random);
@@ -94,7 +98,7 @@ Scene trees() {
   }
   Scene scene;
   scene.description = "six trees and eight bushes, 67,000 leaves of 5 to 11 cm";
-  scene.mesh = mesh.take();
+  mesh.move_into(scene);
   scene.camera = camera_looking({0.2, 1.7, -5.0}, {0.3, 1.3, 6.0});
   scene.light_direction = sunlight(42.0, 40.0);
   return scene;
