@@ -10,6 +10,7 @@
 
 #include "cli/study_options.h"
 #include "cli/subcommand.h"
+#include "cli/varied_subjects.h"
 #include "input/input_error.h"
 #include "platform/atomic_file.h"
 #include "platform/data_directory.h"
@@ -26,6 +27,7 @@ namespace penumbra::cli {
 namespace {
 
 struct MeasureOptions : StudyOptions {
+  VariedSubjects varied{{}, {}, false};
   int timing_repeats = 5;
   bool no_split = false;
   int pan_frames = 0;
@@ -63,23 +65,15 @@ std::string reproducing_command(const std::vector<std::string>& arguments) {
   return command;
 }
 
-std::vector<study::Subject> chosen_subjects(const MeasureOptions& options,
-                                            const shaders::TechniqueList& list) {
-  std::vector<study::Subject> subjects;
-  std::vector<std::string> names = options.techniques;
-  if (names.empty() && options.adapters.empty()) {
-    names.reserve(list.techniques.size());
-    for (const shaders::Technique& technique : list.techniques) names.push_back(technique.name);
+// Without a choice every technique, unless parameters are set, which most techniques lack.
+std::vector<study::Subject> chosen_subjects(const MeasureOptions& options) {
+  StudyOptions choice = options;
+  if (choice.techniques.empty() && choice.adapters.empty() && options.varied.set.empty()) {
+    const shaders::TechniqueList list =
+        shaders::read_technique_list(platform::data_directory() / "ShaderLibrary" / "techniques.json");
+    for (const shaders::Technique& technique : list.techniques) choice.techniques.push_back(technique.name);
   }
-  const std::vector<resolve::Adapter> adapters = chosen_adapters(options);
-  subjects.reserve(names.size() + adapters.size());
-  for (const std::string& name : names) {
-    subjects.push_back(study::technique_subject(list, list.find(name), !options.conventional_z));
-  }
-  for (const resolve::Adapter& adapter : adapters) {
-    subjects.push_back(study::adapter_subject(adapter, !options.conventional_z));
-  }
-  return subjects;
+  return varied_subjects(choice, options.varied);
 }
 
 study::StudySettings study_settings(const MeasureOptions& options) {
@@ -134,10 +128,8 @@ struct Measured {
 };
 
 Measured measure(const MeasureOptions& options, Context& context) {
-  const shaders::TechniqueList list =
-      shaders::read_technique_list(platform::data_directory() / "ShaderLibrary" / "techniques.json");
   const study::StudySettings settings = study_settings(options);
-  const std::vector<study::Subject> subjects = chosen_subjects(options, list);
+  const std::vector<study::Subject> subjects = chosen_subjects(options);
   gpu::Device device = open_device(options);
   study::StudyOutcome outcome = study::run_study(device, subjects, settings, study_progress(context));
 
@@ -205,6 +197,7 @@ void add_measure(CLI::App& app, Context& context) {
       ->add_option("--adapter", options->adapters,
                    "NAME=FILE[;KEYWORD][;UNIFORM=a,b,c,d]: your own ShadowVisibility function; repeatable")
       ->group("What to measure");
+  add_set_option(*command, "What to measure", options->varied);
   command->add_option("--seeds", options->noise_seeds, "Noise seeds per technique")
       ->check(CLI::Range(1, 1024))
       ->group("Study");

@@ -80,10 +80,7 @@ void add_render(CLI::App& app, Context& context) {
       ->add_option("--adapter", options->adapters,
                    "NAME=FILE[;KEYWORD][;UNIFORM=a,b,c,d]: your own ShadowVisibility function; repeatable")
       ->group("What to render");
-  command
-      ->add_option("--set", options->varied.set,
-                   "NAME=V1[,V2...]: a parameter of the techniques, one picture per value; repeatable")
-      ->group("What to render");
+  add_set_option(*command, "What to render", options->varied);
   command
       ->add_option("--frames", options->varied.frames,
                    "N1[,N2...]: frames averaged, each with noise of its own; one picture per number")

@@ -28,7 +28,8 @@ struct Parameter {
 };
 
 [[noreturn]] void refuse_twice(const std::string& what) {
-  throw InputError("", what + " is asked for twice", "each picture of a sheet differs from the others");
+  throw InputError("", what + " is asked for twice",
+                   "every technique and adapter stands once, with every value once");
 }
 
 std::vector<Parameter> parameters(const std::vector<std::string>& set) {
@@ -90,9 +91,9 @@ std::string caption(const std::string& name, const std::string& varied, bool alo
   return alone && !varied.empty() ? varied : joined(name, varied);
 }
 
-void add_frames(std::vector<study::Subject>& subjects, const study::Subject& subject,
-                const std::vector<int>& frames, bool alone, const std::string& base,
-                const std::string& varied) {
+void add_captioned(std::vector<study::Subject>& subjects, const study::Subject& subject,
+                   const std::vector<int>& frames, bool alone, const std::string& base,
+                   const std::string& varied) {
   if (frames.empty()) {
     subjects.push_back(subject);
     subjects.back().title = caption(base, varied, alone);
@@ -114,6 +115,13 @@ void refuse_repetitions(const std::vector<study::Subject>& subjects) {
 }
 
 }  // namespace
+
+void add_set_option(CLI::App& command, const std::string& group, VariedSubjects& varied) {
+  command
+      .add_option("--set", varied.set,
+                  "NAME=V1[,V2...]: a parameter of the techniques, each value on its own; repeatable")
+      ->group(group);
+}
 
 std::vector<study::Subject> varied_subjects(const StudyOptions& options, const VariedSubjects& varied) {
   const bool reversed_z = !options.conventional_z;
@@ -138,11 +146,19 @@ std::vector<study::Subject> varied_subjects(const StudyOptions& options, const V
       }
       study::Subject subject = study::technique_subject(list, technique, reversed_z);
       subject.name = joined(name, text_of(combination));
-      add_frames(subjects, subject, varied.frames, alone, name, text_of_varying(combination));
+      subject.title = joined(subject.title, text_of(combination));
+      if (varied.captions)
+        add_captioned(subjects, subject, varied.frames, alone, name, text_of_varying(combination));
+      else
+        subjects.push_back(std::move(subject));
     }
   }
   for (const resolve::Adapter& adapter : adapters) {
-    add_frames(subjects, study::adapter_subject(adapter, reversed_z), varied.frames, alone, adapter.name, "");
+    study::Subject subject = study::adapter_subject(adapter, reversed_z);
+    if (varied.captions)
+      add_captioned(subjects, subject, varied.frames, alone, adapter.name, "");
+    else
+      subjects.push_back(std::move(subject));
   }
   refuse_repetitions(subjects);
   return subjects;

@@ -1,6 +1,8 @@
-// What `render` shows: every technique with every value of its varied parameters, then every adapter.
+// What `render` shows and `measure` measures: every technique with every value of its varied parameters, then
+// every adapter.
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
@@ -13,9 +15,13 @@ struct VariedSubjects {
   std::vector<std::string>
       set;                  // NAME=V1[,V2...]: parameters of all techniques; several vary with each other
   std::vector<int> frames;  // averaged; empty: 1
+  bool captions = true;     // titles are captions of pictures; else a technique's own title and what was set
 };
 
-// Titles are captions: of one technique alone what varies, else the names, too. Throws InputError for an
+void add_set_option(CLI::App& command, const std::string& group, VariedSubjects& varied);
+
+// Names are distinct: the technique's and what was set. Captions are, of one technique alone, what varies,
+// else the names, too. Without a technique and an adapter: pcss-angular-24-16. Throws InputError for an
 // unknown technique, a parameter that a technique lacks, a value out of its range or no number, and whatever
 // would stand twice.
 std::vector<study::Subject> varied_subjects(const StudyOptions& options, const VariedSubjects& varied);

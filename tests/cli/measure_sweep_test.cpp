@@ -1,0 +1,57 @@
+// penumbra measure --set: values of a technique's parameters measured side by side.
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "cli/program.h"
+
+namespace penumbra {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class MeasureSweep : public ProgramTest {
+ protected:
+  std::vector<std::string> small(const std::vector<std::string>& options) const {
+    std::vector<std::string> arguments{
+        "measure", "--size",           "48x27", "--map-size",          "512",     "--scene",
+        "slabs",   "--light",          "2",     "--reference-samples", "32",      "--seeds",
+        "1",       "--timing-repeats", "0",     "--no-split",          "--cache", path("cache").string()};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return arguments;
+  }
+};
+
+TEST_F(MeasureSweep, EveryValueIsARecordWithItsOwnNameAndParameters) {
+  const auto result = run(small(
+      {"--technique", "pcss-angular-24-16", "--set", "blockerSamples=2,4", "--set", "filterSamples=1,16"}));
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const nlohmann::json records = nlohmann::json::parse(result.output).at("records");
+  std::set<std::string> names;
+  for (const nlohmann::json& record : records) {
+    const auto value = [&](const char* name) { return record.at("parameters").at(name).at(0).get<int>(); };
+    names.insert(record.at("technique"));
+    const std::string set = "blockerSamples=" + std::to_string(value("blockerSamples")) +
+                            " filterSamples=" + std::to_string(value("filterSamples"));
+    EXPECT_EQ(record.at("technique"), "pcss-angular-24-16 " + set);
+    EXPECT_EQ(record.at("title"), "Angular PCSS 24+16 " + set);
+    EXPECT_GE(record.at("fetches_mean"), value("blockerSamples"));
+    EXPECT_LE(record.at("fetches_mean"), value("blockerSamples") + value("filterSamples"));
+  }
+  EXPECT_EQ(records.size(), 4);
+  EXPECT_EQ(names.size(), 4);
+}
+
+TEST_F(MeasureSweep, WhatCannotBeSetIsRefusedBeforeAnythingIsMeasured) {
+  const auto unknown = run(small({"--technique", "pcss-angular-24-16", "--set", "blockerSample=2"}));
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_THAT(unknown.errors, HasSubstr("did you mean 'blockerSamples'?"));
+  const auto twice = run(small({"--technique", "tent-5", "--technique", "tent-5"}));
+  EXPECT_EQ(twice.exit_code, 2);
+  EXPECT_THAT(twice.errors, AllOf(HasSubstr("'tent-5' is asked for twice"), HasSubstr("stands once")));
+  EXPECT_THAT(listing(), IsEmpty());
+}
+
+}  // namespace
+}  // namespace penumbra
