@@ -83,6 +83,46 @@ TEST_F(RasterisedFrame, ReceiversAreWhereTheRaysThroughPixelCentresHit) {
   EXPECT_GT(empty, 300);
 }
 
+// Whether the ray through the pixel's centre meets the triangle, up to a hundredth of its size.
+bool meets(const Mesh& mesh, std::uint32_t triangle, const glm::dvec3& from, const glm::dvec3& direction) {
+  const auto corner = [&](std::uint32_t k) {
+    return glm::dvec3(mesh.positions[mesh.indices[3 * triangle + k]]);
+  };
+  const glm::dvec3 ab = corner(1) - corner(0);
+  const glm::dvec3 ac = corner(2) - corner(0);
+  const glm::dvec3 across = glm::cross(direction, ac);
+  const glm::dvec3 to_eye = from - corner(0);
+  const double determinant = glm::dot(ab, across);
+  const double b = glm::dot(to_eye, across) / determinant;
+  const double c = glm::dot(direction, glm::cross(to_eye, ab)) / determinant;
+  return std::min({b, c, 1.0 - b - c}) > -0.01;
+}
+
+TEST_F(RasterisedFrame, EveryPixelNamesItsTriangleAtAnyDistance) {
+  const Scene scene = ground_and_wall();
+  FrameSettings settings = unbiased_settings(true, DepthFormat::d32);
+  settings.shadows.distance_metres = 5.0;
+  const Receivers seen = rasterise(*device, scene, settings).receivers;
+  int beyond = 0;
+  int sky = 0;
+  for (int row = 0; row < seen.height; ++row) {
+    for (int column = 0; column < seen.width; ++column) {
+      const auto pixel = texel_index(row, seen.width, column);
+      if (seen.triangle[pixel] == no_triangle) {
+        ASSERT_EQ(seen.position_ws[pixel].w, 0.0F);
+        ++sky;
+        continue;
+      }
+      ASSERT_TRUE(meets(scene.mesh, seen.triangle[pixel], scene.camera.position,
+                        ray(scene.camera, column, row, seen)))
+          << column << ", " << row;
+      beyond += seen.position_ws[pixel].w == 0.0F;
+    }
+  }
+  EXPECT_GT(beyond, 300);
+  EXPECT_GT(sky, 300);
+}
+
 TEST_F(RasterisedFrame, NormalsFaceTheCameraFromBothSides) {
   Scene scene = ground_scene();
   scene.camera.position.y = -3.0;  // below the ground, looking up

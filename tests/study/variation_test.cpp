@@ -6,6 +6,7 @@
 #include "reference/scratch_folder.h"
 #include "resolve/test_device.h"
 #include "shaders/technique_values.h"
+#include "study/colour_map.h"
 #include "study/study.h"
 
 namespace penumbra::study {
@@ -21,7 +22,8 @@ Subject with(const std::string& technique, const std::map<std::string, double>& 
 }
 
 StudyOutcome outcome(const std::vector<Subject>& subjects,
-                     const std::optional<PictureWindow>& window = std::nullopt) {
+                     const std::optional<PictureWindow>& window = std::nullopt,
+                     std::function<void(const SubjectAnswer&)> answered = {}) {
   const reference::ScratchFolder cache;
   StudySettings settings;
   settings.scenes = {scene::built_in("trees")};
@@ -35,6 +37,7 @@ StudyOutcome outcome(const std::vector<Subject>& subjects,
   settings.timing_repeats = 0;
   settings.split_error = false;
   settings.window = window;
+  settings.answered = std::move(answered);
   settings.cache = cache.path();
   return run_study(test_device(), subjects, settings, [](auto&&...) {});
 }
@@ -80,6 +83,20 @@ TEST(AveragedFrames, AreTheMeanOfTheFrames) {
   const double variance = *each.variance * (kFrames - 1) / kFrames;
   EXPECT_NEAR(std::pow(*each.rmse_penumbra, 2), std::pow(*mean.rmse_penumbra, 2) + variance, 1e-6);
   EXPECT_EQ(mean.fetches_mean, each.fetches_mean) << "of one frame";
+}
+
+TEST(Answers, AreHandedOverAsNumbersInTheRecordsOrder) {
+  std::vector<std::string> names;
+  std::vector<Picture> drawn;
+  const StudyOutcome of = outcome(
+      {with("tent-5", {}), with("pcss-angular-24-16", {})}, std::nullopt, [&](const SubjectAnswer& answer) {
+        names.push_back(answer.record.technique);
+        const PixelGrid grid{answer.frame.settings.width, answer.frame.settings.height,
+                             answer.reference.valid};
+        drawn.push_back(visibility_picture(grid, answer.visibility));
+      });
+  ASSERT_EQ(names, (std::vector<std::string>{"tent-5", "pcss-angular-24-16"}));
+  for (std::size_t i = 0; i < drawn.size(); ++i) EXPECT_EQ(drawn[i], of.pictures[i].result);
 }
 
 // Both halves of the picture make up the whole, passes at lower resolution included.

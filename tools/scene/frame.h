@@ -33,14 +33,18 @@ struct ShadowAtlas {
   std::vector<std::byte> texels;
 };
 
+constexpr std::uint32_t no_triangle = 0xFFFF'FFFFU;
+
 // One record per pixel, row 0 at the top of the picture. position_ws.w is 1 where a surface within the shadow
-// distance was seen, else 0. normal_ws is the geometric (flat) normal, unit, turned to the camera.
+// distance was seen, else 0. normal_ws is the geometric (flat) normal, unit, turned to the camera. triangle
+// is that of the surface seen at any distance, no_triangle where there is none.
 struct Receivers {
   int width = 0;
   int height = 0;
   std::vector<glm::vec4> position_ws;
   std::vector<glm::vec4> position_relative;  // the same relative to Scene::origin: exact far from it too
   std::vector<glm::vec4> normal_ws;
+  std::vector<std::uint32_t> triangle{};
 };
 
 struct FrameSettings {

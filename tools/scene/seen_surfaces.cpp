@@ -36,6 +36,7 @@ CameraView view_of(const parameters::Camera& camera, const glm::dvec2& lens_shif
 }
 
 struct Surface {
+  std::size_t triangle;
   glm::dvec3 position;
   glm::dvec3 normal;
 };
@@ -55,7 +56,7 @@ std::optional<Surface> surface_at(const Mesh& mesh, const glm::dvec3& eye, const
   const glm::dvec3 normal = across / length;
   const glm::dvec3 seen(texel);
   const glm::dvec3 position = seen - normal * glm::dot(normal, seen - a);
-  return Surface{position, glm::dot(normal, eye - position) < 0.0 ? -normal : normal};
+  return Surface{triangle, position, glm::dot(normal, eye - position) < 0.0 ? -normal : normal};
 }
 
 Receivers receivers_of(const Scene& scene, const FrameSettings& settings,
@@ -66,10 +67,13 @@ Receivers receivers_of(const Scene& scene, const FrameSettings& settings,
   receivers.position_ws.resize(texels.size(), glm::vec4(0.0F));
   receivers.position_relative.resize(texels.size(), glm::vec4(0.0F));
   receivers.normal_ws.resize(texels.size(), glm::vec4(0.0F));
+  receivers.triangle.resize(texels.size(), no_triangle);
   const double farthest = std::min(settings.shadows.distance_metres, scene.camera.far_plane);
   for (std::size_t pixel = 0; pixel < texels.size(); ++pixel) {
     const std::optional<Surface> surface = surface_at(scene.mesh, scene.camera.position, texels[pixel]);
-    if (!surface || glm::distance(surface->position, scene.camera.position) > farthest) continue;
+    if (!surface) continue;
+    receivers.triangle[pixel] = static_cast<std::uint32_t>(surface->triangle);
+    if (glm::distance(surface->position, scene.camera.position) > farthest) continue;
     receivers.position_ws[pixel] = glm::vec4(glm::vec3(scene.origin + surface->position), 1.0F);
     receivers.position_relative[pixel] = glm::vec4(glm::vec3(surface->position), 1.0F);
     receivers.normal_ws[pixel] = glm::vec4(glm::vec3(surface->normal), 0.0F);

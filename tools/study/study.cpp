@@ -362,6 +362,10 @@ class Study {
     outcome_.records.push_back(std::move(record));
     outcome_.pictures.push_back(pictures(stage, subject, answer));
     if (subject.screen) outcome_.pictures.back().debug_views = debug_views(frame, *subject.screen, answer);
+    if (settings_.answered) {
+      settings_.answered(
+          {stage.scene, stage.frame, stage.t1, outcome_.records.back(), answer.image.visibility.front()});
+    }
     note_unset(subject, answer.image);
   }
 

@@ -10,11 +10,13 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "gpu/device.h"
+#include "reference/visibility_image.h"
 #include "resolve/screen_chain.h"
 #include "resolve/shadow_shader.h"
 #include "scene/frame.h"
@@ -44,6 +46,15 @@ Subject technique_subject(const shaders::TechniqueList& list, const shaders::Tec
                           bool reversed_z);
 Subject adapter_subject(const resolve::Adapter& adapter, bool reversed_z);
 
+// What one subject answered in one frame, as numbers. Valid during the call that hands it over.
+struct SubjectAnswer {
+  const scene::Scene& scene;
+  const scene::Frame& frame;
+  const reference::VisibilityImage& reference;
+  const Record& record;
+  std::span<const float> visibility;  // of the first noise seed, or the mean over averaged frames
+};
+
 struct StudySettings {
   std::vector<scene::Scene> scenes;
   std::vector<double> light_degrees;
@@ -58,6 +69,8 @@ struct StudySettings {
   std::optional<PictureWindow> window;
   // Passes of PenumbraDebugViews.shader to draw of every subject that runs over the screen.
   std::vector<std::string> debug_views{};
+  // Called with every answer, in the order of the outcome's records; may be empty.
+  std::function<void(const SubjectAnswer&)> answered{};
   int jobs = 0;
   std::filesystem::path cache;  // empty: the user's cache folder
 };
