@@ -1,0 +1,22 @@
+// Pictures read from files: PNG, JPEG, TGA and BMP, by stb_image.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "scene/material.h"
+
+namespace penumbra::scene {
+
+inline constexpr int kLargestImageSide = 8192;  // pixels
+
+// 8 bits a channel as stored; grey becomes three equal channels, absent alpha 255. Throws InputError naming
+// the file for what cannot be read, is none of these formats, is broken, or is larger than the limit.
+Texture read_image(const std::filesystem::path& file);
+
+// The same from memory; `name` is what messages call it.
+Texture decode_image(std::span<const std::byte> bytes, const std::string& name);
+
+}  // namespace penumbra::scene
