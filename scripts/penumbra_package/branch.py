@@ -49,9 +49,12 @@ class Repository:
 def committed_files(repository, package):
     """The objects of the package's files in HEAD, which must be what lies in the work tree."""
     whitelist = read_whitelist(package.root)
-    in_head = {path: entry for path, entry in repository.files_of("HEAD").items() if whitelist.names(path)}
-    changed = repository.git("diff", "--name-only", "--no-renames", "-z", "HEAD", "--").split("\0")
-    differing = sorted((package.files ^ in_head.keys()) | {path for path in changed if path and whitelist.names(path)})
+    committed = repository.files_of("HEAD")
+    wanted = package.files | {path for path in committed if whitelist.names(path)}
+    in_head = {path: committed[package.source(path)] for path in wanted if package.source(path) in committed}
+    changed = set(repository.git("diff", "--name-only", "--no-renames", "-z", "HEAD", "--").split("\0"))
+    differing = sorted(package.source(path) for path in wanted
+                       if path not in package.files or path not in in_head or package.source(path) in changed)
     if differing:
         more = f" and {len(differing) - 1} more" if len(differing) > 1 else ""
         raise Stop(f"{differing[0]}{more}: differs from HEAD: "

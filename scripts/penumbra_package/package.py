@@ -43,23 +43,29 @@ def folders_above(path):
 
 
 class Package:
-    def __init__(self, root, paths):
+    """`sources` names the file below the root that a path's content comes from, where that is another."""
+
+    def __init__(self, root, paths, sources=None):
         self.root = Path(root)
         self.paths = sorted(paths)
+        self.sources = sources or {}
         self.files = frozenset(self.paths)
         self.folders = frozenset(above for path in self.paths for above in folders_above(path))
 
+    def source(self, path):
+        return self.sources.get(path, path)
+
     def bytes(self, path):
         try:
-            return (self.root / path).read_bytes()
+            return (self.root / self.source(path)).read_bytes()
         except OSError as error:
-            raise Stop(f"{path}: cannot be read: {error.strerror}") from error
+            raise Stop(f"{self.source(path)}: cannot be read: {error.strerror}") from error
 
     def text(self, path):
         try:
             return self.bytes(path).decode("utf-8")
         except UnicodeDecodeError as error:
-            raise Stop(f"{path}: is not UTF-8 at byte {error.start}: save it as UTF-8") from error
+            raise Stop(f"{self.source(path)}: is not UTF-8 at byte {error.start}: save it as UTF-8") from error
 
     def manifest(self):
         """package.json's object; an empty one where manifest_rules has something to say about it."""

@@ -1,8 +1,8 @@
 """What only the repository can be asked: that all of the package ships, nothing else does, and its versions agree."""
-import posixpath
 import re
 
 from .package import files_below
+from .picture_rules import is_illustration
 from .problem import Problem, at_offset
 from .whitelist import NEVER
 
@@ -16,9 +16,9 @@ def may_ship(path):
     return top in FOLDERS or path in FILES or path.endswith(".meta") and path[:-5] in (*FILES, *FOLDERS)
 
 
-def is_measured_data(path):
-    """The study's figures, from which pages and pictures are made and which are larger than all of them."""
-    return path.startswith("Documentation~/results/") and posixpath.basename(path) == "results.json"
+def may_be_left_out(path):
+    """Pictures and results: link_rules says where a page misses one. Pages always ship."""
+    return is_illustration(path) and not path.endswith(".md")
 
 
 def whitelist_problems(root, package):
@@ -26,7 +26,7 @@ def whitelist_problems(root, package):
         if not may_ship(path):
             yield Problem(MANIFEST, f"'files' ships {path}, which is none of the package's: take it out")
     for path in files_below(root, FOLDERS):
-        if may_ship(path) and path not in package.files and not is_measured_data(path) and not NEVER.search(path):
+        if may_ship(path) and path not in package.files and not may_be_left_out(path) and not NEVER.search(path):
             entry = path.split("/")[0] + "/" if "/" in path else path
             yield Problem(MANIFEST, f"'files' leaves out {path}: add \"{entry}\"")
 

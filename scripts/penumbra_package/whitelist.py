@@ -14,6 +14,9 @@ from .problem import Stop
 ALWAYS = re.compile(r"package\.json|(README|LICEN[CS]E)(\.[^/]*)?", re.IGNORECASE)
 NEVER = re.compile(r"(^|/)(\..*\.swp|\._[^/]*|\.DS_Store|\.npmrc|[^/]*\.orig|npm-debug\.log|(CVS|\.svn|\.hg)/.*)$")
 
+# The repository's README speaks to everybody who builds, measures or installs; the package's to who has installed it.
+SOURCES = {"README.md": "scripts/package-readme.md"}
+
 FORM = re.compile(r"!?(?:[\w~-][\w~. -]*/[\w~.* /-]*|[\w~*][\w~.* -]*)")
 
 
@@ -63,4 +66,5 @@ def read_whitelist(root):
 def shipped(root):
     """The package that the work tree makes."""
     whitelist = read_whitelist(root)
-    return Package(root, [path for path in files_below(root, whitelist.folders) if whitelist.names(path)])
+    paths = [path for path in files_below(root, whitelist.folders) if whitelist.names(path)]
+    return Package(root, paths, {path: source for path, source in SOURCES.items() if path in paths})

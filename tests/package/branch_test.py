@@ -6,6 +6,7 @@ import unittest
 from scratch import CopiedRepository, environment, whitelist
 
 TOOL = "tools/made/made.txt"
+README = whitelist.SOURCES["README.md"]
 
 
 class Branch(CopiedRepository):
@@ -32,7 +33,8 @@ class Branch(CopiedRepository):
         self.assertEqual(done.stdout.splitlines()[0], f"upm: {self.git('rev-parse', 'upm')}")
         listed = {line.split("\t")[1]: line.split()[0] for line in self.git("ls-tree", "-r", "upm").splitlines()}
         self.assertEqual(listed, {path: "100644" for path in whitelist.shipped(self.folder).paths})
-        self.assertEqual(self.git("diff", "--name-only", "main", "upm", "--", *listed), "")
+        self.assertEqual(self.git("diff", "--name-only", "main", "upm", "--", *listed), "README.md")
+        self.assertEqual(self.git("rev-parse", "upm:README.md"), self.git("rev-parse", f"main:{README}"))
         self.assertEqual(self.git("log", "-1", "--format=%B", "upm"),
                          f"com.penumbra.shadows {self.version}\n\n"
                          f"The package's files of commit {self.git('rev-parse', 'main')}.")
@@ -80,17 +82,21 @@ class Branch(CopiedRepository):
         self.git("clone", "--quiet", "--branch", "upm", str(self.folder), str(clone))
         self.assertEqual({path.relative_to(clone).as_posix(): path.read_bytes() for path in clone.rglob("*")
                           if path.is_file() and ".git" not in path.parts},
-                         {path: (self.folder / path).read_bytes() for path in whitelist.shipped(self.folder).paths})
+                         {path: self.shipped(path) for path in whitelist.shipped(self.folder).paths})
 
     def test_what_is_not_committed_is_refused(self):
         text = "differs from HEAD: commit it first, as the branch says what commit it is of"
+        unlinked = "Documentation~/unlinked.md"
+        self.write(unlinked, "No page leads here.\n")
+        self.commit("Second")
         self.write("Documentation~/made.md", "")
         self.assert_refused(1, f"scripts/package: Documentation~/made.md: {text}", "--branch", "upm")
-        self.write("README.md", self.text("README.md") + "\nMore.\n")
+        self.write("README.md", "The repository's own, which is none of the package's.\n")
+        self.assert_refused(1, f"scripts/package: Documentation~/made.md: {text}", "--branch", "upm")
+        self.write(README, self.text(README) + "\nMore.\n")
         self.assert_refused(1, f"scripts/package: Documentation~/made.md and 1 more: {text}", "--branch", "upm")
         (self.folder / "Documentation~/made.md").unlink()
-        self.git("checkout", "--quiet", "README.md")
-        unlinked = "Documentation~/variants/receivers.json"
+        self.git("checkout", "--quiet", "README.md", README)
         (self.folder / unlinked).unlink()
         self.assert_refused(1, f"scripts/package: {unlinked}: {text}", "--branch", "upm")
         self.assertEqual(self.git("branch", "--list", "upm"), "")

@@ -4,7 +4,7 @@ import re
 import unittest
 from pathlib import Path
 
-from scratch import UnpackedTarball
+from scratch import ROOT, CopiedRepository, UnpackedTarball, whitelist
 
 PATH = "CHANGELOG.md"
 PAGE = "Documentation~/made.md"
@@ -62,7 +62,7 @@ class Changelog(UnpackedTarball):
 
 class Links(UnpackedTarball):
     def test_links_that_lead_somewhere(self):
-        self.write(PAGE, "[a](bias.md) [b](../README.md#licence) ![c](results/overview.png \"title\") [d](#here)\n"
+        self.write(PAGE, "[a](bias.md) [b](../README.md#requirements) ![c](results/presets/pareto-fetches.svg \"title\") [d](#here)\n"
                          "[e](https://example.com/nothing.md) [f](../ShaderLibrary) [g](<bias.md>) [h](mailto:a@example.com)\n")
         self.assert_problems()
 
@@ -74,6 +74,47 @@ class Links(UnpackedTarball):
     def test_code_has_no_links(self):
         self.write(PAGE, "`a[0](nothing)`\n\n```\nb[1](nothing)\n```\n\n[c](nothing.md)\n")
         self.assert_problems(f"{PAGE}:7:5: nothing.md {NOT_THERE}")
+
+
+class Pictures(UnpackedTarball):
+    TEXT = "no page of the package shows it: show it in one, or add \"!{}\" to 'files' of package.json"
+
+    def test_one_that_no_page_shows(self):
+        for name in ("Documentation~/images/made.png", "Documentation~/results/made/chart.svg",
+                     "Documentation~/results/made/made.json", "Documentation~/made.JPG"):
+            self.write(name, "")
+            self.assert_problems(f"{name}: {self.TEXT.format(name)}")
+            self.write(PAGE, f"![a]({name.removeprefix('Documentation~/')})\n")
+            self.assert_problems()
+            (self.folder / name).unlink()
+            (self.folder / PAGE).unlink()
+
+    def test_one_that_is_only_named(self):
+        name = "Documentation~/images/made.png"
+        self.write(name, "")
+        self.write(PAGE, "```sh\npenumbra render --sheet Documentation~/images/made.png\n```\n`![a](images/made.png)`\n")
+        self.assert_problems(f"{name}: {self.TEXT.format(name)}")
+
+
+class Readme(UnpackedTarball):
+    """The package's own, for who has installed it: what Unity's Project window shows when the package is selected."""
+
+    def test_is_not_the_repositorys(self):
+        self.assertNotEqual((self.folder / "README.md").read_text(), (ROOT / "README.md").read_text())
+        for word in ("scripts/demo", "scripts/test", "cmake", "build/release"):
+            self.assertNotIn(word, self.text("README.md"))
+
+    def test_leads_to_the_pages_of_its_readers(self):
+        for page in ("installation", "presets", "renderer-feature", "debug-views", "troubleshooting", "samples", "index"):
+            self.assertIn(f"](Documentation~/{page}.md", self.text("README.md"), page)
+
+    def test_a_link_that_leads_nowhere_is_told_at_its_source(self):
+        root = CopiedRepository("run_script")
+        root.setUp()
+        self.addCleanup(root.doCleanups)
+        source = whitelist.SOURCES["README.md"]
+        root.write(source, "[a](tools/nothing.md)\n")
+        self.assertIn(f"{source}:1:5: tools/nothing.md {NOT_THERE}\n", root.assert_run(1, "--check").stderr)
 
 
 class Index(unittest.TestCase):

@@ -119,7 +119,8 @@ class CopiedRepository(Folder):
     """What of the repository scripts/package reads, with the script itself."""
 
     def fill(self):
-        for path in (*whitelist.shipped(ROOT).paths, "CMakeLists.txt", "scripts/package"):
+        shipped = whitelist.shipped(ROOT).paths
+        for path in (*shipped, *whitelist.SOURCES.values(), "CMakeLists.txt", "scripts/package"):
             (self.folder / path).parent.mkdir(parents=True, exist_ok=True)
             shutil.copyfile(ROOT / path, self.folder / path)
         shutil.copytree(ROOT / "scripts" / "penumbra_package", self.folder / "scripts" / "penumbra_package",
@@ -136,6 +137,15 @@ class CopiedRepository(Folder):
 
     def assert_refused(self, code, message, *words, **more):
         self.assertEqual(self.assert_run(code, *words, **more).stderr, message + "\n")
+
+    def sources(self):
+        """The files of this copy that the package is made of."""
+        package = whitelist.shipped(self.folder)
+        return [package.source(path) for path in package.paths]
+
+    def shipped(self, path):
+        """The bytes that the package has at the path."""
+        return (self.folder / whitelist.SOURCES.get(path, path)).read_bytes()
 
     def contents(self):
         """Every file's bytes by its path."""

@@ -58,6 +58,13 @@ class Source(CopiedRepository):
         self.write("Documentation~/results/made/results.json", "{}")
         self.assert_run(0, "--check")
 
+    def test_pictures_may_be_where_no_page_shows_them(self):
+        self.write("Documentation~/results/made/overview.png", "")
+        self.assert_run(0, "--check")
+        self.write("Documentation~/made.md", "![a](results/made/overview.png)\n")
+        self.assertEqual(self.refusals(), ["Documentation~/made.md:1:6: results/made/overview.png is not in the package: "
+                                           "correct the link, or name the file in 'files' of package.json"])
+
     def test_what_is_none_of_the_packages(self):
         self.write("tools/made/made.txt", "")
         self.change_files(add=["tools/", "CMakeLists.txt", "scripts/package"])
