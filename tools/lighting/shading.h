@@ -1,0 +1,32 @@
+// What one surface sends to the camera of the light that reaches it.
+//
+// Matt reflection after Lambert, and a gloss by GGX (B. Walter et al., "Microfacet Models for Refraction
+// through Rough Surfaces", EGSR 2007) with the joint Smith term and Schlick's Fresnel term at the 4 % of
+// common materials; what the gloss takes, the matt part lacks. The sky's gloss is B. Karis' fit ("Physically
+// Based Shading on Mobile", 2014) times the sky light around. Where the triangle turns from the sun before
+// its interpolated normal does, light fades by M. Chiang et al., "Taming the Shadow Terminator" (SIGGRAPH
+// 2019). A translucent surface passes its share of the light from behind on as if it were matt there, too.
+// Spaces: all directions unit and away from the surface. Reentrant.
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "lighting/seen_materials.h"
+
+namespace penumbra::lighting {
+
+struct Sunlight {
+  glm::vec3 to_sun;
+  glm::vec3 irradiance;  // of a surface that faces it
+};
+
+// Radiance per unit of the sun's visibility: the part that shadows take away. 0 on faces turned from the sun.
+glm::vec3 lit_by_sun(const SurfacePoint& point, const glm::vec3& to_camera, const Sunlight& sun);
+
+// The same of light that comes through from behind; 0 on faces that the sun shines upon.
+glm::vec3 lit_through(const SurfacePoint& point, const Sunlight& sun);
+
+// sky_light: as sky_light.h has it.
+glm::vec3 lit_by_sky(const SurfacePoint& point, const glm::vec3& to_camera, const glm::vec3& sky_light);
+
+}  // namespace penumbra::lighting

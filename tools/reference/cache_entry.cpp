@@ -1,0 +1,44 @@
+#include "reference/cache_entry.h"
+
+#include <fstream>
+#include <iterator>
+
+#include "input/input_error.h"
+#include "platform/atomic_file.h"
+#include "platform/content_hash.h"
+
+namespace penumbra::reference {
+namespace {
+
+constexpr std::size_t hash_size = 32;
+
+std::string hash_of(std::string_view content) {
+  return platform::ContentHash().update(content).hex().substr(0, hash_size);
+}
+
+}  // namespace
+
+void CacheEntryWriter::write(const std::filesystem::path& file) {
+  std::error_code error;
+  std::filesystem::create_directories(file.parent_path(), error);
+  if (error) {
+    throw InputError(file.parent_path().string(), "the cache folder cannot be made: " + error.message(),
+                     "name another with the environment variable PENUMBRA_CACHE");
+  }
+  content_ += hash_of(content_);
+  platform::write_file_atomically(file, content_);
+}
+
+std::optional<CacheEntryReader> CacheEntryReader::open(const std::filesystem::path& file,
+                                                       std::string_view title, const std::string& key) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) return std::nullopt;
+  const std::string content((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+  const std::string head = std::string(title) + key;
+  if (content.size() < head.size() + hash_size || !content.starts_with(head)) return std::nullopt;
+  const std::string_view hashed(content.data(), content.size() - hash_size);
+  if (hash_of(hashed) != content.substr(hashed.size())) return std::nullopt;
+  return CacheEntryReader(std::string(hashed.substr(head.size())));
+}
+
+}  // namespace penumbra::reference
