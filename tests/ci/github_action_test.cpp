@@ -82,7 +82,7 @@ class GithubRun : public ProjectFolder {
 TEST_F(GithubRun, AMistakeIsAnAnnotationASarifResultAndAFailedTest) {
   const auto result =
       run_step({{"program", PENUMBRA_PROGRAM},
-                {"arguments", "Assets/Good.hlsl \"Assets/Broken.hlsl\" --targets spirv,msl23"}});
+                {"arguments", "Assets/Good.hlsl \"Assets/Broken.hlsl\" --target spirv,msl23"}});
   EXPECT_EQ(result.exit_code, 1) << result.errors;
   EXPECT_THAT(result.output, HasSubstr("::error file=Assets/Broken.hlsl,line=3,col=22,title=penumbra%3A "
                                        "hlsl::unknown variable 'glow'%0A"));
@@ -124,14 +124,14 @@ TEST_F(GithubRun, ArgumentsAreNeverRun) {
 TEST_F(GithubRun, AShardIsHandedOnAndItsReportIsLeftForTheMerge) {
   const auto result = run_step({{"program", stub_program(0).string()}, {"shard", "2/4"}});
   EXPECT_EQ(result.exit_code, 0) << result.errors;
-  EXPECT_EQ(read("called"), "validate\n--shard\n2/4\n--report\njson\n-o\npenumbra-reports/penumbra.json\n");
+  EXPECT_EQ(read("called"), "validate\n--shard\n2/4\n--format\njson\n-o\npenumbra-reports/penumbra.json\n");
 }
 
 TEST_F(GithubRun, ReportsOfAllShardsAreJoined) {
   std::string shards;
   for (const std::string name : {"Good", "Broken"}) {
     const std::string file = path(name + ".json").string();
-    run({"validate", path("Assets/" + name + ".hlsl").string(), "--report", "json", "-o", file});
+    run({"validate", path("Assets/" + name + ".hlsl").string(), "--format", "json", "-o", file});
     nlohmann::json shard = read_json(name + ".json");
     shard["shard"] = {{"index", name == "Good" ? 1 : 2}, {"count", 2}};
     shard["fingerprint"] = "of one request";

@@ -42,13 +42,13 @@ TEST_F(Gitlab, EveryShardIsAskedFor) {
     const std::string number = std::to_string(index);
     EXPECT_THAT(read("called"),
                 HasSubstr("validate\n--jobs\n2\n--shard\n" + number +
-                          "/4\n--report\njson\n-o\npenumbra-shards/" + number + "/penumbra.json\n"));
+                          "/4\n--format\njson\n-o\npenumbra-shards/" + number + "/penumbra.json\n"));
   }
 }
 
 TEST_F(Gitlab, TheReportJobWritesTheJunitArtifactAndFails) {
   std::filesystem::create_directories(path("penumbra-shards/1"));
-  run({"validate", path("Assets/Broken.hlsl").string(), "--report", "json", "-o",
+  run({"validate", path("Assets/Broken.hlsl").string(), "--format", "json", "-o",
        path("penumbra-shards/1/penumbra.json").string()});
   const auto result =
       run_job("penumbra-report", {"PENUMBRA_CLONE=" + repository, std::string("PENUMBRA=") + PENUMBRA_PROGRAM,

@@ -32,7 +32,7 @@ class PreCommit : public ProjectFolder {
 
 TEST_F(PreCommit, ValidatesTheFilesItIsGiven) {
   git("git add .");
-  const auto broken = hook("--targets spirv -- Assets/Good.hlsl Assets/Broken.hlsl");
+  const auto broken = hook("--target spirv -- Assets/Good.hlsl Assets/Broken.hlsl");
   EXPECT_EQ(broken.exit_code, 1);
   EXPECT_THAT(broken.output, AllOf(HasSubstr("Assets/Broken.hlsl:3:22: error: unknown variable 'glow'"),
                                    HasSubstr("2 variants for 1 target")));

@@ -46,7 +46,7 @@ class ProblemMatcher : public ProjectFolder {
  protected:
   std::vector<Problem> problems_of(const std::string& text) {
     const std::string file = write("Assets/Shader.hlsl", text).string();
-    std::vector<Problem> problems = problems_in(run({"validate", file, "--targets", "spirv"}).output);
+    std::vector<Problem> problems = problems_in(run({"validate", file, "--target", "spirv"}).output);
     for (Problem& problem : problems) EXPECT_EQ(std::exchange(problem.file, {}), file);
     return problems;
   }

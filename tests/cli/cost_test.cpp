@@ -35,8 +35,8 @@ TEST_F(Cost, TheWorkersSubcommandIsNotInHelp) {
 }
 
 TEST_F(Cost, AUsersFileWithKeywordSetsGivesTheSameBytesTwice) {
-  const std::vector<std::string> command{"cost",   shader(),     "--family", "navi21",   "--keywords",
-                                         "UNUSED", "--keywords", "DARK",     "--format", "csv"};
+  const std::vector<std::string> command{"cost",   shader(),        "--family", "navi21",   "--keyword-set",
+                                         "UNUSED", "--keyword-set", "DARK",     "--format", "csv"};
   const auto once = run(command);
   EXPECT_EQ(once.exit_code, 0) << once.errors;
   EXPECT_THAT(once.output, StartsWith("family,techniques,file,entry,stage,keywords,instructions,"));

@@ -15,10 +15,11 @@ TEST_F(ExitCode, HelpAndVersionAreSuccess) {
     EXPECT_THAT(help.output, HasSubstr(name));
   }
   EXPECT_EQ(run({"--version"}).exit_code, 0);
+  for (const char* code : {"  0 ", "  1 ", "  2 ", "  3 ", "  70 ", "  130 "})
+    EXPECT_THAT(help.output, HasSubstr(code));
 }
 
 TEST_F(ExitCode, BadUsageIsTwo) {
-  EXPECT_EQ(run({}).exit_code, 2);
   EXPECT_EQ(run({"nonsense"}).exit_code, 2);
   EXPECT_EQ(run({"constants", "--no-such-option"}).exit_code, 2);
 }
@@ -46,6 +47,18 @@ TEST_F(ExitCode, ConstantsAnswerWithoutAnyInput) {
 TEST_F(ExitCode, TheSameCommandGivesTheSameBytes) {
   const std::vector<std::string> command{"tables", "--format", "json"};
   EXPECT_EQ(run(command).output, run(command).output);
+}
+
+// Ended by SIGINT, once it listens for it, while it renders: the shell's 128 + 2, and no half sheet.
+TEST_F(ExitCode, AnInterruptionIs130) {
+  const auto result = shell(PENUMBRA_PROGRAM
+                            " render --size 1920x1080 --reference-samples 65536 --scene trees --cache " +
+                            path("cache").string() + " --sheet " + path("sheet.png").string() +
+                            " & listens() { (( 0x$(sed -n 's/^SigCgt:\\s*//p' /proc/$!/status) & 2 )); }\n"
+                            "until listens; do sleep 0.05; done; kill -INT $!; wait $!");
+  EXPECT_EQ(result.exit_code, 130) << result.errors;
+  EXPECT_THAT(result.errors, HasSubstr("interrupted"));
+  EXPECT_FALSE(std::filesystem::exists(path("sheet.png")));
 }
 
 }  // namespace

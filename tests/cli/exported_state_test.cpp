@@ -9,11 +9,11 @@ namespace {
 
 using ExportedState = ProgramTest;
 
-// Of the matrices' own fit: penumbra constants --cascades 2 --angle 1.5.
+// Of the matrices' own fit: penumbra constants --cascades 2 --light 1.5.
 TEST_F(ExportedState, GivesTheFramesOwnConstants) {
   const auto file = std::filesystem::path(PENUMBRA_SOURCE_DIR) / "tests/golden/exported_shadow_state.json";
   const auto exported = run({"constants", "--matrices", file.string(), "--format", "json"});
-  const auto fitted = run({"constants", "--cascades", "2", "--angle", "1.5", "--format", "json"});
+  const auto fitted = run({"constants", "--cascades", "2", "--light", "1.5", "--format", "json"});
   ASSERT_EQ(exported.exit_code, 0) << exported.errors;
   const auto found = nlohmann::json::parse(exported.output).at("cascades");
   const auto expected = nlohmann::json::parse(fitted.output).at("cascades");

@@ -20,7 +20,7 @@ TEST_F(Golden, TheSameCountAndSeedGiveTheSameBytes) {
 }
 
 TEST_F(Golden, NothingThatDescribesASetupGoesWithIt) {
-  for (const char* other : {"--fov", "--cascades", "--angle", "--resolution"}) {
+  for (const char* other : {"--fov", "--cascades", "--light", "--map-size"}) {
     const auto result = run({"constants", "--golden", "3", other, "2"});
     EXPECT_EQ(result.exit_code, 2) << other;
     EXPECT_THAT(result.errors, HasSubstr(other));

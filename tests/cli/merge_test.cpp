@@ -17,7 +17,7 @@ class Merge : public ProgramTest {
   std::string shard(const std::string& name, const std::string& body, int index, int count) {
     const std::string shader = write(name + ".hlsl", "float4 Main() : SV_Target { " + body + " }\n").string();
     const std::string file = path(name + ".json").string();
-    run({"validate", shader, "--targets", "spirv,msl23", "--report", "json", "-o", file});
+    run({"validate", shader, "--target", "spirv,msl23", "--format", "json", "-o", file});
     nlohmann::json report = nlohmann::json::parse(read(name + ".json"));
     report["shard"] = {{"index", index}, {"count", count}};
     report["fingerprint"] = "of one request";
@@ -36,12 +36,12 @@ TEST_F(Merge, JoinsShardsAndFailsWhereOneFailed) {
   EXPECT_EQ(merged.at("summary").at("variants"), 4);
   EXPECT_EQ(merged.at("summary").at("failed"), 2);  // in the source of either target
   EXPECT_THAT(merged.at("variants").at(0).at("file").get<std::string>(), HasSubstr("broken.hlsl"));
-  EXPECT_EQ(run({"merge", path("all.json").string(), "--report", "text"}).exit_code, 1);
+  EXPECT_EQ(run({"merge", path("all.json").string(), "--format", "text"}).exit_code, 1);
 }
 
 TEST_F(Merge, AWholeReportIsToldInEveryForm) {
   const std::string report = shard("good", "return 1;", 1, 1);
-  const auto form = [&](const std::string& name) { return run({"merge", report, "--report", name}); };
+  const auto form = [&](const std::string& name) { return run({"merge", report, "--format", name}); };
   EXPECT_THAT(form("text").output, HasSubstr("1 variant for 2 targets: 2 results"));
   EXPECT_THAT(form("json").output, StartsWith("{\n  \"summary\""));
   EXPECT_THAT(form("sarif").output, HasSubstr("\"version\": \"2.1.0\""));
@@ -67,7 +67,7 @@ TEST_F(Merge, MissingShardsAndStrangeFilesAreBadInputAndChangeNothing) {
 
 TEST_F(Merge, ColourIsForTerminalsThatWantIt) {
   const std::string report = shard("broken", "return glow;", 1, 1);
-  const std::string command = PENUMBRA_PROGRAM " merge " + report + " --report text";
+  const std::string command = PENUMBRA_PROGRAM " merge " + report + " --format text";
   EXPECT_THAT(shell(command).output, testing::Not(HasSubstr("\x1b[")));
   // script(1) gives the program a terminal.
   EXPECT_THAT(shell("script -qec '" + command + "' /dev/null").output, HasSubstr("\x1b[1;31merror"));

@@ -159,7 +159,7 @@ TEST_P(Mutants, EveryFileHasItsAnswer) {
   command.program = PENUMBRA_PROGRAM;
   command.arguments = {"validate",
                        path("shaders").string(),
-                       "--targets",
+                       "--target",
                        "spirv,msl23",
                        "--sample",
                        "2",
@@ -172,7 +172,7 @@ TEST_P(Mutants, EveryFileHasItsAnswer) {
                        "512",
                        "--keep",
                        path("kept").string(),
-                       "--report",
+                       "--format",
                        "json",
                        "-o",
                        path("report.json").string()};

@@ -59,14 +59,14 @@ class Validate : public ProgramTest {
   }
   nlohmann::json report(const std::vector<std::string>& more) {
     std::vector<std::string> all = command(more);
-    all.insert(all.end(), {"--report", "json", "-o", path("report.json").string()});
+    all.insert(all.end(), {"--format", "json", "-o", path("report.json").string()});
     run(all);
     return nlohmann::json::parse(read("report.json"));
   }
 };
 
 TEST_F(Validate, CompilesEveryVariantOfEveryStageForEveryTarget) {
-  const nlohmann::json json = report({"--targets", "spirv,hlsl50"});
+  const nlohmann::json json = report({"--target", "spirv,hlsl50"});
   // The vertex stage has _ and WARM, the fragment stage those with and without BRIGHT; each for two targets.
   EXPECT_EQ(json["summary"]["variants"], (2 + 4) * 2);
   EXPECT_EQ(json["summary"]["failed"], 0);
@@ -78,7 +78,7 @@ TEST_F(Validate, CompilesEveryVariantOfEveryStageForEveryTarget) {
 
 TEST_F(Validate, AMistakeOfOneVariantIsSaidOnceAtItsLine) {
   set_factor("undefined_factor");
-  const auto result = run(command({"--targets", "spirv,essl310,msl23"}));
+  const auto result = run(command({"--target", "spirv,essl310,msl23"}));
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.output, AllOf(HasSubstr("Library.hlsl:5:"), HasSubstr("undefined_factor"),
                                    HasSubstr("BRIGHT"), HasSubstr("WARM")));
@@ -87,20 +87,20 @@ TEST_F(Validate, AMistakeOfOneVariantIsSaidOnceAtItsLine) {
 }
 
 TEST_F(Validate, KeywordsNarrowAndAreCounted) {
-  EXPECT_THAT(run(command({"--targets", "spirv", "--list"})).output, HasSubstr("vertex 2   fragment 4"));
-  EXPECT_THAT(run(command({"--targets", "spirv", "--list", "--keywords=-WARM"})).output,
+  EXPECT_THAT(run(command({"--target", "spirv", "--count"})).output, HasSubstr("vertex 2   fragment 4"));
+  EXPECT_THAT(run(command({"--target", "spirv", "--count", "--keywords=-WARM"})).output,
               HasSubstr("vertex 1   fragment 2"));
-  const auto refused = run(command({"--targets", "spirv", "--limit", "5"}));
+  const auto refused = run(command({"--target", "spirv", "--limit", "5"}));
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_THAT(refused.errors, AllOf(HasSubstr("--limit"), HasSubstr("--keywords"), HasSubstr("WARM")));
-  EXPECT_EQ(report({"--targets", "spirv", "--sample", "1"})["summary"]["variants"], 2);
+  EXPECT_EQ(report({"--target", "spirv", "--sample", "1"})["summary"]["variants"], 2);
 }
 
 TEST_F(Validate, WhatAKeywordAddsIsCounted) {
-  const auto text = run(command({"--targets", "spirv", "--list", "--what-if=-WARM"}));
+  const auto text = run(command({"--target", "spirv", "--count", "--what-if=-WARM"}));
   EXPECT_THAT(text.output,
               AllOf(HasSubstr("vertex 2 (1)   fragment 4 (2)"), HasSubstr("in all 6 (3 with -WARM)")));
-  const auto list = run(command({"--api", "d3d11", "--list", "--what-if=-WARM", "--report", "json"}));
+  const auto list = run(command({"--api", "d3d11", "--count", "--what-if=-WARM", "--format", "json"}));
   const auto json = nlohmann::json::parse(list.output);
   EXPECT_EQ(json["programs"][0]["api"], "d3d11");
   EXPECT_EQ(json["programs"][0]["stages"][1],
@@ -109,19 +109,19 @@ TEST_F(Validate, WhatAKeywordAddsIsCounted) {
   EXPECT_EQ(json["what_if"], 3);
   EXPECT_EQ(json["condition"], "-WARM");
   const auto plain =
-      nlohmann::json::parse(run(command({"--api", "d3d11", "--list", "--report", "json"})).output);
+      nlohmann::json::parse(run(command({"--api", "d3d11", "--count", "--format", "json"})).output);
   EXPECT_FALSE(plain.contains("what_if"));
   EXPECT_FALSE(plain["programs"][0]["stages"][1].contains("what_if"));
 }
 
 TEST_F(Validate, WhatCannotBeListedIsSaid) {
-  EXPECT_THAT(run(command({"--list", "--what-if=-WRAM"})).errors,
+  EXPECT_THAT(run(command({"--count", "--what-if=-WRAM"})).errors,
               AllOf(HasSubstr("WRAM"), HasSubstr("WARM")));
   EXPECT_EQ(run(command({"--what-if=-WARM"})).exit_code, 2);
-  const auto sarif = run(command({"--list", "--report", "sarif"}));
+  const auto sarif = run(command({"--count", "--format", "sarif"}));
   EXPECT_EQ(sarif.exit_code, 2);
   EXPECT_THAT(sarif.errors, HasSubstr("text or json"));
-  const auto nothing = run({"validate", "--list"});
+  const auto nothing = run({"validate", "--count"});
   EXPECT_EQ(nothing.exit_code, 2);
   EXPECT_THAT(nothing.errors, HasSubstr("shader files"));
 }
@@ -137,7 +137,7 @@ TEST_F(Validate, APipelineAssetNarrowsKeywordsAndPasses) {
       "float4 V() : SV_Position { return 0; }\nENDHLSL\n} } }\n");
   const std::string asset = write("Urp.asset", "MonoBehaviour:\n  m_SoftShadowsSupported: 0\n").string();
   const std::string renderer = write("Renderer.asset", "MonoBehaviour:\n  m_RenderingMode: 0\n").string();
-  const std::vector<std::string> lit{"validate", path("Lit.shader").string(), "--list", "--targets", "spirv"};
+  const std::vector<std::string> lit{"validate", path("Lit.shader").string(), "--count", "--target", "spirv"};
   const auto listed = [&](const std::vector<std::string>& more) {
     std::vector<std::string> all = lit;
     all.insert(all.end(), more.begin(), more.end());
@@ -150,22 +150,22 @@ TEST_F(Validate, APipelineAssetNarrowsKeywordsAndPasses) {
 }
 
 TEST_F(Validate, ASecondRunIsFromTheCacheUntilAnIncludeChanges) {
-  EXPECT_EQ(report({"--targets", "spirv"})["summary"]["cached"], 0);
-  EXPECT_EQ(report({"--targets", "spirv"})["summary"]["cached"], 6);
+  EXPECT_EQ(report({"--target", "spirv"})["summary"]["cached"], 0);
+  EXPECT_EQ(report({"--target", "spirv"})["summary"]["cached"], 6);
   set_factor("3.0");
   // Only the fragment variant with both keywords reads it: the text of all others is what it was.
-  EXPECT_EQ(report({"--targets", "spirv"})["summary"]["cached"], 5);
+  EXPECT_EQ(report({"--target", "spirv"})["summary"]["cached"], 5);
 }
 
 TEST_F(Validate, ShardsJoinToTheWhole) {
-  const nlohmann::json whole = report({"--targets", "spirv", "--no-cache"});
+  const nlohmann::json whole = report({"--target", "spirv", "--no-cache"});
   std::vector<std::string> join{"merge"};
   for (const char* shard : {"1/3", "2/3", "3/3"}) {
     const std::string file = path(std::string("shard") + shard[0] + ".json").string();
-    run(command({"--targets", "spirv", "--no-cache", "--shard", shard, "--report", "json", "-o", file}));
+    run(command({"--target", "spirv", "--no-cache", "--shard", shard, "--format", "json", "-o", file}));
     join.push_back(file);
   }
-  join.insert(join.end(), {"--report", "json", "-o", path("joined.json").string()});
+  join.insert(join.end(), {"--format", "json", "-o", path("joined.json").string()});
   EXPECT_EQ(run(join).exit_code, 0);
   const nlohmann::json joined = nlohmann::json::parse(read("joined.json"));
   EXPECT_EQ(joined["variants"], whole["variants"]);
@@ -175,17 +175,17 @@ TEST_F(Validate, ShardsJoinToTheWhole) {
 
 TEST_F(Validate, WhatOnlyTheEditorHasIsUncheckedAndNoFailure) {
   write("Library.hlsl", "#include \"UnityCG.cginc\"\n");
-  const auto result = run(command({"--targets", "spirv"}));
+  const auto result = run(command({"--target", "spirv"}));
   EXPECT_EQ(result.exit_code, 0) << result.output;
   EXPECT_THAT(result.output, AllOf(HasSubstr("UnityCG.cginc"), HasSubstr("--cginc-root")));
   std::filesystem::create_directories(path("cginc"));
   write("cginc/UnityCG.cginc", "#define FACTOR 1\nfloat4 Tint(float x) { return x * FACTOR; }\n");
-  EXPECT_EQ(report({"--targets", "spirv", "--cginc-root", path("cginc").string()})["summary"]["failed"], 0);
+  EXPECT_EQ(report({"--target", "spirv", "--cginc-root", path("cginc").string()})["summary"]["failed"], 0);
 }
 
 TEST_F(Validate, ABrokenShaderLabFileFailsAtItsPlace) {
   write("Two.shader", "Shader \"Test/Broken\"\n{\n    SubShader\n    {\n        Pass {\n    }\n}\n");
-  const auto result = run(command({"--targets", "spirv"}));
+  const auto result = run(command({"--target", "spirv"}));
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.output, HasSubstr("Two.shader:"));
 }
@@ -194,7 +194,7 @@ TEST_F(Validate, ABrokenShaderLabFileFailsAtItsPlace) {
 TEST_F(Validate, AShaderThatCrashesTheCompilerFailsAlone) {
   const auto result =
       run(command({PENUMBRA_SOURCE_DIR "/tests/validation/broken/crashing/case_outside_switch.hlsl",
-                   "--targets", "spirv", "--keep", path("kept").string()}));
+                   "--target", "spirv", "--keep", path("kept").string()}));
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.output,
               AllOf(HasSubstr("case_outside_switch.hlsl: error: the compiler crashed with SIGSEGV"),
@@ -208,7 +208,7 @@ TEST_F(Validate, AProgramThatIsNotCompiledIsNotPassedOverInSilence) {
         write("Odd.shader", "Shader \"Odd\" { SubShader { Pass {\n  HLSLPROGRAM\n" + pragmas +
                                 "float4 F() : SV_Target { return 1; }\nENDHLSL\n} } }\n")
             .string();
-    return run({"validate", file, "--no-cache", "--targets", "spirv"});
+    return run({"validate", file, "--no-cache", "--target", "spirv"});
   };
   const auto without = shader("");
   EXPECT_EQ(without.exit_code, 1);
@@ -222,10 +222,10 @@ TEST_F(Validate, AProgramThatIsNotCompiledIsNotPassedOverInSilence) {
 TEST_F(Validate, EachTargetSeesTheMacrosOfItsApi) {
   write("Library.hlsl",
         "#if defined(SHADER_API_D3D11)\n#error only d3d11\n#endif\nfloat4 Tint(float x) { return x; }\n");
-  const nlohmann::json json = report({"--targets", "spirv,hlsl50"});
+  const nlohmann::json json = report({"--target", "spirv,hlsl50"});
   for (const nlohmann::json& record : json["variants"])
     EXPECT_EQ(record["status"] == "failed", record["target"] == "hlsl50") << record.dump();
-  EXPECT_EQ(report({"--targets", "spirv,hlsl50", "--api", "vulkan"})["summary"]["failed"], 0);
+  EXPECT_EQ(report({"--target", "spirv,hlsl50", "--api", "vulkan"})["summary"]["failed"], 0);
 }
 
 TEST_F(Validate, ExplainShowsAVariantWithTheOriginOfEveryLine) {
@@ -261,28 +261,28 @@ TEST_F(Validate, MinimizeNamesTheKeywordsThatAnErrorNeeds) {
                  "#pragma multi_compile A B\n#pragma multi_compile C D\n#pragma multi_compile _ E\n");
   write("Two.shader", shader);
   set_factor("undefined_factor");
-  const auto minimal = report({"--targets", "spirv", "--minimize"})["minimal_keywords"];
+  const auto minimal = report({"--target", "spirv", "--minimize"})["minimal_keywords"];
   ASSERT_EQ(minimal.size(), 1U);
   EXPECT_EQ(minimal[0]["keywords"], (std::vector<std::string>{"WARM", "BRIGHT"}));
   EXPECT_EQ(minimal[0]["error"]["line"], 5);
-  EXPECT_THAT(run(command({"--targets", "spirv", "--minimize"})).output,
+  EXPECT_THAT(run(command({"--target", "spirv", "--minimize"})).output,
               HasSubstr("  enough for it: WARM BRIGHT\n"));
   // Two ways to one error: one of them is enough.
   std::string either = kLibrary;
   either.replace(either.find("defined(WARM) && defined(BRIGHT)"), 32, "defined(A) || defined(B)       ");
   write("Library.hlsl", "#define FACTOR undefined_factor\n" + either);
-  const auto one = report({"--targets", "spirv", "--minimize"})["minimal_keywords"];
+  const auto one = report({"--target", "spirv", "--minimize"})["minimal_keywords"];
   ASSERT_EQ(one.size(), 1U);
   EXPECT_EQ(one[0]["keywords"].size(), 1U);
   // No keyword at all.
   write("Library.hlsl", "float4 Tint(float x) { return undefined; }\n");
-  EXPECT_THAT(run(command({"--targets", "spirv", "--minimize"})).output,
+  EXPECT_THAT(run(command({"--target", "spirv", "--minimize"})).output,
               HasSubstr("  without any keyword as well\n"));
 }
 
 TEST_F(Validate, LintSpeaksUnlessItIsToldNotTo) {
   write("Bent.hlsl", "float _Base;\nfloat4 Main() : SV_Target { return pow(_Base, 1.5); }\n");
-  const std::vector<std::string> command{"validate", path("Bent.hlsl").string(), "--no-cache", "--targets",
+  const std::vector<std::string> command{"validate", path("Bent.hlsl").string(), "--no-cache", "--target",
                                          "spirv"};
   const auto with = [&](const std::vector<std::string>& more) {
     std::vector<std::string> all = command;
@@ -299,7 +299,7 @@ TEST_F(Validate, LintSpeaksUnlessItIsToldNotTo) {
 }
 
 TEST_F(Validate, UnknownTargetsAndFoldersSayTheWayOut) {
-  EXPECT_THAT(run(command({"--targets", "essl301"})).errors, HasSubstr("essl300"));
+  EXPECT_THAT(run(command({"--target", "essl301"})).errors, HasSubstr("essl300"));
   EXPECT_EQ(run({"validate", path("nowhere").string()}).exit_code, 2);
   EXPECT_EQ(run(command({"--cginc-root", path("nowhere").string()})).exit_code, 3);
   EXPECT_EQ(run({"validate", "--project", path("").string()}).exit_code, 2);

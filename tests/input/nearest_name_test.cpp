@@ -19,6 +19,15 @@ TEST(NearestName, SwappedNeighboursAreOneEditNotTwo) {
   EXPECT_EQ(nearest_name("abdc", {"abef", "abcd"}), "abcd");
 }
 
+TEST(NearestName, FindsTheNameThatTheGivenOneIsAPartOf) {
+  const std::vector<std::string> camera{"position", "forward", "up", "fov_y_degrees", "near", "far"};
+  EXPECT_EQ(nearest_name("fov", camera), "fov_y_degrees");  // and not "far", two edits away
+  EXPECT_EQ(nearest_name("y_deg", camera), "fov_y_degrees");
+  EXPECT_EQ(nearest_name("FAR", camera), "far");
+  EXPECT_EQ(nearest_name("tent", {"tent-5-plane", "tent-5", "hard"}), "tent-5");
+  EXPECT_EQ(nearest_name("ard", {"forward"}), "") << "not the beginning of a word";
+}
+
 TEST(NearestName, SaysNothingWhenNothingIsNear) {
   EXPECT_EQ(nearest_name("banana", kKeys), "");
   EXPECT_EQ(nearest_name("x", {}), "");

@@ -169,7 +169,7 @@ TEST(HdrpAdapter, OutsideAllSpheresIsLitWithoutAskingHdrp) {
 
 TEST(HdrpAdapter, ConventionalDepthIsRefused) {
   expect_input_error([&] { compile(adapter_shader(adapter(), false)); },
-                     AllOf(HasSubstr("HdrpPcss.hlsl"), HasSubstr("--conventional-z")));
+                     AllOf(HasSubstr("HdrpPcss.hlsl"), HasSubstr("--reversed-z true")));
 }
 
 TEST(HdrpAdapter, AnOlderHdrpIsRefusedWithTheVersionItTakes) {

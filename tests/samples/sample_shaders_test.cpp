@@ -21,7 +21,7 @@ class SampleShaders : public ProgramTest {
  protected:
   nlohmann::json validate(const std::string& shader, const std::vector<std::string>& more = {}) const {
     const std::string unity = kSource + "/tests/samples/unity/com.unity.render-pipelines.";
-    std::vector<std::string> command{"validate", shader, "--no-cache", "--report", "json"};
+    std::vector<std::string> command{"validate", shader, "--no-cache", "--format", "json"};
     command.insert(command.end(), {"-o", path("report.json").string()});
     command.insert(command.end(), {"--package-root", "com.penumbra.shadows=" + kSource});
     for (const char* part : {"core", "universal"}) {

@@ -296,7 +296,7 @@ TEST_F(Isolation, TheTextThatCrashesIsWrittenOut) {
   EXPECT_THAT(text, HasSubstr("// spirv: the compiler crashed with SIGABRT.\n"));
   EXPECT_THAT(text, HasSubstr("C.hlsl; entry Main, stage fragment\n"));
   EXPECT_THAT(text, HasSubstr("KEPT_IN_THE_TEXT=1"));
-  EXPECT_THAT(text, HasSubstr("--entry Main --stage fragment --targets spirv\n"));
+  EXPECT_THAT(text, HasSubstr("--entry Main --stage fragment --target spirv\n"));
   EXPECT_THAT(text, HasSubstr("float Shared(")) << "includes are in it";
   CompileUnit again = fragment_unit(file);
   EXPECT_EQ(statuses(run_units({again}, {}).results[0])[0], passed) << "it is a shader by itself";

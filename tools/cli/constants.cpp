@@ -125,13 +125,13 @@ void add_fit_flags(CLI::App& command, ConstantsOptions& options, CLI::Option& ma
   fit(command.add_option("--aspect", options.aspect, "Width over height [1.78]"));
   fit(command.add_option("--near", options.near_plane, "Camera near plane, metres [0.3]"));
   fit(command.add_option("--far", options.far_plane, "Camera far plane, metres [1000]"));
-  fit(command.add_option("--light", options.direction, "The way the light travels"))->expected(3);
-  fit(command.add_option("--angle", options.angle, "Angular diameter of the light, degrees [0.53]"));
+  fit(command.add_option("--light-direction", options.direction, "The way the light travels"))->expected(3);
+  fit(command.add_option("--light", options.angle, "Angular diameter of the light, degrees [0.53]"));
   fit(command.add_option("--distance", options.distance, "Shadow distance, metres [50]"));
   fit(command.add_option("--cascades", options.cascades, "Number of cascades, 1 .. 4 [1]"));
   fit(command.add_option("--splits", options.splits, "Where inner cascades end, fractions of the distance"))
       ->expected(1, 3);
-  fit(command.add_option("--resolution", options.resolution, "Width of the atlas in texels [2048]"));
+  fit(command.add_option("--map-size", options.resolution, "Width of the atlas in texels [2048]"));
   fit(command.add_option("--depth-bias", options.depth_bias, "URP depth bias setting [1]"));
   fit(command.add_option("--normal-bias", options.normal_bias, "URP normal bias setting [1]"));
   fit(command.add_option("--depth-range", options.depth_range, "Depth range of every cascade, metres"));

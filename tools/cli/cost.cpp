@@ -110,7 +110,7 @@ std::string reproducing_command(const CostOptions& options) {
   if (!options.files.empty()) add("--stage", {options.stage});
   add("--technique", options.techniques);
   add("--family", families_of(options));
-  add("--keywords", options.keywords);
+  add("--keyword-set", options.keywords);
   add("--define", options.defines);
   for (const std::string& root : options.package_roots)
     command += " --package-root " + root.substr(0, root.find('=')) + "=DIR";
@@ -201,7 +201,8 @@ void add_what(CLI::App& command, CostOptions& options) {
       ->capture_default_str();
   command.add_option("-D,--define", options.defines, "NAME or NAME=VALUE, for every variant")->take_all();
   command
-      .add_option("--keywords", options.keywords, "One keyword set of the files: A,B; repeat for more sets")
+      .add_option("--keyword-set", options.keywords,
+                  "One keyword set of the files: A,B; repeat for more sets")
       ->allow_extra_args(false);
   command.add_option("--package-root", options.package_roots, "NAME=DIR: where Packages/NAME/... lies")
       ->allow_extra_args(false);

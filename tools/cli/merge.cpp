@@ -33,7 +33,7 @@ void add_merge(CLI::App& app, Context& context) {
   command->footer(
       "Each shard of one request must be there just once. Exit code 1 when a variant of the merged report\n"
       "failed, as that of the run without shards. One report of a whole run is put in another form:\n"
-      "  penumbra merge report.json --report sarif -o report.sarif");
+      "  penumbra merge report.json --format sarif -o report.sarif");
   command->callback([options, &context] { run_merge(*options, context); });
 }
 

@@ -11,7 +11,7 @@ void add_report_options(CLI::App& command, ReportOptions& options) {
   std::vector<std::string> forms;
   for (const validation::ReportForm form : validation::all_report_forms)
     forms.emplace_back(validation::form_name(form));
-  command.add_option("--report", options.form, "Form of the report")
+  command.add_option("--format", options.form, "Form of the report")
       ->check(CLI::IsMember(forms))
       ->capture_default_str();
   command.add_option("-o,--output", options.output, "File to write; standard output without");

@@ -93,7 +93,7 @@ void add_study_options(CLI::App& command, StudyOptions& options) {
                   "URP's soft shadow quality, which scales both biases: off, low, medium or high")
       ->check(CLI::IsMember({"off", "low", "medium", "high"}))
       ->group("Light and map");
-  command.add_flag("--conventional-z", options.conventional_z, "Depth 0 near the light instead of 1")
+  command.add_option("--reversed-z", options.reversed_z, "Whether depth is 1 near the light")
       ->group("Light and map");
 
   command.add_option("--size", options.size, "Picture size, WIDTHxHEIGHT")->group("Study");
@@ -149,7 +149,7 @@ scene::FrameSettings frame_settings(const StudyOptions& options) {
   settings.shadows.depth_bias = options.depth_bias;
   settings.shadows.normal_bias = options.normal_bias;
   settings.shadows.soft_quality = soft_quality(options.soft_quality);
-  settings.shadows.reversed_z = !options.conventional_z;
+  settings.shadows.reversed_z = options.reversed_z;
   return settings;
 }
 

@@ -31,7 +31,7 @@ struct StudyOptions {
   double depth_bias = 1.0;
   double normal_bias = 1.0;
   std::string soft_quality = "medium";
-  bool conventional_z = false;
+  bool reversed_z = true;
   double distance_metres = 0.0;  // 0: the scene's own
   std::vector<double> sun;       // elevation and azimuth in degrees; empty: the scene's own
   std::vector<double> origin;    // world position of the scene's own origin, metres; empty: 0 0 0

@@ -10,8 +10,15 @@
 
 namespace penumbra::cli {
 
-// Exit codes of the design; anything thrown as InputError becomes 2, EnvironmentError 3, Interrupted 130.
-enum ExitCode { success = 0, findings = 1, bad_input = 2, bad_environment = 3, interrupted = 130 };
+// What the program ends with; failure.h says which exception becomes which.
+enum ExitCode {
+  success = 0,
+  findings = 1,
+  bad_input = 2,
+  bad_environment = 3,
+  internal_error = 70,
+  interrupted = 130
+};
 
 struct Context {
   bool quiet = false;

@@ -49,7 +49,7 @@ std::vector<std::string> chosen_targets(const std::vector<std::string>& given) {
   const std::vector<std::string> known = known_targets();
   for (const std::string& target : given)
     if (std::find(known.begin(), known.end(), target) == known.end())
-      throw InputError("--targets", "unknown target '" + target + "'", unknown_name_way_out(target, known));
+      throw InputError("--target", "unknown target '" + target + "'", unknown_name_way_out(target, known));
   return given.empty() ? default_targets : given;
 }
 
@@ -259,9 +259,9 @@ void add_sources(const ValidateOptions& options, validation::ValidationRequest& 
 }
 
 void check_list(const ValidateOptions& options, bool sources_given) {
-  if (!sources_given) throw InputError("--list", "needs shader files or --project");
+  if (!sources_given) throw InputError("--count", "needs shader files or --project");
   if (options.report.form != "text" && options.report.form != "json")
-    throw InputError("--report", "--list has no form '" + options.report.form + "'", "take text or json");
+    throw InputError("--format", "--count has no form '" + options.report.form + "'", "take text or json");
 }
 
 void run_validate(const ValidateOptions& options, Context& context) {

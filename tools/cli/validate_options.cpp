@@ -16,7 +16,7 @@ void add_what(CLI::App& command, ValidateOptions& options) {
   command.add_option("--only", options.only, "Pattern of files to take: 'Assets/Water/**'")
       ->allow_extra_args(false);
   command.add_option("--skip", options.skip, "Pattern of files to leave out")->allow_extra_args(false);
-  command.add_option("--techniques", options.techniques, "Technique list; the library's without");
+  command.add_option("--technique-list", options.techniques, "Technique list; the library's without");
   command.add_option("--entry", options.entry, "Entry point of .hlsl files")->capture_default_str();
   command.add_option("--stage", options.stage, "Stage of .hlsl files")
       ->check(CLI::IsMember({"vertex", "hull", "domain", "geometry", "fragment", "compute"}))
@@ -52,8 +52,8 @@ void add_which(CLI::App& command, ValidateOptions& options) {
   command.add_option("--limit", options.limit, "Refuse more variants than this")->capture_default_str();
   command.add_option("--sample", options.sample,
                      "Of each entry point at most so many variants, spread evenly");
-  CLI::Option* list = command.add_flag("--list", options.list,
-                                       "Count the variants and compile nothing; --report text or json");
+  CLI::Option* list = command.add_flag("--count", options.list,
+                                       "Count the variants and compile nothing; --format text or json");
   command
       .add_option(
           "--what-if", options.what_if,
@@ -61,7 +61,7 @@ void add_which(CLI::App& command, ValidateOptions& options) {
           "what _FOAM adds")
       ->needs(list);
   command
-      .add_option("--targets", options.targets,
+      .add_option("--target", options.targets,
                   "Of spirv, vulkan1.0, vulkan1.1, vulkan1.2, essl300, essl310, glsl410, glsl450, msl20, "
                   "msl22, msl23, "
                   "hlsl50, hlsl51; spirv (for Vulkan 1.1), essl310, glsl450, msl23 and hlsl50 without")
@@ -72,7 +72,7 @@ void add_which(CLI::App& command, ValidateOptions& options) {
   command.add_option("--explain", options.explain,
                      "Print one variant as the parser reads it, with the origin of every line, and compile "
                      "nothing: 'PASS/ENTRY: KEYWORD KEYWORD'");
-  command.add_flag("--minimize,--minimise", options.minimise, "Say which few keywords each error needs");
+  command.add_flag("--minimize", options.minimise, "Say which few keywords each error needs");
   command.add_flag("--no-lint", options.no_lint, "Compile alone; Documentation~/lint.md has the rules");
   command.add_option("--disable-rule", options.disabled_rules, "Lint rules to leave out")
       ->delimiter(',')

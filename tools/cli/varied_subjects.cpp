@@ -124,7 +124,7 @@ void add_set_option(CLI::App& command, const std::string& group, VariedSubjects&
 }
 
 std::vector<study::Subject> varied_subjects(const StudyOptions& options, const VariedSubjects& varied) {
-  const bool reversed_z = !options.conventional_z;
+  const bool reversed_z = options.reversed_z;
   const shaders::TechniqueList list =
       shaders::read_technique_list(platform::data_directory() / "ShaderLibrary" / "techniques.json");
   std::vector<std::string> names = options.techniques;

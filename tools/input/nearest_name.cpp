@@ -33,6 +33,33 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
   return last[b.size()];
 }
 
+bool word_starts_at(const std::string& name, std::size_t at) {
+  return at == 0 || std::isalnum(static_cast<unsigned char>(name[at - 1])) == 0;
+}
+
+// Where in the name a word begins with the given text; npos where none does.
+std::size_t word_beginning_with(const std::string& name, const std::string& given) {
+  std::size_t at = name.find(given);
+  while (at != std::string::npos && !word_starts_at(name, at)) at = name.find(given, at + 1);
+  return at;
+}
+
+// The known name of which the given one is a part.
+std::string longer_name(const std::string& given, const std::vector<std::string>& known) {
+  if (given.size() < 3) return {};
+  std::string first_word;
+  std::string any_word;
+  const auto keep_shorter = [](std::string& best, const std::string& name) {
+    if (best.empty() || name.size() < best.size()) best = name;
+  };
+  for (const std::string& name : known) {
+    const std::size_t at = word_beginning_with(lower(name), given);
+    if (at == 0) keep_shorter(first_word, name);
+    if (at != std::string::npos) keep_shorter(any_word, name);
+  }
+  return first_word.empty() ? any_word : first_word;
+}
+
 }  // namespace
 
 std::string nearest_name(std::string_view given, const std::vector<std::string>& known) {
@@ -46,7 +73,9 @@ std::string nearest_name(std::string_view given, const std::vector<std::string>&
       nearest = name;
     }
   }
-  return nearest;
+  if (best <= 1) return nearest;
+  const std::string longer = longer_name(wanted, known);
+  return longer.empty() ? nearest : longer;
 }
 
 std::string unknown_name_way_out(std::string_view given, const std::vector<std::string>& known) {

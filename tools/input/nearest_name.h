@@ -7,8 +7,10 @@
 
 namespace penumbra {
 
-// The known name with the smallest edit distance (Damerau-Levenshtein, case ignored); empty when none is
-// within a third of the given name's length (at least two edits).
+// The known name that a person most likely meant; empty when none is near. First one a single edit away
+// (Damerau-Levenshtein, case ignored); then the shortest that begins with what was given, then the shortest
+// one of whose words does ("fov" is near "fov_y_degrees"); then the one with the fewest edits, up to a third
+// of the given name's length or two.
 std::string nearest_name(std::string_view given, const std::vector<std::string>& known);
 
 // "unknown <kind> 'given'" and, when there is a near one, "did you mean 'x'?"; else the list of known names.

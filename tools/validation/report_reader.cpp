@@ -117,7 +117,7 @@ ValidationReport read_report_json(const std::filesystem::path& file) {
   JsonObject object(document);
   if (!object.has("variants"))
     object.fail("variants", "this is no report of penumbra validate",
-                "make one with: penumbra validate --report json -o FILE");
+                "make one with: penumbra validate --format json -o FILE");
   ValidationReport report;
   for (const JsonObject& record : object.objects("variants")) report.records.push_back(read_record(record));
   read_summary(object.object("summary"), report);

@@ -1,4 +1,4 @@
-// How many variants programs have, as `penumbra validate --list` says it.
+// How many variants programs have, as `penumbra validate --count` says it.
 #pragma once
 
 #include <optional>

@@ -16,7 +16,7 @@
 #define SHADER_API_D3D11 1
 
 #if !UNITY_REVERSED_Z
-#error HDRP draws its shadow maps with reversed depth: measure without --conventional-z
+#error HDRP draws its shadow maps with reversed depth: measure with --reversed-z true
 #endif
 
 // One name since the qualities of light types are apart, the other before.

@@ -1,0 +1,89 @@
+#include "cli/command_line.h"
+
+#include <cstdio>
+#include <exception>
+
+#include "cli/failure.h"
+#include "cli/usage_error.h"
+
+namespace penumbra::cli {
+namespace {
+
+constexpr const char* kExitCodes =
+    "Exit codes:\n"
+    "  0    success\n"
+    "  1    findings: a variant fails, a figure is worse than its baseline, a result is not a number\n"
+    "  2    bad usage or bad input: the command or a file has to be mended\n"
+    "  3    the environment: no Vulkan device, no such package, too little memory\n"
+    "  70   a mistake in penumbra itself; please report it\n"
+    "  130  interrupted, by Ctrl-C for example; finished work is kept";
+
+// `penumbra help measure` says what `penumbra measure --help` says. Of a tree of its own: CLI11 answers a
+// tree's help() with that of the subcommand which was parsed.
+std::string help_on(const std::string& name) {
+  Context unused;
+  const std::unique_ptr<CLI::App> app = command_line(unused);
+  if (name.empty()) return app->help();
+  for (const CLI::App* known : shown_subcommands(*app))
+    if (known->get_name() == name) return known->help("penumbra");
+  throw unknown_subcommand(*app, name);
+}
+
+void add_help(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("help", "Help on the program or on a subcommand");
+  auto name = std::make_shared<std::string>();
+  command->add_option("subcommand", *name, "Subcommand to explain; without, the whole program");
+  command->callback([name] { write_output("", help_on(*name)); });
+}
+
+int run(const std::vector<std::string>& arguments) {
+  Context context;
+  context.arguments = arguments;
+  const std::unique_ptr<CLI::App> app = command_line(context);
+  try {
+    std::vector<std::string> last_first(arguments.rbegin(), arguments.rend());
+    app->parse(last_first);
+  } catch (const CLI::Success& asked) {
+    return app->exit(asked);  // prints the help or the version that was asked for
+  } catch (const CLI::ParseError& error) {
+    throw usage_error(*app, error);
+  }
+  if (app->get_subcommands().empty()) write_output("", app->help());
+  return context.exit_code;
+}
+
+}  // namespace
+
+std::unique_ptr<CLI::App> command_line(Context& context) {
+  auto app = std::make_unique<CLI::App>("Soft shadows for Unity whose error is known.", "penumbra");
+  app->set_version_flag("--version", "penumbra " PENUMBRA_VERSION);
+  app->require_subcommand(0, 1);
+  app->footer(kExitCodes);
+  app->add_flag("-q,--quiet", context.quiet, "No progress and no notes on stderr");
+  app->fallthrough();
+  add_constants(*app, context);
+  add_tables(*app, context);
+  add_validate(*app, context);
+  add_cost(*app, context);
+  add_merge(*app, context);
+  add_render(*app, context);
+  add_measure(*app, context);
+  add_help(*app);
+  return app;
+}
+
+std::vector<CLI::App*> shown_subcommands(CLI::App& app) {
+  return app.get_subcommands([](const CLI::App* command) { return !command->get_group().empty(); });
+}
+
+int run_command_line(const std::vector<std::string>& arguments) {
+  try {
+    return run(arguments);
+  } catch (...) {
+    const Failure failure = failure_of(std::current_exception());
+    std::fprintf(stderr, "penumbra: %s\n", failure.message.c_str());
+    return failure.code;
+  }
+}
+
+}  // namespace penumbra::cli

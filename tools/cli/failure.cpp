@@ -1,0 +1,40 @@
+#include "cli/failure.h"
+
+#include <filesystem>
+#include <new>
+
+#include "input/input_error.h"
+#include "platform/interrupt.h"
+
+namespace penumbra::cli {
+namespace {
+
+Failure mistake_of_ours(const std::string& what) {
+  return {internal_error, "internal error: " + what +
+                              "\n  this is a mistake in penumbra " PENUMBRA_VERSION
+                              ", not in your input; please report it with the command line"};
+}
+
+}  // namespace
+
+Failure failure_of(const std::exception_ptr& thrown) {
+  try {
+    std::rethrow_exception(thrown);
+  } catch (const platform::Interrupted&) {
+    return {interrupted, "interrupted; finished work is kept and the same command goes on from there"};
+  } catch (const InputError& error) {
+    return {bad_input, error.what()};
+  } catch (const EnvironmentError& error) {
+    return {bad_environment, error.what()};
+  } catch (const std::filesystem::filesystem_error& error) {
+    return {bad_input, error.what()};
+  } catch (const std::bad_alloc&) {
+    return {bad_environment, "out of memory; ask for a smaller image, map or scene"};
+  } catch (const std::exception& error) {
+    return mistake_of_ours(error.what());
+  } catch (...) {
+    return mistake_of_ours("of unknown kind");
+  }
+}
+
+}  // namespace penumbra::cli

@@ -1,0 +1,17 @@
+// What a command line that cannot be parsed is answered with: what is wrong, the nearest right name, where
+// help is.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "input/input_error.h"
+
+namespace penumbra::cli {
+
+// `app` is the tree whose parse() threw.
+InputError usage_error(CLI::App& app, const CLI::ParseError& error);
+
+InputError unknown_subcommand(CLI::App& app, const std::string& name);
+
+}  // namespace penumbra::cli
