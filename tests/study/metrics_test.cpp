@@ -55,6 +55,28 @@ TEST(Metrics, ErrorsAreThoseWorkedOutByHand) {
   EXPECT_NEAR(metrics.false_shadow_rate.value(), 1.0 / 6.0, kFloatExact);
 }
 
+// Half of the picture errs by 1/2, half not at all: blocks of four pixels, 32 across, one row.
+TEST(Metrics, IntervalsAreDrawnFromBlocksOfThePicture) {
+  std::vector<float> t1(128 * 4, 0.5F);
+  std::vector<float> result(t1);
+  for (std::size_t pixel = 0; pixel < result.size(); ++pixel) {
+    if (pixel % 128 < 64) result[pixel] = 1.0F;
+  }
+  const std::vector<std::uint8_t> valid(t1.size(), 1);
+  MeasuredImages images;
+  images.t1 = t1;
+  images.valid = valid;
+  images.results = {result};
+  EXPECT_FALSE(measure(images).intervals.rmse_penumbra) << "without a width there is one block";
+  images.width = 128;
+  const Interval interval = measure(images).intervals.rmse_penumbra.value();
+  // Mean square 1/8 with a standard error of 1/8 / sqrt(32); its root by the chain rule.
+  EXPECT_NEAR(interval.standard_error, 0.125 / std::sqrt(32.0) / (2.0 * std::sqrt(0.125)), 0.003);
+  EXPECT_FALSE(measure(images).intervals.leak_rate) << "no umbra";
+  images.width = 100;
+  EXPECT_THROW(measure(images), std::invalid_argument);
+}
+
 TEST(Metrics, AMaskIsJudgedByWhatItSavesAndWhatItMisses) {
   const HandMade made;
   EXPECT_FALSE(measure(made.images()).mask);

@@ -27,10 +27,16 @@ std::string file_text(const std::filesystem::path& file) {
 
 TEST(ResultBlock, NamesHardwareDriverAndCommandThenTableThenChart) {
   const std::string block = result_block(synthetic::results(), kChart);
-  const std::vector<std::string> order{"made-up processor", "made-up driver 1.2",
-                                       "`penumbra measure --seed 1`",
-                                       "| Technique | 0.53° | 2° | fetches 0.53° | fetches 2° |",
-                                       "](Documentation~/results/pareto-fetches.svg)"};
+  const std::vector<std::string> order{
+      "made-up processor",
+      "made-up driver 1.2",
+      "com.example.shadows 17.0.3, com.example.core.",
+      "`penumbra measure --seed 1`",
+      "0.53° light, 2 scenes, 18000 penumbra pixels, 9000 in the scene with fewest:",
+      "| Technique | RMSE in penumbra | RMSE of all pixels | light leaks, % | "
+      "false shadow, % | fetches per pixel |",
+      "2° light, 2 scenes",
+      "](Documentation~/results/pareto-fetches.svg)"};
   std::size_t last = 0;
   for (const std::string& part : order) {
     const std::size_t at = block.find(part);
@@ -45,9 +51,11 @@ TEST(ResultBlock, TablesHoldMeansAndEveryScene) {
   results.records[0].metrics.rmse_penumbra = 0.2;    // boxes, bilinear, 0.53°
   results.records[8].metrics.rmse_penumbra = 0.125;  // fence, bilinear, 0.53°
   ASSERT_EQ(results.records[8].scene, "fence");
+  results.records[0].metrics.intervals.rmse_penumbra = Interval{0.19, 0.22, 0.008};
+  results.records[8].metrics.intervals.rmse_penumbra = Interval{0.12, 0.13, 0.0025};
   const std::string block = result_block(results, kChart);
-  EXPECT_THAT(block, HasSubstr("| bilinear | 0.163 |"));
-  EXPECT_THAT(block, HasSubstr("| bilinear | 0.200 | 0.125 |"));
+  EXPECT_THAT(block, HasSubstr("| bilinear | 0.2 ± 0.5 | 0.0"));
+  EXPECT_THAT(block, HasSubstr("| bilinear | 0.200 ± 0.020 | 0.125 ± 0.005 |"));
   EXPECT_THAT(block, Not(HasSubstr(" ms"))) << "CPU time has no place in the README";
 }
 

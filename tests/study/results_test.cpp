@@ -68,16 +68,19 @@ TEST(Results, ARecordHasEveryFieldOfTheDesign) {
                           "fetches_penumbra_mean",
                           "preprocess_fetches_per_pixel",
                           "time_ms_median",
-                          "time_ms_spread"}) {
+                          "time_ms_spread",
+                          "settings",
+                          "intervals"}) {
     EXPECT_TRUE(json["records"][0].contains(key)) << key;
   }
   for (const char* key : {"kind", "samples", "noise_floor"}) {
     EXPECT_TRUE(json["records"][0]["reference"].contains(key)) << key;
   }
-  for (const char* key : {"hardware", "driver", "device", "is_software", "command", "library_version"}) {
+  for (const char* key : {"hardware", "driver", "device", "is_software", "command", "library_version",
+                          "commit", "packages", "frames"}) {
     EXPECT_TRUE(json.contains(key)) << key;
   }
-  EXPECT_EQ(json["schema_version"], 1);
+  EXPECT_EQ(json["schema_version"], 2);
 }
 
 TEST(Results, AnAbsentFigureIsNullAndNotZero) {
@@ -141,8 +144,8 @@ TEST(ResultsReader, PointsAtTheLineThatIsWrong) {
 TEST(ResultsReader, RefusesWhatTheWriterWouldNotWrite) {
   const std::string good = to_json(synthetic::results());
   EXPECT_EQ(message_of(good), "no error");
-  EXPECT_THAT(message_of(replaced(good, "\"schema_version\": 1", "\"schema_version\": 2")),
-              HasSubstr("schema version 2 is not the 1 this program reads"));
+  EXPECT_THAT(message_of(replaced(good, "\"schema_version\": 2", "\"schema_version\": 1")),
+              HasSubstr("schema version 1 is not the 2 this program reads"));
   EXPECT_THAT(message_of(replaced(good, "\"bias\"", "\"biass\"")), HasSubstr("'bias' is missing"));
   EXPECT_THAT(message_of(replaced(good, "\"title\"", "\"extra\": 1, \"title\"")),
               HasSubstr("unknown key 'extra'"));
@@ -156,6 +159,32 @@ TEST(ResultsReader, RefusesWhatTheWriterWouldNotWrite) {
               HasSubstr("'records' must be an array"));
   EXPECT_THAT(message_of("{}"), HasSubstr("'schema_version' is missing"));
   EXPECT_THAT(message_of(""), HasSubstr("is empty"));
+}
+
+TEST(ResultsReader, EveryRecordHasOneFrame) {
+  Results results = synthetic::results();
+  EXPECT_EQ(frame_of(results, results.records.back()), results.frames.back());
+  const MeasuredFrame last = results.frames.back();
+  results.frames.pop_back();
+  EXPECT_THROW(frame_of(results, results.records.back()), std::invalid_argument);
+  EXPECT_THAT(message_of(to_json(results)), HasSubstr("'frames' has no entry of the record's fence × 2°"));
+  results.frames.push_back(last);
+  results.frames.push_back(last);
+  EXPECT_THAT(message_of(to_json(results)), HasSubstr("a second frame of fence × 2°"));
+}
+
+TEST(ResultsReader, ABuildOutsideOfACheckoutHasNoCommit) {
+  Results results = synthetic::results();
+  results.commit = std::nullopt;
+  results.packages.clear();
+  EXPECT_TRUE(nlohmann::json::parse(to_json(results))["commit"].is_null());
+  EXPECT_EQ(parse_results(to_json(results), "results.json"), results);
+}
+
+TEST(ResultsReader, AnIntervalRunsUpwards) {
+  Results results = synthetic::results();
+  results.records[0].metrics.intervals.leak_rate = Interval{0.5, 0.25, 0.1};
+  EXPECT_THAT(message_of(to_json(results)), HasSubstr("must not lie below 'low'"));
 }
 
 TEST(ResultsReader, RefusesTheSameMeasurementTwice) {

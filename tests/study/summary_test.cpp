@@ -36,8 +36,8 @@ TEST(Summary, ScenesWeighTheSameWhateverTheirSize) {
   }
   const std::vector<SummaryLine> lines = summarise(results);
   const SummaryLine& tent = line(lines, "tent-5x5", 2.0);
-  EXPECT_DOUBLE_EQ(tent.rmse_penumbra.value(), 0.2);
-  EXPECT_DOUBLE_EQ(tent.fetches.value(), 10.25) << "preparation is part of the cost";
+  EXPECT_DOUBLE_EQ(tent.rmse_penumbra.value().value, 0.2);
+  EXPECT_DOUBLE_EQ(tent.fetches.value().value, 10.25) << "preparation is part of the cost";
   EXPECT_DOUBLE_EQ(tent.time_ms.value(), 1.0 / 3.0 + 1.0);
   EXPECT_EQ(tent.scenes, 2U);
   EXPECT_TRUE(tent.complete);

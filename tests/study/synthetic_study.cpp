@@ -17,6 +17,7 @@ Record record(const std::string& scene, const std::string& technique, double lig
   record.map_size = 2048;
   record.map_format = "D32";
   record.cascades = 4;
+  record.settings.splits = {0.067, 0.2, 0.467};
   record.device = "made-up device";
   const double error = 0.25 / (rank + 1.0) + 0.01 * light + (scene == "fence" ? 0.02 : 0.0);
   Metrics& metrics = record.metrics;
@@ -35,9 +36,23 @@ Record record(const std::string& scene, const std::string& technique, double lig
   metrics.fetches_p95 = 2.0 + 15.0 * rank;
   metrics.fetches_penumbra_mean = 1.5 + 14.0 * rank;
   metrics.split = {ErrorShare{0.01, 0.05}, ErrorShare{-0.02, 0.06}, std::nullopt};
+  metrics.intervals.rmse_penumbra = Interval{error - 0.003, error + 0.004, 0.0018};
+  metrics.intervals.rmse_all = Interval{error / 3.0 - 0.002, error / 3.0 + 0.002, 0.001};
+  metrics.intervals.leak_rate = Interval{0.0, 0.002, 0.0006};
+  metrics.intervals.fetches_mean = Interval{1.0 + 9.0 * rank, 1.25 + 9.0 * rank, 0.125};
   record.time = Timing{1.0 / 3.0 + rank, 0.1};
   record.reference = {"ray-traced disc light", 1024, 0.004};
   return record;
+}
+
+MeasuredFrame frame(const std::string& scene, double light) {
+  MeasuredFrame frame;
+  frame.scene = scene;
+  frame.light_degrees = light;
+  frame.width = 480;
+  frame.height = 270;
+  frame.shadow_distance_metres = 40.0;
+  return frame;
 }
 
 }  // namespace
@@ -45,11 +60,14 @@ Record record(const std::string& scene, const std::string& technique, double lig
 Results results(const std::vector<std::string>& techniques) {
   Results results;
   results.library_version = "0.1.0";
+  results.commit = "0123456789abcdef0123456789abcdef01234567";
+  results.packages = {{"com.example.shadows", "17.0.3"}, {"com.example.core", std::nullopt}};
   results.command = "penumbra measure --seed 1";
   results.hardware = "made-up processor, 2 cores";
   results.device = "made-up device";
   results.driver = "made-up driver 1.2";
   for (const char* scene : {"boxes", "fence"}) {
+    for (const double light : {0.53, 2.0}) results.frames.push_back(frame(scene, light));
     for (std::size_t rank = 0; rank < techniques.size(); ++rank) {
       for (const double light : {0.53, 2.0}) {
         results.records.push_back(record(scene, techniques[rank], light, static_cast<int>(rank)));

@@ -1,6 +1,7 @@
 // penumbra measure: speed against error of techniques and users' own functions, over scenes and lights.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -15,6 +16,7 @@
 #include "platform/atomic_file.h"
 #include "platform/data_directory.h"
 #include "platform/processor.h"
+#include "platform/source_commit.h"
 #include "shaders/preset_emit.h"
 #include "study/picture_sheet.h"
 #include "study/preset_figures.h"
@@ -122,6 +124,19 @@ void print_headlines(const std::filesystem::path& folder, const study::Results& 
   write_output("", text);
 }
 
+// Every package that a subject could include, once.
+std::vector<study::PackageNote> packages_of(const std::vector<study::Subject>& subjects) {
+  std::vector<study::PackageNote> packages;
+  for (const study::Subject& subject : subjects) {
+    for (const shaders::PackageRoot& root : subject.shader.package_roots) {
+      study::PackageNote note{root.name, std::nullopt};
+      if (!root.version.empty()) note.version = root.version;
+      if (std::find(packages.begin(), packages.end(), note) == packages.end()) packages.push_back(note);
+    }
+  }
+  return packages;
+}
+
 struct Measured {
   study::Results results;
   std::vector<study::PictureRow> pictures;
@@ -142,11 +157,14 @@ Measured measure(const MeasureOptions& options, Context& context) {
   }
   Measured measured;
   measured.results.library_version = PENUMBRA_VERSION;
+  measured.results.commit = platform::source_commit();
+  measured.results.packages = packages_of(subjects);
   measured.results.command = reproducing_command(context.arguments);
   measured.results.hardware = platform::processor_name();
   measured.results.device = device.info().name;
   measured.results.driver = device.info().driver;
   measured.results.is_software = device.info().is_software;
+  measured.results.frames = std::move(outcome.frames);
   measured.results.records = std::move(outcome.records);
   measured.pictures = std::move(outcome.pictures);
   return measured;

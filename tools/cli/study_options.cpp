@@ -9,6 +9,7 @@
 #include "cli/option_text.h"
 #include "input/input_error.h"
 #include "platform/atomic_file.h"
+#include "project/package_manifest.h"
 
 namespace penumbra::cli {
 namespace {
@@ -161,6 +162,9 @@ std::vector<resolve::Adapter> chosen_adapters(const StudyOptions& options) {
       throw EnvironmentError(fmt::format("--package-root {}: '{}' is not a folder", name, folder));
     }
     roots.push_back({name, folder});
+    if (project::has_package_manifest(folder)) {
+      roots.back().version = project::read_package_manifest(folder).version;
+    }
   }
   std::vector<resolve::Adapter> adapters;
   for (const std::string& text : options.adapters) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -60,6 +61,44 @@ class Share {
   std::size_t count_ = 0;
 };
 
+// Which block of pixels each pixel is in.
+class Blocks {
+ public:
+  Blocks(std::size_t pixels, int width) : width_(width > 0 ? static_cast<std::size_t>(width) : 0) {
+    if (width_ == 0) return;
+    side_ = std::max<std::size_t>(width_ / kBlocksAcross, kSmallestBlock);
+    across_ = (width_ + side_ - 1) / side_;
+    const std::size_t height = pixels / width_;
+    count_ = across_ * ((height + side_ - 1) / side_);
+  }
+  std::size_t count() const { return count_; }
+  std::size_t of(std::size_t pixel) const {
+    return width_ == 0 ? 0 : pixel / width_ / side_ * across_ + pixel % width_ / side_;
+  }
+
+ private:
+  std::size_t width_;
+  std::size_t side_ = 1;
+  std::size_t across_ = 1;
+  std::size_t count_ = 1;
+};
+
+// One figure's sums by block.
+class BlockFigure {
+ public:
+  explicit BlockFigure(std::size_t blocks) : sums_(blocks) {}
+  void add(std::size_t block, double value) {
+    sums_[block].sum += value;
+    sums_[block].count += 1.0;
+  }
+  std::optional<Interval> interval(Figure figure, double most = 1.0) const {
+    return block_interval(sums_, figure, most);
+  }
+
+ private:
+  std::vector<BlockSums> sums_;
+};
+
 // Nearest-rank percentile: the smallest value with at least `fraction` of all values at or below it.
 template <typename Value>
 std::optional<double> percentile(std::vector<Value>& values, double fraction) {
@@ -95,6 +134,9 @@ void check(const MeasuredImages& images) {
   const std::size_t size = images.t1.size();
   const auto fits = [size](const auto& image) { return image.size() == size; };
   if (images.results.empty()) throw std::invalid_argument("no result image to measure");
+  if (images.width < 0 || (images.width > 0 && size % static_cast<std::size_t>(images.width) != 0)) {
+    throw std::invalid_argument("the images to measure are not of that width");
+  }
   const bool fetches_fit = images.fetches.size() <= 1 || images.fetches.size() == images.results.size();
   if (!fits(images.valid) || !std::all_of(images.results.begin(), images.results.end(), fits) ||
       !std::all_of(images.fetches.begin(), images.fetches.end(), fits) || !fetches_fit ||
@@ -108,7 +150,8 @@ void check(const MeasuredImages& images) {
 
 class Measurement {
  public:
-  explicit Measurement(const MeasuredImages& images) : images_(images) {}
+  explicit Measurement(const MeasuredImages& images)
+      : images_(images), blocks_(images.t1.size(), images.width) {}
 
   Metrics run() {
     for (std::size_t pixel = 0; pixel < images_.t1.size(); ++pixel) {
@@ -120,6 +163,7 @@ class Measurement {
       if (kind == PixelClass::penumbra) add_reference_shares(pixel);
     }
     finish_errors();
+    find_intervals();
     count_fetches();
     measure_mask();
     return metrics_;
@@ -127,6 +171,7 @@ class Measurement {
 
  private:
   void add_results(std::size_t pixel, PixelClass kind) {
+    const std::size_t block = blocks_.of(pixel);
     seeds_.clear();
     for (const std::span<const float> result : images_.results) {
       const float value = result[pixel];
@@ -137,14 +182,26 @@ class Measurement {
       const double error = static_cast<double>(value) - static_cast<double>(images_.t1[pixel]);
       all_.add(error);
       max_error_ = std::max(max_error_.value_or(0.0), std::abs(error));
-      if (kind == PixelClass::umbra) leaks_.add(static_cast<double>(value) > kLeakAbove);
-      if (kind == PixelClass::lit) false_shadows_.add(static_cast<double>(value) < kFalseShadowBelow);
+      squares_by_block_.add(block, error * error);
+      if (kind == PixelClass::umbra) add_leak(block, static_cast<double>(value) > kLeakAbove);
+      if (kind == PixelClass::lit) add_false_shadow(block, static_cast<double>(value) < kFalseShadowBelow);
       if (kind != PixelClass::penumbra) continue;
       penumbra_.add(error);
+      penumbra_squares_by_block_.add(block, error * error);
       absolute_.push_back(std::abs(error));
       seeds_.push_back(static_cast<double>(value));
     }
     if (const auto variance = sample_variance(seeds_)) variance_.add(*variance);
+  }
+
+  void add_leak(std::size_t block, bool leak) {
+    leaks_.add(leak);
+    leaks_by_block_.add(block, leak ? 1.0 : 0.0);
+  }
+
+  void add_false_shadow(std::size_t block, bool false_shadow) {
+    false_shadows_.add(false_shadow);
+    false_shadows_by_block_.add(block, false_shadow ? 1.0 : 0.0);
   }
 
   void add_reference_shares(std::size_t pixel) {
@@ -174,7 +231,16 @@ class Measurement {
     metrics_.split = {map_.share(), algorithm_.share(), sampling_.share()};
   }
 
+  void find_intervals() {
+    MetricIntervals& intervals = metrics_.intervals;
+    intervals.rmse_penumbra = penumbra_squares_by_block_.interval(Figure::root_of_mean);
+    intervals.rmse_all = squares_by_block_.interval(Figure::root_of_mean);
+    intervals.leak_rate = leaks_by_block_.interval(Figure::mean);
+    intervals.false_shadow_rate = false_shadows_by_block_.interval(Figure::mean);
+  }
+
   void count_fetches() {
+    BlockFigure by_block(blocks_.count());
     ErrorSum everywhere;
     ErrorSum in_penumbra;
     std::vector<std::uint32_t> counts;
@@ -182,11 +248,14 @@ class Measurement {
       for (std::size_t pixel = 0; pixel < image.size(); ++pixel) {
         if (images_.valid[pixel] == 0) continue;
         everywhere.add(image[pixel]);
+        by_block.add(blocks_.of(pixel), image[pixel]);
         if (classify(images_.t1[pixel]) == PixelClass::penumbra) in_penumbra.add(image[pixel]);
         counts.push_back(image[pixel]);
       }
     }
     metrics_.fetches_mean = everywhere.mean();
+    metrics_.intervals.fetches_mean =
+        by_block.interval(Figure::mean, std::numeric_limits<double>::infinity());
     metrics_.fetches_penumbra_mean = in_penumbra.mean();
     metrics_.fetches_p95 = percentile(counts, 0.95);
   }
@@ -205,9 +274,14 @@ class Measurement {
   }
 
   const MeasuredImages& images_;
+  Blocks blocks_;
   Metrics metrics_;
   ErrorSum all_, penumbra_, variance_, map_, algorithm_, sampling_;
   Share leaks_, false_shadows_;
+  BlockFigure squares_by_block_{blocks_.count()};
+  BlockFigure penumbra_squares_by_block_{blocks_.count()};
+  BlockFigure leaks_by_block_{blocks_.count()};
+  BlockFigure false_shadows_by_block_{blocks_.count()};
   std::optional<double> max_error_;
   std::vector<double> absolute_;
   std::vector<double> seeds_;  // this pixel's usable results

@@ -17,6 +17,8 @@
 #include <span>
 #include <vector>
 
+#include "study/interval.h"
+
 namespace penumbra::study {
 
 inline constexpr double kUmbraBelow = 0.02;
@@ -35,7 +37,13 @@ struct MeasuredImages {
   std::span<const float> t3;                            // empty when not computed
   double preprocess_fetches_per_pixel = 0.0;            // of map preparation and passes at lower resolution
   std::span<const std::uint8_t> masked_out;  // 1 where a penumbra mask says "none here"; empty without
+  int width = 0;                             // pixels of a row, for intervals; 0: one block, and none
 };
+
+// A picture is kBlocksAcross square blocks wide, of at least kSmallestBlock pixels a side: what intervals are
+// drawn from. A share of the picture, because a larger picture shows the same penumbrae wider.
+inline constexpr int kBlocksAcross = 32;
+inline constexpr int kSmallestBlock = 4;
 
 // What a penumbra mask takes away, as shares.
 struct MaskShares {
@@ -63,6 +71,17 @@ struct ErrorSplit {
   bool operator==(const ErrorSplit&) const = default;
 };
 
+// Of the figures of the same names; absent where the figure is, or where it stands on one block.
+struct MetricIntervals {
+  std::optional<Interval> rmse_penumbra;
+  std::optional<Interval> rmse_all;
+  std::optional<Interval> leak_rate;
+  std::optional<Interval> false_shadow_rate;
+  std::optional<Interval> fetches_mean;
+
+  bool operator==(const MetricIntervals&) const = default;
+};
+
 struct Metrics {
   std::size_t pixels = 0;  // with a receiver
   std::size_t penumbra_pixels = 0;
@@ -83,6 +102,7 @@ struct Metrics {
   double preprocess_fetches_per_pixel = 0.0;
   std::optional<MaskShares> mask;  // of techniques with a penumbra mask
   ErrorSplit split;
+  MetricIntervals intervals;  // 95 %
 
   bool operator==(const Metrics&) const = default;
 };

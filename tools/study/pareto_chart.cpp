@@ -10,15 +10,20 @@ namespace {
 
 enum class Cost { fetches, time };
 
+std::optional<double> price_of(const SummaryLine& line, Cost cost) {
+  if (cost == Cost::time) return line.time_ms;
+  return line.fetches ? std::optional(line.fetches->value) : std::nullopt;
+}
+
 ChartPanel panel_of(const Results& results, double light_degrees, Cost cost) {
   ChartPanel panel;
   panel.title = fmt::format("{}° light", light_degrees);
   std::vector<CostAndError> points;
   for (const SummaryLine& line : summarise(results)) {
-    const std::optional<double>& price = cost == Cost::fetches ? line.fetches : line.time_ms;
+    const std::optional<double> price = price_of(line, cost);
     if (line.light_degrees != light_degrees || !line.complete || !price || !line.rmse_penumbra) continue;
-    panel.points.push_back({line.choice.label, *price, *line.rmse_penumbra});
-    points.push_back({*price, *line.rmse_penumbra});
+    panel.points.push_back({line.choice.label, *price, line.rmse_penumbra->value});
+    points.push_back({*price, line.rmse_penumbra->value});
   }
   if (cost == Cost::fetches || !results.is_software) panel.front = pareto_front(points);
   return panel;

@@ -40,7 +40,7 @@ std::string best_technique(const Results& results) {
     int lines = 0;
     for (const SummaryLine& line : summarise(results)) {
       if (!(line.choice == choice) || !line.rmse_penumbra) continue;
-      sum += *line.rmse_penumbra;
+      sum += line.rmse_penumbra->value;
       ++lines;
     }
     if (lines > 0 && sum / lines < lowest) {

@@ -31,7 +31,7 @@ std::string figure(const SummaryLine& line) {
   if (!line.complete || !line.rmse_penumbra || !line.fetches)
     throw std::invalid_argument(line.choice.technique + " was not measured on every scene");
   return fmt::format("                new PresetFigure({:g}f, {:.3f}f, {:.1f}f),\n", line.light_degrees,
-                     *line.rmse_penumbra, *line.fetches);
+                     line.rmse_penumbra->value, line.fetches->value);
 }
 
 }  // namespace

@@ -8,10 +8,6 @@
 namespace penumbra::study {
 namespace {
 
-std::string figure(const std::optional<double>& value, int digits) {
-  return value ? fmt::format("{:.{}f}", *value, digits) : "–";
-}
-
 // A header row, the line under it (first column left, others right), and rows added one by one.
 class Table {
  public:
@@ -34,32 +30,33 @@ std::string light_name(double degrees) {
   return fmt::format("{}°", degrees);
 }
 
-// One column of error per light, then fetches per pixel: the mean over lights, as taps may follow the
-// penumbra.
-std::string mean_table(const Results& results) {
-  const std::vector<double> lights = light_sizes(results);
-  const std::vector<SummaryLine> lines = summarise(results);
-  std::vector<std::string> heads{"Technique"};
-  for (const double light : lights) heads.push_back(light_name(light));
-  for (const double light : lights) heads.push_back("fetches " + light_name(light));
-  Table table(heads);
-  for (const Choice& choice : choices(results)) {
-    std::vector<std::string> errors;
-    std::vector<std::string> fetches;
-    for (const double light : lights) {
-      const SummaryLine* found = nullptr;
-      for (const SummaryLine& line : lines) {
-        if (line.choice == choice && line.light_degrees == light) found = &line;
-      }
-      const bool partial = found != nullptr && !found->complete && found->rmse_penumbra;
-      errors.push_back(figure(found != nullptr ? found->rmse_penumbra : std::nullopt, 3) +
-                       (partial ? fmt::format(" ({} scenes)", found->scenes) : ""));
-      fetches.push_back(figure(found != nullptr ? found->fetches : std::nullopt, 1));
-    }
-    std::vector<std::string> cells{markdown_cell(choice.label)};
-    cells.insert(cells.end(), errors.begin(), errors.end());
-    cells.insert(cells.end(), fetches.begin(), fetches.end());
-    table.add(cells);
+// The commit and the packages, where they are known.
+std::string provenance(const Results& results) {
+  std::string text;
+  if (results.commit) text += " at commit " + markdown_cell(*results.commit);
+  for (const PackageNote& package : results.packages) {
+    text += ", " + markdown_cell(package.name + (package.version ? " " + *package.version : ""));
+  }
+  return text;
+}
+
+// What stands behind a light's means.
+std::string sample_text(const Results& results, double light) {
+  const LightSample sample = sample_of(results, light);
+  return fmt::format("{} light, {} scene{}, {} penumbra pixels, {} in the scene with fewest:\n\n",
+                     light_name(light), sample.scenes, sample.scenes == 1 ? "" : "s", sample.penumbra_pixels,
+                     sample.smallest_penumbra_pixels);
+}
+
+std::string mean_table(const Results& results, double light) {
+  Table table({"Technique", "RMSE in penumbra", "RMSE of all pixels", "light leaks, %", "false shadow, %",
+               "fetches per pixel"});
+  for (const SummaryLine& line : summarise(results)) {
+    if (line.light_degrees != light) continue;
+    const std::string partial = line.complete ? "" : fmt::format(" ({} scenes)", line.scenes);
+    table.add({markdown_cell(line.choice.label) + partial, figure_text(line.rmse_penumbra),
+               figure_text(line.rmse_all), figure_text(line.leak_rate, 100.0),
+               figure_text(line.false_shadow_rate, 100.0), fetches_text(line.fetches)});
   }
   return table.text();
 }
@@ -72,7 +69,7 @@ std::string scene_table(const Results& results, double light) {
     std::vector<std::string> cells{markdown_cell(choice.label)};
     for (const std::string& scene : scene_names(results)) {
       const Record* record = find_record(results, choice.label, scene, light);
-      cells.push_back(figure(record != nullptr ? record->metrics.rmse_penumbra : std::nullopt, 3));
+      cells.push_back(figure_text(record != nullptr ? rmse_penumbra_of(*record) : std::nullopt));
     }
     table.add(cells);
   }
@@ -82,17 +79,18 @@ std::string scene_table(const Results& results, double light) {
 }  // namespace
 
 std::string result_block(const Results& results, const std::string& chart_path) {
-  std::string block =
-      fmt::format("Hardware: {}. Device: {}. Driver: {}. Penumbra {}.  \nCommand: `{}`\n\n",
-                  markdown_cell(results.hardware), markdown_cell(results.device),
-                  markdown_cell(results.driver), markdown_cell(results.library_version), results.command);
-  block += fmt::format(
-      "Penumbra RMSE against ray tracing and texture fetches per pixel, by the light's angular diameter; "
-      "mean over {} "
-      "scenes.\n\n",
-      scene_names(results).size());
-  block += mean_table(results);
-  block += fmt::format("\n![Fetches against penumbra error]({})\n", chart_path);
+  std::string block = fmt::format("Hardware: {}. Device: {}. Driver: {}. Penumbra {}{}.  \nCommand: `{}`\n\n",
+                                  markdown_cell(results.hardware), markdown_cell(results.device),
+                                  markdown_cell(results.driver), markdown_cell(results.library_version),
+                                  provenance(results), results.command);
+  block +=
+      "Errors are against ray tracing. Each figure is the mean over the scenes, ± half of its 95 % interval "
+      "over "
+      "scenes and pixels.\n\n";
+  for (const double light : light_sizes(results)) {
+    block += sample_text(results, light) + mean_table(results, light) + "\n";
+  }
+  block += fmt::format("![Fetches against penumbra error]({})\n", chart_path);
   block += "\n<details><summary>Penumbra RMSE of every scene</summary>\n";
   for (const double light : light_sizes(results)) {
     block += fmt::format("\n{} light\n\n", light_name(light)) + scene_table(results, light);

@@ -1,8 +1,33 @@
 #include "study/results.h"
 
 #include <algorithm>
+#include <stdexcept>
+#include <tuple>
 
 namespace penumbra::study {
+namespace {
+
+auto members(const MeasuredFrame& frame) {
+  const parameters::Camera& camera = frame.camera;
+  return std::tie(frame.scene, frame.light_degrees, frame.sun_direction, frame.width, frame.height,
+                  frame.shadow_distance_metres, camera.position, camera.forward, camera.up,
+                  camera.fov_y_degrees, camera.near_plane, camera.far_plane);
+}
+
+}  // namespace
+
+bool MeasuredFrame::operator==(const MeasuredFrame& other) const {
+  return members(*this) == members(other);
+}
+
+const MeasuredFrame& frame_of(const Results& results, const Record& record) {
+  const auto found =
+      std::find_if(results.frames.begin(), results.frames.end(), [&](const MeasuredFrame& frame) {
+        return frame.scene == record.scene && frame.light_degrees == record.light_degrees;
+      });
+  if (found == results.frames.end()) throw std::invalid_argument("no frame of the record's scene and light");
+  return *found;
+}
 
 bool has_invalid_values(const Results& results) {
   return std::any_of(results.records.begin(), results.records.end(),

@@ -1,23 +1,26 @@
-// results.json: what one run of `penumbra measure` found, one record per scene, technique, light and map.
+// results.json: what one run of `penumbra measure` found, one record per scene, technique, light and map; and
+// one entry of `frames` per scene and light, with what all records of it were measured on.
 //
 // Nothing in it depends on the day or the folder: the same run writes the same bytes, times apart. Times are
 // milliseconds per frame; on a software device they are CPU time, say so, and rank nothing.
 #pragma once
 
 #include <filesystem>
+#include <glm/vec3.hpp>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "parameters/cascades.h"
 #include "study/metrics.h"
 #include "study/shimmer.h"
 #include "study/timing.h"
 
 namespace penumbra::study {
 
-inline constexpr int kResultsSchemaVersion = 1;
+inline constexpr int kResultsSchemaVersion = 2;
 
 struct ReferenceNote {
   std::string kind;          // for example "ray-traced disc light"
@@ -25,6 +28,40 @@ struct ReferenceNote {
   double noise_floor = 0.0;  // RMSE of two independent references in penumbra, divided by sqrt(2)
 
   bool operator==(const ReferenceNote&) const = default;
+};
+
+// What one subject was measured at. Subjects run at their own recommended settings unless told otherwise.
+struct RunSettings {
+  double depth_bias = 1.0;  // URP's unitless settings, of the casters
+  double normal_bias = 1.0;
+  double slope_bias = 0.0;  // of the rasteriser, times the depth's change from texel to texel
+  parameters::SoftQuality soft_quality = parameters::SoftQuality::medium;  // by which URP scales both
+  double light_scale = 1.0;    // the diameter that the subject was told, over the light's
+  std::vector<double> splits;  // fractions of the shadow distance where all cascades but the last end
+  bool reversed_z = true;
+
+  bool operator==(const RunSettings&) const = default;
+};
+
+// What every subject saw of one scene under one light.
+struct MeasuredFrame {
+  std::string scene;
+  double light_degrees = 0.0;
+  glm::dvec3 sun_direction{0.0, -1.0, 0.0};  // unit, the way the light travels
+  int width = 0;                             // of the picture, pixels
+  int height = 0;
+  double shadow_distance_metres = 0.0;
+  parameters::Camera camera;  // world space
+
+  bool operator==(const MeasuredFrame& other) const;
+};
+
+// A Unity package whose files a subject included, by its package.json.
+struct PackageNote {
+  std::string name;
+  std::optional<std::string> version;  // absent: its package.json does not say
+
+  bool operator==(const PackageNote&) const = default;
 };
 
 struct Record {
@@ -36,6 +73,7 @@ struct Record {
   int map_size = 0;            // width of the atlas in texels
   std::string map_format;      // D16, D24 or D32
   int cascades = 1;
+  RunSettings settings;
   std::string device;
   Metrics metrics;
   std::optional<Shimmer> shimmer;  // when the study panned
@@ -47,11 +85,15 @@ struct Record {
 
 struct Results {
   std::string library_version;
+  std::optional<std::string>
+      commit;  // git's, "-dirty" behind it for a changed tree; absent where none is known
+  std::vector<PackageNote> packages;
   std::string command;   // what reproduces the file
   std::string hardware;  // processor, or graphics card
   std::string device;    // the Vulkan device's own name
   std::string driver;
   bool is_software = true;
+  std::vector<MeasuredFrame> frames;  // one per scene and light, in the order of the records
   std::vector<Record> records;
 
   bool operator==(const Results&) const = default;
@@ -62,6 +104,9 @@ bool has_invalid_values(const Results& results);
 
 // "CPU time" or "GPU time".
 std::string_view time_kind(const Results& results);
+
+// What the record was measured on. Throws std::invalid_argument when there is none: no file is read so.
+const MeasuredFrame& frame_of(const Results& results, const Record& record);
 
 std::string to_json(const Results& results);
 

@@ -1,16 +1,20 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
 #include "input/input_error.h"
 #include "input/located_json.h"
+#include "parameters/settings_input.h"
 #include "study/results.h"
 
 namespace penumbra::study {
 namespace {
 
 using Pointer = LocatedJson::Pointer;
+
+constexpr double kAnything = 1e300;
 
 // An object of results.json, where every key must be there; figures may be null where the schema says so.
 class StrictObject {
@@ -39,6 +43,11 @@ class StrictObject {
     return static_cast<std::size_t>(value);
   }
 
+  parameters::SoftQuality soft_quality(const std::string& key) {
+    require(key);
+    return parameters::read_soft_quality(object_, key, {});
+  }
+
   bool boolean(const std::string& key) {
     require(key);
     return object_.boolean(key, false);
@@ -62,6 +71,16 @@ class StrictObject {
     require(key);
     if (!document_.at(at_ / key).is_array()) object_.fail(key, "'" + key + "' must be an array");
     return document_.at(at_ / key).size();
+  }
+
+  std::vector<double> numbers(const std::string& key, std::size_t count) {
+    require(key);
+    return object_.numbers(key, count);
+  }
+
+  glm::dvec3 vector(const std::string& key) {
+    const std::vector<double> found = numbers(key, 3);
+    return {found[0], found[1], found[2]};
   }
 
   std::map<std::string, std::vector<double>> number_lists(const std::string& key) {
@@ -93,13 +112,32 @@ class StrictObject {
   JsonObject object_;
 };
 
-constexpr double kAnything = 1e300;
-
 std::optional<ErrorShare> read_share(StrictObject& split, const std::string& key) {
   if (split.is_null(key)) return std::nullopt;
   StrictObject share = split.object(key);
   const ErrorShare result{share.number("mean", -1.0, 1.0), share.number("rmse", 0.0, 1.0)};
   share.finish();
+  return result;
+}
+
+std::optional<Interval> read_interval(StrictObject& intervals, const std::string& key, double most) {
+  if (intervals.is_null(key)) return std::nullopt;
+  StrictObject interval = intervals.object(key);
+  const Interval result{interval.number("low", 0.0, most), interval.number("high", 0.0, most),
+                        interval.number("standard_error", 0.0, kAnything)};
+  if (result.low > result.high) interval.fail("high", "must not lie below 'low'");
+  interval.finish();
+  return result;
+}
+
+MetricIntervals read_intervals(StrictObject intervals) {
+  MetricIntervals result;
+  result.rmse_penumbra = read_interval(intervals, "rmse_penumbra", 1.0);
+  result.rmse_all = read_interval(intervals, "rmse_all", 1.0);
+  result.leak_rate = read_interval(intervals, "leak_rate", 1.0);
+  result.false_shadow_rate = read_interval(intervals, "false_shadow_rate", 1.0);
+  result.fetches_mean = read_interval(intervals, "fetches_mean", kAnything);
+  intervals.finish();
   return result;
 }
 
@@ -130,6 +168,7 @@ Metrics read_metrics(StrictObject& record) {
   StrictObject split = record.object("error_split");
   metrics.split = {read_share(split, "map"), read_share(split, "algorithm"), read_share(split, "sampling")};
   split.finish();
+  metrics.intervals = read_intervals(record.object("intervals"));
   return metrics;
 }
 
@@ -154,6 +193,51 @@ std::optional<Shimmer> read_shimmer(StrictObject& record) {
   return result;
 }
 
+RunSettings read_settings(StrictObject settings, int cascades) {
+  RunSettings result;
+  result.depth_bias = settings.number("depth_bias", 0.0, kAnything);
+  result.normal_bias = settings.number("normal_bias", 0.0, kAnything);
+  result.slope_bias = settings.number("slope_bias", 0.0, kAnything);
+  result.soft_quality = settings.soft_quality("soft_quality");
+  result.light_scale = settings.number("light_scale", 0.0, kAnything);
+  result.splits = settings.numbers("splits", static_cast<std::size_t>(std::max(cascades - 1, 0)));
+  result.reversed_z = settings.boolean("reversed_z");
+  settings.finish();
+  return result;
+}
+
+parameters::Camera read_camera(StrictObject camera) {
+  parameters::Camera result;
+  result.position = camera.vector("position");
+  result.forward = camera.vector("forward");
+  result.up = camera.vector("up");
+  result.fov_y_degrees = camera.number("fov_y_degrees", 0.0, 180.0);
+  result.near_plane = camera.number("near", 0.0, kAnything);
+  result.far_plane = camera.number("far", 0.0, kAnything);
+  camera.finish();
+  return result;
+}
+
+MeasuredFrame read_frame(StrictObject frame) {
+  MeasuredFrame result;
+  result.scene = frame.text("scene");
+  result.light_degrees = frame.number("light_degrees", 0.0, 180.0);
+  result.sun_direction = frame.vector("sun_direction");
+  result.width = static_cast<int>(frame.count("width"));
+  result.height = static_cast<int>(frame.count("height"));
+  result.shadow_distance_metres = frame.number("shadow_distance_metres", 0.0, kAnything);
+  result.camera = read_camera(frame.object("camera"));
+  frame.finish();
+  return result;
+}
+
+PackageNote read_package(StrictObject package) {
+  PackageNote result{package.text("name"), std::nullopt};
+  if (!package.is_null("version")) result.version = package.text("version");
+  package.finish();
+  return result;
+}
+
 Record read_record(StrictObject record, std::string_view kind) {
   Record result;
   result.scene = record.text("scene");
@@ -164,6 +248,7 @@ Record read_record(StrictObject record, std::string_view kind) {
   result.map_size = static_cast<int>(record.count("map_size"));
   result.map_format = record.text("map_format");
   result.cascades = static_cast<int>(record.count("cascades"));
+  result.settings = read_settings(record.object("settings"), result.cascades);
   result.device = record.text("device");
   result.metrics = read_metrics(record);
   result.shimmer = read_shimmer(record);
@@ -181,6 +266,45 @@ std::string identity(const Record& record) {
                      record.light_degrees, record.map_size, record.map_format, record.cascades);
 }
 
+bool is_of(const MeasuredFrame& frame, const std::string& scene, double light_degrees) {
+  return frame.scene == scene && frame.light_degrees == light_degrees;
+}
+
+void read_frames(const LocatedJson& document, StrictObject& top, Results& results) {
+  const std::size_t count = top.array_size("frames");
+  for (std::size_t i = 0; i < count; ++i) {
+    const Pointer at = Pointer("/frames") / i;
+    MeasuredFrame frame = read_frame({document, at});
+    for (const MeasuredFrame& other : results.frames) {
+      if (!is_of(other, frame.scene, frame.light_degrees)) continue;
+      throw InputError(document.where(at),
+                       fmt::format("a second frame of {} × {}°", frame.scene, frame.light_degrees),
+                       "remove one of them");
+    }
+    results.frames.push_back(std::move(frame));
+  }
+}
+
+void read_records(const LocatedJson& document, StrictObject& top, Results& results) {
+  std::set<std::string> seen;
+  const std::size_t count = top.array_size("records");
+  for (std::size_t i = 0; i < count; ++i) {
+    const Pointer at = Pointer("/records") / i;
+    Record record = read_record({document, at}, time_kind(results));
+    if (const std::string id = identity(record); !seen.insert(id).second) {
+      throw InputError(document.where(at), "a second record of " + id, "remove one of them");
+    }
+    const bool framed = std::any_of(
+        results.frames.begin(), results.frames.end(),
+        [&](const MeasuredFrame& frame) { return is_of(frame, record.scene, record.light_degrees); });
+    if (!framed) {
+      throw InputError(document.where(at), fmt::format("'frames' has no entry of the record's {} × {}°",
+                                                       record.scene, record.light_degrees));
+    }
+    results.records.push_back(std::move(record));
+  }
+}
+
 Results read_document(const LocatedJson& document) {
   StrictObject top(document, Pointer());
   const std::size_t version = top.count("schema_version");
@@ -192,20 +316,18 @@ Results read_document(const LocatedJson& document) {
   }
   Results results;
   results.library_version = top.text("library_version");
+  if (!top.is_null("commit")) results.commit = top.text("commit");
+  const std::size_t packages = top.array_size("packages");
+  for (std::size_t i = 0; i < packages; ++i) {
+    results.packages.push_back(read_package({document, Pointer("/packages") / i}));
+  }
   results.command = top.text("command");
   results.hardware = top.text("hardware");
   results.device = top.text("device");
   results.driver = top.text("driver");
   results.is_software = top.boolean("is_software");
-  std::set<std::string> seen;
-  const std::size_t count = top.array_size("records");
-  for (std::size_t i = 0; i < count; ++i) {
-    const Pointer at = Pointer("/records") / i;
-    results.records.push_back(read_record({document, at}, time_kind(results)));
-    if (const std::string id = identity(results.records.back()); !seen.insert(id).second) {
-      throw InputError(document.where(at), "a second record of " + id, "remove one of them");
-    }
-  }
+  read_frames(document, top, results);
+  read_records(document, top, results);
   top.finish();
   return results;
 }

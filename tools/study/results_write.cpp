@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "parameters/settings_input.h"
 #include "study/results.h"
 
 namespace penumbra::study {
@@ -13,6 +14,51 @@ Json json_of(const std::optional<double>& value) {
 
 Json json_of(const std::optional<ErrorShare>& share) {
   return share ? Json{{"mean", share->mean}, {"rmse", share->rmse}} : Json(nullptr);
+}
+
+Json json_of(const std::optional<Interval>& interval) {
+  if (!interval) return nullptr;
+  return {{"low", interval->low}, {"high", interval->high}, {"standard_error", interval->standard_error}};
+}
+
+Json json_of(const MetricIntervals& intervals) {
+  return {{"rmse_penumbra", json_of(intervals.rmse_penumbra)},
+          {"rmse_all", json_of(intervals.rmse_all)},
+          {"leak_rate", json_of(intervals.leak_rate)},
+          {"false_shadow_rate", json_of(intervals.false_shadow_rate)},
+          {"fetches_mean", json_of(intervals.fetches_mean)}};
+}
+
+Json json_of(const RunSettings& settings) {
+  return {{"depth_bias", settings.depth_bias},   {"normal_bias", settings.normal_bias},
+          {"slope_bias", settings.slope_bias},   {"soft_quality", parameters::name_of(settings.soft_quality)},
+          {"light_scale", settings.light_scale}, {"splits", settings.splits},
+          {"reversed_z", settings.reversed_z}};
+}
+
+Json json_of(const glm::dvec3& vector) {
+  return {vector.x, vector.y, vector.z};
+}
+
+Json json_of(const MeasuredFrame& frame) {
+  const parameters::Camera& camera = frame.camera;
+  return {{"scene", frame.scene},
+          {"light_degrees", frame.light_degrees},
+          {"sun_direction", json_of(frame.sun_direction)},
+          {"width", frame.width},
+          {"height", frame.height},
+          {"shadow_distance_metres", frame.shadow_distance_metres},
+          {"camera",
+           {{"position", json_of(camera.position)},
+            {"forward", json_of(camera.forward)},
+            {"up", json_of(camera.up)},
+            {"fov_y_degrees", camera.fov_y_degrees},
+            {"near", camera.near_plane},
+            {"far", camera.far_plane}}}};
+}
+
+Json json_of(const PackageNote& package) {
+  return {{"name", package.name}, {"version", package.version ? Json(*package.version) : Json(nullptr)}};
 }
 
 void add_metrics(Json& record, const Metrics& metrics) {
@@ -39,6 +85,7 @@ void add_metrics(Json& record, const Metrics& metrics) {
   record["error_split"] = {{"map", json_of(metrics.split.map)},
                            {"algorithm", json_of(metrics.split.algorithm)},
                            {"sampling", json_of(metrics.split.sampling)}};
+  record["intervals"] = json_of(metrics.intervals);
 }
 
 Json json_of(const Record& record, std::string_view kind) {
@@ -52,6 +99,7 @@ Json json_of(const Record& record, std::string_view kind) {
   json["map_size"] = record.map_size;
   json["map_format"] = record.map_format;
   json["cascades"] = record.cascades;
+  json["settings"] = json_of(record.settings);
   json["device"] = record.device;
   add_metrics(json, record.metrics);
   if (record.shimmer) {
@@ -68,21 +116,77 @@ Json json_of(const Record& record, std::string_view kind) {
   return json;
 }
 
+// Indented JSON whose short objects and arrays stand on one line.
+class LineWriter {
+ public:
+  std::string text_of(const Json& json) {
+    write(json, 0);
+    return text_ + "\n";
+  }
+
+ private:
+  static constexpr std::size_t kLineEnd = 110;
+
+  // Names come from files and devices: a byte that is no UTF-8 becomes U+FFFD instead of an exception.
+  static std::string leaf(const Json& json) {
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  }
+
+  static std::string one_line(const Json& json) {
+    if (!json.is_structured()) return leaf(json);
+    std::string text;
+    for (const auto& [key, value] : json.items()) {
+      text += text.empty() ? "" : ", ";
+      text += (json.is_object() ? leaf(key) + ": " : "") + one_line(value);
+    }
+    return json.is_object() ? "{" + text + "}" : "[" + text + "]";
+  }
+
+  void write(const Json& json, std::size_t indent) {
+    if (!json.is_structured() || json.empty()) {
+      text_ += one_line(json);
+      return;
+    }
+    if (indent > 0 && (json.is_array() || indent > 4)) {
+      const std::string line = one_line(json);
+      if (indent + line.size() <= kLineEnd) {
+        text_ += line;
+        return;
+      }
+    }
+    const std::string margin(indent + 2, ' ');
+    text_ += json.is_object() ? "{" : "[";
+    std::string comma;
+    for (const auto& [key, value] : json.items()) {
+      text_ += comma + "\n" + margin + (json.is_object() ? leaf(key) + ": " : "");
+      write(value, indent + 2);
+      comma = ",";
+    }
+    text_ += "\n" + std::string(indent, ' ') + (json.is_object() ? "}" : "]");
+  }
+
+  std::string text_;
+};
+
 }  // namespace
 
 std::string to_json(const Results& results) {
   Json json;
   json["schema_version"] = kResultsSchemaVersion;
   json["library_version"] = results.library_version;
+  json["commit"] = results.commit ? Json(*results.commit) : Json(nullptr);
+  json["packages"] = Json::array();
+  for (const PackageNote& package : results.packages) json["packages"].push_back(json_of(package));
   json["command"] = results.command;
   json["hardware"] = results.hardware;
   json["device"] = results.device;
   json["driver"] = results.driver;
   json["is_software"] = results.is_software;
+  json["frames"] = Json::array();
+  for (const MeasuredFrame& frame : results.frames) json["frames"].push_back(json_of(frame));
   json["records"] = Json::array();
   for (const Record& record : results.records) json["records"].push_back(json_of(record, time_kind(results)));
-  // Names come from files and devices: a byte that is no UTF-8 becomes U+FFFD instead of an exception.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return LineWriter().text_of(json);
 }
 
 }  // namespace penumbra::study

@@ -1,6 +1,7 @@
 #include "study/study.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -170,6 +171,31 @@ Picture mask_picture(const PixelGrid& grid, const std::vector<std::uint8_t>& mas
   return visibility_picture(grid, runs);
 }
 
+RunSettings run_settings(const scene::Frame& frame) {
+  const parameters::ShadowSettings& shadows = frame.settings.shadows;
+  RunSettings settings;
+  settings.depth_bias = shadows.depth_bias;
+  settings.normal_bias = shadows.normal_bias;
+  settings.soft_quality = shadows.soft_quality;
+  settings.reversed_z = shadows.reversed_z;
+  const std::array<double, 3> splits = parameters::effective_splits(shadows);
+  settings.splits.assign(splits.begin(), splits.begin() + (shadows.cascades - 1));
+  return settings;
+}
+
+MeasuredFrame measured_frame(const Stage& stage) {
+  const scene::Frame& frame = stage.frame;
+  MeasuredFrame note;
+  note.scene = stage.scene.name;
+  note.light_degrees = frame.settings.angular_diameter_degrees;
+  note.sun_direction = frame.cascades.light_direction;
+  note.width = stage.t1.width;
+  note.height = stage.t1.height;
+  note.shadow_distance_metres = frame.settings.shadows.distance_metres;
+  note.camera = frame.camera;
+  return note;
+}
+
 PictureRow pictures(const Stage& stage, const Subject& subject, const Answer& answer) {
   const resolve::ResolveResult& result = answer.image;
   const PixelGrid grid{stage.t1.width, stage.t1.height, stage.t1.valid};
@@ -194,6 +220,7 @@ Metrics metrics_of(const Stage& stage, const Answer& answer, const std::optional
   const std::vector<std::uint8_t> counted = counted_receivers(stage.t1, window);
   images.preprocess_fetches_per_pixel = fetches_of_others(answer, stage.t1.width, window);
   images.masked_out = answer.masked_out;
+  images.width = stage.t1.width;
   images.t1 = stage.t1.visibility;
   images.valid = counted;
   for (const std::vector<float>& image : result.visibility) images.results.emplace_back(image);
@@ -218,6 +245,7 @@ class Study {
       scene::Rasteriser rasteriser(device_, scene);
       for (const double degrees : settings_.light_degrees) {
         const Stage stage = set_stage(scene, rasteriser, degrees);
+        outcome_.frames.push_back(measured_frame(stage));
         const StagedFrame frame = staged(stage.frame);
         const std::vector<StagedFrame> pan = pan_frames(stage, rasteriser);
         for (std::size_t i = 0; i < subjects_.size(); ++i) {
@@ -353,6 +381,7 @@ class Study {
     record.map_size = stage.frame.atlas.width;
     record.map_format = map_format_name(stage.frame.atlas.format);
     record.cascades = static_cast<int>(stage.frame.cascades.cascades.size());
+    record.settings = run_settings(stage.frame);
     record.device = device_.info().name;
     record.metrics = metrics_of(stage, answer, settings_.window, unlimited);
     std::vector<double> milliseconds = answer.image.time_ns;

@@ -80,6 +80,7 @@ using StudyProgress =
     std::function<void(std::string_view stage, double done, double total, std::string_view unit)>;
 
 struct StudyOutcome {
+  std::vector<MeasuredFrame> frames;  // of every scene and light
   std::vector<Record> records;
   std::vector<PictureRow> pictures;  // of every record
   std::vector<std::string> notes;    // uniforms nobody provides, and the like

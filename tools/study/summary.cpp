@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <set>
 #include <tuple>
 
@@ -39,34 +40,55 @@ bool one_map(const Results& results) {
                      [&](const Record& record) { return map(record) == map(results.records.front()); });
 }
 
-std::optional<double> total_fetches(const Record& record) {
-  const std::optional<double>& resolve = record.metrics.fetches_mean;
-  return resolve ? std::optional(*resolve + record.metrics.preprocess_fetches_per_pixel) : std::nullopt;
-}
-
-// Scenes in which this light throws a penumbra at all, whoever measures it.
-std::size_t scenes_with_penumbra(const Results& results, double light_degrees) {
-  std::set<std::string> scenes;
-  for (const Record& record : results.records) {
-    if (record.light_degrees == light_degrees && record.metrics.penumbra_pixels > 0)
-      scenes.insert(record.scene);
+// One figure of every scene.
+class SceneFigures {
+ public:
+  void add(const std::optional<double>& value, const std::optional<Interval>& interval) {
+    if (value) figures_.push_back({*value, interval ? interval->standard_error : 0.0});
   }
-  return scenes.size();
+  std::size_t count() const { return figures_.size(); }
+  std::optional<Estimate> mean(double most) const {
+    if (figures_.empty()) return std::nullopt;
+    double sum = 0.0;
+    for (const SceneFigure& figure : figures_) sum += figure.value;
+    return Estimate{sum / static_cast<double>(figures_.size()), mean_interval(figures_, 0.0, most)};
+  }
+
+ private:
+  std::vector<SceneFigure> figures_;
+};
+
+std::optional<double> total_fetches(const Metrics& metrics) {
+  return metrics.fetches_mean ? std::optional(*metrics.fetches_mean + metrics.preprocess_fetches_per_pixel)
+                              : std::nullopt;
 }
 
 SummaryLine line_of(const Results& results, const Choice& choice, double light_degrees) {
-  Mean rmse;
-  Mean fetches;
+  SceneFigures rmse;
+  SceneFigures rmse_all;
+  SceneFigures leaks;
+  SceneFigures false_shadows;
+  SceneFigures fetches;
   Mean time;
   for (const std::string& scene : scene_names(results)) {
     const Record* record = find_record(results, choice.label, scene, light_degrees);
     if (record == nullptr) continue;
-    rmse.add(record->metrics.rmse_penumbra);
-    fetches.add(total_fetches(*record));
+    const Metrics& metrics = record->metrics;
+    rmse.add(metrics.rmse_penumbra, metrics.intervals.rmse_penumbra);
+    rmse_all.add(metrics.rmse_all, metrics.intervals.rmse_all);
+    leaks.add(metrics.leak_rate, metrics.intervals.leak_rate);
+    false_shadows.add(metrics.false_shadow_rate, metrics.intervals.false_shadow_rate);
+    fetches.add(total_fetches(metrics), metrics.intervals.fetches_mean);
     if (record->time) time.add(record->time->median_ms);
   }
-  SummaryLine line{choice, light_degrees, rmse.count(), true, rmse.value(), fetches.value(), time.value()};
-  line.complete = rmse.count() > 0 && rmse.count() == scenes_with_penumbra(results, light_degrees);
+  SummaryLine line{choice, light_degrees, rmse.count()};
+  line.rmse_penumbra = rmse.mean(1.0);
+  line.rmse_all = rmse_all.mean(1.0);
+  line.leak_rate = leaks.mean(1.0);
+  line.false_shadow_rate = false_shadows.mean(1.0);
+  line.fetches = fetches.mean(std::numeric_limits<double>::infinity());
+  line.time_ms = time.value();
+  line.complete = rmse.count() > 0 && rmse.count() == sample_of(results, light_degrees).scenes;
   return line;
 }
 
@@ -85,8 +107,8 @@ std::vector<Overall> overall(const Results& results) {
     Mean fetches;
     for (const SummaryLine& line : lines) {
       if (line.choice != choice || !line.complete || !line.fetches) continue;
-      rmse.add(line.rmse_penumbra);
-      fetches.add(line.fetches);
+      if (line.rmse_penumbra) rmse.add(line.rmse_penumbra->value);
+      fetches.add(line.fetches->value);
     }
     if (rmse.count() == light_sizes(results).size() && rmse.count() > 0) {
       entries.push_back({choice, *rmse.value(), *fetches.value()});
@@ -133,6 +155,29 @@ const Record* find_record(const Results& results, const std::string& label, cons
            choice_of(results, record).label == label;
   });
   return found == results.records.end() ? nullptr : &*found;
+}
+
+LightSample sample_of(const Results& results, double light_degrees) {
+  std::map<std::string, std::size_t> pixels;  // of each scene, whoever measures it
+  for (const Record& record : results.records) {
+    if (record.light_degrees != light_degrees || record.metrics.penumbra_pixels == 0) continue;
+    pixels[record.scene] = record.metrics.penumbra_pixels;
+  }
+  LightSample sample;
+  for (const auto& [scene, count] : pixels) {
+    sample.smallest_penumbra_pixels =
+        sample.scenes == 0 ? count : std::min(sample.smallest_penumbra_pixels, count);
+    sample.penumbra_pixels += count;
+    ++sample.scenes;
+  }
+  return sample;
+}
+
+std::optional<Estimate> rmse_penumbra_of(const Record& record) {
+  const Metrics& metrics = record.metrics;
+  return metrics.rmse_penumbra
+             ? std::optional(Estimate{*metrics.rmse_penumbra, metrics.intervals.rmse_penumbra})
+             : std::nullopt;
 }
 
 std::vector<SummaryLine> summarise(const Results& results) {

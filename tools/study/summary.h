@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "study/figure_text.h"
 #include "study/results.h"
 
 namespace penumbra::study {
@@ -20,17 +21,29 @@ struct Choice {
   bool operator==(const Choice&) const = default;
 };
 
-// Means over scenes, each scene weighing the same, whatever its number of penumbra pixels. A mean over fewer
-// scenes than the light was measured on is not comparable: `complete` is false, and the line ranks nowhere.
+// Means over scenes, each scene weighing the same, whatever its number of penumbra pixels, with 95 %
+// intervals over scenes and the pixels of each (study/interval.h). A mean over fewer scenes than the light
+// was measured on is not comparable: `complete` is false, and the line ranks nowhere.
 struct SummaryLine {
   Choice choice;
   double light_degrees = 0.0;
   std::size_t scenes = 0;  // with a penumbra to measure
   bool complete = true;
-  std::optional<double> rmse_penumbra;
-  std::optional<double> fetches;  // per pixel of the frame, preparation included
-  std::optional<double> time_ms;  // median of a frame
+  std::optional<Estimate> rmse_penumbra{};
+  std::optional<Estimate> rmse_all{};
+  std::optional<Estimate> leak_rate{};
+  std::optional<Estimate> false_shadow_rate{};
+  std::optional<Estimate> fetches{};  // per pixel of the frame, preparation included
+  std::optional<double> time_ms{};    // median of a frame
 };
+
+// What the means of one light stand on.
+struct LightSample {
+  std::size_t scenes = 0;                    // with a penumbra to measure
+  std::size_t smallest_penumbra_pixels = 0;  // of those scenes
+  std::size_t penumbra_pixels = 0;           // of all scenes
+};
+LightSample sample_of(const Results& results, double light_degrees);
 
 // Lines in the order in which the records bring technique and map first, lights rising within each.
 std::vector<SummaryLine> summarise(const Results& results);
@@ -39,6 +52,9 @@ std::vector<std::string> scene_names(const Results& results);  // in record orde
 std::vector<double> light_sizes(const Results& results);       // degrees, rising
 std::vector<Choice> choices(const Results& results);           // in record order
 Choice choice_of(const Results& results, const Record& record);
+
+// A record's own figure with its interval, for tables of one scene.
+std::optional<Estimate> rmse_penumbra_of(const Record& record);
 
 // The one record of that choice, scene and light; null when there is none.
 const Record* find_record(const Results& results, const std::string& label, const std::string& scene,

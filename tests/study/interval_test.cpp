@@ -1,0 +1,126 @@
+#include "study/interval.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+
+namespace penumbra::study {
+namespace {
+
+constexpr double kNoBound = 1e300;
+
+// How many of `repetitions` intervals hold the truth.
+double coverage(int repetitions, double truth, const std::function<std::optional<Interval>()>& draw) {
+  int hits = 0;
+  for (int k = 0; k < repetitions; ++k) {
+    const std::optional<Interval> interval = draw();
+    hits += interval->low <= truth && truth <= interval->high ? 1 : 0;
+  }
+  return static_cast<double>(hits) / repetitions;
+}
+
+// A picture of 80 blocks with 20 to 60 pixels each. Pixels of one block err alike: the block's own error,
+// standard deviation 0.1, and the pixel's, 0.05. The true RMSE is the root of 0.1^2 + 0.05^2.
+TEST(BlockInterval, HoldsTheTruthAsOftenAsItSays) {
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal;
+  const double share = coverage(400, std::sqrt(0.0125), [&] {
+    std::vector<BlockSums> blocks(80);
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      const double common = 0.1 * normal(random);
+      for (std::size_t pixel = 0; pixel < 20 + i % 41; ++pixel) {
+        const double error = common + 0.05 * normal(random);
+        blocks[i].sum += error * error;
+        blocks[i].count += 1.0;
+      }
+    }
+    return block_interval(blocks, Figure::root_of_mean, 1.0);
+  });
+  EXPECT_GE(share, 0.88);
+  EXPECT_LE(share, 0.99);
+}
+
+// Twelve blocks are few: twice the replicates' deviation as it stands would hold the truth too seldom.
+TEST(BlockInterval, HoldsTheTruthWithFewBlocks) {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> uniform;
+  const double share = coverage(400, 0.5, [&] {
+    std::vector<BlockSums> blocks(12);
+    for (BlockSums& block : blocks) block = {10.0 * uniform(random), 10.0};
+    return block_interval(blocks, Figure::mean, 1.0);
+  });
+  EXPECT_GE(share, 0.90);
+  EXPECT_LE(share, 0.99);
+}
+
+// Scenes out of many, whose true figures differ by 0.04, each measured to 0.01.
+class MeanCoverage : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(MeanCoverage, HoldsTheTruthAsOftenAsItSays) {
+  std::mt19937 random(9);
+  std::normal_distribution<double> normal;
+  const double share = coverage(400, 0.3, [&] {
+    std::vector<SceneFigure> scenes(GetParam());
+    for (SceneFigure& scene : scenes) {
+      scene = {0.3 + 0.04 * normal(random) + 0.01 * normal(random), 0.01};
+    }
+    return mean_interval(scenes, 0.0, 1.0);
+  });
+  EXPECT_GE(share, 0.90);
+  EXPECT_LE(share, 0.99);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, MeanCoverage, testing::Values(3U, 4U, 8U));
+
+TEST(MeanInterval, CountsBothLevels) {
+  const std::vector<SceneFigure> alike(8, SceneFigure{0.3, 0.04});
+  const Interval pixels = mean_interval(alike, 0.0, 1.0).value();
+  EXPECT_NEAR(pixels.standard_error, 0.04 / std::sqrt(7.0), 0.002) << "what the scenes' own errors leave";
+  std::vector<SceneFigure> different(8, SceneFigure{0.3, 0.0});
+  for (std::size_t k = 0; k < different.size(); ++k) different[k].value += k % 2 == 0 ? 0.05 : -0.05;
+  EXPECT_NEAR(mean_interval(different, 0.0, 1.0)->standard_error, 0.05 / std::sqrt(7.0), 0.002);
+}
+
+TEST(MeanInterval, FewerScenesAreLessSure) {
+  const std::vector<SceneFigure> four{{0.2, 0}, {0.3, 0}, {0.2, 0}, {0.3, 0}};
+  std::vector<SceneFigure> eight = four;
+  eight.insert(eight.end(), four.begin(), four.end());
+  const Interval few = mean_interval(four, 0.0, 1.0).value();
+  const Interval many = mean_interval(eight, 0.0, 1.0).value();
+  EXPECT_GT(few.high - few.low, 1.3 * (many.high - many.low));
+}
+
+TEST(Intervals, TheSameFiguresGiveTheSameBytes) {
+  const std::vector<BlockSums> blocks{{1.0, 4.0}, {2.0, 4.0}, {0.5, 3.0}};
+  EXPECT_EQ(block_interval(blocks, Figure::mean, 1.0), block_interval(blocks, Figure::mean, 1.0));
+  const std::vector<SceneFigure> scenes{{0.1, 0.01}, {0.2, 0.02}};
+  EXPECT_EQ(mean_interval(scenes, 0.0, 1.0), mean_interval(scenes, 0.0, 1.0));
+}
+
+TEST(Intervals, StayInsideTheFiguresRangeAndHoldTheFigure) {
+  const std::vector<SceneFigure> rare{{0.001, 0.01}, {0.0, 0.0}, {0.002, 0.01}};
+  const Interval interval = mean_interval(rare, 0.0, 1.0).value();
+  EXPECT_GE(interval.low, 0.0);
+  EXPECT_LE(interval.low, 0.001);
+  EXPECT_GE(interval.high, 0.001);
+  const std::vector<BlockSums> all{{4.0, 4.0}, {3.9, 4.0}, {4.0, 4.0}};
+  EXPECT_EQ(block_interval(all, Figure::mean, 1.0)->high, 1.0);
+}
+
+TEST(Intervals, OneBlockOrNothingHasNone) {
+  EXPECT_FALSE(block_interval(std::vector<BlockSums>{{3.0, 4.0}, {0.0, 0.0}}, Figure::mean, 1.0));
+  EXPECT_FALSE(block_interval(std::vector<BlockSums>{}, Figure::mean, 1.0));
+  EXPECT_FALSE(mean_interval(std::vector<SceneFigure>{}, 0.0, kNoBound));
+  EXPECT_FALSE(mean_interval(std::vector<SceneFigure>{{0.3, 0.0}}, 0.0, kNoBound));
+}
+
+TEST(Intervals, OneSceneIsAsSureAsItself) {
+  const Interval interval = mean_interval(std::vector<SceneFigure>{{0.3, 0.01}}, 0.0, 1.0).value();
+  EXPECT_NEAR(interval.low, 0.3 - 0.0196, 1e-4);
+  EXPECT_NEAR(interval.high, 0.3 + 0.0196, 1e-4);
+}
+
+}  // namespace
+}  // namespace penumbra::study

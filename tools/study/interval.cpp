@@ -1,0 +1,123 @@
+#include "study/interval.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <random>
+
+namespace penumbra::study {
+namespace {
+
+constexpr std::size_t kBlockReplicates = 1000;
+constexpr std::size_t kSceneReplicates = 2000;
+constexpr double kNormalQuantile = 1.959963984540054;  // 97.5 %
+
+// The standard's engine is the same everywhere, its distributions are not.
+class Draws {
+ public:
+  std::size_t index(std::size_t count) {
+    return static_cast<std::size_t>((static_cast<std::uint64_t>(engine_()) * count) >> 32U);
+  }
+
+  // Of the standard normal distribution (Box & Muller 1958).
+  double normal() {
+    const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform()));
+    return radius * std::cos(2.0 * std::numbers::pi * uniform());
+  }
+
+ private:
+  double uniform() { return static_cast<double>(engine_()) / 4294967296.0; }  // [0, 1)
+
+  std::mt19937 engine_{13};
+};
+
+// The 97.5 % quantile of Student's t: exact for one and two degrees of freedom, else the expansion in
+// 1/degrees of Abramowitz & Stegun 26.7.5, whose error from three degrees on is below 1 %.
+double student_quantile(double degrees) {
+  if (degrees < 1.5) return 12.706204736;
+  if (degrees < 2.5) return 4.302652730;
+  const double z = kNormalQuantile;
+  const double z2 = z * z;
+  const double g1 = z * (z2 + 1.0) / 4.0;
+  const double g2 = z * ((5.0 * z2 + 16.0) * z2 + 3.0) / 96.0;
+  const double g3 = z * (((3.0 * z2 + 19.0) * z2 + 17.0) * z2 - 15.0) / 384.0;
+  return z + (g1 + (g2 + g3 / degrees) / degrees) / degrees;
+}
+
+double standard_deviation(const std::vector<double>& values) {
+  double mean = 0.0;
+  for (const double value : values) mean += value;
+  mean /= static_cast<double>(values.size());
+  double squares = 0.0;
+  for (const double value : values) squares += (value - mean) * (value - mean);
+  return std::sqrt(squares / static_cast<double>(values.size() - 1));
+}
+
+// Around a figure that `count` independent things stand behind. Drawing them with replacement gives a
+// variance that is too small by (count - 1) / count.
+Interval interval_of(double figure, const std::vector<double>& replicates, std::size_t count, double least,
+                     double most) {
+  const auto n = static_cast<double>(count);
+  const double error = std::sqrt(n / (n - 1.0)) * standard_deviation(replicates);
+  const double reach = student_quantile(n - 1.0) * error;
+  return {std::clamp(figure - reach, least, most), std::clamp(figure + reach, least, most), error};
+}
+
+double value_of(const BlockSums& total, Figure figure) {
+  const double mean = total.sum / total.count;
+  return figure == Figure::mean ? mean : std::sqrt(mean);
+}
+
+void add(BlockSums& total, const BlockSums& block) {
+  total.sum += block.sum;
+  total.count += block.count;
+}
+
+}  // namespace
+
+std::optional<Interval> block_interval(std::span<const BlockSums> blocks, Figure figure, double most) {
+  std::vector<BlockSums> counted;
+  BlockSums all;
+  for (const BlockSums& block : blocks) {
+    if (!(block.count > 0.0)) continue;
+    counted.push_back(block);
+    add(all, block);
+  }
+  if (counted.size() < 2) return std::nullopt;
+  Draws draws;
+  std::vector<double> replicates(kBlockReplicates);
+  for (double& replicate : replicates) {
+    BlockSums total;
+    for (std::size_t k = 0; k < counted.size(); ++k) add(total, counted[draws.index(counted.size())]);
+    replicate = value_of(total, figure);
+  }
+  return interval_of(value_of(all, figure), replicates, counted.size(), 0.0, most);
+}
+
+std::optional<Interval> mean_interval(std::span<const SceneFigure> scenes, double least, double most) {
+  if (scenes.empty()) return std::nullopt;
+  const auto count = static_cast<double>(scenes.size());
+  double mean = 0.0;
+  for (const SceneFigure& scene : scenes) mean += scene.value / count;
+  if (scenes.size() == 1) {
+    const double error = scenes.front().standard_error;
+    if (!(error > 0.0)) return std::nullopt;
+    return Interval{std::clamp(mean - kNormalQuantile * error, least, most),
+                    std::clamp(mean + kNormalQuantile * error, least, most), error};
+  }
+  Draws draws;
+  std::vector<double> replicates(kSceneReplicates);
+  for (double& replicate : replicates) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < scenes.size(); ++k) {
+      const SceneFigure& scene = scenes[draws.index(scenes.size())];
+      const double noise = scene.standard_error > 0.0 ? scene.standard_error * draws.normal() : 0.0;
+      sum += std::clamp(scene.value + noise, least, most);
+    }
+    replicate = sum / count;
+  }
+  return interval_of(mean, replicates, scenes.size(), least, most);
+}
+
+}  // namespace penumbra::study
