@@ -6,11 +6,20 @@
 #include <memory>
 #include <string>
 #include <tuple>
+#include <vector>
 
 #include "resolve/screen_frame.h"
 #include "resolve/test_device.h"
 
 namespace penumbra::resolve {
+
+// The built-in scenes at the small pictures of these tests. Not the garden, which is made for large ones: of
+// its 474,000 triangles most are narrower than a pixel here.
+inline std::vector<std::string> scenes_for_small_pictures() {
+  std::vector<std::string> names = scene::built_in_names();
+  std::erase(names, "garden");
+  return names;
+}
 
 inline const scene::Frame& drawn(const std::string& scene, int cascades, bool reversed_z,
                                  scene::DepthFormat format = scene::DepthFormat::d32) {

@@ -30,7 +30,7 @@ void PrintTo(const Case& value, std::ostream* stream) {
 
 std::vector<Case> all_cases() {
   std::vector<Case> cases;
-  for (const std::string& scene : scene::built_in_names()) {
+  for (const std::string& scene : scenes_for_small_pictures()) {
     cases.push_back({scene, 4, true, RowOrder::top_first});
     cases.push_back({scene, 1, false, RowOrder::bottom_first});
   }

@@ -154,7 +154,7 @@ const reference::VisibilityImage& traced(const std::string& scene) {
 
 // Both from one drawing: the picture, and how far it is from ray tracing.
 TEST_P(ScreenResolve, DrawsWhatTheFilterAloneSaysAndIsAsFarFromRayTracing) {
-  for (const std::string& scene : scene::built_in_names()) {
+  for (const std::string& scene : scenes_for_small_pictures()) {
     for (int cascades = 1; cascades <= 4; ++cascades) {
       const scene::Frame& frame = drawn(scene, cascades, GetParam().reversed_z);
       for (const RowOrder rows : {RowOrder::top_first, RowOrder::bottom_first}) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <set>
 
 #include "scene/mesh_properties.h"
 
@@ -67,6 +68,91 @@ TEST(MeshBuilder, GableIsAClosedPrism) {
   EXPECT_EQ(open_edges(mesh), 0U);
   EXPECT_NEAR(volume(mesh), 20.0, 1e-4);
   expect_normals_agree_with_winding(mesh);
+}
+
+TEST(MeshBuilder, LatheIsClosedAndHasTheVolumeOfItsRings) {
+  // A cup: out along the foot, up, over the lip and down the inside to the axis.
+  MeshBuilder builder;
+  builder.lathe({{{1.0, 2.0, 3.0}, rotation(20.0, 30.0, 40.0)},
+                 {{0.0, 0.0}, {0.4, 0.0}, {0.5, 1.0}, {0.4, 1.0}, {0.3, 0.1}, {0.0, 0.1}},
+                 16});
+  const Mesh mesh = builder.take();
+  EXPECT_EQ(open_edges(mesh), 0U);
+  // Frustums over a regular polygon of 16 sides, whose area is 8 r^2 sin(22.5 degrees).
+  const auto frustum = [](double a, double b, double height) {
+    return height / 3.0 * (a * a + b * b + a * b) * 8.0 * std::sin(std::numbers::pi / 8.0);
+  };
+  EXPECT_NEAR(volume(mesh), frustum(0.4, 0.5, 1.0) - frustum(0.3, 0.4, 0.9), 1e-4);
+  expect_normals_agree_with_winding(mesh);
+}
+
+TEST(MeshBuilder, LatheIsSmoothWhereItBendsLittleAndCreasedWhereItBendsMuch) {
+  MeshBuilder builder;
+  builder.lathe({{}, {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.9, 2.0}, {0.0, 2.0}}, 64});
+  const Mesh mesh = builder.take();
+  std::set<int> at_foot, at_bend;  // heights of normals, in hundredths
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    const int lean = static_cast<int>(std::lround(100.0 * mesh.normals[i].y));
+    if (std::abs(glm::length(glm::dvec3(mesh.positions[i]) - glm::dvec3(0, mesh.positions[i].y, 0)) - 1.0) >
+        1e-3)
+      continue;
+    (mesh.positions[i].y == 0.0F ? at_foot : at_bend).insert(lean);
+  }
+  EXPECT_EQ(at_foot, (std::set<int>{-100, 0}));  // the sole and the wall
+  EXPECT_EQ(at_bend, (std::set<int>{5}));        // halfway between 0 and 10
+}
+
+TEST(MeshBuilder, BarIsClosedAlongItsBendsAndHasAboutItsVolume) {
+  MeshBuilder builder;
+  builder.bar({{{0, 0, 0}, {1, 0, 0}, {1.9, 0.3, 0}, {2.5, 1.0, 0.2}}, 0.05, 12});
+  const Mesh mesh = builder.take();
+  EXPECT_EQ(open_edges(mesh), 0U);
+  const double length = 1.0 + std::sqrt(0.9) + std::sqrt(0.36 + 0.49 + 0.04);
+  EXPECT_NEAR(volume(mesh), length * 6.0 * 0.0025 * std::sin(std::numbers::pi / 6.0), 5e-4);
+  expect_normals_agree_with_winding(mesh);
+}
+
+TEST(MeshBuilder, RoundedBoxIsClosedAndAlmostABoxHewnOrNot) {
+  RoundedBox box{{{1.0, 0.0, 2.0}, rotation(30.0, 10.0)}, {2.0, 1.0, 0.5}, 0.05};
+  for (const double hewn : {0.0, 0.04}) {
+    for (std::size_t corner = 0; corner < 8; ++corner) {
+      box.corner_shift[corner] =
+          hewn * glm::dvec3(corner % 2 == 0 ? 1.0 : -1.0, corner % 3 == 0 ? 1.0 : -1.0, 0.5);
+    }
+    MeshBuilder builder;
+    builder.rounded_box(box);
+    const Mesh mesh = builder.take();
+    EXPECT_EQ(mesh.triangle_count(), 108U);
+    EXPECT_EQ(open_edges(mesh), 0U) << hewn;
+    EXPECT_NEAR(volume(mesh), 1.0, 0.12) << hewn;
+    EXPECT_LT(volume(mesh), 1.0) << hewn;
+    expect_normals_agree_with_winding(mesh);
+  }
+}
+
+TEST(MeshBuilder, LeafLooksTowardsAlongCrossAcross) {
+  MeshBuilder builder;
+  builder.leaf({{0, 1, 0}, {0, 0, 1}, {1, 0, 0}, 0.1, 0.05});
+  const Mesh mesh = builder.take();
+  EXPECT_EQ(mesh.triangle_count(), 4U);
+  for (const glm::vec3& normal : mesh.normals) EXPECT_GT(normal.y, 0.9F);
+  expect_normals_agree_with_winding(mesh);
+}
+
+// A texture of one metre lies on the surface at one metre, with u along the longer edge.
+TEST(MeshBuilder, TextureCoordinatesAreMetresAlongTheGrain) {
+  for (const double metres : {1.0, 0.5}) {
+    MeshBuilder builder;
+    builder.use(Material{}, metres);
+    builder.quad({glm::dvec3(0, 0, 0), glm::dvec3(0, 0, 3), glm::dvec3(2, 0, 3), glm::dvec3(2, 0, 0)});
+    builder.tube({{5, 0, 0}, {5, 4, 0}, 0.3, 0.3, 8});
+    const Mesh mesh = builder.take();
+    ASSERT_EQ(mesh.uvs.size(), mesh.positions.size());
+    EXPECT_NEAR(std::abs(mesh.uvs[1].x - mesh.uvs[0].x) * metres, 3.0, 1e-5);
+    EXPECT_NEAR(mesh.uvs[1].y, mesh.uvs[0].y, 1e-6);
+    EXPECT_NEAR(std::abs(mesh.uvs[2].y - mesh.uvs[1].y) * metres, 2.0, 1e-5);
+    EXPECT_NEAR((mesh.uvs[5].x - mesh.uvs[4].x) * metres, 4.0, 1e-5);
+  }
 }
 
 TEST(MeshBuilder, GroundFacesUp) {

@@ -19,6 +19,7 @@ constexpr std::array entries{
     Entry{"slabs", slabs},
     Entry{"colonnade", colonnade},
     Entry{"street", street},
+    Entry{"garden", garden_scene},
 };
 
 }  // namespace

@@ -15,12 +15,14 @@ Scene trees();
 Scene slabs();
 Scene colonnade();
 Scene street();
+Scene garden_scene();
 
 // A deciduous tree: a trunk, three orders of branches, and leaves of 5 to 11 cm about the twigs' ends.
 struct Tree {
   glm::dvec3 foot;
   double height = 6.0;
   int leaves = 5000;
+  bool folded_leaves = false;  // four triangles each, bent along the rib; else a flat kite of two
 };
 void add_tree(MeshBuilder& mesh, const Tree& tree, SeededRandom& random);
 

@@ -24,9 +24,31 @@ std::array<glm::dvec3, 2> frame_across(const glm::dvec3& axis) {
   return {u, glm::cross(axis, u)};
 }
 
+// Texture coordinates on a flat sheet, in metres: u along the longer of its first two edges. Sheets of one
+// plane continue each other; another plane's have another part of the texture.
+struct SheetCoordinates {
+  explicit SheetCoordinates(const std::array<glm::dvec3, 3>& corner)
+      : normal(glm::normalize(glm::cross(corner[1] - corner[0], corner[2] - corner[0]))) {
+    const glm::dvec3 first = corner[1] - corner[0], second = corner[2] - corner[1];
+    u = glm::normalize(glm::length(first) >= glm::length(second) ? first : second);
+    v = glm::cross(normal, u);
+  }
+  glm::dvec2 at(const glm::dvec3& p) const {
+    const double plane = 0.618 * glm::dot(p, normal);
+    return {glm::dot(p, u) + plane, glm::dot(p, v) + plane};
+  }
+  glm::dvec3 normal, u, v;
+};
+
 glm::dvec3 spoke(const std::array<glm::dvec3, 2>& across, int side, int sides) {
   const double angle = 2.0 * std::numbers::pi * side / sides;
   return std::cos(angle) * across[0] + std::sin(angle) * across[1];
+}
+
+// The angle about a tube's axis, there and back again, so that the texture meets itself where the round
+// closes.
+double girth(int side, int sides) {
+  return 2.0 * std::numbers::pi * std::min(side, sides - side) / sides;
 }
 
 }  // namespace
@@ -43,43 +65,53 @@ glm::dmat3 rotation(double yaw_degrees, double pitch_degrees, double roll_degree
   return turn(yaw_degrees, 2, 0) * turn(pitch_degrees, 1, 2) * turn(roll_degrees, 0, 1);
 }
 
-void MeshBuilder::use(const Material& material) {
+void MeshBuilder::use(const Material& material, double metres_per_texture) {
+  metres_per_texture_ = metres_per_texture;
   const auto same_name = [&](const Material& known) { return known.name == material.name; };
   const auto found = std::find_if(materials_.begin(), materials_.end(), same_name);
   material_ = static_cast<std::uint16_t>(found - materials_.begin());
   if (found == materials_.end()) materials_.push_back(material);
 }
 
+int MeshBuilder::add_texture(Texture texture) {
+  textures_.push_back(std::move(texture));
+  return static_cast<int>(textures_.size()) - 1;
+}
+
 void MeshBuilder::move_into(Scene& scene) {
   scene.mesh = std::move(mesh_);
   scene.materials = std::move(materials_);
+  scene.textures = std::move(textures_);
 }
 
-std::uint32_t MeshBuilder::vertex(const glm::dvec3& position, const glm::dvec3& normal) {
+std::uint32_t MeshBuilder::vertex(const glm::dvec3& position, const glm::dvec3& normal,
+                                  const glm::dvec2& uv) {
   mesh_.positions.push_back(rounded(position));
   mesh_.normals.push_back(rounded(normal));
+  const glm::vec3 on_texture = rounded({uv / metres_per_texture_, 0.0});
+  mesh_.uvs.emplace_back(on_texture.x, on_texture.y);
   return static_cast<std::uint32_t>(mesh_.positions.size() - 1);
 }
 
-void MeshBuilder::triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+void MeshBuilder::add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
   mesh_.indices.insert(mesh_.indices.end(), {a, b, c});
   mesh_.triangle_materials.push_back(material_);
 }
 
-void MeshBuilder::flat_triangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-  const glm::dvec3 normal = glm::normalize(glm::cross(b - a, c - a));
-  const std::uint32_t first = vertex(a, normal);
-  vertex(b, normal);
-  vertex(c, normal);
-  triangle(first, first + 1, first + 2);
+void MeshBuilder::triangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+  const SheetCoordinates sheet({a, b, c});
+  const std::uint32_t first = vertex(a, sheet.normal, sheet.at(a));
+  vertex(b, sheet.normal, sheet.at(b));
+  vertex(c, sheet.normal, sheet.at(c));
+  add_triangle(first, first + 1, first + 2);
 }
 
 void MeshBuilder::quad(const std::array<glm::dvec3, 4>& corners) {
-  const glm::dvec3 normal = glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
-  const std::uint32_t first = vertex(corners[0], normal);
-  for (int i = 1; i < 4; ++i) vertex(corners[i], normal);
-  triangle(first, first + 1, first + 2);
-  triangle(first, first + 2, first + 3);
+  const SheetCoordinates sheet({corners[0], corners[1], corners[2]});
+  const std::uint32_t first = vertex(corners[0], sheet.normal, sheet.at(corners[0]));
+  for (int i = 1; i < 4; ++i) vertex(corners[i], sheet.normal, sheet.at(corners[i]));
+  add_triangle(first, first + 1, first + 2);
+  add_triangle(first, first + 2, first + 3);
 }
 
 void MeshBuilder::box(const Pose& pose, const glm::dvec3& size) {
@@ -112,15 +144,16 @@ void MeshBuilder::tube(const Tube& tube) {
   for (int side = 0; side < tube.sides; ++side) {
     const glm::dvec3 out = spoke(across, side, tube.sides);
     const glm::dvec3 normal = glm::normalize(out + lean * axis);
-    vertex(tube.from + tube.radius_from * out, normal);
-    vertex(tube.to + tube.radius_to * out, normal);
+    vertex(tube.from + tube.radius_from * out, normal, {0.0, tube.radius_from * girth(side, tube.sides)});
+    vertex(tube.to + tube.radius_to * out, normal,
+           {glm::length(along), tube.radius_from * girth(side, tube.sides)});
   }
   const auto count = static_cast<std::uint32_t>(2 * tube.sides);
   for (std::uint32_t i = 0; i < count; i += 2) {
     const std::uint32_t low = first + i, high = low + 1;
     const std::uint32_t next_low = first + (i + 2) % count, next_high = next_low + 1;
-    triangle(low, next_low, next_high);
-    triangle(low, next_high, high);
+    add_triangle(low, next_low, next_high);
+    add_triangle(low, next_high, high);
   }
   cap(tube, across, false);
   cap(tube, across, true);
@@ -131,17 +164,15 @@ void MeshBuilder::cap(const Tube& tube, const std::array<glm::dvec3, 2>& across,
   const auto first = static_cast<std::uint32_t>(mesh_.positions.size());
   for (int side = 0; side < tube.sides; ++side) {
     const glm::dvec3 out = spoke(across, side, tube.sides);
-    if (at_end) {
-      vertex(tube.to + tube.radius_to * out, axis);
-    } else {
-      vertex(tube.from + tube.radius_from * out, -axis);
-    }
+    const double radius = at_end ? tube.radius_to : tube.radius_from;
+    const glm::dvec2 uv{radius * glm::dot(out, across[0]), radius * glm::dot(out, across[1])};
+    vertex((at_end ? tube.to : tube.from) + radius * out, at_end ? axis : -axis, uv);
   }
   for (std::uint32_t i = 2; i < static_cast<std::uint32_t>(tube.sides); ++i) {
     if (at_end) {
-      triangle(first, first + i - 1, first + i);
+      add_triangle(first, first + i - 1, first + i);
     } else {
-      triangle(first, first + i, first + i - 1);
+      add_triangle(first, first + i, first + i - 1);
     }
   }
 }
@@ -152,8 +183,8 @@ void MeshBuilder::gable(const Gable& gable) {
   quad({at(-x, 0, -z), at(x, 0, -z), at(x, 0, z), at(-x, 0, z)});
   quad({at(-x, 0, -z), at(-x, 0, z), at(0, y, z), at(0, y, -z)});
   quad({at(x, 0, z), at(x, 0, -z), at(0, y, -z), at(0, y, z)});
-  flat_triangle(at(-x, 0, -z), at(0, y, -z), at(x, 0, -z));
-  flat_triangle(at(x, 0, z), at(0, y, z), at(-x, 0, z));
+  triangle(at(-x, 0, -z), at(0, y, -z), at(x, 0, -z));
+  triangle(at(x, 0, z), at(0, y, z), at(-x, 0, z));
 }
 
 void MeshBuilder::ground(const glm::dvec3& centre, double half_size) {

@@ -4,7 +4,8 @@
 // that is clockwise seen from outside, Unity's front face. Every solid is closed; faces of a box have their
 // own vertices (flat normals), the mantle of a tube shares them (smooth normals).
 //
-// What is drawn has the material in use at that time.
+// What is drawn has the material in use at that time. Texture coordinates lie on the surface at one texture
+// per so many metres; u runs along the grain: a quad's longer edge, a tube's axis.
 //
 // All is computed in double and rounded once, to multiples of 2^-20 (a micrometre), so that the last bits in
 // which mathematics libraries differ do not reach the mesh: the same calls give the same bytes on every
@@ -14,7 +15,9 @@
 #include <array>
 #include <cstdint>
 #include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <vector>
 
 #include "scene/scene.h"
 
@@ -43,33 +46,83 @@ struct Gable {
   glm::dvec3 size;
 };
 
+// A surface of revolution about the pose's Y axis. The profile holds (radius, height) pairs and has its
+// outside on its right as it climbs: from the axis out, up and, for a vessel, down its inside to the axis
+// again. It is smooth where it bends by less than 50 degrees.
+struct Lathe {
+  Pose pose;  // centre is where (0, 0) of the profile goes
+  std::vector<std::array<double, 2>> profile;
+  int sides = 24;
+};
+
+// A round bar along a bent line, closed by flat ends.
+struct Bar {
+  std::vector<glm::dvec3> path;  // at least two points
+  double radius;
+  int sides = 8;
+};
+
+// A box with rounded edges whose eight corners may be moved, as of hewn stone: corner_shift's index has bit 0
+// for +x, bit 1 for +y, bit 2 for +z. Twice the radius is less than every side.
+struct RoundedBox {
+  Pose pose;
+  glm::dvec3 size;
+  double radius;
+  std::array<glm::dvec3, 8> corner_shift{};
+};
+
+// A leaf or petal, folded along its midrib; one sheet of four triangles. Its upper side looks towards
+// cross(along, across).
+struct Leaf {
+  glm::dvec3 stalk;
+  glm::dvec3 along;   // unit, from the stalk to the tip
+  glm::dvec3 across;  // unit, at a right angle to it
+  double length;
+  double width;
+  double fold_degrees = 25.0;  // by which each half is turned up
+};
+
 class MeshBuilder {
  public:
   // The surface of all that follows, until the next. One material of a name is kept, the first. Before the
   // first call it is Material's default.
-  void use(const Material& material);
+  // metres_per_texture: the length of an edge of its textures.
+  void use(const Material& material, double metres_per_texture = 1.0);
+  // Adds a texture for materials to name; returns its index.
+  int add_texture(Texture texture);
 
-  // A flat quadrilateral, two triangles; corners in winding order. The only shape here that is not closed.
+  // A flat quadrilateral, two triangles; corners in winding order. Not closed.
   void quad(const std::array<glm::dvec3, 4>& corners);
   void box(const Pose& pose, const glm::dvec3& size);
   void standing_box(const glm::dvec3& base_centre, const glm::dvec3& size, double yaw_degrees = 0.0);
   void tube(const Tube& tube);
   void gable(const Gable& gable);
+  void lathe(const Lathe& lathe);
+  void bar(const Bar& bar);
+  void rounded_box(const RoundedBox& box);
+  void leaf(const Leaf& leaf);                                                   // not closed
+  void triangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);  // flat, not closed
   // Horizontal square at y = 0.
   void ground(const glm::dvec3& centre, double half_size);
 
   Mesh take() { return std::move(mesh_); }
-  void move_into(Scene& scene);  // the mesh and its materials
+  void move_into(Scene& scene);  // the mesh, its materials and textures
 
  private:
-  std::uint32_t vertex(const glm::dvec3& position, const glm::dvec3& normal);
-  void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
-  void flat_triangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
+  struct Ring;  // of a lathe or a bar
+
+  // uv in metres on the surface.
+  std::uint32_t vertex(const glm::dvec3& position, const glm::dvec3& normal, const glm::dvec2& uv);
+  void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
+  void join(const Ring& low, const Ring& high, int sides);
+  void rounded_face(const RoundedBox& box, int axis, double sign);
   void cap(const Tube& tube, const std::array<glm::dvec3, 2>& across, bool at_end);
 
   Mesh mesh_;
   std::vector<Material> materials_{Material{}};
+  std::vector<Texture> textures_;
   std::uint16_t material_ = 0;
+  double metres_per_texture_ = 1.0;
 };
 
 }  // namespace penumbra::scene

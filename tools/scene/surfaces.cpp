@@ -57,7 +57,7 @@ Material bark() {
   return made({"bark", {0.16F, 0.12F, 0.085F}}, 0.95F);
 }
 Material galvanised_steel() {
-  return made({"galvanised steel", {0.46F, 0.47F, 0.48F}}, 0.4F);
+  return made({"galvanised steel", {0.30F, 0.31F, 0.32F}}, 0.4F);
 }
 Material painted_iron() {
   return made({"painted iron", {0.05F, 0.075F, 0.065F}}, 0.45F);

@@ -1,5 +1,4 @@
 // Clumps of thousands of leaves: many small blockers at many heights over one receiver, sunlit gaps between.
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -59,14 +58,33 @@ void grow(MeshBuilder& mesh, const Branch& branch, SeededRandom& random, std::ve
   }
 }
 
-void add_clump(MeshBuilder& mesh, const glm::dvec3& centre, const std::array<double, 2>& radius_and_count,
-               SeededRandom& random) {
-  for (int i = 0; i < static_cast<int>(radius_and_count[1]); ++i) {
+// Leaves turn their upper side to the sky, each its own way.
+void add_folded_leaf(MeshBuilder& mesh, const glm::dvec3& stalk, SeededRandom& random) {
+  const double length = random.between(0.05, 0.11);
+  const glm::dvec3 along = glm::normalize(random_direction(random) + glm::dvec3(0.0, -0.3, 0.0));
+  glm::dvec3 across = glm::cross(glm::dvec3(0.0, 1.0, 0.0) + 0.8 * random_direction(random), along);
+  while (glm::length(across) < 0.1) across = glm::cross(random_direction(random), along);
+  mesh.leaf({stalk, along, glm::normalize(across), length, 0.56 * length});
+}
+
+struct Clump {
+  glm::dvec3 centre;
+  double radius;
+  int leaves;
+  bool folded = false;
+};
+
+void add_clump(MeshBuilder& mesh, const Clump& clump, SeededRandom& random) {
+  for (int i = 0; i < clump.leaves; ++i) {
     mesh.use(surfaces::leaf(i));
-    const double distance = radius_and_count[0] * std::cbrt(random.between(0.0, 1.0));
-    glm::dvec3 stalk = centre + distance * random_direction(random);
+    const double distance = clump.radius * std::cbrt(random.between(0.0, 1.0));
+    glm::dvec3 stalk = clump.centre + distance * random_direction(random);
     stalk.y = std::max(stalk.y, 0.12);  // a leaf reaches at most 11 cm down: it stays above the ground
-    add_leaf(mesh, stalk, random);
+    if (clump.folded) {
+      add_folded_leaf(mesh, stalk, random);
+    } else {
+      add_leaf(mesh, stalk, random);
+    }
   }
 }
 
@@ -77,8 +95,10 @@ void add_tree(MeshBuilder& mesh, const Tree& tree, SeededRandom& random) {
   mesh.use(surfaces::bark());
   const double trunk = 0.42 * tree.height;
   grow(mesh, {tree.foot, {0, 1, 0}, trunk, 0.035 * tree.height, 0}, random, twigs);
-  const double per_twig = static_cast<double>(tree.leaves) / static_cast<double>(twigs.size());
-  for (const glm::dvec3& twig : twigs) add_clump(mesh, twig, {0.07 * tree.height, per_twig}, random);
+  const int per_twig = tree.leaves / static_cast<int>(twigs.size());
+  for (const glm::dvec3& twig : twigs) {
+    add_clump(mesh, {twig, 0.07 * tree.height, per_twig, tree.folded_leaves}, random);
+  }
 }
 
 Scene trees() {
@@ -94,7 +114,7 @@ Scene trees() {
   add_tree(mesh, {{-8.0, 0.0, 32.0}, 8.0, 10000}, random);
   // Bushes: clumps that reach the ground.
   for (int i = 0; i < 8; ++i) {
-    add_clump(mesh, {-1.6 + 0.9 * (i % 3) + 0.8 * i, 0.45, 3.2 + 4.0 * i}, {0.5, 500}, random);
+    add_clump(mesh, {{-1.6 + 0.9 * (i % 3) + 0.8 * i, 0.45, 3.2 + 4.0 * i}, 0.5, 500}, random);
   }
   Scene scene;
   scene.description = "six trees and eight bushes, 67,000 leaves of 5 to 11 cm";
