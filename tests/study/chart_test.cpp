@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <regex>
 
 #include "input/input_error.h"
 #include "study/chart_labels.h"
@@ -14,6 +15,7 @@
 namespace penumbra::study {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -119,9 +121,58 @@ TEST(Chart, AMissingGnuplotIsSaidWithTheWayOut) {
   EXPECT_THAT(message, HasSubstr("apt-get install gnuplot-nox"));
 }
 
-TEST(InlineSvg, LeavesTheProlog) {
-  EXPECT_EQ(inline_svg("<?xml version=\"1.0\"?>\n<svg a=\"b\"></svg>\n"), "<svg a=\"b\"></svg>\n");
-  EXPECT_THROW(inline_svg("<html></html>"), std::invalid_argument);
+TEST(PagePanels, HaveOneDrawingEachWithThePagesOwnColours) {
+  const std::vector<DrawnPanel> panels = render_panels(fetches_chart(synthetic::results()));
+  ASSERT_EQ(panels.size(), 2U);
+  EXPECT_EQ(panels[1].title, "2° light");
+  for (const DrawnPanel& panel : panels) {
+    EXPECT_EQ(panel.svg.rfind("<svg", 0), 0U);
+    EXPECT_EQ(xml_fault(panel.svg), "");
+    EXPECT_THAT(panel.svg, Not(HasSubstr("<title>")));
+    EXPECT_THAT(panel.svg, Not(HasSubstr("2° light"))) << "the page writes the title";
+    for (const char* name : {"ground", "tick", "axis", "grid", "point", "front", "step"}) {
+      EXPECT_THAT(panel.svg, HasSubstr("var(--chart-" + std::string(name) + ")"));
+    }
+  }
+  EXPECT_THAT(panels[0].svg, HasSubstr("fetches-0-gpDot"));
+  EXPECT_THAT(panels[1].svg, HasSubstr("fetches-1-gpDot")) << "ids of one page differ";
+}
+
+TEST(PagePanels, PointsLieWhereGnuplotDrewThem) {
+  const std::vector<DrawnPanel> panels = render_panels(fetches_chart(synthetic::results()));
+  for (const DrawnPanel& panel : panels) {
+    ASSERT_EQ(panel.points.size(), 4U);
+    for (const DrawnPoint& point : panel.points) {
+      EXPECT_TRUE(point.on_front);
+      EXPECT_GT(point.x, 0.0);
+      EXPECT_LT(point.x, panel.width);
+      EXPECT_GT(point.y, 0.0);
+      EXPECT_LT(point.y, panel.height);
+      // Within half a pixel: gnuplot writes hundredths.
+      const std::regex drawn("translate\\(([0-9.]+),([0-9.]+)\\) scale");
+      bool found = false;
+      for (auto match = std::sregex_iterator(panel.svg.begin(), panel.svg.end(), drawn);
+           match != std::sregex_iterator(); ++match) {
+        found = found || (std::abs(std::stod((*match)[1]) - point.x) < 0.5 &&
+                          std::abs(std::stod((*match)[2]) - point.y) < 0.5);
+      }
+      EXPECT_TRUE(found) << point.x << " " << point.y;
+    }
+  }
+}
+
+TEST(PagePanels, OnlyTheFrontIsLabelledWhereThereIsOne) {
+  Chart chart = small_chart();
+  chart.panels = {{"one light", {{"good", 1.0, 0.1}, {"bad", 2.0, 0.2}}, {0}}};
+  EXPECT_THAT(render_panels(chart)[0].svg, AllOf(HasSubstr(">good<"), Not(HasSubstr(">bad<"))));
+  chart.panels[0].front.clear();
+  EXPECT_THAT(render_panels(chart)[0].svg, AllOf(HasSubstr(">good<"), HasSubstr(">bad<")));
+}
+
+TEST(ParetoCharts, APointSaysItsFiguresAndHowManyScenesItIsAMeanOf) {
+  const Chart chart = fetches_chart(synthetic::results());
+  EXPECT_EQ(chart.panels[0].points[0].note,
+            "0.27 ± 0.13 penumbra RMSE\n1.0 ± 1.6 fetches per pixel\nmean of 2 scenes");
 }
 
 TEST(Labels, StayInTheFrameAndOffEachOther) {

@@ -84,6 +84,7 @@ Results results() {
 PictureRow picture_row(const std::string& scene, const std::string& technique) {
   constexpr std::size_t kWidth = 48;
   constexpr std::size_t kHeight = 24;
+  const float edge = technique == "bilinear" ? 4.0F : 8.0F;  // pixels from 0 to 1
   std::vector<std::uint8_t> valid(kWidth * kHeight, 1);
   std::vector<float> reference(valid.size());
   std::vector<float> result(valid.size());
@@ -91,7 +92,7 @@ PictureRow picture_row(const std::string& scene, const std::string& technique) {
   for (std::size_t i = 0; i < valid.size(); ++i) {
     const auto x = static_cast<float>(i % kWidth);
     reference[i] = std::clamp((x - 16.0F) / 16.0F, 0.0F, 1.0F);
-    result[i] = std::clamp((x - 20.0F) / 8.0F, 0.0F, 1.0F);
+    result[i] = std::clamp((x - 20.0F) / edge, 0.0F, 1.0F);
     fetches[i] = x > 12.0F && x < 36.0F ? 40U : 4U;
     if (i < kWidth * 4) valid[i] = 0;  // sky
   }
@@ -101,6 +102,7 @@ PictureRow picture_row(const std::string& scene, const std::string& technique) {
   row.result = visibility_picture(grid, result);
   row.error = error_picture(grid, result, reference, row.error_scale);
   row.fetches = fetch_picture(grid, fetches, row.fetch_scale);
+  row.fetch_counts = count_picture(grid, fetches);
   return row;
 }
 
@@ -108,7 +110,11 @@ ReportContent report_content() {
   ReportContent content;
   content.results = results();
   content.charts = report_charts(content.results);
-  content.pictures.push_back(picture_row("boxes", "pcss-24-16"));
+  for (const char* scene : {"boxes", "fence"}) {
+    for (const char* technique : {"bilinear", "pcss-24-16"}) {
+      content.pictures.push_back(picture_row(scene, technique));
+    }
+  }
   return content;
 }
 

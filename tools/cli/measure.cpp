@@ -102,7 +102,7 @@ void write_report(const std::filesystem::path& folder, const study::Results& res
   content.charts = study::report_charts(results);
   content.pictures = std::move(pictures);
   for (const study::ReportChart& chart : content.charts) {
-    platform::write_file_atomically(folder / (chart.name + ".svg"), chart.svg);
+    platform::write_file_atomically(folder / (chart.chart.name + ".svg"), chart.svg);
   }
   make_folder(folder / "pictures");
   for (const study::PictureRow& row : content.pictures) {

@@ -14,16 +14,42 @@
 namespace penumbra::study {
 namespace {
 
-constexpr double kWidth = 820.0;
-constexpr double kPanelHeight = 340.0;
-constexpr double kTitleHeight = 40.0;
 constexpr double kFont = 13.0;
-// Pixels between a panel's edge and its axes. They are fixed, not gnuplot's choice, so that labels can be
-// placed in pixels beforehand.
-constexpr double kLeft = 82.0;
-constexpr double kRight = 20.0;
-constexpr double kTop = 30.0;
-constexpr double kBottom = 56.0;
+
+// Sizes in pixels. The distances between a panel's edge and its axes are fixed, not gnuplot's choice, so that
+// labels can be placed in pixels beforehand.
+struct Layout {
+  double width = 820.0;
+  double panel_height = 340.0;
+  double title_height = 40.0;  // of the chart; 0: without its title and those of its panels
+  double left = 82.0;
+  double right = 20.0;
+  double top = 30.0;
+  double bottom = 56.0;
+  bool front_labels_only = false;
+};
+
+constexpr Layout kFile{};
+constexpr Layout kPage{380.0, 310.0, 0.0, 58.0, 10.0, 10.0, 50.0, true};
+
+namespace ink {
+constexpr std::string_view kGround = "#fcfcfb";
+constexpr std::string_view kTitle = "#1b1d21";
+constexpr std::string_view kTick = "#33363b";
+constexpr std::string_view kAxis = "#6b6f76";
+constexpr std::string_view kGrid = "#e3e4e6";
+constexpr std::string_view kPoint = "#8a8d93";
+constexpr std::string_view kOther = "#55585e";
+constexpr std::string_view kLeader = "#9a9da3";
+constexpr std::string_view kFront = "#0b4f8a";
+constexpr std::string_view kStep = "#7fb2de";
+}  // namespace ink
+
+// What a page calls each ink.
+constexpr std::pair<std::string_view, std::string_view> kVariables[] = {
+    {ink::kGround, "ground"}, {ink::kTitle, "ink"},   {ink::kTick, "tick"},  {ink::kAxis, "axis"},
+    {ink::kGrid, "grid"},     {ink::kPoint, "point"}, {ink::kOther, "tick"}, {ink::kLeader, "axis"},
+    {ink::kFront, "front"},   {ink::kStep, "step"}};
 
 struct Axis {
   double from = 0.0;
@@ -82,17 +108,25 @@ std::string gnuplot_string(std::string_view text) {
   return result + "'";
 }
 
+bool is_on_front(const ChartPanel& panel, std::size_t point) {
+  return std::find(panel.front.begin(), panel.front.end(), point) != panel.front.end();
+}
+
 class Script {
  public:
-  explicit Script(const Chart& chart) : chart_(chart), axes_(axes_of(chart)) {
-    height_ = kTitleHeight + kPanelHeight * static_cast<double>(chart.panels.size());
+  Script(const Chart& chart, const Axes& axes, const Layout& layout)
+      : chart_(chart), axes_(axes), layout_(layout) {
+    height_ = layout.title_height + layout.panel_height * static_cast<double>(chart.panels.size());
     text_ += fmt::format(
         "set encoding utf8\n"
-        "set terminal svg size {},{} dynamic noenhanced font 'sans-serif,{}' background '#fcfcfb'\n"
-        "set multiplot\nset border 3 linecolor '#6b6f76'\nset tics nomirror textcolor '#33363b' scale 0.6\n"
-        "set grid linecolor '#e3e4e6' linewidth 1\nunset key\n"
-        "set label 9999 {} at screen {:.5f},{:.5f} center textcolor '#1b1d21' font ',16'\n",
-        kWidth, height_, kFont, gnuplot_string(chart.title), 0.5, 1.0 - kTitleHeight / 2.0 / height_);
+        "set terminal svg size {},{} dynamic noenhanced font 'sans-serif,{}' background '{}'\n"
+        "set multiplot\nset border 3 linecolor '{}'\nset tics nomirror textcolor '{}' scale 0.6\n"
+        "set grid linecolor '{}' linewidth 1\nunset key\n",
+        layout.width, height_, kFont, ink::kGround, ink::kAxis, ink::kTick, ink::kGrid);
+    if (!has_titles()) return;
+    text_ +=
+        fmt::format("set label 9999 {} at screen {:.5f},{:.5f} center textcolor '{}' font ',16'\n",
+                    gnuplot_string(chart.title), 0.5, 1.0 - layout.title_height / 2.0 / height_, ink::kTitle);
   }
 
   std::string draw() {
@@ -100,33 +134,43 @@ class Script {
     return text_ + "unset multiplot\n";
   }
 
- private:
-  double screen_x(double pixels) const { return pixels / kWidth; }
-  double screen_y(double pixels) const { return 1.0 - pixels / height_; }
-
-  void draw_panel(std::size_t index) {
-    const ChartPanel& panel = chart_.panels[index];
-    const double top = kTitleHeight + kPanelHeight * static_cast<double>(index);
-    const Box frame{kLeft, top + kTop, kWidth - kRight, top + kPanelHeight - kBottom};
-    text_ += fmt::format(
-        "set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\n"
-        "set tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n",
-        screen_x(frame.left), screen_x(frame.right), screen_y(frame.top), screen_y(frame.bottom));
-    text_ += fmt::format(
-        "set title {} offset 0,-0.6 textcolor '#1b1d21'\nset xlabel {} offset 0,0.4 textcolor '#33363b'\n"
-        "set ylabel {} offset 1.5,0 textcolor '#33363b'\n{}set xrange [{:.9g}:{:.9g}]\nset yrange "
-        "[{:.9g}:{:.9g}]\n",
-        gnuplot_string(panel.title), gnuplot_string(chart_.x_label), gnuplot_string(chart_.y_label),
-        axes_.x.logarithmic ? "set logscale x\n" : "", axes_.x.from, axes_.x.to, axes_.y.from, axes_.y.to);
-    add_labels(panel, frame);
-    add_data(panel);
-    // Labels and leader lines belong to one panel only.
-    text_ += "unset label\nunset arrow\n";
+  Box frame(std::size_t panel) const {
+    const double top = layout_.title_height + layout_.panel_height * static_cast<double>(panel);
+    return {layout_.left, top + layout_.top, layout_.width - layout_.right,
+            top + layout_.panel_height - layout_.bottom};
   }
 
   Spot spot(const ChartPoint& point, const Box& frame) const {
     return {std::lerp(frame.left, frame.right, axes_.x.share(point.x)),
             std::lerp(frame.bottom, frame.top, axes_.y.share(point.y))};
+  }
+
+ private:
+  bool has_titles() const { return layout_.title_height > 0.0; }
+  double screen_x(double pixels) const { return pixels / layout_.width; }
+  double screen_y(double pixels) const { return 1.0 - pixels / height_; }
+
+  void draw_panel(std::size_t index) {
+    const ChartPanel& panel = chart_.panels[index];
+    const Box frame = this->frame(index);
+    text_ += fmt::format(
+        "set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\n"
+        "set tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n",
+        screen_x(frame.left), screen_x(frame.right), screen_y(frame.top), screen_y(frame.bottom));
+    if (has_titles()) {
+      text_ += fmt::format("set title {} offset 0,-0.6 textcolor '{}'\n", gnuplot_string(panel.title),
+                           ink::kTitle);
+    }
+    text_ += fmt::format(
+        "set xlabel {} offset 0,0.4 textcolor '{}'\n"
+        "set ylabel {} offset 1.5,0 textcolor '{}'\n{}set xrange [{:.9g}:{:.9g}]\nset yrange "
+        "[{:.9g}:{:.9g}]\n",
+        gnuplot_string(chart_.x_label), ink::kTick, gnuplot_string(chart_.y_label), ink::kTick,
+        axes_.x.logarithmic ? "set logscale x\n" : "", axes_.x.from, axes_.x.to, axes_.y.from, axes_.y.to);
+    add_labels(panel, frame);
+    add_data(panel);
+    // Labels and leader lines belong to one panel only.
+    text_ += "unset label\nunset arrow\n";
   }
 
   // What labels should keep off: the points, and the steps of the front (across first, then down).
@@ -155,10 +199,11 @@ class Script {
     std::vector<bool> on_front;
     for (std::size_t i = 0; i < panel.points.size(); ++i) {
       const ChartPoint& point = panel.points[i];
-      if (!is_drawn(chart_, point)) continue;
+      const bool front = is_on_front(panel, i);
+      if (!is_drawn(chart_, point) || (layout_.front_labels_only && !front && !panel.front.empty())) continue;
       const Spot at = spot(point, frame);
       requests.push_back({at.x, at.y, point.label});
-      on_front.push_back(std::find(panel.front.begin(), panel.front.end(), i) != panel.front.end());
+      on_front.push_back(front);
     }
     const std::vector<PlacedLabel> labels =
         place_labels(requests, obstacles(panel, frame), frame, kFont - 1.0);
@@ -168,14 +213,14 @@ class Script {
       const double y = (box.top + box.bottom) / 2.0;
       text_ += fmt::format("set label {} at screen {:.5f},{:.5f} center front font ',{}' textcolor '{}'\n",
                            gnuplot_string(requests[i].text), screen_x(x), screen_y(y), kFont - 1.0,
-                           on_front[i] ? "#0b4f8a" : "#55585e");
+                           on_front[i] ? ink::kFront : ink::kOther);
       if (!labels[i].needs_line) continue;
       const double end_x = std::clamp(requests[i].x, box.left, box.right);
       const double end_y = std::clamp(requests[i].y, box.top, box.bottom);
       text_ += fmt::format(
-          "set arrow from screen {:.5f},{:.5f} to screen {:.5f},{:.5f} nohead linecolor '#9a9da3' linewidth "
+          "set arrow from screen {:.5f},{:.5f} to screen {:.5f},{:.5f} nohead linecolor '{}' linewidth "
           "0.7\n",
-          screen_x(requests[i].x), screen_y(requests[i].y), screen_x(end_x), screen_y(end_y));
+          screen_x(requests[i].x), screen_y(requests[i].y), screen_x(end_x), screen_y(end_y), ink::kLeader);
     }
   }
 
@@ -191,18 +236,21 @@ class Script {
     }
     if (all.empty()) all = "NaN NaN\n";
     text_ += "$all << END_OF_POINTS\n" + all + "END_OF_POINTS\n";
-    std::string plot = "plot $all with points pointtype 6 pointsize 0.6 linecolor '#8a8d93'";
+    std::string plot =
+        fmt::format("plot $all with points pointtype 6 pointsize 0.6 linecolor '{}'", ink::kPoint);
     if (!front.empty()) {
       text_ += "$front << END_OF_POINTS\n" + front + "END_OF_POINTS\n";
-      plot +=
-          ", $front with steps linecolor '#7fb2de' linewidth 1.5"
-          ", $front with points pointtype 7 pointsize 0.7 linecolor '#0b4f8a'";
+      plot += fmt::format(
+          ", $front with steps linecolor '{}' linewidth 1.5"
+          ", $front with points pointtype 7 pointsize 0.7 linecolor '{}'",
+          ink::kStep, ink::kFront);
     }
     text_ += plot + "\n";
   }
 
   const Chart& chart_;
   Axes axes_;
+  Layout layout_;
   double height_ = 0.0;
   std::string text_;
 };
@@ -234,14 +282,7 @@ std::string make_own(std::string svg, const Chart& chart) {
   return svg;
 }
 
-}  // namespace
-
-std::string render_svg(const Chart& chart) {
-  const auto named = [](char c) { return c == '-' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z'); };
-  if (chart.name.empty() || !std::all_of(chart.name.begin(), chart.name.end(), named)) {
-    throw std::invalid_argument("a chart's name is lower-case letters, digits and '-'");
-  }
-  const std::string script = Script(chart).draw();
+std::string run_gnuplot(const std::string& script, const Chart& chart) {
   if (!platform::find_program("gnuplot")) {
     throw EnvironmentError(
         "gnuplot is needed to draw charts and is not installed\n  apt-get install gnuplot-nox");
@@ -256,10 +297,73 @@ std::string render_svg(const Chart& chart) {
   return make_own(result.output, chart);
 }
 
-std::string inline_svg(const std::string& svg) {
-  const std::size_t start = svg.find("<svg");
-  if (start == std::string::npos) throw std::invalid_argument("no SVG element");
-  return svg.substr(start);
+void check_name(const Chart& chart) {
+  const auto named = [](char c) { return c == '-' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z'); };
+  if (chart.name.empty() || !std::all_of(chart.name.begin(), chart.name.end(), named)) {
+    throw std::invalid_argument("a chart's name is lower-case letters, digits and '-'");
+  }
+}
+
+// gnuplot writes a colour as #rrggbb, as rgb(r,g,b) and as rgb(r, g, b) with each number three wide.
+void colour_by_variables(std::string& svg) {
+  for (const auto& [hex, name] : kVariables) {
+    const auto part = [&](std::size_t at) { return std::stoi(std::string(hex.substr(at, 2)), nullptr, 16); };
+    std::string upper(hex);
+    std::transform(upper.begin(), upper.end(), upper.begin(),
+                   [](char c) { return c >= 'a' && c <= 'f' ? static_cast<char>(c - 'a' + 'A') : c; });
+    const std::string variable = "var(--chart-" + std::string(name) + ")";
+    for (const std::string& written :
+         {std::string(hex), upper, fmt::format("rgb({},{},{})", part(1), part(3), part(5)),
+          fmt::format("rgb({:3}, {:3}, {:3})", part(1), part(3), part(5))}) {
+      replace_all(svg, written, variable);
+    }
+  }
+}
+
+// Titles of gnuplot's own would show when a pointer rests on the chart, in place of what the page says there.
+void remove_titles(std::string& svg) {
+  for (std::size_t at = svg.find("<title>"); at != std::string::npos; at = svg.find("<title>", at)) {
+    const std::size_t end = svg.find("</title>", at);
+    svg.erase(at, end == std::string::npos ? std::string::npos : end + 8 - at);
+  }
+}
+
+// The SVG element alone, without the XML prolog a file needs and a page must not have.
+std::string for_page(std::string svg) {
+  svg.erase(0, svg.find("<svg"));
+  colour_by_variables(svg);
+  remove_titles(svg);
+  return svg;
+}
+
+}  // namespace
+
+std::string render_svg(const Chart& chart) {
+  check_name(chart);
+  return run_gnuplot(Script(chart, axes_of(chart), kFile).draw(), chart);
+}
+
+std::vector<DrawnPanel> render_panels(const Chart& chart) {
+  check_name(chart);
+  const Axes axes = axes_of(chart);
+  std::vector<DrawnPanel> drawn;
+  for (const ChartPanel& panel : chart.panels) {
+    Chart alone = chart;
+    alone.name += "-" + std::to_string(drawn.size());
+    alone.panels = {panel};
+    Script script(alone, axes, kPage);
+    DrawnPanel& page = drawn.emplace_back();
+    page.title = panel.title;
+    page.width = static_cast<int>(kPage.width);
+    page.height = static_cast<int>(kPage.panel_height);
+    page.svg = for_page(run_gnuplot(script.draw(), alone));
+    for (std::size_t i = 0; i < panel.points.size(); ++i) {
+      if (!is_drawn(chart, panel.points[i])) continue;
+      const Spot at = script.spot(panel.points[i], script.frame(0));
+      page.points.push_back({i, at.x, at.y, is_on_front(panel, i)});
+    }
+  }
+  return drawn;
 }
 
 }  // namespace penumbra::study

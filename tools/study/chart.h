@@ -10,6 +10,8 @@ struct ChartPoint {
   std::string label;
   double x = 0.0;
   double y = 0.0;
+  std::string
+      note{};  // what a page says of it beside the label: figures with units, and what they are means of
 };
 
 struct ChartPanel {
@@ -33,7 +35,28 @@ struct Chart {
 // over 20 s, and std::invalid_argument when no panel has a point to draw.
 std::string render_svg(const Chart& chart);
 
-// The SVG element alone, without the XML prolog a file needs and a page must not have.
-std::string inline_svg(const std::string& svg);
+// Where a point lies in its panel's drawing, in pixels from the left upper corner.
+struct DrawnPoint {
+  std::size_t index = 0;  // in ChartPanel::points
+  double x = 0.0;
+  double y = 0.0;
+  bool on_front = false;
+};
+
+// One panel for a page: it sets the title itself, and its colours are the page's CSS variables
+// --chart-ground,
+// --chart-ink, --chart-tick, --chart-axis, --chart-grid, --chart-point, --chart-front and --chart-step.
+struct DrawnPanel {
+  std::string title;
+  std::string svg;  // the element alone, without XML prolog and without <title>
+  int width = 0;
+  int height = 0;
+  std::vector<DrawnPoint> points;
+};
+
+// Each panel as a drawing narrow enough for a telephone, all with the same axes. Labels stand at the points
+// of the front alone (at all of them where there is no front): a page names the others when they are pointed
+// at. Same chart, same bytes; throws as render_svg does.
+std::vector<DrawnPanel> render_panels(const Chart& chart);
 
 }  // namespace penumbra::study

@@ -78,6 +78,18 @@ Picture fetch_picture(const PixelGrid& grid, std::span<const std::uint32_t> fetc
   return paint(grid, fetches.size(), [&](std::size_t i) { return fetch_colour(fetches[i] / full_scale); });
 }
 
+Picture count_picture(const PixelGrid& grid, std::span<const std::uint32_t> counts) {
+  if (grid.valid.size() != counts.size())
+    throw std::invalid_argument("the images of a picture differ in size");
+  Picture picture{grid.width, grid.height, 1, {}};
+  picture.samples.reserve(counts.size());
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const std::uint32_t count = grid.valid[i] == 0 ? 0U : std::min(counts[i], 255U);
+    picture.samples.push_back(static_cast<std::uint8_t>(count));
+  }
+  return picture;
+}
+
 Picture colour_picture(int width, int height, std::span<const glm::vec3> colours) {
   if (colours.size() != static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
     throw std::invalid_argument("the colours are not those of a picture of this size");

@@ -40,6 +40,9 @@ Picture error_picture(const PixelGrid& grid, std::span<const float> result, std:
                       double full_scale);
 Picture fetch_picture(const PixelGrid& grid, std::span<const std::uint32_t> fetches, double full_scale);
 
+// Grey: each count as it is, 255 for larger ones and 0 where there is no receiver.
+Picture count_picture(const PixelGrid& grid, std::span<const std::uint32_t> counts);
+
 // Colours in [0, 1], row 0 at the top, as they are.
 Picture colour_picture(int width, int height, std::span<const glm::vec3> colours);
 

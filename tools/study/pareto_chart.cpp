@@ -15,6 +15,15 @@ std::optional<double> price_of(const SummaryLine& line, Cost cost) {
   return line.fetches ? std::optional(line.fetches->value) : std::nullopt;
 }
 
+// What a page says of a point.
+std::string note(const Results& results, const SummaryLine& line, Cost cost) {
+  const std::string price = cost == Cost::time
+                                ? fmt::format("{:.3g} ms, {}", line.time_ms.value_or(0.0), time_kind(results))
+                                : fetches_text(line.fetches) + " fetches per pixel";
+  return fmt::format("{} penumbra RMSE\n{}\nmean of {} scene{}", figure_text(line.rmse_penumbra), price,
+                     line.scenes, line.scenes == 1 ? "" : "s");
+}
+
 ChartPanel panel_of(const Results& results, double light_degrees, Cost cost) {
   ChartPanel panel;
   panel.title = fmt::format("{}° light", light_degrees);
@@ -22,7 +31,7 @@ ChartPanel panel_of(const Results& results, double light_degrees, Cost cost) {
   for (const SummaryLine& line : summarise(results)) {
     const std::optional<double> price = price_of(line, cost);
     if (line.light_degrees != light_degrees || !line.complete || !price || !line.rmse_penumbra) continue;
-    panel.points.push_back({line.choice.label, *price, line.rmse_penumbra->value});
+    panel.points.push_back({line.choice.label, *price, line.rmse_penumbra->value, note(results, line, cost)});
     points.push_back({*price, line.rmse_penumbra->value});
   }
   if (cost == Cost::fetches || !results.is_software) panel.front = pareto_front(points);

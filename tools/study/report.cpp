@@ -5,11 +5,10 @@
 #include <algorithm>
 #include <tuple>
 
-#include "study/chart.h"
-#include "study/colour_map.h"
 #include "study/html_text.h"
-#include "study/pareto_chart.h"
-#include "study/report_style.h"
+#include "study/report_assets.h"
+#include "study/report_charts.h"
+#include "study/report_pictures.h"
 #include "study/report_table.h"
 #include "study/report_words.h"
 #include "study/summary.h"
@@ -17,8 +16,23 @@
 namespace penumbra::study {
 namespace {
 
-std::string section(const std::string& title, const std::string& body) {
-  return body.empty() ? "" : "<section>\n<h2>" + title + "</h2>\n" + body + "</section>\n";
+struct Section {
+  std::string id;
+  std::string title;
+  std::string body;  // empty: the section is left out
+};
+
+std::string section_html(const Section& section) {
+  return "<section id=\"" + section.id + "\">\n<h2>" + section.title + "</h2>\n" + section.body +
+         "</section>\n";
+}
+
+std::string navigation(const std::vector<Section>& sections) {
+  std::string html;
+  for (const Section& section : sections) {
+    html += "<a href=\"#" + section.id + "\">" + section.title + "</a>\n";
+  }
+  return "<nav aria-label=\"Sections\">\n" + html + "</nav>\n";
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -27,16 +41,20 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
+std::string plural(std::size_t count, const char* word) {
+  return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
+}
+
 std::string introduction(const Results& results) {
   std::vector<std::string> lights;
   for (const double degrees : light_sizes(results)) lights.push_back(fmt::format("{}°", degrees));
+  const std::vector<std::string> scenes = scene_names(results);
   return fmt::format(
       "<h1>Penumbra: measured soft shadows</h1>\n"
-      "<p>{} techniques, run from the library's real shader files, against ray tracing: {} scenes ({}), "
-      "lights of "
-      "{}. Error is that of visibility, from 0 (hidden) to 1 (lit).</p>\n",
-      choices(results).size(), scene_names(results).size(), escape_html(joined(scene_names(results))),
-      joined(lights));
+      "<p class=\"lead\">{}, each from its real shader file, against ray tracing in {} ({}) under "
+      "lights of {}. Errors are those of visibility, from 0 (hidden) to 1 (lit).</p>\n",
+      plural(choices(results).size(), "technique"), plural(scenes.size(), "scene"),
+      escape_html(joined(scenes)), joined(lights));
 }
 
 std::string findings(const Results& results) {
@@ -71,55 +89,9 @@ std::string machine(const Results& results) {
                                : "Graphics card: milliseconds are GPU time.";
   return "<dl class=\"machine\">\n" + entry("Hardware", escape_html(results.hardware)) +
          entry("Device", escape_html(results.device)) + entry("Driver", escape_html(results.driver)) +
-         entry("Library", "Penumbra " + escape_html(results.library_version)) +
-         entry("Command", "<code>" + escape_html(results.command) + "</code>") + entry("Times", note) +
-         "</dl>\n";
-}
-
-std::string charts(const std::vector<ReportChart>& list) {
-  std::string html;
-  for (const ReportChart& chart : list) {
-    html += "<figure class=\"chart\">\n" + inline_svg(chart.svg) + "<figcaption>" +
-            escape_html(chart.caption) + "</figcaption>\n</figure>\n";
-  }
-  return html;
-}
-
-std::string image(const Picture& picture, const std::string& description) {
-  return fmt::format("<img width=\"{}\" height=\"{}\" alt=\"{}\" src=\"{}\">\n", picture.width,
-                     picture.height, escape_html(description), png_data_uri(encode_png(picture)));
-}
-
-std::string legend(const Picture& strip, const std::string& from, const std::string& to) {
-  return "<span class=\"legend\">" + from + " " + image(strip, "colour scale from " + from + " to " + to) +
-         " " + to + "</span>";
-}
-
-std::string figure(const Picture& picture, const std::string& name, const std::string& scale) {
-  return "<figure>" + image(picture, name) + "<figcaption>" + escape_html(name) + " " + scale +
-         "</figcaption></figure>\n";
-}
-
-std::string picture_row(const PictureRow& row) {
-  const std::string grey = legend(ramp_strip(visibility_colour, 0.0, 1.0), "0", "1");
-  const std::string error = legend(ramp_strip(error_colour, -1.0, 1.0), fmt::format("−{}", row.error_scale),
-                                   fmt::format("+{}", row.error_scale));
-  const std::string fetches =
-      legend(ramp_strip(fetch_colour, 0.0, 1.0), "0", fmt::format("{}", row.fetch_scale));
-  return fmt::format("<h3>{}, {}° light: {}</h3>\n", escape_html(row.scene), row.light_degrees,
-                     escape_html(row.technique)) +
-         "<div class=\"row\">\n" + figure(row.reference, "Ray traced (T1)", grey) +
-         figure(row.result, row.technique, grey) +
-         figure(row.error, "Error: blue too dark, red too bright", error) +
-         figure(row.fetches, "Fetches per pixel", fetches) + "</div>\n";
-}
-
-std::string pictures(const std::vector<PictureRow>& rows) {
-  if (rows.empty()) return {};
-  std::string html =
-      "<p class=\"quiet\">Pale blue-grey: no surface there. Magenta: no valid result, a finding.</p>\n";
-  for (const PictureRow& row : rows) html += picture_row(row);
-  return html;
+         entry("Library", "Penumbra " + escape_html(results.library_version)) + entry("Times", note) +
+         "</dl>\n<h3>The command</h3>\n<pre class=\"command\"><code>" + escape_html(results.command) +
+         "</code></pre>\n";
 }
 
 // Which reference stands behind the figures, and how exact it is, per scene and light.
@@ -131,42 +103,39 @@ std::string references(const Results& results) {
                                                          record.reference};
     if (std::find(seen.begin(), seen.end(), entry) != seen.end()) continue;
     rows += fmt::format(
-        "<tr><td class=\"name\">{}</td><td>{}°</td><td "
+        "<tr><th scope=\"row\" class=\"name\">{}</th><td>{}</td><td "
         "class=\"name\">{}</td><td>{}</td><td>{:.4f}</td></tr>\n",
         escape_html(record.scene), record.light_degrees, escape_html(record.reference.kind),
         record.reference.samples, record.reference.noise_floor);
     seen.push_back(std::move(entry));
   }
   if (rows.empty()) return {};
-  return "<div class=\"scroll\"><table>\n<thead><tr><th class=\"name\">Scene</th><th>Light</th>"
-         "<th class=\"name\">Reference</th><th>Rays per pixel</th><th>Noise "
-         "floor</th></tr></thead>\n<tbody>\n" +
+  return "<div class=\"scroll\" role=\"region\" aria-label=\"References\" tabindex=\"0\"><table "
+         "class=\"plain\">\n<thead><tr>"
+         "<th scope=\"col\" class=\"name\">Scene</th><th scope=\"col\">Light, °</th>"
+         "<th scope=\"col\" class=\"name\">Reference</th><th scope=\"col\">Rays per pixel</th>"
+         "<th scope=\"col\">Noise floor, RMSE</th></tr></thead>\n<tbody>\n" +
          rows + "</tbody></table></div>\n";
+}
+
+std::vector<Section> sections(const ReportContent& content) {
+  const Results& results = content.results;
+  std::vector<Section> all = {
+      {"cost", "Cost against error", charts_html(content.charts)},
+      {"figures", "All figures", record_table(results, content.pictures)},
+      {"pictures", "Pictures", pictures_html(results, content.pictures)},
+      {"words", "What each figure means", metric_definitions_html()},
+      {"references", "What the errors are taken against", reference_definitions_html() + references(results)},
+      {"machine", "How it was measured", machine(results)},
+  };
+  std::erase_if(all, [](const Section& section) { return section.body.empty(); });
+  return all;
 }
 
 }  // namespace
 
-std::vector<ReportChart> report_charts(const Results& results) {
-  std::vector<ReportChart> list;
-  if (const Chart chart = fetches_chart(results); !chart.panels.empty()) {
-    list.push_back(
-        {"pareto-fetches",
-         "Blue: nothing measured here is both cheaper and closer to ray tracing. Means over all scenes.",
-         render_svg(chart)});
-  }
-  if (const Chart chart = time_chart(results); !chart.panels.empty()) {
-    list.push_back({"pareto-time",
-                    results.is_software
-                        ? "CPU time of a software device. It ranks nothing: a graphics card weighs "
-                          "fetches and arithmetic differently."
-                        : "Blue: nothing measured here is both faster and closer to ray tracing.",
-                    render_svg(chart)});
-  }
-  return list;
-}
-
 std::string render_report(const ReportContent& content) {
-  const Results& results = content.results;
+  const std::vector<Section> parts = sections(content);
   std::string html =
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
@@ -174,15 +143,12 @@ std::string render_report(const ReportContent& content) {
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<title>Penumbra: measured soft shadows</title>\n<style>";
   html += kReportStyle;
-  html += "</style>\n</head>\n<body>\n<header>\n" + introduction(results) + headline_cards(results) +
-          findings(results) + machine(results) + "</header>\n<main>\n";
-  html += section("Cost against error", charts(content.charts));
-  html += section("Pictures", pictures(content.pictures));
-  html += section("All figures", record_table(results));
-  html += section("How exact the reference is", references(results));
-  html += section("What the errors are taken against", reference_definitions_html());
-  html += section("What each figure means", metric_definitions_html());
-  html += "</main>\n<script>";
+  html +=
+      "</style>\n<script>document.documentElement.classList.add(\"scripted\");</script>\n</head>\n<body>\n";
+  html += "<header>\n" + introduction(content.results) + headline_cards(content.results) +
+          findings(content.results) + navigation(parts) + "</header>\n<main>\n";
+  for (const Section& part : parts) html += section_html(part);
+  html += "</main>\n<div id=\"tooltip\" role=\"tooltip\" hidden></div>\n<script>\n";
   html += kReportScript;
   return html + "</script>\n</body>\n</html>\n";
 }

@@ -1,8 +1,9 @@
 // report.html: everything one run of `penumbra measure` found, in one file that needs nothing else.
 //
-// The page holds its style, its script, its charts (inline SVG) and its pictures (data: URIs), and a content
-// security policy that forbids it to load anything. It follows the reader's light or dark setting, prints,
-// and is complete without its script, which only sorts the table.
+// The page holds its style, its script, its charts (inline SVG) and its pictures (PNG in base64, decoded when
+// they are looked at), and a content security policy that forbids it to load anything. It follows the
+// reader's light or dark setting and prints. Without its script it shows every figure and chart; sorting,
+// filtering and the picture viewer need it.
 #pragma once
 
 #include <filesystem>
@@ -10,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "study/chart.h"
 #include "study/picture.h"
 #include "study/results.h"
 
@@ -25,6 +27,7 @@ struct PictureRow {
   Picture result;
   Picture error;
   Picture fetches;
+  Picture fetch_counts{};  // grey: fetches per pixel, 255 for more; empty where nobody counted
   Picture mask{};  // white where the full filter runs, black where one fetch does; empty without a mask
   std::map<std::string, Picture> debug_views{};  // by pass
   double error_scale = 0.5;
@@ -32,9 +35,10 @@ struct PictureRow {
 };
 
 struct ReportChart {
-  std::string name;  // of its file: "pareto-fetches", "pareto-time"
+  Chart chart;  // its name is that of its file: "pareto-fetches", "pareto-time"
   std::string caption;
-  std::string svg;  // as render_svg gives it
+  std::string svg;                 // as render_svg gives it
+  std::vector<DrawnPanel> panels;  // as render_panels gives them
 };
 
 struct ReportContent {

@@ -1,13 +1,17 @@
-// The report's table of all records.
+// The report's table of figures: what decides stands in columns, the rest of a record in a row below it.
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "study/report.h"
 #include "study/results.h"
 
 namespace penumbra::study {
 
-// One row per record; the report's script sorts it. Empty without records.
-std::string record_table(const Results& results);
+// One group of two rows per record: its headline figures, and everything else measured of it, which the
+// report's script folds away. A row leads to its pictures where there are some. Columns without any figure
+// are left out. Empty without records.
+std::string record_table(const Results& results, const std::vector<PictureRow>& pictures);
 
 }  // namespace penumbra::study

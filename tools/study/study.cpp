@@ -207,6 +207,7 @@ PictureRow pictures(const Stage& stage, const Subject& subject, const Answer& an
   row.result = visibility_picture(grid, result.visibility.front());
   row.error = error_picture(grid, result.visibility.front(), stage.t1.visibility, kErrorScale);
   row.fetches = fetch_picture(grid, all_fetches(answer), kFetchScale);
+  row.fetch_counts = count_picture(grid, all_fetches(answer));
   if (!answer.masked_out.empty()) row.mask = mask_picture(grid, answer.masked_out);
   row.error_scale = kErrorScale;
   row.fetch_scale = kFetchScale;

@@ -1,4 +1,4 @@
-// The style and the script report.html carries.
+// The style and the script that report.html carries: the files of tools/study/report, one after the other.
 #pragma once
 
 #include <string_view>

@@ -1,0 +1,15 @@
+// The charts of a report as HTML: drawings whose points can be pointed at, and reached by keyboard.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "study/report.h"
+
+namespace penumbra::study {
+
+// One figure per chart, its panels beside each other. Each point is a link to the table's rows of its
+// technique, with what to say of it in data-label and data-note.
+std::string charts_html(const std::vector<ReportChart>& charts);
+
+}  // namespace penumbra::study

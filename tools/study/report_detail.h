@@ -1,0 +1,14 @@
+// Everything the report says of one record beside its headline figures.
+#pragma once
+
+#include <string>
+
+#include "study/results.h"
+
+namespace penumbra::study {
+
+// Definition lists under headings; figures that were not measured are left out. about_id: of the part that
+// names the technique and its parameters, which the report also shows as a tooltip.
+std::string record_detail(const Results& results, const Record& record, const std::string& about_id);
+
+}  // namespace penumbra::study
