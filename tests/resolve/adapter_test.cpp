@@ -157,7 +157,7 @@ TEST_F(AdapterTest, OnlyUniformsThatAreReadAndNotProvidedAreNamed) {
 
 TEST_F(AdapterTest, AUniformOfTheAdapterIsRead) {
   Adapter nine = adapter_of_nine();
-  nine.uniforms.set("_NobodyProvidesThis", glm::vec4(0.25f));
+  nine.uniforms["_NobodyProvidesThis"] = {0.25, 0.0, 0.0, 0.0};
   const ResolveResult result = run(adapter_shader(nine), half_plane({30}, true));
   EXPECT_NEAR(result.visibility.at(0).at(0), 0.25f, 1e-3);
   EXPECT_THAT(result.unset_uniforms, testing::IsEmpty());
@@ -188,7 +188,8 @@ SamplerComparisonState sampler_ShadowMap;
 float PeekAtMap(float2 uv) { return _ShadowMap.SampleCmpLevelZero(sampler_ShadowMap, uv, 0.5); }
 float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel) { return PeekAtMap(pixel); }
 )",
-      AllOf(HasSubstr("'PeekAtMap'"), HasSubstr("cannot be counted"), HasSubstr("SAMPLE_TEXTURE2D_SHADOW")));
+      AllOf(HasSubstr("Mine.hlsl:4: "), HasSubstr("'PeekAtMap'"), HasSubstr("cannot be counted"),
+            HasSubstr("SAMPLE_TEXTURE2D_SHADOW")));
 }
 
 TEST_F(AdapterTest, AFileWithoutTheFunctionIsToldItsSignature) {
@@ -210,7 +211,119 @@ TEST_F(AdapterTest, ATextureNobodyProvidesIsNamedBesideThoseProvided) {
 TEXTURE2D(_Clouds);
 float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel) { return LOAD_TEXTURE2D(_Clouds, int2(0, 0)).x; }
 )",
-      AllOf(HasSubstr("texture '_Clouds'"), HasSubstr("does not provide"), HasSubstr("_ShadowMap")));
+      AllOf(HasSubstr("Mine.hlsl:3: "), HasSubstr("texture '_Clouds'"), HasSubstr("does not provide"),
+            HasSubstr("_ShadowMap")));
+}
+
+// Receivers stand at x of the row's texels: from pixel to pixel the map's u rises by a texel.
+TEST_F(AdapterTest, DerivativesAreThoseBetweenPixels) {
+  const ResolveResult result = run(adapter_shader(adapter(R"(
+float4x4 _PenumbraWorldToShadow[5];
+float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
+{
+    return ddx(mul(_PenumbraWorldToShadow[0], float4(positionWS, 1.0)).x) * 64.0;
+}
+)")),
+                                   half_plane({10, 11, 12, 13}, true));
+  for (const float steps : result.visibility.at(0)) EXPECT_NEAR(steps, 1.0F, 1e-3F);
+  EXPECT_THAT(result.fetches, Each(0U));
+}
+
+// Two texels of one row: 0 and 1 in red; a sample beside the texture's edge tells how it is addressed.
+constexpr const char* kReadsAPicture = R"(
+#include "Platform/Platform.hlsl"
+TEXTURE2D(_Picture);
+SAMPLER(SAMPLER_NAME);
+float4 _Picture_TexelSize;
+float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
+{
+    return SAMPLE_TEXTURE2D_LOD(_Picture, SAMPLER_NAME, float2(1.25, 0.5), 0.0).x + _Picture_TexelSize.z;
+}
+)";
+
+TEST_F(AdapterTest, ATextureOfTheUsersIsReadByTheSamplerThatItsNameSays) {
+  const scene::Texture picture{2, 1, {0, 0, 0, 255, 255, 0, 0, 255}};
+  const std::map<std::string, float> samples{{"my_point_clamp_sampler", 1.0F},
+                                             {"sampler_LinearClamp", 1.0F},
+                                             {"sampler_TrilinearRepeat", 0.0F},
+                                             {"Point_Repeat", 0.0F},
+                                             {"sampler_Picture", 0.0F}};
+  for (const auto& [sampler, red] : samples) {
+    Adapter reads = adapter(kReadsAPicture);
+    reads.keywords.clear();
+    reads.textures = {{"_Picture", picture}};
+    ShadowShader shader = adapter_shader(reads);
+    shader.defines.emplace_back("SAMPLER_NAME", sampler);
+    const ResolveResult result = run(shader, half_plane({0}, true));
+    EXPECT_EQ(result.visibility.at(0).at(0), red + 2.0F) << sampler;
+    EXPECT_THAT(result.fetches, ElementsAre(1U)) << sampler;
+  }
+}
+
+TEST_F(AdapterTest, UnitysDefaultTexturesAreKnownByName) {
+  EXPECT_THAT(adapter_texture("_Mask", "white").picture.rgba, ElementsAre(255, 255, 255, 255));
+  EXPECT_THAT(adapter_texture("_Mask", "bump").picture.rgba, ElementsAre(128, 128, 255, 128));
+  expect_input_error([] { adapter_texture("_Mask", "whyte"); },
+                     AllOf(HasSubstr("whyte"), HasSubstr("'_Mask'"), HasSubstr("black, bump")));
+}
+
+TEST_F(AdapterTest, ASamplersNameMustSayFilterAndAddressing) {
+  EXPECT_EQ(inline_sampler("sampler_linear_repeat"), gpu::SamplerKind::linear_repeat);
+  EXPECT_EQ(inline_sampler("MyPointClampSampler"), gpu::SamplerKind::point_clamp);
+  for (const char* name : {"sampler_Main", "sampler_Linear", "sampler_Clamp", "sampler_LinearMirror",
+                           "sampler_LinearClampCompare", "sampler_PointLinearClamp"}) {
+    EXPECT_EQ(inline_sampler(name), std::nullopt) << name;
+  }
+}
+
+// Every kind of declaration; each number that is read has a decimal place of its own.
+constexpr const char* kReadsNumbers = R"(
+struct Light { float range; float2 shift[2]; int mode; float2x3 turn; };
+Light _Lights[2];
+float _Taps[3];
+uint _Count;
+float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
+{
+    return _Lights[0].range + 10.0 * _Lights[1].shift[1].y + 100.0 * _Lights[1].mode +
+           1000.0 * _Lights[1].turn[1][2] + 10000.0 * mul(_Lights[1].turn, float3(1.0, 0.0, 0.0)).y +
+           100000.0 * _Taps[2] + 1000000.0 * _Count;
+}
+)";
+
+TEST_F(AdapterTest, NumbersFillStructsArraysAndMatricesInTheOrderOfTheirDeclaration) {
+  Adapter reads = adapter(kReadsNumbers);
+  reads.uniforms["_Lights[0]"] = {1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+  reads.uniforms["_Lights[1].shift"] = {0, 0, 0, 2};
+  reads.uniforms["_Lights[1].mode"] = {3};
+  reads.uniforms["_Lights[1].turn"] = {0, 0, 0, 5, 0, 4};  // row by row
+  reads.uniforms["_Taps"] = {0, 0, 6};
+  reads.uniforms["_Count"] = {7};
+  const ResolveResult result = run(adapter_shader(reads), half_plane({0}, true));
+  EXPECT_EQ(result.visibility.at(0).at(0), 7654321.0F);
+  EXPECT_THAT(result.unset_uniforms, testing::IsEmpty());
+}
+
+TEST_F(AdapterTest, NumbersThatDoNotFitTheirUniformAreRefused) {
+  const auto expect = [this](const std::string& name, const std::vector<double>& numbers,
+                             const testing::Matcher<std::string>& message) {
+    Adapter reads = adapter(kReadsNumbers);
+    reads.uniforms[name] = numbers;
+    expect_input_error([&] { run(adapter_shader(reads), half_plane({0}, true)); }, message);
+  };
+  expect("_Taps", {1, 2}, AllOf(HasSubstr("'_Taps'"), HasSubstr("3 numbers"), HasSubstr("given 2")));
+  expect("_Count", {1.5}, AllOf(HasSubstr("'_Count'"), HasSubstr("integer")));
+  expect("_Count", {-1}, HasSubstr("integer"));
+  expect("_Tops", {1, 2, 3}, AllOf(HasSubstr("no uniform '_Tops'"), HasSubstr("did you mean '_Taps'?")));
+}
+
+TEST_F(AdapterTest, AssetsOfAProjectAreIncluded) {
+  write("game/Assets/Shaders/Lit.hlsl", "float Lit() { return 0.75; }\n");
+  Adapter mine = adapter(R"(
+#include "Assets/Shaders/Lit.hlsl"
+float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel) { return Lit(); }
+)");
+  mine.project = write("game/Assets/Shaders/Other.hlsl", "").parent_path().parent_path().parent_path();
+  EXPECT_THAT(run(adapter_shader(mine), half_plane({0}, true)).visibility.at(0), ElementsAre(0.75F));
 }
 
 TEST_F(AdapterTest, AFileThatIsNotThereIsNoAdapter) {

@@ -13,6 +13,7 @@
 namespace penumbra::shaders {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 CompileResult compile_text(const std::string& text, hlsl::Stage stage = hlsl::Stage::compute,
@@ -76,6 +77,18 @@ TEST(Compile, AVersionOfVulkanTakesWhatItHas) {
   EXPECT_THAT(errors_for(VulkanVersion::v1_2, waves), testing::IsEmpty());
   EXPECT_THAT(errors_for(VulkanVersion::v1_0, waves),
               testing::Contains("SPIR-V validation for Vulkan 1.0: there is no capability GroupNonUniform"));
+}
+
+// Offsets of a load are constants in Vulkan; the front end takes others, and the validator refuses.
+TEST(Compile, WhatTheValidatorRefusesIsShownAtItsLine) {
+  const std::string before =
+      "Texture2D<float> _Map;\nStructuredBuffer<int> _Input;\nfloat Read(int by)\n{\n    int2 texel = "
+      "int2(1, 1);\n"
+      "    return _Map.Load(int3(texel, 0), int2(by, by));\n}\n";
+  const CompileResult result = compile_text(compute_shader("Read(_Input[0])", before));
+  EXPECT_TRUE(result.spirv.empty());
+  EXPECT_THAT(first_message(result),
+              AllOf(HasSubstr("shader.hlsl:6: error: SPIR-V validation"), HasSubstr("return _Map.Load")));
 }
 
 // The second word of a module is its version of SPIR-V.

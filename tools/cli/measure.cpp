@@ -59,8 +59,11 @@ std::string reproducing_command(const std::vector<std::string>& arguments) {
       continue;
     }
     if (arguments[i] == "-q" || arguments[i] == "--quiet") continue;
-    const bool root = i > 0 && arguments[i - 1] == "--package-root";
-    const std::string argument = root ? without_folder(arguments[i]) : arguments[i];
+    const std::string before = i > 0 ? arguments[i - 1] : "";
+    const bool folder = before == "--project" || before == "--cginc-root";
+    const std::string argument = before == "--package-root" ? without_folder(arguments[i])
+                                 : folder                   ? "DIR"
+                                                            : arguments[i];
     const bool plain = argument.find_first_of(" ;&|<>()$`\"'\\*?") == std::string::npos;
     command += " " + (plain ? argument : "'" + argument + "'");
   }
@@ -212,8 +215,10 @@ void add_measure(CLI::App& app, Context& context) {
   command->add_option("--technique", options->techniques, "Technique of techniques.json; repeatable")
       ->group("What to measure");
   command
-      ->add_option("--adapter", options->adapters,
-                   "NAME=FILE[;KEYWORD][;UNIFORM=a,b,c,d]: your own ShadowVisibility function; repeatable")
+      ->add_option(
+          "--adapter", options->adapters,
+          "NAME=FILE[;KEYWORD][;UNIFORM=1,2,...][;TEXTURE=picture.png]: your own ShadowVisibility function; "
+          "repeatable")
       ->group("What to measure");
   add_set_option(*command, "What to measure", options->varied);
   command->add_option("--seeds", options->noise_seeds, "Noise seeds per technique")

@@ -77,8 +77,10 @@ void add_render(CLI::App& app, Context& context) {
   command->add_option("--technique", options->techniques, "Technique of techniques.json; repeatable")
       ->group("What to render");
   command
-      ->add_option("--adapter", options->adapters,
-                   "NAME=FILE[;KEYWORD][;UNIFORM=a,b,c,d]: your own ShadowVisibility function; repeatable")
+      ->add_option(
+          "--adapter", options->adapters,
+          "NAME=FILE[;KEYWORD][;UNIFORM=1,2,...][;TEXTURE=picture.png]: your own ShadowVisibility function; "
+          "repeatable")
       ->group("What to render");
   add_set_option(*command, "What to render", options->varied);
   command

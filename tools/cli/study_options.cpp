@@ -3,13 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <glm/geometric.hpp>
 #include <memory>
 
+#include "cli/adapter_argument.h"
 #include "cli/option_text.h"
+#include "cli/shader_arguments.h"
 #include "input/input_error.h"
 #include "platform/atomic_file.h"
 #include "project/package_manifest.h"
+#include "project/unity_project.h"
 
 namespace penumbra::cli {
 namespace {
@@ -26,25 +31,25 @@ parameters::SoftQuality soft_quality(const std::string& text) {
   return text == "high" ? parameters::SoftQuality::high : parameters::SoftQuality::medium;
 }
 
-resolve::Adapter adapter(const std::string& text) {
-  const std::vector<std::string> parts = split(text, ';');
-  resolve::Adapter result;
-  if (parts.empty()) throw InputError("", "--adapter needs NAME=FILE");
-  std::tie(result.name, result.file) = name_and_value("--adapter", parts[0]);
-  for (std::size_t i = 1; i < parts.size(); ++i) {
-    if (parts[i].find('=') == std::string::npos) {
-      result.keywords.push_back(parts[i]);
-      continue;
-    }
-    const auto [name, value] = name_and_value("--adapter", parts[i]);
-    glm::vec4 vector(0.0f);
-    const std::vector<std::string> numbers = split(value, ',');
-    for (std::size_t k = 0; k < std::min<std::size_t>(4, numbers.size()); ++k) {
-      vector[static_cast<int>(k)] = static_cast<float>(number("--adapter", numbers[k]));
-    }
-    result.uniforms.set(name, vector);
+// Position, target and perhaps the field of view; the rest of the camera stays.
+void look_as_told(const std::vector<double>& numbers, parameters::Camera& camera) {
+  const glm::dvec3 position{numbers[0], numbers[1], numbers[2]};
+  const glm::dvec3 target{numbers[3], numbers[4], numbers[5]};
+  const double fov = numbers.size() > 6 ? numbers[6] : camera.fov_y_degrees;
+  for (const double number : numbers) {
+    if (!std::isfinite(number)) throw InputError("--camera", "holds a number that is not finite");
   }
-  return result;
+  const glm::dvec3 view = target - position;
+  if (glm::length(glm::cross(view, camera.up)) <= 1e-6 * glm::length(view)) {
+    throw InputError("--camera", "looks straight up or down, or nowhere", "move the target a little aside");
+  }
+  if (!(fov >= 1.0 && fov <= 170.0)) {
+    throw InputError("--camera", "the field of view must be 1 to 170 degrees");
+  }
+  const parameters::Camera looking = scene::camera_looking(position, target);
+  camera.position = looking.position;
+  camera.forward = looking.forward;
+  camera.fov_y_degrees = fov;
 }
 
 }  // namespace
@@ -57,6 +62,12 @@ void add_study_options(CLI::App& command, StudyOptions& options) {
       ->group("Scene");
   command.add_option("--origin", options.origin, "Move the scene to this place in the world, metres")
       ->expected(3)
+      ->group("Scene");
+  command
+      .add_option("--camera", options.camera,
+                  "Position and target in metres, then perhaps the vertical field of view in degrees "
+                  "(X Y Z X Y Z [60]), instead of the scene's")
+      ->expected(6, 7)
       ->group("Scene");
   command.add_option("--metres-per-unit", options.import.metres_per_unit, "Scale of a model file")
       ->check(CLI::PositiveNumber)
@@ -111,6 +122,14 @@ void add_study_options(CLI::App& command, StudyOptions& options) {
   command.add_flag("--validation", options.validation, "Run with Vulkan's validation layers")->group("Study");
   command.add_option("--package-root", options.package_roots, "NAME=FOLDER of a Unity package; repeatable")
       ->group("Study");
+  command
+      .add_option("--project", options.project,
+                  "Unity project whose packages and Assets/ adapters include; --package-root wins")
+      ->group("Study");
+  command
+      .add_option("--cginc-root", options.cginc_root,
+                  "The Unity editor's CGIncludes, for adapters that need it")
+      ->group("Study");
 }
 
 std::pair<int, int> picture_size(const StudyOptions& options) {
@@ -130,6 +149,7 @@ std::vector<scene::Scene> chosen_scenes(const StudyOptions& options,
   for (const std::string& name : options.scenes.empty() ? fallback : options.scenes) {
     scene::Scene scene = scene::load(name, options.import);
     if (!options.sun.empty()) scene.light_direction = scene::sunlight(options.sun[0], options.sun[1]);
+    if (!options.camera.empty()) look_as_told(options.camera, scene.camera);
     if (!options.origin.empty()) {
       scene.origin = {options.origin[0], options.origin[1], options.origin[2]};
       scene.name +=
@@ -154,22 +174,31 @@ scene::FrameSettings frame_settings(const StudyOptions& options) {
   return settings;
 }
 
-std::vector<resolve::Adapter> chosen_adapters(const StudyOptions& options) {
-  std::vector<shaders::PackageRoot> roots;
+// Those given by hand, then those of the project that are not.
+std::vector<shaders::PackageRoot> package_roots(const StudyOptions& options) {
+  std::vector<shaders::PackageRoot> given;
   for (const std::string& text : options.package_roots) {
-    const auto [name, folder] = name_and_value("--package-root", text);
-    if (!std::filesystem::is_directory(folder)) {
-      throw EnvironmentError(fmt::format("--package-root {}: '{}' is not a folder", name, folder));
-    }
-    roots.push_back({name, folder});
-    if (project::has_package_manifest(folder)) {
-      roots.back().version = project::read_package_manifest(folder).version;
-    }
+    given.push_back(parse_package_root(text));
+    const std::filesystem::path& folder = given.back().directory;
+    if (project::has_package_manifest(folder))
+      given.back().version = project::read_package_manifest(folder).version;
   }
+  if (options.project.empty()) return given;
+  const project::UnityProject project = project::read_project(options.project, given);
+  for (const hlsl::Diagnostic& problem : project.problems) {
+    if (problem.severity == hlsl::Severity::error) throw InputError("--project", hlsl::format(problem));
+  }
+  return project.packages;
+}
+
+std::vector<resolve::Adapter> chosen_adapters(const StudyOptions& options) {
+  const std::vector<shaders::PackageRoot> roots = package_roots(options);
   std::vector<resolve::Adapter> adapters;
   for (const std::string& text : options.adapters) {
-    adapters.push_back(adapter(text));
+    adapters.push_back(parse_adapter(text));
     adapters.back().package_roots = roots;
+    adapters.back().project = options.project;
+    adapters.back().cginc_root = options.cginc_root;
   }
   return adapters;
 }

@@ -22,8 +22,10 @@ struct StudyOptions {
   std::vector<std::string> scenes;
   std::vector<double> lights;
   std::vector<std::string> techniques;
-  std::vector<std::string> adapters;       // NAME=FILE[;KEYWORD][;UNIFORM=a,b,c,d]
+  std::vector<std::string> adapters;       // as parse_adapter() reads them
   std::vector<std::string> package_roots;  // NAME=FOLDER
+  std::string project;                     // of Unity; empty: none
+  std::string cginc_root;                  // the editor's CGIncludes; empty: none
   std::string size = "480x270";
   int map_size = 2048;
   int cascades = 4;
@@ -35,6 +37,7 @@ struct StudyOptions {
   double distance_metres = 0.0;  // 0: the scene's own
   std::vector<double> sun;       // elevation and azimuth in degrees; empty: the scene's own
   std::vector<double> origin;    // world position of the scene's own origin, metres; empty: 0 0 0
+  std::vector<double> camera;    // position, target and perhaps the field of view; empty: the scene's own
   scene::ImportOptions import;
   std::string device;
   bool validation = false;

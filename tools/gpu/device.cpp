@@ -25,6 +25,7 @@ void open_device(DeviceState& state) {
   state.features.shaderStorageImageReadWithoutFormat = offered.shaderStorageImageReadWithoutFormat;
   state.features.shaderStorageImageWriteWithoutFormat = offered.shaderStorageImageWriteWithoutFormat;
   state.features.vertexPipelineStoresAndAtomics = offered.vertexPipelineStoresAndAtomics;
+  state.features.fragmentStoresAndAtomics = offered.fragmentStoresAndAtomics;
   state.features.shaderFloat64 = offered.shaderFloat64;
   state.features.shaderInt64 = offered.shaderInt64;
   state.limits = state.physical.getProperties().limits;

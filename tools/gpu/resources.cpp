@@ -44,11 +44,13 @@ void make_image(ImageState& state) {
 }
 
 vk::SamplerCreateInfo describe(SamplerKind kind) {
+  const bool repeat = kind == SamplerKind::point_repeat || kind == SamplerKind::linear_repeat;
+  const bool point = kind == SamplerKind::point_clamp || kind == SamplerKind::point_repeat;
   vk::SamplerCreateInfo info;
-  info.addressModeU = info.addressModeV = info.addressModeW = vk::SamplerAddressMode::eClampToEdge;
+  info.addressModeU = info.addressModeV = info.addressModeW =
+      repeat ? vk::SamplerAddressMode::eRepeat : vk::SamplerAddressMode::eClampToEdge;
   info.mipmapMode = vk::SamplerMipmapMode::eNearest;
-  info.magFilter = info.minFilter =
-      kind == SamplerKind::point_clamp ? vk::Filter::eNearest : vk::Filter::eLinear;
+  info.magFilter = info.minFilter = point ? vk::Filter::eNearest : vk::Filter::eLinear;
   info.compareEnable = kind == SamplerKind::compare_less_equal || kind == SamplerKind::compare_greater_equal;
   info.compareOp = kind == SamplerKind::compare_greater_equal ? vk::CompareOp::eGreaterOrEqual
                                                               : vk::CompareOp::eLessOrEqual;

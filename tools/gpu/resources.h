@@ -96,9 +96,17 @@ class Image {
   std::shared_ptr<ImageState> state_;
 };
 
-// All clamp to the edge, mip level 0. The compare kinds filter 2x2 comparison results, as Unity's
-// sampler_LinearClampCompare does: reference <= texel, or reference >= texel with reversed Z.
-enum class SamplerKind { point_clamp, linear_clamp, compare_less_equal, compare_greater_equal };
+// All read mip level 0; those that do not repeat clamp to the edge. The compare kinds filter 2x2 comparison
+// results, as Unity's sampler_LinearClampCompare does: reference <= texel, or reference >= texel with
+// reversed Z.
+enum class SamplerKind {
+  point_clamp,
+  linear_clamp,
+  point_repeat,
+  linear_repeat,
+  compare_less_equal,
+  compare_greater_equal
+};
 
 class Sampler {
  public:

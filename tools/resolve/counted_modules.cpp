@@ -13,7 +13,7 @@ constexpr const char* kCountingPrefix = "PenumbraCounted";
 
 void count_fetches(shaders::CompileRequest& request) {
   const std::filesystem::path counting =
-      platform::data_directory() / "tests" / "platform" / "CountingPlatform.hlsl";
+      platform::data_directory() / "tools" / "resolve" / "shaders" / "CountingPlatform.hlsl";
   request.defines.emplace_back("PENUMBRA_COUNT_FETCHES", "1");
   for (const char* api : {"/Platform/Platform.hlsl", "/API/D3D11.hlsl", "/API/Vulkan.hlsl", "/API/Metal.hlsl",
                           "/API/GLCore.hlsl"}) {
@@ -22,8 +22,10 @@ void count_fetches(shaders::CompileRequest& request) {
 }
 
 std::vector<std::uint32_t> compile_or_throw(const shaders::CompileRequest& request,
-                                            std::vector<std::string>* notes, const MissingName* needed) {
+                                            std::vector<std::string>* notes, const MissingName* needed,
+                                            hlsl::SourceFiles* sources) {
   shaders::CompileResult result = shaders::compile(request);
+  if (sources != nullptr) *sources = result.sources;
   for (const hlsl::Diagnostic& diagnostic : result.diagnostics) {
     if (notes != nullptr && diagnostic.severity == hlsl::Severity::note) {
       notes->push_back(hlsl::format(diagnostic));
@@ -41,13 +43,14 @@ std::vector<std::uint32_t> compile_or_throw(const shaders::CompileRequest& reque
 // The module that shows which function reads keeps its functions.
 void refuse_uncounted_fetches(shaders::CompileRequest counting, const std::string& shader) {
   counting.optimise = false;
+  counting.debug_lines = true;
   const std::vector<shaders::ImageInstruction> uncounted =
       shaders::image_instructions_outside(compile_or_throw(counting), kCountingPrefix);
   if (uncounted.empty()) return;
-  throw InputError(shader,
-                   "function '" + uncounted.front().function +
-                       "' reads a texture past the sampling macros (" + uncounted.front().opcode +
-                       "), so its fetches cannot be counted",
+  const shaders::ImageInstruction& first = uncounted.front();
+  throw InputError(first.line == 0 ? shader : first.file + ":" + std::to_string(first.line),
+                   "function '" + first.function + "' reads a texture past the sampling macros (" +
+                       first.opcode + "), so its fetches cannot be counted",
                    "use SAMPLE_TEXTURE2D_SHADOW, LOAD_TEXTURE2D_LOD, GATHER_RED_TEXTURE2D and their like");
 }
 

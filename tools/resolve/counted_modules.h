@@ -18,13 +18,15 @@ struct MissingName {
   std::string way_out;
 };
 
-// The module; throws InputError with the compiler's messages. Notes are formatted messages.
+// The module; throws InputError with the compiler's messages. Notes are formatted messages; sources the texts
+// that were read.
 std::vector<std::uint32_t> compile_or_throw(const shaders::CompileRequest& request,
                                             std::vector<std::string>* notes = nullptr,
-                                            const MissingName* needed = nullptr);
+                                            const MissingName* needed = nullptr,
+                                            hlsl::SourceFiles* sources = nullptr);
 
-// Throws InputError, naming the shader, when a request that counts reads a texture outside the counting
-// functions.
+// Throws InputError, naming the line or else the shader, when a request that counts reads a texture outside
+// the counting functions.
 void refuse_uncounted_fetches(shaders::CompileRequest counting, const std::string& shader);
 
 }  // namespace penumbra::resolve

@@ -98,6 +98,7 @@ void add_light_uniforms(const scene::Frame& frame, UniformValues& values) {
   values.set("_MainLightShadowParams", glm::vec4(1.0f, quality, 0.0f, 0.0f));
   values.set("_MainLightPosition", glm::vec4(glm::vec3(-frame.cascades.light_direction), 0.0f));
   values.set("_MainLightColor", glm::vec4(1.0f));
+  values.set("_GlobalMipBias", glm::vec4(0.0f, 1.0f, 0.0f, 0.0f));  // none: URP's bias and its power of two
   values.set("_WorldSpaceCameraPos", glm::vec4(glm::vec3(frame.camera.position), 0.0f));
   const auto width = static_cast<float>(frame.receivers.width);
   const auto height = static_cast<float>(frame.receivers.height);

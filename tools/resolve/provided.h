@@ -8,16 +8,17 @@
 
 namespace penumbra::resolve {
 
-// Throws InputError with the names that are provided when this one is not.
+// Throws InputError with the names that are provided when this one is not. `where`: the shader, or the line
+// that names the resource.
 template <typename Map>
-const auto& provided(const Map& map, const shaders::Resource& resource, const std::string& shader,
+const auto& provided(const Map& map, const shaders::Resource& resource, const std::string& where,
                      const char* kind) {
   const auto found = map.find(resource.name);
   if (found != map.end()) return *found->second;
   std::string known;
   for (const auto& entry : map) known += " " + entry.first;
   throw InputError(
-      shader,
+      where,
       std::string("reads the ") + kind + " '" + resource.name + "', which the harness does not provide",
       "provided are:" + known);
 }

@@ -10,12 +10,6 @@
 namespace penumbra::resolve {
 namespace {
 
-constexpr std::uint32_t kTile = 8;  // numthreads of Resolve.hlsl
-
-std::uint32_t groups(int pixels) {
-  return (static_cast<std::uint32_t>(pixels) + kTile - 1) / kTile;
-}
-
 const std::vector<std::uint32_t>& words(const CompiledShadowShader& shader, ResolvePass::Module module) {
   return module == ResolvePass::Module::counting ? shader.counting : shader.plain;
 }
@@ -24,31 +18,50 @@ const std::vector<std::uint32_t>& words(const CompiledShadowShader& shader, Reso
 
 ResolvePass::ResolvePass(const gpu::Device& device, const CompiledShadowShader& shader, Module module)
     : name_(shader.source.name),
+      named_at_(shader.named_at),
       parameters_(shader.source.parameters),
+      numbers_(shader.source.numbers),
       resources_(shaders::reflect(words(shader, module)).resources),
-      pass_(device, {.spirv = words(shader, module), .entry = "Main"}) {}
+      own_(device, shader.source.textures),
+      pass_(device, shader.vertex, words(shader, module)) {
+  check_numbers(numbers_, resources_, name_);
+}
+
+const std::string& ResolvePass::place_of(const shaders::Resource& resource) const {
+  const auto found = named_at_.find(resource.name);
+  return found == named_at_.end() ? name_ : found->second;
+}
+
+void ResolvePass::bind_sampler(const shaders::Resource& resource, const FrameOnDevice& frame) {
+  const gpu::Slot slot{resource.set, resource.binding};
+  const auto samplers = frame.samplers();
+  const gpu::Sampler* own = samplers.count(resource.name) == 0 ? own_.sampler(resource.name) : nullptr;
+  pass_.bindings().sampler(
+      slot, own != nullptr ? *own : provided(samplers, resource, place_of(resource), "sampler"));
+}
 
 void ResolvePass::bind(const FrameOnDevice& frame) {
   frame_ = &frame;
   const auto buffers = frame.buffers();
-  const auto images = frame.images();
-  const auto samplers = frame.samplers();
+  auto images = frame.images();
+  for (const auto& [name, image] : own_.images()) images[name] = image;
   for (const shaders::Resource& resource : resources_) {
     const gpu::Slot slot{resource.set, resource.binding};
     switch (resource.kind) {
       case shaders::ResourceKind::uniform_block:
         break;  // packed by run()
       case shaders::ResourceKind::storage_buffer:
-        pass_.bindings().storage_buffer(slot, provided(buffers, resource, name_, "buffer"));
+        pass_.bindings().storage_buffer(slot, provided(buffers, resource, place_of(resource), "buffer"));
         break;
       case shaders::ResourceKind::sampled_image:
-        pass_.bindings().sampled_image(slot, provided(images, resource, name_, "texture"));
+        pass_.bindings().sampled_image(slot, provided(images, resource, place_of(resource), "texture"));
         break;
       case shaders::ResourceKind::sampler:
-        pass_.bindings().sampler(slot, provided(samplers, resource, name_, "sampler"));
+        bind_sampler(resource, frame);
         break;
       case shaders::ResourceKind::storage_image:
-        provided(std::map<std::string, const gpu::Image*>(), resource, name_, "writable texture");
+        provided(std::map<std::string, const gpu::Image*>(), resource, place_of(resource),
+                 "writable texture");
         break;
     }
   }
@@ -57,13 +70,17 @@ void ResolvePass::bind(const FrameOnDevice& frame) {
 std::vector<double> ResolvePass::run(int noise_seed, int repeats) {
   if (frame_ == nullptr) throw std::logic_error("no frame is bound");
   UniformValues values = frame_->uniforms(noise_seed);
+  values.merge(own_.uniforms());
   values.merge(parameters_);
   unset_.clear();
   for (const shaders::Resource& resource : resources_) {
     if (resource.kind != shaders::ResourceKind::uniform_block) continue;
-    pass_.bindings().uniform_bytes({resource.set, resource.binding}, values.pack(resource, unset_));
+    std::vector<std::byte> bytes = values.pack(resource, unset_);
+    write_numbers(numbers_, resource, bytes);
+    pass_.bindings().uniform_bytes({resource.set, resource.binding}, bytes);
   }
-  return pass_.dispatch({groups(frame_->width()), groups(frame_->height()), 1}, repeats);
+  std::erase_if(unset_, [this](const std::string& name) { return has_numbers(numbers_, name); });
+  return pass_.run(frame_->width(), frame_->height(), repeats);
 }
 
 std::vector<std::string> ResolvePass::unset_uniforms() const {

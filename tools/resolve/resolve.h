@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
-#include "gpu/compute_pass.h"
 #include "gpu/device.h"
+#include "resolve/adapter_resources.h"
 #include "resolve/frame_on_device.h"
+#include "resolve/receiver_pass.h"
 #include "resolve/shadow_shader.h"
 #include "shaders/reflect.h"
 
@@ -47,10 +49,17 @@ class ResolvePass {
   std::vector<std::string> unset_uniforms() const;
 
  private:
+  // Where messages say that a resource is named: its line, or else the shader.
+  const std::string& place_of(const shaders::Resource& resource) const;
+  void bind_sampler(const shaders::Resource& resource, const FrameOnDevice& frame);
+
   std::string name_;
+  std::map<std::string, std::string> named_at_;
   UniformValues parameters_;
+  UniformNumbers numbers_;
   std::vector<shaders::Resource> resources_;
-  gpu::ComputePass pass_;
+  AdapterResources own_;
+  ReceiverPass pass_;
   const FrameOnDevice* frame_ = nullptr;
   std::vector<std::string> unset_;
 };

@@ -1,11 +1,13 @@
 #include "resolve/shadow_shader.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "input/input_error.h"
 #include "platform/data_directory.h"
 #include "resolve/counted_modules.h"
+#include "shaders/reflect.h"
 
 namespace penumbra::resolve {
 namespace {
@@ -65,9 +67,55 @@ shaders::CompileRequest request(const ShadowShader& shader, bool counting) {
   request.include_directories = shader.include_directories;
   request.include_directories.push_back(root / "ShaderLibrary");
   request.include_directories.push_back(root / "tools" / "resolve" / "shaders");
+  request.project = shader.project;
+  request.cginc_root = shader.cginc_root;
   request.prepare = shader.prepare;
+  if (shader.fragment) {
+    request.stage = hlsl::Stage::fragment;
+    request.entry = "ResolveFragment";
+  }
   if (counting) count_fetches(request);
   return request;
+}
+
+shaders::CompileRequest triangle_request() {
+  shaders::CompileRequest request;
+  request.file = platform::data_directory() / "tools" / "resolve" / "shaders" / "ReceiverTriangle.hlsl";
+  request.stage = hlsl::Stage::vertex;
+  request.entry = "ReceiverTriangle";
+  return request;
+}
+
+bool is_name_character(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+// The first line of any text that has the name as a word; 0: none.
+int line_of_name(const std::string& text, const std::string& name) {
+  for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
+    const std::size_t end = at + name.size();
+    const bool whole = (at == 0 || !is_name_character(text[at - 1])) &&
+                       (end == text.size() || !is_name_character(text[end]));
+    if (whole)
+      return static_cast<int>(
+                 std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n')) +
+             1;
+  }
+  return 0;
+}
+
+std::map<std::string, std::string> named_at(const std::vector<std::uint32_t>& spirv,
+                                            const hlsl::SourceFiles& sources) {
+  std::map<std::string, std::string> places;
+  for (const shaders::Resource& resource : shaders::reflect(spirv).resources) {
+    for (const std::string& file : sources.names()) {
+      const int line = line_of_name(sources.text(file), resource.name);
+      if (line == 0) continue;
+      places[resource.name] = file + ":" + std::to_string(line);
+      break;
+    }
+  }
+  return places;
 }
 
 const MissingName kAdapterFunction{
@@ -101,9 +149,13 @@ ShadowShader adapter_shader(const Adapter& adapter, bool reversed_z) {
                 std::filesystem::absolute(adapter.file).generic_string() + "\"\n";
   shader.defines = depth_defines(reversed_z);
   for (const std::string& keyword : adapter.keywords) shader.defines.emplace_back(keyword, "1");
-  shader.parameters = adapter.uniforms;
+  shader.numbers = adapter.uniforms;
+  shader.textures = adapter.textures;
   shader.package_roots = adapter.package_roots;
+  shader.project = adapter.project;
+  shader.cginc_root = adapter.cginc_root;
   shader.include_directories.push_back(std::filesystem::absolute(adapter.file).parent_path());
+  shader.fragment = true;
   shader.prepare = true;
   shader.uses_noise = true;
   return shader;
@@ -112,7 +164,10 @@ ShadowShader adapter_shader(const Adapter& adapter, bool reversed_z) {
 CompiledShadowShader compile(const ShadowShader& shader) {
   CompiledShadowShader compiled;
   compiled.source = shader;
-  compiled.plain = compile_or_throw(request(shader, false), &compiled.notes, &kAdapterFunction);
+  if (shader.fragment) compiled.vertex = compile_or_throw(triangle_request());
+  hlsl::SourceFiles sources;
+  compiled.plain = compile_or_throw(request(shader, false), &compiled.notes, &kAdapterFunction, &sources);
+  compiled.named_at = named_at(compiled.plain, sources);
   refuse_uncounted_fetches(request(shader, true), shader.name);
   compiled.counting = compile_or_throw(request(shader, true));
   return compiled;

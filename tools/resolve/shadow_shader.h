@@ -6,10 +6,13 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "resolve/adapter_resources.h"
+#include "resolve/uniform_numbers.h"
 #include "resolve/uniform_values.h"
 #include "shaders/compile.h"
 #include "shaders/technique_list.h"
@@ -22,7 +25,14 @@ struct ShadowShader {
   std::vector<std::pair<std::string, std::string>> defines;
   std::vector<shaders::PackageRoot> package_roots;
   std::vector<std::filesystem::path> include_directories;
+  std::filesystem::path project;     // "#include "Assets/..." resolves under it; may be empty
+  std::filesystem::path cginc_root;  // the editor's CGIncludes; may be empty
   UniformValues parameters;
+  UniformNumbers numbers{};                // of a user, for uniforms of any type
+  std::vector<AdapterTexture> textures{};  // of a user, by the names the shader reads them by
+  // Runs as a fragment shader over the picture, as a user's function did in its engine; else as a compute
+  // shader.
+  bool fragment = false;
   bool prepare = false;     // what only Unity's compilers accept is said in another way first
   bool uses_noise = false;  // the result depends on the noise seed
 };
@@ -34,23 +44,30 @@ ShadowShader technique_shader(const shaders::TechniqueList& list, const shaders:
 
 // A user's own function, in `file`:
 //   float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
-// It includes the texture macros it uses, "Platform/Platform.hlsl" or its pipeline's, and may read, by name,
-// URP's main light shadow globals and the harness's own (Documentation~/measure.md).
+// It runs in a fragment shader over the picture, so derivatives are those between pixels. It includes the
+// texture macros it uses, "Platform/Platform.hlsl" or its pipeline's, and may read, by name, URP's main light
+// shadow globals and the harness's own (Documentation~/measure.md).
 struct Adapter {
   std::string name;
   std::filesystem::path file;
   std::vector<std::string> keywords;  // defined as 1
-  UniformValues uniforms;             // instead of the frame's, by name
+  UniformNumbers uniforms;            // instead of the frame's
+  std::vector<AdapterTexture> textures;
   std::vector<shaders::PackageRoot> package_roots;
+  std::filesystem::path project;     // of Unity, whose Assets/ it includes; may be empty
+  std::filesystem::path cginc_root;  // the editor's CGIncludes; may be empty
 };
 ShadowShader adapter_shader(const Adapter& adapter, bool reversed_z = true);
 
 // One shader, compiled twice: as it ships, and with every texture fetch counted.
 struct CompiledShadowShader {
   ShadowShader source;
+  std::vector<std::uint32_t> vertex;  // empty for a compute shader
   std::vector<std::uint32_t> plain;
   std::vector<std::uint32_t> counting;
   std::vector<std::string> notes;  // the compiler's, for example which body of two was kept
+  // "file:line" where a resource is first named, for messages about it.
+  std::map<std::string, std::string> named_at;
 };
 
 // Throws InputError with the compiler's messages when the shader does not compile, and when it reaches a

@@ -8,6 +8,7 @@
 
 #include "input/input_error.h"
 #include "scene/face_normals.h"
+#include "scene/framing.h"
 #include "scene/mesh_builder.h"
 #include "scene/model_file.h"
 #include "scene/scene.h"
@@ -16,7 +17,6 @@
 namespace penumbra::scene {
 namespace {
 
-constexpr double kEyeHeight = 1.7;
 constexpr double kSmallestExtent = 1e-3;  // metres; what is smaller or larger has the wrong unit
 constexpr double kLargestExtent = 1e4;
 
@@ -128,14 +128,10 @@ void append(Mesh& mesh, const Mesh& more, std::uint16_t material) {
   mesh.triangle_materials.insert(mesh.triangle_materials.end(), more.triangle_count(), material);
 }
 
-// The camera steps back along -Z, a little to the side, until the model's bounding sphere just fits the
-// picture's height; few models fill their sphere, so there is room for the shadow.
-parameters::Camera framing_camera(const parameters::Bounds& box) {
-  const double radius = 0.5 * glm::distance(box.minimum, box.maximum);
-  const double half_view = 0.5 * glm::radians(parameters::Camera{}.fov_y_degrees);
-  const double distance = std::max(radius / std::sin(half_view), radius + 0.5);
-  const glm::dvec3 target{0.0, 0.5 * box.maximum.y, 0.0};
-  return camera_looking({0.35 * distance, kEyeHeight, -0.94 * distance}, target);
+// Shadow maps are made for what a game shows: 50 m, and less about a model that is small.
+double shadow_distance(const parameters::Bounds& box, double reach) {
+  const double size = glm::distance(box.minimum, box.maximum);
+  return std::max(1.1 * reach, std::min(50.0, 25.0 * size));
 }
 
 }  // namespace
@@ -156,11 +152,10 @@ Scene import(const std::filesystem::path& file, const ImportOptions& options) {
   scene.description =
       std::to_string(scene.mesh.triangle_count()) + " triangles from " + file.filename().string();
   const parameters::Bounds box = scene.bounds();
-  scene.camera = framing_camera(box);
-  const double reach = glm::length(scene.camera.position) + glm::distance(box.minimum, box.maximum);
-  scene.shadow_distance_metres = std::max(50.0, std::ceil(reach));
-  scene.camera.far_plane = std::max(scene.camera.far_plane, 2.0 * scene.shadow_distance_metres);
   scene.light_direction = sunlight(45.0, 50.0);
+  scene.camera = framing_camera(box, scene.light_direction);
+  scene.shadow_distance_metres = shadow_distance(box, framed_reach(scene.camera, box, scene.light_direction));
+  scene.camera.far_plane = std::max(scene.camera.far_plane, 2.0 * scene.shadow_distance_metres);
   if (options.ground) {
     MeshBuilder ground;
     ground.ground({0.0, 0.0, 0.0}, 1.2 * scene.shadow_distance_metres);

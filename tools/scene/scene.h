@@ -72,7 +72,7 @@ struct ImportOptions {
 //
 // Files are right-handed with +Y up (or +Z with z_up) and become Unity's left-handed space as Unity's glTF
 // importers do it: x changes its sign, and with it the winding. The model is moved so that its box stands on
-// y = 0 with its centre over the origin; the camera stands 1.7 m above that, outside the box, and frames it.
+// y = 0 with its centre over the origin; the camera frames it and its shadow (framing.h).
 // Triangles without area are dropped; vertices without a usable normal get their face's.
 Scene import(const std::filesystem::path& file, const ImportOptions& options);
 

@@ -106,7 +106,28 @@ bool generate(const Source& source, const glslang::TIntermediate& tree, CompileR
   return complete;
 }
 
-bool finish_module(const Source& source, CompileResult& result) {
+// Where in the source the validator's first problem lies: the same module, made once more with its lines.
+SourcePlace place_of_problem(const Source& source, const glslang::TIntermediate& tree) {
+  spv::SpvBuildLogger said_before;
+  SpirvModule module = words_of(tree, true, said_before);
+  std::vector<std::string> problems;
+  if (source.request.optimise && !optimise(module, source.request.vulkan, problems)) return {};
+  number_bindings(module);
+  return problem_place(module, source.request.vulkan);
+}
+
+hlsl::Diagnostic at_place(const Source& source, const SourcePlace& place, const hlsl::SourceFiles& sources,
+                          std::string message) {
+  hlsl::Diagnostic diagnostic = whole_file(source, hlsl::Severity::error, std::move(message));
+  if (place.line == 0 || !sources.contains(place.file)) return diagnostic;
+  diagnostic.file = place.file;
+  diagnostic.line = place.line;
+  diagnostic.source_line = sources.line(place.file, place.line);
+  return diagnostic;
+}
+
+bool finish_module(const Source& source, const hlsl::SourceFiles& sources, const glslang::TIntermediate& tree,
+                   CompileResult& result) {
   std::vector<std::string> problems;
   const bool optimised = !source.request.optimise || optimise(result.spirv, source.request.vulkan, problems);
   number_bindings(result.spirv);  // after the unused ones are gone
@@ -121,8 +142,9 @@ bool finish_module(const Source& source, CompileResult& result) {
     problems = validation_problems(result.spirv, source.request.vulkan, !source.request.optimise);
   const std::string validation =
       std::string("SPIR-V validation for Vulkan ") + vulkan_version_name(source.request.vulkan) + ": ";
+  const SourcePlace place = problems.empty() ? SourcePlace{} : place_of_problem(source, tree);
   for (const std::string& problem : problems)
-    result.diagnostics.push_back(whole_file(source, hlsl::Severity::error, validation + problem));
+    result.diagnostics.push_back(at_place(source, place, sources, validation + problem));
   return optimised && problems.empty();
 }
 
@@ -133,7 +155,7 @@ bool build(const Source& source, const hlsl::SourceFiles& sources, CompileResult
   program.addShader(&shader.get());
   if (!link(source, sources, program, result)) return false;
   const glslang::TIntermediate& tree = *program.getIntermediate(language(source.request.stage));
-  if (!generate(source, tree, result) || !finish_module(source, result)) return false;
+  if (!generate(source, tree, result) || !finish_module(source, sources, tree, result)) return false;
   if (!source.request.keep_unoptimised) return true;
   spv::SpvBuildLogger said_before;
   result.unoptimised = words_of(tree, true, said_before);

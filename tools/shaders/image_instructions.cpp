@@ -10,7 +10,10 @@ namespace {
 
 struct Walk {
   std::map<std::uint32_t, std::string> names;
+  std::map<std::uint32_t, std::string> strings;
   std::string function;
+  std::string file;
+  int line = 0;
   std::string prefix;
   std::vector<ImageInstruction> found;
 };
@@ -33,12 +36,20 @@ spv_result_t visit(void* user_data, const spv_parsed_instruction_t* instruction)
     case spv::OpName:
       walk.names[instruction->words[1]] = reinterpret_cast<const char*>(instruction->words + 2);
       break;
+    case spv::OpString:
+      walk.strings[instruction->result_id] = reinterpret_cast<const char*>(instruction->words + 2);
+      break;
+    case spv::OpLine:
+      walk.file = walk.strings[instruction->words[1]];
+      walk.line = static_cast<int>(instruction->words[2]);
+      break;
     case spv::OpFunction:
       walk.function = without_parameters(walk.names[instruction->result_id]);
       break;
     default:
       if (reads_an_image(instruction->opcode) && walk.function.rfind(walk.prefix, 0) != 0) {
-        walk.found.push_back({walk.function, "Op" + std::string(spvOpcodeString(instruction->opcode))});
+        walk.found.push_back(
+            {walk.function, "Op" + std::string(spvOpcodeString(instruction->opcode)), walk.file, walk.line});
       }
   }
   return SPV_SUCCESS;

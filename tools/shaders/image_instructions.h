@@ -10,6 +10,8 @@ namespace penumbra::shaders {
 struct ImageInstruction {
   std::string function;  // its OpName up to the parameter list; empty when the module has no names
   std::string opcode;    // for example "OpImageSampleExplicitLod"
+  std::string file{};    // where OpLine says it stands; line 0 in a module without debug lines
+  int line = 0;
 };
 
 // Every sample, fetch, gather or read of an image in a function whose name does not start with `prefix`. The

@@ -17,6 +17,82 @@ constexpr std::pair<spvc_resource_type, ResourceKind> kinds[] = {
     {SPVC_RESOURCE_TYPE_SEPARATE_SAMPLERS, ResourceKind::sampler},
 };
 
+ScalarKind scalar_kind(spvc_basetype type) {
+  switch (type) {
+    case SPVC_BASETYPE_FP32:
+      return ScalarKind::float32;
+    case SPVC_BASETYPE_INT32:
+      return ScalarKind::int32;
+    case SPVC_BASETYPE_UINT32:
+      return ScalarKind::uint32;
+    default:
+      return ScalarKind::other;
+  }
+}
+
+// Where a member of a struct lies, and what it is called.
+struct MemberPlace {
+  spvc_type_id structure;
+  unsigned index;
+  std::string path;
+  std::uint32_t offset;
+};
+
+bool add_leaves(const SpirvCrossSession& session, const MemberPlace& place, std::vector<UniformLeaf>& leaves);
+
+bool add_fields(const SpirvCrossSession& session, spvc_type_id structure, const std::string& path,
+                std::uint32_t offset, std::vector<UniformLeaf>& leaves) {
+  const spvc_type type = spvc_compiler_get_type_handle(session.compiler(), structure);
+  for (unsigned i = 0; i < spvc_type_get_num_member_types(type); ++i) {
+    unsigned within = 0;
+    session.require(spvc_compiler_type_struct_member_offset(session.compiler(), type, i, &within));
+    const std::string name = spvc_compiler_get_member_name(session.compiler(), structure, i);
+    if (!add_leaves(session, {structure, i, path + "." + name, offset + within}, leaves)) return false;
+  }
+  return true;
+}
+
+UniformLeaf leaf_at(const SpirvCrossSession& session, const MemberPlace& place, spvc_type type) {
+  const spvc_compiler compiler = session.compiler();
+  UniformLeaf leaf{place.path, place.offset, scalar_kind(spvc_type_get_basetype(type)),
+                   spvc_type_get_vector_size(type), spvc_type_get_columns(type)};
+  if (leaf.columns > 1) {
+    const spvc_type structure = spvc_compiler_get_type_handle(compiler, place.structure);
+    session.require(spvc_compiler_type_struct_member_matrix_stride(compiler, structure, place.index,
+                                                                   &leaf.matrix_stride));
+    leaf.row_major = spvc_compiler_has_member_decoration(compiler, place.structure, place.index,
+                                                         SpvDecorationRowMajor) != SPVC_FALSE;
+  }
+  return leaf;
+}
+
+// False for arrays of arrays.
+bool add_leaves(const SpirvCrossSession& session, const MemberPlace& place,
+                std::vector<UniformLeaf>& leaves) {
+  const spvc_compiler compiler = session.compiler();
+  const spvc_type structure = spvc_compiler_get_type_handle(compiler, place.structure);
+  const spvc_type type =
+      spvc_compiler_get_type_handle(compiler, spvc_type_get_member_type(structure, place.index));
+  const unsigned dimensions = spvc_type_get_num_array_dimensions(type);
+  if (dimensions > 1) return false;
+  unsigned stride = 0;
+  const unsigned length = dimensions == 0 ? 1 : spvc_type_get_array_dimension(type, 0);
+  if (dimensions == 1) {
+    session.require(spvc_compiler_type_struct_member_array_stride(compiler, structure, place.index, &stride));
+  }
+  for (unsigned i = 0; i < length; ++i) {
+    MemberPlace element = place;
+    element.offset += i * stride;
+    if (dimensions == 1) element.path += "[" + std::to_string(i) + "]";
+    if (spvc_type_get_num_member_types(type) == 0) {
+      leaves.push_back(leaf_at(session, element, type));
+    } else if (!add_fields(session, spvc_type_get_base_type_id(type), element.path, element.offset, leaves)) {
+      return false;
+    }
+  }
+  return true;
+}
+
 UniformMember reflect_member(const SpirvCrossSession& session, spvc_type_id block_id, unsigned index) {
   const spvc_compiler compiler = session.compiler();
   const spvc_type block = spvc_compiler_get_type_handle(compiler, block_id);
@@ -44,6 +120,8 @@ UniformMember reflect_member(const SpirvCrossSession& session, spvc_type_id bloc
     const std::uint32_t element = spvc_type_get_bit_width(type) / 8 * spvc_type_get_vector_size(type);
     member.size = member.array_stride * (member.array_length - 1) + element;
   }
+  if (!add_leaves(session, {block_id, index, member.name, member.offset}, member.leaves))
+    member.leaves.clear();
   return member;
 }
 

@@ -8,6 +8,19 @@
 
 namespace penumbra::shaders {
 
+enum class ScalarKind { float32, int32, uint32, other };
+
+// A scalar, vector or matrix of a uniform: the uniform itself, an element of it or a field.
+struct UniformLeaf {
+  std::string path;          // the uniform's name and what follows it: "_Lights[1].colour"
+  std::uint32_t offset = 0;  // bytes in the block
+  ScalarKind scalar = ScalarKind::float32;
+  std::uint32_t rows = 1;  // of a vector its components
+  std::uint32_t columns = 1;
+  std::uint32_t matrix_stride = 0;  // as UniformMember's, 0 when not a matrix
+  bool row_major = false;
+};
+
 struct UniformMember {
   std::string name;
   std::uint32_t offset = 0;        // bytes in its block
@@ -17,6 +30,8 @@ struct UniformMember {
   std::uint32_t matrix_stride = 0;  // 0 when not a matrix
   bool row_major = false;           // as SPIR-V decorates it
   bool read = false;                // the module reads it, in part at least
+  // In declaration order, arrays element by element. Empty for what has arrays of arrays.
+  std::vector<UniformLeaf> leaves{};
 };
 
 enum class ResourceKind { uniform_block, storage_buffer, sampled_image, storage_image, sampler };

@@ -1,9 +1,12 @@
 #include "shaders/spirv_module.h"
 
+#include <map>
+#include <optional>
 #include <spirv-tools/libspirv.hpp>
 #include <spirv-tools/optimizer.hpp>
 #include <string_view>
 
+#include "shaders/spirv_words.h"
 #include "shaders/uncalled_functions.h"
 
 namespace penumbra::shaders {
@@ -98,6 +101,49 @@ bool run_passes(SpirvModule& module, VulkanVersion vulkan, void (*passes)(spvtoo
   return optimizer.Run(module.data(), module.size(), &module, options);
 }
 
+// Number of the instruction, 1 the first behind the header, that SPIRV-Tools holds the first problem against.
+std::optional<std::size_t> problem_instruction(const SpirvModule& module, VulkanVersion vulkan) {
+  std::optional<std::size_t> found;
+  spvtools::SpirvTools tools(environment(vulkan));
+  tools.SetMessageConsumer(
+      [&found](spv_message_level_t level, const char*, const spv_position_t& position, const char*) {
+        if (level <= SPV_MSG_ERROR && !found && position.index != 0) found = position.index;
+      });
+  tools.Validate(module.data(), module.size(), spvtools::ValidatorOptions());
+  return found;
+}
+
+std::string literal_text(SpirvWords words) {
+  std::string text;
+  for (const std::uint32_t word : words) {
+    for (unsigned shift = 0; shift < 32; shift += 8) {
+      const auto character = static_cast<char>(word >> shift & 0xFFU);
+      if (character == 0) return text;
+      text.push_back(character);
+    }
+  }
+  return text;
+}
+
+// OpLine holds up to the next one, or to the end of the block (SPIR-V specification, 3.52.3).
+SourcePlace place_of_instruction(const SpirvModule& module, std::size_t wanted) {
+  std::map<std::uint32_t, std::string> strings;
+  SourcePlace place;
+  SourcePlace found;
+  std::size_t number = 0;
+  for_each_instruction(module, [&](SpirvWords instruction) {
+    const spv::Op op = opcode(instruction);
+    if (op == spv::OpString && instruction.size() > 2)
+      strings[instruction[1]] = literal_text(instruction.subspan(2));
+    if (op == spv::OpLine && instruction.size() > 2) {
+      place = {strings[instruction[1]], static_cast<int>(instruction[2])};
+    }
+    if (op == spv::OpNoLine || op == spv::OpLabel || op == spv::OpFunctionEnd) place = {};
+    if (++number == wanted) found = place;
+  });
+  return found;
+}
+
 }  // namespace
 
 const char* vulkan_version_name(VulkanVersion version) {
@@ -140,6 +186,11 @@ std::vector<std::string> validation_problems(const SpirvModule& module, VulkanVe
   const bool valid = tools.Validate(module.data(), module.size(), options);
   if (!valid && problems.empty()) problems.emplace_back("the module is not valid");
   return problems;
+}
+
+SourcePlace problem_place(const SpirvModule& module, VulkanVersion vulkan) {
+  const std::optional<std::size_t> instruction = problem_instruction(module, vulkan);
+  return instruction ? place_of_instruction(module, *instruction) : SourcePlace{};
 }
 
 }  // namespace penumbra::shaders

@@ -1,6 +1,7 @@
 // What happens to a SPIR-V module between the front end and its user: bindings, legalisation, validation.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -22,5 +23,13 @@ bool optimise(SpirvModule& module, VulkanVersion vulkan, std::vector<std::string
 // be passed by value, which is then not held against the module.
 std::vector<std::string> validation_problems(const SpirvModule& module, VulkanVersion vulkan,
                                              bool before_legalisation);
+
+struct SourcePlace {
+  std::string file;
+  int line = 0;  // 1-based; 0: nowhere
+};
+
+// Where the first problem of an invalid module lies, of a module that kept its debug lines.
+SourcePlace problem_place(const SpirvModule& module, VulkanVersion vulkan);
 
 }  // namespace penumbra::shaders

@@ -31,6 +31,7 @@ ChartPanel panel_of(const Results& results, double light_degrees, Cost cost) {
   for (const SummaryLine& line : summarise(results)) {
     const std::optional<double> price = price_of(line, cost);
     if (line.light_degrees != light_degrees || !line.complete || !price || !line.rmse_penumbra) continue;
+    if (!(*price > 0.0)) continue;  // without a fetch there is no place on a logarithmic axis
     panel.points.push_back({line.choice.label, *price, line.rmse_penumbra->value, note(results, line, cost)});
     points.push_back({*price, line.rmse_penumbra->value});
   }

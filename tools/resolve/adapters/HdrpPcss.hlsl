@@ -12,7 +12,6 @@
 //             HDRP_NORMAL_BIAS: the receiver moves along its normal by HDRP's default. Without, as for all others that
 //             are measured, the casters' bias is the only one but HDRP's constant 1/65536.
 // Cost:       HDRP's: up to 40 fetches. Its filter runs even where nothing blocks: HLSL evaluates both sides of ?:.
-#define SHADER_STAGE_COMPUTE 1
 #define SHADER_API_D3D11 1
 
 #if !UNITY_REVERSED_Z

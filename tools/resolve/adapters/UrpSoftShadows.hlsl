@@ -11,7 +11,6 @@
 //             give its root too.
 // Cost:       URP's: 1, 4, 9 or 16 fetches.
 #define _MAIN_LIGHT_SHADOWS_CASCADE 1
-#define SHADER_STAGE_COMPUTE 1
 
 // What Unity's compiler says about the platform. URP ties the depth direction to it.
 #if UNITY_REVERSED_Z

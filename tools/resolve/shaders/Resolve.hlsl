@@ -59,11 +59,9 @@ float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
 }
 #endif
 
-[numthreads(8, 8, 1)]
-void Main(uint3 id : SV_DispatchThreadID)
+// One receiver's answer into the buffers.
+void Resolve(uint index, float2 pixel)
 {
-    if (any(int2(id.xy) >= _PenumbraImageSize)) return;
-    const uint index = id.y * uint(_PenumbraImageSize.x) + id.x;
     const float4 position = _PenumbraReceiverPositionWS[index];
     float visibility = 1.0;
 #if defined(PENUMBRA_COUNT_FETCHES)
@@ -71,10 +69,28 @@ void Main(uint3 id : SV_DispatchThreadID)
 #endif
     if (position.w > 0.0)
     {
-        visibility = ShadowVisibility(position.xyz, _PenumbraReceiverNormalWS[index].xyz, float2(id.xy) + 0.5);
+        visibility = ShadowVisibility(position.xyz, _PenumbraReceiverNormalWS[index].xyz, pixel);
     }
     _PenumbraVisibility[index] = visibility;
 #if defined(PENUMBRA_COUNT_FETCHES)
     _PenumbraFetches[index] = penumbraFetchCount;
 #endif
 }
+
+#if defined(PENUMBRA_ADAPTER)
+// A user's function runs where it ran in its engine: in a fragment shader, whose derivatives are those of the picture's
+// pixels. What the target holds is not read.
+float4 ResolveFragment(float4 position : SV_Position) : SV_Target
+{
+    const int2 pixel = min(int2(position.xy), _PenumbraImageSize - 1);
+    Resolve(uint(pixel.y) * uint(_PenumbraImageSize.x) + uint(pixel.x), position.xy);
+    return 0.0;
+}
+#else
+[numthreads(8, 8, 1)]
+void Main(uint3 id : SV_DispatchThreadID)
+{
+    if (any(int2(id.xy) >= _PenumbraImageSize)) return;
+    Resolve(id.y * uint(_PenumbraImageSize.x) + id.x, float2(id.xy) + 0.5);
+}
+#endif

@@ -8,13 +8,13 @@
 // Cost:       -
 // Guarantees: every image instruction of a counted shader lies in a function named PenumbraCounted*, so a checker of the
 //             compiled module can refuse fetches that went past the macros.
-// Use it:     in tests and measurements. Not in a product: samples with automatic level of detail read level 0 here,
-//             because compute shaders have no derivatives (shadow maps have one level).
+// Use it:     in tests and measurements. Not in a product: samples with automatic level of detail read level 0 here;
+//             textures of the harness have one level.
 #ifndef PENUMBRA_COUNTING_PLATFORM_HLSL
 #define PENUMBRA_COUNTING_PLATFORM_HLSL
 
 #if !defined(UNITY_COMMON_INCLUDED)
-#include "../../ShaderLibrary/Platform/Platform.hlsl"
+#include "../../../ShaderLibrary/Platform/Platform.hlsl"
 #endif
 
 static uint penumbraFetchCount = 0;

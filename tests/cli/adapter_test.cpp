@@ -1,0 +1,116 @@
+// A user's own shadow function through the command: what follows the file, whose includes, from where it
+// looks.
+#include <nlohmann/json.hpp>
+
+#include "cli/program.h"
+
+namespace penumbra {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+class AdapterCommand : public ProgramTest {
+ protected:
+  platform::ChildResult measure(const std::vector<std::string>& options) {
+    std::vector<std::string> arguments{"measure",    "--size",  "32x18",
+                                       "--map-size", "256",     "--reference-samples",
+                                       "32",         "--scene", "slabs",
+                                       "--light",    "2",       "--no-split",
+                                       "--seeds",    "1",       "--timing-repeats",
+                                       "0",          "--cache", path("cache").string()};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return run(arguments);
+  }
+
+  double rmse_all(const std::vector<std::string>& options) {
+    const platform::ChildResult result = measure(options);
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    return nlohmann::json::parse(result.output).at("records").at(0).at("rmse_all");
+  }
+};
+
+constexpr const char* kNumberAndTexture = R"(
+#include "Platform/Platform.hlsl"
+float _Shares[3];
+TEXTURE2D(_Mask);
+float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
+{
+    return _Shares[2] * LOAD_TEXTURE2D(_Mask, int2(0, 0)).x;
+}
+)";
+
+TEST_F(AdapterCommand, NumbersAreUniformsAndOtherValuesTextures) {
+  const std::string file = write("mine.hlsl", kNumberAndTexture).string();
+  const double lit = rmse_all({"--adapter", "mine=" + file + ";_Shares=0,0,1;_Mask=white"});
+  const double dark = rmse_all({"--adapter", "mine=" + file + ";_Shares=0,0,1;_Mask=black"});
+  const double lit_by_no_share = rmse_all({"--adapter", "mine=" + file + ";_Shares=1,1,0;_Mask=white"});
+  EXPECT_NE(lit, dark);
+  EXPECT_EQ(lit_by_no_share, dark);
+}
+
+TEST_F(AdapterCommand, WhatFollowsTheFileIsCheckedBeforeAnythingIsMeasured) {
+  const std::string file = write("mine.hlsl", kNumberAndTexture).string();
+  for (const auto& [ending, words] : std::vector<std::pair<std::string, std::vector<std::string>>>{
+           {";_Shares=0,0,1;_Mask=clouds.png", {"clouds.png", "'_Mask'", "white"}},
+           {";_Shares=0,0,1;_Shares=1,1,1;_Mask=white", {"'_Shares' is given twice"}},
+           {";_Shares=0,0;_Mask=white", {"3 numbers", "given 2"}},
+           {";_Shares=0,0,1", {"mine.hlsl:4:", "texture '_Mask'"}}}) {
+    const auto result = measure({"--adapter", "mine=" + file + ending});
+    EXPECT_EQ(result.exit_code, 2) << ending;
+    for (const std::string& word : words) EXPECT_THAT(result.errors, HasSubstr(word));
+  }
+}
+
+TEST_F(AdapterCommand, AFunctionWithoutFetchesHasAReport) {
+  const std::string file =
+      write("lit.hlsl", "float ShadowVisibility(float3 p, float3 n, float2 pixel) { return 1.0; }\n")
+          .string();
+  const auto result = measure({"--adapter", "lit=" + file, "--output", path("report").string()});
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(read("report/results.json"), HasSubstr("\"fetches_mean\": 0.0"));
+}
+
+TEST_F(AdapterCommand, APackageAndAssetsOfAProjectAreIncluded) {
+  write("game/Packages/com.mine.shadows/package.json", R"({"name": "com.mine.shadows", "version": "1.2.3"})");
+  write("game/Packages/com.mine.shadows/Lit.hlsl", "float Lit() { return 1.0; }\n");
+  write("game/Assets/Half.hlsl", "float Half() { return 0.5; }\n");
+  const std::string file = write("mine.hlsl", R"(
+#include "Packages/com.mine.shadows/Lit.hlsl"
+#include "Assets/Half.hlsl"
+float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel) { return Lit() * Half(); }
+)")
+                               .string();
+  EXPECT_GT(rmse_all({"--adapter", "mine=" + file, "--project", path("game").string()}), 0.0);
+  const auto without = measure({"--adapter", "mine=" + file});
+  EXPECT_EQ(without.exit_code, 2);
+  EXPECT_THAT(without.errors, AllOf(HasSubstr("mine.hlsl:2"), HasSubstr("com.mine.shadows")));
+  EXPECT_EQ(measure({"--adapter", "mine=" + file, "--project", path("nowhere").string()}).exit_code, 2);
+}
+
+TEST_F(AdapterCommand, TheCameraStandsWhereItIsTold) {
+  const auto seen = [this](const std::vector<std::string>& camera) {
+    std::vector<std::string> options{"--technique", "hard"};
+    options.insert(options.end(), camera.begin(), camera.end());
+    const platform::ChildResult result = measure(options);
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    return nlohmann::json::parse(result.output).at("records").at(0).at("pixels").get<int>();
+  };
+  // From high above, looking a little aside of straight down, every pixel sees the ground; into the sky none.
+  EXPECT_EQ(seen({"--camera", "0", "8", "0", "0", "0", "0.1", "30"}), 32 * 18);
+  EXPECT_EQ(seen({"--camera", "0", "8", "0", "0", "16", "1"}), 0);
+  for (const std::vector<std::string>& camera :
+       std::vector<std::vector<std::string>>{{"--camera", "0", "8", "0", "0", "0", "0"},
+                                             {"--camera", "0", "8", "0", "0", "8", "0"},
+                                             {"--camera", "0", "8", "0", "0", "0", "5", "180"},
+                                             {"--camera", "0", "8", "0"}}) {
+    std::vector<std::string> options{"--technique", "hard"};
+    options.insert(options.end(), camera.begin(), camera.end());
+    const auto result = measure(options);
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.errors, HasSubstr("--camera"));
+  }
+}
+
+}  // namespace
+}  // namespace penumbra

@@ -1,0 +1,139 @@
+#include "resolve/uniform_numbers.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+#include "input/input_error.h"
+#include "input/nearest_name.h"
+
+namespace penumbra::resolve {
+namespace {
+
+using shaders::ScalarKind;
+using shaders::UniformLeaf;
+
+// Whether `path` is `name` or a part of it: "_Lights" has "_Lights[1].colour", and not "_LightsOn".
+bool is_of(const std::string& path, const std::string& name) {
+  if (path.compare(0, name.size(), name) != 0) return false;
+  return path.size() == name.size() || path[name.size()] == '.' || path[name.size()] == '[';
+}
+
+std::vector<const UniformLeaf*> leaves_of(const shaders::Resource& block, const std::string& name) {
+  std::vector<const UniformLeaf*> leaves;
+  for (const shaders::UniformMember& member : block.members) {
+    for (const UniformLeaf& leaf : member.leaves) {
+      if (is_of(leaf.path, name)) leaves.push_back(&leaf);
+    }
+  }
+  return leaves;
+}
+
+std::size_t count_of(const UniformLeaf& leaf) {
+  return static_cast<std::size_t>(leaf.rows) * leaf.columns;
+}
+
+bool fits(ScalarKind kind, double number) {
+  if (kind == ScalarKind::float32) return true;
+  const double low = kind == ScalarKind::int32 ? std::numeric_limits<std::int32_t>::min() : 0.0;
+  const double high = kind == ScalarKind::int32 ? std::numeric_limits<std::int32_t>::max()
+                                                : std::numeric_limits<std::uint32_t>::max();
+  return kind != ScalarKind::other && std::trunc(number) == number && number >= low && number <= high;
+}
+
+std::uint32_t word(ScalarKind kind, double number) {
+  switch (kind) {
+    case ScalarKind::int32:
+      return std::bit_cast<std::uint32_t>(static_cast<std::int32_t>(number));
+    case ScalarKind::uint32:
+      return static_cast<std::uint32_t>(number);
+    default:
+      return std::bit_cast<std::uint32_t>(static_cast<float>(number));
+  }
+}
+
+// Of the n-th number of a leaf. glslang decorates HLSL's column_major matrices RowMajor, with rows and
+// columns exchanged: in memory such a matrix holds the columns of mul(M, v).
+std::size_t offset_of(const UniformLeaf& leaf, std::size_t n) {
+  if (leaf.columns == 1) return leaf.offset + 4 * n;
+  // SPIR-V's matrix is the transpose of HLSL's: its columns are HLSL's rows.
+  const std::size_t row = n / leaf.rows;
+  const std::size_t column = n % leaf.rows;
+  return leaf.row_major ? leaf.offset + column * leaf.matrix_stride + 4 * row
+                        : leaf.offset + row * leaf.matrix_stride + 4 * column;
+}
+
+std::vector<std::string> names_of(const std::vector<shaders::Resource>& resources) {
+  std::vector<std::string> names;
+  for (const shaders::Resource& resource : resources) {
+    for (const shaders::UniformMember& member : resource.members) names.push_back(member.name);
+  }
+  return names;
+}
+
+std::string did_you_mean(const std::string& name, const std::vector<std::string>& known) {
+  const std::string nearest = nearest_name(name, known);
+  return nearest.empty() ? "" : "did you mean '" + nearest + "'?";
+}
+
+void check(const std::string& name, const std::vector<double>& numbers,
+           const std::vector<const UniformLeaf*>& leaves, const std::string& shader) {
+  std::size_t wanted = 0;
+  for (const UniformLeaf* leaf : leaves) {
+    for (std::size_t i = 0; i < count_of(*leaf) && wanted < numbers.size(); ++i, ++wanted) {
+      if (fits(leaf->scalar, numbers[wanted])) continue;
+      throw InputError(shader, fmt::format("uniform '{}' is declared as an integer and cannot be {}",
+                                           leaf->path, numbers[wanted]));
+    }
+  }
+  wanted = 0;
+  for (const UniformLeaf* leaf : leaves) wanted += count_of(*leaf);
+  if (wanted == numbers.size()) return;
+  throw InputError(shader, fmt::format("uniform '{}' is declared with {} number{} and is given {}", name,
+                                       wanted, wanted == 1 ? "" : "s", numbers.size()));
+}
+
+}  // namespace
+
+void check_numbers(const UniformNumbers& numbers, const std::vector<shaders::Resource>& resources,
+                   const std::string& shader) {
+  for (const auto& [name, values] : numbers) {
+    bool found = false;
+    for (const shaders::Resource& resource : resources) {
+      const std::vector<const UniformLeaf*> leaves = leaves_of(resource, name);
+      if (leaves.empty()) continue;
+      found = true;
+      check(name, values, leaves, shader);
+    }
+    if (found) continue;
+    throw InputError(shader, fmt::format("the shader reads no uniform '{}'", name),
+                     did_you_mean(name, names_of(resources)));
+  }
+}
+
+void write_numbers(const UniformNumbers& numbers, const shaders::Resource& block,
+                   std::vector<std::byte>& bytes) {
+  for (const auto& [name, values] : numbers) {
+    auto next = values.begin();
+    for (const UniformLeaf* leaf : leaves_of(block, name)) {
+      for (std::size_t n = 0; n < count_of(*leaf) && next != values.end(); ++n, ++next) {
+        const std::uint32_t bits = word(leaf->scalar, *next);
+        const std::size_t at = offset_of(*leaf, n);
+        if (at + sizeof(bits) <= bytes.size()) std::memcpy(bytes.data() + at, &bits, sizeof(bits));
+      }
+    }
+  }
+}
+
+bool has_numbers(const UniformNumbers& numbers, const std::string& uniform) {
+  for (const auto& entry : numbers) {
+    if (is_of(entry.first, uniform)) return true;
+  }
+  return false;
+}
+
+}  // namespace penumbra::resolve
