@@ -43,9 +43,11 @@ struct LightCone
 
 struct TexelQuad
 {
-    float4 gap;      // how much nearer to the light than the receiver each texel lies, stored depth
-    float4 blocking; // 1 where the texel hides light, else 0
-    float4 weight;   // bilinear, of the sample's place
+    float4 gap;        // how much nearer to the light than the receiver each texel lies, stored depth
+    float4 abovePlane; // the same above the receiver's plane at the texel's centre
+    float4 radius;     // from the receiver to the texel's centre, texels
+    float4 blocking;   // 1 where the texel hides light, else 0
+    float4 weight;     // bilinear, of the sample's place
 };
 
 // What a blocker search finds.
@@ -72,7 +74,14 @@ float4 BilinearWeights(float2 texels, float2 corner)
     return float4((1.0 - f.x) * f.y, f.x * f.y, f.x * (1.0 - f.y), (1.0 - f.x) * (1.0 - f.y));
 }
 
-// A texel blocks when it lies above the receiver's plane at its own centre and within the light's cone.
+// 1 where a texel lies above the receiver's plane at its own centre and within the cone, else 0.
+float4 TexelsInCone(float4 gap, float4 abovePlane, float4 radius, LightCone cone)
+{
+    const float4 offset = min(max(radius - cone.slackTexels, 0.0) * cone.scales.depthPerTexel, cone.largestOffset);
+    return float4(abovePlane.x > 0.0 && gap.x > offset.x, abovePlane.y > 0.0 && gap.y > offset.y,
+                  abovePlane.z > 0.0 && gap.z > offset.z, abovePlane.w > 0.0 && gap.w > offset.w);
+}
+
 TexelQuad ReadQuad(TEXTURE2D_PARAM(shadowMap, sampler_point), QuadReceiver receiver, LightCone cone, float2 texels)
 {
     const float2 corner = ClampQuadCorner(texels, receiver.bounds);
@@ -81,14 +90,12 @@ TexelQuad ReadQuad(TEXTURE2D_PARAM(shadowMap, sampler_point), QuadReceiver recei
     const float4 x = away.x + float4(-0.5, 0.5, 0.5, -0.5);
     const float4 y = away.y + float4(0.5, 0.5, -0.5, -0.5);
     const float4 plane = KeepBehindNearPlane(receiver.depth + receiver.gradient.x * x + receiver.gradient.y * y);
-    const float4 radius = sqrt(x * x + y * y);
-    const float4 offset = min(max(radius - cone.slackTexels, 0.0) * cone.scales.depthPerTexel, cone.largestOffset);
 
     TexelQuad quad;
+    quad.radius = sqrt(x * x + y * y);
     quad.gap = DepthGap(mapDepth, float4(receiver.depth, receiver.depth, receiver.depth, receiver.depth));
-    const float4 abovePlane = DepthGap(mapDepth, plane);
-    quad.blocking = float4(abovePlane.x > 0.0 && quad.gap.x > offset.x, abovePlane.y > 0.0 && quad.gap.y > offset.y,
-                           abovePlane.z > 0.0 && quad.gap.z > offset.z, abovePlane.w > 0.0 && quad.gap.w > offset.w);
+    quad.abovePlane = DepthGap(mapDepth, plane);
+    quad.blocking = TexelsInCone(quad.gap, quad.abovePlane, quad.radius, cone);
     quad.weight = BilinearWeights(texels, corner);
     return quad;
 }
