@@ -1,4 +1,5 @@
-"""The report's table: sorted, filtered, unfolded, and whole on the screen."""
+"""The report's table: sorted, filtered, unfolded, and whole on the screen. The made-up study has two scenes, four
+techniques and two lights: 16 rows, and 8 of means over both scenes, which show first."""
 import unittest
 
 from report_case import ReportCase
@@ -15,11 +16,16 @@ class Table(ReportCase):
         column = self.column(page, title)
         return page.ask(f"{SHOWN}.map(e => e.rows[0].cells[{column - 1}].dataset.value)")
 
+    def each_scene(self):
+        page = self.open()
+        page.choose("#filters [name=scene]", "")
+        return page
+
     def sort(self, page, title):
         page.click(f".figures thead th:nth-child({self.column(page, title)}) button")
 
     def test_sorts_by_exact_figures_with_absent_ones_last(self):
-        page = self.open()
+        page = self.each_scene()
         for turn, falling in (("ascending", False), ("descending", True)):
             self.sort(page, "RMSE all")
             values = self.values(page, "RMSE all")
@@ -30,7 +36,7 @@ class Table(ReportCase):
             self.assertEqual(page.ask(f"{HEAD}.map(e => e.getAttribute('aria-sort')).filter(e => e)"), [turn])
 
     def test_sorts_by_every_head_and_by_keyboard(self):
-        page = self.open()
+        page = self.each_scene()
         for title in page.ask(f"{HEAD}.filter(e => e.querySelector('button')).map(e => e.textContent)"):
             before = sorted(self.values(page, title[:6]))
             page.ask(f"{HEAD}.find(e => e.textContent === {title!r}).querySelector('button').focus()")
@@ -42,9 +48,9 @@ class Table(ReportCase):
         self.assertEqual(self.values(page, "Penumbra"), ["9000"] * 16)
 
     def test_details_go_with_their_row(self):
-        page = self.open()
-        page.click(".figures tbody:nth-of-type(2) .unfold")
-        mine = page.ask("document.querySelector('.figures tbody:nth-of-type(2)').dataset.technique")
+        page = self.each_scene()
+        page.click(".figures tbody:not([hidden]) .unfold")
+        mine = page.ask("document.querySelector('.figures tbody:not([hidden])').dataset.technique")
         self.sort(page, "Fetches")
         self.sort(page, "Fetches")
         self.assertEqual(page.ask("document.querySelectorAll('.detail.open').length"), 1)
@@ -53,18 +59,30 @@ class Table(ReportCase):
     def test_filters_by_technique_scene_and_light(self):
         page = self.open()
         count = "document.querySelector('#filters output').textContent"
-        self.assertEqual(page.ask(count), "16 rows")
+        self.assertEqual(page.ask(count), "8 rows")
+        self.assertEqual(set(page.ask(f"{SHOWN}.map(e => e.rows[0].cells[1].textContent)")), {"mean of 2"})
         page.choose("#filters [name=technique]", "tent-5x5")
-        self.assertEqual(page.ask(count), "4 of 16 rows")
-        page.choose("#filters [name=scene]", "fence")
+        self.assertEqual(page.ask(count), "2 rows")
+        page.choose("#filters [name=scene]", "")
+        self.assertEqual(page.ask(count), "4 rows")
+        page.choose("#filters [name=scene]", "scene fence")
         page.choose("#filters [name=light]", "2")
         self.assertEqual(page.ask(f"{SHOWN}.map(e => [e.dataset.technique, e.dataset.scene, e.dataset.light])"),
-                         [["tent-5x5", "fence", "2"]])
+                         [["tent-5x5", "scene fence", "2"]])
         page.click("#filters [type=reset]")
-        page.wait(f"{count} === '16 rows'")
+        page.wait(f"{count} === '8 rows'")
+
+    def test_every_error_has_its_interval(self):
+        page = self.each_scene()
+        column = self.column(page, "RMSE in penumbra")
+        cell = f"document.querySelector('.figures tbody:not([hidden]) td:nth-child({column})').innerText"
+        self.assertEqual(page.ask(cell).split(), ["0.255", "±", "0.004"])
+        page.click(".figures tbody:not([hidden]) .unfold")
+        self.assertIn("0.2523 to 0.2593", page.ask("document.querySelector('.detail.open').textContent"))
 
     def test_no_column_is_off_the_screen_at_1440(self):
         page = self.open(width=1440)
+        page.choose("#filters [name=scene]", "")
         self.assertEqual(page.ask("document.scrollingElement.scrollWidth"), 1440)
         self.assertEqual(page.ask("(e => e.scrollWidth - e.clientWidth)(document.querySelector('#figures .scroll'))"), 0)
         right = page.ask("Math.max(...[...document.querySelectorAll('.figures tr.record > *')]"
@@ -74,7 +92,7 @@ class Table(ReportCase):
     def test_the_first_two_columns_stay_when_the_others_move(self):
         page = self.open(width=800)
         places = ("['.technique', '.scene', '.figure:nth-of-type(3)'].map(e =>"
-                  " document.querySelector('.figures tr.record ' + e).getBoundingClientRect().left)")
+                  " document.querySelector('.figures tbody:not([hidden]) ' + e).getBoundingClientRect().left)")
         before = page.ask(places)
         page.ask("document.querySelector('#figures .scroll').scrollLeft = 150")
         after = page.ask(places)
@@ -84,6 +102,7 @@ class Table(ReportCase):
     def test_heads_stay_when_rows_move(self):
         page = self.open()
         page.ask("document.querySelector('#figures .scroll').style.maxHeight = '300px'")
+        page.choose("#filters [name=scene]", "")
         top = "document.querySelector('.figures thead th').getBoundingClientRect().top"
         before = page.ask(top)
         page.ask("document.querySelector('#figures .scroll').scrollTop = 200")
@@ -100,16 +119,16 @@ class Table(ReportCase):
         page = self.open()
         hidden = "document.getElementById('tooltip').hidden"
         text = "document.getElementById('tooltip').textContent"
-        page.hover(".figures tbody:nth-of-type(3) .about")
+        page.hover(".figures tbody[data-technique=tent-5x5] .about")
         page.wait(f"!{hidden}")
-        for word in ("Title of tent-5x5", "samples", "4 0.5", "2048 texels wide, D32, 4 cascades"):
+        for word in ("Title of tent-5x5", "samples", "4 0.5", "2048 texels wide, D32, 4 cascades", "normal bias", "soft quality"):
             self.assertIn(word, page.ask(text))
         page.hover("#tooltip")
         page.ask("new Promise(done => setTimeout(done, 300))")
         self.assertFalse(page.ask(hidden), "it stays while the pointer is on it")
         page.press("Escape")
         self.assertTrue(page.ask(hidden))
-        page.ask("document.querySelector('.figures tbody:nth-of-type(5) .about').focus()")
+        page.ask("document.querySelector('.figures tbody[data-technique=pcss-24-16] .about').focus()")
         self.assertIn("Title of pcss-24-16", page.ask(text))
         self.assertEqual(page.ask("document.activeElement.getAttribute('aria-describedby')"), "tooltip")
         box = page.ask("(b => [b.left, b.top, b.right, b.bottom])"
@@ -118,7 +137,8 @@ class Table(ReportCase):
 
     def test_a_row_leads_to_its_pictures(self):
         page = self.open()
-        row = "tbody[data-technique='pcss-24-16'][data-scene='fence'][data-light='2']"
+        page.choose("#filters [name=scene]", "")
+        row = "tbody[data-technique='pcss-24-16'][data-scene='scene fence'][data-light='2']"
         page.click(f"{row} .to-pictures")
         page.wait("document.querySelector('.stage canvas').getAttribute('aria-label') ==="
                   " 'fence, 2 degree light: Ray traced and pcss-24-16'")

@@ -36,6 +36,7 @@ TEST_F(Report, SaysOnWhatAndHowItWasMeasured) {
   const std::string html = render_report(*content_);
   for (const char* text :
        {"made-up processor, 2 cores", "made-up device", "made-up driver 1.2", "Penumbra 0.1.0",
+        "commit <code>0123456789abcdef0123456789abcdef01234567</code>", "com.example.shadows 17.0.3",
         "<code>penumbra measure --seed 1</code>", "milliseconds are CPU time and rank nothing"}) {
     EXPECT_THAT(html, HasSubstr(text));
   }
@@ -47,9 +48,10 @@ TEST_F(Report, ShowsTheHeadlinesChartsAndEveryRecord) {
     EXPECT_THAT(html, HasSubstr("<p class=\"value\">" + headline.value + "</p>"));
   }
   EXPECT_EQ(count(html, "<svg"), 2 * 2) << "two charts, two lights";
-  EXPECT_EQ(count(html, "<tbody data-technique=\"pcss-24-16\""), 4);
+  EXPECT_EQ(count(html, "<tbody data-technique=\"pcss-24-16\""), 4 + 2)
+      << "two scenes and their mean, two lights";
   // The exact figure to sort by, the rounded one to read: 0.25 + 0.0053 of the first record.
-  EXPECT_THAT(html, HasSubstr("data-value=\"0.2553\">0.2553<"));
+  EXPECT_THAT(html, HasSubstr("data-value=\"0.2553\">0.255 <span class=\"plus\">± 0.004</span>"));
   EXPECT_THAT(html, HasSubstr("<dt>99th percentile</dt><dd>0.511</dd>")) << "folded away";
   EXPECT_THAT(html, HasSubstr("<td>1024</td><td>0.0040</td>")) << "the noise floor of each reference";
 }
@@ -142,7 +144,7 @@ TEST_F(Report, AFindingIsToldAboveEverything) {
 TEST_F(Report, AnAbsentFigureIsADashThatSortsLast) {
   ReportContent content = *content_;
   content.results.records[1].metrics.rmse_penumbra = std::nullopt;
-  EXPECT_THAT(render_report(content), HasSubstr("<td class=\"figure\" data-value=\"\">–</td>"));
+  EXPECT_THAT(render_report(content), HasSubstr("<td class=\"figure\" data-value=\"\">– <"));
 }
 
 TEST(EmptyReport, IsStillAPage) {

@@ -87,9 +87,15 @@ std::string machine(const Results& results) {
   const std::string note = results.is_software
                                ? "Software device: milliseconds are CPU time and rank nothing."
                                : "Graphics card: milliseconds are GPU time.";
+  std::string library = "Penumbra " + escape_html(results.library_version);
+  if (results.commit) library += ", commit <code>" + escape_html(*results.commit) + "</code>";
+  std::string packages;
+  for (const PackageNote& package : results.packages) {
+    packages += entry("Package", escape_html(package.name + " " + package.version.value_or("(no version)")));
+  }
   return "<dl class=\"machine\">\n" + entry("Hardware", escape_html(results.hardware)) +
          entry("Device", escape_html(results.device)) + entry("Driver", escape_html(results.driver)) +
-         entry("Library", "Penumbra " + escape_html(results.library_version)) + entry("Times", note) +
+         entry("Library", library) + packages + entry("Times", note) +
          "</dl>\n<h3>The command</h3>\n<pre class=\"command\"><code>" + escape_html(results.command) +
          "</code></pre>\n";
 }

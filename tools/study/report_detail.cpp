@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 
+#include "parameters/settings_input.h"
 #include "study/html_text.h"
+#include "study/summary.h"
 
 namespace penumbra::study {
 namespace {
@@ -34,15 +37,45 @@ class Group {
   std::string entries_;
 };
 
+std::string yes_or_no(bool yes) {
+  return yes ? "yes" : "no";
+}
+
+// Parameters, and what the technique was measured at.
 std::string about(const Record& record, const std::string& id) {
   Group group(record.title.empty() ? record.technique : record.title);
   for (const auto& [name, values] : record.parameters) {
     group.add_text(name, fmt::format("{}", fmt::join(values, " ")));
   }
+  const RunSettings& settings = record.settings;
   group.add_text("shadow map",
                  fmt::format("{} texels wide, {}, {} cascade{}", record.map_size, record.map_format,
                              record.cascades, record.cascades == 1 ? "" : "s"));
+  if (!settings.splits.empty())
+    group.add_text("splits", fmt::format("{:.3g}", fmt::join(settings.splits, ", ")));
+  group.add_text("depth bias", fmt::format("{}", settings.depth_bias));
+  group.add_text("normal bias", fmt::format("{}", settings.normal_bias));
+  if (settings.slope_bias != 0.0) group.add_text("slope bias", fmt::format("{}", settings.slope_bias));
+  group.add_text("soft quality", std::string(parameters::name_of(settings.soft_quality)));
+  if (settings.light_scale != 1.0) {
+    group.add_text("light's diameter", fmt::format("times {}", settings.light_scale));
+  }
+  group.add_text("reversed depth", yes_or_no(settings.reversed_z));
   return group.html(id);
+}
+
+std::string intervals(const MetricIntervals& intervals) {
+  Group group("95 % intervals");
+  const auto add = [&group](const char* term, const std::optional<Interval>& interval, double scale) {
+    if (!interval) return;
+    group.add_text(term, fmt::format("{:.4g} to {:.4g}", interval->low * scale, interval->high * scale));
+  };
+  add("RMSE in penumbra", intervals.rmse_penumbra, 1.0);
+  add("RMSE all pixels", intervals.rmse_all, 1.0);
+  add("leaks, %", intervals.leak_rate, 100.0);
+  add("false shadow, %", intervals.false_shadow_rate, 100.0);
+  add("fetches of the function", intervals.fetches_mean, 1.0);
+  return group.html();
 }
 
 std::string errors(const Metrics& metrics) {
@@ -88,10 +121,27 @@ std::string motion(const Record& record) {
   return group.html();
 }
 
+void add_frame(Group& group, const Results& results, const Record& record) {
+  const auto found =
+      std::find_if(results.frames.begin(), results.frames.end(), [&record](const MeasuredFrame& frame) {
+        return frame.scene == record.scene && frame.light_degrees == record.light_degrees;
+      });
+  if (found == results.frames.end()) return;
+  const auto vector = [](const glm::dvec3& v) {
+    return fmt::format("{:.3g}, {:.3g}, {:.3g}", v.x, v.y, v.z);
+  };
+  group.add_text("picture", fmt::format("{} × {} pixels", found->width, found->height));
+  group.add_text("shadow distance", fmt::format("{} m", found->shadow_distance_metres));
+  group.add_text("sun shines along", vector(found->sun_direction));
+  group.add_text("camera at", vector(found->camera.position));
+  group.add_text("camera looks along", vector(found->camera.forward));
+}
+
 std::string provenance(const Results& results, const Record& record) {
   const Metrics& metrics = record.metrics;
   Group group("Measured on");
-  group.add_text("pixels", fmt::format("{}", metrics.pixels));
+  add_frame(group, results, record);
+  group.add_text("pixels with a surface", fmt::format("{}", metrics.pixels));
   group.add_text("noise seeds", fmt::format("{}", metrics.seeds));
   if (metrics.invalid > 0) group.add_text("invalid results", fmt::format("{}", metrics.invalid));
   if (record.time) {
@@ -107,9 +157,18 @@ std::string provenance(const Results& results, const Record& record) {
 }  // namespace
 
 std::string record_detail(const Results& results, const Record& record, const std::string& about_id) {
-  return "<div class=\"groups\">\n" + about(record, about_id) + errors(record.metrics) +
-         split(record.metrics.split) + fetches(record.metrics) + motion(record) +
+  return "<div class=\"groups\">\n" + about(record, about_id) + intervals(record.metrics.intervals) +
+         errors(record.metrics) + split(record.metrics.split) + fetches(record.metrics) + motion(record) +
          provenance(results, record) + "</div>\n";
+}
+
+std::string mean_detail(const Results& results, const Record& any, const std::string& about_id) {
+  const LightSample sample = sample_of(results, any.light_degrees);
+  Group group("Mean of");
+  group.add_text("scenes", fmt::format("{}", sample.scenes));
+  group.add_text("penumbra pixels, all scenes", fmt::format("{}", sample.penumbra_pixels));
+  group.add_text("fewest of a scene", fmt::format("{}", sample.smallest_penumbra_pixels));
+  return "<div class=\"groups\">\n" + about(any, about_id) + group.html() + "</div>\n";
 }
 
 }  // namespace penumbra::study

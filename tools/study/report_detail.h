@@ -1,4 +1,4 @@
-// Everything the report says of one record beside its headline figures.
+// Everything the report says of one record, or of a mean, beside its headline figures.
 #pragma once
 
 #include <string>
@@ -10,5 +10,8 @@ namespace penumbra::study {
 // Definition lists under headings; figures that were not measured are left out. about_id: of the part that
 // names the technique and its parameters, which the report also shows as a tooltip.
 std::string record_detail(const Results& results, const Record& record, const std::string& about_id);
+
+// The same of a mean over scenes. any: one of its records, which share parameters and settings.
+std::string mean_detail(const Results& results, const Record& any, const std::string& about_id);
 
 }  // namespace penumbra::study

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "study/figure_text.h"
 #include "study/html_text.h"
 #include "study/report_detail.h"
 #include "study/summary.h"
@@ -12,55 +13,125 @@
 namespace penumbra::study {
 namespace {
 
-// One column of figures: how its cell is read from a record and shown.
+// A record, or the mean of a technique over all scenes.
+struct Row {
+  Choice choice;
+  std::string scene;               // empty: the mean
+  const Record* record = nullptr;  // of a mean, the first of its records: they share parameters and settings
+  double light_degrees = 0.0;
+  std::optional<Estimate> rmse_penumbra;
+  std::optional<Estimate> rmse_all;
+  std::optional<Estimate> leak_rate;
+  std::optional<Estimate> false_shadow_rate;
+  std::optional<Estimate> fetches;  // of all passes
+  std::size_t penumbra_pixels = 0;
+
+  bool is_mean() const { return scene.empty(); }
+};
+
+std::optional<Estimate> estimate(const std::optional<double>& value, std::optional<Interval> interval,
+                                 double more = 0.0) {
+  if (!value) return std::nullopt;
+  if (interval) {
+    interval->low += more;
+    interval->high += more;
+  }
+  return Estimate{*value + more, interval};
+}
+
+Row row_of(const Results& results, const Record& record) {
+  const Metrics& metrics = record.metrics;
+  const MetricIntervals& intervals = metrics.intervals;
+  return {choice_of(results, record),
+          record.scene,
+          &record,
+          record.light_degrees,
+          estimate(metrics.rmse_penumbra, intervals.rmse_penumbra),
+          estimate(metrics.rmse_all, intervals.rmse_all),
+          estimate(metrics.leak_rate, intervals.leak_rate),
+          estimate(metrics.false_shadow_rate, intervals.false_shadow_rate),
+          estimate(metrics.fetches_mean, intervals.fetches_mean, metrics.preprocess_fetches_per_pixel),
+          metrics.penumbra_pixels};
+}
+
+Row row_of(const Results& results, const SummaryLine& line) {
+  const auto first = std::find_if(results.records.begin(), results.records.end(), [&](const Record& record) {
+    return record.light_degrees == line.light_degrees && choice_of(results, record) == line.choice;
+  });
+  return {line.choice,
+          "",
+          &*first,
+          line.light_degrees,
+          line.rmse_penumbra,
+          line.rmse_all,
+          line.leak_rate,
+          line.false_shadow_rate,
+          line.fetches,
+          sample_of(results, line.light_degrees).penumbra_pixels};
+}
+
+// Means first, where there is more than one scene; then the records in their order.
+std::vector<Row> rows_of(const Results& results) {
+  std::vector<Row> rows;
+  if (scene_names(results).size() > 1) {
+    for (const SummaryLine& line : summarise(results)) {
+      if (line.complete) rows.push_back(row_of(results, line));
+    }
+  }
+  for (const Record& record : results.records) rows.push_back(row_of(results, record));
+  return rows;
+}
+
+// One column of figures: how its cell is read from a row and shown.
 struct Column {
   std::string title;
   std::string unit;
-  std::function<std::optional<double>(const Record&)> value;
-  std::function<std::string(double)> text;
+  std::function<std::optional<Estimate>(const Row&)> value;
+  std::function<std::string(const Estimate&)> text;
   bool has_bar = false;  // a line under the figure, as long as its share of the column's largest
 };
 
-using Figure = std::optional<double> Metrics::*;
-
-Column metric(const char* title, const char* unit, Figure figure, const char* format, double scale = 1.0) {
-  return {title, unit, [figure](const Record& record) { return record.metrics.*figure; },
-          [format, scale](double value) { return fmt::format(fmt::runtime(format), value * scale); }};
+Column figure(const char* title, const char* unit, std::optional<Estimate> Row::*figure, double scale = 1.0) {
+  return {title, unit, [figure](const Row& row) { return row.*figure; },
+          [scale](const Estimate& value) { return figure_text(value, scale); }};
 }
 
-std::string with_thousands(double count) {
-  std::string text = fmt::format("{:.0f}", count);
+std::string with_thousands(const Estimate& count) {
+  std::string text = fmt::format("{:.0f}", count.value);
   for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, "\u202F");
   return text;
 }
 
-std::optional<double> all_fetches(const Record& record) {
-  const std::optional<double>& at_full_size = record.metrics.fetches_mean;
-  return at_full_size ? std::optional(*at_full_size + record.metrics.preprocess_fetches_per_pixel)
-                      : std::nullopt;
-}
-
-std::vector<Column> columns(const Results& results) {
+std::vector<Column> columns(const std::vector<Row>& rows) {
   std::vector<Column> all = {
-      {"Light", "degrees", [](const Record& record) { return std::optional(record.light_degrees); },
-       [](double value) { return fmt::format("{}", value); }},
-      metric("RMSE in penumbra", "of visibility", &Metrics::rmse_penumbra, "{:.4f}"),
-      metric("RMSE all pixels", "of visibility", &Metrics::rmse_all, "{:.4f}"),
-      metric("Leaks", "% of umbra", &Metrics::leak_rate, "{:.2f}", 100.0),
-      metric("False shadow", "% of lit", &Metrics::false_shadow_rate, "{:.2f}", 100.0),
-      {"Fetches", "per pixel", all_fetches, [](double value) { return fmt::format("{:.1f}", value); }},
+      {"Light", "degrees",
+       [](const Row& row) {
+         return Estimate{row.light_degrees, std::nullopt};
+       },
+       [](const Estimate& value) { return fmt::format("{}", value.value); }},
+      figure("RMSE in penumbra", "of visibility", &Row::rmse_penumbra),
+      figure("RMSE all pixels", "of visibility", &Row::rmse_all),
+      figure("Leaks", "% of umbra", &Row::leak_rate, 100.0),
+      figure("False shadow", "% of lit", &Row::false_shadow_rate, 100.0),
+      {"Fetches", "per pixel", [](const Row& row) { return row.fetches; },
+       [](const Estimate& value) { return fetches_text(value); }},
       {"Penumbra", "pixels",
-       [](const Record& record) {
-         return std::optional(static_cast<double>(record.metrics.penumbra_pixels));
+       [](const Row& row) {
+         return Estimate{static_cast<double>(row.penumbra_pixels), std::nullopt};
        },
        with_thousands},
   };
   all[1].has_bar = true;
-  std::erase_if(all, [&results](const Column& column) {
-    return std::none_of(results.records.begin(), results.records.end(),
-                        [&column](const Record& record) { return column.value(record).has_value(); });
+  std::erase_if(all, [&rows](const Column& column) {
+    return std::none_of(rows.begin(), rows.end(),
+                        [&column](const Row& row) { return column.value(row).has_value(); });
   });
   return all;
+}
+
+// A scene as the filter knows it; no scene is called so.
+std::string scene_value(const std::string& scene) {
+  return scene.empty() ? "mean" : "scene " + scene;
 }
 
 std::string head(const std::string& title, const std::string& unit, const char* kind) {
@@ -69,21 +140,32 @@ std::string head(const std::string& title, const std::string& unit, const char* 
                      title, second);
 }
 
-double largest(const Results& results, const Column& column) {
+double largest(const std::vector<Row>& rows, const Column& column) {
   double most = 0.0;
-  for (const Record& record : results.records) most = std::max(most, column.value(record).value_or(0.0));
+  for (const Row& row : rows) {
+    if (const std::optional<Estimate> value = column.value(row)) most = std::max(most, value->value);
+  }
   return most;
 }
 
-std::string figure_cell(const Column& column, const Record& record, double most) {
-  const std::optional<double> value = column.value(record);
-  if (!value) return "<td class=\"figure\" data-value=\"\">–</td>\n";
+// "0.147 ± 0.031": what follows the figure stands in a box of its own, so that figures end at one edge.
+std::string figure_words(const std::string& text) {
+  constexpr std::string_view kBetween = " ± ";
+  const std::size_t at = text.find(kBetween);
+  const std::string half = at == std::string::npos ? "" : "± " + text.substr(at + kBetween.size());
+  return text.substr(0, at) + " <span class=\"plus\">" + half + "</span>";
+}
+
+std::string figure_cell(const Column& column, const Row& row, bool has_intervals, double most) {
+  const std::optional<Estimate> value = column.value(row);
+  const std::string words = value ? column.text(*value) : "–";
+  const std::string shown = has_intervals ? figure_words(words) : words;
+  if (!value) return "<td class=\"figure\" data-value=\"\">" + shown + "</td>\n";
   const std::string bar =
       column.has_bar && most > 0.0
-          ? fmt::format("<span class=\"bar\" style=\"--share:{:.4f}\"></span>", *value / most)
+          ? fmt::format("<span class=\"bar\" style=\"--share:{:.4f}\"></span>", value->value / most)
           : "";
-  return fmt::format("<td class=\"figure\" data-value=\"{:.9g}\">{}{}</td>\n", *value, column.text(*value),
-                     bar);
+  return fmt::format("<td class=\"figure\" data-value=\"{:.9g}\">{}{}</td>\n", value->value, shown, bar);
 }
 
 std::string technique_cell(const std::string& label, const std::string& about_id) {
@@ -95,8 +177,11 @@ std::string technique_cell(const std::string& label, const std::string& about_id
       safe, safe, about_id, safe);
 }
 
-std::string scene_cell(const std::string& scene) {
-  const std::string safe = escape_html(scene);
+std::string scene_cell(const Row& row, std::size_t scenes) {
+  if (row.is_mean()) {
+    return fmt::format("<td class=\"name scene\" data-value=\"\">mean of {}</td>\n", scenes);
+  }
+  const std::string safe = escape_html(row.scene);
   return fmt::format("<td class=\"name scene\" data-value=\"{}\">{}</td>\n", safe, safe);
 }
 
@@ -122,42 +207,56 @@ std::string links_cell(const std::optional<std::size_t>& pictures, std::size_t r
 class Table {
  public:
   Table(const Results& results, const std::vector<PictureRow>& pictures)
-      : results_(results), pictures_(pictures), columns_(columns(results)) {
-    for (const Column& column : columns_) largest_.push_back(largest(results, column));
+      : results_(results), pictures_(pictures), rows_(rows_of(results)), columns_(columns(rows_)) {
+    for (const Column& column : columns_) {
+      largest_.push_back(largest(rows_, column));
+      has_intervals_.push_back(std::any_of(rows_.begin(), rows_.end(), [&column](const Row& row) {
+        const std::optional<Estimate> value = column.value(row);
+        return value && value->interval;
+      }));
+    }
   }
 
   std::string html() const {
     std::string text = "<table class=\"figures\">\n<thead>\n<tr>" + head("Technique", "", "name technique") +
                        head("Scene", "", "name scene");
-    for (const Column& column : columns_) text += head(column.title, column.unit, "figure");
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      text += head(columns_[i].title, columns_[i].unit, has_intervals_[i] ? "figure wide" : "figure");
+    }
     text +=
         "<th scope=\"col\" class=\"links\"><span class=\"hidden\">Pictures and "
         "details</span></th></tr>\n</thead>\n";
-    for (std::size_t i = 0; i < results_.records.size(); ++i) text += record_rows(i);
+    for (std::size_t i = 0; i < rows_.size(); ++i) text += body(i);
     return text + "</table>\n";
   }
 
  private:
-  std::string record_rows(std::size_t index) const {
-    const Record& record = results_.records[index];
-    const std::string label = choice_of(results_, record).label;
+  std::string body(std::size_t index) const {
+    const Row& row = rows_[index];
     const std::string about_id = fmt::format("about-{}", index);
-    std::string html = fmt::format(
-        "<tbody data-technique=\"{}\" data-scene=\"{}\" data-light=\"{}\">\n<tr class=\"record\">",
-        escape_html(label), escape_html(record.scene), record.light_degrees);
-    html += technique_cell(label, about_id) + scene_cell(record.scene);
-    for (std::size_t i = 0; i < columns_.size(); ++i) html += figure_cell(columns_[i], record, largest_[i]);
-    html += links_cell(pictures_of(record, pictures_), index) + "</tr>\n";
+    std::string html =
+        fmt::format("<tbody data-technique=\"{}\" data-scene=\"{}\" data-light=\"{}\">\n<tr class=\"{}\">",
+                    escape_html(row.choice.label), escape_html(scene_value(row.scene)), row.light_degrees,
+                    row.is_mean() ? "record mean" : "record");
+    html += technique_cell(row.choice.label, about_id) + scene_cell(row, scene_names(results_).size());
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      html += figure_cell(columns_[i], row, has_intervals_[i], largest_[i]);
+    }
+    html += links_cell(row.is_mean() ? std::nullopt : pictures_of(*row.record, pictures_), index) + "</tr>\n";
     return html +
            fmt::format("<tr class=\"detail\" id=\"detail-{}\"><td colspan=\"{}\">\n", index,
                        columns_.size() + 3) +
-           record_detail(results_, record, about_id) + "</td></tr>\n</tbody>\n";
+           (row.is_mean() ? mean_detail(results_, *row.record, about_id)
+                          : record_detail(results_, *row.record, about_id)) +
+           "</td></tr>\n</tbody>\n";
   }
 
   const Results& results_;
   const std::vector<PictureRow>& pictures_;
+  std::vector<Row> rows_;
   std::vector<Column> columns_;
-  std::vector<double> largest_;
+  std::vector<double> largest_;      // by column
+  std::vector<bool> has_intervals_;  // by column
 };
 
 std::string option(const std::string& value, const std::string& text) {
@@ -165,23 +264,25 @@ std::string option(const std::string& value, const std::string& text) {
 }
 
 std::string choice(const char* name, const char* label, const std::string& options) {
-  return fmt::format("<label>{} <select name=\"{}\">\n<option value=\"\">all</option>\n{}</select></label>\n",
-                     label, name, options);
+  return fmt::format("<label>{} <select name=\"{}\">\n{}</select></label>\n", label, name, options);
 }
 
 std::string filters(const Results& results) {
-  std::string techniques;
+  std::string techniques = option("", "all");
   for (const Choice& entry : choices(results)) techniques += option(entry.label, entry.label);
+  const std::vector<std::string> names = scene_names(results);
   std::string scenes;
-  for (const std::string& scene : scene_names(results)) scenes += option(scene, scene);
-  std::string lights;
+  if (names.size() > 1) scenes = option(scene_value(""), fmt::format("mean of {}", names.size()));
+  scenes += option("", "each");
+  for (const std::string& scene : names) scenes += option(scene_value(scene), scene);
+  std::string lights = option("", "all");
   for (const double light : light_sizes(results)) {
     lights += option(fmt::format("{}", light), fmt::format("{}°", light));
   }
   return "<form class=\"filters needs-script\" id=\"filters\">\n" +
          choice("technique", "Technique", techniques) + choice("scene", "Scene", scenes) +
          choice("light", "Light", lights) +
-         "<button type=\"reset\">Show all</button>\n<output class=\"quiet\" "
+         "<button type=\"reset\">Reset</button>\n<output class=\"quiet\" "
          "aria-live=\"polite\"></output>\n</form>\n";
 }
 
@@ -191,7 +292,10 @@ std::string record_table(const Results& results, const std::vector<PictureRow>& 
   if (results.records.empty()) return {};
   return filters(results) +
          "<div class=\"scroll\" role=\"region\" aria-label=\"All figures\" tabindex=\"0\">\n" +
-         Table(results, pictures).html() + "</div>\n";
+         Table(results, pictures).html() +
+         "</div>\n<p class=\"quiet\">± is half of the 95 % interval, over the pixels of a scene or, for "
+         "means, over "
+         "scenes too. Penumbra pixels are those the errors stand on.</p>\n";
 }
 
 }  // namespace penumbra::study

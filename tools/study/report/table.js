@@ -23,11 +23,11 @@
     const wanted = ["technique", "scene", "light"].map(name => [name, filters.elements[name].value]);
     let shown = 0;
     for (const record of table.tBodies) {
-      record.hidden = wanted.some(([name, value]) => value !== "" && record.dataset[name] !== value);
+      record.hidden = wanted.some(([name, value]) =>
+        value === "" ? name === "scene" && record.dataset.scene === "mean" : record.dataset[name] !== value);
       shown += record.hidden ? 0 : 1;
     }
-    const all = table.tBodies.length;
-    filters.querySelector("output").textContent = shown === all ? `${all} rows` : `${shown} of ${all} rows`;
+    filters.querySelector("output").textContent = `${shown} ${shown === 1 ? "row" : "rows"}`;
   };
 
   const unfold = button => {

@@ -16,7 +16,8 @@ class Viewer {
     this.view = { zoom: 1, x: 0.5, y: 0.5 };  // zoom 1 fits; the point in the middle, as shares of the picture
     this.swapped = false;
     this.turn = false;             // blinking: whether the right picture shows
-    this.stage = this.stages[0];
+    // The widest light of the first scene: there techniques differ most.
+    this.stage = this.stages.findLast(stage => stage.scene === this.stages[0].scene);
     this.item = this.#best();
     this.errorScale = this.item.errorScale;
     this.shown = null;             // { left, right }: canvases and what they are called
@@ -67,6 +68,8 @@ class Viewer {
   // Controls follow the scene: its techniques, what the left side may hold.
   #showStage() {
     const { scene, light, left } = this.form.elements;
+    // All of it fits a window, controls included.
+    this.stageBox.style.maxWidth = `calc(70vh * ${this.stage.width / this.stage.height})`;
     scene.value = this.stage.scene;
     light.value = this.stage.light;
     const before = left.value;
@@ -160,6 +163,7 @@ class Viewer {
     strip.getContext("2d").drawImage(
       this.pixels.paint(256, 1, { receivers }, this.pixels.ramps[this.kind] ?? null, i => i / 255), 0, 0);
     this.root.querySelector(".scale output").textContent = `${this.errorScale}`;
+    this.root.querySelector(".scale").hidden = this.kind !== "error";
   }
 
   // Picture pixels to canvas pixels.
