@@ -138,14 +138,12 @@ class Errors(ViewerCase):
 
     def test_reads_numbers_under_the_pointer(self):
         page = self.viewer()
-        page.hover(".stage canvas", (24.5 / 48, 12.5 / 24))
-        self.assertEqual(page.ask("document.querySelector('.readout').textContent"),
-                         "Pixel 24, 12: ray traced 0.502, pcss-24-16 0.502, error 0.000, 40 fetches")
-        page.hover(".stage canvas", (18.5 / 48, 12.5 / 24))
-        self.assertEqual(page.ask("document.querySelector('.readout').textContent"),
-                         "Pixel 18, 12: ray traced 0.125, pcss-24-16 0.000, error −0.125, 40 fetches")
-        page.hover(".stage canvas", (18.5 / 48, 1.5 / 24))
-        self.assertEqual(page.ask("document.querySelector('.readout').textContent"), "Pixel 18, 1: no surface")
+        for column, row, words in (
+                (24, 12, "Pixel 24, 12: ray traced 0.502, pcss-24-16 0.502, error 0.000, 40 fetches"),
+                (18, 12, "Pixel 18, 12: ray traced 0.125, pcss-24-16 0.000, error −0.125, 40 fetches"),
+                (18, 1, "Pixel 18, 1: no surface")):
+            page.hover(".stage canvas", ((column + 0.5) / 48, (row + 0.5) / 24))
+            page.wait(f"document.querySelector('.readout').textContent === {words!r}")
 
     def test_results_that_are_no_visibility_stand_out(self):
         page = self.open(kind="findings")
@@ -159,9 +157,10 @@ class Errors(ViewerCase):
 class Zoom(ViewerCase):
     def shown_column(self, page):
         """The picture's column in the middle of the stage, by the readout."""
+        page.ask("document.querySelector('.readout').textContent = ''")
         page.hover(".stage canvas", (0.5, 0.8))
-        text = page.ask("document.querySelector('.readout').textContent")
-        return int(text.split()[1].rstrip(","))
+        page.wait("document.querySelector('.readout').textContent !== ''")
+        return int(page.ask("document.querySelector('.readout').textContent").split()[1].rstrip(","))
 
     def test_enlarges_pixels_as_squares_and_moves(self):
         page = self.viewer()

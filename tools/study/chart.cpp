@@ -162,15 +162,26 @@ class Script {
                            ink::kTitle);
     }
     text_ += fmt::format(
-        "set xlabel {} offset 0,0.4 textcolor '{}'\n"
-        "set ylabel {} offset 1.5,0 textcolor '{}'\n{}set xrange [{:.9g}:{:.9g}]\nset yrange "
+        "set xlabel {} offset 0,0.4 textcolor '{}'\n{}set xrange [{:.9g}:{:.9g}]\nset yrange "
         "[{:.9g}:{:.9g}]\n",
-        gnuplot_string(chart_.x_label), ink::kTick, gnuplot_string(chart_.y_label), ink::kTick,
-        axes_.x.logarithmic ? "set logscale x\n" : "", axes_.x.from, axes_.x.to, axes_.y.from, axes_.y.to);
+        gnuplot_string(chart_.x_label), ink::kTick, axes_.x.logarithmic ? "set logscale x\n" : "",
+        axes_.x.from, axes_.x.to, axes_.y.from, axes_.y.to);
+    add_y_label(frame);
     add_labels(panel, frame);
     add_data(panel);
     // Labels and leader lines belong to one panel only.
     text_ += "unset label\nunset arrow\n";
+  }
+
+  // At a fixed place in a page's narrow panel: gnuplot would move it by the width of the tics, beyond the
+  // edge.
+  void add_y_label(const Box& frame) {
+    constexpr double kFromEdge = 10.0;
+    const std::string label = gnuplot_string(chart_.y_label);
+    text_ += has_titles()
+                 ? fmt::format("set ylabel {} offset 1.5,0 textcolor '{}'\n", label, ink::kTick)
+                 : fmt::format("set label {} at screen {:.5f},{:.5f} center rotate textcolor '{}'\n", label,
+                               screen_x(kFromEdge), screen_y((frame.top + frame.bottom) / 2.0), ink::kTick);
   }
 
   // What labels should keep off: the points, and the steps of the front (across first, then down).

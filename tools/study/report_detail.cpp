@@ -67,7 +67,7 @@ std::string about(const Record& record, const std::string& id) {
 std::string intervals(const MetricIntervals& intervals) {
   Group group("95 % intervals");
   const auto add = [&group](const char* term, const std::optional<Interval>& interval, double scale) {
-    if (!interval) return;
+    if (!interval || interval->low == interval->high) return;  // of a constant, which needs none
     group.add_text(term, fmt::format("{:.4g} to {:.4g}", interval->low * scale, interval->high * scale));
   };
   add("RMSE in penumbra", intervals.rmse_penumbra, 1.0);
@@ -128,7 +128,7 @@ void add_frame(Group& group, const Results& results, const Record& record) {
       });
   if (found == results.frames.end()) return;
   const auto vector = [](const glm::dvec3& v) {
-    return fmt::format("{:.3g}, {:.3g}, {:.3g}", v.x, v.y, v.z);
+    return fmt::format("{:.2f}, {:.2f}, {:.2f}", v.x, v.y, v.z);
   };
   group.add_text("picture", fmt::format("{} × {} pixels", found->width, found->height));
   group.add_text("shadow distance", fmt::format("{} m", found->shadow_distance_metres));

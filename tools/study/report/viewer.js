@@ -7,20 +7,19 @@ class Viewer {
   constructor(root, index) {
     this.root = root;
     this.stages = index.stages;
-    this.pixels = new Pixels(index);
+    this.layers = new Layers(index);
     this.form = root.querySelector("form");
     this.stageBox = root.querySelector(".stage");
     this.canvas = this.stageBox.querySelector("canvas");
     this.divider = root.querySelector(".divider");
-    this.border = 0.5;             // share of the width left of the border
-    this.view = { zoom: 1, x: 0.5, y: 0.5 };  // zoom 1 fits; the point in the middle, as shares of the picture
+    this.view = new View();
     this.swapped = false;
-    this.turn = false;             // blinking: whether the right picture shows
+    this.turn = false;  // blinking: whether the right picture shows
     // The widest light of the first scene: there techniques differ most.
     this.stage = this.stages.findLast(stage => stage.scene === this.stages[0].scene);
     this.item = this.#best();
     this.errorScale = this.item.errorScale;
-    this.shown = null;             // { left, right }: canvases and what they are called
+    this.shown = null;  // { left, right }: layers
     this.#fillControls();
     this.#listen();
     this.#showStage();
@@ -90,7 +89,7 @@ class Viewer {
       button.addEventListener("click", () => this.#choose(item));
       return button;
     }));
-    this.pixels.forget();
+    this.layers.forget();
     this.#choose(this.item);
   }
 
@@ -106,77 +105,40 @@ class Viewer {
     return this.#load();
   }
 
-  async #layer(item, kind) {
-    const { width, height } = this.stage;
-    const planes = { receivers: await this.pixels.grey(this.stage.receivers),
-      invalid: item && kind !== "fetches" && kind !== "mask" ? await this.pixels.grey(item.invalid) : null };
-    const reference = await this.pixels.grey(this.stage.reference);
-    const paint = (ramp, share) => this.pixels.paint(width, height, planes, ramp, share);
-    if (!item) return { name: "Ray traced", canvas: paint(null, i => reference[i] / 255) };
-    if (kind === "fetches") {
-      const counts = await this.pixels.grey(item.fetches);
-      return { name: `${item.technique}: fetches`,
-        canvas: paint(this.pixels.ramps.fetches, i => counts[i] / item.fetchScale) };
-    }
-    if (kind === "mask") {
-      const mask = await this.pixels.grey(item.mask);
-      return { name: `${item.technique}: mask`, canvas: paint(null, i => mask[i] / 255) };
-    }
-    const result = await this.pixels.grey(item.result);
-    if (kind === "result") return { name: item.technique, canvas: paint(null, i => result[i] / 255) };
-    const scale = this.errorScale;
-    return { name: `${item.technique}: error`,
-      canvas: paint(this.pixels.ramps.error, i => ((result[i] - reference[i]) / 255 / scale + 1) / 2) };
-  }
-
   #leftItem() {
     const value = this.form.elements.left.value;
     if (value === "") return null;
     return value === "same" ? this.item : this.stage.items.find(item => `item-${item.technique}` === value);
   }
 
+  // The left side shows the right one's kind when it holds another technique, and a result otherwise.
+  #leftKind(left) {
+    const other = left !== null && left !== this.item;
+    return other && (this.kind === "error" || left[this.kind] !== undefined) ? this.kind : "result";
+  }
+
   // Decodes and paints both sides; a later call overtakes an earlier one.
   async #load() {
     const ticket = this.ticket = {};
     const left = this.#leftItem();
-    const leftKind = left && this.form.elements.left.value !== "same" && left[this.kind] !== undefined
-      ? this.kind : left && this.kind === "error" && left !== this.item ? "error" : "result";
-    const sides = await Promise.all([this.#layer(left, leftKind), this.#layer(this.item, this.kind)]);
+    const [first, second] = await Promise.all([
+      this.layers.of(this.stage, left, this.#leftKind(left), this.errorScale),
+      this.layers.of(this.stage, this.item, this.kind, this.errorScale)]);
     if (ticket !== this.ticket) return;
-    this.shown = this.swapped ? { left: sides[1], right: sides[0] } : { left: sides[0], right: sides[1] };
-    this.planes = { receivers: await this.pixels.grey(this.stage.receivers),
-      reference: await this.pixels.grey(this.stage.reference), result: await this.pixels.grey(this.item.result),
-      fetches: await this.pixels.grey(this.item.fetches) };
-    this.#legend();
+    this.shown = this.swapped ? { left: second, right: first } : { left: first, right: second };
     this.draw();
+    this.#legend();
   }
 
   #legend() {
+    const { from, to, strip } = this.layers.legend(this.item, this.kind, this.errorScale);
     const legend = this.root.querySelector(".legend");
-    const [from, to] = { error: [`−${this.errorScale} too dark`, `+${this.errorScale} too bright`],
-      fetches: ["0 fetches", `${this.item.fetchScale}`] }[this.kind] ?? ["0 hidden", "1 lit"];
     legend.querySelector(".from").textContent = from;
     legend.querySelector(".to").textContent = to;
-    const strip = legend.querySelector("canvas");
-    strip.setAttribute("aria-label", `colours from ${from} to ${to}`);
-    const receivers = new Uint8Array(256).fill(1);
-    strip.getContext("2d").drawImage(
-      this.pixels.paint(256, 1, { receivers }, this.pixels.ramps[this.kind] ?? null, i => i / 255), 0, 0);
+    legend.querySelector("canvas").setAttribute("aria-label", `colours from ${from} to ${to}`);
+    legend.querySelector("canvas").getContext("2d").drawImage(strip, 0, 0);
     this.root.querySelector(".scale output").textContent = `${this.errorScale}`;
     this.root.querySelector(".scale").hidden = this.kind !== "error";
-  }
-
-  // Picture pixels to canvas pixels.
-  #transform() {
-    const { width, height } = this.stage;
-    const factor = this.canvas.width / width * this.view.zoom;
-    return { factor, x: this.canvas.width / 2 - this.view.x * width * factor,
-      y: this.canvas.height / 2 - this.view.y * height * factor };
-  }
-
-  #keepInside() {
-    const half = 0.5 / this.view.zoom;
-    for (const axis of ["x", "y"]) this.view[axis] = Math.min(Math.max(this.view[axis], half), 1 - half);
   }
 
   draw() {
@@ -185,20 +147,19 @@ class Viewer {
     const size = Math.max(1, Math.round(this.stageBox.clientWidth * devicePixelRatio));
     this.canvas.width = size;
     this.canvas.height = Math.round(size * height / width);
-    this.#keepInside();
     const context = this.canvas.getContext("2d");
-    const { factor, x, y } = this.#transform();
+    const { factor, left, top } = this.view.place(width, height, this.canvas);
     context.imageSmoothingEnabled = factor < 1;
     const part = (layer, from, to) => {
       context.save();
       context.beginPath();
       context.rect(from, 0, to - from, this.canvas.height);
       context.clip();
-      context.drawImage(layer.canvas, x, y, width * factor, height * factor);
+      context.drawImage(layer.canvas, left, top, width * factor, height * factor);
       context.restore();
     };
     const blinks = this.mode === "blink";
-    const border = Math.round(blinks ? (this.turn ? 0 : size) : this.border * size);
+    const border = Math.round(blinks ? (this.turn ? 0 : size) : this.view.border * size);
     part(this.shown.left, 0, border);
     part(this.shown.right, border, size);
     this.#words(blinks, factor);
@@ -212,8 +173,8 @@ class Viewer {
     leftTag.hidden = blinks && this.turn;
     rightTag.hidden = blinks && !this.turn;
     this.divider.hidden = blinks;
-    this.divider.style.left = `${100 * this.border}%`;
-    this.divider.setAttribute("aria-valuenow", Math.round(100 * this.border));
+    this.divider.style.left = `${100 * this.view.border}%`;
+    this.divider.setAttribute("aria-valuenow", Math.round(100 * this.view.border));
     this.stageBox.classList.toggle("enlarged", this.view.zoom > 1);
     this.canvas.setAttribute("aria-label",
       `${this.stage.scene}, ${this.stage.light} degree light: ${left.name} and ${right.name}`);
@@ -221,22 +182,17 @@ class Viewer {
   }
 
   #moveBorder(share) {
-    this.border = Math.min(Math.max(share, 0), 1);
+    this.view.moveBorder(share);
     this.draw();
   }
 
-  // Around a point of the stage, in shares of it.
-  #zoom(by, at = { x: 0.5, y: 0.5 }) {
-    const { view } = this;
-    const before = view.zoom;
-    view.zoom = Math.min(Math.max(before * by, 1), 64);
-    for (const axis of ["x", "y"]) view[axis] += (at[axis] - 0.5) * (1 / before - 1 / view.zoom);
+  #zoom(by, at) {
+    this.view.zoomBy(by, at);
     this.draw();
   }
 
   #pan(x, y) {
-    this.view.x -= x / this.view.zoom;
-    this.view.y -= y / this.view.zoom;
+    this.view.pan(x, y);
     this.draw();
   }
 
@@ -253,24 +209,12 @@ class Viewer {
     this.#choose(items[(items.indexOf(this.item) + step + items.length) % items.length]);
   }
 
-  #shareOf(event) {
-    const box = this.canvas.getBoundingClientRect();
-    return { x: (event.clientX - box.left) / box.width, y: (event.clientY - box.top) / box.height };
-  }
-
-  #readOut(event) {
+  async #readOut(at) {
     const { width, height } = this.stage;
-    const at = this.#shareOf(event);
-    const column = Math.floor((this.view.x + (at.x - 0.5) / this.view.zoom) * width);
-    const row = Math.floor((this.view.y + (at.y - 0.5) / this.view.zoom) * height);
-    const i = row * width + column;
-    const line = this.root.querySelector(".readout");
-    if (!this.planes || column < 0 || column >= width || row < 0 || row >= height) return;
-    const { receivers, reference, result, fetches } = this.planes;
-    const number = value => value.toFixed(3).replace("-", "−");
-    line.textContent = `Pixel ${column}, ${row}: ` + (receivers[i] === 0 ? "no surface" :
-      `ray traced ${number(reference[i] / 255)}, ${this.item.technique} ${number(result[i] / 255)}, ` +
-      `error ${number((result[i] - reference[i]) / 255)}` + (fetches ? `, ${fetches[i]} fetches` : ""));
+    const point = this.view.pointAt(at);
+    const [column, row] = [Math.floor(point.x * width), Math.floor(point.y * height)];
+    if (column < 0 || column >= width || row < 0 || row >= height) return;
+    this.root.querySelector(".readout").textContent = await this.layers.words(this.stage, this.item, column, row);
   }
 
   #listen() {
@@ -310,48 +254,26 @@ class Viewer {
       b: () => this.#setMode(this.mode === "blink" ? "slider" : "blink"),
       x: () => { this.swapped = !this.swapped; this.#load(); }, n: () => this.#next(1), p: () => this.#next(-1) };
     const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
-    if (key in arrows && onBorder) this.#moveBorder(this.border + 0.02 * (arrows[key][0] - arrows[key][1]));
+    if (key in arrows && onBorder) this.#moveBorder(this.view.border + 0.02 * (arrows[key][0] - arrows[key][1]));
     else if (key in arrows) this.#pan(-0.1 * arrows[key][0], -0.1 * arrows[key][1]);
-    else if (key in border) this.#moveBorder(this.border + border[key]);
+    else if (key in border) this.#moveBorder(this.view.border + border[key]);
     else if (key in letters) letters[key]();
     else return;
     event.preventDefault();
   }
 
-  // One pointer moves the border (the picture, once it is enlarged), two zoom.
+  // A drag moves the border, and the picture once it is enlarged.
   #listenToPointers() {
-    const pointers = new Map();
     let dragsBorder = false;
-    const spread = () => {
-      const [a, b] = [...pointers.values()];
-      return { length: Math.hypot(a.x - b.x, a.y - b.y), x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 };
-    };
-    this.stageBox.addEventListener("pointerdown", event => {
-      if (event.button !== 0) return;
-      pointers.set(event.pointerId, this.#shareOf(event));
-      this.stageBox.setPointerCapture(event.pointerId);
-      dragsBorder = this.mode === "slider" && (this.view.zoom === 1 || this.divider.contains(event.target));
-      if (dragsBorder && pointers.size === 1) this.#moveBorder(this.#shareOf(event).x);
+    listenToPointers(this.stageBox, {
+      press: (at, target) => {
+        dragsBorder = this.mode === "slider" && (this.view.zoom === 1 || this.divider.contains(target));
+        if (dragsBorder) this.#moveBorder(at.x);
+      },
+      drag: (from, to) => dragsBorder ? this.#moveBorder(to.x) : this.#pan(to.x - from.x, to.y - from.y),
+      point: at => this.#readOut(at),
+      zoom: (factor, at) => this.#zoom(factor, at),
     });
-    this.stageBox.addEventListener("pointermove", event => {
-      this.#readOut(event);
-      const before = pointers.get(event.pointerId);
-      if (!before) return;
-      const at = this.#shareOf(event);
-      const old = pointers.size === 2 ? spread() : null;
-      pointers.set(event.pointerId, at);
-      if (old) this.#zoom(spread().length / Math.max(old.length, 1e-3), spread());
-      else if (dragsBorder) this.#moveBorder(at.x);
-      else this.#pan(at.x - before.x, at.y - before.y);
-    });
-    const release = event => pointers.delete(event.pointerId);
-    this.stageBox.addEventListener("pointerup", release);
-    this.stageBox.addEventListener("pointercancel", release);
-    this.stageBox.addEventListener("wheel", event => {
-      if (!event.ctrlKey && !event.metaKey) return;
-      event.preventDefault();
-      this.#zoom(2 ** (-event.deltaY / 200), this.#shareOf(event));
-    }, { passive: false });
   }
 }
 
