@@ -11,6 +11,7 @@ namespace Penumbra
     /// </summary>
     [DisallowMultipleRendererFeature("Penumbra Soft Shadows")]
     [Tooltip("Soft shadows of the main light, with presets whose error is known.")]
+    [PackagePage("renderer-feature.md")]
     public sealed class PenumbraShadows : ScriptableRendererFeature
     {
         internal const string ShaderName = "Hidden/Penumbra/Shadows";
@@ -21,9 +22,16 @@ namespace Penumbra
         private const bool RequiresScreenSpaceShadows = true;
 #endif
 
+        [Tooltip("The passes' shader. The feature finds it by itself and keeps it here, so that players contain it.")]
         [SerializeField] private Shader shader;
+
+        [Tooltip("The debug views' shader. The feature finds it by itself.")]
         [SerializeField] private Shader debugShader;
+
+        [Tooltip("Further shaders of the passes. The feature finds them by itself.")]
         [SerializeField] private PassAssets passAssets = new PassAssets();
+
+        [Tooltip("What the inspector shows.")]
         [SerializeField] private PenumbraShadowsSettings settings = new PenumbraShadowsSettings();
 
         private Material material;

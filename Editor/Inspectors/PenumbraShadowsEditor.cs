@@ -1,15 +1,11 @@
 using UnityEditor;
-using UnityEngine;
 
 namespace Penumbra.Editor
 {
-    /// <summary>Preset first, its cost and error beside it; single options only where they count.</summary>
+    /// <summary>Preset first, its cost and error under it, then the look; single options only where they count.</summary>
     [CustomEditor(typeof(PenumbraShadows))]
     internal sealed class PenumbraShadowsEditor : UnityEditor.Editor
     {
-        private static readonly GUIContent NoiseLabel =
-            new GUIContent("Noise", "Moving noise is for temporal antialiasing or an upscaler that averages frames.");
-
         public override void OnInspectorGUI()
         {
             serializedObject.Update();
@@ -20,8 +16,7 @@ namespace Penumbra.Editor
                 ShowOptions(settings.FindPropertyRelative(nameof(PenumbraShadowsSettings.custom)));
             else
                 ShowPreset(settings, (QualityPreset)preset.intValue);
-            EditorGUILayout.PropertyField(settings.FindPropertyRelative(nameof(PenumbraShadowsSettings.noise)),
-                                          NoiseLabel);
+            EditorGUILayout.PropertyField(settings.FindPropertyRelative(nameof(PenumbraShadowsSettings.noise)));
             EditorGUILayout.PropertyField(settings.FindPropertyRelative(nameof(PenumbraShadowsSettings.sceneView)));
             EditorGUILayout.PropertyField(
                 settings.FindPropertyRelative(nameof(PenumbraShadowsSettings.reflectionProbes)));
@@ -35,6 +30,8 @@ namespace Penumbra.Editor
 
         private void ShowOptions(SerializedProperty custom)
         {
+            ShowLook(new LookFields(custom.FindPropertyRelative(OptionFields.AngularDiameter.name),
+                                    custom.FindPropertyRelative(OptionFields.SoftnessCap.name)));
             ShadowOptions options = ((PenumbraShadows)target).Settings.custom;
             foreach (OptionField option in OptionFields.All)
                 if (option.Counts(options))
@@ -45,9 +42,23 @@ namespace Penumbra.Editor
         {
             SerializedProperty angle =
                 settings.FindPropertyRelative(nameof(PenumbraShadowsSettings.angularDiameterDegrees));
+            SerializedProperty cap = settings.FindPropertyRelative(nameof(PenumbraShadowsSettings.softnessCapMetres));
+            string figures = PresetText.Describe(ShadowPresets.Options(preset)) + "\n" +
+                             PresetText.Figures(preset, angle.floatValue);
+            string capped = LookText.OfFigures(cap.floatValue);
+            EditorGUILayout.HelpBox(capped == null ? figures : figures + " " + capped, MessageType.None);
+            ShowLook(new LookFields(angle, cap));
             EditorGUILayout.PropertyField(angle, OptionFields.AngularDiameter.label);
-            EditorGUILayout.HelpBox(PresetText.Describe(ShadowPresets.Options(preset)) + "\n" +
-                                    PresetText.Figures(preset, angle.floatValue), MessageType.None);
+            EditorGUILayout.PropertyField(cap, OptionFields.SoftnessCap.label);
+        }
+
+        private static void ShowLook(LookFields fields)
+        {
+            ShadowLook look = fields.Look;
+            var chosen = (ShadowLook)EditorGUILayout.Popup(LookText.Label, (int)look, LookText.Names);
+            if (chosen != look && chosen != ShadowLook.Custom) fields.Look = chosen;
+            string text = LookText.Describe(fields.Look);
+            if (text != null) EditorGUILayout.HelpBox(text, MessageType.None);
         }
     }
 }

@@ -14,6 +14,7 @@ namespace Penumbra.Editor
 
         private SerializedDataParameter preset;
         private SerializedDataParameter debugView;
+        private LookOverride look;
 
         // Looking for assets is too slow for every draw; what these hold is read at each.
         private List<ScriptableRendererData> renderers;
@@ -25,6 +26,7 @@ namespace Penumbra.Editor
             foreach (OptionField option in OptionFields.All)
                 if (option.IsInVolume) options[option] = Unpack(serializedObject.FindProperty(option.name));
             debugView = Unpack(serializedObject.FindProperty(OptionFields.DebugView.name));
+            look = new LookOverride(serializedObject);
             renderers = null;
         }
 
@@ -35,10 +37,20 @@ namespace Penumbra.Editor
             PropertyField(preset, OptionFields.Preset);
             string figures = VolumeAdvice.Preset(state);
             if (figures != null) EditorGUILayout.HelpBox(figures, MessageType.None);
+            ShowLook();
             foreach (OptionField option in OptionFields.All)
                 if (VolumeAdvice.Shows(option, state.volume)) PropertyField(options[option], option.label);
             PropertyField(debugView, OptionFields.DebugView.label);
             foreach (Advice advice in VolumeAdvice.For(state)) EditorGUILayout.HelpBox(advice.text, advice.type);
+        }
+
+        // The first entry leaves the look to the feature.
+        private void ShowLook()
+        {
+            int now = look.Look == null ? 0 : (int)look.Look + 1;
+            int chosen = EditorGUILayout.Popup(LookText.Label, now, LookText.NamesInVolume);
+            if (chosen == now || chosen == (int)ShadowLook.Custom + 1) return;
+            look.Look = chosen == 0 ? (ShadowLook?)null : (ShadowLook)(chosen - 1);
         }
 
         private VolumeState State()

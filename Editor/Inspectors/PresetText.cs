@@ -7,7 +7,7 @@ namespace Penumbra.Editor
     {
         internal static string Describe(in ShadowOptions options)
         {
-            string text = Name(options.technique) + ", " + Cost(options);
+            string text = TechniqueName.Of(options.technique) + ", " + Cost(options);
             if (options.mask && options.technique.TakesSamples()) text += ", where the mask finds a penumbra";
             if (options.halfResolution) text += ", at half resolution";
             if (options.denoise && options.technique.TakesSamples()) text += ", denoised";
@@ -36,20 +36,7 @@ namespace Penumbra.Editor
 
         /// <summary>"PCSS at 0 degrees": the technique's name, and a light that has no penumbrae.</summary>
         internal static string Technique(ShadowOptions options) =>
-            Name(options.technique) + (options.technique.TakesSamples() && !options.SamplesPenumbrae ? " at 0 degrees" : "");
-
-        private static string Name(ShadowTechnique technique)
-        {
-            switch (technique)
-            {
-                case ShadowTechnique.Tent3x3: return "Tent 3 x 3";
-                case ShadowTechnique.Tent5x5: return "Tent 5 x 5";
-                case ShadowTechnique.Tent7x7: return "Tent 7 x 7";
-                case ShadowTechnique.PcssPoisson: return "Classic PCSS";
-                case ShadowTechnique.PcssHdrp: return "HDRP's PCSS";
-                default: return "PCSS";
-            }
-        }
+            TechniqueName.Of(options.technique) + (options.technique.TakesSamples() && !options.SamplesPenumbrae ? " at 0 degrees" : "");
 
         private static string Cost(in ShadowOptions options)
         {

@@ -14,7 +14,9 @@ namespace Penumbra
     {
         private const string Package = "Packages/com.penumbra.shadows/";
 
+        [Tooltip("Where in the package each asset lies.")]
         [SerializeField] private List<string> paths = new List<string>();
+        [Tooltip("In the order of the paths.")]
         [SerializeField] private List<Object> assets = new List<Object>();
 
         /// <summary>In the editor: looks for what is not there yet. True when something has been added.</summary>

@@ -2,7 +2,7 @@ namespace Penumbra
 {
     /// <summary>
     /// What the filters are told, in the units a person sets it in. Defaults are those of the technique list
-    /// (ShaderLibrary/techniques.json): PCSS by angular diameter with 24 and 16 samples.
+    /// (ShaderLibrary/techniques.json): PCSS with 24 and 16 samples.
     /// <para>Values out of range are no error here: what reads them keeps to the nearest end, as the shaders do.
     /// </para>
     /// </summary>
@@ -11,7 +11,7 @@ namespace Penumbra
         /// <summary>Full angle of the light's disc, degrees, 0 to 30.</summary>
         public float AngularDiameterDegrees;
 
-        /// <summary>Fetches of the blocker search, 1 to 64; of classic PCSS also of the filter, up to 128.</summary>
+        /// <summary>Fetches of the blocker search, 1 to 64; of PCSS (Poisson) also of the filter, up to 128.</summary>
         public int BlockerSamples;
 
         /// <summary>Fetches of the filter, 1 to 64.</summary>
@@ -32,7 +32,7 @@ namespace Penumbra
         /// <summary>Height of the light's cone above the receiver, beyond which it is a cylinder, metres.</summary>
         public float MaxSamplingMetres;
 
-        /// <summary>Radius of classic PCSS's blocker search, across the light, metres.</summary>
+        /// <summary>Radius of the blocker search of PCSS (Poisson), across the light, metres.</summary>
         public float SearchRadiusMetres;
 
         /// <summary>HDRP: angular diameter of the blocker search, degrees, 0 to 90; at least the light's is used.

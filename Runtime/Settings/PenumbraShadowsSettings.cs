@@ -7,32 +7,67 @@ namespace Penumbra
     [Serializable]
     public sealed class PenumbraShadowsSettings
     {
+        [Tooltip(OptionTooltips.Quality)]
         public QualityPreset preset = QualityPreset.Medium;
 
-        /// <summary>Full angle of the light's disc in degrees, for every preset.</summary>
+        /// <summary>Full angle of the light's disc in degrees, for every preset but Custom.</summary>
+        [Tooltip(OptionTooltips.AngularDiameter)]
         [Range(0.0f, 30.0f)]
         public float angularDiameterDegrees = AngularDiameter.SunDegrees;
 
-        /// <summary>In force when the preset is Custom.</summary>
+        /// <summary>Widest penumbra in metres, for every preset but Custom.</summary>
+        [Tooltip(OptionTooltips.SoftnessCap)]
+        [Range(0.0f, 100.0f)]
+        public float softnessCapMetres = 100.0f;
+
+        [Tooltip("Every option, in force where Quality is Custom.")]
         public ShadowOptions custom = ShadowPresets.Options(QualityPreset.Medium);
 
         /// <summary>Moving noise is only right where something averages frames: temporal antialiasing, an upscaler.</summary>
+        [Tooltip("Static: the grain of the samples stands still. Per Frame: a new pattern every frame, for temporal " +
+                 "antialiasing or an upscaler to average; without one, penumbrae flicker.")]
         public NoiseMode noise = NoiseMode.Static;
 
-        /// <summary>Scene views of the editor too, not only game cameras.</summary>
+        [Tooltip("Draws these shadows in Scene views of the editor too, not only in game cameras.")]
         public bool sceneView = true;
 
-        /// <summary>Realtime reflection probes too; six faces, seldom worth it.</summary>
+        [Tooltip("Draws these shadows in realtime reflection probes too: six pictures each, seldom worth it.")]
         public bool reflectionProbes;
 
-        /// <summary>In the editor and in development builds.</summary>
+        [Tooltip(OptionTooltips.DebugView)]
         public DebugView debugView;
+
+        /// <summary>
+        /// The look that the options in force have; Custom where they have none's. Setting it sets its two values; setting
+        /// Custom throws ArgumentOutOfRangeException, as it has none.
+        /// </summary>
+        public ShadowLook Look
+        {
+            get => preset == QualityPreset.Custom
+                       ? ShadowLooks.Of(custom.angularDiameterDegrees, custom.softnessCapMetres)
+                       : ShadowLooks.Of(angularDiameterDegrees, softnessCapMetres);
+            set
+            {
+                LookValues look = ShadowLooks.Values(value);
+                if (preset == QualityPreset.Custom)
+                {
+                    custom.angularDiameterDegrees = look.angularDiameterDegrees;
+                    custom.softnessCapMetres = look.softnessCapMetres;
+                }
+                else
+                {
+                    angularDiameterDegrees = look.angularDiameterDegrees;
+                    softnessCapMetres = look.softnessCapMetres;
+                }
+            }
+        }
 
         /// <summary>The options before any Volume.</summary>
         public ShadowOptions Options()
         {
-            ShadowOptions options = preset == QualityPreset.Custom ? custom : ShadowPresets.Options(preset);
-            if (preset != QualityPreset.Custom) options.angularDiameterDegrees = angularDiameterDegrees;
+            ShadowOptions options = preset == QualityPreset.Custom
+                                        ? custom
+                                        : ShadowPresets.Options(preset).Under(angularDiameterDegrees, softnessCapMetres);
             options.debugView = debugView;
             return options.Clamped();
         }

@@ -10,6 +10,7 @@ namespace Penumbra
     /// preset here comes before the single values beside it.
     /// </summary>
     [Serializable]
+    [PackagePage("installation.md")]
 #if UNITY_6000_0_OR_NEWER
     [VolumeComponentMenu("Lighting/Penumbra Soft Shadows")]
     [SupportedOnRenderPipeline(typeof(UniversalRenderPipelineAsset))]
@@ -18,17 +19,48 @@ namespace Penumbra
 #endif
     public sealed class PenumbraShadowsVolume : VolumeComponent
     {
+        [Tooltip(OptionTooltips.Quality)]
         public QualityPresetParameter preset = new QualityPresetParameter(QualityPreset.Medium);
+
+        [Tooltip(OptionTooltips.AngularDiameter)]
         public ClampedFloatParameter angularDiameterDegrees =
             new ClampedFloatParameter(AngularDiameter.SunDegrees, 0.0f, 30.0f);
+
+        [Tooltip(OptionTooltips.Technique)]
         public ShadowTechniqueParameter technique = new ShadowTechniqueParameter(ShadowTechnique.Pcss);
+
+        [Tooltip(OptionTooltips.BlockerSamples)]
         public ClampedIntParameter blockerSamples = new ClampedIntParameter(12, 1, 64);
+
+        [Tooltip(OptionTooltips.FilterSamples)]
         public ClampedIntParameter filterSamples = new ClampedIntParameter(8, 1, 64);
+
+        [Tooltip(OptionTooltips.SoftnessCap)]
         public ClampedFloatParameter softnessCapMetres = new ClampedFloatParameter(100.0f, 0.0f, 100.0f);
+
+        [Tooltip(OptionTooltips.Mask)]
         public BoolParameter mask = new BoolParameter(true);
+
+        [Tooltip(OptionTooltips.HalfResolution)]
         public BoolParameter halfResolution = new BoolParameter(false);
+
+        [Tooltip(OptionTooltips.Denoise)]
         public BoolParameter denoise = new BoolParameter(true);
+
+        [Tooltip(OptionTooltips.DebugView)]
         public DebugViewParameter debugView = new DebugViewParameter(DebugView.None);
+
+        /// <summary>
+        /// Overrides the light's size and its widest penumbra with those of a look; ArgumentOutOfRangeException for Custom,
+        /// which has none.
+        /// </summary>
+        public void Override(ShadowLook look)
+        {
+            LookValues values = ShadowLooks.Values(look);
+            angularDiameterDegrees.overrideState = softnessCapMetres.overrideState = true;
+            angularDiameterDegrees.value = values.angularDiameterDegrees;
+            softnessCapMetres.value = values.softnessCapMetres;
+        }
 
         /// <summary>`options` with what this Volume overrides.</summary>
         public ShadowOptions Over(ShadowOptions options)
@@ -36,8 +68,8 @@ namespace Penumbra
             if (preset.overrideState && preset.value != QualityPreset.Custom)
             {
                 ShadowOptions before = options;
-                options = ShadowPresets.Options(preset.value);
-                options.angularDiameterDegrees = before.angularDiameterDegrees;
+                options = ShadowPresets.Options(preset.value)
+                    .Under(before.angularDiameterDegrees, before.softnessCapMetres);
                 options.debugView = before.debugView;
             }
             if (angularDiameterDegrees.overrideState) options.angularDiameterDegrees = angularDiameterDegrees.value;
@@ -65,6 +97,7 @@ namespace Penumbra
         public ShadowTechniqueParameter(ShadowTechnique value, bool overrideState = false)
             : base(value, overrideState) { }
     }
+
     [Serializable]
     public sealed class DebugViewParameter : VolumeParameter<DebugView>
     {

@@ -6,7 +6,7 @@ namespace Penumbra
     {
         internal static readonly ShadowOptions[] Rows =
         {
-            new ShadowOptions  // Preset Low: tent 5 x 5
+            new ShadowOptions  // Preset Low: Tent 5x5
             {
                 technique = ShadowTechnique.Tent5x5,
                 angularDiameterDegrees = AngularDiameter.SunDegrees,

@@ -10,36 +10,56 @@ namespace Penumbra
     [Serializable]
     public struct ShadowOptions : IEquatable<ShadowOptions>
     {
+        [Tooltip(OptionTooltips.Technique)]
         public ShadowTechnique technique;
 
         /// <summary>Full angle of the light's disc, 0 to 30; the sun's is 0.53. Penumbrae widen with it.</summary>
+        [Tooltip(OptionTooltips.AngularDiameter)]
         [Range(0.0f, 30.0f)]
         public float angularDiameterDegrees;
 
-        /// <summary>Samples that look for blockers, 1 to 64. Classic PCSS takes this many in both loops.</summary>
+        /// <summary>Samples that look for blockers, 1 to 64. PCSS (Poisson) takes this many in both loops.</summary>
+        [Tooltip(OptionTooltips.BlockerSamples)]
         [Range(1, 64)]
         public int blockerSamples;
 
         /// <summary>Samples of the filter, 1 to 64.</summary>
+        [Tooltip(OptionTooltips.FilterSamples)]
         [Range(1, 64)]
         public int filterSamples;
 
         /// <summary>Widest penumbra, full width, 0 to 100: what is wider is cut short, and costs less to look for.</summary>
+        [Tooltip(OptionTooltips.SoftnessCap)]
         [Range(0.0f, 100.0f)]
         public float softnessCapMetres;
 
         /// <summary>Smallest filter radius in shadow-map texels, 0 to 8: hides the texels of contacts.</summary>
+        [Tooltip(OptionTooltips.MinFilter)]
         [Range(0.0f, 8.0f)]
         public float minFilterTexels;
 
         /// <summary>Full filter only where the mask finds a penumbra; one fetch elsewhere.</summary>
+        [Tooltip(OptionTooltips.Mask)]
         public bool mask;
 
         /// <summary>Resolve a quarter of the pixels and fill in the rest along edges.</summary>
+        [Tooltip(OptionTooltips.HalfResolution)]
         public bool halfResolution;
 
         /// <summary>Blur the noise of the samples away without crossing edges.</summary>
+        [Tooltip(OptionTooltips.Denoise)]
         public bool denoise;
+
+        /// <summary>
+        /// These options with the light of others: its size and its widest penumbra, which no quality preset decides.
+        /// </summary>
+        internal ShadowOptions Under(float degrees, float capMetres)
+        {
+            ShadowOptions options = this;
+            options.angularDiameterDegrees = degrees;
+            options.softnessCapMetres = Mathf.Min(softnessCapMetres, capMetres);
+            return options;
+        }
 
         /// <summary>Drawn over the picture; the feature's and the Volume's to set, no preset's.</summary>
         [NonSerialized] public DebugView debugView;

@@ -1,27 +1,35 @@
+using UnityEngine;
+
 namespace Penumbra
 {
     /// <summary>
-    /// What the resolve pass computes, one entry for each shader keyword of ShaderLibrary/Shadows.hlsl. Error and
-    /// fetches of each stand in the README.
+    /// What the resolve pass computes, one entry for each shader keyword of ShaderLibrary/Shadows.hlsl. Inspectors, pages
+    /// and reports call a technique by its name here.
     /// </summary>
     public enum ShadowTechnique
     {
         /// <summary>Tent filter of 3 x 3 texels, 4 fetches. No contact hardening.</summary>
+        [InspectorName("Tent 3x3")]
         Tent3x3,
 
         /// <summary>Tent filter of 5 x 5 texels, 9 fetches. No contact hardening.</summary>
+        [InspectorName("Tent 5x5")]
         Tent5x5,
 
         /// <summary>Tent filter of 7 x 7 texels, 16 fetches. No contact hardening.</summary>
+        [InspectorName("Tent 7x7")]
         Tent7x7,
 
-        /// <summary>PCSS by angular diameter with Fibonacci disks: blocker and filter samples are free.</summary>
+        /// <summary>Percentage-closer soft shadows of a disc, with Fibonacci disks: blocker and filter samples are counted apart.</summary>
+        [InspectorName("PCSS")]
         Pcss,
 
-        /// <summary>Classic PCSS with Poisson disks (Fernando 2005): one sample count, 25 to 128.</summary>
+        /// <summary>PCSS with Poisson disks (Fernando 2005): one sample count, 25 to 128.</summary>
+        [InspectorName("PCSS (Poisson)")]
         PcssPoisson,
 
         /// <summary>PCSS with the rules and parameters of Unity's HDRP, for a look that matches it.</summary>
+        [InspectorName("PCSS (HDRP)")]
         PcssHdrp,
     }
 

@@ -24,7 +24,7 @@ namespace Penumbra.Samples.ForwardShader
         [Range(AngularDiameter.SmallestDegrees, AngularDiameter.LargestDegrees)]
         [SerializeField] private float angularDiameterDegrees = AngularDiameter.SunDegrees;
 
-        [Tooltip("Fetches of the blocker search. Classic PCSS takes as many for its filter.")]
+        [Tooltip("Texture fetches per pixel of the blocker search, 1 to 128. PCSS (Poisson) takes as many for its filter.")]
         [Range(1, 128)] [SerializeField] private int blockerSamples = 24;
 
         [Range(1, 64)] [SerializeField] private int filterSamples = 16;

@@ -11,7 +11,7 @@ struct BoxParameters
     int tapsPerSide; // taps: N, odd, 1 to 9
 };
 
-// Classic PCSS with Poisson disks.
+// PCSS (Poisson): one number of samples, Poisson disks.
 struct PcssClassicParameters
 {
     int samples; // fetches: blocker samples, and again filter samples: 25, 32, 64, 100 or 128
@@ -19,7 +19,7 @@ struct PcssClassicParameters
     float minFilterTexels; // texels: smallest filter radius
 };
 
-// PCSS by angular diameter, geometric widths.
+// PCSS: by the light's angular diameter, geometric widths.
 struct PcssAngularParameters
 {
     int blockerSamples; // fetches: samples of the blocker search, 1 to 64
@@ -30,7 +30,7 @@ struct PcssAngularParameters
     float maxSamplingMetres; // m: height of the light's cone above the receiver, beyond which it is a cylinder
 };
 
-// PCSS with the rules and parameters of Unity's HDRP.
+// PCSS (HDRP): with the rules and parameters of Unity's HDRP.
 struct PcssHdrpParameters
 {
     int blockerSamples; // fetches: samples of the blocker search, 1 to 64

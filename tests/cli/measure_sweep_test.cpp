@@ -35,7 +35,7 @@ TEST_F(MeasureSweep, EveryValueIsARecordWithItsOwnNameAndParameters) {
     const std::string set = "blockerSamples=" + std::to_string(value("blockerSamples")) +
                             " filterSamples=" + std::to_string(value("filterSamples"));
     EXPECT_EQ(record.at("technique"), "pcss-angular-24-16 " + set);
-    EXPECT_EQ(record.at("title"), "Angular PCSS 24+16 " + set);
+    EXPECT_EQ(record.at("title"), "PCSS 24+16 " + set);
     EXPECT_GE(record.at("fetches_mean"), value("blockerSamples"));
     EXPECT_LE(record.at("fetches_mean"), value("blockerSamples") + value("filterSamples"));
   }

@@ -117,6 +117,40 @@ class Readme(UnpackedTarball):
         self.assertIn(f"{source}:1:5: tools/nothing.md {NOT_THERE}\n", root.assert_run(1, "--check").stderr)
 
 
+class Names(unittest.TestCase):
+    """One name for each technique: that of ShadowTechnique's list in the inspector. A test of the C# compares the titles."""
+
+    OTHERS = re.compile(r"PCSS HDRP|PCSS Poisson|[Cc]lassic PCSS|Angular PCSS|PCSS by angular diameter|HDRP match|"
+                        r"[Tt]ent (?:PCF )?\d x \d|Tent PCF|HDRP's PCSS")
+
+    def test_no_page_or_script_has_another(self):
+        package = whitelist.shipped(ROOT)
+        files = [ROOT / "README.md", *(ROOT / package.source(path) for path in package.ending(".md", ".cs", ".json"))]
+        for file in files:
+            if file.name == "PresetFigures.cs":
+                continue  # made of the last measurement, with the titles that it had
+            for number, line in enumerate(file.read_text().splitlines(), 1):
+                # HDRP's own shadow is not the technique that follows it.
+                self.assertIsNone(self.OTHERS.search(line.replace("HDRP's own", "")), f"{file}:{number}: {line}")
+
+
+class Looks(unittest.TestCase):
+    """presets.md says of each look what the list says, and draws its picture with these values."""
+
+    def test_stand_on_their_page(self):
+        page = (ROOT / "Documentation~" / "presets.md").read_text()
+        looks = json.loads((ROOT / "ShaderLibrary" / "techniques.json").read_text())["looks"]
+        self.assertEqual(len(looks), 4)
+        for look in looks:
+            degrees, metres = f"{look['angularDiameterDegrees']:g}", f"{look['maxPenumbraMetres']:g}"
+            self.assertIn(f"\n| {look['title']} | {degrees}° | {metres} m | {look['doc']} |\n", page)
+            command = re.search(rf"^penumbra render (?:[^\n]*\\\n)*[^\n]*images/look-{look['name']}\.png$", page, re.MULTILINE)
+            self.assertIsNotNone(command, look["name"])
+            self.assertIn(f"--light {degrees} ", command[0])
+            capped = re.search(r"--set maxPenumbraMetres=(\S+)", command[0])
+            self.assertEqual(capped[1] if capped else "100", metres)
+
+
 class Index(unittest.TestCase):
     def test_every_page_has_its_line(self):
         """Unity's Package Manager opens index.md, and nothing shows its users a list of the others."""

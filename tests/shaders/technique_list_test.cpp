@@ -1,4 +1,5 @@
 #include "shaders/technique_list.h"
+#include "shaders/look_emit.h"
 #include "shaders/preset_emit.h"
 
 #include <gmock/gmock.h>
@@ -118,6 +119,44 @@ TEST_F(TechniqueListTest, NamesMayNotRepeat) {
   EXPECT_THROW(read(text.insert(end, "," + technique)), InputError);
 }
 
+class LookListTest : public TechniqueListTest {
+ protected:
+  static std::string look(const std::string& name, const std::string& degrees, const std::string& metres) {
+    return R"({"name": ")" + name +
+           R"(", "title": "Look \"A\"", "doc": "A light.", "angularDiameterDegrees": )" + degrees +
+           R"(, "maxPenumbraMetres": )" + metres + "}";
+  }
+  TechniqueList with_looks(const std::string& looks) const {
+    return read(with("\"techniques\": [", "\"looks\": [" + looks + "],\n  \"techniques\": ["));
+  }
+  std::string refusal(const std::string& looks) const {
+    try {
+      (void)with_looks(looks);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+};
+
+TEST_F(LookListTest, AreReadAndWrittenAsCSharp) {
+  const std::string text = emit_looks_csharp(with_looks(look("low-sun", "1.5", "3")));
+  EXPECT_THAT(text, HasSubstr("        /// <summary>A light.</summary>\n"
+                              "        [InspectorName(\"Look \\\"A\\\"\")]\n        LowSun,\n"));
+  EXPECT_THAT(text, HasSubstr("new LookValues(\"Look \\\"A\\\"\", 1.5f, 3.0f,\n"));
+}
+
+TEST_F(LookListTest, WrongOnesAreNamedWithTheirPlace) {
+  for (const char* degrees : {"0", "-1", "30.5"})
+    EXPECT_THAT(refusal(look("a", degrees, "1")),
+                HasSubstr("'angularDiameterDegrees' is not above 0 and at most 30"));
+  EXPECT_THAT(refusal(look("a", "1", "101")),
+              HasSubstr("'maxPenumbraMetres' is not above 0 and at most 100"));
+  EXPECT_THAT(refusal(look("a", "1", "1") + "," + look("a", "2", "1")), HasSubstr("two looks 'a'"));
+  EXPECT_THAT(refusal(look("a", "1", "1") + "," + look("b", "1", "1")),
+              HasSubstr("'b' has the values of 'a'"));
+}
+
 TEST_F(TechniqueListTest, EmptyListsAndOtherJsonAreRefused) {
   EXPECT_THROW(read(""), InputError);
   EXPECT_THROW(read("[]"), InputError);
@@ -165,6 +204,14 @@ TEST(LibraryTechniques, CheckedInPresetsAreTheEmittedOnes) {
   const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   EXPECT_EQ(text, emit_presets_csharp(read_technique_list(root / "ShaderLibrary/techniques.json")))
       << "write it anew: penumbra validate --emit-presets Runtime/Settings/PresetTable.cs";
+}
+
+TEST(LibraryTechniques, CheckedInLooksAreTheEmittedOnes) {
+  const std::filesystem::path root = PENUMBRA_SOURCE_DIR;
+  std::ifstream file(root / "Runtime/Settings/ShadowLook.cs", std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  EXPECT_EQ(text, emit_looks_csharp(read_technique_list(root / "ShaderLibrary/techniques.json")))
+      << "write it anew: penumbra validate --emit-looks Runtime/Settings/ShadowLook.cs";
 }
 
 TEST(LibraryTechniques, APresetThatTheFeatureHasNotIsRefused) {

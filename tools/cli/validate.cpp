@@ -19,6 +19,7 @@
 #include "project/shader_files.h"
 #include "project/unity_project.h"
 #include "shaders/cross_compile.h"
+#include "shaders/look_emit.h"
 #include "shaders/package_shader.h"
 #include "shaders/preset_emit.h"
 #include "shaders/preset_programs.h"
@@ -282,12 +283,15 @@ void run_validate(const ValidateOptions& options, Context& context) {
     request.include_directories.assign(options.include_directories.begin(),
                                        options.include_directories.end());
   }
-  if (!options.emit_parameters.empty() || !options.emit_presets.empty() || !options.emit_programs.empty()) {
+  if (!options.emit_parameters.empty() || !options.emit_presets.empty() || !options.emit_looks.empty() ||
+      !options.emit_programs.empty()) {
     if (!request.techniques) throw InputError("--emit-...", "needs a technique list, not files alone");
     if (!options.emit_parameters.empty())
       write_output(options.emit_parameters, shaders::emit_parameter_structs_hlsl(*request.techniques));
     if (!options.emit_presets.empty())
       write_output(options.emit_presets, shaders::emit_presets_csharp(*request.techniques));
+    if (!options.emit_looks.empty())
+      write_output(options.emit_looks, shaders::emit_looks_csharp(*request.techniques));
     if (!options.emit_programs.empty())
       write_output(options.emit_programs,
                    shaders::preset_programs_json(*request.techniques,

@@ -101,6 +101,8 @@ void add_how(CLI::App& command, ValidateOptions& options) {
   command.add_option(
       "--emit-presets", options.emit_presets,
       "Write the quality presets as C# to this file (- for standard output), and validate nothing");
+  command.add_option("--emit-looks", options.emit_looks,
+                     "Write the looks as C# to this file (- for standard output), and validate nothing");
   command.add_option(
       "--emit-programs", options.emit_programs,
       "Write which programs of the renderer feature's shader each quality preset keeps in a player, as "

@@ -58,6 +58,7 @@ struct ValidateOptions {
   ReportOptions report;
   std::string emit_parameters;
   std::string emit_presets;
+  std::string emit_looks;
   std::string emit_programs;
 };
 

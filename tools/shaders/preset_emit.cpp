@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <stdexcept>
 #include <utility>
 
+#include "shaders/csharp_literal.h"
 #include "shaders/technique_chain.h"
 
 namespace penumbra::shaders {
@@ -46,19 +46,11 @@ std::string technique_of(const Technique& preset) {
   return found->second;
 }
 
-std::string number(double value) {
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), static_cast<float>(value)).ptr;
-  std::string digits(text.data(), end);
-  if (digits.find_first_of(".e") == std::string::npos) digits += ".0";
-  return digits + "f";
-}
-
 std::string value_or(const Technique& preset, const char* field, const std::string& otherwise) {
   const auto found = preset.values.find(field);
   if (found == preset.values.end()) return otherwise;
   const double value = found->second.front();
-  return otherwise.ends_with("f") ? number(value) : std::to_string(static_cast<int>(value));
+  return otherwise.ends_with("f") ? csharp_float(value) : std::to_string(static_cast<int>(value));
 }
 
 std::string row(const Technique& preset) {

@@ -207,6 +207,36 @@ Technique read_technique(const LocatedJson& document, const TechniqueList& list,
   return technique;
 }
 
+double number_up_to(JsonObject& object, const std::string& key, double largest) {
+  const double value = object.number(key, 0.0);
+  if (!(value > 0.0 && value <= largest))
+    object.fail(key, "'" + key + "' is not above 0 and at most " + std::to_string(static_cast<int>(largest)));
+  return value;
+}
+
+// The ranges are those of the renderer feature's options.
+Look read_look(JsonObject object) {
+  Look look{required_text(object, "name"), required_text(object, "title"), required_text(object, "doc"),
+            number_up_to(object, "angularDiameterDegrees", 30.0),
+            number_up_to(object, "maxPenumbraMetres", 100.0)};
+  object.finish();
+  return look;
+}
+
+// Names and values are each a look's own: the inspector tells by the values which look is set.
+void read_looks(JsonObject& root, TechniqueList& list) {
+  for (JsonObject& object : root.objects("looks")) {
+    const Look look = read_look(object);
+    for (const Look& other : list.looks) {
+      if (other.name == look.name) object.fail("name", "there are two looks '" + look.name + "'");
+      if (other.angular_diameter_degrees == look.angular_diameter_degrees &&
+          other.max_penumbra_metres == look.max_penumbra_metres)
+        object.fail("name", "'" + look.name + "' has the values of '" + other.name + "'");
+    }
+    list.looks.push_back(look);
+  }
+}
+
 }  // namespace
 
 const Technique& TechniqueList::find(const std::string& name) const {
@@ -251,6 +281,7 @@ TechniqueList read_technique_list(const std::filesystem::path& file) {
     if (!names.insert(name).second) object.fail("name", "there are two techniques '" + name + "'");
   }
   if (list.techniques.empty()) root.fail("techniques", "the list has no techniques");
+  if (root.has("looks")) read_looks(root, list);
   root.finish();
   return list;
 }

@@ -4,10 +4,11 @@
 //  "techniques": [{name, title, family, source, screen,
 //                  chain: [{kind, file, function, resources, parameters, scale}],
 //                  values: {field: number or numbers}, keywords, keyword_sets: [[...]],
-//                  unlimited: {field: number or its text}, targets_absent: {target: reason}}]}
-// Keys are the members' names below; screen is false and scale 1 where they are left out. Every field of the
-// structs a chain uses has a value, within the field's range where it has one, and every value a field;
-// without keyword_sets there is one set, the empty one.
+//                  unlimited: {field: number or its text}, targets_absent: {target: reason}}],
+//  "looks": [{name, title, doc, angularDiameterDegrees, maxPenumbraMetres}]}
+// Keys are the members' names below; screen is false, scale 1 and there are no looks where they are left out.
+// Every field of the structs a chain uses has a value, within the field's range where it has one, and every
+// value a field; without keyword_sets there is one set, the empty one.
 #pragma once
 
 #include <filesystem>
@@ -70,10 +71,20 @@ struct Technique {
   const TechniquePass& resolve() const;  // the one pass of that kind
 };
 
+// How a light looks, whatever technique draws its shadows: an artist's choice beside the quality presets.
+struct Look {
+  std::string name;                       // for example crisp-noon
+  std::string title;                      // for inspectors and pages
+  std::string doc;                        // one sentence: what it stands for
+  double angular_diameter_degrees = 0.0;  // full angle of the light's disc, above 0 to 30
+  double max_penumbra_metres = 0.0;       // widest penumbra, full width, above 0 to 100
+};
+
 struct TechniqueList {
   std::filesystem::path file;
   std::vector<ParameterStruct> structs;
   std::vector<Technique> techniques;
+  std::vector<Look> looks;
 
   const Technique& find(const std::string& name) const;  // throws InputError with the nearest name
   const ParameterStruct* find_struct(const std::string& name) const;

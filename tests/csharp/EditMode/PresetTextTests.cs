@@ -27,7 +27,7 @@ namespace Penumbra.Tests
             Assert.That(PresetText.Figures(QualityPreset.High, degrees),
                         Does.EndWith("measured under " + measured + " degrees."));
 
-        [TestCase(QualityPreset.Low, "Tent 5 x 5, 9 fetches of the shadow map, no contact hardening.")]
+        [TestCase(QualityPreset.Low, "Tent 5x5, 9 fetches of the shadow map, no contact hardening.")]
         [TestCase(QualityPreset.Ultra,
                   "PCSS, 24 blocker and 16 filter samples, where the mask finds a penumbra, denoised.")]
         [TestCase(QualityPreset.Reference, "PCSS, 64 blocker and 64 filter samples.")]

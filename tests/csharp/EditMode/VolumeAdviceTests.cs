@@ -145,9 +145,9 @@ namespace Penumbra.Tests
         {
             PenumbraShadowsSettings feature = Feature(QualityPreset.Medium);
             Assert.That(Texts(State(Technique(ShadowTechnique.Tent3x3) + Denoise + Samples + Angle(2.0f), feature)).Single(),
-                        Does.StartWith("Angular Diameter, Filter Samples and Denoise have no effect with Tent 3 x 3."));
+                        Does.StartWith("Angular Diameter, Filter Samples and Denoise have no effect with Tent 3x3."));
             Assert.That(Texts(State(Preset(QualityPreset.Low) + Denoise, feature)).Single(),
-                        Does.StartWith("Denoise has no effect with Tent 5 x 5."));
+                        Does.StartWith("Denoise has no effect with Tent 5x5."));
             Assert.That(Texts(State(Angle(0.0f) + Denoise, feature)).Single(),
                         Does.StartWith("Denoise has no effect with PCSS at 0 degrees."));
         }
@@ -156,7 +156,7 @@ namespace Penumbra.Tests
         public void WhatHasNoEffectWithTheFeaturesTechniqueIsNamed()
         {
             Assert.That(Texts(State(Denoise, Feature(QualityPreset.Low))).Single(),
-                        Does.StartWith("Denoise has no effect with Tent 5 x 5, which the feature brings."));
+                        Does.StartWith("Denoise has no effect with Tent 5x5, which the feature brings."));
             Assert.That(Texts(State(Denoise, Feature(QualityPreset.Low), Feature(QualityPreset.High))), Is.Empty);
         }
 

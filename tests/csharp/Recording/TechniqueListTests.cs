@@ -1,7 +1,10 @@
+using System;
 using System.IO;
 using System.Linq;
 using System.Text.Json;
+using System.Text.RegularExpressions;
 using NUnit.Framework;
+using Penumbra.Editor;
 
 namespace Penumbra.Tests
 {
@@ -14,6 +17,46 @@ namespace Penumbra.Tests
             using JsonDocument list = JsonDocument.Parse(File.ReadAllText(file));
             return list.RootElement.GetProperty("techniques").EnumerateArray()
                 .Single(entry => entry.GetProperty("name").GetString() == technique).GetProperty("values").Clone();
+        }
+
+        private static JsonElement List()
+        {
+            string file = Path.Combine(FakeShader.PackageRoot(), "ShaderLibrary", "techniques.json");
+            using JsonDocument list = JsonDocument.Parse(File.ReadAllText(file));
+            return list.RootElement.Clone();
+        }
+
+        // The technique's entries in the list, by what they compute.
+        [TestCase(ShadowTechnique.Tent3x3, "tent-3")]
+        [TestCase(ShadowTechnique.Tent3x3, "tent-3-plane")]
+        [TestCase(ShadowTechnique.Tent5x5, "tent-5")]
+        [TestCase(ShadowTechnique.Tent5x5, "tent-5-plane")]
+        [TestCase(ShadowTechnique.Tent5x5, "screen-tent-5")]
+        [TestCase(ShadowTechnique.Tent7x7, "tent-7")]
+        [TestCase(ShadowTechnique.Tent7x7, "tent-7-plane")]
+        [TestCase(ShadowTechnique.Pcss, "pcss-angular-24-16")]
+        [TestCase(ShadowTechnique.Pcss, "screen-pcss-angular-24-16")]
+        [TestCase(ShadowTechnique.PcssPoisson, "pcss-poisson-32")]
+        [TestCase(ShadowTechnique.PcssHdrp, "pcss-angular-24-16-hdrp")]
+        public void ReportsCallATechniqueAsTheInspectorDoes(ShadowTechnique technique, string entry)
+        {
+            string title = List().GetProperty("techniques").EnumerateArray()
+                .Single(one => one.GetProperty("name").GetString() == entry).GetProperty("title").GetString();
+            Assert.That(title, Does.Match("^" + Regex.Escape(TechniqueName.Of(technique)) + "( [0-9o]|,|$)"));
+        }
+
+        [Test]
+        public void APresetsTitleNamesItsTechnique()
+        {
+            foreach (QualityPreset preset in Enum.GetValues(typeof(QualityPreset)))
+            {
+                if (preset == QualityPreset.Custom) continue;
+                string title = List().GetProperty("techniques").EnumerateArray()
+                    .Single(one => one.GetProperty("name").GetString() == "preset-" + preset.ToString().ToLowerInvariant())
+                    .GetProperty("title").GetString();
+                string name = TechniqueName.Of(ShadowPresets.Options(preset).technique);
+                Assert.That(title, Does.StartWith("Preset " + preset + ": " + name));
+            }
         }
 
         private static float Value(string technique, string field) => Values(technique).GetProperty(field).GetSingle();

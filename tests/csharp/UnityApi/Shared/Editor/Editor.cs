@@ -92,29 +92,6 @@ namespace UnityEditor
     [ReadFrom(At.Unity6, "engine", "Editor/Mono/EditorGUIUtility.bindings.cs")]
     public enum MessageType { None = 0, Info = 1, Warning = 2, Error = 3 }
 
-    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/SerializedObject.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Editor/Mono/SerializedObject.bindings.cs")]
-    public class SerializedObject
-    {
-        private SerializedObject() { }
-
-        public void Update() { }
-        public bool ApplyModifiedProperties() => false;
-        public SerializedProperty FindProperty(string propertyPath) => null;
-    }
-
-    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/SerializedProperty.bindings.cs")]
-    [ReadFrom(At.Unity6, "engine", "Editor/Mono/SerializedProperty.bindings.cs")]
-    public partial class SerializedProperty
-    {
-        private SerializedProperty() { }
-
-        public int intValue { get; set; }
-        public float floatValue { get; set; }
-
-        public SerializedProperty FindPropertyRelative(string relativePropertyPath) => null;
-    }
-
     [ReadFrom(At.Unity2022, "engine", "Editor/Mono/EditorGUILayout.cs")]
     [ReadFrom(At.Unity6, "engine", "Editor/Mono/EditorGUILayout.cs")]
     public sealed partial class EditorGUILayout
@@ -124,6 +101,8 @@ namespace UnityEditor
         public static Vector2 BeginScrollView(Vector2 scrollPosition, params GUILayoutOption[] options) => default;
         public static void EndScrollView() { }
         public static bool PropertyField(SerializedProperty property, params GUILayoutOption[] options) => false;
+        public static int Popup(GUIContent label, int selectedIndex, string[] displayedOptions,
+                                params GUILayoutOption[] options) => selectedIndex;
         public static bool PropertyField(SerializedProperty property, GUIContent label,
                                          params GUILayoutOption[] options) => false;
     }

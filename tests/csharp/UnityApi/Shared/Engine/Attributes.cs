@@ -21,7 +21,35 @@ namespace UnityEngine
     [AttributeUsage(AttributeTargets.All)]
     public class TooltipAttribute : PropertyAttribute
     {
-        public TooltipAttribute(string tooltip) { }
+        public readonly string tooltip;
+
+        public TooltipAttribute(string tooltip) { this.tooltip = tooltip; }
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/PropertyDrawer/PropertyAttribute.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/PropertyDrawer/PropertyAttribute.cs")]
+    [AttributeUsage(AttributeTargets.Field)]
+    public class InspectorNameAttribute : PropertyAttribute
+    {
+        public readonly string displayName;
+
+        public InspectorNameAttribute(string displayName) { this.displayName = displayName; }
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Scripting/Attributes.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Scripting/Attributes.cs")]
+    [AttributeUsage(AttributeTargets.Class)]
+    public class HelpURLAttribute : Attribute
+    {
+        private readonly string url;
+
+        public HelpURLAttribute(string url) { this.url = url; }
+
+#if UNITY_6000_0_OR_NEWER
+        public virtual string URL => url;
+#else
+        public string URL => url;
+#endif
     }
 
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/PropertyDrawer/PropertyAttribute.cs")]

@@ -1,0 +1,67 @@
+using UnityEditor;
+
+namespace Penumbra.Editor
+{
+    /// <summary>
+    /// The two properties that a look sets. Written through the serialized object, as every field of an inspector, so that
+    /// undo takes both back at once and prefabs and multiple selections work.
+    /// </summary>
+    internal sealed class LookFields
+    {
+        private readonly SerializedProperty degrees;
+        private readonly SerializedProperty metres;
+
+        internal LookFields(SerializedProperty degrees, SerializedProperty metres)
+        {
+            this.degrees = degrees;
+            this.metres = metres;
+        }
+
+        internal ShadowLook Look
+        {
+            get => ShadowLooks.Of(degrees.floatValue, metres.floatValue);
+            set
+            {
+                LookValues look = ShadowLooks.Values(value);
+                degrees.floatValue = look.angularDiameterDegrees;
+                metres.floatValue = look.softnessCapMetres;
+            }
+        }
+    }
+
+    /// <summary>The same of a Volume, whose values each have a check that says whether they override.</summary>
+    internal sealed class LookOverride
+    {
+        // As VolumeParameter serializes its value and its check.
+        private const string Value = "m_Value";
+        private const string Overrides = "m_OverrideState";
+
+        private readonly LookFields values;
+        private readonly SerializedProperty overridesDegrees;
+        private readonly SerializedProperty overridesMetres;
+
+        internal LookOverride(SerializedObject volume)
+        {
+            SerializedProperty degrees = volume.FindProperty(nameof(PenumbraShadowsVolume.angularDiameterDegrees));
+            SerializedProperty metres = volume.FindProperty(nameof(PenumbraShadowsVolume.softnessCapMetres));
+            values = new LookFields(degrees.FindPropertyRelative(Value), metres.FindPropertyRelative(Value));
+            overridesDegrees = degrees.FindPropertyRelative(Overrides);
+            overridesMetres = metres.FindPropertyRelative(Overrides);
+        }
+
+        /// <summary>Null where the Volume overrides neither value; Custom where it overrides one alone.</summary>
+        internal ShadowLook? Look
+        {
+            get
+            {
+                if (!overridesDegrees.boolValue && !overridesMetres.boolValue) return null;
+                return overridesDegrees.boolValue && overridesMetres.boolValue ? values.Look : ShadowLook.Custom;
+            }
+            set
+            {
+                overridesDegrees.boolValue = overridesMetres.boolValue = value != null;
+                if (value != null) values.Look = value.Value;
+            }
+        }
+    }
+}

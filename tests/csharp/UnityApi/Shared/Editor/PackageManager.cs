@@ -1,0 +1,19 @@
+using System.Reflection;
+using Penumbra.UnityApi;
+
+namespace UnityEditor.PackageManager
+{
+    [ReadFrom(At.Unity2022, "engine", "Modules/PackageManager/Editor/Managed/PackageInfo.cs")]
+    [ReadFrom(At.Unity6, "engine", "Modules/PackageManager/Editor/Managed/PackageInfo.cs")]
+    public sealed partial class PackageInfo
+    {
+        /// <summary>Where the package that every assembly belongs to is said to be; null: in none.</summary>
+        [OwnBehaviour] public static string Installed { get; set; }
+
+        internal PackageInfo() { }
+
+        public string resolvedPath => Installed;
+
+        public static PackageInfo FindForAssembly(Assembly assembly) => Installed == null ? null : new PackageInfo();
+    }
+}

@@ -1,0 +1,122 @@
+using System;
+using System.Collections.Generic;
+using System.Reflection;
+using Penumbra.UnityApi;
+using Object = UnityEngine.Object;
+
+namespace UnityEditor
+{
+    /// <summary>As far as tests of inspectors go: numbers and checks of one object, written when they are applied.</summary>
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/SerializedObject.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/SerializedObject.bindings.cs")]
+    public class SerializedObject
+    {
+        internal Object Target { get; }
+        internal Dictionary<string, object> Written { get; } = new Dictionary<string, object>();
+
+        public SerializedObject(Object obj) { Target = obj; }
+
+        public void Update() => Written.Clear();
+
+        public bool ApplyModifiedProperties()
+        {
+            if (Written.Count == 0) return false;
+            var before = new Dictionary<string, object>();
+            foreach (string path in Written.Keys) before[path] = SerializedPath.Get(Target, path);
+            SerializedPath.SetAll(Target, Written);
+            Undo.Remember(() => SerializedPath.SetAll(Target, before));
+            Written.Clear();
+            return true;
+        }
+
+        public SerializedProperty FindProperty(string propertyPath) =>
+            SerializedPath.Get(Target, propertyPath) == null ? null : new SerializedProperty(this, propertyPath);
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/SerializedProperty.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/SerializedProperty.bindings.cs")]
+    public partial class SerializedProperty
+    {
+        private readonly SerializedObject owner;
+        private readonly string path;
+
+        internal SerializedProperty(SerializedObject owner, string path)
+        {
+            this.owner = owner;
+            this.path = path;
+        }
+
+        public int intValue { get => Convert.ToInt32(Value); set => Value = value; }
+        public float floatValue { get => (float)Value; set => Value = value; }
+        public bool boolValue { get => (bool)Value; set => Value = value; }
+
+        public SerializedProperty FindPropertyRelative(string relativePropertyPath) =>
+            owner.FindProperty(path + "." + relativePropertyPath);
+
+        private object Value
+        {
+            get => owner.Written.TryGetValue(path, out object written) ? written : SerializedPath.Get(owner.Target, path);
+            set => owner.Written[path] = value;
+        }
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/Undo/Undo.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/Undo/Undo.bindings.cs")]
+    public partial class Undo
+    {
+        private static readonly Stack<Action> Steps = new Stack<Action>();
+
+        internal static void Remember(Action step) => Steps.Push(step);
+
+        public static void PerformUndo()
+        {
+            if (Steps.Count > 0) Steps.Pop()();
+        }
+    }
+
+    /// <summary>A path's value by reflection; what a struct on the way holds is written back into its owner.</summary>
+    internal static class SerializedPath
+    {
+        private const BindingFlags All = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic;
+
+        internal static object Get(object owner, string path)
+        {
+            foreach (string name in path.Split('.'))
+            {
+                if (owner == null) return null;
+                owner = Read(owner, name);
+            }
+            return owner;
+        }
+
+        internal static void SetAll(object owner, Dictionary<string, object> values)
+        {
+            foreach (KeyValuePair<string, object> entry in values) Set(owner, entry.Key, entry.Value);
+        }
+
+        private static void Set(object owner, string path, object value)
+        {
+            int dot = path.IndexOf('.');
+            string name = dot < 0 ? path : path.Substring(0, dot);
+            if (dot >= 0)
+            {
+                object inner = Read(owner, name);
+                Set(inner, path.Substring(dot + 1), value);
+                value = inner;
+                if (!inner.GetType().IsValueType) return;
+            }
+            if (Property(owner, name) is PropertyInfo property) property.SetValue(owner, value);
+            else owner.GetType().GetField(name, All).SetValue(owner, value);
+        }
+
+        private static object Read(object owner, string name) =>
+            Property(owner, name) is PropertyInfo property ? property.GetValue(owner)
+                                                            : owner.GetType().GetField(name, All)?.GetValue(owner);
+
+        // Volume parameters keep what Unity serializes as m_Value and m_OverrideState behind their properties.
+        private static PropertyInfo Property(object owner, string name) =>
+            name == "m_Value" ? owner.GetType().GetProperty("value", All)
+            : name == "m_OverrideState" ? owner.GetType().GetProperty("overrideState", All)
+            : null;
+    }
+}
