@@ -125,6 +125,23 @@ TEST_F(BadInput, BrokenModelFile) {
   EXPECT_THAT(result.errors, HasSubstr("model.glb"));
 }
 
+TEST_F(BadInput, ModelWithoutItsTextureIsMeasuredWithANote) {
+  write("paint.mtl", "newmtl wood\nKd 1 1 1\nmap_Kd missing.png\n");
+  const auto file = write("model.obj",
+                          "mtllib paint.mtl\nusemtl wood\nv 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\n"
+                          "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  const std::vector<std::string> measure{"measure",     "--scene",
+                                         file.string(), "--size",
+                                         "16x16",       "--light",
+                                         "2",           "--technique",
+                                         "hard",        "--reference-samples",
+                                         "4",           "--no-split",
+                                         "--output",    (file.parent_path() / "report").string()};
+  const auto result = run(measure);
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(result.errors, HasSubstr("missing.png: no such file"));
+}
+
 // A file system of 64 KiB, mounted by root or in a user namespace of its own; the old file must survive.
 TEST_F(BadInput, FullDiskKeepsTheOldFile) {
   const std::string folder = path("small").string();

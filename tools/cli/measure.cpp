@@ -147,6 +147,7 @@ struct Measured {
 
 Measured measure(const MeasureOptions& options, Context& context) {
   const study::StudySettings settings = study_settings(options);
+  tell_notes(settings.scenes, context);
   const std::vector<study::Subject> subjects = chosen_subjects(options);
   gpu::Device device = open_device(options);
   study::StudyOutcome outcome = study::run_study(device, subjects, settings, study_progress(context));

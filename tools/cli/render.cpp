@@ -48,6 +48,7 @@ void write_rows(const std::filesystem::path& folder, const std::vector<study::Pi
 
 void render(const RenderOptions& options, const Context& context) {
   study::StudySettings settings = study_settings(options);
+  tell_notes(settings.scenes, context);
   const std::vector<study::Subject> subjects = varied_subjects(options, options.varied);
   study::SheetOptions sheet;
   if (!options.sheet.file.empty()) {

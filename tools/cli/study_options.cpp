@@ -161,6 +161,13 @@ std::vector<scene::Scene> chosen_scenes(const StudyOptions& options,
   return scenes;
 }
 
+void tell_notes(const std::vector<scene::Scene>& scenes, const Context& context) {
+  if (context.quiet) return;
+  for (const scene::Scene& scene : scenes) {
+    for (const std::string& note : scene.notes) fmt::print(stderr, "note: {}\n", note);
+  }
+}
+
 scene::FrameSettings frame_settings(const StudyOptions& options) {
   scene::FrameSettings settings;
   std::tie(settings.width, settings.height) = picture_size(options);

@@ -54,6 +54,8 @@ void add_study_options(CLI::App& command, StudyOptions& options);
 // All of these throw InputError for what is out of range or unknown, with the nearest right name.
 std::vector<scene::Scene> chosen_scenes(const StudyOptions& options,
                                         const std::vector<std::string>& fallback);
+// What imports left out, on stderr unless --quiet.
+void tell_notes(const std::vector<scene::Scene>& scenes, const Context& context);
 scene::FrameSettings frame_settings(const StudyOptions& options);
 std::vector<resolve::Adapter> chosen_adapters(const StudyOptions& options);
 gpu::Device open_device(const StudyOptions& options);

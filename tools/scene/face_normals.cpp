@@ -61,14 +61,17 @@ void add_missing_normals(ModelFile& model) {
       normals[i] = smoothed(corners[i], corners.data() + begin, corners.data() + begin + hub);
     }
   }
-  // Corners at one place with one normal share a vertex.
+  // Corners at one place with one normal and one place on the texture share a vertex.
   for (std::size_t i = 0; i < corners.size(); ++i) {
     std::uint32_t& index = model.indices[corners[i].index];
     const glm::dvec3 position = model.positions[index];
-    const bool same = i > 0 && model.positions.back() == position && model.normals.back() == normals[i];
+    const glm::dvec2 uv = model.uvs[index];
+    const bool same = i > 0 && model.positions.back() == position && model.normals.back() == normals[i] &&
+                      model.uvs.back() == uv;
     if (!same) {
       model.positions.push_back(position);
       model.normals.push_back(normals[i]);
+      model.uvs.push_back(uv);
     }
     index = static_cast<std::uint32_t>(model.positions.size() - 1);
   }

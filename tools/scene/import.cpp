@@ -48,6 +48,7 @@ void stand_up(ModelFile& model, double sign) {
 void drop_triangles_without_area(ModelFile& model) {
   constexpr double flat = 1e-7;  // area over longest edge squared, about float's rounding
   std::vector<std::uint32_t> kept;
+  std::vector<std::uint16_t> materials;
   for (std::size_t i = 0; i + 2 < model.indices.size(); i += 3) {
     const glm::dvec3 a = model.positions[model.indices[i]];
     const glm::dvec3 b = model.positions[model.indices[i + 1]];
@@ -57,9 +58,11 @@ void drop_triangles_without_area(ModelFile& model) {
     if (area > flat * longest * longest) {
       kept.insert(kept.end(), model.indices.begin() + static_cast<std::ptrdiff_t>(i),
                   model.indices.begin() + static_cast<std::ptrdiff_t>(i) + 3);
+      materials.push_back(model.triangle_materials[i / 3]);
     }
   }
   model.indices = std::move(kept);
+  model.triangle_materials = std::move(materials);
 }
 
 // Of the vertices that triangles use: stray ones do not count.
@@ -113,17 +116,20 @@ Mesh placed_mesh(const ModelFile& model, const parameters::Bounds& bounds, doubl
       mesh.positions.emplace_back(-position.x, position.y, position.z);
       const glm::dvec3& normal = model.normals[from];
       mesh.normals.emplace_back(-normal.x, normal.y, normal.z);
+      if (model.has_uvs) mesh.uvs.emplace_back(model.uvs[from]);
     }
     mesh.indices.push_back(place[from]);
   }
-  mesh.triangle_materials.assign(mesh.triangle_count(), 0);
+  mesh.triangle_materials = model.triangle_materials;
   return mesh;
 }
 
+// more has texture coordinates, which are dropped where mesh has none.
 void append(Mesh& mesh, const Mesh& more, std::uint16_t material) {
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
   mesh.positions.insert(mesh.positions.end(), more.positions.begin(), more.positions.end());
   mesh.normals.insert(mesh.normals.end(), more.normals.begin(), more.normals.end());
+  if (!mesh.uvs.empty()) mesh.uvs.insert(mesh.uvs.end(), more.uvs.begin(), more.uvs.end());
   for (const std::uint32_t index : more.indices) mesh.indices.push_back(first + index);
   mesh.triangle_materials.insert(mesh.triangle_materials.end(), more.triangle_count(), material);
 }
@@ -149,6 +155,9 @@ Scene import(const std::filesystem::path& file, const ImportOptions& options) {
   Scene scene;
   scene.name = file.stem().string();
   scene.mesh = placed_mesh(model, bounds, scale);
+  scene.materials = std::move(model.surface.materials);
+  scene.textures = std::move(model.surface.textures);
+  scene.notes = std::move(model.surface.notes);
   scene.description =
       std::to_string(scene.mesh.triangle_count()) + " triangles from " + file.filename().string();
   const parameters::Bounds box = scene.bounds();

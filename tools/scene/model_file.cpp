@@ -30,6 +30,8 @@ namespace {
 constexpr std::array<std::string_view, 8> kExtensions{"gltf", "glb", "obj", "3ds",
                                                       "ply",  "stl", "dae", "fbx"};
 
+constexpr std::size_t kMostMaterials = 65'000;  // a triangle names its own by 16 bits
+
 bool known(std::string_view extension) {
   return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
 }
@@ -126,6 +128,15 @@ std::size_t triangles_in(const aiMesh& mesh) {
                                                 [](const aiFace& face) { return face.mNumIndices == 3; }));
 }
 
+// The importer counts rows from the bottom.
+glm::dvec2 uv_of(const aiMesh& mesh, unsigned vertex, const ModelMaterials& surface) {
+  const unsigned channel = surface.uv_channels.at(mesh.mMaterialIndex);
+  if (channel >= AI_MAX_NUMBER_OF_TEXTURECOORDS || !mesh.HasTextureCoords(channel)) return glm::dvec2(0.0);
+  const aiVector3D& uv = mesh.mTextureCoords[channel][vertex];
+  if (!std::isfinite(uv.x) || !std::isfinite(uv.y)) return glm::dvec2(0.0);
+  return {uv.x, 1.0F - uv.y};
+}
+
 void append_vertices(ModelFile& model, const PlacedMesh& placed, const std::filesystem::path& file) {
   const aiMesh& mesh = *placed.mesh;
   const glm::dmat3 linear(placed.to_model);
@@ -148,6 +159,8 @@ void append_vertices(ModelFile& model, const PlacedMesh& placed, const std::file
     }
     model.positions.push_back(position);
     model.normals.push_back(normal);
+    model.uvs.push_back(uv_of(mesh, i, model.surface));
+    model.has_uvs = model.has_uvs || model.uvs.back() != glm::dvec2(0.0);
   }
 }
 
@@ -167,6 +180,7 @@ void append_triangles(ModelFile& model, const PlacedMesh& placed, std::size_t fi
       }
       model.indices.push_back(static_cast<std::uint32_t>(first + index));
     }
+    model.triangle_materials.push_back(static_cast<std::uint16_t>(mesh.mMaterialIndex));
   }
 }
 
@@ -196,6 +210,11 @@ ModelFile read_model_file(const std::filesystem::path& file, std::size_t triangl
            "reduce it, or cut out the part whose shadows matter");
   }
   ModelFile model;
+  model.surface = read_model_materials(*scene, file);
+  if (model.surface.materials.size() > kMostMaterials) {
+    refuse(file, "has " + std::to_string(model.surface.materials.size()) + " materials; the limit is " +
+                     std::to_string(kMostMaterials));
+  }
   for (const PlacedMesh& placed : meshes) {
     const std::size_t first = model.positions.size();
     append_vertices(model, placed, file);

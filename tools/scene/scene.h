@@ -31,7 +31,8 @@ struct Mesh {
 
 struct Scene {
   std::string name;
-  std::string description;  // one line, for reports
+  std::string description;         // one line, for reports
+  std::vector<std::string> notes;  // what an import left out; a line each, for people
   Mesh mesh;
   std::vector<Material> materials{Material{}};  // at least one
   std::vector<Texture> textures;
@@ -73,6 +74,7 @@ struct ImportOptions {
 // Files are right-handed with +Y up (or +Z with z_up) and become Unity's left-handed space as Unity's glTF
 // importers do it: x changes its sign, and with it the winding. The model is moved so that its box stands on
 // y = 0 with its centre over the origin; the camera frames it and its shadow (framing.h).
+// Materials and textures come with it (scene/model_materials.h); a texture that cannot be had leaves a note.
 // Triangles without area are dropped; vertices without a usable normal get their face's.
 Scene import(const std::filesystem::path& file, const ImportOptions& options);
 
