@@ -135,7 +135,7 @@ TEST_F(BadInput, ModelWithoutItsTextureIsMeasuredWithANote) {
                                          "16x16",       "--light",
                                          "2",           "--technique",
                                          "hard",        "--reference-samples",
-                                         "4",           "--no-split",
+                                         "32",          "--no-split",
                                          "--output",    (file.parent_path() / "report").string()};
   const auto result = run(measure);
   EXPECT_EQ(result.exit_code, 0) << result.errors;

@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <set>
+#include <tuple>
+
 #include "scene/content_hash.h"
 #include "scene/import_fixture.h"
 #include "scene/mesh_properties.h"
@@ -15,7 +18,7 @@ class PackageModels : public testing::TestWithParam<PackageModel> {};
 
 TEST_P(PackageModels, IsAsTallAsItSaysAndStandsOnTheGround) {
   const Scene scene = package_model(GetParam().name, {.ground = false});
-  EXPECT_GT(scene.mesh.triangle_count(), 5000U);
+  EXPECT_GT(scene.mesh.triangle_count(), 3000U);
   EXPECT_NEAR(scene.bounds().minimum.y, 0.0, 1e-5);
   EXPECT_NEAR(scene.bounds().maximum.y, GetParam().height_metres, 1e-5);
   for (const glm::vec3& normal : scene.mesh.normals) ASSERT_NEAR(glm::length(normal), 1.0, 1e-5);
@@ -24,6 +27,7 @@ TEST_P(PackageModels, IsAsTallAsItSaysAndStandsOnTheGround) {
 INSTANTIATE_TEST_SUITE_P(Debian, PackageModels, testing::ValuesIn(package_models()), [](const auto& test) {
   std::string name = test.param.name;
   std::replace(name.begin(), name.end(), '/', '_');
+  std::replace(name.begin(), name.end(), '-', '_');
   return name;
 });
 
@@ -38,6 +42,29 @@ TEST(HorseModel, RearsInsteadOfLyingOnItsSide) {
   const auto low = std::count_if(places.begin(), places.end(), [](auto p) { return p.y < 0.6F; });
   const auto high = std::count_if(places.begin(), places.end(), [](auto p) { return p.y > 1.9F; });
   EXPECT_GT(high, low);
+}
+
+TEST(MilkTruck, IsPainted) {
+  const Scene scene = package_model("assimp/milk-truck");
+  EXPECT_TRUE(scene.notes.empty()) << scene.notes.front();
+  ASSERT_EQ(scene.textures.size(), 1U);
+  EXPECT_EQ(scene.textures[0].width, 2048);
+  EXPECT_EQ(scene.mesh.uvs.size(), scene.mesh.positions.size());
+  std::size_t painted = 0;
+  for (std::size_t i = 0; i < scene.mesh.triangle_count(); ++i) {
+    painted += scene.materials.at(scene.mesh.material_of(i)).base_colour_texture == 0 ? 1U : 0U;
+  }
+  EXPECT_GT(painted, scene.mesh.triangle_count() / 3);
+}
+
+TEST(Engine, HasColoursOfItsOwn) {
+  const Scene scene = package_model("assimp/engine", {.ground = false});
+  std::set<std::tuple<float, float, float>> colours;
+  for (std::size_t i = 0; i < scene.mesh.triangle_count(); ++i) {
+    const glm::vec3 colour = scene.materials.at(scene.mesh.material_of(i)).base_colour;
+    colours.insert({colour.r, colour.g, colour.b});
+  }
+  EXPECT_GE(colours.size(), 4U);
 }
 
 TEST_F(ImportTest, MissingPackageIsTheEnvironmentsFaultAndNamesThePackage) {

@@ -22,6 +22,11 @@ const std::vector<PackageModel>& package_models() {
       {"glmark2/horse", "glmark2-data", "glmark2/models/horse.3ds", "a rearing horse, 2.5 m tall", 2.5, true},
       {"glmark2/bunny", "glmark2-data", "glmark2/models/bunny.obj", "the Stanford bunny, 2 m tall", 2.0},
       {"glmark2/cat", "glmark2-data", "glmark2/models/cat.3ds", "a cat, 1 m tall", 1.0, true},
+      {"assimp/milk-truck", "assimp-testmodels", "assimp/models/glTF/CesiumMilkTruck/CesiumMilkTruck.gltf",
+       "a painted milk truck, 2.4 m tall", 2.4},
+      {"assimp/engine", "assimp-testmodels",
+       "assimp/models/glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb",
+       "an engine of two cylinders with cooling fins and gears, 1.2 m tall", 1.2},
   };
   return models;
 }
