@@ -29,6 +29,14 @@ TEST(EscapeHtml, WhatIsNoTextBecomesTheReplacementCharacter) {
   EXPECT_EQ(escape_html("\xF4\x90\x80\x80"), mark + mark + mark + mark) << "beyond U+10FFFF";
 }
 
+TEST(CommandHtml, WordsStayWholeAndAreEscaped) {
+  EXPECT_EQ(
+      command_html("a --b <c>"),
+      "<pre class=\"command\"><code><span>a</span> <span>--b</span> <span>&lt;c&gt;</span></code></pre>\n");
+  EXPECT_EQ(command_html(" a  b"),
+            "<pre class=\"command\"><code> <span>a</span>  <span>b</span></code></pre>\n");
+}
+
 TEST(Base64, IsThatOfRfc4648) {
   // Section 10 of the RFC.
   EXPECT_EQ(base64(bytes("")), "");

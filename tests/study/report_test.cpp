@@ -37,7 +37,8 @@ TEST_F(Report, SaysOnWhatAndHowItWasMeasured) {
   for (const char* text :
        {"made-up processor, 2 cores", "made-up device", "made-up driver 1.2", "Penumbra 0.1.0",
         "commit <code>0123456789abcdef0123456789abcdef01234567</code>", "com.example.shadows 17.0.3",
-        "<code>penumbra measure --seed 1</code>", "milliseconds are CPU time and rank nothing"}) {
+        "<span>penumbra</span> <span>measure</span> <span>--seed</span> <span>1</span></code>",
+        "milliseconds are CPU time and rank nothing"}) {
     EXPECT_THAT(html, HasSubstr(text));
   }
 }
@@ -53,6 +54,7 @@ TEST_F(Report, ShowsTheHeadlinesChartsAndEveryRecord) {
   // The exact figure to sort by, the rounded one to read: 0.25 + 0.0053 of the first record.
   EXPECT_THAT(html, HasSubstr("data-value=\"0.2553\">0.255 <span class=\"plus\">± 0.004</span>"));
   EXPECT_THAT(html, HasSubstr("<dt>99th percentile</dt><dd>0.511</dd>")) << "folded away";
+  EXPECT_THAT(html, HasSubstr("<dt>bias</dt><dd>−0.0255</dd>"));
   EXPECT_THAT(html, HasSubstr("<td>1024</td><td>0.0040</td>")) << "the noise floor of each reference";
 }
 
@@ -72,7 +74,7 @@ TEST_F(Report, WithoutPicturesItSaysHowToGetThem) {
   ReportContent content = *content_;
   content.pictures.clear();
   const std::string html = render_report(content);
-  EXPECT_THAT(html, HasSubstr("<code>penumbra measure --seed 1 --output report</code>"));
+  EXPECT_THAT(html, HasSubstr("<span>1</span> <span>--output</span> <span>report</span></code>"));
   EXPECT_THAT(html, Not(HasSubstr("<canvas")));
   EXPECT_THAT(html, Not(HasSubstr("to-pictures\" href")));
 }

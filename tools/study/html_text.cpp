@@ -1,5 +1,6 @@
 #include "study/html_text.h"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace penumbra::study {
@@ -63,6 +64,17 @@ std::string escape_html(std::string_view text) {
     text.remove_prefix(length == 0 ? 1 : length);
   }
   return html;
+}
+
+std::string command_html(std::string_view command) {
+  std::string words;
+  while (!command.empty()) {
+    const std::size_t end = std::min(command.find(' '), command.size());
+    if (end > 0) words += "<span>" + escape_html(command.substr(0, end)) + "</span>";
+    if (end < command.size()) words += ' ';
+    command.remove_prefix(std::min(end + 1, command.size()));
+  }
+  return "<pre class=\"command\"><code>" + words + "</code></pre>\n";
 }
 
 std::string base64(std::span<const std::byte> bytes) {

@@ -12,6 +12,9 @@ namespace penumbra::study {
 // apart) and bytes that are no UTF-8 replaced by U+FFFD.
 std::string escape_html(std::string_view text);
 
+// A command as a block of code, escaped: lines wrap between its words, never at the hyphens of an option.
+std::string command_html(std::string_view command);
+
 // RFC 4648, padded.
 std::string base64(std::span<const std::byte> bytes);
 

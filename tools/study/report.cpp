@@ -95,9 +95,8 @@ std::string machine(const Results& results) {
   }
   return "<dl class=\"machine\">\n" + entry("Hardware", escape_html(results.hardware)) +
          entry("Device", escape_html(results.device)) + entry("Driver", escape_html(results.driver)) +
-         entry("Library", library) + packages + entry("Times", note) +
-         "</dl>\n<h3>The command</h3>\n<pre class=\"command\"><code>" + escape_html(results.command) +
-         "</code></pre>\n";
+         entry("Library", library) + packages + entry("Times", note) + "</dl>\n<h3>The command</h3>\n" +
+         command_html(results.command);
 }
 
 // Which reference stands behind the figures, and how exact it is, per scene and light.

@@ -12,13 +12,24 @@
 namespace penumbra::study {
 namespace {
 
+// A minus before a figure, not a hyphen.
+std::string with_minus(const std::string& text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool begins = i == 0 || text[i - 1] == ' ';
+    const bool figure = i + 1 < text.size() && text[i + 1] >= '0' && text[i + 1] <= '9';
+    result += text[i] == '-' && begins && figure ? std::string("−") : std::string(1, text[i]);
+  }
+  return result;
+}
+
 // Terms and what they are, under one heading. Absent figures are not added.
 class Group {
  public:
   explicit Group(std::string title) : title_(std::move(title)) {}
 
   void add_text(const std::string& term, const std::string& text) {
-    entries_ += fmt::format("<dt>{}</dt><dd>{}</dd>\n", escape_html(term), escape_html(text));
+    entries_ += fmt::format("<dt>{}</dt><dd>{}</dd>\n", escape_html(term), escape_html(with_minus(text)));
   }
 
   void add(const char* term, const std::optional<double>& value, const char* format, double scale = 1.0) {

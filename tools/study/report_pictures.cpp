@@ -182,15 +182,11 @@ constexpr std::string_view kNone =
 below measures them again and adds the pictures:</p>
 )html";
 
-std::string command_with_output(const Results& results) {
-  return "<pre class=\"command\"><code>" + escape_html(results.command) + " --output report</code></pre>\n";
-}
-
 }  // namespace
 
 std::string pictures_html(const Results& results, const std::vector<PictureRow>& pictures) {
   if (results.records.empty()) return {};
-  if (pictures.empty()) return std::string(kNone) + command_with_output(results);
+  if (pictures.empty()) return std::string(kNone) + command_html(results.command + " --output report");
   return std::string(kViewer) + std::string(kExplanation) + Album(results, pictures).html();
 }
 
