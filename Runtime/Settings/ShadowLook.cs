@@ -17,7 +17,7 @@ namespace Penumbra
         [InspectorName("Hazy")]
         Hazy,
 
-        /// <summary>A sun behind thin cloud: a disc of 10 degrees stands in for the bright part of the sky.</summary>
+        /// <summary>A sun behind thin cloud: a disc of 5 degrees stands in for the bright part of the sky.</summary>
         [InspectorName("Overcast")]
         Overcast,
 
@@ -38,8 +38,8 @@ namespace Penumbra
                            "The sun in clear air, 0.53 degrees wide as it is seen from the earth."),
             new LookValues("Hazy", 2.0f, 100.0f,
                            "A sun in haze: a disc of 2 degrees stands in for the glow around it."),
-            new LookValues("Overcast", 10.0f, 2.0f,
-                           "A sun behind thin cloud: a disc of 10 degrees stands in for the bright part of the sky."),
+            new LookValues("Overcast", 5.0f, 2.0f,
+                           "A sun behind thin cloud: a disc of 5 degrees stands in for the bright part of the sky."),
             new LookValues("Sunset", 1.0f, 100.0f,
                            "A low sun: a disc of 1 degree stands in for the glow that the long way through air gives it."),
         };

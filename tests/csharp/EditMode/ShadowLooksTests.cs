@@ -131,11 +131,14 @@ namespace Penumbra.Tests
             ShadowOptions feature = new PenumbraShadowsSettings { preset = QualityPreset.High }.Options();
             PenumbraShadowsVolume volume = Volume();
             volume.Override(ShadowLook.Overcast);
-            ShadowOptions expected = feature.Under(10.0f, 2.0f);
+            LookValues look = ShadowLooks.Values(ShadowLook.Overcast);
+            ShadowOptions expected = feature.Under(look.angularDiameterDegrees, look.softnessCapMetres);
             Assert.That(volume.Over(feature), Is.EqualTo(expected));
             volume.preset.overrideState = true;
             volume.preset.value = QualityPreset.Low;
-            Assert.That(volume.Over(feature), Is.EqualTo(ShadowPresets.Options(QualityPreset.Low).Under(10.0f, 2.0f)));
+            expected = ShadowPresets.Options(QualityPreset.Low)
+                .Under(look.angularDiameterDegrees, look.softnessCapMetres);
+            Assert.That(volume.Over(feature), Is.EqualTo(expected));
         }
 
         [Test]
