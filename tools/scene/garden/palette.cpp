@@ -67,22 +67,22 @@ Palette::Palette(MeshBuilder& mesh) {
       made(mesh, {.cells_x = 3, .cells_y = 20, .octaves = 5, .persistence = 0.6, .seed = 53},
            {0.050, {0.45F, 0.42F, 0.40F}, {1.0F, 1.0F, 1.0F}});
   wall_stone = tints<7>("wall stone",
-                        {{{0.52F, 0.43F, 0.31F},
-                          {0.45F, 0.37F, 0.26F},
-                          {0.56F, 0.49F, 0.38F},
-                          {0.41F, 0.335F, 0.25F},
-                          {0.50F, 0.38F, 0.24F},
-                          {0.36F, 0.33F, 0.30F},
-                          {0.58F, 0.50F, 0.37F}}},
+                        {{{0.58F, 0.48F, 0.35F},
+                          {0.50F, 0.41F, 0.29F},
+                          {0.63F, 0.55F, 0.43F},
+                          {0.46F, 0.38F, 0.28F},
+                          {0.56F, 0.43F, 0.27F},
+                          {0.40F, 0.37F, 0.34F},
+                          {0.65F, 0.56F, 0.41F}}},
                         stone);
   mortar = painted("mortar", {0.46F, 0.41F, 0.33F}, rough);
   coping = painted("coping", {0.60F, 0.55F, 0.46F}, stone);
   flagstone = tints<5>("flagstone",
-                       {{{0.40F, 0.355F, 0.29F},
-                         {0.34F, 0.31F, 0.27F},
-                         {0.44F, 0.38F, 0.30F},
-                         {0.31F, 0.295F, 0.27F},
-                         {0.40F, 0.345F, 0.27F}}},
+                       {{{0.54F, 0.48F, 0.39F},
+                         {0.46F, 0.42F, 0.36F},
+                         {0.59F, 0.51F, 0.41F},
+                         {0.42F, 0.40F, 0.36F},
+                         {0.54F, 0.47F, 0.36F}}},
                        stone, 0.8F);
   sand = painted("sand", {0.42F, 0.34F, 0.24F}, rough, 1.0F);
   pebble =
