@@ -317,15 +317,15 @@ void check_name(const Chart& chart) {
 
 // gnuplot writes a colour as #rrggbb, as rgb(r,g,b) and as rgb(r, g, b) with each number three wide.
 void colour_by_variables(std::string& svg) {
-  for (const auto& [hex, name] : kVariables) {
-    const auto part = [&](std::size_t at) { return std::stoi(std::string(hex.substr(at, 2)), nullptr, 16); };
-    std::string upper(hex);
+  for (const auto& [written_hex, name] : kVariables) {
+    const std::string hex(written_hex);
+    const auto part = [&hex](std::size_t at) { return std::stoi(hex.substr(at, 2), nullptr, 16); };
+    std::string upper = hex;
     std::transform(upper.begin(), upper.end(), upper.begin(),
                    [](char c) { return c >= 'a' && c <= 'f' ? static_cast<char>(c - 'a' + 'A') : c; });
     const std::string variable = "var(--chart-" + std::string(name) + ")";
-    for (const std::string& written :
-         {std::string(hex), upper, fmt::format("rgb({},{},{})", part(1), part(3), part(5)),
-          fmt::format("rgb({:3}, {:3}, {:3})", part(1), part(3), part(5))}) {
+    for (const std::string& written : {hex, upper, fmt::format("rgb({},{},{})", part(1), part(3), part(5)),
+                                       fmt::format("rgb({:3}, {:3}, {:3})", part(1), part(3), part(5))}) {
       replace_all(svg, written, variable);
     }
   }
