@@ -14,12 +14,12 @@ namespace Penumbra.Editor
             return text + ".";
         }
 
-        /// <summary>"Error 0.08 in penumbrae, 35.3 fetches a pixel, measured under 2 degrees."</summary>
+        /// <summary>"Error 0.08 in penumbrae, 35.3 fetches per pixel, measured under 2 degrees."</summary>
         internal static string Figures(QualityPreset preset, float degrees)
         {
             PresetFigure figure = Nearest(PresetFigures.Rows[(int)preset], degrees);
             return string.Format(CultureInfo.InvariantCulture,
-                                 "Error {0:0.###} in penumbrae, {1:0.#} fetches a pixel, measured under {2:0.##} degrees.",
+                                 "Error {0:0.###} in penumbrae, {1:0.#} fetches per pixel, measured under {2:0.##} degrees.",
                                  figure.penumbraRmse, figure.fetches, figure.lightDegrees);
         }
 

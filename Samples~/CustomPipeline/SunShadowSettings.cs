@@ -10,6 +10,7 @@ namespace Penumbra.Samples.CustomPipeline
         [Tooltip("Width of the shadow map in texels.")]
         [Range(256, 8192)] public int resolution = 2048;
 
+        [Tooltip("Number of cascades, 1 to 4.")]
         [Range(1, AtlasLayout.MostCascades)] public int cascades = 4;
 
         [Tooltip("How far from the camera there are shadows, metres.")]
@@ -22,7 +23,10 @@ namespace Penumbra.Samples.CustomPipeline
         [Range(AngularDiameter.SmallestDegrees, AngularDiameter.LargestDegrees)]
         public float angularDiameterDegrees = AngularDiameter.SunDegrees;
 
+        [Tooltip("Texture fetches per pixel that look for what casts the shadow, 1 to 64.")]
         [Range(1, 64)] public int blockerSamples = 24;
+
+        [Tooltip("Texture fetches per pixel that measure how much of the sun is seen, 1 to 64.")]
         [Range(1, 64)] public int filterSamples = 16;
 
         [Tooltip("Moves casters away from the sun, in texels of a tile.")]

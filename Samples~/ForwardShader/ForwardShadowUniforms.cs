@@ -27,6 +27,7 @@ namespace Penumbra.Samples.ForwardShader
         [Tooltip("Texture fetches per pixel of the blocker search, 1 to 128. PCSS (Poisson) takes as many for its filter.")]
         [Range(1, 128)] [SerializeField] private int blockerSamples = 24;
 
+        [Tooltip("Texture fetches per pixel that measure how much of the sun is seen, 1 to 64.")]
         [Range(1, 64)] [SerializeField] private int filterSamples = 16;
 
         /// <summary>What all techniques are told.</summary>

@@ -28,6 +28,7 @@ namespace Penumbra.Samples.Scenes
     [AddComponentMenu("Penumbra Samples/Sample Scene")]
     public sealed class SampleScene : MonoBehaviour
     {
+        [Tooltip("Which scene Build makes.")]
         [SerializeField] private SampleSceneKind kind;
 
         [Tooltip("Places and turns what is placed by chance: the trees and their leaves.")]
