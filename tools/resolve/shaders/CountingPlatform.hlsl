@@ -14,7 +14,7 @@
 #define PENUMBRA_COUNTING_PLATFORM_HLSL
 
 #if !defined(UNITY_COMMON_INCLUDED)
-#include "../../../ShaderLibrary/Platform/Platform.hlsl"
+#include "Platform/Platform.hlsl"
 #endif
 
 static uint penumbraFetchCount = 0;
