@@ -15,6 +15,7 @@ void count_fetches(shaders::CompileRequest& request) {
   const std::filesystem::path counting =
       platform::data_directory() / "tools" / "resolve" / "shaders" / "CountingPlatform.hlsl";
   request.defines.emplace_back("PENUMBRA_COUNT_FETCHES", "1");
+  request.include_directories.push_back(platform::data_directory() / "ShaderLibrary");  // they include it
   for (const char* api : {"/Platform/Platform.hlsl", "/API/D3D11.hlsl", "/API/Vulkan.hlsl", "/API/Metal.hlsl",
                           "/API/GLCore.hlsl"}) {
     request.overlays.push_back({api, counting});
