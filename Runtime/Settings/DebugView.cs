@@ -12,10 +12,10 @@ namespace Penumbra
         /// <summary>The screen-space shadow texture: black 0, white 1.</summary>
         Visibility,
 
-        /// <summary>Green, blue, orange, violet from the nearest on; grey where no shadow map reaches.</summary>
+        /// <summary>Sky blue, orange, green, purple from the nearest on; dark grey where no shadow map reaches.</summary>
         Cascades,
 
-        /// <summary>The shadow map's texels as chequers: green up to a pixel wide, red from eight.</summary>
+        /// <summary>The shadow map's texels as chequers: blue up to a pixel wide, vermilion from eight.</summary>
         ShadowTexels,
 
         /// <summary>

@@ -1,8 +1,9 @@
 // Penumbra: numbers made visible, for debug views.
 //
 // Computes:   a colour for a cascade, a length, the size of a shadow texel, and the chequers of the shadow map's texels.
-// Source:     black body colours for lengths: as bright as large. Cascades have hues of nearly equal luminance, so that
-//             the shadow stays visible under them.
+// Source:     black body colours for lengths: as bright as large. Cascades have colours of Okabe and Ito, "Color
+//             Universal Design" (2008), which stay apart for colour-blind people and are light enough for the shadow
+//             to show under them; texel sizes go between three of them.
 // Inputs:     cascade 0 to 3; metres; screen pixels; texel coordinates of the atlas.
 // Cost:       no fetches.
 // Guarantees: [0, 1] for any input; NaN counts as 0.
@@ -16,14 +17,14 @@ static const float kShortestShownMetres = 0.01;
 static const float kLongestShownMetres = 1.0;
 static const float kCoarsestShownPixels = 8.0;
 
-// Green, blue, orange, violet. Grey for any other number: no cascade.
+// Sky blue, orange, green, purple. Dark grey for any other number: no cascade.
 float3 CascadeColour(int cascade)
 {
-    if (cascade == 0) return float3(0.35, 0.75, 0.35);
-    if (cascade == 1) return float3(0.35, 0.62, 0.95);
-    if (cascade == 2) return float3(0.95, 0.58, 0.25);
-    if (cascade == 3) return float3(0.80, 0.50, 0.90);
-    return float3(0.5, 0.5, 0.5);
+    if (cascade == 0) return float3(0.337, 0.706, 0.914);
+    if (cascade == 1) return float3(0.902, 0.624, 0.0);
+    if (cascade == 2) return float3(0.0, 0.62, 0.451);
+    if (cascade == 3) return float3(0.8, 0.475, 0.655);
+    return float3(0.25, 0.25, 0.25);
 }
 
 // 0 black, 1/3 red, 2/3 yellow, 1 white.
@@ -40,11 +41,14 @@ float LengthShare(float metres)
     return log2(shown / kShortestShownMetres) / log2(kLongestShownMetres / kShortestShownMetres);
 }
 
-// How many pixels of the screen a shadow texel is wide: green up to 1, yellow, red from 8.
+// How many pixels of the screen a shadow texel is wide: blue up to 1, yellow, vermilion from 8.
 float3 TexelSizeColour(float pixels)
 {
     const float share = log2(BoundedOrLow(pixels, 1.0, kCoarsestShownPixels)) / log2(kCoarsestShownPixels);
-    return float3(min(2.0 * share, 1.0), min(2.0 - 2.0 * share, 1.0), 0.0);
+    const float3 fine = float3(0.0, 0.447, 0.698);
+    const float3 middle = float3(0.941, 0.894, 0.259);
+    const float3 coarse = float3(0.835, 0.369, 0.0);
+    return share < 0.5 ? lerp(fine, middle, 2.0 * share) : lerp(middle, coarse, 2.0 * share - 1.0);
 }
 
 // 1 and 0 by turns, a texel each.

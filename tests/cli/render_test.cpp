@@ -139,6 +139,52 @@ TEST_F(Render, OneCommandMakesASheet) {
   EXPECT_LT(height, 4 * 24 * 8);
 }
 
+TEST_F(Render, AnInsetLiesInWhatIsShownAndFitsBeneathIt) {
+  expect_refused({"--inset", "60,0,8,8"}, {"--inset 60,0,8,8 reaches beyond what is shown, 64x36 pixels"});
+  expect_refused({"--crop", "8,8,32,16", "--inset", "0,0,8,8"}, {"reaches beyond", "32x16 pixels from 8,8"});
+  expect_refused({"--inset", "wide"}, {"--inset 'wide'", "X,Y,WIDTH,HEIGHT"});
+  expect_refused({"--inset", "0,0,32,8", "--inset", "0,8,32,8"}, {"too wide", "fewer or smaller"});
+  expect_refused({"--reference", "middle"}, {"--reference", "last"});
+}
+
+TEST_F(Render, ASheetIsAPngOrAJpegByItsName) {
+  for (const char* name : {"sheet.gif", "sheet", "sheet.png.txt"}) {
+    const auto refused = run(small({"--sheet", path(name).string()}));
+    EXPECT_EQ(refused.exit_code, 2) << name;
+    EXPECT_THAT(refused.errors, HasSubstr("neither .png nor .jpg")) << name;
+  }
+  EXPECT_THAT(listing(), IsEmpty());
+  const auto result = run(small({"--technique", "hard", "--sheet", path("sheet.JPG").string()}));
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_TRUE(read("sheet.JPG").starts_with("\xFF\xD8\xFF"));
+}
+
+TEST_F(Render, OptionsOfTheLitViewNeedIt) {
+  for (const char* option : {"--supersampling", "--exposure"}) {
+    expect_refused({option, "1"}, {"--lit"});
+  }
+  expect_refused({"--lit", "--supersampling", "5"}, {"--supersampling", "1 to 4"});
+  size_ = "4100x2000";
+  expect_refused({"--lit"}, {"4100x2000", "8192", "--supersampling 1"});
+}
+
+TEST_F(Render, ALitSheetHasTheSizeOfOneWithoutLightAndTwiceTheSameBytes) {
+  const auto sheet = [&](const std::string& name, const std::vector<std::string>& options) {
+    std::vector<std::string> arguments = small(
+        {"--technique", "hard", "--columns", "2", "--inset", "30,18,12,8", "--sheet", path(name).string()});
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const auto result = run(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    return read(name);
+  };
+  const std::string plain = sheet("plain.png", {});
+  const std::string lit = sheet("lit.png", {"--lit"});
+  EXPECT_EQ(png_size(lit), png_size(plain));
+  EXPECT_NE(lit, plain);
+  EXPECT_EQ(sheet("again.png", {"--lit"}), lit);
+  EXPECT_NE(sheet("brighter.png", {"--lit", "--exposure", "1"}), lit);
+}
+
 TEST_F(Render, DebugViewsAreOfTechniquesOverTheScreen) {
   expect_refused({"--technique", "tent-5", "--show", "cascades"},
                  {"--show cascades: no technique of this sheet runs over the screen", "the presets do"});

@@ -2,8 +2,8 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/vec2.hpp>
 #include <glm/trigonometric.hpp>
+#include <glm/vec2.hpp>
 
 namespace penumbra::lighting::hand_made {
 namespace {

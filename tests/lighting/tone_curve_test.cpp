@@ -21,25 +21,28 @@ TEST(ToneCurve, IsMonotoneAndStaysInRange) {
   EXPECT_GT(last, 0.99F);
 }
 
-// Between the toe and the shoulder a colour loses the mirrored 4 % and nothing else.
-TEST(ToneCurve, KeepsTheStepFromShadowToLight) {
-  for (const float light : {0.1F, 0.3F, 0.5F, 0.75F}) {
-    EXPECT_NEAR(tone_mapped({light, light, light}).g, light - 0.04F, 1e-6F);
-  }
-  const glm::vec3 green = tone_mapped({0.2F, 0.6F, 0.15F});
-  EXPECT_NEAR(green.r, 0.16F, 1e-6F);
-  EXPECT_NEAR(green.g, 0.56F, 1e-6F);
-  EXPECT_NEAR(green.b, 0.11F, 1e-6F);
+TEST(ToneCurve, IsStraightInTheMiddle) {
+  EXPECT_EQ(tone_mapped({0.22F, 0.4F, 0.53F}), glm::vec3(0.22F, 0.4F, 0.53F));
 }
 
-// The published code by hand for (2, 1, 0.5): offset 0.04, peak 1.96.
-TEST(ToneCurve, BrightColoursAreThePublishedOnes) {
-  const double compressed = 1.0 - 0.24 * 0.24 / (1.96 + 0.24 - 0.76);
-  const double keep = 1.0 / (0.15 * (1.96 - compressed) + 1.0);
-  const glm::vec3 shown = tone_mapped({2.0F, 1.0F, 0.5F});
-  EXPECT_NEAR(shown.r, compressed, 1e-5);
-  EXPECT_NEAR(shown.g, 0.96 * compressed / 1.96 * keep + compressed * (1.0 - keep), 1e-5);
-  EXPECT_NEAR(shown.b, 0.46 * compressed / 1.96 * keep + compressed * (1.0 - keep), 1e-5);
+TEST(ToneCurve, ItsToeIsThePublishedOne) {
+  for (const double light : {0.001, 0.05, 0.1, 0.2}) {
+    const double share = light / 0.22;
+    const double straight = share * share * (3.0 - 2.0 * share);  // smoothstep
+    const double expected = (1.0 - straight) * 0.22 * std::pow(share, 1.33) + straight * light;
+    EXPECT_NEAR(tone_mapped(glm::vec3(float(light))).g, expected, 1e-6) << light;
+  }
+}
+
+// The published formula by hand: S1 = m + l0 = 0.532, C2 = aP / (P - S1), S = P - (P - S1) exp(-C2 (x - S0) /
+// P).
+TEST(ToneCurve, ItsShoulderIsThePublishedOne) {
+  const double l0 = (1.0 - 0.22) * 0.4;
+  const double s1 = 0.22 + l0;
+  for (const double light : {0.6, 1.0, 2.5}) {
+    const double expected = 1.0 - (1.0 - s1) * std::exp(-1.0 / (1.0 - s1) * (light - s1));
+    EXPECT_NEAR(tone_mapped(glm::vec3(float(light))).g, expected, 1e-6) << light;
+  }
 }
 
 TEST(ToneCurve, WhatIsNoLightIsBlackAndInfiniteLightIsWhite) {

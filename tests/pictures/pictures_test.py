@@ -20,7 +20,7 @@ class Pages(unittest.TestCase):
         there = {file.stem for file in (ROOT / "Documentation~" / "images").iterdir()}
         self.assertEqual(set(drawn), there)
         for name, page in drawn.items():
-            self.assertIn(f"](images/{name}.png)", (ROOT / page).read_text())
+            self.assertRegex((ROOT / page).read_text(), rf"\]\(images/{name}\.(png|jpg)\)")
 
     def test_no_picture_is_large(self):
         for file in (ROOT / "Documentation~" / "images").iterdir():
@@ -62,7 +62,11 @@ class Script(unittest.TestCase):
         self.assertEqual(self.run_script("two").stdout, "<render><--sheet><Documentation~/images/two.png>\n")
         unknown = self.run_script("three")
         self.assertEqual(unknown.returncode, 2)
-        self.assertIn("no page draws Documentation~/images/three.png; there are: one two", unknown.stderr)
+        self.assertIn("no page draws a picture Documentation~/images/three; there are: one two", unknown.stderr)
+
+    def test_a_picture_is_a_png_or_a_jpeg(self):
+        self.page("penumbra render --sheet Documentation~/images/one.jpg")
+        self.assertEqual(self.run_script().stdout, "<render><--sheet><Documentation~/images/one.jpg>\n")
 
     def test_packages_stand_for_dir(self):
         self.page("penumbra render --package-root com.unity.a-b=DIR --sheet Documentation~/images/one.png")
@@ -79,8 +83,8 @@ class Script(unittest.TestCase):
         self.assertNotIn("two.png", result.stdout)
 
     def test_commands_that_are_none(self):
-        self.page("penumbra render --sheet Documentation~/images/one.jpg")
-        self.assertIn("Documentation~/page.md: Documentation~/images/one.jpg is not called .png",
+        self.page("penumbra render --sheet Documentation~/images/one.gif")
+        self.assertIn("Documentation~/page.md: Documentation~/images/one.gif is called neither .png nor .jpg",
                       self.run_script().stderr)
         self.page("penumbra render --sheet Documentation~/images/one.png")
         self.page("penumbra render --sheet Documentation~/images/one.png", name="other.md")

@@ -1,6 +1,7 @@
 // The debug views through the package's own .shader: every colour against what it should say of its pixel,
 // worked out here in double from the frame itself.
 #include "resolve/debug_view.h"
+#include "resolve/colour_vision.h"
 
 #include <gmock/gmock.h>
 
@@ -133,7 +134,9 @@ TEST_P(DebugViews, CascadesHaveAColourEach) {
   for (const std::vector<glm::dvec3>& colours_of : of_cascade) {
     if (colours_of.empty()) continue;  // of a few pixels' scene not every cascade shows
     for (const glm::dvec3& colour : colours_of) ASSERT_TRUE(near(glm::vec3(colours_of.front()), colour));
-    for (const glm::dvec3& other : found) EXPECT_GT(glm::distance(other, colours_of.front()), 0.25);
+    for (const glm::dvec3& other : found) {
+      EXPECT_GT(colour_vision::least_difference(other, colours_of.front()), 15.0) << "for any kind of vision";
+    }
     found.push_back(colours_of.front());
   }
   EXPECT_GE(found.size(), std::min<std::size_t>(cascades.size(), 3));
@@ -163,6 +166,13 @@ TEST_P(DebugViews, WithoutAMaskAllIsFiltered) {
   }
 }
 
+// Blue, yellow, vermilion of Okabe and Ito, by straight lines.
+glm::dvec3 texel_hue(double share) {
+  const glm::dvec3 middle(0.941, 0.894, 0.259);
+  return share < 0.5 ? glm::mix(glm::dvec3(0.0, 0.447, 0.698), middle, 2.0 * share)
+                     : glm::mix(middle, glm::dvec3(0.835, 0.369, 0.0), 2.0 * share - 1.0);
+}
+
 // Hue by the texel's width in pixels, brightness by the chequers: both from the cascade's matrix and the
 // lens.
 TEST(DebugViewOfTexels, AreAsLargeAsTheMapsAre) {
@@ -185,7 +195,7 @@ TEST(DebugViewOfTexels, AreAsLargeAsTheMapsAre) {
         2.0 * away * std::tan(glm::radians(camera.fov_y_degrees / 2.0)) / views.camera.height;
     const double pixels = std::clamp(cascade.texel_size_metres / metres_per_pixel, 1.0, 8.0);
     const double share = std::log(pixels) / std::log(8.0);
-    const glm::dvec3 hue(std::min(2.0 * share, 1.0), std::min(2.0 - 2.0 * share, 1.0), 0.0);
+    const glm::dvec3 hue = texel_hue(share);
     ASSERT_TRUE(near(colours[i], hue * (light ? 1.0 : 0.65) * views.shade(i), 0.02))
         << i << ": " << colours[i].r << " " << colours[i].g << ", " << share;
     ++compared;

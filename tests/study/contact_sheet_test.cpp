@@ -93,6 +93,30 @@ TEST(ContactSheet, ShowsTheWindowZoomed) {
                std::invalid_argument);
 }
 
+TEST(ContactSheet, InsetsStandBeneathEveryPicture) {
+  MadeUp study;
+  study.add("boxes", 2.0, "a");
+  const PictureWindow window{2, 2, 26, 16};
+  const PictureWindow inset{6, 5, 5, 4};
+  const Picture sheet =
+      contact_sheet(study.records, study.rows, {.window = window, .insets = {inset}, .zoom = 2});
+  for (const Picture& picture : {study.rows[0].reference, study.rows[0].result}) {
+    EXPECT_EQ(occurrences(sheet, enlarged(cropped(picture, inset), (52 - 8) / 5)), 1);
+  }
+}
+
+TEST(ContactSheet, TheReferenceStandsWhereItIsAskedTo) {
+  MadeUp study;
+  for (const char* technique : {"a", "b"}) study.add("boxes", 2.0, technique);
+  const auto column_of = [&](bool last) {
+    const Picture sheet = contact_sheet(study.records, study.rows, {.reference_last = last, .columns = 3});
+    EXPECT_EQ(occurrences(sheet, study.rows[0].reference), 1);
+    return occurrences(cropped(sheet, {0, 0, sheet.width / 3, sheet.height}), study.rows[0].reference);
+  };
+  EXPECT_EQ(column_of(false), 1);
+  EXPECT_EQ(column_of(true), 0);
+}
+
 TEST(ContactSheet, ShowsWhatIsAskedForAndAMaskOnlyWhereThereIsOne) {
   MadeUp study;
   study.add("boxes", 2.0, "a");
@@ -116,7 +140,7 @@ TEST(ContactSheet, CaptionsHoldNameErrorAndFetches) {
   study.add("boxes", 2.0, "blockerSamples=4");
   const Picture sheet = contact_sheet(study.records, study.rows, {});
   for (const std::string line :
-       {"ray traced", "boxes, 2 deg", "blockerSamples=4", "RMSE 0.125, 42.5 fetches"}) {
+       {"Ray traced", "boxes, light of 2°", "blockerSamples=4", "penumbra error 0.125, 42.5 fetches"}) {
     const int width = caption_width(line);
     const Picture alone = compose({{line, filled_picture(width, 1, {255, 255, 255}), {}}}, 1);
     EXPECT_EQ(occurrences(sheet, cropped(alone, {8, 8, width, 20})), 1) << line;

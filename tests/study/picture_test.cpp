@@ -82,6 +82,40 @@ TEST(Zoom, EveryPixelIsASquare) {
   }
 }
 
+TEST(Shrink, EverySquareBecomesItsMean) {
+  const Picture picture = noise(6, 4, 3);
+  const Picture small = shrunk(picture, 2);
+  ASSERT_EQ(small.width, 3);
+  ASSERT_EQ(small.height, 2);
+  for (int y = 0; y < 2; ++y) {
+    for (int x = 0; x < 3; ++x) {
+      const int sum = pixel(picture, 2 * x, 2 * y).g + pixel(picture, 2 * x + 1, 2 * y).g +
+                      pixel(picture, 2 * x, 2 * y + 1).g + pixel(picture, 2 * x + 1, 2 * y + 1).g;
+      EXPECT_EQ(int{pixel(small, x, y).g}, (sum + 2) / 4) << x << ", " << y;
+    }
+  }
+  EXPECT_EQ(shrunk(enlarged(picture, 3), 3), picture);
+  EXPECT_THROW(shrunk(picture, 4), std::invalid_argument);
+}
+
+TEST(Jpeg, IsOneAndNearThePicture) {
+  Picture smooth = filled_picture(64, 48, {});
+  for (int y = 0; y < 48; ++y) {
+    for (int x = 0; x < 64; ++x) {
+      set_pixel(smooth, x, y, {static_cast<std::uint8_t>(4 * x), static_cast<std::uint8_t>(5 * y), 128});
+    }
+  }
+  const std::vector<std::byte> jpeg = encode_jpeg(smooth);
+  ASSERT_GT(jpeg.size(), 200U);
+  EXPECT_LT(jpeg.size(), smooth.samples.size() / 3);
+  EXPECT_EQ(jpeg, encode_jpeg(smooth)) << "the same picture is the same bytes";
+  EXPECT_EQ(jpeg[0], std::byte{0xFF});
+  EXPECT_EQ(jpeg[1], std::byte{0xD8});
+  EXPECT_EQ(jpeg[jpeg.size() - 2], std::byte{0xFF});
+  EXPECT_EQ(jpeg[jpeg.size() - 1], std::byte{0xD9});
+  EXPECT_THROW(encode_jpeg(Picture{}), std::invalid_argument);
+}
+
 TEST(Png, WhatDoesNotFitIsRefused) {
   Picture picture = noise(4, 4, 3);
   picture.samples.pop_back();
@@ -97,17 +131,10 @@ TEST(Png, EveryShortenedFileIsRefused) {
   }
 }
 
-TEST(FetchRamp, PerceivedIntensityIsTheValue) {
-  // Green 2011: weights 0.30, 0.59, 0.11 were used to derive the scheme. Half a step of rounding per channel.
-  for (int i = 0; i <= 1000; ++i) {
-    const double value = i / 1000.0;
-    const Rgb colour = fetch_colour(value);
-    EXPECT_NEAR((0.30 * colour.r + 0.59 * colour.g + 0.11 * colour.b) / 255.0, value, 0.004) << value;
-  }
-  // Equation 2 by hand at 0.5: the angle is -210 degrees, the amplitude 1/8.
-  EXPECT_EQ(fetch_colour(0.5), (Rgb{160, 121, 73}));
-  EXPECT_EQ(fetch_colour(-1.0), (Rgb{0, 0, 0}));
-  EXPECT_EQ(fetch_colour(9.0), (Rgb{255, 255, 255}));
+TEST(FetchRamp, RunsFromDarkBlueToYellow) {
+  EXPECT_EQ(fetch_colour(-1.0), (Rgb{0x00, 0x20, 0x4D}));
+  EXPECT_EQ(fetch_colour(9.0), (Rgb{0xFF, 0xEA, 0x46}));
+  EXPECT_EQ(fetch_colour(4.0 / 9.0), (Rgb{0x70, 0x71, 0x73}));
 }
 
 TEST(ErrorRamp, IsWhiteAtZeroAndWeighsBothSignsTheSame) {
@@ -120,7 +147,7 @@ TEST(ErrorRamp, IsWhiteAtZeroAndWeighsBothSignsTheSame) {
     EXPECT_LT(luma(error_colour(share)), last);
     last = luma(error_colour(share));
     if (i > 0) {
-      EXPECT_GT(error_colour(share).r, error_colour(share).b) << "too bright must be red";
+      EXPECT_GT(error_colour(share).r, error_colour(share).b) << "too bright must be vermilion";
       EXPECT_LT(error_colour(-share).r, error_colour(-share).b) << "too dark must be blue";
     }
   }

@@ -1,11 +1,14 @@
 // penumbra render: one frame as pictures, techniques beside the reference.
 #include <memory>
+#include <optional>
 
+#include "cli/lit_options.h"
 #include "cli/sheet_options.h"
 #include "cli/study_options.h"
 #include "cli/subcommand.h"
 #include "cli/varied_subjects.h"
 #include "study/contact_sheet.h"
+#include "study/lit_view.h"
 #include "study/picture_sheet.h"
 #include "study/study.h"
 
@@ -15,6 +18,7 @@ namespace {
 struct RenderOptions : StudyOptions {
   VariedSubjects varied;
   SheetArguments sheet;
+  LitArguments lit;
 };
 
 study::StudySettings study_settings(const StudyOptions& options) {
@@ -58,8 +62,12 @@ void render(const RenderOptions& options, const Context& context) {
       if (choice.kind == study::SheetPicture::debug_view) settings.debug_views.push_back(choice.view);
     }
   }
+  std::optional<study::LitView> lit;
+  if (options.lit.wanted) lit.emplace(light_study(options.lit, settings), study_progress(context));
+  if (lit) settings.answered = [&lit](const study::SubjectAnswer& answer) { lit->add(answer); };
   gpu::Device device = open_device(options);
-  const study::StudyOutcome outcome = study::run_study(device, subjects, settings, study_progress(context));
+  study::StudyOutcome outcome = study::run_study(device, subjects, settings, study_progress(context));
+  if (lit) lit->replace_pictures(outcome.pictures);
 
   if (options.sheet.file.empty()) {
     write_rows(options.output.empty() ? "." : options.output, outcome.pictures);
@@ -93,6 +101,7 @@ void add_render(CLI::App& app, Context& context) {
   CLI::Option* folder =
       command->add_option("-o,--output", options->output, "Folder for the pictures; default: this one");
   add_sheet_options(*command, options->sheet)->excludes(folder);
+  add_lit_options(*command, options->lit);
   command->callback([options, &context] { render(*options, context); });
 }
 

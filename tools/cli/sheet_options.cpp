@@ -8,28 +8,58 @@
 #include <filesystem>
 #include <map>
 
+#include "cli/study_options.h"
 #include "input/input_error.h"
+#include "study/insets.h"
 
 namespace penumbra::cli {
 namespace {
 
 constexpr std::int64_t kMostPixels = std::int64_t{1} << 26;
 
-study::PictureWindow window_of(const std::string& crop, int width, int height) {
+bool lies_inside(const study::PictureWindow& inner, const study::PictureWindow& outer) {
+  return inner.x >= outer.x && inner.y >= outer.y && inner.width <= outer.width &&
+         inner.height <= outer.height && inner.x - outer.x <= outer.width - inner.width &&
+         inner.y - outer.y <= outer.height - inner.height;
+}
+
+study::PictureWindow window_of(const std::string& option, const std::string& text) {
   study::PictureWindow window;
   char extra = 0;
   const int read =
-      std::sscanf(crop.c_str(), "%d,%d,%d,%d%c", &window.x, &window.y, &window.width, &window.height, &extra);
+      std::sscanf(text.c_str(), "%d,%d,%d,%d%c", &window.x, &window.y, &window.width, &window.height, &extra);
   if (read != 4 || window.width < 1 || window.height < 1) {
     throw InputError("",
-                     "--crop '" + crop + "' is not X,Y,WIDTH,HEIGHT in pixels from the left upper corner");
+                     option + " '" + text + "' is not X,Y,WIDTH,HEIGHT in pixels from the left upper corner");
   }
-  if (window.x < 0 || window.y < 0 || window.x > width - window.width || window.y > height - window.height) {
+  return window;
+}
+
+study::PictureWindow crop_of(const std::string& text, const study::PictureWindow& picture) {
+  const study::PictureWindow window = window_of("--crop", text);
+  if (!lies_inside(window, picture)) {
     throw InputError("",
-                     fmt::format("--crop {} reaches beyond the picture of {}x{} pixels", crop, width, height),
+                     fmt::format("--crop {} reaches beyond the picture of {}x{} pixels", text, picture.width,
+                                 picture.height),
                      "--size gives another picture");
   }
   return window;
+}
+
+std::vector<study::PictureWindow> insets_of(const std::vector<std::string>& texts,
+                                            const study::PictureWindow& shown, int zoom) {
+  std::vector<study::PictureWindow> insets;
+  for (const std::string& text : texts) {
+    insets.push_back(window_of("--inset", text));
+    if (lies_inside(insets.back(), shown)) continue;
+    throw InputError("", fmt::format("--inset {} reaches beyond what is shown, {}x{} pixels from {},{}", text,
+                                     shown.width, shown.height, shown.x, shown.y));
+  }
+  if (!insets.empty() && study::inset_factor(shown.width * zoom, insets) == 0) {
+    throw InputError("", "the insets are too wide to stand side by side beneath a picture",
+                     "show fewer or smaller ones");
+  }
+  return insets;
 }
 
 // What --show may name; a debug view by its pass of PenumbraDebugViews.shader.
@@ -69,7 +99,11 @@ void refuse_without_a_place(const std::filesystem::path& file) {
     throw InputError(file.string(), "there is no folder '" + folder.string() + "'");
   }
   if (std::filesystem::is_directory(file)) {
-    throw InputError(file.string(), "is a folder", "--sheet names the PNG file");
+    throw InputError(file.string(), "is a folder", "--sheet names the PNG or JPEG file");
+  }
+  if (!is_jpeg_name(file) && file.extension() != ".png" && file.extension() != ".PNG") {
+    throw InputError(file.string(), "is called neither .png nor .jpg",
+                     "a sheet is written as PNG or as JPEG");
   }
 }
 
@@ -90,15 +124,25 @@ void refuse_too_large(const study::SheetOptions& options, const study::StudySett
 }  // namespace
 
 CLI::Option* add_sheet_options(CLI::App& command, SheetArguments& arguments) {
-  CLI::Option* sheet =
-      command
-          .add_option("--sheet", arguments.file, "Write one PNG: the reference and all pictures, captioned")
-          ->group("Sheet");
+  CLI::Option* sheet = command
+                           .add_option("--sheet", arguments.file,
+                                       "Write one PNG or JPEG: the reference and all pictures, captioned")
+                           ->group("Sheet");
   command.add_option("--crop", arguments.crop, "X,Y,WIDTH,HEIGHT: show, and measure, this part alone")
       ->needs(sheet)
       ->group("Sheet");
   command.add_option("--zoom", arguments.zoom, "Pixels of the sheet per pixel, each way")
       ->check(CLI::Range(1, 16))
+      ->needs(sheet)
+      ->group("Sheet");
+  command
+      .add_option("--inset", arguments.insets,
+                  "X,Y,WIDTH,HEIGHT: this part of every picture enlarged beneath it, too; repeatable")
+      ->needs(sheet)
+      ->group("Sheet");
+  command
+      .add_option("--reference", arguments.reference, "Where the ray-traced picture stands: first or last")
+      ->check(CLI::IsMember({"first", "last"}))
       ->needs(sheet)
       ->group("Sheet");
   command.add_option("--columns", arguments.columns, "Pictures side by side; default: up to four")
@@ -123,9 +167,10 @@ study::SheetOptions sheet_options(const SheetArguments& arguments, const study::
   study::SheetOptions options;
   options.zoom = arguments.zoom;
   options.columns = arguments.columns;
-  if (!arguments.crop.empty()) {
-    options.window = window_of(arguments.crop, settings.frame.width, settings.frame.height);
-  }
+  const study::PictureWindow picture{0, 0, settings.frame.width, settings.frame.height};
+  if (!arguments.crop.empty()) options.window = crop_of(arguments.crop, picture);
+  options.insets = insets_of(arguments.insets, options.window.value_or(picture), arguments.zoom);
+  options.reference_last = arguments.reference == "last";
   options.pictures.clear();
   for (const std::string& name : arguments.show) {
     const study::SheetChoice& choice = shown_pictures().at(name);

@@ -11,8 +11,10 @@
 namespace penumbra::cli {
 
 struct SheetArguments {
-  std::string file;  // empty: no sheet
-  std::string crop;  // X,Y,WIDTH,HEIGHT; empty: all of the picture
+  std::string file;                   // empty: no sheet
+  std::string crop;                   // X,Y,WIDTH,HEIGHT; empty: all of the picture
+  std::vector<std::string> insets{};  // the same
+  std::string reference = "first";    // or last
   int zoom = 1;
   int columns = 0;
   std::vector<std::string> show{"result"};
@@ -20,8 +22,9 @@ struct SheetArguments {
 
 CLI::Option* add_sheet_options(CLI::App& command, SheetArguments& arguments);  // returns --sheet
 
-// Throws InputError for a crop that is none or reaches beyond the picture, for a mask where no subject has
-// one, for a sheet of more pixels than a PNG should have, and for a file in no folder.
+// Throws InputError for a crop or an inset that is none or reaches beyond the picture, for a mask where no
+// subject has one, for a sheet of more pixels than a PNG should have, and for a file in no folder or of
+// another kind than PNG and JPEG.
 study::SheetOptions sheet_options(const SheetArguments& arguments, const study::StudySettings& settings,
                                   const std::vector<study::Subject>& subjects);
 

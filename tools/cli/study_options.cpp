@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <glm/geometric.hpp>
@@ -236,9 +237,16 @@ void make_folder(const std::filesystem::path& folder) {
   if (error) throw InputError(folder.string(), "cannot be made: " + error.message());
 }
 
+bool is_jpeg_name(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension == ".jpg" || extension == ".jpeg";
+}
+
 void write_picture(const std::filesystem::path& file, const study::Picture& picture) {
-  const std::vector<std::byte> png = study::encode_png(picture);
-  platform::write_file_atomically(file, std::span<const std::byte>(png));
+  const std::vector<std::byte> bytes =
+      is_jpeg_name(file) ? study::encode_jpeg(picture) : study::encode_png(picture);
+  platform::write_file_atomically(file, std::span<const std::byte>(bytes));
 }
 
 }  // namespace penumbra::cli

@@ -66,6 +66,9 @@ study::StudyProgress study_progress(const Context& context);
 std::pair<int, int> picture_size(const StudyOptions& options);  // width and height
 
 void make_folder(const std::filesystem::path& folder);  // with its parents; InputError when that fails
+
+bool is_jpeg_name(const std::filesystem::path& file);  // .jpg or .jpeg, in any case
+// As JPEG where its name says so, else as PNG.
 void write_picture(const std::filesystem::path& file, const study::Picture& picture);
 
 }  // namespace penumbra::cli

@@ -23,6 +23,7 @@ namespace penumbra::lighting {
 namespace {
 
 constexpr int kSmoothingPasses = 2;
+constexpr double kWhiteInTheSun = 1.4;  // exposed light of a white matt surface that faces the sun alone
 
 void check(const scene::FrameSettings& frame, int supersampling) {
   const bool divides =
@@ -92,9 +93,8 @@ LitFrame::LitFrame(const scene::Scene& scene, const scene::Frame& frame, const L
       visibility_behind(scene, frame, seen, sun.to_sun, settings,
                         run_options(settings, progress, "light through leaves of " + name, " rays"));
 
-  // A white matt surface that faces the sun and half of the sky is white.
   const double white = glm::dot(day.sun(), glm::dvec3(0.2126, 0.7152, 0.0722)) / std::numbers::pi;
-  const auto exposure = static_cast<float>(std::exp2(settings.exposure_stops) / white);
+  const auto exposure = static_cast<float>(kWhiteInTheSun * std::exp2(settings.exposure_stops) / white);
   by_sun_.resize(seen.points.size(), glm::vec3(0.0F));
   others_.resize(seen.points.size());
   receives_.resize(seen.points.size());

@@ -26,7 +26,7 @@ struct LitSettings {
   int supersampling = 2;  // samples of a pixel each way; divides the frame's width and height
   double exposure_stops = 0.0;
   int sky_rays = 128;  // per pixel, shared among its samples
-  double turbidity = 3.0;
+  double turbidity = 2.5;
   int sun_rays = 1024;  // of the visibility behind leaves, as reference::TraceOptions has it
   std::uint64_t seed = 1;
   int jobs = 0;

@@ -2,32 +2,29 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 
 namespace penumbra::lighting {
 namespace {
 
-constexpr float kMost = 1e6F;  // what is brighter is white all the same
+constexpr float kLinearStart = 0.22F;                                      // m
+constexpr float kLinearEnd = kLinearStart + (1.0F - kLinearStart) * 0.4F;  // m + l0, of l = 0.4
+constexpr float kToe = 1.33F;                                              // c
 
-float usable(float channel) {
-  return channel > 0.0F ? std::min(channel, kMost) : 0.0F;  // NaN is not above 0
+float channel_mapped(float light) {
+  if (!(light > 0.0F)) return 0.0F;  // NaN is not above 0
+  if (light > kLinearEnd) {
+    return 1.0F - (1.0F - kLinearEnd) * std::exp(-(light - kLinearEnd) / (1.0F - kLinearEnd));
+  }
+  if (light >= kLinearStart) return light;
+  const float share = light / kLinearStart;
+  const float toe = kLinearStart * std::pow(share, kToe);
+  return std::lerp(toe, light, share * share * (3.0F - 2.0F * share));
 }
 
 }  // namespace
 
 glm::vec3 tone_mapped(const glm::vec3& light) {
-  constexpr float kMirrored = 0.04F;
-  constexpr float kStart = 0.8F - kMirrored;
-  constexpr float kDesaturation = 0.15F;
-  glm::vec3 colour(usable(light.r), usable(light.g), usable(light.b));
-  const float least = std::min({colour.r, colour.g, colour.b});
-  colour -= least < 2.0F * kMirrored ? least - 6.25F * least * least : kMirrored;
-  const float peak = std::max({colour.r, colour.g, colour.b});
-  if (peak < kStart) return glm::max(colour, glm::vec3(0.0F));
-  constexpr float kRange = 1.0F - kStart;
-  const float compressed = 1.0F - kRange * kRange / (peak + kRange - kStart);
-  const float to_white = 1.0F - 1.0F / (kDesaturation * (peak - compressed) + 1.0F);
-  return glm::clamp(glm::mix(colour * (compressed / peak), glm::vec3(compressed), to_white), 0.0F, 1.0F);
+  return {channel_mapped(light.r), channel_mapped(light.g), channel_mapped(light.b)};
 }
 
 float srgb_encoded(float linear) {

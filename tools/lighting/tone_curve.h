@@ -1,16 +1,15 @@
 // From light to what a screen shows.
 //
-// Source: Khronos PBR Neutral tone mapper (Khronos Group, 2024): colours up to 0.8 keep hue and contrast,
-// less the 4 % that every surface mirrors; brighter ones are compressed towards white, and desaturate on the
-// way. Chosen because the step from lit to shadowed stays the one that was computed.
+// Source: H. Uchimura, "HDR Theory and Practice" (CEDEC 2017), per channel, with the paper's parameters
+// P = 1, a = 1, m = 0.22, l = 0.4, c = 1.33, b = 0: a toe that deepens what is dark, as film does, then light
+// as it is from 0.22 to 0.532, then an exponential shoulder that ends at white.
 #pragma once
 
 #include <glm/vec3.hpp>
 
 namespace penumbra::lighting {
 
-// Linear Rec. 709, 1 = what the exposure maps to white, to linear in [0, 1]. Infinite light is white, NaN and
-// negative light black.
+// Linear Rec. 709, exposed, to linear in [0, 1]. Infinite light is white, NaN and negative light black.
 glm::vec3 tone_mapped(const glm::vec3& colour);
 
 // Linear [0, 1] to sRGB's encoding (IEC 61966-2-1), and back.

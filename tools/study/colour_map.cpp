@@ -1,8 +1,8 @@
 #include "study/colour_map.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 namespace penumbra::study {
@@ -36,24 +36,53 @@ Rgb visibility_colour(double visibility) {
 }
 
 Rgb error_colour(double share) {
-  constexpr double kBlue[] = {0.10, 0.35, 0.85};
-  constexpr double kRed[] = {0.85, 0.20, 0.15};
+  constexpr double kBlue[] = {0.10, 0.40, 0.84};
+  constexpr double kVermilion[] = {0.82, 0.27, 0.02};
   const double amount = std::min(std::abs(share), 1.0);
-  const double* end = share < 0.0 ? kBlue : kRed;
+  const double* end = share < 0.0 ? kBlue : kVermilion;
   return {to_byte(std::lerp(1.0, end[0], amount)), to_byte(std::lerp(1.0, end[1], amount)),
           to_byte(std::lerp(1.0, end[2], amount))};
 }
 
 Rgb fetch_colour(double share) {
-  constexpr double kStart = 0.5;
-  constexpr double kRotations = -1.5;
-  const double value = std::clamp(share, 0.0, 1.0);
-  const double angle = 2.0 * std::numbers::pi * (kStart / 3.0 + kRotations * value);
-  const double amplitude = value * (1.0 - value) / 2.0;
-  const double c = amplitude * std::cos(angle);
-  const double s = amplitude * std::sin(angle);
-  return {to_byte(value - 0.14861 * c + 1.78277 * s), to_byte(value - 0.29227 * c - 0.90649 * s),
-          to_byte(value + 1.97294 * c)};
+  static constexpr std::array<Rgb, 10> kCividis{{{0x00, 0x20, 0x4D},
+                                                 {0x00, 0x33, 0x6F},
+                                                 {0x39, 0x48, 0x6B},
+                                                 {0x57, 0x5C, 0x6D},
+                                                 {0x70, 0x71, 0x73},
+                                                 {0x8A, 0x87, 0x79},
+                                                 {0xA6, 0x9D, 0x75},
+                                                 {0xC4, 0xB5, 0x6C},
+                                                 {0xE4, 0xCF, 0x5B},
+                                                 {0xFF, 0xEA, 0x46}}};
+  const double place = std::clamp(share, 0.0, 1.0) * (kCividis.size() - 1);
+  const auto low = std::min(static_cast<std::size_t>(place), kCividis.size() - 2);
+  const auto between = [&](std::uint8_t from, std::uint8_t to) {
+    return to_byte(std::lerp(from / 255.0, to / 255.0, place - static_cast<double>(low)));
+  };
+  const Rgb& from = kCividis[low];
+  const Rgb& to = kCividis[low + 1];
+  return {between(from.r, to.r), between(from.g, to.g), between(from.b, to.b)};
+}
+
+Rgb category_colour(Category category) {
+  switch (category) {
+    case Category::orange:
+      return {230, 159, 0};
+    case Category::sky_blue:
+      return {86, 180, 233};
+    case Category::bluish_green:
+      return {0, 158, 115};
+    case Category::yellow:
+      return {240, 228, 66};
+    case Category::blue:
+      return {0, 114, 178};
+    case Category::vermillion:
+      return {213, 94, 0};
+    case Category::reddish_purple:
+      break;
+  }
+  return {204, 121, 167};
 }
 
 Picture visibility_picture(const PixelGrid& grid, std::span<const float> visibility) {

@@ -18,15 +18,21 @@ inline constexpr Rgb kInvalid{255, 0, 255};
 // Black 0 to white 1, linear in the stored value: a picture of numbers, not of light.
 Rgb visibility_colour(double visibility);
 
-// -1 (too dark) blue, 0 white, +1 (too bright: a leak) red; both arms are straight lines to ends of equal
-// luma (Rec. 709, within 1 %), so that equal errors of either sign weigh the same in print. Saturates beyond
-// +-1.
+// -1 (too dark) blue, 0 white, +1 (too bright: a leak) vermilion, two hues that people with every common
+// kind of colour blindness tell apart; both arms are straight lines to ends of equal luma (Rec. 709, within
+// 1 %), so that equal errors of either sign weigh the same in print. Saturates beyond +-1.
 Rgb error_colour(double share);
 
-// 0 black to 1 white through colour, by D. A. Green's cubehelix (2011, "A colour scheme for the display of
-// astronomical intensity images", eq. 2; start 0.5, -1.5 rotations, hue 1): perceived intensity equals the
-// value, so the ramp also reads in grey. Clamped to [0, 1].
+// 0 dark blue to 1 yellow by cividis (J. R. Nunez, C. R. Anderton, R. S. Renslow, "Optimizing colormaps with
+// consideration for color vision deficiency to enable accurate interpretation of scientific data", PLOS ONE
+// 2018): lightness rises evenly, and colour-blind people see the same map. Straight lines between ten of its
+// colours. Clamped to [0, 1].
 Rgb fetch_colour(double share);
+
+// Kinds of things, in colours that stay apart for colour-blind people: M. Okabe and K. Ito, "Color Universal
+// Design" (2008).
+enum class Category { orange, sky_blue, bluish_green, yellow, blue, vermillion, reddish_purple };
+Rgb category_colour(Category category);
 
 // What all pictures of one frame share. Row 0 at the top; valid 0: no receiver.
 struct PixelGrid {

@@ -21,12 +21,15 @@ struct CaptionedPicture {
   std::optional<Legend> legend;
 };
 
+inline constexpr int kTextSize = 20;  // pixels of a caption's line
+
 // Rows of at most `columns` pictures, dark text on white, each caption above its picture and cut to its
-// width, or to `least_width` pixels where that is more. Characters outside printable ASCII are drawn as '?'.
-// Throws std::invalid_argument without a picture or when sizes differ.
-Picture compose(const std::vector<CaptionedPicture>& pictures, int columns, int least_width = 0);
+// width, or to `least_width` pixels where that is more. Captions are UTF-8.
+// Throws std::invalid_argument without a picture or when sizes differ, EnvironmentError without a font.
+Picture compose(const std::vector<CaptionedPicture>& pictures, int columns, int least_width = 0,
+                int text_size = kTextSize);
 
 // Pixels that the longest line of a caption takes.
-int caption_width(const std::string& caption);
+int caption_width(const std::string& caption, int text_size = kTextSize);
 
 }  // namespace penumbra::study

@@ -7,6 +7,7 @@
 
 #include "study/colour_map.h"
 #include "study/composition.h"
+#include "study/insets.h"
 
 namespace penumbra::study {
 namespace {
@@ -15,12 +16,12 @@ constexpr int kMostColumns = 4;
 constexpr int kLeastWidth = 240;  // pixels that a legend needs
 
 std::string reference_caption(const Record& record) {
-  return fmt::format("ray traced\n{}, {} deg", record.scene, record.light_degrees);
+  return fmt::format("Ray traced\n{}, light of {}°", record.scene, record.light_degrees);
 }
 
 std::string figures(const Metrics& metrics) {
   std::string error =
-      metrics.rmse_penumbra ? fmt::format("RMSE {:.3f}", *metrics.rmse_penumbra) : "no penumbra";
+      metrics.rmse_penumbra ? fmt::format("penumbra error {:.3f}", *metrics.rmse_penumbra) : "no penumbra";
   if (!metrics.fetches_mean) return error;
   return fmt::format("{}, {:.1f} fetches", error,
                      *metrics.fetches_mean + metrics.preprocess_fetches_per_pixel);
@@ -76,22 +77,43 @@ struct Cells {
 Cells cells_of(const std::vector<Record>& records, const std::vector<PictureRow>& rows,
                const SheetOptions& options) {
   Cells cells;
+  const auto add_reference = [&](std::size_t i) {
+    cells.all.push_back({reference_caption(records[i]), rows[i].reference, {}});
+  };
   for (std::size_t i = 0; i < records.size(); ++i) {
-    if (i == 0 || !of_one_frame(records[i - 1], records[i])) {
-      cells.all.push_back({reference_caption(records[i]), rows[i].reference, {}});
-    }
+    const bool first = i == 0 || !of_one_frame(records[i - 1], records[i]);
+    const bool last = i + 1 == records.size() || !of_one_frame(records[i], records[i + 1]);
+    if (first && !options.reference_last) add_reference(i);
     for (const SheetChoice& choice : options.pictures) {
       if (auto shown = cell(choice, records[i], rows[i])) cells.all.push_back(*std::move(shown));
     }
+    if (last && options.reference_last) add_reference(i);
     if (of_one_frame(records[0], records[i])) cells.of_the_first_frame = cells.all.size();
   }
   return cells;
 }
 
-int least_width(const std::vector<CaptionedPicture>& cells) {
+// Wide sheets are shown small: their letters grow with them, so that they stay legible on a page.
+int text_size(int sheet_width) {
+  constexpr int kLettersPerSheet = 60;
+  return std::clamp(sheet_width / kLettersPerSheet, kTextSize, 3 * kTextSize);
+}
+
+int least_width(const std::vector<CaptionedPicture>& cells, int text) {
   int width = kLeastWidth;
-  for (const CaptionedPicture& cell : cells) width = std::max(width, caption_width(cell.caption));
+  for (const CaptionedPicture& cell : cells) width = std::max(width, caption_width(cell.caption, text));
   return width;
+}
+
+// The part that is shown, zoomed, and its insets.
+Picture shown(const Picture& picture, const SheetOptions& options) {
+  const PictureWindow window = options.window.value_or(PictureWindow{0, 0, picture.width, picture.height});
+  std::vector<PictureWindow> insets = options.insets;
+  for (PictureWindow& inset : insets) {
+    inset.x -= window.x;
+    inset.y -= window.y;
+  }
+  return with_insets(cropped(picture, window), options.zoom, insets);
 }
 
 }  // namespace
@@ -102,14 +124,13 @@ Picture contact_sheet(const std::vector<Record>& records, const std::vector<Pict
     throw std::invalid_argument("a sheet needs a picture of every record");
   }
   Cells cells = cells_of(records, rows, options);
-  for (CaptionedPicture& cell : cells.all) {
-    if (options.window) cell.picture = cropped(cell.picture, *options.window);
-    cell.picture = enlarged(cell.picture, options.zoom);
-  }
+  for (CaptionedPicture& cell : cells.all) cell.picture = shown(cell.picture, options);
   const int columns = options.columns > 0
                           ? options.columns
                           : std::min(static_cast<int>(cells.of_the_first_frame), kMostColumns);
-  return compose(cells.all, columns, least_width(cells.all));
+  const int beside = std::min(columns, static_cast<int>(cells.all.size()));
+  const int text = text_size(beside * cells.all.front().picture.width);
+  return compose(cells.all, columns, least_width(cells.all, text), text);
 }
 
 }  // namespace penumbra::study

@@ -27,15 +27,19 @@ struct SheetChoice {
 
 struct SheetOptions {
   std::optional<PictureWindow> window{};  // what is shown of every picture; absent: all
-  int zoom = 1;                           // pixels of the sheet per pixel shown, each way
-  int columns = 0;                        // 0: a scene and light take a row, of at most four pictures
+  // Parts shown enlarged beneath every picture, in pixels of the whole picture and inside of the window.
+  std::vector<PictureWindow> insets{};
+  bool reference_last = false;  // else the ray-traced picture comes before the techniques
+  int zoom = 1;                 // pixels of the sheet per pixel shown, each way
+  int columns = 0;              // 0: a scene and light take a row, of at most four pictures
   // Of each subject; a mask and debug views only where there are some.
   std::vector<SheetChoice> pictures{SheetPicture::result};
 };
 
 // Per scene and light the ray-traced reference, then the subjects. `records` and `rows` are those of one
 // study, in its order; a record's title names its pictures, and its figures are the caption's.
-// Throws std::invalid_argument when they do not go together, and for a window beyond the pictures.
+// Throws std::invalid_argument when they do not go together, for a window or
+// an inset beyond the pictures, and for insets too wide to stand side by side beneath one.
 Picture contact_sheet(const std::vector<Record>& records, const std::vector<PictureRow>& rows,
                       const SheetOptions& options);
 

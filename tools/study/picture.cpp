@@ -107,6 +107,28 @@ Picture enlarged(const Picture& rgb, int factor) {
   return large;
 }
 
+Picture shrunk(const Picture& rgb, int factor) {
+  if (factor < 1 || rgb.width % factor != 0 || rgb.height % factor != 0) {
+    throw std::invalid_argument("a picture is no whole number of squares");
+  }
+  Picture small = filled_picture(rgb.width / factor, rgb.height / factor, {});
+  const int pixels = factor * factor;
+  const auto mean = [&](int sum) { return static_cast<std::uint8_t>((sum + pixels / 2) / pixels); };
+  for (int y = 0; y < small.height; ++y) {
+    for (int x = 0; x < small.width; ++x) {
+      int r = 0, g = 0, b = 0;
+      for (int k = 0; k < pixels; ++k) {
+        const Rgb one = pixel(rgb, x * factor + k % factor, y * factor + k / factor);
+        r += one.r;
+        g += one.g;
+        b += one.b;
+      }
+      set_pixel(small, x, y, {mean(r), mean(g), mean(b)});
+    }
+  }
+  return small;
+}
+
 std::vector<std::byte> encode_png(const Picture& picture) {
   const std::size_t expected = static_cast<std::size_t>(picture.width) *
                                static_cast<std::size_t>(picture.height) *

@@ -1,0 +1,112 @@
+// Lit pictures of a small study from end to end, against one that was looked at.
+#include "study/lit_view.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+#include "reference/scratch_folder.h"
+#include "resolve/test_device.h"
+
+namespace penumbra::study {
+namespace {
+
+StudySettings small_study(const std::filesystem::path& cache, int supersampling) {
+  StudySettings settings;
+  settings.scenes = {scene::built_in("contact-boxes")};
+  settings.light_degrees = {2.0};
+  settings.frame.width = 96 * supersampling;
+  settings.frame.height = 54 * supersampling;
+  settings.frame.shadows.normal_bias = 0.0;
+  settings.reference_samples = 64;
+  settings.noise_seeds = 1;
+  settings.timing_repeats = 0;
+  settings.split_error = false;
+  settings.cache = cache;
+  return settings;
+}
+
+std::vector<PictureRow> lit_rows(const std::vector<std::string>& techniques, int supersampling) {
+  const reference::ScratchFolder cache;
+  StudySettings settings = small_study(cache.path(), supersampling);
+  lighting::LitSettings lit;
+  lit.supersampling = supersampling;
+  lit.sun_rays = 64;
+  lit.cache = cache.path();
+  LitView view(lit, [](auto&&...) {});
+  settings.answered = [&](const SubjectAnswer& answer) { view.add(answer); };
+  std::vector<Subject> subjects;
+  for (const std::string& technique : techniques) {
+    subjects.push_back(technique_subject(library_techniques(), library_techniques().find(technique), true));
+  }
+  StudyOutcome outcome = run_study(test_device(), subjects, settings, [](auto&&...) {});
+  view.replace_pictures(outcome.pictures);
+  return outcome.pictures;
+}
+
+Picture golden(const std::string& name) {
+  std::ifstream stream(std::string(PENUMBRA_SOURCE_DIR) + "/tests/golden/" + name, std::ios::binary);
+  const std::string bytes((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+  return decode_png(std::as_bytes(std::span(bytes)), name);
+}
+
+// Boxes of six paints on concrete in the afternoon, their shadows blue with sky and soft at their ends.
+// Another compiler or processor rounds rays and powers in another way: a pixel at an edge may change, the
+// picture may not.
+TEST(LitView, IsThePictureThatWasLookedAt) {
+  const std::vector<PictureRow> rows = lit_rows({"pcss-angular-24-16"}, 2);
+  ASSERT_EQ(rows.size(), 1U);
+  if (const char* folder = std::getenv("PENUMBRA_UPDATE_GOLDEN"); folder != nullptr) {
+    const std::vector<std::byte> png = encode_png(rows[0].result);
+    std::ofstream(std::string(PENUMBRA_SOURCE_DIR) + "/tests/golden/lit-contact-boxes.png", std::ios::binary)
+        .write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
+  }
+  const Picture expected = golden("lit-contact-boxes.png");
+  ASSERT_EQ(rows[0].result.width, expected.width);
+  ASSERT_EQ(rows[0].result.height, expected.height);
+  double sum = 0.0;
+  int far = 0;
+  for (std::size_t i = 0; i < expected.samples.size(); ++i) {
+    const int apart = std::abs(int{rows[0].result.samples[i]} - int{expected.samples[i]});
+    sum += apart;
+    far += apart > 24 ? 1 : 0;
+  }
+  EXPECT_LT(sum / static_cast<double>(expected.samples.size()), 0.5);
+  EXPECT_LT(far, 20);
+}
+
+TEST(LitView, PicturesOfOneFrameDifferByTheirShadowsAlone) {
+  const std::vector<PictureRow> rows = lit_rows({"hard", "pcss-angular-24-16"}, 1);
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0].reference, rows[1].reference);
+  int same = 0;
+  int other = 0;
+  for (int y = 0; y < 54; ++y) {
+    for (int x = 0; x < 96; ++x)
+      (pixel(rows[0].result, x, y) == pixel(rows[1].result, x, y) ? same : other) += 1;
+  }
+  EXPECT_GT(same, other) << "what both see lit or shadowed";
+  EXPECT_GT(other, 100) << "penumbrae";
+  for (const PictureRow& row : rows) EXPECT_EQ(row.error.width, 96);
+}
+
+TEST(LitView, AllPicturesHaveTheSizeThatWasAskedFor) {
+  const std::vector<PictureRow> rows = lit_rows({"screen-pcss-angular-24-16-masked"}, 2);
+  for (const Picture* picture :
+       {&rows[0].reference, &rows[0].result, &rows[0].error, &rows[0].fetches, &rows[0].mask}) {
+    EXPECT_EQ(picture->width, 96);
+    EXPECT_EQ(picture->height, 54);
+  }
+}
+
+TEST(LitView, ReplacesThePicturesOfItsOwnStudyAlone) {
+  const LitView view({}, [](auto&&...) {});
+  std::vector<PictureRow> rows(1);
+  EXPECT_THROW(view.replace_pictures(rows), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace penumbra::study

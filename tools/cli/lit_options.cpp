@@ -1,0 +1,55 @@
+#include "cli/lit_options.h"
+
+#include <fmt/format.h>
+
+#include "input/input_error.h"
+
+namespace penumbra::cli {
+
+void add_lit_options(CLI::App& command, LitArguments& arguments) {
+  CLI::Option* lit =
+      command.add_flag("--lit", arguments.wanted, "Sun and sky on materials, instead of visibility alone")
+          ->group("Lit view");
+  command
+      .add_option("--supersampling", arguments.supersampling,
+                  "Samples of a pixel each way; techniques run at this many times the size")
+      ->check(CLI::Range(1, 4))
+      ->needs(lit)
+      ->capture_default_str()
+      ->group("Lit view");
+  command.add_option("--exposure", arguments.exposure_stops, "Brighter or darker, in stops")
+      ->check(CLI::Range(-10.0, 10.0))
+      ->needs(lit)
+      ->capture_default_str()
+      ->group("Lit view");
+}
+
+lighting::LitSettings light_study(const LitArguments& arguments, study::StudySettings& settings) {
+  constexpr int kMostPixels = 8192;
+  const int factor = arguments.supersampling;
+  scene::FrameSettings& frame = settings.frame;
+  if (frame.width * factor > kMostPixels || frame.height * factor > kMostPixels) {
+    throw InputError(
+        "",
+        fmt::format("a picture of {}x{} with {} samples a pixel each way would take frames of more "
+                    "than {} pixels a side",
+                    frame.width, frame.height, factor, kMostPixels),
+        "give a smaller --size or --supersampling 1");
+  }
+  frame.width *= factor;
+  frame.height *= factor;
+  if (settings.window) {
+    study::PictureWindow& window = *settings.window;
+    window = {window.x * factor, window.y * factor, window.width * factor, window.height * factor};
+  }
+  lighting::LitSettings lit;
+  lit.supersampling = factor;
+  lit.exposure_stops = arguments.exposure_stops;
+  lit.sun_rays = settings.reference_samples;
+  lit.seed = settings.seed;
+  lit.jobs = settings.jobs;
+  lit.cache = settings.cache;
+  return lit;
+}
+
+}  // namespace penumbra::cli

@@ -1,0 +1,176 @@
+#include "study/lettering.h"
+
+#define STB_TRUETYPE_IMPLEMENTATION
+#define STBTT_STATIC
+#include <stb/stb_truetype.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <vector>
+
+#include "input/input_error.h"
+
+namespace penumbra::study {
+namespace {
+
+constexpr std::array kFontFiles{
+    "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",  // Debian
+    "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",
+    "/usr/share/fonts/TTF/DejaVuSans.ttf",
+};
+
+struct Font {
+  std::vector<unsigned char> file;
+  stbtt_fontinfo info{};
+};
+
+bool read(Font& font, const char* file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) return false;
+  font.file.assign(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
+  if (font.file.size() < 16) return false;
+  const int offset = stbtt_GetFontOffsetForIndex(font.file.data(), 0);
+  return offset >= 0 && stbtt_InitFont(&font.info, font.file.data(), offset) != 0;
+}
+
+Font found_font() {
+  Font font;
+  if (const char* named = std::getenv("PENUMBRA_FONT"); named != nullptr && *named != '\0') {
+    if (read(font, named)) return font;
+    throw EnvironmentError(std::string("PENUMBRA_FONT: '") + named +
+                           "' is no TrueType font that can be read");
+  }
+  for (const char* file : kFontFiles) {
+    if (read(font, file)) return font;
+  }
+  throw EnvironmentError(
+      "captions need the font DejaVu Sans, of Debian's package fonts-dejavu-core; PENUMBRA_FONT names "
+      "another file");
+}
+
+const stbtt_fontinfo& font() {
+  static const Font kept = found_font();
+  return kept.info;
+}
+
+// One character of UTF-8 from the front of the text, which loses it.
+char32_t next_letter(std::string_view& text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char first = byte(0);
+  const std::size_t length = first < 0x80 ? 1 : first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : first >= 0xC2 ? 2 : 0;
+  bool whole = length > 0 && length <= text.size() && first < 0xF5;
+  char32_t letter = length == 1 ? first : first & (0x7FU >> length);
+  for (std::size_t i = 1; whole && i < length; ++i) {
+    whole = (byte(i) & 0xC0U) == 0x80U;
+    letter = letter << 6U | (byte(i) & 0x3FU);
+  }
+  text.remove_prefix(whole ? length : 1);
+  const bool drawable = whole && letter >= 32 && stbtt_FindGlyphIndex(&font(), static_cast<int>(letter)) != 0;
+  return drawable ? letter : U'?';
+}
+
+std::u32string letters_of(std::string_view text) {
+  std::u32string letters;
+  while (!text.empty()) letters.push_back(next_letter(text));
+  return letters;
+}
+
+// Coverage of one letter, and where it stands relative to the pen.
+struct Glyph {
+  int left = 0, top = 0, width = 0, height = 0;
+  std::vector<unsigned char> coverage;
+};
+
+Glyph glyph_of(char32_t letter, float scale, float shift) {
+  Glyph glyph;
+  int right = 0;
+  int bottom = 0;
+  const int code = static_cast<int>(letter);
+  stbtt_GetCodepointBitmapBoxSubpixel(&font(), code, scale, scale, shift, 0.0F, &glyph.left, &glyph.top,
+                                      &right, &bottom);
+  glyph.width = right - glyph.left;
+  glyph.height = bottom - glyph.top;
+  glyph.coverage.resize(static_cast<std::size_t>(glyph.width) * static_cast<std::size_t>(glyph.height));
+  if (!glyph.coverage.empty()) {
+    stbtt_MakeCodepointBitmapSubpixel(&font(), glyph.coverage.data(), glyph.width, glyph.height, glyph.width,
+                                      scale, scale, shift, 0.0F, code);
+  }
+  return glyph;
+}
+
+void blend(Picture& picture, int x, int y, Rgb ink, int coverage) {
+  if (coverage == 0 || x < 0 || y < 0 || x >= picture.width || y >= picture.height) return;
+  const Rgb under = pixel(picture, x, y);
+  const auto mixed = [&](int from, int to) {
+    return static_cast<std::uint8_t>((from * (255 - coverage) + to * coverage + 127) / 255);
+  };
+  set_pixel(picture, x, y, {mixed(under.r, ink.r), mixed(under.g, ink.g), mixed(under.b, ink.b)});
+}
+
+}  // namespace
+
+Lettering::Lettering(int size) : size_(size) {
+  int ascent = 0;
+  int descent = 0;
+  int gap = 0;
+  stbtt_GetFontVMetrics(&font(), &ascent, &descent, &gap);
+  scale_ = float(size) / float(ascent - descent);
+  ascent_ = float(ascent) * scale_;
+}
+
+float Lettering::advance(char32_t letter, char32_t next) const {
+  int width = 0;
+  int bearing = 0;
+  stbtt_GetCodepointHMetrics(&font(), static_cast<int>(letter), &width, &bearing);
+  const int kerning =
+      next == 0 ? 0
+                : stbtt_GetCodepointKernAdvance(&font(), static_cast<int>(letter), static_cast<int>(next));
+  return float(width + kerning) * scale_;
+}
+
+int Lettering::width(std::string_view text) const {
+  const std::u32string letters = letters_of(text);
+  float pen = 0.0F;
+  for (std::size_t i = 0; i < letters.size(); ++i) {
+    pen += advance(letters[i], i + 1 < letters.size() ? letters[i + 1] : 0);
+  }
+  return static_cast<int>(std::ceil(pen));
+}
+
+std::string Lettering::cut_to(std::string_view text, int most) const {
+  if (width(text) <= most) return std::string(text);
+  std::size_t kept = 0;
+  std::string_view rest = text;
+  while (!rest.empty()) {
+    next_letter(rest);
+    const std::size_t longer = text.size() - rest.size();
+    if (width(text.substr(0, longer)) > most) break;
+    kept = longer;
+  }
+  return std::string(text.substr(0, kept));
+}
+
+void Lettering::draw(Picture& picture, int left, int top, std::string_view text, Rgb ink) const {
+  const std::u32string letters = letters_of(text);
+  const int baseline = top + static_cast<int>(std::lround(ascent_));
+  float pen = 0.0F;  // from `left`, so that a text looks alike wherever it stands
+  for (std::size_t i = 0; i < letters.size(); ++i) {
+    const float whole = std::floor(pen);
+    const Glyph glyph = glyph_of(letters[i], scale_, pen - whole);
+    for (int y = 0; y < glyph.height; ++y) {
+      const int row = baseline + glyph.top + y;
+      if (row < top || row >= top + size_) continue;
+      for (int x = 0; x < glyph.width; ++x) {
+        blend(picture, left + static_cast<int>(whole) + glyph.left + x, row, ink,
+              glyph.coverage[static_cast<std::size_t>(y * glyph.width + x)]);
+      }
+    }
+    pen += advance(letters[i], i + 1 < letters.size() ? letters[i + 1] : 0);
+  }
+}
+
+}  // namespace penumbra::study

@@ -1,0 +1,39 @@
+// Text in pictures, from a font of the system: DejaVu Sans, or the TrueType file that the environment
+// variable PENUMBRA_FONT names.
+//
+// The same font and text give the same pixels (stb_truetype: no hinting, kerning as the font has it). UTF-8;
+// what is no UTF-8, and characters that the font lacks, are drawn as '?'.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "study/picture.h"
+
+namespace penumbra::study {
+
+class Lettering {
+ public:
+  // size: height of a line in pixels. Throws EnvironmentError where there is no font, naming the package that
+  // brings one.
+  explicit Lettering(int size);
+
+  int line_height() const { return size_; }
+  int width(std::string_view text) const;  // in pixels, rounded up
+
+  // As much of the text as is no wider than this, whole characters.
+  std::string cut_to(std::string_view text, int width) const;
+
+  // The line's left upper corner at (left, top); what lies beyond the picture, or above or below the line, is
+  // left out.
+  void draw(Picture& picture, int left, int top, std::string_view text, Rgb ink) const;
+
+ private:
+  float advance(char32_t letter, char32_t next) const;
+
+  int size_;
+  float scale_;
+  float ascent_;
+};
+
+}  // namespace penumbra::study

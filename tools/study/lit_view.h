@@ -1,0 +1,39 @@
+// The pictures of a study as photographs: what each subject's shadows look like on lit materials.
+//
+// Collects every answer of a study and lights its frame; the reference's picture is lit by the ray-traced
+// visibility. A study that this view listens to runs at `supersampling` times the size of the pictures.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lighting/lit_frame.h"
+#include "study/picture.h"
+#include "study/report.h"
+#include "study/study.h"
+
+namespace penumbra::study {
+
+class LitView {
+ public:
+  LitView(lighting::LitSettings settings, StudyProgress progress);
+
+  // For StudySettings::answered. Throws what lighting::LitFrame does.
+  void add(const SubjectAnswer& answer);
+
+  // Puts the lit pictures in the place of references and results, and brings all others down to their size.
+  // rows: of the study that was listened to. Throws std::invalid_argument for another number of rows.
+  void replace_pictures(std::vector<PictureRow>& rows) const;
+
+ private:
+  lighting::LitSettings settings_;
+  StudyProgress progress_;
+  std::optional<lighting::LitFrame> frame_;  // of the scene and light that answers come from
+  std::string scene_;
+  double light_degrees_ = -1.0;
+  Picture reference_;
+  std::vector<Picture> references_, results_;  // one per answer
+};
+
+}  // namespace penumbra::study
