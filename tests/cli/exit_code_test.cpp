@@ -51,11 +51,11 @@ TEST_F(ExitCode, TheSameCommandGivesTheSameBytes) {
 
 // Ended by SIGINT, once it listens for it, while it renders: the shell's 128 + 2, and no half sheet.
 TEST_F(ExitCode, AnInterruptionIs130) {
-  const auto result = shell(PENUMBRA_PROGRAM
-                            " render --size 1920x1080 --reference-samples 65536 --scene trees --cache " +
-                            path("cache").string() + " --sheet " + path("sheet.png").string() +
-                            " & listens() { (( 0x$(sed -n 's/^SigCgt:\\s*//p' /proc/$!/status) & 2 )); }\n"
-                            "until listens; do sleep 0.05; done; kill -INT $!; wait $!");
+  const auto result =
+      shell(PENUMBRA_PROGRAM " render --size 1920x1080 --reference-samples 65536 --scene trees --cache " +
+            path("cache").string() + " --sheet " + path("sheet.png").string() +
+            " & listens() { (( 0x$(sed -n 's/^SigCgt:\\s*//p' /proc/$!/status) & 2 )); }\n"
+            "until listens; do sleep 0.05; done; kill -INT $!; wait $!");
   EXPECT_EQ(result.exit_code, 130) << result.errors;
   EXPECT_THAT(result.errors, HasSubstr("interrupted"));
   EXPECT_FALSE(std::filesystem::exists(path("sheet.png")));

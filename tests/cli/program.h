@@ -14,6 +14,15 @@
 namespace penumbra {
 
 class ProgramTest : public testing::Test {
+ public:
+  static platform::ChildResult run(std::vector<std::string> arguments) {
+    return run_program(PENUMBRA_PROGRAM, std::move(arguments));
+  }
+
+  static platform::ChildResult shell(const std::string& command) {
+    return run_program("/bin/bash", {"-c", command});
+  }
+
  protected:
   void SetUp() override {
     const auto* info = testing::UnitTest::GetInstance()->current_test_info();
@@ -46,14 +55,6 @@ class ProgramTest : public testing::Test {
       names.push_back(entry.path().filename().string());
     }
     return names;
-  }
-
-  static platform::ChildResult run(std::vector<std::string> arguments) {
-    return run_program(PENUMBRA_PROGRAM, std::move(arguments));
-  }
-
-  static platform::ChildResult shell(const std::string& command) {
-    return run_program("/bin/bash", {"-c", command});
   }
 
  private:

@@ -70,7 +70,7 @@ TEST_F(Render, ValuesThatAreNoneAreRefused) {
   expect_refused({"--set", "minFilterTexels=1,,2"}, {"'' is not a number"});
   expect_refused({"--set", "minFilterTexels=1,"}, {"no value after the last comma"});
   expect_refused({"--set", "minFilterTexels"}, {"--set 'minFilterTexels' is not of the form NAME=VALUE"});
-  expect_refused({"--frames", "0"}, {"--frames", "1 to 64"});
+  expect_refused({"--frames", "0"}, {"--frames", "1 .. 64"});
 }
 
 TEST_F(Render, NothingStandsTwice) {
@@ -99,7 +99,7 @@ TEST_F(Render, ASheetThatNobodyCouldOpenIsRefused) {
   size_ = "8192x8192";
   expect_refused({"--zoom", "16"}, {"million pixels", "zoom less"});
   size_ = "64x36";
-  expect_refused({"--zoom", "17"}, {"--zoom", "1 to 16"});
+  expect_refused({"--zoom", "17"}, {"--zoom", "1 .. 16"});
   expect_refused({"--show", "mask"}, {"--show mask", "preset-high"});
   expect_refused({"--show", "colour"}, {"--show", "fetches"});
 }

@@ -48,7 +48,7 @@ TEST_F(Usage, AnUnknownOptionNamesTheNearest) {
   expect_refused({"measure", "--lihgt", "2"},
                  {"penumbra measure has no option '--lihgt'", "'--light'", "penumbra measure --help"});
   expect_refused({"measure", "--lihgt=2"}, {"'--lihgt'", "'--light'"});
-  expect_refused({"render", "--reference", "64"}, {"'--reference-samples'"});
+  expect_refused({"render", "--reference-sample", "64"}, {"'--reference-samples'"});
   expect_refused({"--versoin"}, {"'--version'"});
   expect_refused({"tables", "--quite"}, {"'--quiet'"});  // an option of all subcommands
   expect_refused({"tables", "--zzzzzzzzzzz"}, {"'--zzzzzzzzzzz'", "penumbra tables --help"});

@@ -4,6 +4,7 @@
 #include <exception>
 
 #include "cli/failure.h"
+#include "cli/help.h"
 #include "cli/usage_error.h"
 
 namespace penumbra::cli {
@@ -16,7 +17,8 @@ constexpr const char* kExitCodes =
     "  2    bad usage or bad input: the command or a file has to be mended\n"
     "  3    the environment: no Vulkan device, no such package, too little memory\n"
     "  70   a mistake in penumbra itself; please report it\n"
-    "  130  interrupted, by Ctrl-C for example; finished work is kept";
+    "  130  interrupted, by Ctrl-C for example; finished work is kept\n"
+    "Progress goes to standard error: a bar on a terminal, else a line every 10 s; --quiet leaves it out.";
 
 // `penumbra help measure` says what `penumbra measure --help` says. Of a tree of its own: CLI11 answers a
 // tree's help() with that of the subcommand which was parsed.
@@ -32,7 +34,10 @@ std::string help_on(const std::string& name) {
 void add_help(CLI::App& app) {
   CLI::App* command = app.add_subcommand("help", "Help on the program or on a subcommand");
   auto name = std::make_shared<std::string>();
-  command->add_option("subcommand", *name, "Subcommand to explain; without, the whole program");
+  command->add_option("subcommand", *name, "Subcommand to explain")
+      ->type_name("SUBCOMMAND")
+      ->default_str("the whole program");
+  end_help(*command, "", {{"penumbra help measure", ""}});
   command->callback([name] { write_output("", help_on(*name)); });
 }
 
@@ -61,6 +66,8 @@ std::unique_ptr<CLI::App> command_line(Context& context) {
   app->footer(kExitCodes);
   app->add_flag("-q,--quiet", context.quiet, "No progress and no notes on stderr");
   app->fallthrough();
+  app->option_defaults()->always_capture_default();
+  lay_out_help(*app);
   add_constants(*app, context);
   add_tables(*app, context);
   add_validate(*app, context);
@@ -68,6 +75,7 @@ std::unique_ptr<CLI::App> command_line(Context& context) {
   add_merge(*app, context);
   add_render(*app, context);
   add_measure(*app, context);
+  add_completion(*app);
   add_help(*app);
   return app;
 }

@@ -1,15 +1,20 @@
 // penumbra constants: what a shader needs to know of each cascade, from settings or from dumped matrices.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
 #include <memory>
 #include <optional>
 
+#include "cli/help.h"
+#include "cli/option_values.h"
+#include "cli/shared_options.h"
 #include "cli/subcommand.h"
 #include "input/input_error.h"
 #include "input/located_json.h"
 #include "parameters/emit_constants.h"
 #include "parameters/golden_vectors.h"
 #include "parameters/matrices_input.h"
+#include "parameters/setting_keys.h"
 #include "parameters/settings_input.h"
 #include "parameters/verify.h"
 
@@ -114,30 +119,45 @@ std::string constants_from_matrices(const ConstantsOptions& options) {
   return print(dump.set, parameters::verify_dump(dump.settings, dump.set), options.format);
 }
 
+// The option of one key of a --config file: its default, bounds and meaning are those of the key.
+template <typename Value>
+CLI::Option* add_setting(CLI::App& command, const char* key, std::optional<Value>& value) {
+  const parameters::SettingKey& setting = parameters::setting_key(key);
+  CLI::Option* option = command.add_option(setting.flag, value, setting.meaning)->default_str(setting.preset);
+  std::string unit = setting.unit;
+  std::transform(unit.begin(), unit.end(), unit.begin(), [](unsigned char c) { return std::toupper(c); });
+  option->type_name(unit.empty() ? "VALUE" : unit == "M" ? "METRES" : unit);
+  if (setting.has_bounds() && !setting.between) option->check(within(setting.smallest, setting.largest));
+  return option;
+}
+
 // What describes a fit has no meaning beside matrices that are already fitted.
 void add_fit_flags(CLI::App& command, ConstantsOptions& options, CLI::Option& matrices) {
-  const auto fit = [&](CLI::Option* option) { return option->excludes(&matrices); };
-  fit(command.add_option("--config", options.config,
-                         "JSON with camera, light and shadows; flags override it"));
-  fit(command.add_option("--position", options.position, "Camera position, metres"))->expected(3);
-  fit(command.add_option("--forward", options.forward, "Camera direction"))->expected(3);
-  fit(command.add_option("--fov", options.fov, "Vertical angle of view, degrees [60]"));
-  fit(command.add_option("--aspect", options.aspect, "Width over height [1.78]"));
-  fit(command.add_option("--near", options.near_plane, "Camera near plane, metres [0.3]"));
-  fit(command.add_option("--far", options.far_plane, "Camera far plane, metres [1000]"));
-  fit(command.add_option("--light-direction", options.direction, "The way the light travels"))->expected(3);
-  fit(command.add_option("--light", options.angle, "Angular diameter of the light, degrees [0.53]"));
-  fit(command.add_option("--distance", options.distance, "Shadow distance, metres [50]"));
-  fit(command.add_option("--cascades", options.cascades, "Number of cascades, 1 .. 4 [1]"));
-  fit(command.add_option("--splits", options.splits, "Where inner cascades end, fractions of the distance"))
-      ->expected(1, 3);
-  fit(command.add_option("--map-size", options.resolution, "Width of the atlas in texels [2048]"));
-  fit(command.add_option("--depth-bias", options.depth_bias, "URP depth bias setting [1]"));
-  fit(command.add_option("--normal-bias", options.normal_bias, "URP normal bias setting [1]"));
-  fit(command.add_option("--depth-range", options.depth_range, "Depth range of every cascade, metres"));
-  fit(command.add_option("--soft-quality", options.soft_quality, "off, low, medium or high [medium]"));
-  fit(command.add_option("--clip-depth", options.clip_depth, "zero_to_one or minus_one_to_one"));
-  fit(command.add_option("--reversed-z", options.reversed_z, "Whether the device reverses depth [true]"));
+  command.add_option("--config", options.config, "JSON with camera, light and shadows; options override it")
+      ->type_name("FILE")
+      ->default_str("none")
+      ->excludes(&matrices);
+  const auto fit = [&](const char* key, auto& value) {
+    return add_setting(command, key, value)->excludes(&matrices);
+  };
+  as_vector(fit("/camera/position", options.position), 3, 3);
+  as_vector(fit("/camera/forward", options.forward), 3, 3);
+  fit("/camera/fov_y_degrees", options.fov);
+  fit("/camera/aspect", options.aspect);
+  fit("/camera/near", options.near_plane);
+  fit("/camera/far", options.far_plane);
+  as_vector(fit("/light/direction", options.direction), 3, 3);
+  fit("/light/angular_diameter_degrees", options.angle);
+  fit("/shadows/distance_metres", options.distance);
+  fit("/shadows/cascades", options.cascades);
+  as_vector(fit("/shadows/splits", options.splits), 1, 3);
+  fit("/shadows/resolution", options.resolution);
+  fit("/shadows/depth_bias", options.depth_bias);
+  fit("/shadows/normal_bias", options.normal_bias);
+  fit("/shadows/depth_range_metres", options.depth_range);
+  fit("/shadows/soft_quality", options.soft_quality)->check(one_of({"off", "low", "medium", "high"}));
+  fit("/shadows/clip_depth", options.clip_depth)->check(one_of({"zero_to_one", "minus_one_to_one"}));
+  fit("/shadows/reversed_z", options.reversed_z)->check(one_of({"true", "false"}));
 }
 
 // Golden vectors bring their own set-ups: nothing that describes one goes with them.
@@ -149,11 +169,13 @@ void add_golden_flags(CLI::App& command, ConstantsOptions& options) {
           .add_option("--golden", options.golden,
                       "Print inputs and answers, this many random ones of each kind, as JSON for other "
                       "implementations to be tested against")
-          ->check(CLI::Range(1, 100000));
+          ->type_name("COUNT")
+          ->check(within(1, 100000))
+          ->default_str("none");
   for (CLI::Option* other : others) golden->excludes(other);
-  command.add_option("--seed", options.seed, "Of --golden's random inputs")
-      ->needs(golden)
-      ->capture_default_str();
+  command.add_option("--seed", options.seed, "Seed of --golden's random inputs")
+      ->type_name("N")
+      ->needs(golden);
 }
 
 }  // namespace
@@ -162,15 +184,29 @@ void add_constants(CLI::App& app, Context& /*context*/) {
   CLI::App* command =
       app.add_subcommand("constants", "Matrices, scales and biases of each cascade, with their error in ULP");
   auto options = std::make_shared<ConstantsOptions>();
-  CLI::Option* matrices = command->add_option("--matrices", options->matrices,
-                                              "JSON with matrices dumped from Unity, in place of a fit");
+  CLI::Option* matrices = command
+                              ->add_option("--matrices", options->matrices,
+                                           "JSON with matrices dumped from Unity, in place of a fit")
+                              ->type_name("FILE")
+                              ->default_str("none");
   add_fit_flags(*command, *options, *matrices);
-  command->add_option("--format", options->format, "What to print")
-      ->check(CLI::IsMember({"table", "json", "hlsl", "csharp", "cpp"}))
-      ->capture_default_str();
+  add_format(*command, options->format, {"table", "json", "hlsl", "csharp", "cpp"});
   add_golden_flags(*command, *options);
-  command->add_option("-o,--output", options->output, "File to write; standard output without");
+  add_output_file(*command, options->output);
+  command->add_flag_callback(
+      "--list-settings",
+      [] {
+        write_output("", parameters::setting_keys_table());
+        throw CLI::Success();
+      },
+      "Print every key of a --config file, with type, unit, default and bounds, and end");
+  end_help(*command, "",
+           {{"penumbra constants", "of URP's default settings"},
+            {"penumbra constants --cascades 4 --light 2 --format json", ""},
+            {"penumbra constants --config settings.json --format hlsl -o Constants.hlsl", "for a shader"},
+            {"penumbra constants --matrices shadows.json --format hlsl", "of a frame that Unity has drawn"}});
   command->callback([options, matrices] {
+    check_output_file(options->output);
     const auto text = [&] {
       if (options->golden > 0) return parameters::golden_vectors_json(options->golden, options->seed);
       return matrices->count() > 0 ? constants_from_matrices(*options) : constants_from_settings(*options);

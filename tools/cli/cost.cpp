@@ -6,9 +6,12 @@
 #include <iostream>
 #include <iterator>
 #include <memory>
-#include <thread>
 
+#include "cli/help.h"
+#include "cli/known_names.h"
+#include "cli/option_values.h"
 #include "cli/shader_arguments.h"
+#include "cli/shared_options.h"
 #include "cli/subcommand.h"
 #include "cost/baseline.h"
 #include "cost/cost_block.h"
@@ -44,7 +47,7 @@ struct CostOptions {
   bool any_driver = false;
   std::string from;    // earlier JSON: nothing is measured
   std::string readme;  // file whose blocks of figures are written anew
-  unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
+  int jobs = 0;        // 0: all cores
   unsigned time_limit_seconds = 60;
 };
 
@@ -95,7 +98,7 @@ cost::CostRequest make_request(const CostOptions& options) {
   request.families = families_of(options);
   request.worker = platform::program_path();
   request.time_limit = std::chrono::seconds(options.time_limit_seconds);
-  request.jobs = options.jobs;
+  request.jobs = worker_count(options.jobs);
   return request;
 }
 
@@ -126,7 +129,7 @@ cost::CostReport measure(const CostOptions& options, Context& context) {
   cost::CostRequest request = make_request(options);
   cost::CostOutcome outcome;
   {
-    Progress progress(context, "cost");
+    Progress progress(context.progress(), "cost");
     request.progress = [&](std::size_t done, std::size_t total) {
       progress.update(static_cast<double>(done), static_cast<double>(total), "shaders");
     };
@@ -175,6 +178,8 @@ void compare(const CostOptions& options, const cost::CostReport& report, const c
 }
 
 void run_cost(const CostOptions& options, Context& context) {
+  check_output_file(options.output);
+  if (!options.readme.empty()) check_output_file(options.readme);
   std::optional<cost::CostReport> baseline;
   if (!options.baseline.empty()) baseline = checked_baseline(options);
   const cost::CostReport report =
@@ -191,35 +196,37 @@ void run_cost(const CostOptions& options, Context& context) {
 }
 
 void add_what(CLI::App& command, CostOptions& options) {
-  command.add_option("files", options.files, "HLSL files of your own; without any, the library's techniques");
-  command
-      .add_option("--technique", options.techniques, "Technique of techniques.json; repeatable; all without")
-      ->allow_extra_args(false);
-  command.add_option("--entry", options.entry, "Entry point of the files")->capture_default_str();
+  command.add_option("files", options.files, "HLSL files of your own")
+      ->type_name("FILE")
+      ->default_str("the library's techniques");
+  add_technique_option(command, options.techniques, "all, without files");
+  command.add_option("--entry", options.entry, "Entry point of the files")->type_name("NAME");
   command.add_option("--stage", options.stage, "Stage of the files")
-      ->check(CLI::IsMember({"vertex", "fragment", "compute"}))
-      ->capture_default_str();
-  command.add_option("-D,--define", options.defines, "NAME or NAME=VALUE, for every variant")->take_all();
-  command
-      .add_option("--keyword-set", options.keywords,
-                  "One keyword set of the files: A,B; repeat for more sets")
-      ->allow_extra_args(false);
-  command.add_option("--package-root", options.package_roots, "NAME=DIR: where Packages/NAME/... lies")
-      ->allow_extra_args(false);
-  command.add_option("-I,--include", options.include_directories, "Folder to look for includes in")
-      ->allow_extra_args(false);
-  command
-      .add_option("--family", options.families,
-                  "GPU family as Mesa names it; repeatable; polaris10, navi21 and gfx1100 without")
-      ->allow_extra_args(false);
+      ->type_name("STAGE")
+      ->check(one_of({"vertex", "fragment", "compute"}));
+  one_each(command.add_option("--keyword-set", options.keywords,
+                              "One keyword set of the files, its keywords parted by commas"))
+      ->type_name("KEYWORD[,...]")
+      ->default_str("the empty set");
+  add_package_roots(command, options.package_roots);
+  add_source_options(command, options.include_directories, options.defines);
+  CLI::Option* family =
+      as_list(command.add_option("--family", options.families, "GPU families, as Mesa names them"));
+  std::string without;
+  for (const std::string& name : cost::default_families()) without += (without.empty() ? "" : ",") + name;
+  family->default_str(without);
+  takes(command, family, "FAMILY");
 }
 
 void add_comparison(CLI::App& command, CostOptions& options) {
-  command.add_option("--baseline", options.baseline,
-                     "Compare with this JSON of an earlier run; exit code 1 when a figure is worse");
+  command
+      .add_option("--baseline", options.baseline,
+                  "Compare with this JSON of an earlier run; exit code 1 when a figure is worse")
+      ->type_name("FILE")
+      ->default_str("none");
   command.add_option("--tolerance", options.tolerance, "Per cent by which a figure may be worse")
-      ->check(CLI::Range(0.0, 1000.0))
-      ->capture_default_str();
+      ->type_name("PERCENT")
+      ->check(within(0, 1000));
   command.add_flag("--any-driver", options.any_driver,
                    "Compare also with figures of other versions of driver and compiler");
 }
@@ -242,24 +249,29 @@ void add_cost(CLI::App& app, Context& context) {
       "Instructions, registers, occupancy and cycles on AMD GPUs, from Mesa's compiler, without a GPU");
   auto options = std::make_shared<CostOptions>();
   add_what(*command, *options);
-  command->add_option("--format", options->format, "What to print")
-      ->check(CLI::IsMember({"table", "json", "csv"}))
-      ->capture_default_str();
-  command->add_option("-o,--output", options->output, "File to write; standard output without");
+  add_format(*command, options->format, {"table", "json", "csv"});
+  add_output_file(*command, options->output);
   add_comparison(*command, *options);
-  command->add_option("--from", options->from, "Take the figures from this JSON; measure nothing");
-  command->add_option("--readme", options->readme, "Write this file's blocks of figures anew");
-  command->add_option("--jobs", options->jobs, "Shaders at a time")
-      ->check(CLI::Range(1U, 256U))
-      ->capture_default_str();
+  command->add_option("--from", options->from, "Take the figures from this JSON; measure nothing")
+      ->type_name("FILE")
+      ->default_str("none");
+  command->add_option("--readme", options->readme, "Markdown file whose blocks of figures are written anew")
+      ->type_name("FILE")
+      ->default_str("none");
+  add_jobs(*command, options->jobs);
   command->add_option("--time-limit", options->time_limit_seconds, "Seconds for one shader")
-      ->check(CLI::Range(1U, 3600U))
-      ->capture_default_str();
-  command->footer(
+      ->type_name("SECONDS")
+      ->check(within(1, 3600));
+  end_help(
+      *command,
       "Exit code 1 when a shader fails or a figure is worse than the baseline's, 3 when RADV is missing or "
       "the\n"
-      "baseline is of other compilers. The figures are static: no cache miss and no overdraw is in "
-      "them.");
+      "baseline is of other compilers. The figures are static: no cache miss and no overdraw is in them.",
+      {{"penumbra cost", "every technique on three families"},
+       {"penumbra cost --technique tent-5,tent-7 --family navi21", ""},
+       {"penumbra cost My.hlsl --entry Fragment --keyword-set _A,_B --keyword-set _A", "a file of your own"},
+       {"penumbra cost --format json -o cost.json", "a baseline to commit"},
+       {"penumbra cost --baseline cost.json", "exit code 1 when a figure is worse"}});
   command->callback([options, &context] { run_cost(*options, context); });
   add_worker(app);
 }

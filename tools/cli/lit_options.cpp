@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/option_values.h"
 #include "input/input_error.h"
 
 namespace penumbra::cli {
@@ -13,14 +14,14 @@ void add_lit_options(CLI::App& command, LitArguments& arguments) {
   command
       .add_option("--supersampling", arguments.supersampling,
                   "Samples of a pixel each way; techniques run at this many times the size")
-      ->check(CLI::Range(1, 4))
+      ->type_name("N")
+      ->check(within(1, 4))
       ->needs(lit)
-      ->capture_default_str()
       ->group("Lit view");
   command.add_option("--exposure", arguments.exposure_stops, "Brighter or darker, in stops")
-      ->check(CLI::Range(-10.0, 10.0))
+      ->type_name("STOPS")
+      ->check(within(-10, 10))
       ->needs(lit)
-      ->capture_default_str()
       ->group("Lit view");
 }
 

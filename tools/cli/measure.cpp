@@ -9,6 +9,9 @@
 #include <memory>
 #include <set>
 
+#include "cli/help.h"
+#include "cli/option_values.h"
+#include "cli/shared_options.h"
 #include "cli/study_options.h"
 #include "cli/subcommand.h"
 #include "cli/varied_subjects.h"
@@ -49,23 +52,32 @@ std::string without_folder(const std::string& root) {
   return root.substr(0, root.find('=')) + "=DIR";
 }
 
+// The value of an option without this machine's folders.
+std::string shown(const std::string& option, const std::string& value) {
+  if (option == "--package-root") return without_folder(value);
+  return option == "--project" || option == "--cginc-root" ? "DIR" : value;
+}
+
+std::string shell_word(const std::string& text) {
+  const bool plain = text.find_first_of(" ;&|<>()$`\"'\\*?") == std::string::npos;
+  return plain ? text : "'" + text + "'";
+}
+
 // The command that gives these results again: what was asked for, without this machine's folders.
 std::string reproducing_command(const std::vector<std::string>& arguments) {
   static const std::set<std::string> kPlaces{"-o", "--output", "--cache", "--readme", "--presets"};
   std::string command = "penumbra";
   for (std::size_t i = 0; i < arguments.size(); ++i) {
-    if (kPlaces.count(arguments[i]) != 0) {
-      ++i;
+    const std::string& given = arguments[i];
+    const std::string name = given.substr(0, given.find('='));  // "--output=FOLDER" is one argument
+    if (kPlaces.count(name) != 0) {
+      if (name == given) ++i;
       continue;
     }
-    if (arguments[i] == "-q" || arguments[i] == "--quiet") continue;
-    const std::string before = i > 0 ? arguments[i - 1] : "";
-    const bool folder = before == "--project" || before == "--cginc-root";
-    const std::string argument = before == "--package-root" ? without_folder(arguments[i])
-                                 : folder                   ? "DIR"
-                                                            : arguments[i];
-    const bool plain = argument.find_first_of(" ;&|<>()$`\"'\\*?") == std::string::npos;
-    command += " " + (plain ? argument : "'" + argument + "'");
+    if (given == "-q" || given == "--quiet") continue;
+    const bool apart = name == given || !given.starts_with("--");
+    command += " " + shell_word(apart ? shown(i > 0 ? arguments[i - 1] : "", given)
+                                      : name + "=" + shown(name, given.substr(name.size() + 1)));
   }
   return command;
 }
@@ -84,7 +96,7 @@ std::vector<study::Subject> chosen_subjects(const MeasureOptions& options) {
 study::StudySettings study_settings(const MeasureOptions& options) {
   study::StudySettings settings;
   settings.scenes = chosen_scenes(options, scene::scene_names());
-  settings.light_degrees = options.lights.empty() ? std::vector<double>{0.53, 2.0, 5.0} : options.lights;
+  settings.light_degrees = options.lights;
   settings.frame = frame_settings(options);
   settings.reference_samples = options.reference_samples;
   settings.seed = options.seed;
@@ -188,7 +200,15 @@ void rewrite_readme(const MeasureOptions& options, const study::Results& results
   platform::write_file_atomically(readme, study::replace_result_block(text, block, options.readme));
 }
 
+void check_outputs(const MeasureOptions& options) {
+  if (options.output != "-") check_output_folder(options.output);
+  check_output_folder(options.cache);
+  check_output_file(options.presets);
+  check_output_file(options.readme);
+}
+
 void run(const MeasureOptions& options, Context& context) {
+  check_outputs(options);
   Measured measured;
   if (options.from.empty()) {
     measured = measure(options, context);
@@ -212,34 +232,49 @@ void run(const MeasureOptions& options, Context& context) {
 void add_measure(CLI::App& app, Context& context) {
   CLI::App* command = app.add_subcommand("measure", "Measure speed against error, compared with ray tracing");
   auto options = std::make_shared<MeasureOptions>();
-  add_study_options(*command, *options);
-  command->add_option("--technique", options->techniques, "Technique of techniques.json; repeatable")
+  options->lights = {0.53, 2.0, 5.0};
+  add_study_options(*command, *options, "all");
+  add_technique_option(*command, options->techniques, "all, without --adapter and --set")
       ->group("What to measure");
-  command
-      ->add_option(
-          "--adapter", options->adapters,
-          "NAME=FILE[;KEYWORD][;UNIFORM=1,2,...][;TEXTURE=picture.png]: your own ShadowVisibility function; "
-          "repeatable")
-      ->group("What to measure");
+  add_adapters(*command, options->adapters)->group("What to measure");
   add_set_option(*command, "What to measure", options->varied);
   command->add_option("--seeds", options->noise_seeds, "Noise seeds per technique")
-      ->check(CLI::Range(1, 1024))
+      ->type_name("N")
+      ->check(within(1, 1024))
       ->group("Study");
   command->add_option("--timing-repeats", options->timing_repeats, "Timed runs per technique")
-      ->check(CLI::Range(0, 1000))
+      ->type_name("N")
+      ->check(within(0, 1000))
       ->group("Study");
   command->add_flag("--no-split", options->no_split, "Leave out the references T2 and T3")->group("Study");
   command
-      ->add_option("--pan-frames", options->pan_frames,
-                   "Frames of a slow pan, for shimmer with static noise and with noise per frame; 0: none")
-      ->check(CLI::Range(0, 64))
+      ->add_option(
+          "--pan-frames", options->pan_frames,
+          "Frames of a slow pan, for shimmer with static noise and with noise per frame; fewer than 2: none")
+      ->type_name("N")
+      ->check(within(0, 64))
       ->group("Study");
-  command->add_option("--from", options->from, "Take the figures from this results.json; measure nothing");
-  command->add_option("--readme", options->readme, "Write this file's result block anew");
-  command->add_option("--presets", options->presets,
-                      "Write the quality presets' figures as C# to this file (- for standard output)");
-  command->add_option("-o,--output", options->output,
-                      "Folder for results.json, report.html, charts and pictures; default: JSON on stdout");
+  const auto file = [&](const char* name, std::string& value, const char* description) {
+    command->add_option(name, value, description)->type_name("FILE")->default_str("none");
+  };
+  file("--from", options->from, "Take the figures from this results.json; measure nothing");
+  file("--readme", options->readme, "Markdown file whose result block is written anew");
+  file("--presets", options->presets,
+       "Write the quality presets' figures as C# to this file; - is standard output");
+  command
+      ->add_option("-o,--output", options->output,
+                   "Folder for results.json, report.html, charts and pictures")
+      ->type_name("FOLDER")
+      ->default_str("the JSON alone, on standard output");
+  end_help(
+      *command, "",
+      {{"penumbra measure --scene trees,street --technique tent-5,pcss-angular-24-16 --light 0.53,2 -o "
+        "report",
+        "two techniques, and a report with charts and pictures"},
+       {"penumbra measure --scene model.glb --light 2 -o report", "your own model, every technique"},
+       {"penumbra measure --adapter mine=MyShadow.hlsl -o report", "your own shadow function"},
+       {"penumbra measure --scene trees --technique pcss-angular-24-16 --set blockerSamples=8,16,32", ""},
+       {"penumbra measure --from report/results.json -o again", "the report anew, without measuring"}});
   command->callback([options, &context] { run(*options, context); });
 }
 

@@ -1,16 +1,15 @@
+#include "cli/progress.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
+#include <utility>
 
-#include "cli/subcommand.h"
 #include "platform/terminal.h"
 
 namespace penumbra::cli {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 std::string with_si_prefix(double value) {
   static constexpr const char* kPrefixes[] = {"", "k", "M", "G", "T"};
@@ -19,7 +18,7 @@ std::string with_si_prefix(double value) {
     value /= 1000.0;
     ++prefix;
   }
-  return fmt::format("{:.3g} {}", value, kPrefixes[prefix]);
+  return fmt::format("{:.3g} {}{}", value, kPrefixes[prefix], prefix == 0 ? "" : " ");
 }
 
 std::string duration(double seconds) {
@@ -27,47 +26,63 @@ std::string duration(double seconds) {
   return whole < 60 ? fmt::format("{} s", whole) : fmt::format("{} min {:02} s", whole / 60, whole % 60);
 }
 
+double seconds_between(ProgressOutlet::Clock::time_point start, ProgressOutlet::Clock::time_point end) {
+  return std::chrono::duration<double>(end - start).count();
+}
+
 }  // namespace
 
-struct Progress::State {
-  std::string label;
-  bool shown = false;
-  bool drawn = false;
-  Clock::time_point start = Clock::now();
-  Clock::time_point last{};
-  double done_at_start = -1.0;  // resumed work does not count towards the rate
-};
+ProgressOutlet::ProgressOutlet()
+    : bar(platform::stderr_is_terminal()), write([](std::string_view text) {
+        std::fwrite(text.data(), 1, text.size(), stderr);
+        std::fflush(stderr);
+      }) {}
 
-Progress::Progress(const Context& context, std::string label) : state_(new State) {
-  state_->label = std::move(label);
-  state_->shown = !context.quiet && platform::stderr_is_terminal();
+Progress::Progress(std::shared_ptr<ProgressOutlet> outlet, std::string label)
+    : outlet_(std::move(outlet)), label_(std::move(label)) {
+  if (outlet_) start_ = outlet_->now();
 }
 
 Progress::~Progress() {
-  if (state_->drawn) std::fputs("\r\x1b[K", stderr);
-  delete state_;
+  if (drawn_ != ProgressOutlet::Clock::time_point{}) outlet_->write("\r\x1b[K");
 }
 
 void Progress::update(double done, double total, std::string_view unit) {
-  if (!state_->shown || total <= 0.0) return;
-  if (state_->done_at_start < 0.0) state_->done_at_start = done;
-  const Clock::time_point now = Clock::now();
-  if (now - state_->last < std::chrono::milliseconds(100) && done < total) return;
-  state_->last = now;
-  state_->drawn = true;
+  if (!outlet_ || total <= 0.0) return;
+  if (done_at_start_ < 0.0) done_at_start_ = done;
+  unit.remove_prefix(std::min(unit.find_first_not_of(' '), unit.size()));
+  if (outlet_->bar) {
+    draw_bar(done, total, unit);
+  } else {
+    write_line(done, total, unit);
+  }
+}
+
+void Progress::draw_bar(double done, double total, std::string_view unit) {
+  const auto now = outlet_->now();
+  if (now - drawn_ < std::chrono::milliseconds(100) && done < total) return;
+  drawn_ = now;
 
   constexpr int kWidth = 24;
   const double fraction = std::clamp(done / total, 0.0, 1.0);
   const int filled = static_cast<int>(fraction * kWidth);
-  const double seconds = std::chrono::duration<double>(now - state_->start).count();
-  const double rate = seconds > 0.0 ? (done - state_->done_at_start) / seconds : 0.0;
-  std::string line = fmt::format("\r\x1b[K{} [{}{}] {:3.0f} %", state_->label, std::string(filled, '#'),
+  const double seconds = seconds_between(start_, now);
+  const double rate = seconds > 0.0 ? (done - done_at_start_) / seconds : 0.0;
+  std::string line = fmt::format("\r\x1b[K{} [{}{}] {:3.0f} %", label_, std::string(filled, '#'),
                                  std::string(kWidth - filled, '.'), 100.0 * fraction);
   if (rate > 0.0) {
     line += fmt::format("  {}{}/s  {} left", with_si_prefix(rate), unit, duration((total - done) / rate));
   }
-  std::fputs(line.c_str(), stderr);
-  std::fflush(stderr);
+  outlet_->write(line);
+}
+
+void Progress::write_line(double done, double total, std::string_view unit) {
+  const auto now = outlet_->now();
+  if (now - outlet_->last_line < kProgressLineInterval) return;
+  outlet_->last_line = now;
+  outlet_->write(fmt::format("penumbra: {}: {:.12g}/{:.12g}{}{} ({:.0f} %), {}\n", label_, done, total,
+                             unit.empty() ? "" : " ", unit, 100.0 * std::clamp(done / total, 0.0, 1.0),
+                             duration(seconds_between(outlet_->started, now))));
 }
 
 }  // namespace penumbra::cli

@@ -2,7 +2,10 @@
 #include <memory>
 #include <optional>
 
+#include "cli/help.h"
 #include "cli/lit_options.h"
+#include "cli/option_values.h"
+#include "cli/shared_options.h"
 #include "cli/sheet_options.h"
 #include "cli/study_options.h"
 #include "cli/subcommand.h"
@@ -24,7 +27,7 @@ struct RenderOptions : StudyOptions {
 study::StudySettings study_settings(const StudyOptions& options) {
   study::StudySettings settings;
   settings.scenes = chosen_scenes(options, {"contact-boxes"});
-  settings.light_degrees = options.lights.empty() ? std::vector<double>{2.0} : options.lights;
+  settings.light_degrees = options.lights;
   settings.frame = frame_settings(options);
   settings.reference_samples = options.reference_samples;
   settings.seed = options.seed;
@@ -51,6 +54,8 @@ void write_rows(const std::filesystem::path& folder, const std::vector<study::Pi
 }
 
 void render(const RenderOptions& options, const Context& context) {
+  check_output_folder(options.cache);
+  if (options.sheet.file.empty()) check_output_folder(options.output);
   study::StudySettings settings = study_settings(options);
   tell_notes(settings.scenes, context);
   const std::vector<study::Subject> subjects = varied_subjects(options, options.varied);
@@ -82,26 +87,32 @@ void render(const RenderOptions& options, const Context& context) {
 void add_render(CLI::App& app, Context& context) {
   CLI::App* command = app.add_subcommand("render", "Render techniques beside the ray-traced reference");
   auto options = std::make_shared<RenderOptions>();
-  add_study_options(*command, *options);
-  command->add_option("--technique", options->techniques, "Technique of techniques.json; repeatable")
-      ->group("What to render");
-  command
-      ->add_option(
-          "--adapter", options->adapters,
-          "NAME=FILE[;KEYWORD][;UNIFORM=1,2,...][;TEXTURE=picture.png]: your own ShadowVisibility function; "
-          "repeatable")
-      ->group("What to render");
+  options->lights = {2.0};
+  add_study_options(*command, *options, "contact-boxes");
+  add_technique_option(*command, options->techniques, "pcss-angular-24-16")->group("What to render");
+  add_adapters(*command, options->adapters)->group("What to render");
   add_set_option(*command, "What to render", options->varied);
-  command
-      ->add_option("--frames", options->varied.frames,
-                   "N1[,N2...]: frames averaged, each with noise of its own; one picture per number")
-      ->delimiter(',')
-      ->check(CLI::Range(1, 64))
+  as_list(command->add_option("--frames", options->varied.frames,
+                              "Frames averaged, each with noise of its own; one picture per number"))
+      ->type_name("N")
+      ->check(within(1, 64))
+      ->default_str("1")
       ->group("What to render");
-  CLI::Option* folder =
-      command->add_option("-o,--output", options->output, "Folder for the pictures; default: this one");
+  CLI::Option* folder = command->add_option("-o,--output", options->output, "Folder for the pictures")
+                            ->type_name("FOLDER")
+                            ->default_str(".");
   add_sheet_options(*command, options->sheet)->excludes(folder);
   add_lit_options(*command, options->lit);
+  end_help(
+      *command, "",
+      {{"penumbra render --technique preset-medium,preset-high --light 0.53,5 --sheet presets.png",
+        "one picture, captioned: two presets under two lights, beside the reference"},
+       {"penumbra render --lit --scene garden --technique preset-high --size 1280x720 --sheet garden.png",
+        "sun and sky on materials"},
+       {"penumbra render --technique pcss-angular-24-16 --set blockerSamples=4,16,64 --crop 300,180,120,80 "
+        "--zoom 3 --sheet blockers.png",
+        "what a parameter does, enlarged"},
+       {"penumbra render --scene model.glb --technique preset-high -o pictures", "each picture as a file"}});
   command->callback([options, &context] { render(*options, context); });
 }
 

@@ -1,8 +1,10 @@
 #include "cli/report_output.h"
 
 #include <filesystem>
+#include <utility>
 #include <vector>
 
+#include "cli/shared_options.h"
 #include "platform/terminal.h"
 
 namespace penumbra::cli {
@@ -11,13 +13,13 @@ void add_report_options(CLI::App& command, ReportOptions& options) {
   std::vector<std::string> forms;
   for (const validation::ReportForm form : validation::all_report_forms)
     forms.emplace_back(validation::form_name(form));
-  command.add_option("--format", options.form, "Form of the report")
-      ->check(CLI::IsMember(forms))
-      ->capture_default_str();
-  command.add_option("-o,--output", options.output, "File to write; standard output without");
-  command.add_option(
-      "--root", options.root,
-      "Name files relative to this folder in sarif, junit and github; the current one without");
+  add_format(command, options.form, std::move(forms));
+  add_output_file(command, options.output);
+  command
+      .add_option("--root", options.root,
+                  "Folder that files are named relative to in sarif, junit and github")
+      ->type_name("FOLDER")
+      ->default_str("the current one");
   command.add_flag("--verbose", options.verbose, "Show every note in the text report");
 }
 

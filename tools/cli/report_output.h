@@ -16,7 +16,7 @@ struct ReportOptions {
   bool verbose = false;
 };
 
-// --format, -o, --root and --verbose.
+// --format, --output, --root and --verbose.
 void add_report_options(CLI::App& command, ReportOptions& options);
 
 // Sets the exit code to findings where a variant failed.

@@ -8,7 +8,9 @@
 #include <filesystem>
 #include <map>
 
+#include "cli/option_values.h"
 #include "cli/study_options.h"
+#include "cli/subcommand.h"
 #include "input/input_error.h"
 #include "study/insets.h"
 
@@ -127,35 +129,47 @@ CLI::Option* add_sheet_options(CLI::App& command, SheetArguments& arguments) {
   CLI::Option* sheet = command
                            .add_option("--sheet", arguments.file,
                                        "Write one PNG or JPEG: the reference and all pictures, captioned")
+                           ->type_name("FILE")
+                           ->default_str("none")
                            ->group("Sheet");
-  command.add_option("--crop", arguments.crop, "X,Y,WIDTH,HEIGHT: show, and measure, this part alone")
+  command
+      .add_option("--crop", arguments.crop,
+                  "Show, and measure, this part alone, in pixels from the left upper corner")
+      ->type_name("X,Y,WIDTH,HEIGHT")
+      ->default_str("all of the picture")
       ->needs(sheet)
       ->group("Sheet");
   command.add_option("--zoom", arguments.zoom, "Pixels of the sheet per pixel, each way")
-      ->check(CLI::Range(1, 16))
+      ->type_name("N")
+      ->check(within(1, 16))
+      ->needs(sheet)
+      ->group("Sheet");
+  one_each(
+      command.add_option("--inset", arguments.insets, "This part of every picture enlarged beneath it, too"))
+      ->type_name("X,Y,WIDTH,HEIGHT")
+      ->default_str("none")
+      ->needs(sheet)
+      ->group("Sheet");
+  command.add_option("--reference", arguments.reference, "Where the ray-traced picture stands")
+      ->type_name("PLACE")
+      ->check(one_of({"first", "last"}))
+      ->needs(sheet)
+      ->group("Sheet");
+  command.add_option("--columns", arguments.columns, "Pictures side by side")
+      ->type_name("N")
+      ->check(within(1, 64))
+      ->default_str("up to four")
       ->needs(sheet)
       ->group("Sheet");
   command
-      .add_option("--inset", arguments.insets,
-                  "X,Y,WIDTH,HEIGHT: this part of every picture enlarged beneath it, too; repeatable")
-      ->needs(sheet)
-      ->group("Sheet");
-  command
-      .add_option("--reference", arguments.reference, "Where the ray-traced picture stands: first or last")
-      ->check(CLI::IsMember({"first", "last"}))
-      ->needs(sheet)
-      ->group("Sheet");
-  command.add_option("--columns", arguments.columns, "Pictures side by side; default: up to four")
-      ->check(CLI::Range(1, 64))
-      ->needs(sheet)
-      ->group("Sheet");
-  command
-      .add_option(
-          "--show", arguments.show,
-          "Of each technique: result, error, fetches, mask; of those over the screen also the debug views "
-          "visibility, cascades, shadow-texels, penumbra-width, penumbra-mask")
+      .add_option("--show", arguments.show,
+                  "What of each technique; cascades, shadow-texels, penumbra-width, penumbra-mask and "
+                  "visibility of those "
+                  "over the screen alone")
       ->delimiter(',')
-      ->check(CLI::IsMember(shown_names()))
+      ->allow_extra_args(false)
+      ->type_name("PICTURE")
+      ->check(one_of(shown_names()))
       ->needs(sheet)
       ->group("Sheet");
   return sheet;
@@ -164,6 +178,7 @@ CLI::Option* add_sheet_options(CLI::App& command, SheetArguments& arguments) {
 study::SheetOptions sheet_options(const SheetArguments& arguments, const study::StudySettings& settings,
                                   const std::vector<study::Subject>& subjects) {
   refuse_without_a_place(arguments.file);
+  check_output_file(arguments.file);
   study::SheetOptions options;
   options.zoom = arguments.zoom;
   options.columns = arguments.columns;

@@ -10,12 +10,17 @@
 #include <memory>
 
 #include "cli/adapter_argument.h"
+#include "cli/known_names.h"
 #include "cli/option_text.h"
+#include "cli/option_values.h"
 #include "cli/shader_arguments.h"
+#include "cli/shared_options.h"
 #include "input/input_error.h"
+#include "parameters/setting_keys.h"
 #include "platform/atomic_file.h"
 #include "project/package_manifest.h"
 #include "project/unity_project.h"
+#include "reference/trace_visibility.h"
 
 namespace penumbra::cli {
 namespace {
@@ -55,82 +60,97 @@ void look_as_told(const std::vector<double>& numbers, parameters::Camera& camera
 
 }  // namespace
 
-void add_study_options(CLI::App& command, StudyOptions& options) {
-  command.add_option("--scene", options.scenes, "Built-in scene, package:NAME or a model file; repeatable")
-      ->group("Scene");
-  command.add_option("--sun", options.sun, "Sun's elevation and azimuth in degrees, instead of the scene's")
-      ->expected(2)
-      ->group("Scene");
-  command.add_option("--origin", options.origin, "Move the scene to this place in the world, metres")
-      ->expected(3)
-      ->group("Scene");
-  command
-      .add_option("--camera", options.camera,
-                  "Position and target in metres, then perhaps the vertical field of view in degrees "
-                  "(X Y Z X Y Z [60]), instead of the scene's")
-      ->expected(6, 7)
-      ->group("Scene");
-  command.add_option("--metres-per-unit", options.import.metres_per_unit, "Scale of a model file")
-      ->check(CLI::PositiveNumber)
-      ->group("Scene");
-  command.add_option("--height", options.import.height_metres, "Scale a model file to this height in metres")
-      ->check(CLI::PositiveNumber)
-      ->group("Scene");
-  command.add_flag("--z-up", options.import.z_up, "The model file's +Z is up")->group("Scene");
-  command.add_flag("!--no-ground", options.import.ground, "Put no ground under a model file")->group("Scene");
+namespace {
 
-  command.add_option("--light", options.lights, "Angular diameter of the sun in degrees; repeatable")
-      ->check(CLI::Range(0.0, 30.0))
-      ->group("Light and map");
-  command.add_option("--map-size", options.map_size, "Width of the cascade atlas in texels")
-      ->check(CLI::Range(64, 16384))
-      ->group("Light and map");
-  command.add_option("--map-format", options.map_format, "d16, d24 or d32")
-      ->check(CLI::IsMember({"d16", "d24", "d32"}))
-      ->group("Light and map");
-  command.add_option("--cascades", options.cascades, "1 to 4")
-      ->check(CLI::Range(1, 4))
-      ->group("Light and map");
-  command
-      .add_option("--distance", options.distance_metres, "Shadow distance in metres, instead of the scene's")
-      ->check(CLI::PositiveNumber)
-      ->group("Light and map");
-  command.add_option("--depth-bias", options.depth_bias, "URP's depth bias setting")
-      ->check(CLI::Range(0.0, 10.0))
-      ->group("Light and map");
-  command.add_option("--normal-bias", options.normal_bias, "URP's normal bias setting")
-      ->check(CLI::Range(0.0, 10.0))
-      ->group("Light and map");
-  command
-      .add_option("--soft-quality", options.soft_quality,
-                  "URP's soft shadow quality, which scales both biases: off, low, medium or high")
-      ->check(CLI::IsMember({"off", "low", "medium", "high"}))
-      ->group("Light and map");
-  command.add_option("--reversed-z", options.reversed_z, "Whether depth is 1 near the light")
-      ->group("Light and map");
+void add_scene_options(CLI::App& command, StudyOptions& options, const std::string& default_scene) {
+  const std::string group = "Scene";
+  const auto number = [&](const char* name, auto& value, const char* unit, const char* description) {
+    return command.add_option(name, value, description)->type_name(unit)->group(group);
+  };
+  CLI::Option* scene =
+      command.add_option("--scene", options.scenes, "Built-in scenes, package:NAME, or model files")
+          ->default_str(default_scene)
+          ->group(group);
+  takes(command, one_each(scene), "SCENE");  // names_or_files parts them: the name of a file may hold a comma
+  as_vector(
+      number("--sun", options.sun, "DEGREES", "Sun's elevation and azimuth")->default_str("the scene's"), 2,
+      2);
+  as_vector(number("--origin", options.origin, "METRES", "Move the scene to this place in the world")
+                ->default_str("0 0 0"),
+            3, 3);
+  as_vector(number("--camera", options.camera, "X,Y,Z,X,Y,Z[,DEGREES]",
+                   "Position and target in metres, then perhaps the vertical field of view")
+                ->default_str("the scene's"),
+            6, 7);
+  number("--metres-per-unit", options.import.metres_per_unit, "METRES", "Scale of a model file")
+      ->check(positive());
+  number("--height", options.import.height_metres, "METRES", "Scale a model file to this height")
+      ->default_str("as its scale says")
+      ->check(positive());
+  command.add_flag("--z-up", options.import.z_up, "The model file's +Z is up")->group(group);
+  command.add_flag("!--no-ground", options.import.ground, "Put no ground under a model file")->group(group);
+}
 
-  command.add_option("--size", options.size, "Picture size, WIDTHxHEIGHT")->group("Study");
-  command.add_option("--reference-samples", options.reference_samples, "Rays per pixel of the reference")
-      ->check(CLI::Range(16, 1 << 20))
-      ->group("Study");
-  command.add_option("--seed", options.seed, "Seed of the reference's random numbers")->group("Study");
-  command.add_option("--jobs", options.jobs, "Threads; 0: all cores")
-      ->check(CLI::Range(0, 1024))
-      ->group("Study");
-  command.add_option("--cache", options.cache, "Folder that keeps references between runs")->group("Study");
-  command.add_option("--device", options.device, "Vulkan device: part of its name, or its number")
-      ->group("Study");
+void add_light_and_map_options(CLI::App& command, StudyOptions& options) {
+  const auto add = [&](const char* name, auto& value, const char* unit, const char* description) {
+    return command.add_option(name, value, description)->type_name(unit)->group("Light and map");
+  };
+  const auto bounds = [](const char* key) {
+    const parameters::SettingKey& setting = parameters::setting_key(key);
+    return within(setting.smallest, setting.largest);
+  };
+  as_list(add("--light", options.lights, "DEGREES", "Angular diameters of the sun"))
+      ->check(bounds("/light/angular_diameter_degrees"));
+  add("--map-size", options.map_size, "TEXELS", "Width of the cascade atlas")
+      ->check(bounds("/shadows/resolution"));
+  add("--map-format", options.map_format, "FORMAT", "Depth format of the map")
+      ->check(one_of({"d16", "d24", "d32"}));
+  add("--cascades", options.cascades, "N", "Cascades")->check(bounds("/shadows/cascades"));
+  add("--distance", options.distance_metres, "METRES", "Shadow distance")
+      ->check(bounds("/shadows/distance_metres"))
+      ->default_str("the scene's");
+  add("--depth-bias", options.depth_bias, "BIAS", "URP's depth bias setting")
+      ->check(bounds("/shadows/depth_bias"));
+  add("--normal-bias", options.normal_bias, "BIAS", "URP's normal bias setting")
+      ->check(bounds("/shadows/normal_bias"));
+  add("--soft-quality", options.soft_quality, "QUALITY",
+      "URP's soft shadow quality, which scales both biases")
+      ->check(one_of({"off", "low", "medium", "high"}));
+  add("--reversed-z", options.reversed_z, "BOOL", "Whether depth is 1 near the light")
+      ->check(one_of({"true", "false"}))
+      ->default_str("true");
+}
+
+}  // namespace
+
+void add_study_options(CLI::App& command, StudyOptions& options, const std::string& default_scene) {
+  add_scene_options(command, options, default_scene);
+  add_light_and_map_options(command, options);
+  const auto add = [&](const char* name, auto& value, const char* placeholder, const char* description) {
+    return command.add_option(name, value, description)->type_name(placeholder)->group("Study");
+  };
+  add("--size", options.size, "WIDTHxHEIGHT", "Picture size, sides of 8 to 8192 pixels");
+  add("--reference-samples", options.reference_samples, "N",
+      "Rays per pixel of the reference, a power of two")
+      ->check(within(reference::fewest_samples, reference::most_samples));
+  add("--seed", options.seed, "N", "Seed of the reference's random numbers");
+  add_jobs(command, options.jobs)->group("Study");
+  add("--cache", options.cache, "FOLDER", "Folder that keeps references between runs")
+      ->default_str("the user's cache");
+  add("--device", options.device, "DEVICE", "Vulkan device: part of its name, or its number")
+      ->default_str("the first");
   command.add_flag("--validation", options.validation, "Run with Vulkan's validation layers")->group("Study");
-  command.add_option("--package-root", options.package_roots, "NAME=FOLDER of a Unity package; repeatable")
-      ->group("Study");
-  command
-      .add_option("--project", options.project,
-                  "Unity project whose packages and Assets/ adapters include; --package-root wins")
-      ->group("Study");
-  command
-      .add_option("--cginc-root", options.cginc_root,
-                  "The Unity editor's CGIncludes, for adapters that need it")
-      ->group("Study");
+  add_package_roots(command, options.package_roots)->group("Study");
+  add_project(command, options.project)->group("Study");
+  add_cginc_root(command, options.cginc_root)->group("Study");
+}
+
+CLI::Option* add_adapters(CLI::App& command, std::vector<std::string>& adapters) {
+  return one_each(command.add_option(
+                      "--adapter", adapters,
+                      "Your own ShadowVisibility function, with its keywords, uniforms and textures"))
+      ->type_name("NAME=FILE[;KEYWORD][;UNIFORM=1,2,...][;TEXTURE=picture.png]")
+      ->default_str("none");
 }
 
 std::pair<int, int> picture_size(const StudyOptions& options) {
@@ -147,7 +167,7 @@ std::pair<int, int> picture_size(const StudyOptions& options) {
 std::vector<scene::Scene> chosen_scenes(const StudyOptions& options,
                                         const std::vector<std::string>& fallback) {
   std::vector<scene::Scene> scenes;
-  for (const std::string& name : options.scenes.empty() ? fallback : options.scenes) {
+  for (const std::string& name : options.scenes.empty() ? fallback : names_or_files(options.scenes)) {
     scene::Scene scene = scene::load(name, options.import);
     if (!options.sun.empty()) scene.light_direction = scene::sunlight(options.sun[0], options.sun[1]);
     if (!options.camera.empty()) look_as_told(options.camera, scene.camera);
@@ -225,7 +245,7 @@ study::StudyProgress study_progress(const Context& context) {
     if (line->stage != stage) {
       line->progress.reset();
       line->stage = stage;
-      line->progress = std::make_unique<Progress>(context, line->stage);
+      line->progress = std::make_unique<Progress>(context.progress(), line->stage);
     }
     line->progress->update(done, total, unit);
   };

@@ -49,7 +49,9 @@ struct StudyOptions {
   std::string output;
 };
 
-void add_study_options(CLI::App& command, StudyOptions& options);
+// `default_scene` is what help says stands where no scene is given.
+void add_study_options(CLI::App& command, StudyOptions& options, const std::string& default_scene);
+CLI::Option* add_adapters(CLI::App& command, std::vector<std::string>& adapters);
 
 // All of these throw InputError for what is out of range or unknown, with the nearest right name.
 std::vector<scene::Scene> chosen_scenes(const StudyOptions& options,

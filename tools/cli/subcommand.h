@@ -2,11 +2,12 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <cstddef>
-#include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "cli/progress.h"
 
 namespace penumbra::cli {
 
@@ -24,25 +25,18 @@ struct Context {
   bool quiet = false;
   std::vector<std::string> arguments;  // as typed, without the program's name
   int exit_code = success;             // a subcommand that found something sets findings
+  std::shared_ptr<ProgressOutlet> outlet = std::make_shared<ProgressOutlet>();
+
+  std::shared_ptr<ProgressOutlet> progress() const { return quiet ? nullptr : outlet; }
 };
 
 // Writes to standard output when `file` is empty or "-", else atomically to the file.
 void write_output(const std::string& file, std::string_view content);
 
-// A progress line on stderr: only on a terminal, never with --quiet. One per running job.
-class Progress {
- public:
-  Progress(const Context& context, std::string label);
-  ~Progress();
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
-  // Shows label, bar, done/total, rate per second (with SI prefix and `unit`) and time left.
-  void update(double done, double total, std::string_view unit = "");
-
- private:
-  struct State;
-  State* state_;
-};
+// Throw InputError where writing could not succeed: a folder in the file's place, a folder that is not there
+// or that nothing may be written to. Called before work begins; they leave nothing behind.
+void check_output_file(const std::string& file);      // "" and "-", standard output, pass
+void check_output_folder(const std::string& folder);  // which need not be there yet; "" passes
 
 void add_constants(CLI::App& app, Context& context);
 void add_tables(CLI::App& app, Context& context);
@@ -51,5 +45,6 @@ void add_cost(CLI::App& app, Context& context);
 void add_merge(CLI::App& app, Context& context);
 void add_render(CLI::App& app, Context& context);
 void add_measure(CLI::App& app, Context& context);
+void add_completion(CLI::App& app);
 
 }  // namespace penumbra::cli

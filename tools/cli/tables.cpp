@@ -2,6 +2,8 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "cli/help.h"
+#include "cli/shared_options.h"
 #include "cli/subcommand.h"
 #include "parameters/emit_disks.h"
 
@@ -30,13 +32,17 @@ void add_tables(CLI::App& app, Context& /*context*/) {
   CLI::App* command =
       app.add_subcommand("tables", "Fibonacci, Vogel and Poisson disks with their quality figures");
   auto options = std::make_shared<TablesOptions>();
-  command->add_option("--format", options->format, "What to print")
-      ->check(CLI::IsMember({"table", "json", "hlsl", "csharp", "cpp"}))
-      ->capture_default_str();
-  command->add_option("-o,--output", options->output, "File to write; standard output without");
+  add_format(*command, options->format, {"table", "json", "hlsl", "csharp", "cpp"});
+  add_output_file(*command, options->output);
   command->add_flag("--generate", options->generate,
                     "Make the Poisson disks anew instead of printing the shipped ones (seconds)");
-  command->callback([options] { write_output(options->output, tables_text(*options)); });
+  end_help(*command, "",
+           {{"penumbra tables", "how even each disk is"},
+            {"penumbra tables --format hlsl -o Disks.hlsl", "the tables for a shader of your own"}});
+  command->callback([options] {
+    check_output_file(options->output);
+    write_output(options->output, tables_text(*options));
+  });
 }
 
 }  // namespace penumbra::cli

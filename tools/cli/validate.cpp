@@ -7,8 +7,10 @@
 #include <map>
 #include <memory>
 
+#include "cli/help.h"
 #include "cli/report_output.h"
 #include "cli/shader_arguments.h"
+#include "cli/shared_options.h"
 #include "cli/subcommand.h"
 #include "cli/validate_options.h"
 #include "input/input_error.h"
@@ -69,7 +71,7 @@ validation::Shard chosen_shard(const std::string& text) {
 
 validation::EngineOptions engine_options(const ValidateOptions& options) {
   validation::EngineOptions engine;
-  engine.jobs = options.jobs;
+  engine.jobs = worker_count(options.jobs);
   engine.shard = chosen_shard(options.shard);
   engine.worker_arguments = {validation::worker_mode};
   if (!options.no_cache)
@@ -265,8 +267,17 @@ void check_list(const ValidateOptions& options, bool sources_given) {
     throw InputError("--format", "--count has no form '" + options.report.form + "'", "take text or json");
 }
 
+void check_outputs(const ValidateOptions& options) {
+  for (const std::string& file : {options.report.output, options.emit_parameters, options.emit_presets,
+                                  options.emit_looks, options.emit_programs})
+    check_output_file(file);
+  check_output_folder(options.cache);
+  check_output_folder(options.keep);
+}
+
 void run_validate(const ValidateOptions& options, Context& context) {
   const bool sources_given = !options.places.empty() || !options.project.empty();
+  check_outputs(options);
   validation::ValidationRequest request;
   request.targets = chosen_targets(options.targets);
   request.engine = engine_options(options);
@@ -304,7 +315,7 @@ void run_validate(const ValidateOptions& options, Context& context) {
   if (options.list || options.explain) return;
   validation::ValidationReport report;
   {
-    Progress progress(context, "validate");
+    Progress progress(context.progress(), "validate");
     request.engine.progress = [&](std::size_t done, std::size_t total) {
       progress.update(static_cast<double>(done), static_cast<double>(total), "shaders");
     };
@@ -321,12 +332,20 @@ void add_validate(CLI::App& app, Context& context) {
       "Compile every variant of shaders for every target, without Unity, and say exactly what is wrong");
   auto options = std::make_shared<ValidateOptions>();
   add_validate_options(*command, *options);
-  command->footer(
+  end_help(
+      *command,
       "Each target is made from the source as Unity compiles it for that graphics API; --api takes one for "
       "all.\n"
       "Exit code 1 when a variant fails. MSL and HLSL are emitted and not compiled: no compiler for them "
-      "runs here.\n"
-      "ESSL and GLSL are compiled and linked by this machine's OpenGL driver through EGL.");
+      "runs\n"
+      "here. ESSL and GLSL are compiled and linked by this machine's OpenGL driver through EGL.",
+      {{"penumbra validate --project MyGame", "every shader of a Unity project"},
+       {"penumbra validate Water.shader --keywords '+_NORMALMAP -DEBUG_DISPLAY'", "some of its variants"},
+       {"penumbra validate --project MyGame --count --what-if=-_FOAM", "what the keyword _FOAM multiplies"},
+       {"penumbra validate Water.shader --target spirv,msl23 --minimize",
+        "the few keywords that a failure needs"},
+       {"penumbra validate --project MyGame --shard 1/4 --format json -o shard-1.json",
+        "on one of four machines"}});
   command->callback([options, &context] { run_validate(*options, context); });
 }
 

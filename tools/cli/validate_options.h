@@ -1,11 +1,9 @@
 // What penumbra validate can be told.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "cli/report_output.h"
@@ -48,7 +46,7 @@ struct ValidateOptions {
   std::optional<std::string> explain;
   bool minimise = false;
   // How.
-  unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
+  int jobs = 0;  // 0: all cores
   std::string shard;
   std::string cache;
   bool no_cache = false;

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "cli/option_text.h"
+#include "cli/option_values.h"
 #include "input/input_error.h"
 #include "platform/data_directory.h"
 #include "shaders/technique_values.h"
@@ -117,9 +118,9 @@ void refuse_repetitions(const std::vector<study::Subject>& subjects) {
 }  // namespace
 
 void add_set_option(CLI::App& command, const std::string& group, VariedSubjects& varied) {
-  command
-      .add_option("--set", varied.set,
-                  "NAME=V1[,V2...]: a parameter of the techniques, each value on its own; repeatable")
+  one_each(command.add_option("--set", varied.set, "A parameter of the techniques, each value on its own"))
+      ->type_name("NAME=VALUE[,...]")
+      ->default_str("each technique's own values")
       ->group(group);
 }
 

@@ -10,6 +10,7 @@
 #include "input/located_json.h"
 #include "input/nearest_name.h"
 #include "parameters/matrix_check.h"
+#include "parameters/setting_keys.h"
 #include "parameters/settings_input.h"
 
 namespace penumbra::parameters {
@@ -183,17 +184,23 @@ class CascadeReader {
   std::optional<glm::dvec3> light_direction_;
 };
 
+// The bounds are those of the same setting in a --config file.
+void check_bounds(const JsonObject& object, const char* key, const char* setting_name, double value) {
+  const SettingKey& setting = setting_key(setting_name);
+  if (value >= setting.smallest && value <= setting.largest) return;
+  object.fail(key, fmt::format("is {}, outside {}{}{}", value, setting.bounds(),
+                               *setting.unit == '\0' ? "" : " ", setting.unit));
+}
+
 ShadowSettings read_map(JsonObject& root) {
   ShadowSettings settings;
   settings.resolution = root.integer("resolution", settings.resolution);
   settings.depth_bias = root.number("depth_bias", settings.depth_bias);
   settings.normal_bias = root.number("normal_bias", settings.normal_bias);
   settings.soft_quality = read_soft_quality(root, "soft_quality", settings.soft_quality);
-  if (settings.resolution < 8 || settings.resolution > 16384) {
-    root.fail("resolution", fmt::format("is {}, outside 8 .. 16384 texels", settings.resolution));
-  }
-  if (settings.depth_bias < 0.0) root.fail("depth_bias", "is negative");
-  if (settings.normal_bias < 0.0) root.fail("normal_bias", "is negative");
+  check_bounds(root, "resolution", "/shadows/resolution", settings.resolution);
+  check_bounds(root, "depth_bias", "/shadows/depth_bias", settings.depth_bias);
+  check_bounds(root, "normal_bias", "/shadows/normal_bias", settings.normal_bias);
   require(
       root, "clip_depth",
       "state the projections' depth range: \"minus_one_to_one\" (Unity's own matrices) or \"zero_to_one\"");
@@ -252,10 +259,8 @@ MatricesDump read_matrices(const LocatedJson& document) {
   set.reversed_z = dump.settings.reversed_z;
   set.clip_depth = dump.settings.clip_depth;
   set.angular_diameter_degrees = root.number("angular_diameter_degrees", set.angular_diameter_degrees);
-  if (set.angular_diameter_degrees < 0.0 || set.angular_diameter_degrees > 30.0) {
-    root.fail("angular_diameter_degrees",
-              fmt::format("is {}, outside 0 .. 30 degrees", set.angular_diameter_degrees));
-  }
+  check_bounds(root, "angular_diameter_degrees", "/light/angular_diameter_degrees",
+               set.angular_diameter_degrees);
   root.finish();
   set.atlas_width = layout.width;
   set.atlas_height = layout.height;

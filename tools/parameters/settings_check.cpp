@@ -6,26 +6,32 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "parameters/setting_keys.h"
+
 namespace penumbra::parameters {
 
 namespace {
 
-// Beyond these a float of the emitted matrices overflows or a texel falls below a float's reach.
-constexpr double kLongestMetres = 1e9;
-constexpr double kShortestMetres = 1e-6;
-
 // Collects the first problem only: the person mends one thing at a time, and later ones are often its echo.
 class Inspector {
  public:
-  void range(const char* key, double value, double low, double high, const char* unit) {
-    if (value >= low && value <= high) return;
-    report(key, fmt::format("is {}, outside {} .. {}{}", value, low, high, unit));
+  void number(const char* key, double value) {
+    const SettingKey& setting = setting_key(key);
+    const bool inside = setting.between ? value > setting.smallest && value < setting.largest
+                                        : value >= setting.smallest && value <= setting.largest;
+    if (inside) return;
+    const std::string unit = *setting.unit == '\0' ? "" : std::string(" ") + setting.unit;
+    report(key,
+           fmt::format("is {}, {} {}{}", value, setting.between ? "not" : "outside", setting.bounds(), unit));
   }
 
-  void length(const char* key, double metres) { range(key, metres, kShortestMetres, kLongestMetres, " m"); }
-
-  void point(const char* key, const glm::dvec3& value) {
-    for (int axis = 0; axis < 3; ++axis) range(key, value[axis], -kLongestMetres, kLongestMetres, " m");
+  // key: of the object that holds the point, where messages are to name that
+  void point(const char* key, const char* bounds_of, const glm::dvec3& value) {
+    const SettingKey& setting = setting_key(bounds_of);
+    for (int axis = 0; axis < 3; ++axis) {
+      if (value[axis] >= setting.smallest && value[axis] <= setting.largest) continue;
+      report(key, fmt::format("is {}, outside {} {}", value[axis], setting.bounds(), setting.unit));
+    }
   }
 
   void direction(const char* key, const glm::dvec3& value) {
@@ -50,21 +56,17 @@ class Inspector {
 };
 
 void inspect_camera(const Camera& camera, Inspector& inspect) {
-  inspect.point("/camera/position", camera.position);
+  inspect.point("/camera/position", "/camera/position", camera.position);
   inspect.direction("/camera/forward", camera.forward);
   inspect.direction("/camera/up", camera.up);
   if (inspect.clean()) {
     const double sine = glm::length(glm::cross(glm::normalize(camera.forward), glm::normalize(camera.up)));
     if (sine < 1e-6) inspect.report("/camera/up", "is parallel to /camera/forward", "give another up");
   }
-  if (!(camera.fov_y_degrees > 0.0 && camera.fov_y_degrees < 180.0)) {
-    inspect.report("/camera/fov_y_degrees",
-                   fmt::format("is {}, not between 0 and 180 degrees", camera.fov_y_degrees),
-                   "it is the full vertical angle of view");
-  }
-  inspect.range("/camera/aspect", camera.aspect, 1e-3, 1e3, " (width / height)");
-  inspect.length("/camera/near", camera.near_plane);
-  inspect.length("/camera/far", camera.far_plane);
+  inspect.number("/camera/fov_y_degrees", camera.fov_y_degrees);
+  inspect.number("/camera/aspect", camera.aspect);
+  inspect.number("/camera/near", camera.near_plane);
+  inspect.number("/camera/far", camera.far_plane);
   if (camera.near_plane >= camera.far_plane) {
     inspect.report("/camera/near", fmt::format("is {} m, not before the far plane at {} m", camera.near_plane,
                                                camera.far_plane));
@@ -73,7 +75,7 @@ void inspect_camera(const Camera& camera, Inspector& inspect) {
 
 void inspect_light(const Light& light, Inspector& inspect) {
   inspect.direction("/light/direction", light.direction);
-  inspect.range("/light/angular_diameter_degrees", light.angular_diameter_degrees, 0.0, 30.0, " degrees");
+  inspect.number("/light/angular_diameter_degrees", light.angular_diameter_degrees);
 }
 
 void inspect_splits(const Camera& camera, const ShadowSettings& settings, Inspector& inspect) {
@@ -102,8 +104,8 @@ void inspect_bounds(const ShadowSettings& settings, Inspector& inspect) {
     inspect.report("/shadows/fit_to_bounds", "is set without caster_bounds", "give the bounds to fit to");
   }
   if (!settings.caster_bounds) return;
-  inspect.point("/shadows/caster_bounds", settings.caster_bounds->minimum);
-  inspect.point("/shadows/caster_bounds", settings.caster_bounds->maximum);
+  inspect.point("/shadows/caster_bounds", "/shadows/caster_bounds/min", settings.caster_bounds->minimum);
+  inspect.point("/shadows/caster_bounds", "/shadows/caster_bounds/max", settings.caster_bounds->maximum);
   for (int axis = 0; axis < 3; ++axis) {
     if (settings.caster_bounds->minimum[axis] > settings.caster_bounds->maximum[axis]) {
       inspect.report(
@@ -119,20 +121,19 @@ void inspect_bounds(const ShadowSettings& settings, Inspector& inspect) {
 }
 
 void inspect_shadows(const Camera& camera, const ShadowSettings& settings, Inspector& inspect) {
-  inspect.length("/shadows/distance_metres", settings.distance_metres);
+  inspect.number("/shadows/distance_metres", settings.distance_metres);
   if (settings.distance_metres <= camera.near_plane) {
     inspect.report("/shadows/distance_metres",
                    fmt::format("is {} m, not beyond the camera's near plane at {} m",
                                settings.distance_metres, camera.near_plane));
   }
-  inspect.range("/shadows/cascades", settings.cascades, 1, 4, "");
-  inspect.range("/shadows/resolution", settings.resolution, 8, 16384, " texels");
-  inspect.range("/shadows/depth_bias", settings.depth_bias, 0.0, 1e3, "");
-  inspect.range("/shadows/normal_bias", settings.normal_bias, 0.0, 1e3, "");
-  inspect.range("/shadows/near_plane_offset_metres", settings.near_plane_offset_metres, 0.0, kLongestMetres,
-                " m");
+  inspect.number("/shadows/cascades", settings.cascades);
+  inspect.number("/shadows/resolution", settings.resolution);
+  inspect.number("/shadows/depth_bias", settings.depth_bias);
+  inspect.number("/shadows/normal_bias", settings.normal_bias);
+  inspect.number("/shadows/near_plane_offset_metres", settings.near_plane_offset_metres);
   if (settings.depth_range_metres) {
-    inspect.length("/shadows/depth_range_metres", *settings.depth_range_metres);
+    inspect.number("/shadows/depth_range_metres", *settings.depth_range_metres);
   }
   inspect_splits(camera, settings, inspect);
   inspect_bounds(settings, inspect);

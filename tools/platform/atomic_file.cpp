@@ -55,11 +55,25 @@ void write_straight(const std::filesystem::path& file, std::string_view content)
   if (!written || !closed) fail(file, {}, reason != 0 ? reason : errno);
 }
 
+std::filesystem::path temporary_beside(const std::filesystem::path& file) {
+  return file.parent_path() / ("." + file.filename().string() + "." + std::to_string(process_id()) + ".part");
+}
+
 }  // namespace
 
+void check_file_can_be_written(const std::filesystem::path& file) {
+  const std::filesystem::path temporary = temporary_beside(file);
+  std::error_code status;
+  if (std::filesystem::is_directory(file, status)) fail(file, temporary, EISDIR);
+  if (std::filesystem::exists(file, status) && !std::filesystem::is_regular_file(file, status)) return;
+  std::FILE* stream = std::fopen(temporary.string().c_str(), "wb");
+  if (stream == nullptr) fail(file, temporary, errno);
+  std::fclose(stream);
+  std::filesystem::remove(temporary, status);
+}
+
 void write_file_atomically(const std::filesystem::path& file, std::string_view content) {
-  const std::filesystem::path temporary =
-      file.parent_path() / ("." + file.filename().string() + "." + std::to_string(process_id()) + ".part");
+  const std::filesystem::path temporary = temporary_beside(file);
   std::error_code status;
   if (std::filesystem::is_directory(file, status)) fail(file, temporary, EISDIR);
   if (std::filesystem::exists(file, status) && !std::filesystem::is_regular_file(file, status))

@@ -13,4 +13,7 @@ namespace penumbra::platform {
 void write_file_atomically(const std::filesystem::path& file, std::string_view content);
 void write_file_atomically(const std::filesystem::path& file, std::span<const std::byte> content);
 
+// Throws what write_file_atomically would throw, but for a disk that is full then; leaves nothing behind.
+void check_file_can_be_written(const std::filesystem::path& file);
+
 }  // namespace penumbra::platform

@@ -22,10 +22,12 @@ constexpr int algorithm_version = 1;  // a change of any result takes the next n
 
 void check(const TraceOptions& options) {
   const int samples = options.samples;
-  if (samples < 2 * DiscTracer::packet_size || samples > 65536 || (samples & (samples - 1)) != 0) {
-    throw InputError(
-        "", "samples per pixel must be a power of two from 32 to 65536, not " + std::to_string(samples),
-        "1024 is the default");
+  static_assert(fewest_samples == 2 * DiscTracer::packet_size);
+  if (samples < fewest_samples || samples > most_samples || (samples & (samples - 1)) != 0) {
+    throw InputError("",
+                     "samples per pixel must be a power of two from " + std::to_string(fewest_samples) +
+                         " to " + std::to_string(most_samples) + ", not " + std::to_string(samples),
+                     "1024 is the default");
   }
 }
 

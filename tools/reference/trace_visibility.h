@@ -20,8 +20,12 @@
 
 namespace penumbra::reference {
 
+// Rays per pixel are a power of two within these.
+inline constexpr int fewest_samples = 32;
+inline constexpr int most_samples = 65536;
+
 struct TraceOptions {
-  int samples = 1024;  // rays per pixel: a power of two, 32 .. 65536
+  int samples = 1024;  // rays per pixel
   std::uint64_t seed = 1;
 };
 

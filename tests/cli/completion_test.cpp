@@ -1,0 +1,95 @@
+// The scripts of `penumbra completion`, each in the shell that it is for.
+#include "cli/program.h"
+
+namespace penumbra {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+class Completion : public ProgramTest {
+ protected:
+  void SetUp() override {
+    ProgramTest::SetUp();
+    for (const char* shell_name : {"bash", "zsh", "fish"}) {
+      const auto script = run({"completion", shell_name});
+      ASSERT_EQ(script.exit_code, 0) << script.errors;
+      write(std::string("script.") + shell_name, script.output);
+    }
+    write("file.json", "{}");
+    write("folder/inside.hlsl", "");
+  }
+
+  // The words that bash offers for the last of these.
+  std::string in_bash(const std::string& words) const {
+    return shell("cd " + path("").string() + "; source script.bash; COMP_WORDS=(penumbra " + words +
+                 "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _penumbra; printf '%s\\n' \"${COMPREPLY[@]}\"")
+        .output;
+  }
+
+  std::string in_fish(const std::string& line) const {
+    const auto result =
+        shell("cd " + path("").string() + "; HOME=" + path("").string() +
+              " fish --no-config -c 'source script.fish; complete -C \"penumbra " + line + "\"'");
+    EXPECT_EQ(result.errors, "");
+    return result.output;
+  }
+
+  // What an interactive zsh shows after the line and a tab.
+  std::string in_zsh(const std::string& line) const {
+    write("try.zsh",
+          "zmodload zsh/zpty; zpty -b shell zsh -f -i\n"
+          "wait_for() { local all= part; while zpty -r -t shell part || sleep 0.05; do all+=$part;"
+          " [[ $all != *$1* ]] || break; done; print -r -- $all }\n"
+          "zpty -w shell 'autoload -Uz compinit; compinit -u -D; source script.zsh; PS1=; setopt no_beep; "
+          "LISTMAX=1000; zstyle \":completion:*\" menu no; bindkey \"^I\" complete-word; echo rea\"\"dy'\n"
+          "wait_for ready >/dev/null\n"
+          "zpty -w -n shell 'penumbra " +
+              line +
+              "'$'\\t'; sleep 0.1; zpty -w -n shell $'\\x15''echo do\"\"ne'$'\\n'\n"
+              "wait_for done\n");
+    return shell("cd " + path("").string() + "; TERM=dumb COLUMNS=200 timeout 60 zsh -f try.zsh").output;
+  }
+};
+
+TEST_F(Completion, BashKnowsSubcommandsOptionsAndValues) {
+  EXPECT_EQ(in_bash("mea"), "measure\n");
+  EXPECT_EQ(in_bash("render --reference-"), "--reference-samples\n");
+  EXPECT_EQ(in_bash("render --qui"), "--quiet\n");
+  EXPECT_EQ(in_bash("tables --format cs"), "csharp\n");
+  EXPECT_EQ(in_bash("-q tables --format cs"), "csharp\n");
+  EXPECT_EQ(in_bash("measure --scene contact"), "contact-boxes\n");
+  EXPECT_EQ(in_bash("measure --technique hard,tent-5-pl"), "hard,tent-5-plane\n");
+  EXPECT_EQ(in_bash("validate --target ess"), "essl300\nessl310\n");
+  EXPECT_EQ(in_bash("help cons"), "constants\n");
+  EXPECT_EQ(in_bash("completion z"), "zsh\n");
+}
+
+TEST_F(Completion, BashKnowsFilesAndFolders) {
+  EXPECT_EQ(in_bash("merge fi"), "file.json\n");
+  EXPECT_EQ(in_bash("constants --config fi"), "file.json\n");
+  EXPECT_EQ(in_bash("validate --project fo"), "folder\n");
+  EXPECT_EQ(in_bash("validate --project fi"), "\n") << "no folder begins so";
+  EXPECT_EQ(in_bash("constants --light fi"), "\n") << "a number is no file";
+}
+
+TEST_F(Completion, FishKnowsSubcommandsOptionsAndValues) {
+  EXPECT_THAT(in_fish("mea"), HasSubstr("measure\t"));
+  EXPECT_THAT(in_fish("render --reference-"), HasSubstr("--reference-samples\t"));
+  EXPECT_THAT(in_fish("tables --format cs"), HasSubstr("csharp"));
+  EXPECT_THAT(in_fish("measure --technique hard,tent-5-pl"), HasSubstr("hard,tent-5-plane"));
+  EXPECT_THAT(in_fish("constants --config fi"), HasSubstr("file.json"));
+  EXPECT_THAT(in_fish("validate --project fo"), AllOf(HasSubstr("folder"), Not(HasSubstr("file.json"))));
+}
+
+TEST_F(Completion, ZshKnowsSubcommandsOptionsAndValues) {
+  EXPECT_THAT(in_zsh("mea"), HasSubstr("penumbra measure"));
+  EXPECT_THAT(in_zsh("render --reference-s"), HasSubstr("--reference-samples"));
+  EXPECT_THAT(in_zsh("tables --format cs"), HasSubstr("csharp"));
+  EXPECT_THAT(in_zsh("measure --technique hard,pcss-angular-64"), HasSubstr("hard,pcss-angular-64-64"));
+  EXPECT_THAT(in_zsh("constants --config fil"), HasSubstr("file.json"));
+}
+
+}  // namespace
+}  // namespace penumbra

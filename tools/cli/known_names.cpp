@@ -1,0 +1,102 @@
+#include "cli/known_names.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "cli/subcommand.h"
+#include "cost/families.h"
+#include "lint/rule.h"
+#include "platform/data_directory.h"
+#include "scene/scene.h"
+#include "shaders/cross_compile.h"
+#include "shaders/technique_list.h"
+#include "validation/spirv_target.h"
+
+namespace penumbra::cli {
+namespace {
+
+std::vector<KnownName> scenes() {
+  std::vector<KnownName> names;
+  for (const std::string& name : scene::scene_names()) names.push_back({name, ""});
+  for (const scene::PackageModel& model : scene::package_models())
+    for (KnownName& known : names)
+      if (known.name == "package:" + model.name)
+        known.description = model.description + ", of the Debian package " + model.debian_package;
+  return names;
+}
+
+std::vector<KnownName> techniques() {
+  std::vector<KnownName> names;
+  const shaders::TechniqueList list =
+      shaders::read_technique_list(platform::data_directory() / "ShaderLibrary" / "techniques.json");
+  for (const shaders::Technique& technique : list.techniques)
+    names.push_back({technique.name, technique.title});
+  return names;
+}
+
+std::vector<KnownName> families() {
+  std::vector<KnownName> names;
+  for (const cost::KnownFamily& family : cost::known_families())
+    names.push_back({family.name, family.architecture});
+  return names;
+}
+
+std::vector<KnownName> targets() {
+  std::vector<KnownName> names;
+  for (const std::string& name : validation::spirv_targets()) names.push_back({name, ""});
+  for (const shaders::Target target : shaders::all_targets)
+    names.push_back({std::string(shaders::target_name(target)), ""});
+  return names;
+}
+
+std::vector<KnownName> rules() {
+  std::vector<KnownName> names;
+  for (const lint::RuleInfo& rule : lint::rules()) names.push_back({std::string(rule.name), ""});
+  return names;
+}
+
+const NameKind& kind_of(const std::string& placeholder) {
+  for (const NameKind& kind : name_kinds())
+    if (kind.placeholder == placeholder) return kind;
+  throw std::out_of_range("no names are called " + placeholder);
+}
+
+void print(const NameKind& kind) {
+  const std::vector<KnownName> names = kind.names();
+  std::size_t width = 0;
+  for (const KnownName& known : names) width = std::max(width, known.name.size());
+  std::string text;
+  for (const KnownName& known : names) {
+    text += known.description.empty() ? known.name
+                                      : fmt::format("{:{}}  {}", known.name, width, known.description);
+    text += '\n';
+  }
+  write_output("", text);
+}
+
+}  // namespace
+
+const std::vector<NameKind>& name_kinds() {
+  static const std::vector<NameKind> kinds{{"SCENE", "--list-scenes", scenes},
+                                           {"TECHNIQUE", "--list-techniques", techniques},
+                                           {"FAMILY", "--list-families", families},
+                                           {"TARGET", "--list-targets", targets},
+                                           {"RULE", "--list-rules", rules}};
+  return kinds;
+}
+
+void takes(CLI::App& command, CLI::Option* option, const char* placeholder) {
+  const NameKind& kind = kind_of(placeholder);
+  option->type_name(placeholder);
+  if (command.get_option_no_throw(kind.flag) != nullptr) return;
+  const auto print_and_end = [&kind] {
+    print(kind);
+    throw CLI::Success();
+  };
+  command.add_flag_callback(kind.flag, print_and_end, fmt::format("Print every {} and end", placeholder))
+      ->group(option->get_group());
+}
+
+}  // namespace penumbra::cli

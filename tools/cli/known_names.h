@@ -1,0 +1,28 @@
+// The names that options take and that are too many for a line of help: scenes, techniques, GPU families,
+// targets, lint rules. One place for --list-..., for shells that complete them, and for what help calls them.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+namespace penumbra::cli {
+
+struct KnownName {
+  std::string name;
+  std::string description;  // may be empty
+};
+
+struct NameKind {
+  const char* placeholder;  // in help, of the options that take such a name
+  const char* flag;         // the option that prints them
+  std::vector<KnownName> (*names)();
+};
+
+const std::vector<NameKind>& name_kinds();
+
+// The option's place-holder becomes the kind's, and the subcommand has the flag that prints the names; for
+// one kind any number of options.
+void takes(CLI::App& command, CLI::Option* option, const char* placeholder);
+
+}  // namespace penumbra::cli

@@ -1,0 +1,72 @@
+#include "cli/shared_options.h"
+
+#include <algorithm>
+#include <thread>
+#include <utility>
+
+#include "cli/known_names.h"
+#include "cli/option_values.h"
+
+namespace penumbra::cli {
+
+CLI::Option* add_output_file(CLI::App& command, std::string& file) {
+  return command.add_option("-o,--output", file, "File to write; - is standard output")
+      ->type_name("FILE")
+      ->default_str("-");
+}
+
+CLI::Option* add_format(CLI::App& command, std::string& format, std::vector<std::string> forms) {
+  return command.add_option("--format", format, "Form of what is printed")
+      ->type_name("FORM")
+      ->check(one_of(std::move(forms)));
+}
+
+CLI::Option* add_jobs(CLI::App& command, int& jobs) {
+  return command.add_option("-j,--jobs", jobs, "How much to do at a time; 0: as many as there are cores")
+      ->type_name("N")
+      ->check(within(0, 1024));
+}
+
+unsigned worker_count(int jobs) {
+  return jobs > 0 ? static_cast<unsigned>(jobs) : std::max(1U, std::thread::hardware_concurrency());
+}
+
+CLI::Option* add_technique_option(CLI::App& command, std::vector<std::string>& techniques,
+                                  const std::string& without) {
+  CLI::Option* option = as_list(
+      command.add_option("--technique", techniques, "Techniques of the library")->default_str(without));
+  takes(command, option, "TECHNIQUE");
+  return option;
+}
+
+CLI::Option* add_project(CLI::App& command, std::string& folder) {
+  return command
+      .add_option("--project", folder,
+                  "Unity project: its Assets/ and Packages/, and where packages lie; --package-root wins")
+      ->type_name("FOLDER")
+      ->default_str("none");
+}
+
+CLI::Option* add_cginc_root(CLI::App& command, std::string& folder) {
+  return command.add_option("--cginc-root", folder, "Editor/Data/CGIncludes of a Unity editor")
+      ->type_name("FOLDER")
+      ->default_str("none");
+}
+
+CLI::Option* add_package_roots(CLI::App& command, std::vector<std::string>& roots) {
+  return one_each(command.add_option("--package-root", roots, "Where the files of Packages/NAME/... are"))
+      ->type_name("NAME=FOLDER")
+      ->default_str("none");
+}
+
+void add_source_options(CLI::App& command, std::vector<std::string>& folders,
+                        std::vector<std::string>& defines) {
+  one_each(command.add_option("-I,--include", folders, "Folder to look for includes in"))
+      ->type_name("FOLDER")
+      ->default_str("none");
+  one_each(command.add_option("-D,--define", defines, "Macro for every variant; without a value it is 1"))
+      ->type_name("NAME[=VALUE]")
+      ->default_str("none");
+}
+
+}  // namespace penumbra::cli

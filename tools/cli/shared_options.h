@@ -1,0 +1,26 @@
+// Options that several subcommands have, each defined once: the same name, the same syntax, the same words.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+namespace penumbra::cli {
+
+CLI::Option* add_output_file(CLI::App& command, std::string& file);
+CLI::Option* add_format(CLI::App& command, std::string& format, std::vector<std::string> forms);
+
+CLI::Option* add_jobs(CLI::App& command, int& jobs);
+unsigned worker_count(int jobs);  // 0: as many as the machine has cores
+
+CLI::Option* add_technique_option(CLI::App& command, std::vector<std::string>& techniques,
+                                  const std::string& without);
+CLI::Option* add_project(CLI::App& command, std::string& folder);
+CLI::Option* add_cginc_root(CLI::App& command, std::string& folder);
+CLI::Option* add_package_roots(CLI::App& command, std::vector<std::string>& roots);
+
+// -I and -D, for shaders of the user's own.
+void add_source_options(CLI::App& command, std::vector<std::string>& folders,
+                        std::vector<std::string>& defines);
+
+}  // namespace penumbra::cli
