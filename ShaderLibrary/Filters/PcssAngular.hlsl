@@ -58,9 +58,11 @@ float SearchSampleRadius(int index, int count, float clump, float radius)
     return FibonacciRadius(index, count, clump) * radius;
 }
 
-// Blockers inside the cone; where there is none, those in the wider one.
+// Blockers inside the cone; where there is none, those in the wider one. coneHeight: at which the filter's cone ends, stored
+// depth. A cone that the search found empty keeps its height: nothing in it that could leak.
 BlockerEstimate SearchBlockers(TEXTURE2D_PARAM(shadowMap, sampler_point), QuadReceiver receiver, LightCone cone,
-                               float2 rotation, float radius, PcssAngularParameters parameters)
+                               float2 rotation, float radius, PcssAngularParameters parameters,
+                               out float coneHeight)
 {
     const int count = BoundedSampleCount(parameters.blockerSamples);
     const float clump = BoundedOrLow(parameters.blockerClump, 0.0, 8.0);
@@ -83,6 +85,7 @@ BlockerEstimate SearchBlockers(TEXTURE2D_PARAM(shadowMap, sampler_point), QuadRe
     BlockerEstimate estimate;
     estimate.gap = AverageGap(found.x, found.y);
     estimate.count = found.y;
+    coneHeight = inside.y > 0.0 ? min(cone.largestOffset, kConeHeightShare * estimate.gap) : cone.largestOffset;
     return estimate;
 }
 
@@ -132,6 +135,7 @@ struct AngularSearch
     float smallestRadius; // texels
     float radius;         // texels, of the search
     BlockerEstimate blockers;
+    float coneHeight;     // stored depth, of the filter's cone
 };
 
 AngularSearch SearchAngular(TEXTURE2D_PARAM(shadowMap, sampler_point), ShadowReceiver receiver, ShadowTile tile,
@@ -148,7 +152,7 @@ AngularSearch SearchAngular(TEXTURE2D_PARAM(shadowMap, sampler_point), ShadowRec
 
     search.radius = SearchRadius(search.receiver.depth, parameters.maxPenumbraMetres, search.smallestRadius, scales);
     search.blockers = SearchBlockers(TEXTURE2D_ARGS(shadowMap, sampler_point), search.receiver, search.cone,
-                                     search.rotation, search.radius, parameters);
+                                     search.rotation, search.radius, parameters, search.coneHeight);
     return search;
 }
 
@@ -169,7 +173,7 @@ float FilterPcssAngular(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SA
     LightCone cone = search.cone;
     // A wall at the blockers' mean gap darkens the whole kernel, also where the kernel is wider than the penumbra.
     cone.slackTexels = radius - penumbra + kQuadSlackTexels;
-    cone.largestOffset = min(cone.largestOffset, kConeHeightShare * search.blockers.gap);
+    cone.largestOffset = search.coneHeight;
     if (radius <= kWidestBlockTexels)
     {
         return SanitizeVisibility(FilterBlock(TEXTURE2D_ARGS(shadowMap, sampler_point), search.receiver, cone, radius));
