@@ -102,7 +102,8 @@ namespace Penumbra.Editor
                     return "nothing in view casts a shadow. Look at Cast Shadows of the renderers, and at Shadows > Max " +
                            "Distance in the URP asset.";
                 case SkipReason.UnsupportedDevice:
-                    return "this device has no programs for PCSS (shader model 4.5). Choose Low, or a tent.";
+                    return "this device has no programs for PCSS (shader model 4.5). Choose Custom, and a tent as its " +
+                           "technique.";
                 default:
                     return state.lastSkip + ".";
             }

@@ -7,35 +7,35 @@ namespace Penumbra.Editor
         /// <summary>By preset, in QualityPreset's order; lights rise.</summary>
         internal static readonly PresetFigure[][] Rows =
         {
-            new[]  // Preset Low: tent 5 x 5
+            new[]  // Preset Low: PCSS 6+8
             {
-                new PresetFigure(0.53f, 0.164f, 14.1f),
-                new PresetFigure(2f, 0.197f, 14.1f),
-                new PresetFigure(5f, 0.232f, 14.1f),
+                new PresetFigure(0.53f, 0.135f, 12.7f),
+                new PresetFigure(2f, 0.097f, 13.3f),
+                new PresetFigure(5f, 0.098f, 13.8f),
             },
-            new[]  // Preset Medium: PCSS 12+8, masked
+            new[]  // Preset Medium: PCSS 8+16
             {
-                new PresetFigure(0.53f, 0.138f, 17.0f),
-                new PresetFigure(2f, 0.099f, 21.0f),
-                new PresetFigure(5f, 0.100f, 21.8f),
+                new PresetFigure(0.53f, 0.131f, 15.9f),
+                new PresetFigure(2f, 0.079f, 17.5f),
+                new PresetFigure(5f, 0.074f, 18.7f),
             },
-            new[]  // Preset High: PCSS 24+16, masked
+            new[]  // Preset High: PCSS 12+24, masked
             {
-                new PresetFigure(0.53f, 0.133f, 26.9f),
-                new PresetFigure(2f, 0.077f, 33.8f),
-                new PresetFigure(5f, 0.069f, 35.4f),
+                new PresetFigure(0.53f, 0.130f, 18.2f),
+                new PresetFigure(2f, 0.071f, 25.0f),
+                new PresetFigure(5f, 0.060f, 28.7f),
             },
-            new[]  // Preset Ultra: PCSS 24+16, masked and denoised
+            new[]  // Preset Ultra: PCSS 16+32, masked
             {
-                new PresetFigure(0.53f, 0.137f, 39.1f),
-                new PresetFigure(2f, 0.071f, 46.7f),
-                new PresetFigure(5f, 0.055f, 49.8f),
+                new PresetFigure(0.53f, 0.129f, 21.9f),
+                new PresetFigure(2f, 0.069f, 31.1f),
+                new PresetFigure(5f, 0.054f, 36.4f),
             },
             new[]  // Preset Reference: PCSS 64+64
             {
-                new PresetFigure(0.53f, 0.131f, 85.7f),
-                new PresetFigure(2f, 0.066f, 88.2f),
-                new PresetFigure(5f, 0.046f, 91.1f),
+                new PresetFigure(0.53f, 0.129f, 80.1f),
+                new PresetFigure(2f, 0.066f, 91.6f),
+                new PresetFigure(5f, 0.044f, 102.1f),
             },
         };
     }

@@ -6,53 +6,53 @@ namespace Penumbra
     {
         internal static readonly ShadowOptions[] Rows =
         {
-            new ShadowOptions  // Preset Low: Tent 5x5
+            new ShadowOptions  // Preset Low: PCSS 6+8
             {
-                technique = ShadowTechnique.Tent5x5,
+                technique = ShadowTechnique.Pcss,
                 angularDiameterDegrees = AngularDiameter.SunDegrees,
-                blockerSamples = 1,
-                filterSamples = 1,
+                blockerSamples = 6,
+                filterSamples = 8,
                 softnessCapMetres = 100.0f,
                 minFilterTexels = 1.25f,
                 mask = false,
                 halfResolution = false,
                 denoise = false,
             },
-            new ShadowOptions  // Preset Medium: PCSS 12+8, masked
+            new ShadowOptions  // Preset Medium: PCSS 8+16
+            {
+                technique = ShadowTechnique.Pcss,
+                angularDiameterDegrees = AngularDiameter.SunDegrees,
+                blockerSamples = 8,
+                filterSamples = 16,
+                softnessCapMetres = 100.0f,
+                minFilterTexels = 1.25f,
+                mask = false,
+                halfResolution = false,
+                denoise = false,
+            },
+            new ShadowOptions  // Preset High: PCSS 12+24, masked
             {
                 technique = ShadowTechnique.Pcss,
                 angularDiameterDegrees = AngularDiameter.SunDegrees,
                 blockerSamples = 12,
-                filterSamples = 8,
+                filterSamples = 24,
                 softnessCapMetres = 100.0f,
                 minFilterTexels = 1.25f,
                 mask = true,
                 halfResolution = false,
                 denoise = false,
             },
-            new ShadowOptions  // Preset High: PCSS 24+16, masked
+            new ShadowOptions  // Preset Ultra: PCSS 16+32, masked
             {
                 technique = ShadowTechnique.Pcss,
                 angularDiameterDegrees = AngularDiameter.SunDegrees,
-                blockerSamples = 24,
-                filterSamples = 16,
+                blockerSamples = 16,
+                filterSamples = 32,
                 softnessCapMetres = 100.0f,
                 minFilterTexels = 1.25f,
                 mask = true,
                 halfResolution = false,
                 denoise = false,
-            },
-            new ShadowOptions  // Preset Ultra: PCSS 24+16, masked and denoised
-            {
-                technique = ShadowTechnique.Pcss,
-                angularDiameterDegrees = AngularDiameter.SunDegrees,
-                blockerSamples = 24,
-                filterSamples = 16,
-                softnessCapMetres = 100.0f,
-                minFilterTexels = 1.25f,
-                mask = true,
-                halfResolution = false,
-                denoise = true,
             },
             new ShadowOptions  // Preset Reference: PCSS 64+64
             {

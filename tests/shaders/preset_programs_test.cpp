@@ -40,7 +40,7 @@ TEST(PresetPrograms, ArePassesOfTheChainWithTheKeywordsTheyDeclare) {
   EXPECT_THAT(high[3].keywords, ElementsAre("_PENUMBRA_PCSS", "_PENUMBRA_MASK"));
   const std::vector<PresetProgram> low = programs_of(techniques().find("preset-low"), feature_shader());
   EXPECT_THAT(passes_of(low), ElementsAre("Resolve"));
-  EXPECT_THAT(low[0].keywords, IsEmpty());
+  EXPECT_THAT(low[0].keywords, ElementsAre("_PENUMBRA_PCSS"));
 }
 
 TEST(PresetPrograms, AVariantIsOneKeywordOfEverySet) {

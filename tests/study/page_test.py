@@ -1,4 +1,4 @@
-"""The tables of masks and shimmer say what their results say, as means are taken and as masks are told apart; the page
+"""The tables of masks, shimmer and splits of samples say what their results say, as means are taken and as masks are told apart; the page
 of figures names every one."""
 import importlib.machinery
 import importlib.util
@@ -79,6 +79,25 @@ class ScreenFigures(unittest.TestCase):
         self.assertTrue(text.startswith("device, mean of 2 scenes.  \nCommand: `penumbra measure --made`\n"), text)
         self.assertIn("| t | 0.150 | 4.5 | 30 | 1.00 | 0.200 | 0.200 |", text)
         self.assertIn("| plain | - | - | - | - | - | - |", text)
+
+
+def split(blockers, filters, light, error, fetches, scene="a"):
+    return record(f"t {blockers} {filters}", scene, light, rmse_penumbra=error, fetches_mean=fetches,
+                  parameters={"blockerSamples": [blockers], "filterSamples": [filters]})
+
+
+class SampleSplit(unittest.TestCase):
+    def test_a_row_is_a_mean_over_scenes_and_bold_where_nothing_is_cheaper_and_better(self):
+        text = page.sample_split(results(
+            split(8.0, 16.0, 0.5, 0.1, 10.0), split(8.0, 16.0, 0.5, 0.3, 12.0, "b"), split(8.0, 16.0, 5.0, 0.1, 12.0),
+            split(24.0, 8.0, 0.5, 0.2, 26.0), split(24.0, 8.0, 5.0, 0.2, 28.0),
+            split(24.0, 32.0, 0.5, 0.05, 26.0), split(24.0, 32.0, 5.0, 0.05, 38.0)))
+        self.assertTrue(text.endswith(
+            "| blocker samples | filter samples | RMSE in penumbra 0.5° | RMSE in penumbra 5° | fetches 0.5° | fetches 5° |\n"
+            "|--:|--:|--:|--:|--:|--:|\n"
+            "| **8** | **16** | **0.200** | **0.100** | **11.0** | **12.0** |\n"
+            "| 24 | 8 | 0.200 | 0.200 | 26.0 | 28.0 |\n"
+            "| **24** | **32** | **0.050** | **0.050** | **26.0** | **38.0** |"), text)
 
 
 if __name__ == "__main__":

@@ -27,11 +27,23 @@ namespace Penumbra.Tests
             Assert.That(PresetText.Figures(QualityPreset.High, degrees),
                         Does.EndWith("measured under " + measured + " degrees."));
 
-        [TestCase(QualityPreset.Low, "Tent 5x5, 9 fetches of the shadow map, no contact hardening.")]
-        [TestCase(QualityPreset.Ultra,
-                  "PCSS, 24 blocker and 16 filter samples, where the mask finds a penumbra, denoised.")]
+        [TestCase(QualityPreset.Low, "PCSS, 6 blocker and 8 filter samples.")]
+        [TestCase(QualityPreset.Ultra, "PCSS, 16 blocker and 32 filter samples, where the mask finds a penumbra.")]
         [TestCase(QualityPreset.Reference, "PCSS, 64 blocker and 64 filter samples.")]
         public void APresetIsSaidInWords(QualityPreset preset, string words) =>
             Assert.That(PresetText.Describe(ShadowPresets.Options(preset)), Is.EqualTo(words));
+
+        [Test]
+        public void OptionsOfOnesOwnAreSaidInWords()
+        {
+            ShadowOptions options = ShadowPresets.Options(QualityPreset.High);
+            options.denoise = true;
+            Assert.That(PresetText.Describe(options),
+                        Is.EqualTo("PCSS, 12 blocker and 24 filter samples, where the mask finds a penumbra, denoised."));
+            options = ShadowPresets.Options(QualityPreset.Low);
+            options.technique = ShadowTechnique.Tent5x5;
+            Assert.That(PresetText.Describe(options),
+                        Is.EqualTo("Tent 5x5, 9 fetches of the shadow map, no contact hardening."));
+        }
     }
 }

@@ -22,6 +22,7 @@ namespace Penumbra.Tests
             FakeShader.Install();
             feature = new PenumbraShadows();
             feature.Create();
+            feature.Settings.preset = QualityPreset.High;  // with a mask: four draws
             urp = new FakeUrp();
             SystemInfo.graphicsUVStartsAtTop = true;
             SystemInfo.usesReversedZBuffer = true;
@@ -56,6 +57,7 @@ namespace Penumbra.Tests
         {
             ShadowOptions options = ShadowPresets.Options(QualityPreset.Ultra);
             options.halfResolution = true;
+            options.denoise = true;
             Use(options);
             urp.Render(new FakeScene { Width = 1921, Height = 1081 }, feature);
 
@@ -168,6 +170,7 @@ namespace Penumbra.Tests
         {
             ShadowOptions options = ShadowPresets.Options(QualityPreset.Ultra);
             options.softnessCapMetres = 0.75f;
+            options.denoise = true;
             Use(options);
             urp.Render(new FakeScene(), feature);
             Assert.That(Vector(Draw("MaskBlurHorizontal"), "_PenumbraMaskParams"),
@@ -181,6 +184,7 @@ namespace Penumbra.Tests
         {
             ShadowOptions options = ShadowPresets.Options(QualityPreset.Ultra);
             options.halfResolution = true;
+            options.denoise = true;
             RenderTextureDescriptor target = new FakeScene().Target();
             target.msaaSamples = samples;
             return ShadowChain.Of(options, ShadowPassList.All).Slots
@@ -271,13 +275,15 @@ namespace Penumbra.Tests
             Assert.That(feature.LastSkip, Is.EqualTo(SkipReason.None));
         }
 
-        [TestCase(QualityPreset.Low, 35, SkipReason.None)]
-        [TestCase(QualityPreset.Medium, 35, SkipReason.UnsupportedDevice)]
-        [TestCase(QualityPreset.Medium, 45, SkipReason.None)]
-        public void ADeviceWithoutThePresetsProgramsIsLeftToUrp(QualityPreset preset, int level, object reason)
+        [TestCase(ShadowTechnique.Tent5x5, 35, SkipReason.None)]
+        [TestCase(ShadowTechnique.Pcss, 35, SkipReason.UnsupportedDevice)]
+        [TestCase(ShadowTechnique.Pcss, 45, SkipReason.None)]
+        public void ADeviceWithoutTheTechniquesProgramsIsLeftToUrp(ShadowTechnique technique, int level, object reason)
         {
             SystemInfo.graphicsShaderLevel = level;
-            feature.Settings.preset = preset;
+            ShadowOptions options = ShadowPresets.Options(QualityPreset.Low);
+            options.technique = technique;
+            Use(options);
             FrameKeywords keywords = urp.Render(new FakeScene(), feature);
             Assert.That(feature.LastSkip, Is.EqualTo(reason));
             Assert.That(keywords.AtOpaques, Is.EqualTo((SkipReason)reason == SkipReason.None

@@ -142,13 +142,13 @@ namespace Penumbra.Tests
         [Test]
         public void KeywordsOfOthersDoNotDecide()
         {
-            var low = ChainPrograms.Of(new[] { new PenumbraShadowsSettings { preset = QualityPreset.Low } },
-                                       new PenumbraShadowsVolume[0]);
+            ChainPrograms low = ChainPrograms.Of(new[] { new PenumbraShadowsSettings { preset = QualityPreset.Low } },
+                                                 new PenumbraShadowsVolume[0]);
             List<ShaderCompilerData> data = Data(FakeShader.FragmentVariants()["Resolve"].SelectMany(
                 set => new[] { set, new HashSet<string>(set.Append("STEREO_INSTANCING_ON")) }));
             ChainShaderStripper.Strip(low, shader, "Resolve", data);
             Assert.That(data.Select(variant => Text("Resolve", variant.shaderKeywordSet.Enabled)),
-                        Is.EqualTo(new[] { "Resolve", "Resolve STEREO_INSTANCING_ON" }));
+                        Is.EqualTo(new[] { "Resolve _PENUMBRA_PCSS", "Resolve STEREO_INSTANCING_ON _PENUMBRA_PCSS" }));
         }
 
         [Test]

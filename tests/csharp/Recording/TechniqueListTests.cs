@@ -61,7 +61,6 @@ namespace Penumbra.Tests
 
         private static float Value(string technique, string field) => Values(technique).GetProperty(field).GetSingle();
 
-        [TestCase("preset-medium")]
         [TestCase("preset-high")]
         [TestCase("preset-ultra")]
         public void TheMaskIsTheStudys(string preset)
@@ -75,9 +74,9 @@ namespace Penumbra.Tests
         [Test]
         public void TheDenoiserIsTheStudys()
         {
-            Assert.That(DenoisePass.Radius, Is.EqualTo(Value("preset-ultra", "denoiseRadius")));
-            Assert.That(DenoisePass.PlaneTolerance, Is.EqualTo(Value("preset-ultra", "planeTolerance")));
-            Assert.That(DenoisePass.NoiseAmplitude, Is.EqualTo(Value("preset-ultra", "noiseAmplitude")));
+            Assert.That(DenoisePass.Radius, Is.EqualTo(Value("screen-pcss-angular-24-16-denoised", "denoiseRadius")));
+            Assert.That(DenoisePass.PlaneTolerance, Is.EqualTo(Value("screen-pcss-angular-24-16-denoised", "planeTolerance")));
+            Assert.That(DenoisePass.NoiseAmplitude, Is.EqualTo(Value("screen-pcss-angular-24-16-denoised", "noiseAmplitude")));
         }
 
         [Test]

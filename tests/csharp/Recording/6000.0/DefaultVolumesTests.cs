@@ -31,7 +31,7 @@ namespace Penumbra.Tests
         [Test]
         public void TheAssetsProfileThenTheScripts()
         {
-            Assert.That(Samples(), Is.EqualTo(16));
+            Assert.That(Samples(), Is.EqualTo(ShadowPresets.Options(QualityPreset.High).filterSamples));
             VolumeManager.instance.qualityDefaultProfile = Profile(5);
             Assert.That(Samples(), Is.EqualTo(5));
             VolumeManager.instance.customDefaultProfiles =
