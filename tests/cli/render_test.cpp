@@ -163,7 +163,7 @@ TEST_F(Render, OptionsOfTheLitViewNeedIt) {
   for (const char* option : {"--supersampling", "--exposure"}) {
     expect_refused({option, "1"}, {"--lit"});
   }
-  expect_refused({"--lit", "--supersampling", "5"}, {"--supersampling", "1 to 4"});
+  expect_refused({"--lit", "--supersampling", "5"}, {"--supersampling", "1 .. 4"});
   size_ = "4100x2000";
   expect_refused({"--lit"}, {"4100x2000", "8192", "--supersampling 1"});
 }
