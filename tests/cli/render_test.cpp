@@ -139,6 +139,30 @@ TEST_F(Render, OneCommandMakesASheet) {
   EXPECT_LT(height, 4 * 24 * 8);
 }
 
+TEST_F(Render, ATitleIsOfWhatIsThere) {
+  expect_refused({"--technique", "tent-5", "--title", "tent-7=Wide"},
+                 {"--title tent-7=Wide: nothing here is called 'tent-7'", "there are 'tent-5'"});
+  expect_refused({"--title", "Wide"}, {"--title 'Wide' is not of the form NAME=VALUE"});
+  expect_refused({"--adapters", "middle"}, {"--adapters", "last"});
+}
+
+TEST_F(Render, AdaptersStandWhereTheyAreAskedToUnderTheirTitles) {
+  const auto file =
+      write("mine.hlsl", "float ShadowVisibility(float3 p, float3 n, float2 xy) { return 0.25; }\n");
+  const auto sheet = [&](const std::string& name, const std::vector<std::string>& options) {
+    std::vector<std::string> arguments =
+        small({"--technique", "hard", "--adapter", "mine=" + file.string(), "--sheet", path(name).string()});
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const auto result = run(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    return read(name);
+  };
+  const std::string last = sheet("last.png", {});
+  EXPECT_EQ(sheet("same.png", {"--adapters", "last", "--title", "mine=mine"}), last);
+  EXPECT_NE(sheet("first.png", {"--adapters", "first"}), last);
+  EXPECT_NE(sheet("title.png", {"--title", "mine=My own"}), last);
+}
+
 TEST_F(Render, AnInsetLiesInWhatIsShownAndFitsBeneathIt) {
   expect_refused({"--inset", "60,0,8,8"}, {"--inset 60,0,8,8 reaches beyond what is shown, 64x36 pixels"});
   expect_refused({"--crop", "8,8,32,16", "--inset", "0,0,8,8"}, {"reaches beyond", "32x16 pixels from 8,8"});

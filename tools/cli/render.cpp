@@ -98,6 +98,14 @@ void add_render(CLI::App& app, Context& context) {
       ->check(within(1, 64))
       ->default_str("1")
       ->group("What to render");
+  one_each(command->add_option("--title", options->varied.titles, "Caption of a technique or adapter"))
+      ->type_name("NAME=TEXT")
+      ->default_str("its name")
+      ->group("What to render");
+  command->add_option("--adapters", options->varied.adapters, "Where adapters stand beside the techniques")
+      ->type_name("PLACE")
+      ->check(one_of({"first", "last"}))
+      ->group("What to render");
   CLI::Option* folder = command->add_option("-o,--output", options->output, "Folder for the pictures")
                             ->type_name("FOLDER")
                             ->default_str(".");

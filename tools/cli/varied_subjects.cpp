@@ -115,6 +115,23 @@ void refuse_repetitions(const std::vector<study::Subject>& subjects) {
   }
 }
 
+void give_titles(std::vector<study::Subject>& subjects, const std::vector<std::string>& titles) {
+  for (const std::string& text : titles) {
+    const auto [name, title] = name_and_value("--title", text);
+    const auto found =
+        std::find_if(subjects.begin(), subjects.end(),
+                     [&name = name](const study::Subject& subject) { return subject.name == name; });
+    if (found == subjects.end()) {
+      std::string names;
+      for (const study::Subject& subject : subjects)
+        names += (names.empty() ? "'" : ", '") + subject.name + "'";
+      throw InputError("", "--title " + text + ": nothing here is called '" + name + "'",
+                       "there are " + names);
+    }
+    found->title = title;
+  }
+}
+
 }  // namespace
 
 void add_set_option(CLI::App& command, const std::string& group, VariedSubjects& varied) {
@@ -154,6 +171,7 @@ std::vector<study::Subject> varied_subjects(const StudyOptions& options, const V
         subjects.push_back(std::move(subject));
     }
   }
+  const std::size_t of_techniques = subjects.size();
   for (const resolve::Adapter& adapter : adapters) {
     study::Subject subject = study::adapter_subject(adapter, reversed_z);
     if (varied.captions)
@@ -161,7 +179,12 @@ std::vector<study::Subject> varied_subjects(const StudyOptions& options, const V
     else
       subjects.push_back(std::move(subject));
   }
+  const std::size_t of_adapters = subjects.size() - of_techniques;
   refuse_repetitions(subjects);
+  if (varied.adapters == "first") {
+    std::rotate(subjects.begin(), subjects.end() - static_cast<std::ptrdiff_t>(of_adapters), subjects.end());
+  }
+  give_titles(subjects, varied.titles);
   return subjects;
 }
 
