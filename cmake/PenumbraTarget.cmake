@@ -1,7 +1,6 @@
-# penumbra_room(NAME SOURCES ... USES ... PUBLIC_LIBRARIES ... PRIVATE_LIBRARIES ...)
-#
-# Declares the static library penumbra_NAME (alias penumbra::NAME) of one folder under tools/.
-# USES lists the rooms it may include; tests/architecture checks them against the one-way order.
+include(PenumbraPrecompiled)
+
+# Warnings are errors.
 function(penumbra_warnings target)
   if(MSVC)
     target_compile_options(${target} PRIVATE /W4 /WX /permissive-)
@@ -11,6 +10,10 @@ function(penumbra_warnings target)
     if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
       # GCC 12 reports overlapping copies inside std::string's operator+ that cannot happen (GCC bug 105651).
       target_compile_options(${target} PRIVATE -Wno-restrict)
+      if(PENUMBRA_PRECOMPILED_HEADERS)
+        # Nor does it know a system header again that comes from a precompiled one, and reports what it inlines of it.
+        target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread)
+      endif()
     endif()
     if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_FLAGS MATCHES "-fsanitize=")
       # Instrumented standard headers (std::regex among them) look uninitialised to GCC (GCC bug 105562).
@@ -19,11 +22,17 @@ function(penumbra_warnings target)
   endif()
 endfunction()
 
+# penumbra_room(NAME SOURCES ... USES ... PUBLIC_LIBRARIES ... PRIVATE_LIBRARIES ... PRECOMPILED ...)
+#
+# Declares the static library penumbra_NAME (alias penumbra::NAME) of one folder under tools/.
+# USES lists the rooms it may include; tests/architecture checks them against the one-way order.
+# PRECOMPILED names headers of others that most of its sources include and that take long to parse.
 function(penumbra_room name)
-  cmake_parse_arguments(ROOM "" "" "SOURCES;USES;PUBLIC_LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ROOM "" "" "SOURCES;USES;PUBLIC_LIBRARIES;PRIVATE_LIBRARIES;PRECOMPILED" ${ARGN})
   add_library(penumbra_${name} STATIC ${ROOM_SOURCES})
   add_library(penumbra::${name} ALIAS penumbra_${name})
   penumbra_warnings(penumbra_${name})
+  penumbra_precompiled(penumbra_${name} ${ROOM_PRECOMPILED})
   target_include_directories(penumbra_${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/tools>
     $<INSTALL_INTERFACE:include/penumbra>)
@@ -49,25 +58,35 @@ function(penumbra_allocator target)
   target_link_libraries(${target} PRIVATE mimalloc)
 endfunction()
 
-# penumbra_test(NAME SOURCES ... LIBRARIES ... [LABELS ...] [TIMEOUT s] [WHOLE])
+# penumbra_test(NAME SOURCES ... LIBRARIES ... [LABELS ...] [COST n] [GROUPED])
 #
-# One GoogleTest program whose cases CTest lists one by one; with WHOLE as one test, for suites whose cases share
-# a device and pipelines that take longer to make than to use.
+# One GoogleTest program whose cases CTest lists one by one; with GROUPED in groups, for suites whose cases share a
+# device and pipelines that take longer to make than to use (PenumbraCaseGroups.cmake). Tests of a higher COST start
+# first. There is no limit of time but CTest's own of 25 minutes, which only what hangs can reach: how long a test
+# takes says nothing of what it tests. Drivers keep what they compile in the build tree, so that tests share it.
 function(penumbra_test name)
-  cmake_parse_arguments(TEST "WHOLE" "TIMEOUT" "SOURCES;LIBRARIES;LABELS" ${ARGN})
-  if(NOT TEST_TIMEOUT)
-    set(TEST_TIMEOUT 120)
+  cmake_parse_arguments(TEST "GROUPED" "COST" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+  if(NOT TEST_COST)
+    set(TEST_COST 0)
   endif()
   add_executable(${name} ${TEST_SOURCES})
   penumbra_warnings(${name})
+  penumbra_precompiled_tests(${name})
   target_link_libraries(${name} PRIVATE ${TEST_LIBRARIES} GTest::gtest GTest::gmock GTest::gtest_main)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(${name} PRIVATE PENUMBRA_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  if(TEST_WHOLE)
-    add_test(NAME ${name} COMMAND ${name} --gtest_brief=1)
-    set_tests_properties(${name} PROPERTIES TIMEOUT ${TEST_TIMEOUT} LABELS "${TEST_LABELS}")
+  set(properties COST ${TEST_COST} ENVIRONMENT MESA_SHADER_CACHE_DIR=${PROJECT_BINARY_DIR}/mesa-shader-cache)
+  if(TEST_LABELS)
+    list(APPEND properties LABELS "${TEST_LABELS}")
+  endif()
+  if(NOT TEST_GROUPED)
+    gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 600 PROPERTIES ${properties})
     return()
   endif()
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST
-    PROPERTIES TIMEOUT ${TEST_TIMEOUT} LABELS "${TEST_LABELS}")
+  set(script ${CMAKE_CURRENT_BINARY_DIR}/${name}_groups.cmake)
+  file(GENERATE OUTPUT ${script} CONTENT
+    "include([[${PROJECT_SOURCE_DIR}/cmake/PenumbraCaseGroups.cmake]])
+penumbra_add_case_groups(${name} [[$<TARGET_FILE:${name}>]] ${properties})
+")
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${script})
 endfunction()

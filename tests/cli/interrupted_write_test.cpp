@@ -25,8 +25,8 @@ TEST_F(Interrupted, MeasureStopsCleanlyAndKeepsWhatWasFinished) {
             "; " PENUMBRA_PROGRAM
             " measure --scene contact-boxes --light 2 --technique tent-5 --size 160x90"
             " --map-size 512 --seeds 1 --reference-samples 65536 -o " +
-            path("out").string() + " & program=$!; for i in $(seq 250); do [ -n \"$(ls " + kept +
-            " 2>/dev/null)\" ] && break; sleep 0.1; done; kill -INT $program; wait $program");
+            path("out").string() + " & program=$!; while kill -0 $program && [ -z \"$(ls " + kept +
+            " 2>/dev/null)\" ]; do sleep 0.1; done; kill -INT $program; wait $program");
   EXPECT_EQ(stopped.exit_code, 130) << stopped.errors;
   EXPECT_THAT(stopped.errors, HasSubstr("interrupted"));
   EXPECT_FALSE(std::filesystem::exists(path("out") / "results.json"));

@@ -62,6 +62,7 @@ class ProgramTest : public testing::Test {
     platform::ChildCommand command;
     command.program = program;
     command.arguments = std::move(arguments);
+    command.timeout = std::chrono::minutes(25);  // for what hangs, however busy the machine is
     return platform::run_child(command);
   }
 

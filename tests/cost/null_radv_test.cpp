@@ -206,7 +206,7 @@ TEST_F(Ending, AKilledChildIsAFailureWithSignalAndLastWords) {
 }
 
 TEST_F(Ending, AHangingChildIsAFailureAfterTheTimeLimit) {
-  NullRadv hanging = worker("sleep 30");
+  NullRadv hanging = worker("sleep 3000");
   hanging.time_limit = std::chrono::milliseconds(200);
   EXPECT_EQ(measure(hanging, module_).failure, "the driver's compiler did not finish within 0.2 s");
 }

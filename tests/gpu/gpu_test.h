@@ -43,7 +43,7 @@ inline Slot slot_of(const std::vector<std::uint32_t>& spirv, const std::string& 
 class Gpu : public testing::Test {
  protected:
   void SetUp() override {
-    device.emplace(DeviceOptions{.name = "", .validation = true, .timeout_seconds = 20.0});
+    device.emplace(DeviceOptions{.name = "", .validation = true, .timeout_seconds = 600.0});
     log = device->validation_log();
   }
   void TearDown() override {

@@ -23,6 +23,7 @@
 #include "input/input_error.h"
 #include "platform/child_process.h"
 #include "platform/interrupt.h"
+#include "platform/process_end.h"
 #include "platform/terminal.h"
 
 namespace penumbra::platform {
@@ -175,9 +176,7 @@ TEST(WorkerPool, ProcessorTimeIsCountedAnewForEveryMessage) {
 TEST(WorkerPool, AWaitingWorkerEndsAtItsTime) {
   WorkerPool pool = small_pool(1);
   pool.limits.time = std::chrono::milliseconds(200);
-  const auto before = std::chrono::steady_clock::now();
   EXPECT_EQ(run_one("sleep", pool).failure, "took longer than 200 ms");
-  EXPECT_LT(std::chrono::steady_clock::now() - before, std::chrono::seconds(10));
 }
 
 TEST(WorkerPool, AnEaterOfMemoryEndsAtItsLimit) {
@@ -261,25 +260,6 @@ TEST(WorkerThreads, ThrowWhatAHandlerThrows) {
   EXPECT_THROW(run_in_threads(2, misbehave, source), std::runtime_error);
 }
 
-// The processes of a group that are alive: zombies are not.
-bool is_alive(const std::string& process) {
-  std::ifstream stat("/proc/" + process + "/stat");
-  std::string number;
-  std::string name;
-  char state = 'Z';
-  stat >> number >> name >> state;
-  return stat && state != 'Z';
-}
-
-bool ends_within(const std::string& process, std::chrono::seconds limit) {
-  for (const auto start = std::chrono::steady_clock::now();
-       std::chrono::steady_clock::now() - start < limit;) {
-    if (!is_alive(process)) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-  return false;
-}
-
 // A program with one sleeping worker writes the worker's number, and gets `signal` once that is there.
 class Stopped : public testing::TestWithParam<const char*> {};
 
@@ -287,17 +267,17 @@ TEST_P(Stopped, ProgramLeavesNoWorker) {
   const auto file = std::filesystem::path(testing::TempDir()) /
                     ("penumbra-worker-of-" + std::to_string(::getpid()) + GetParam());
   std::filesystem::remove(file);
-  const auto before = std::chrono::steady_clock::now();
-  run_child({"sh",
-             {"-c", "'" + program_path().string() + "' --run-a-sleeper '" + file.string() +
-                        "' & p=$!; until [ -s '" + file.string() + "' ]; do sleep 0.02; done; kill -" +
-                        GetParam() + " $p; wait $p"},
-             {}});
-  EXPECT_LT(std::chrono::steady_clock::now() - before, std::chrono::seconds(20));
-  std::string worker;
+  const ChildResult stopped =
+      run_child({"sh",
+                 {"-c", "'" + program_path().string() + "' --run-a-sleeper '" + file.string() +
+                            "' & p=$!; until [ -s '" + file.string() + "' ]; do sleep 0.02; done; kill -" +
+                            GetParam() + " $p; wait $p"},
+                 {}});
+  EXPECT_FALSE(stopped.timed_out);
+  int worker = 0;
   std::ifstream(file) >> worker;
-  ASSERT_THAT(worker, testing::Not(IsEmpty()));
-  EXPECT_TRUE(ends_within(worker, std::chrono::seconds(5))) << worker;
+  ASSERT_GT(worker, 0);
+  wait_for_the_end_of(worker);
   std::filesystem::remove(file);
 }
 

@@ -152,26 +152,33 @@ const reference::VisibilityImage& traced(const std::string& scene) {
   return image->second;
 }
 
+// A technique in both depth directions meets every scene, count of cascades and row order together; in one
+// direction, every two of the three.
+RowOrder row_order(std::size_t scene, int cascades, bool reversed_z) {
+  const bool top = (scene + static_cast<std::size_t>(cascades) + (reversed_z ? 1U : 0U)) % 2 == 0;
+  return top ? RowOrder::top_first : RowOrder::bottom_first;
+}
+
 // Both from one drawing: the picture, and how far it is from ray tracing.
 TEST_P(ScreenResolve, DrawsWhatTheFilterAloneSaysAndIsAsFarFromRayTracing) {
-  for (const std::string& scene : scenes_for_small_pictures()) {
+  const std::vector<std::string> scenes = scenes_for_small_pictures();
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
     for (int cascades = 1; cascades <= 4; ++cascades) {
-      const scene::Frame& frame = drawn(scene, cascades, GetParam().reversed_z);
-      for (const RowOrder rows : {RowOrder::top_first, RowOrder::bottom_first}) {
-        const std::string what = scene + ", " + std::to_string(cascades) + " cascades, " +
-                                 (rows == RowOrder::top_first ? "top row first" : "bottom row first");
-        const std::vector<float> by_pass = by_shader(frame, rows);
-        const std::vector<float> by_depth = by_library_from_depth(frame, rows);
-        expect_the_same(by_pass, by_depth, frame, what);
+      const scene::Frame& frame = drawn(scenes[i], cascades, GetParam().reversed_z);
+      const RowOrder rows = row_order(i, cascades, GetParam().reversed_z);
+      const std::string what = scenes[i] + ", " + std::to_string(cascades) + " cascades, " +
+                               (rows == RowOrder::top_first ? "top row first" : "bottom row first");
+      const std::vector<float> by_pass = by_shader(frame, rows);
+      const std::vector<float> by_depth = by_library_from_depth(frame, rows);
+      expect_the_same(by_pass, by_depth, frame, what);
 
-        const reference::VisibilityImage& t1 = traced(scene);
-        EXPECT_NEAR(rmse(by_pass, t1), rmse(by_depth, t1), 0.0005) << what;
-        // The filter alone, told each surface's normal: the pass has to find it in the depths beside the
-        // pixel, and finds another on edges and on grass blades a pixel wide. That must cost next to nothing.
-        const std::vector<float> told =
-            rows_from_top(by_library(in_order(frame, rows)), frame.receivers.width, rows);
-        EXPECT_LE(rmse(by_pass, t1), rmse(told, t1) + 0.002) << what;
-      }
+      const reference::VisibilityImage& t1 = traced(scenes[i]);
+      EXPECT_NEAR(rmse(by_pass, t1), rmse(by_depth, t1), 0.0005) << what;
+      // The filter alone, told each surface's normal: the pass has to find it in the depths beside the
+      // pixel, and finds another on edges and on grass blades a pixel wide. That must cost next to nothing.
+      const std::vector<float> told =
+          rows_from_top(by_library(in_order(frame, rows)), frame.receivers.width, rows);
+      EXPECT_LE(rmse(by_pass, t1), rmse(told, t1) + 0.002) << what;
     }
   }
 }

@@ -10,7 +10,7 @@
 namespace penumbra {
 
 inline gpu::Device& test_device() {
-  static gpu::Device device({.name = {}, .validation = true});
+  static gpu::Device device({.name = {}, .validation = true, .timeout_seconds = 600.0});
   return device;
 }
 
@@ -22,6 +22,7 @@ inline const shaders::TechniqueList& library_techniques() {
 
 class SilentValidation : public testing::Environment {
  public:
+  void SetUp() override { test_device(); }  // so that it outlives what the tests keep of it
   void TearDown() override {
     for (const std::string& message : test_device().validation_log()->messages()) ADD_FAILURE() << message;
   }

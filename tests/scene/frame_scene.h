@@ -17,7 +17,7 @@ namespace penumbra::scene {
 class RasterisedFrame : public testing::Test {
  protected:
   void SetUp() override {
-    device.emplace(gpu::DeviceOptions{.name = "", .validation = true, .timeout_seconds = 20.0});
+    device.emplace(gpu::DeviceOptions{.name = "", .validation = true, .timeout_seconds = 600.0});
     log = device->validation_log();
   }
   void TearDown() override {

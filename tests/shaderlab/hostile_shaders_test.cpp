@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <random>
 
+#include "processor_time.h"
 #include "shaderlab/compute.h"
 #include "shaderlab/parse.h"
 #include "shaderlab/program_lines.h"
@@ -16,9 +16,8 @@ namespace penumbra::shaderlab {
 namespace {
 
 double seconds_of(const std::string& text) {
-  const auto begin = std::chrono::steady_clock::now();
-  const ParsedShader parsed = parse_shader(text, "a");
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  ParsedShader parsed;
+  const double seconds = processor_seconds([&] { parsed = parse_shader(text, "a"); });
   EXPECT_LE(parsed.diagnostics.size(), 102u);
   return seconds;
 }
@@ -180,9 +179,8 @@ TEST(HostileShaders, ProgramsThatWouldFillTheMemoryAreRefused) {
 TEST(HostileShaders, AKernelLineOfManyMacrosIsReadInTime) {
   std::string text = "#pragma kernel A";
   for (int i = 0; i < 100'000; ++i) text += " M" + std::to_string(i) + "=1";
-  const auto begin = std::chrono::steady_clock::now();
-  const ComputeKernels read = compute_kernels(text, "a.compute");
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
+  ComputeKernels read;
+  EXPECT_LT(processor_seconds([&] { read = compute_kernels(text, "a.compute"); }), 5.0);
   EXPECT_EQ(read.kernels.at(0).defines.size(), 100'000u);
 }
 

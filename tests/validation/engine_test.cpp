@@ -309,9 +309,9 @@ TEST_F(Isolation, ACrashOfThePreprocessorLeavesTheSource) {
 }
 
 TEST_F(Isolation, AHangEndsAtItsTime) {
-  options_.limits.time = std::chrono::milliseconds(1500);
+  options_.limits.time = std::chrono::seconds(10);  // of which what comes before it needs a hundredth
   const UnitResult result = run_with("hang@spirv").results[1];
-  EXPECT_EQ(result.targets[0].diagnostics.at(0).message, "the compiler took longer than 1500 ms");
+  EXPECT_EQ(result.targets[0].diagnostics.at(0).message, "the compiler took longer than 10 s");
 }
 
 TEST_F(Isolation, AnEaterOfMemoryEndsAtItsLimit) {

@@ -14,9 +14,9 @@ namespace penumbra::platform {
 struct ChildCommand {
   std::string program;  // a path, or a name looked up in PATH
   std::vector<std::string> arguments;
-  std::string input;  // all of its standard input
-  std::chrono::milliseconds timeout{30'000};
-  std::size_t output_limit = std::size_t{256} << 20;               // bytes of output and errors together
+  std::string input;                                  // all of its standard input
+  std::chrono::milliseconds timeout{300'000};         // for what hangs, however busy the machine is
+  std::size_t output_limit = std::size_t{256} << 20;  // bytes of output and errors together
   std::vector<std::pair<std::string, std::string>> environment{};  // added to ours, or in place of ours
 };
 
