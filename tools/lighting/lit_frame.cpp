@@ -43,9 +43,9 @@ reference::RunOptions run_options(const LitSettings& settings, const LitProgress
 }
 
 // How much of the sun the far side sees of what the camera sees of translucent things with the sun behind.
-std::vector<float> visibility_behind(const scene::Scene& scene, const scene::Frame& frame,
-                                     const SeenMaterials& seen, const glm::vec3& to_sun,
-                                     const LitSettings& settings, const reference::RunOptions& run) {
+std::vector<float> visibility_behind(const scene::Scene& scene, const SeenMaterials& seen,
+                                     const glm::vec3& to_sun, const LitSettings& settings,
+                                     const reference::RunOptions& run) {
   scene::Receivers behind;
   behind.width = seen.width;
   behind.height = seen.height;
@@ -63,7 +63,7 @@ std::vector<float> visibility_behind(const scene::Scene& scene, const scene::Fra
     any = true;
   }
   if (!any) return std::vector<float>(seen.points.size(), 1.0F);
-  const parameters::Light light{scene.light_direction, frame.settings.angular_diameter_degrees};
+  const parameters::Light light{scene.light_direction, settings.light_degrees};
   const reference::ReferenceCache cache(settings.cache);
   return reference::trace_visibility(scene, behind, light, {settings.sun_rays, settings.seed}, run, &cache)
       .visibility;
@@ -90,7 +90,7 @@ LitFrame::LitFrame(const scene::Scene& scene, const scene::Frame& frame, const L
                      run_options(settings, progress, "sky light of " + name, " rows")),
       kSmoothingPasses, run_options(settings, progress, "smoothing the sky light of " + name, " rows"));
   const std::vector<float> behind =
-      visibility_behind(scene, frame, seen, sun.to_sun, settings,
+      visibility_behind(scene, seen, sun.to_sun, settings,
                         run_options(settings, progress, "light through leaves of " + name, " rays"));
 
   const double white = glm::dot(day.sun(), glm::dvec3(0.2126, 0.7152, 0.0722)) / std::numbers::pi;

@@ -27,7 +27,8 @@ struct LitSettings {
   double exposure_stops = 0.0;
   int sky_rays = 128;  // per pixel, shared among its samples
   double turbidity = 2.5;
-  int sun_rays = 1024;  // of the visibility behind leaves, as reference::TraceOptions has it
+  double light_degrees = 0.53;  // angular diameter of the sun
+  int sun_rays = 1024;          // of the visibility behind leaves, as reference::TraceOptions has it
   std::uint64_t seed = 1;
   int jobs = 0;
   std::filesystem::path cache;  // empty: the user's cache folder

@@ -18,9 +18,10 @@ LitView::LitView(lighting::LitSettings settings, StudyProgress progress)
     : settings_(std::move(settings)), progress_(std::move(progress)) {}
 
 void LitView::add(const SubjectAnswer& answer) {
-  const double degrees = answer.frame.settings.angular_diameter_degrees;
+  const double degrees = answer.record.light_degrees;
   if (!frame_ || scene_ != answer.scene.name || light_degrees_ != degrees) {
     frame_.reset();  // before the next one is made: a frame is large
+    settings_.light_degrees = degrees;
     frame_.emplace(answer.scene, answer.frame, settings_, progress_);
     scene_ = answer.scene.name;
     light_degrees_ = degrees;
