@@ -43,10 +43,17 @@ Adapter adapter_on_hdrp_14() {
   return hdrp;
 }
 
-Adapter adapter(const std::vector<std::string>& keywords = {}) {
+Adapter adapter_with_normal_bias(const std::vector<std::string>& keywords = {}) {
   Adapter hdrp = adapter_on_hdrp_14();
   hdrp.keywords = keywords;
   hdrp.keywords.push_back("STAND_IN_HDRP_17");
+  return hdrp;
+}
+
+// Receivers stay where they are.
+Adapter adapter(const std::vector<std::string>& keywords = {}) {
+  Adapter hdrp = adapter_with_normal_bias(keywords);
+  hdrp.keywords.push_back("HDRP_NO_NORMAL_BIAS");
   return hdrp;
 }
 
@@ -117,7 +124,7 @@ TEST(HdrpAdapter, TheShaderDataIsWhatHdrpPacks) {
   const scene::Frame frame = testing_frames::make_frame(
       setup, [](double, double, int) { return 0.0f; },
       std::vector<TilePoint>(4 * kNumbers, TilePoint(0.5, 0.5, kReceiverDepth)), kNumbers);
-  const ResolveResult result = run(adapter({"STAND_IN_TELLS_DATA", "HDRP_NORMAL_BIAS"}), frame);
+  const ResolveResult result = run(adapter_with_normal_bias({"STAND_IN_TELLS_DATA"}), frame);
 
   parameters::SoftShadowParameters defaults;
   defaults.angular_diameter_degrees = 2.0;
@@ -128,10 +135,18 @@ TEST(HdrpAdapter, TheShaderDataIsWhatHdrpPacks) {
   for (std::size_t i = 0; i < frame.cascades.cascades.size(); ++i) {
     const parameters::Cascade& cascade = frame.cascades.cascades[i];
     const parameters::HdrpVectors packed = parameters::hdrp_vectors(cascade, defaults);
-    const double expected[kNumbers] = {packed.params0.x, packed.params0.y,          packed.params0.z,
-                                       packed.params0.w, packed.params1.x,          packed.params1.y,
-                                       packed.params1.z, packed.params1.w,          kBlockerSamples,
-                                       kFilterSamples,   cascade.texel_size_metres, 0.75};
+    const double expected[kNumbers] = {packed.params0.x,
+                                       packed.params0.y,
+                                       packed.params0.z,
+                                       packed.params0.w,
+                                       packed.params1.x,
+                                       packed.params1.y,
+                                       packed.params1.z,
+                                       packed.params1.w,
+                                       kBlockerSamples,
+                                       kFilterSamples,
+                                       std::sqrt(2.0) * cascade.texel_size_metres,
+                                       0.75};
     for (std::size_t k = 0; k < kNumbers; ++k) {
       const auto told = static_cast<double>(result.visibility.at(0).at(i * kNumbers + k));
       EXPECT_NEAR(told, expected[k], 1e-5 * std::abs(expected[k])) << "cascade " << i << ", number " << k;
@@ -139,12 +154,12 @@ TEST(HdrpAdapter, TheShaderDataIsWhatHdrpPacks) {
   }
 }
 
-TEST(HdrpAdapter, TheNormalBiasMovesTheReceiverOnRequestOnly) {
+TEST(HdrpAdapter, TheNormalBiasMovesTheReceiver) {
   // Caster and receiver a third of a texel apart along the light, which is the receivers' normal.
   const FrameSetup setup = four_cascades(2.0);
   const scene::Frame frame = half_plane(setup, chosen(setup).texel_size_metres / 3.0, {0.1});
   EXPECT_THAT(run(adapter(), frame).visibility.at(0), ElementsAre(0.0f));
-  EXPECT_THAT(run(adapter({"HDRP_NORMAL_BIAS"}), frame).visibility.at(0), ElementsAre(1.0f));
+  EXPECT_THAT(run(adapter_with_normal_bias(), frame).visibility.at(0), ElementsAre(1.0f));
 }
 
 TEST(HdrpAdapter, TheFrameOfTheNoiseReachesHdrp) {

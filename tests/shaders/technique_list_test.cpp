@@ -57,6 +57,19 @@ class TechniqueListTest : public testing::Test {
   ShaderFiles files_;
 };
 
+TEST_F(TechniqueListTest, ATechniqueSaysTheBiasItShouldHave) {
+  EXPECT_EQ(read(good).techniques[0].bias, kPackageBias);
+  const std::string text =
+      with(R"("values")", R"("bias": {"depth": 1, "normal": 0.5, "soft_quality": "high"}, "values")");
+  EXPECT_EQ(read(text).techniques[0].bias, (parameters::CasterBias{1.0, 0.5, parameters::SoftQuality::high}));
+  EXPECT_THAT(problem(R"("values")", R"("bias": {"depth": 1}, "values")"),
+              HasSubstr("'normal' must be a number"));
+  EXPECT_THAT(problem(R"("values")", R"("bias": {"depth": 11, "normal": 0}, "values")"),
+              HasSubstr("from 0 to 10"));
+  EXPECT_THAT(problem(R"("values")", R"("bias": {"depth": 1, "normal": 0, "soft": 1}, "values")"),
+              HasSubstr("unknown key 'soft'"));
+}
+
 TEST_F(TechniqueListTest, ReadsWhatIsThere) {
   const TechniqueList list = read(good);
   ASSERT_EQ(list.techniques.size(), 1U);

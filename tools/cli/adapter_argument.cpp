@@ -1,5 +1,7 @@
 #include "cli/adapter_argument.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -8,6 +10,8 @@
 
 #include "cli/option_text.h"
 #include "input/input_error.h"
+#include "input/nearest_name.h"
+#include "parameters/settings_input.h"
 
 namespace penumbra::cli {
 namespace {
@@ -42,6 +46,31 @@ void add_value(resolve::Adapter& adapter, const std::string& name, const std::st
   }
 }
 
+double bounded(const std::string& name, const std::string& text, double most) {
+  const double value = number("--adapter", text);
+  if (value < 0.0 || value > most) {
+    throw InputError("", fmt::format("--adapter: {} must be from 0 to {:g}, not {}", name, most, text));
+  }
+  return value;
+}
+
+// "@NAME=VALUE": how the adapter's function wants to be run.
+void set_adapter_setting(resolve::Adapter& adapter, const std::string& name, const std::string& value) {
+  static const std::vector<std::string> kNames{"@depth-bias", "@normal-bias", "@soft-quality",
+                                               "@light-scale"};
+  if (name == "@depth-bias") {
+    adapter.bias.depth = bounded(name, value, 10.0);
+  } else if (name == "@normal-bias") {
+    adapter.bias.normal = bounded(name, value, 10.0);
+  } else if (name == "@soft-quality") {
+    adapter.bias.soft_quality = parameters::soft_quality_named(value);
+  } else if (name == "@light-scale") {
+    adapter.light_scale = bounded(name, value, 10.0);
+  } else {
+    throw InputError("", "--adapter: unknown setting '" + name + "'", unknown_name_way_out(name, kNames));
+  }
+}
+
 }  // namespace
 
 resolve::Adapter parse_adapter(const std::string& text) {
@@ -55,7 +84,10 @@ resolve::Adapter parse_adapter(const std::string& text) {
       continue;
     }
     const auto [name, value] = name_and_value("--adapter", parts[i]);
-    add_value(adapter, name, value);
+    if (name.starts_with("@"))
+      set_adapter_setting(adapter, name, value);
+    else
+      add_value(adapter, name, value);
   }
   return adapter;
 }

@@ -7,9 +7,10 @@
 
 namespace penumbra::cli {
 
-// "NAME=FILE[;KEYWORD][;UNIFORM=a,b,...][;TEXTURE=picture.png]": what follows a name and '=' is a uniform
-// where it is numbers, else a texture. Package roots and project are not among it. Throws InputError for
-// another form, for a picture that cannot be read and for what is given twice.
+// "NAME=FILE[;KEYWORD][;UNIFORM=a,b,...][;TEXTURE=picture.png][;@SETTING=value]": what follows a name and '='
+// is a uniform where it is numbers, else a texture. Settings are @depth-bias, @normal-bias, @soft-quality and
+// @light-scale. Package roots and project are not among it. Throws InputError for another form, for a picture
+// that cannot be read and for what is given twice.
 resolve::Adapter parse_adapter(const std::string& text);
 
 }  // namespace penumbra::cli

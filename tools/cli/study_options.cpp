@@ -17,6 +17,7 @@
 #include "cli/shared_options.h"
 #include "input/input_error.h"
 #include "parameters/setting_keys.h"
+#include "parameters/settings_input.h"
 #include "platform/atomic_file.h"
 #include "project/package_manifest.h"
 #include "project/unity_project.h"
@@ -29,12 +30,6 @@ scene::DepthFormat depth_format(const std::string& text) {
   if (text == "d16") return scene::DepthFormat::d16;
   if (text == "d24") return scene::DepthFormat::d24;
   return scene::DepthFormat::d32;
-}
-
-parameters::SoftQuality soft_quality(const std::string& text) {
-  if (text == "off") return parameters::SoftQuality::off;
-  if (text == "low") return parameters::SoftQuality::low;
-  return text == "high" ? parameters::SoftQuality::high : parameters::SoftQuality::medium;
 }
 
 // Position, target and perhaps the field of view; the rest of the camera stays.
@@ -109,13 +104,20 @@ void add_light_and_map_options(CLI::App& command, StudyOptions& options) {
   add("--distance", options.distance_metres, "METRES", "Shadow distance")
       ->check(bounds("/shadows/distance_metres"))
       ->default_str("the scene's");
-  add("--depth-bias", options.depth_bias, "BIAS", "URP's depth bias setting")
-      ->check(bounds("/shadows/depth_bias"));
-  add("--normal-bias", options.normal_bias, "BIAS", "URP's normal bias setting")
-      ->check(bounds("/shadows/normal_bias"));
+  constexpr const char* kOwn = "each technique's own";
+  add("--depth-bias", options.depth_bias, "BIAS", "URP's depth bias setting, for all alike")
+      ->check(bounds("/shadows/depth_bias"))
+      ->default_str(kOwn);
+  add("--normal-bias", options.normal_bias, "BIAS", "URP's normal bias setting, for all alike")
+      ->check(bounds("/shadows/normal_bias"))
+      ->default_str(kOwn);
   add("--soft-quality", options.soft_quality, "QUALITY",
-      "URP's soft shadow quality, which scales both biases")
-      ->check(one_of({"off", "low", "medium", "high"}));
+      "URP's soft shadow quality, which scales both biases, for all alike")
+      ->check(one_of({"off", "low", "medium", "high"}))
+      ->default_str(kOwn);
+  add("--slope-bias", options.slope_bias, "BIAS",
+      "The rasteriser's bias of casters, times the depth's change from texel to texel")
+      ->check(within(0.0, 100.0));
   add("--reversed-z", options.reversed_z, "BOOL", "Whether depth is 1 near the light")
       ->check(one_of({"true", "false"}))
       ->default_str("true");
@@ -146,10 +148,11 @@ void add_study_options(CLI::App& command, StudyOptions& options, const std::stri
 }
 
 CLI::Option* add_adapters(CLI::App& command, std::vector<std::string>& adapters) {
-  return one_each(command.add_option(
-                      "--adapter", adapters,
-                      "Your own ShadowVisibility function, with its keywords, uniforms and textures"))
-      ->type_name("NAME=FILE[;KEYWORD][;UNIFORM=1,2,...][;TEXTURE=picture.png]")
+  return one_each(
+             command.add_option(
+                 "--adapter", adapters,
+                 "Your own ShadowVisibility function, with its keywords, uniforms, textures and settings"))
+      ->type_name("NAME=FILE[;KEYWORD][;UNIFORM=1,2,...][;TEXTURE=picture.png][;@SETTING=VALUE]")
       ->default_str("none");
 }
 
@@ -195,11 +198,16 @@ scene::FrameSettings frame_settings(const StudyOptions& options) {
   settings.format = depth_format(options.map_format);
   settings.shadows.resolution = options.map_size;
   settings.shadows.cascades = options.cascades;
-  settings.shadows.depth_bias = options.depth_bias;
-  settings.shadows.normal_bias = options.normal_bias;
-  settings.shadows.soft_quality = soft_quality(options.soft_quality);
+  settings.raster_bias = {scene::kUnityRasterBias.constant, options.slope_bias};
   settings.shadows.reversed_z = options.reversed_z;
   return settings;
+}
+
+parameters::CasterBias chosen_bias(const StudyOptions& options, parameters::CasterBias own) {
+  own.depth = options.depth_bias.value_or(own.depth);
+  own.normal = options.normal_bias.value_or(own.normal);
+  if (options.soft_quality) own.soft_quality = parameters::soft_quality_named(*options.soft_quality);
+  return own;
 }
 
 // Those given by hand, then those of the project that are not.

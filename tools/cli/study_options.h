@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,9 +31,10 @@ struct StudyOptions {
   int map_size = 2048;
   int cascades = 4;
   std::string map_format = "d32";
-  double depth_bias = 1.0;
-  double normal_bias = 1.0;
-  std::string soft_quality = "medium";
+  std::optional<double> depth_bias;  // these three: absent, each subject's own
+  std::optional<double> normal_bias;
+  std::optional<std::string> soft_quality;
+  double slope_bias = scene::kUnityRasterBias.slope;
   bool reversed_z = true;
   double distance_metres = 0.0;  // 0: the scene's own
   std::vector<double> sun;       // elevation and azimuth in degrees; empty: the scene's own
@@ -60,6 +62,10 @@ std::vector<scene::Scene> chosen_scenes(const StudyOptions& options,
 void tell_notes(const std::vector<scene::Scene>& scenes, const Context& context);
 scene::FrameSettings frame_settings(const StudyOptions& options);
 std::vector<resolve::Adapter> chosen_adapters(const StudyOptions& options);
+
+// The bias that was asked for in place of the subject's own.
+parameters::CasterBias chosen_bias(const StudyOptions& options, parameters::CasterBias own);
+
 gpu::Device open_device(const StudyOptions& options);
 
 // A progress line per stage of a study.

@@ -163,6 +163,7 @@ std::vector<study::Subject> varied_subjects(const StudyOptions& options, const V
         technique = shaders::with_value(list, std::move(technique), setting.parameter, setting.value);
       }
       study::Subject subject = study::technique_subject(list, technique, reversed_z);
+      subject.bias = chosen_bias(options, subject.bias);
       subject.name = joined(name, text_of(combination));
       subject.title = joined(subject.title, text_of(combination));
       if (varied.captions)
@@ -174,6 +175,7 @@ std::vector<study::Subject> varied_subjects(const StudyOptions& options, const V
   const std::size_t of_techniques = subjects.size();
   for (const resolve::Adapter& adapter : adapters) {
     study::Subject subject = study::adapter_subject(adapter, reversed_z);
+    subject.bias = chosen_bias(options, subject.bias);
     if (varied.captions)
       add_captioned(subjects, subject, varied.frames, alone, adapter.name, "");
     else

@@ -89,6 +89,9 @@ void RasterState::make_pipeline() {
   const vk::PipelineViewportStateCreateInfo one_viewport({}, 1, nullptr, 1, nullptr);
   vk::PipelineRasterizationStateCreateInfo rasterization;
   rasterization.depthClampEnable = shaders.depth_clamp;
+  rasterization.depthBiasEnable = shaders.constant_depth_bias != 0.0F || shaders.slope_depth_bias != 0.0F;
+  rasterization.depthBiasConstantFactor = shaders.constant_depth_bias;
+  rasterization.depthBiasSlopeFactor = shaders.slope_depth_bias;
   rasterization.lineWidth = 1.0F;
   const vk::PipelineMultisampleStateCreateInfo one_sample;
   const vk::CompareOp nearer =

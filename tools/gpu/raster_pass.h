@@ -27,6 +27,10 @@ struct RasterShaders {
   std::vector<Format> colours;  // of the targets, at most two
   std::optional<Format> depth;
   DepthTest depth_test = DepthTest::less;
+  // Added to every fragment's depth, toward larger ones: the first times the format's smallest step, the
+  // second times the depth's steepest change from pixel to pixel.
+  float constant_depth_bias = 0.0F;
+  float slope_depth_bias = 0.0F;
   bool depth_clamp = false;  // clamp fragments to the depth range instead of clipping triangles
 };
 

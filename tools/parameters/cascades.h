@@ -42,6 +42,15 @@ struct Bounds {
 
 enum class SoftQuality { off, low, medium, high };
 
+// URP's settings that move casters before they are drawn: unitless, in texels of the map times the kernel's radius.
+struct CasterBias {
+  double depth = 1.0;
+  double normal = 1.0;
+  SoftQuality soft_quality = SoftQuality::medium;
+
+  bool operator==(const CasterBias&) const = default;
+};
+
 struct ShadowSettings {
   double distance_metres = 50.0;
   int cascades = 1;                // 1 .. 4

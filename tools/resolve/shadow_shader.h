@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "parameters/cascades.h"
 #include "resolve/adapter_resources.h"
 #include "resolve/uniform_numbers.h"
 #include "resolve/uniform_values.h"
@@ -46,13 +47,16 @@ ShadowShader technique_shader(const shaders::TechniqueList& list, const shaders:
 //   float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
 // It runs in a fragment shader over the picture, so derivatives are those between pixels. It includes the
 // texture macros it uses, "Platform/Platform.hlsl" or its pipeline's, and may read, by name, URP's main light
-// shadow globals and the harness's own (Documentation~/measure.md).
+// shadow globals and the harness's own (Documentation~/measure.md). Its casters are drawn at
+// `bias`.
 struct Adapter {
   std::string name;
   std::filesystem::path file;
   std::vector<std::string> keywords;  // defined as 1
   UniformNumbers uniforms;            // instead of the frame's
   std::vector<AdapterTexture> textures;
+  parameters::CasterBias bias{};  // URP's own default
+  double light_scale = 1.0;       // the diameter that the function is told, over the light's
   std::vector<shaders::PackageRoot> package_roots;
   std::filesystem::path project;     // of Unity, whose Assets/ it includes; may be empty
   std::filesystem::path cginc_root;  // the editor's CGIncludes; may be empty

@@ -65,7 +65,7 @@ Frame Rasteriser::frame(const FrameSettings& settings) {
   frame.camera.position += scene.origin;
   const parameters::Light light{scene.light_direction, settings.angular_diameter_degrees};
   frame.cascades = parameters::fit_cascades(frame.camera, light, with_caster_bounds(settings.shadows, scene));
-  frame.atlas = state_->shadow_map.draw(frame.cascades, scene.origin, settings.format);
+  frame.atlas = state_->shadow_map.draw(frame.cascades, scene.origin, settings);
   frame.receivers = state_->seen.draw(scene, settings);
   return frame;
 }

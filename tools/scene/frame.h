@@ -47,9 +47,24 @@ struct Receivers {
   std::vector<std::uint32_t> triangle{};
 };
 
+// Away from the light: what the rasteriser adds to each caster's depth, beside the vertices' own bias. The
+// first counts the format's smallest steps, the second is times the depth's steepest change from texel to
+// texel.
+struct RasterBias {
+  double constant = 0.0;
+  double slope = 0.0;
+
+  bool operator==(const RasterBias&) const = default;
+};
+
+// What URP (ShadowUtils.RenderShadowSlice) and HDRP (HDShadowAtlas, at the light component's default) draw
+// their casters with.
+inline constexpr RasterBias kUnityRasterBias{1.0, 2.5};
+
 struct FrameSettings {
   parameters::ShadowSettings shadows;
   double angular_diameter_degrees = 0.53;
+  RasterBias raster_bias;  // none
   DepthFormat format = DepthFormat::d32;
   int width = 480;  // of the receivers
   int height = 270;
@@ -70,9 +85,10 @@ struct Frame {
 // A scene on the device: its mesh is uploaded and its shaders are compiled once for any number of frames.
 //
 // Casters are drawn as URP draws them: depth and normal bias applied to the caster's vertices, clamped to the
-// near plane ("pancaking"), both faces. Vertices are relative to Scene::origin and the matrix that takes them
-// to the map is made in double, so the map of a scene far from the world's origin is as exact as one near it;
-// what Unity loses by float world positions shows in Receivers::position_ws.
+// near plane ("pancaking"), both faces; with URP's bias of the rasteriser when raster_bias is
+// kUnityRasterBias. Vertices are relative to Scene::origin and the matrix that takes them to the map is made
+// in double, so the map of a scene far from the world's origin is as exact as one near it; what Unity loses
+// by float world positions shows in Receivers::position_ws.
 //
 // Without depth_range_metres and caster_bounds in the settings, the scene's bounds are the caster bounds: no
 // caster is clamped to the near plane, so that no blocker's depth gap is cut short.

@@ -72,20 +72,25 @@ float decode(DepthFormat format, const std::byte* texel) {
 
 }  // namespace
 
-gpu::RasterPass& ShadowMapPasses::pass(DepthFormat format, bool reversed_z) {
-  const auto found = passes_.find({format, reversed_z});
+gpu::RasterPass& ShadowMapPasses::pass(const Key& key) {
+  const auto found = passes_.find(key);
   if (found != passes_.end()) return found->second;
+  const auto [format, reversed_z, constant_bias, slope_bias] = key;
+  const float away_from_light = reversed_z ? -1.0F : 1.0F;
   gpu::RasterShaders shaders;
   shaders.vertex = compile_scene_shader("ShadowCaster.hlsl", "Main", hlsl::Stage::vertex, reversed_z);
   shaders.depth = gpu_format(format);
   shaders.depth_test = reversed_z ? gpu::DepthTest::greater : gpu::DepthTest::less;
+  shaders.constant_depth_bias = away_from_light * static_cast<float>(constant_bias);
+  shaders.slope_depth_bias = away_from_light * static_cast<float>(slope_bias);
   gpu::RasterPass made(device_, shaders);
   mesh_.bind_to(made.bindings(), shaders.vertex);
-  return passes_.emplace(std::pair(format, reversed_z), std::move(made)).first->second;
+  return passes_.emplace(key, std::move(made)).first->second;
 }
 
 ShadowAtlas ShadowMapPasses::draw(const parameters::CascadeSet& cascades, const glm::dvec3& origin,
-                                  DepthFormat format) {
+                                  const FrameSettings& settings) {
+  const DepthFormat format = settings.format;
   const gpu::Image target(device_, gpu_format(format), cascades.atlas_width, cascades.atlas_height);
   std::vector<gpu::RasterTile> tiles;
   for (const parameters::Cascade& cascade : cascades.cascades) {
@@ -94,7 +99,8 @@ ShadowAtlas ShadowMapPasses::draw(const parameters::CascadeSet& cascades, const 
   gpu::RasterTargets targets;
   targets.depth = &target;
   targets.clear_depth = cascades.reversed_z ? 0.0F : 1.0F;
-  pass(format, cascades.reversed_z).draw(targets, tiles);
+  const RasterBias& bias = settings.raster_bias;
+  pass({format, cascades.reversed_z, bias.constant, bias.slope}).draw(targets, tiles);
 
   ShadowAtlas atlas;
   atlas.width = cascades.atlas_width;

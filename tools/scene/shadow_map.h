@@ -2,7 +2,7 @@
 #pragma once
 
 #include <map>
-#include <utility>
+#include <tuple>
 
 #include "gpu/raster_pass.h"
 #include "scene/frame.h"
@@ -10,20 +10,22 @@
 
 namespace penumbra::scene {
 
-// Passes by (format, reversed Z), made when first asked for.
+// Passes by format, reversed Z, and the rasteriser's constant and slope bias, made when first asked for.
 class ShadowMapPasses {
  public:
   ShadowMapPasses(const gpu::Device& device, const MeshOnDevice& mesh) : device_(device), mesh_(mesh) {}
 
   // origin: the world position of the mesh's own origin.
-  ShadowAtlas draw(const parameters::CascadeSet& cascades, const glm::dvec3& origin, DepthFormat format);
+  ShadowAtlas draw(const parameters::CascadeSet& cascades, const glm::dvec3& origin,
+                   const FrameSettings& settings);
 
  private:
-  gpu::RasterPass& pass(DepthFormat format, bool reversed_z);
+  using Key = std::tuple<DepthFormat, bool, double, double>;
+  gpu::RasterPass& pass(const Key& key);
 
   const gpu::Device& device_;
   const MeshOnDevice& mesh_;
-  std::map<std::pair<DepthFormat, bool>, gpu::RasterPass> passes_;
+  std::map<Key, gpu::RasterPass> passes_;
 };
 
 }  // namespace penumbra::scene

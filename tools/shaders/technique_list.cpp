@@ -12,6 +12,7 @@
 #include "input/input_error.h"
 #include "input/located_json.h"
 #include "input/nearest_name.h"
+#include "parameters/settings_input.h"
 #include "shaders/technique_chain.h"
 #include "shaders/technique_values.h"
 
@@ -180,6 +181,23 @@ void read_targets_absent(JsonObject object, Technique& technique) {
   }
 }
 
+double read_bias_setting(JsonObject& bias, const std::string& key) {
+  const double value = bias.number(key, -1.0);
+  if (value < 0.0 || value > 10.0) bias.fail(key, "'" + key + "' must be a number from 0 to 10");
+  return value;
+}
+
+parameters::CasterBias read_bias(JsonObject& technique) {
+  if (!technique.has("bias")) return kPackageBias;
+  JsonObject object = technique.object("bias");
+  parameters::CasterBias bias;
+  bias.depth = read_bias_setting(object, "depth");
+  bias.normal = read_bias_setting(object, "normal");
+  bias.soft_quality = parameters::read_soft_quality(object, "soft_quality", bias.soft_quality);
+  object.finish();
+  return bias;
+}
+
 Technique read_technique(const LocatedJson& document, const TechniqueList& list, JsonObject object,
                          const LocatedJson::Pointer& at) {
   Technique technique;
@@ -188,6 +206,7 @@ Technique read_technique(const LocatedJson& document, const TechniqueList& list,
   technique.family = required_text(object, "family");
   technique.source = required_text(object, "source");
   technique.screen = object.boolean("screen", false);
+  technique.bias = read_bias(object);
   std::vector<const ParameterStruct*> structs;
   for (const JsonObject& pass : object.objects("chain")) {
     technique.chain.push_back(read_pass(list, pass));

@@ -2,13 +2,14 @@
 //
 // {"structs": [{name, doc, fields: [{name, type, unit, doc, range: [smallest, largest]}]}],
 //  "techniques": [{name, title, family, source, screen,
+//                  bias: {depth, normal, soft_quality},
 //                  chain: [{kind, file, function, resources, parameters, scale}],
 //                  values: {field: number or numbers}, keywords, keyword_sets: [[...]],
 //                  unlimited: {field: number or its text}, targets_absent: {target: reason}}],
 //  "looks": [{name, title, doc, angularDiameterDegrees, maxPenumbraMetres}]}
-// Keys are the members' names below; screen is false, scale 1 and there are no looks where they are left out.
-// Every field of the structs a chain uses has a value, within the field's range where it has one, and every
-// value a field; without keyword_sets there is one set, the empty one.
+// Keys are the members' names below; screen is false, bias kPackageBias, scale 1 and there are no looks where
+// they are left out. Every field of the structs a chain uses has a value, within the field's range where it
+// has one, and every value a field; without keyword_sets there is one set, the empty one.
 #pragma once
 
 #include <filesystem>
@@ -17,6 +18,8 @@
 #include <string>
 #include <variant>
 #include <vector>
+
+#include "parameters/cascades.h"
 
 namespace penumbra::shaders {
 
@@ -53,6 +56,9 @@ struct TechniquePass {
   int scale = 1;                       // pixels of the screen per pixel of what it writes, each way
 };
 
+// The package's advice to its users: filters that follow the receiver's plane need no normal bias.
+inline constexpr parameters::CasterBias kPackageBias{1.0, 0.0, parameters::SoftQuality::medium};
+
 struct Technique {
   std::string name;    // for example pcss-angular-24-16
   std::string title;   // for tables
@@ -61,6 +67,7 @@ struct Technique {
   // Runs over the screen as the passes of Shaders/PenumbraShadows.shader, from the camera's depth; else a
   // function that is called for a surface known exactly.
   bool screen = false;
+  parameters::CasterBias bias = kPackageBias;  // the casters' that it should have, and is measured at
   std::vector<TechniquePass> chain;
   std::map<std::string, std::vector<double>> values;   // parameter values by field
   std::vector<std::string> keywords;                   // that this technique switches on

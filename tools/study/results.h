@@ -34,7 +34,8 @@ struct ReferenceNote {
 struct RunSettings {
   double depth_bias = 1.0;  // URP's unitless settings, of the casters
   double normal_bias = 1.0;
-  double slope_bias = 0.0;  // of the rasteriser, times the depth's change from texel to texel
+  double constant_bias = 0.0;  // of the rasteriser, times the map format's smallest step
+  double slope_bias = 0.0;     // of the rasteriser, times the depth's change from texel to texel
   parameters::SoftQuality soft_quality = parameters::SoftQuality::medium;  // by which URP scales both
   double light_scale = 1.0;    // the diameter that the subject was told, over the light's
   std::vector<double> splits;  // fractions of the shadow distance where all cascades but the last end

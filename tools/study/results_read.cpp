@@ -197,6 +197,7 @@ RunSettings read_settings(StrictObject settings, int cascades) {
   RunSettings result;
   result.depth_bias = settings.number("depth_bias", 0.0, kAnything);
   result.normal_bias = settings.number("normal_bias", 0.0, kAnything);
+  result.constant_bias = settings.number("constant_bias", 0.0, kAnything);
   result.slope_bias = settings.number("slope_bias", 0.0, kAnything);
   result.soft_quality = settings.soft_quality("soft_quality");
   result.light_scale = settings.number("light_scale", 0.0, kAnything);

@@ -30,9 +30,13 @@ Json json_of(const MetricIntervals& intervals) {
 }
 
 Json json_of(const RunSettings& settings) {
-  return {{"depth_bias", settings.depth_bias},   {"normal_bias", settings.normal_bias},
-          {"slope_bias", settings.slope_bias},   {"soft_quality", parameters::name_of(settings.soft_quality)},
-          {"light_scale", settings.light_scale}, {"splits", settings.splits},
+  return {{"depth_bias", settings.depth_bias},
+          {"normal_bias", settings.normal_bias},
+          {"constant_bias", settings.constant_bias},
+          {"slope_bias", settings.slope_bias},
+          {"soft_quality", parameters::name_of(settings.soft_quality)},
+          {"light_scale", settings.light_scale},
+          {"splits", settings.splits},
           {"reversed_z", settings.reversed_z}};
 }
 

@@ -54,14 +54,40 @@ struct PreparedSubject {
   std::optional<resolve::Resolver> unlimited_resolver;
 };
 
-// Everything known about one scene under one light before the first subject is asked.
-struct Stage {
-  const scene::Scene& scene;
+// What a subject asks of the frame that it is shown.
+struct Wishes {
+  parameters::CasterBias bias;
+  double light_scale = 1.0;
+
+  bool operator==(const Wishes&) const = default;
+};
+
+// A scene under a light as all subjects of the same wishes see it.
+struct View {
+  Wishes wishes;
   scene::Frame frame;
-  VisibilityImage t1;
+  StagedFrame staged;
+  std::vector<StagedFrame> pan;
   std::optional<VisibilityImage> t2;
   std::string key;  // of scene, light, map and receivers
 };
+
+// Everything known about one scene under one light before the first subject is asked. Receivers, and with
+// them T1, are those of every view.
+struct Stage {
+  const scene::Scene& scene;
+  double light_degrees = 0.0;
+  VisibilityImage t1;
+  std::vector<View> views;  // by the wishes of subjects, each once
+
+  const View& view(const Wishes& wishes) const {
+    return *std::find_if(views.begin(), views.end(), [&](const View& view) { return view.wishes == wishes; });
+  }
+};
+
+Wishes wishes_of(const Subject& subject) {
+  return {subject.bias, subject.light_scale};
+}
 
 std::string map_format_name(scene::DepthFormat format) {
   switch (format) {
@@ -84,9 +110,9 @@ std::string stage_key(const scene::Scene& scene, const scene::Frame& frame) {
   return hash.hex();
 }
 
-std::string unlimited_key(const Stage& stage, const resolve::CompiledShadowShader& shader) {
+std::string unlimited_key(const View& view, const resolve::CompiledShadowShader& shader) {
   platform::ContentHash hash;
-  hash.update(kUnlimitedVersion).update(stage.key).update(std::span<const std::uint32_t>(shader.plain));
+  hash.update(kUnlimitedVersion).update(view.key).update(std::span<const std::uint32_t>(shader.plain));
   hash.update(shader.source.parameters.fingerprint());
   return hash.hex();
 }
@@ -109,9 +135,10 @@ Answer answer_of(PreparedSubject& prepared, const StagedFrame& frame,
           std::move(result.masked_out)};
 }
 
-VisibilityImage unlimited_answer(const resolve::FrameOnDevice& frame, const Stage& stage,
-                                 PreparedSubject& prepared, const reference::ReferenceCache& cache) {
-  const std::string key = unlimited_key(stage, *prepared.unlimited);
+VisibilityImage unlimited_answer(const Stage& stage, const View& view, PreparedSubject& prepared,
+                                 const reference::ReferenceCache& cache) {
+  const resolve::FrameOnDevice& frame = view.staged.on_device;
+  const std::string key = unlimited_key(view, *prepared.unlimited);
   if (std::optional<VisibilityImage> kept = cache.find(key)) return *std::move(kept);
   resolve::ResolveOptions options;
   options.noise_seeds = kUnlimitedSeeds;
@@ -171,12 +198,15 @@ Picture mask_picture(const PixelGrid& grid, const std::vector<std::uint8_t>& mas
   return visibility_picture(grid, runs);
 }
 
-RunSettings run_settings(const scene::Frame& frame) {
-  const parameters::ShadowSettings& shadows = frame.settings.shadows;
+RunSettings run_settings(const View& view) {
+  const parameters::ShadowSettings& shadows = view.frame.settings.shadows;
   RunSettings settings;
   settings.depth_bias = shadows.depth_bias;
   settings.normal_bias = shadows.normal_bias;
   settings.soft_quality = shadows.soft_quality;
+  settings.constant_bias = view.frame.settings.raster_bias.constant;
+  settings.slope_bias = view.frame.settings.raster_bias.slope;
+  settings.light_scale = view.wishes.light_scale;
   settings.reversed_z = shadows.reversed_z;
   const std::array<double, 3> splits = parameters::effective_splits(shadows);
   settings.splits.assign(splits.begin(), splits.begin() + (shadows.cascades - 1));
@@ -184,10 +214,10 @@ RunSettings run_settings(const scene::Frame& frame) {
 }
 
 MeasuredFrame measured_frame(const Stage& stage) {
-  const scene::Frame& frame = stage.frame;
+  const scene::Frame& frame = stage.views.front().frame;
   MeasuredFrame note;
   note.scene = stage.scene.name;
-  note.light_degrees = frame.settings.angular_diameter_degrees;
+  note.light_degrees = stage.light_degrees;
   note.sun_direction = frame.cascades.light_direction;
   note.width = stage.t1.width;
   note.height = stage.t1.height;
@@ -202,7 +232,7 @@ PictureRow pictures(const Stage& stage, const Subject& subject, const Answer& an
   PictureRow row;
   row.scene = stage.scene.name;
   row.technique = subject.name;
-  row.light_degrees = stage.frame.settings.angular_diameter_degrees;
+  row.light_degrees = stage.light_degrees;
   row.reference = visibility_picture(grid, stage.t1.visibility);
   row.result = visibility_picture(grid, result.visibility.front());
   row.error = error_picture(grid, result.visibility.front(), stage.t1.visibility, kErrorScale);
@@ -214,7 +244,8 @@ PictureRow pictures(const Stage& stage, const Subject& subject, const Answer& an
   return row;
 }
 
-Metrics metrics_of(const Stage& stage, const Answer& answer, const std::optional<PictureWindow>& window,
+Metrics metrics_of(const Stage& stage, const View& view, const Answer& answer,
+                   const std::optional<PictureWindow>& window,
                    const std::optional<VisibilityImage>& unlimited) {
   const resolve::ResolveResult& result = answer.image;
   MeasuredImages images;
@@ -226,8 +257,8 @@ Metrics metrics_of(const Stage& stage, const Answer& answer, const std::optional
   images.valid = counted;
   for (const std::vector<float>& image : result.visibility) images.results.emplace_back(image);
   images.fetches.emplace_back(result.fetches);
-  if (stage.t2) {
-    images.t2 = stage.t2->visibility;
+  if (view.t2) {
+    images.t2 = view.t2->visibility;
     images.t3 = unlimited ? std::span<const float>(unlimited->visibility) : images.results.front();
   }
   return measure(images);
@@ -247,13 +278,12 @@ class Study {
       for (const double degrees : settings_.light_degrees) {
         const Stage stage = set_stage(scene, rasteriser, degrees);
         outcome_.frames.push_back(measured_frame(stage));
-        const StagedFrame frame = staged(stage.frame);
-        const std::vector<StagedFrame> pan = pan_frames(stage, rasteriser);
         for (std::size_t i = 0; i < subjects_.size(); ++i) {
           progress_(label(stage) + ", " + subjects_[i].subject->name, static_cast<double>(i),
                     static_cast<double>(subjects_.size()), " techniques");
-          measure_subject(stage, frame, subjects_[i]);
-          if (!pan.empty()) outcome_.records.back().shimmer = shimmer(stage, pan, subjects_[i]);
+          const View& view = stage.view(wishes_of(*subjects_[i].subject));
+          measure_subject(stage, view, subjects_[i]);
+          if (!view.pan.empty()) outcome_.records.back().shimmer = shimmer(stage, view.pan, subjects_[i]);
           platform::throw_if_interrupted();
         }
       }
@@ -302,37 +332,67 @@ class Study {
   }
 
   static std::string label(const Stage& stage) {
-    std::string degrees = std::to_string(stage.frame.settings.angular_diameter_degrees);
+    std::string degrees = std::to_string(stage.light_degrees);
     degrees.erase(degrees.find_last_not_of('0') + 1);
     if (degrees.back() == '.') degrees.pop_back();
     return stage.scene.name + " at " + degrees + " degrees";
   }
 
   Stage set_stage(const scene::Scene& scene, scene::Rasteriser& rasteriser, double degrees) {
-    scene::FrameSettings frame_settings = settings_.frame;
-    frame_settings.angular_diameter_degrees = degrees;
-    frame_settings.shadows.distance_metres = scene.shadow_distance_metres;
-    Stage stage{scene, rasteriser.frame(frame_settings), {}, {}, {}};
-    stage.key = stage_key(scene, stage.frame);
-
+    Stage stage{scene, degrees, {}, {}};
+    for (const PreparedSubject& prepared : subjects_)
+      add_view(stage, rasteriser, wishes_of(*prepared.subject));
     const parameters::Light light{scene.light_direction, degrees};
     const reference::TraceOptions trace{settings_.reference_samples, settings_.seed};
-    stage.t1 = reference::trace_visibility(scene, stage.frame.receivers, light, trace,
+    stage.t1 = reference::trace_visibility(scene, stage.views.front().frame.receivers, light, trace,
                                            run_options("ray tracing " + label(stage), " rays"), &cache_);
     if (settings_.split_error) {
-      stage.t2 = reference::same_map_estimate(
-          {stage.frame.atlas, stage.frame.cascades, stage.frame.receivers, scene.origin},
-          run_options("same-map estimate, " + label(stage), " points"), &cache_);
+      for (View& view : stage.views) view.t2 = same_map_estimate(stage, rasteriser, view);
     }
     return stage;
   }
 
-  // The first is the stage's own; each further one shows everything a pixel further left.
-  std::vector<StagedFrame> pan_frames(const Stage& stage, scene::Rasteriser& rasteriser) const {
+  scene::FrameSettings frame_settings(const Stage& stage, const Wishes& wishes) const {
+    scene::FrameSettings frame = settings_.frame;
+    frame.angular_diameter_degrees = wishes.light_scale * stage.light_degrees;
+    frame.shadows.distance_metres = stage.scene.shadow_distance_metres;
+    frame.shadows.depth_bias = wishes.bias.depth;
+    frame.shadows.normal_bias = wishes.bias.normal;
+    frame.shadows.soft_quality = wishes.bias.soft_quality;
+    return frame;
+  }
+
+  void add_view(Stage& stage, scene::Rasteriser& rasteriser, const Wishes& wishes) const {
+    const bool known = std::any_of(stage.views.begin(), stage.views.end(),
+                                   [&](const View& view) { return view.wishes == wishes; });
+    if (known) return;
+    scene::Frame frame = rasteriser.frame(frame_settings(stage, wishes));
+    StagedFrame on_device = staged(frame);
+    std::vector<StagedFrame> pan = pan_frames(frame.settings, rasteriser);
+    std::string key = stage_key(stage.scene, frame);
+    stage.views.push_back(
+        {wishes, std::move(frame), std::move(on_device), std::move(pan), std::nullopt, std::move(key)});
+  }
+
+  // Of the light as it is, whatever the subjects were told.
+  VisibilityImage same_map_estimate(const Stage& stage, scene::Rasteriser& rasteriser,
+                                    const View& view) const {
+    std::optional<scene::Frame> own;
+    if (view.wishes.light_scale != 1.0)
+      own = rasteriser.frame(frame_settings(stage, {view.wishes.bias, 1.0}));
+    const scene::Frame& frame = own ? *own : view.frame;
+    return reference::same_map_estimate({frame.atlas, frame.cascades, frame.receivers, stage.scene.origin},
+                                        run_options("same-map estimate, " + label(stage), " points"),
+                                        &cache_);
+  }
+
+  // The first is the view's own; each further one shows everything a pixel further left.
+  std::vector<StagedFrame> pan_frames(const scene::FrameSettings& settings,
+                                      scene::Rasteriser& rasteriser) const {
     std::vector<StagedFrame> frames;
     if (settings_.pan_frames < 2) return frames;
     for (int k = 0; k < settings_.pan_frames; ++k) {
-      scene::FrameSettings moved = stage.frame.settings;
+      scene::FrameSettings moved = settings;
       moved.lens_shift.x += k * 2.0 / moved.width;
       const scene::Frame frame = rasteriser.frame(moved);
       frames.push_back(staged(frame));
@@ -362,15 +422,15 @@ class Study {
     return options;
   }
 
-  void measure_subject(const Stage& stage, const StagedFrame& frame, PreparedSubject& prepared) {
+  void measure_subject(const Stage& stage, const View& view, PreparedSubject& prepared) {
     resolve::ResolveOptions options;
     const bool averaged = prepared.subject->averaged_frames > 1;
     options.noise_seeds = averaged ? prepared.subject->averaged_frames : settings_.noise_seeds;
     options.timing_repeats = settings_.timing_repeats;
-    Answer answer = answer_of(prepared, frame, options);
+    Answer answer = answer_of(prepared, view.staged, options);
     if (averaged) average(answer.image.visibility);
     std::optional<VisibilityImage> unlimited;
-    if (prepared.unlimited) unlimited = unlimited_answer(frame.on_device, stage, prepared, cache_);
+    if (prepared.unlimited) unlimited = unlimited_answer(stage, view, prepared, cache_);
 
     const Subject& subject = *prepared.subject;
     Record record;
@@ -378,23 +438,24 @@ class Study {
     record.technique = subject.name;
     record.title = subject.title;
     record.parameters = subject.parameters;
-    record.light_degrees = stage.frame.settings.angular_diameter_degrees;
-    record.map_size = stage.frame.atlas.width;
-    record.map_format = map_format_name(stage.frame.atlas.format);
-    record.cascades = static_cast<int>(stage.frame.cascades.cascades.size());
-    record.settings = run_settings(stage.frame);
+    record.light_degrees = stage.light_degrees;
+    record.map_size = view.frame.atlas.width;
+    record.map_format = map_format_name(view.frame.atlas.format);
+    record.cascades = static_cast<int>(view.frame.cascades.cascades.size());
+    record.settings = run_settings(view);
     record.device = device_.info().name;
-    record.metrics = metrics_of(stage, answer, settings_.window, unlimited);
+    record.metrics = metrics_of(stage, view, answer, settings_.window, unlimited);
     std::vector<double> milliseconds = answer.image.time_ns;
     for (double& time : milliseconds) time *= 1e-6;
     record.time = summarise(std::move(milliseconds));
     record.reference = {"ray-traced disc light", stage.t1.samples, stage.t1.noise_floor};
     outcome_.records.push_back(std::move(record));
     outcome_.pictures.push_back(pictures(stage, subject, answer));
-    if (subject.screen) outcome_.pictures.back().debug_views = debug_views(frame, *subject.screen, answer);
+    if (subject.screen)
+      outcome_.pictures.back().debug_views = debug_views(view.staged, *subject.screen, answer);
     if (settings_.answered) {
       settings_.answered(
-          {stage.scene, stage.frame, stage.t1, outcome_.records.back(), answer.image.visibility.front()});
+          {stage.scene, view.frame, stage.t1, outcome_.records.back(), answer.image.visibility.front()});
     }
     note_unset(subject, answer.image);
   }
@@ -439,6 +500,7 @@ Subject technique_subject(const shaders::TechniqueList& list, const shaders::Tec
   subject.name = technique.name;
   subject.title = technique.title;
   subject.parameters = technique.values;
+  subject.bias = technique.bias;
   subject.shader = resolve::technique_shader(list, technique, resolve::Taps::as_listed, reversed_z);
   if (technique.screen) subject.screen = resolve::screen_chain(technique);
   if (!technique.unlimited.empty()) {
@@ -451,6 +513,8 @@ Subject adapter_subject(const resolve::Adapter& adapter, bool reversed_z) {
   Subject subject;
   subject.name = adapter.name;
   subject.title = adapter.name + " (" + adapter.file.filename().string() + ")";
+  subject.bias = adapter.bias;
+  subject.light_scale = adapter.light_scale;
   subject.shader = resolve::adapter_shader(adapter, reversed_z);
   return subject;
 }

@@ -1,9 +1,9 @@
 // A study: subjects (techniques, users' own functions) over scenes and lights, each measured against ray
 // tracing on the same frame.
 //
-// Per scene and light: the frame is rasterised once; T1 is ray-traced and T2 estimated once, both kept on
-// disk; every subject is resolved for each noise seed, counted and timed; T3 is the subject with unlimited
-// samples, kept on disk too. Nothing here prints.
+// Per scene and light: the frame is rasterised once per bias and diameter that subjects ask for; T1 is
+// ray-traced once, T2 estimated once per bias, both kept on disk; every subject is resolved for each noise
+// seed, counted and timed; T3 is the subject with unlimited samples, kept on disk too. Nothing here prints.
 #pragma once
 
 #include <cstdint>
@@ -33,6 +33,8 @@ struct Subject {
   std::string title;
   std::map<std::string, std::vector<double>> parameters;
   resolve::ShadowShader shader;
+  parameters::CasterBias bias{};  // that its casters are drawn with
+  double light_scale = 1.0;       // the diameter that it is told, over the light's
   // The passes of the package's .shader, from the camera's depth image, instead of `shader` over known
   // surfaces.
   std::optional<resolve::ScreenChainDescription> screen;
@@ -58,7 +60,8 @@ struct SubjectAnswer {
 struct StudySettings {
   std::vector<scene::Scene> scenes;
   std::vector<double> light_degrees;
-  scene::FrameSettings frame;  // the light and the shadow distance are set per scene and light
+  // The light, the shadow distance and the casters' bias are set per scene, light and subject.
+  scene::FrameSettings frame;
   int reference_samples = 1024;
   std::uint64_t seed = 1;
   int noise_seeds = 16;

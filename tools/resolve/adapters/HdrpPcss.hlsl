@@ -1,6 +1,8 @@
 // HDRP's own directional shadow at High quality, its PCSS by angular diameter, for comparison: penumbra measure
 //   --package-root com.unity.render-pipelines.core=DIR --package-root com.unity.render-pipelines.high-definition=DIR
-//   --adapter "hdrp-pcss=tools/resolve/adapters/HdrpPcss.hlsl"
+//   --adapter "hdrp-pcss=tools/resolve/adapters/HdrpPcss.hlsl;@depth-bias=0;@normal-bias=0;@light-scale=0.5"
+// HDRP moves the receiver, not the casters: hence their biases of 0. Its penumbra is twice as wide as a disc of the
+// diameter it is told makes it: a light scale of 0.5 gives it the light's own disc.
 //
 // Computes:   GetDirectionalShadowAttenuation of the HDRP whose package root is given: cascade selection, biases,
 //             shadow coordinate, blocker search and filter, nothing of ours. HDRP's C# is not run: its shader data is
@@ -9,8 +11,8 @@
 //             component's defaults.
 // Inputs:     HDRP 17 (Unity 6). Version 14 is refused by the names of the fields it lacks: its softness comes from the
 //             planes of the light's view, which the map's matrices do not tell.
-//             HDRP_NORMAL_BIAS: the receiver moves along its normal by HDRP's default. Without, as for all others that
-//             are measured, the casters' bias is the only one but HDRP's constant 1/65536.
+//             The receiver moves along its normal by HDRP's default of 0.75 diagonals of a texel, and against the light
+//             by HDRP's constant 1/65536; with HDRP_NO_NORMAL_BIAS by the latter alone.
 // Cost:       HDRP's: up to 40 fetches. Its filter runs even where nothing blocks: HLSL evaluates both sides of ?:.
 #define SHADER_API_D3D11 1
 
@@ -83,10 +85,10 @@ static const float kMaxSamplingMetres = 0.5;
 static const float kMinFilterTexels = 1.5;
 static const float kMinFilterDegrees = 10.0;
 static const float kSearchDegrees = 12.0;
-#if defined(HDRP_NORMAL_BIAS)
-static const float kNormalBiasTexels = 0.75;
+#if defined(HDRP_NO_NORMAL_BIAS)
+static const float kNormalBias = 0.0;
 #else
-static const float kNormalBiasTexels = 0.0;
+static const float kNormalBias = 0.75;
 #endif
 
 float TanHalf(float degrees) { return tan(radians(0.5 * degrees)); }
@@ -132,8 +134,8 @@ HDShadowData ShadowDataOf(int cascade)
     SetPcss(data, _PenumbraMainLightParams.y);
     data.atlasOffset = tile.xy;
     data.shadowMapSize = float4(size, 1.0 / size);
-    data.worldTexelSize = 2.0 / (data.proj.x * size.x);
-    data.normalBias = kNormalBiasTexels;
+    data.worldTexelSize = 2.0 / (data.proj.x * size.x) * sqrt(2.0);
+    data.normalBias = kNormalBias;
     return data;
 }
 
