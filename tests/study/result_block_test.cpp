@@ -25,18 +25,19 @@ std::string file_text(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-TEST(ResultBlock, NamesHardwareDriverAndCommandThenTableThenChart) {
-  const std::string block = result_block(synthetic::results(), kChart);
+TEST(ResultBlock, ATablePerLightThenChartScenesAndOrigin) {
+  const std::string block = result_block(synthetic::results(), {kChart, {}});
   const std::vector<std::string> order{
-      "made-up processor",
-      "made-up driver 1.2",
-      "com.example.shadows 17.0.3, com.example.core.",
-      "`penumbra measure --seed 1`",
       "0.53° light, 2 scenes, 18000 penumbra pixels, 9000 in the scene with fewest:",
-      "| Technique | RMSE in penumbra | RMSE of all pixels | light leaks, % | "
-      "false shadow, % | fetches per pixel |",
+      "| Technique | RMSE in penumbra | RMSE of all pixels | light leaks, % | false shadow, % | fetches per "
+      "pixel |",
       "2° light, 2 scenes",
-      "](Documentation~/results/pareto-fetches.svg)"};
+      "](Documentation~/results/pareto-fetches.svg)",
+      "<summary>Penumbra RMSE of every scene</summary>",
+      "penumbra measure --seed 1",
+      "com.example.shadows 17.0.3, com.example.core,",
+      "made-up driver 1.2",
+      "made-up processor"};
   std::size_t last = 0;
   for (const std::string& part : order) {
     const std::size_t at = block.find(part);
@@ -53,21 +54,44 @@ TEST(ResultBlock, TablesHoldMeansAndEveryScene) {
   ASSERT_EQ(results.records[8].scene, "fence");
   results.records[0].metrics.intervals.rmse_penumbra = Interval{0.19, 0.22, 0.008};
   results.records[8].metrics.intervals.rmse_penumbra = Interval{0.12, 0.13, 0.0025};
-  const std::string block = result_block(results, kChart);
+  const std::string block = result_block(results, {kChart, {}});
   EXPECT_THAT(block, HasSubstr("| bilinear | 0.2 ± 0.5 | 0.0"));
   EXPECT_THAT(block, HasSubstr("| bilinear | 0.200 ± 0.020 | 0.125 ± 0.005 |"));
   EXPECT_THAT(block, Not(HasSubstr(" ms"))) << "CPU time has no place in the README";
 }
 
+TEST(ResultBlock, RowsAreChosenAndOrdered) {
+  const std::string block =
+      result_block(synthetic::results(), {kChart, {"pcss-64-64", "nobody", "bilinear"}});
+  EXPECT_LT(block.find("| pcss-64-64 |"), block.find("| bilinear |"));
+  EXPECT_THAT(block, Not(HasSubstr("tent-5x5")));
+  expect_input_error(
+      [] {
+        (void)result_block(synthetic::results(), {kChart, {"nobody", "none"}});
+      },
+      HasSubstr("none of the rows nobody, none was measured"));
+}
+
+TEST(ResultBlock, ABriefOneShowsOneTableAndFoldsTheRest) {
+  const std::string block = result_block(synthetic::results(), {kChart, {}, true});
+  EXPECT_TRUE(block.starts_with("2° light, 2 scenes")) << block;
+  const std::size_t fold = block.find("<details><summary>Smaller and larger lights");
+  ASSERT_NE(fold, std::string::npos);
+  EXPECT_GT(block.find("0.53° light"), fold);
+  EXPECT_THAT(block, Not(HasSubstr(kChart)));
+  EXPECT_THAT(block, Not(HasSubstr("| boxes |")));
+  EXPECT_THAT(block, HasSubstr("penumbra measure --seed 1"));
+}
+
 TEST(ResultBlock, AMeanOverFewerScenesSaysSo) {
   Results results = synthetic::results();
   results.records.erase(results.records.begin());
-  EXPECT_THAT(result_block(results, kChart), HasSubstr("(1 scenes)"));
+  EXPECT_THAT(result_block(results, {kChart, {}}), HasSubstr("(1 scenes)"));
 }
 
 TEST(ResultBlock, NamesCannotBreakTheTable) {
   Results results = synthetic::results({"a|b<c>\nd"});
-  EXPECT_THAT(result_block(results, kChart), HasSubstr("| a\\|b&lt;c> d |"));
+  EXPECT_THAT(result_block(results, {kChart, {}}), HasSubstr("| a\\|b&lt;c> d |"));
 }
 
 TEST(ReplaceResultBlock, KeepsEverythingElse) {
@@ -90,51 +114,78 @@ TEST(ReplaceResultBlock, WantsEachMarkerOnceAndInOrder) {
                      HasSubstr("before their beginning"));
 }
 
+// Every page that scripts/publish writes figures into, and how it calls `penumbra measure --from
+// FOLDER/results.json`.
 struct PublishedPage {
   std::string name;
   std::string file;
-  std::string results;
-  std::string chart;            // from the repository's root
-  std::string chart_from_page;  // as the page names it
+  std::string folder;               // below Documentation~/results
+  std::vector<std::string> rows{};  // --rows
+  bool brief = false;               // --brief
+  std::string block{kResultBlock};  // --block
 };
 
 void PrintTo(const PublishedPage& page, std::ostream* stream) {
-  *stream << page.file;
+  *stream << page.file << ", " << page.block;
+}
+
+std::vector<PublishedPage> published_pages() {
+  return {{"Readme",
+           "README.md",
+           "presets",
+           {"urp-low", "urp-medium", "urp-high", "hdrp-pcss", "hdrp-pcss-full-diameter", "preset-low",
+            "preset-medium", "preset-high", "preset-ultra"},
+           true},
+          {"Presets", "Documentation~/presets.md", "presets"},
+          {"Techniques", "Documentation~/techniques.md", "techniques"},
+          {"EqualBias", "Documentation~/bias.md", "equal-bias"},
+          {"EqualBiasOfUrp", "Documentation~/bias.md", "equal-bias-urp", {}, false, "results-urp-bias"},
+          {"FarOrigin", "Documentation~/far-origin.md", "far-origin"}};
 }
 
 class Published : public testing::TestWithParam<PublishedPage> {};
 
-// The figures a visitor reads are those of the committed file; scripts/publish measures and writes both.
+std::string relative_chart(const PublishedPage& page) {
+  const std::string folder = "results/" + page.folder + "/pareto-fetches.svg";
+  return page.file.starts_with("Documentation~/") ? folder : "Documentation~/" + folder;
+}
+
+// The figures a visitor reads are those of the committed file, intervals included; scripts/publish measures
+// and writes both.
 TEST_P(Published, ShowsTheCommittedResults) {
   const PublishedPage& page = GetParam();
   const std::filesystem::path root = PENUMBRA_SOURCE_DIR;
-  const Results results = read_results(root / page.results);
+  const std::filesystem::path folder = root / "Documentation~/results" / page.folder;
+  const Results results = read_results(folder / "results.json");
   const std::string text = file_text(root / page.file);
-  EXPECT_EQ(text, replace_result_block(text, result_block(results, page.chart_from_page), page.file));
-  const std::string chart = file_text(root / page.chart);
+  const std::string block = result_block(results, {relative_chart(page), page.rows, page.brief});
+  EXPECT_EQ(text, replace_result_block(text, block, page.file, page.block));
+  const std::string chart = file_text(folder / "pareto-fetches.svg");
   for (const Choice& choice : choices(results)) {
     EXPECT_THAT(chart, HasSubstr(">" + choice.label + "<")) << "the chart is of other results";
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Page, Published,
-    testing::Values(PublishedPage{"Readme", "README.md", "Documentation~/results/results.json",
-                                  "Documentation~/results/pareto-fetches.svg",
-                                  "Documentation~/results/pareto-fetches.svg"},
-                    PublishedPage{"Bias", "Documentation~/bias.md",
-                                  "Documentation~/results/urp-default-bias/results.json",
-                                  "Documentation~/results/urp-default-bias/pareto-fetches.svg",
-                                  "results/urp-default-bias/pareto-fetches.svg"},
-                    PublishedPage{"FarOrigin", "Documentation~/far-origin.md",
-                                  "Documentation~/results/far-origin/results.json",
-                                  "Documentation~/results/far-origin/pareto-fetches.svg",
-                                  "results/far-origin/pareto-fetches.svg"},
-                    PublishedPage{"Presets", "Documentation~/presets.md",
-                                  "Documentation~/results/presets/results.json",
-                                  "Documentation~/results/presets/pareto-fetches.svg",
-                                  "results/presets/pareto-fetches.svg"}),
-    [](const auto& instance) { return instance.param.name; });
+// Rows of URP's filters and of ours that are the same filter have the same figures, at the same bias: what
+// stands once in a table stands for both, and a package that was changed by hand is found.
+TEST(PublishedPeers, UrpsFiltersAndOursAreTheSame) {
+  const Results results = read_results(std::filesystem::path(PENUMBRA_SOURCE_DIR) /
+                                       "Documentation~/results/equal-bias/results.json");
+  for (const auto& [urp, ours] :
+       {std::pair{"urp-low", "four-tap"}, {"urp-medium", "tent-5"}, {"urp-high", "tent-7"}}) {
+    for (const Record& record : results.records) {
+      if (record.technique != urp) continue;
+      const Record* same = find_record(results, ours, record.scene, record.light_degrees);
+      ASSERT_NE(same, nullptr) << ours;
+      EXPECT_NEAR(*record.metrics.rmse_penumbra, *same->metrics.rmse_penumbra, 0.002)
+          << urp << ", " << record.scene;
+      EXPECT_EQ(record.metrics.fetches_mean, same->metrics.fetches_mean) << urp;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Page, Published, testing::ValuesIn(published_pages()),
+                         [](const auto& instance) { return instance.param.name; });
 
 // What the inspector shows.
 TEST(PublishedPresets, AreTheCommittedResults) {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
+#include <random>
 
 #include "input/input_error.h"
 #include "study/synthetic_study.h"
@@ -41,6 +42,70 @@ TEST(Results, ComeBackExactlyAsWritten) {
   results.records[3].metrics.invalid = 12;
   results.is_software = false;
   EXPECT_EQ(parse_results(to_json(results), "results.json"), results);
+}
+
+// Results as `measure` may find them: any figure absent, any setting, any name.
+class RandomResults {
+ public:
+  explicit RandomResults(unsigned seed) : random_(seed) {}
+
+  Results operator()() {
+    Results results = synthetic::results(names());
+    results.is_software = coin();
+    if (coin()) results.commit = std::nullopt;
+    if (coin()) results.packages.clear();
+    for (Record& record : results.records) vary(record);
+    for (MeasuredFrame& frame : results.frames) {
+      frame.sun_direction = {share(), -share(), share()};
+      frame.camera.position = {1e5 * share(), share() / 3.0, -share()};
+    }
+    return results;
+  }
+
+ private:
+  bool coin() { return random_() % 2 == 0; }
+  double share() { return static_cast<double>(random_()) / 4294967295.0; }
+  std::optional<double> figure() { return coin() ? std::optional(share()) : std::nullopt; }
+  std::optional<Interval> interval() {
+    const double low = share();
+    return coin() ? std::optional(Interval{low, low + (1.0 - low) * share(), share()}) : std::nullopt;
+  }
+  std::vector<std::string> names() {
+    std::vector<std::string> names{"hard", "my \"own\" filter", "Schattenfilter für weiche Ränder", "a|b"};
+    names.resize(1 + random_() % names.size());
+    return names;
+  }
+  void vary(Record& record) {
+    Metrics& metrics = record.metrics;
+    for (std::optional<double> Metrics::*member :
+         {&Metrics::rmse_penumbra, &Metrics::rmse_all, &Metrics::bias, &Metrics::variance, &Metrics::p99,
+          &Metrics::max_error, &Metrics::leak_rate, &Metrics::false_shadow_rate, &Metrics::fetches_mean,
+          &Metrics::fetches_p95, &Metrics::fetches_penumbra_mean}) {
+      metrics.*member = figure();
+    }
+    metrics.intervals = {interval(), interval(), interval(), interval(), interval()};
+    if (coin()) metrics.mask = MaskShares{share(), figure()};
+    if (coin()) metrics.split.map = ErrorShare{-share(), share()};
+    if (coin()) record.shimmer = Shimmer{static_cast<int>(random_() % 9), figure(), figure()};
+    if (coin()) record.time = std::nullopt;
+    if (coin()) record.parameters.clear();
+    record.cascades = 1 + static_cast<int>(random_() % 4);
+    record.settings.splits.assign(static_cast<std::size_t>(record.cascades - 1), share());
+    record.settings.normal_bias = 10.0 * share();
+    record.settings.slope_bias = share();
+    record.settings.light_scale = share();
+    record.settings.soft_quality = static_cast<parameters::SoftQuality>(random_() % 4);
+    record.settings.reversed_z = coin();
+  }
+
+  std::mt19937 random_;
+};
+
+TEST(Results, WhateverIsWrittenReadsBackEqual) {
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    const Results results = RandomResults(seed)();
+    ASSERT_EQ(parse_results(to_json(results), "results.json"), results) << "seed " << seed;
+  }
 }
 
 TEST(Results, TheSameResultsAreTheSameBytes) {

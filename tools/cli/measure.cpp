@@ -36,9 +36,13 @@ struct MeasureOptions : StudyOptions {
   int timing_repeats = 5;
   bool no_split = false;
   int pan_frames = 0;
-  std::string from;     // earlier results.json: nothing is measured
-  std::string readme;   // file whose result block is written anew
-  std::string presets;  // C# file of the presets' figures
+  int penumbra_pixels = 0;
+  std::string from;                        // earlier results.json: nothing is measured
+  std::string readme;                      // file whose result block is written anew
+  std::string block{study::kResultBlock};  // that block's name
+  std::vector<std::string> rows;           // of its tables; empty: all
+  bool brief = false;                      // one light's table in sight, no tables by scene
+  std::string presets;                     // C# file of the presets' figures
 };
 
 std::string read_text(const std::filesystem::path& file) {
@@ -65,7 +69,8 @@ std::string shell_word(const std::string& text) {
 
 // The command that gives these results again: what was asked for, without this machine's folders.
 std::string reproducing_command(const std::vector<std::string>& arguments) {
-  static const std::set<std::string> kPlaces{"-o", "--output", "--cache", "--readme", "--presets"};
+  static const std::set<std::string> kPlaces{"-o",        "--output", "--cache", "--readme",
+                                             "--presets", "--block",  "--rows"};
   std::string command = "penumbra";
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string& given = arguments[i];
@@ -74,7 +79,7 @@ std::string reproducing_command(const std::vector<std::string>& arguments) {
       if (name == given) ++i;
       continue;
     }
-    if (given == "-q" || given == "--quiet") continue;
+    if (given == "-q" || given == "--quiet" || given == "--brief") continue;
     const bool apart = name == given || !given.starts_with("--");
     command += " " + shell_word(apart ? shown(i > 0 ? arguments[i - 1] : "", given)
                                       : name + "=" + shown(name, given.substr(name.size() + 1)));
@@ -82,9 +87,20 @@ std::string reproducing_command(const std::vector<std::string>& arguments) {
   return command;
 }
 
+// What is asked for twice is measured once.
+template <typename Value>
+void drop_repetitions(std::vector<Value>& values) {
+  std::vector<Value> once;
+  for (const Value& value : values) {
+    if (std::find(once.begin(), once.end(), value) == once.end()) once.push_back(value);
+  }
+  values = std::move(once);
+}
+
 // Without a choice every technique, unless parameters are set, which most techniques lack.
 std::vector<study::Subject> chosen_subjects(const MeasureOptions& options) {
   StudyOptions choice = options;
+  drop_repetitions(choice.techniques);
   if (choice.techniques.empty() && choice.adapters.empty() && options.varied.set.empty()) {
     const shaders::TechniqueList list =
         shaders::read_technique_list(platform::data_directory() / "ShaderLibrary" / "techniques.json");
@@ -93,11 +109,24 @@ std::vector<study::Subject> chosen_subjects(const MeasureOptions& options) {
   return varied_subjects(choice, options.varied);
 }
 
+// Two files of one name would be two scenes that nobody can tell apart.
+void refuse_equal_names(const std::vector<scene::Scene>& scenes) {
+  std::set<std::string> names;
+  for (const scene::Scene& scene : scenes) {
+    if (!names.insert(scene.name).second) {
+      throw InputError("", "--scene: two scenes are named '" + scene.name + "'", "rename one of the files");
+    }
+  }
+}
+
 study::StudySettings study_settings(const MeasureOptions& options) {
   study::StudySettings settings;
   settings.scenes = chosen_scenes(options, scene::scene_names());
+  refuse_equal_names(settings.scenes);
   settings.light_degrees = options.lights;
+  drop_repetitions(settings.light_degrees);
   settings.frame = frame_settings(options);
+  settings.penumbra_pixels = options.penumbra_pixels;
   settings.reference_samples = options.reference_samples;
   settings.seed = options.seed;
   settings.noise_seeds = options.noise_seeds;
@@ -196,8 +225,9 @@ void rewrite_readme(const MeasureOptions& options, const study::Results& results
   const std::string chart =
       std::filesystem::absolute(beside / "pareto-fetches.svg").lexically_relative(home).generic_string();
   const std::string text = read_text(readme);
-  const std::string block = study::result_block(results, chart);
-  platform::write_file_atomically(readme, study::replace_result_block(text, block, options.readme));
+  const std::string block = study::result_block(results, {chart, options.rows, options.brief});
+  platform::write_file_atomically(readme,
+                                  study::replace_result_block(text, block, options.readme, options.block));
 }
 
 void check_outputs(const MeasureOptions& options) {
@@ -254,11 +284,26 @@ void add_measure(CLI::App& app, Context& context) {
       ->type_name("N")
       ->check(within(0, 64))
       ->group("Study");
+  command
+      ->add_option("--penumbra-pixels", options->penumbra_pixels,
+                   "Enlarge the picture of a scene and light until it has so many pixels in penumbra, up to "
+                   "3840x2160; "
+                   "0: --size stays")
+      ->type_name("N")
+      ->check(within(0, 1'000'000))
+      ->group("Study");
   const auto file = [&](const char* name, std::string& value, const char* description) {
     command->add_option(name, value, description)->type_name("FILE")->default_str("none");
   };
   file("--from", options->from, "Take the figures from this results.json; measure nothing");
   file("--readme", options->readme, "Markdown file whose result block is written anew");
+  command->add_option("--block", options->block, "The block of --readme, by the name in its markers")
+      ->type_name("NAME");
+  as_list(command->add_option("--rows", options->rows, "Techniques in the tables of --readme, in this order"))
+      ->type_name("NAME")
+      ->default_str("all");
+  command->add_flag("--brief", options->brief,
+                    "In --readme the table of one light in sight, the others folded, and none by scene");
   file("--presets", options->presets,
        "Write the quality presets' figures as C# to this file; - is standard output");
   command

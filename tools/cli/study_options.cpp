@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <glm/geometric.hpp>
 #include <memory>
+#include <set>
 
 #include "cli/adapter_argument.h"
 #include "cli/known_names.h"
@@ -170,7 +171,9 @@ std::pair<int, int> picture_size(const StudyOptions& options) {
 std::vector<scene::Scene> chosen_scenes(const StudyOptions& options,
                                         const std::vector<std::string>& fallback) {
   std::vector<scene::Scene> scenes;
+  std::set<std::string> seen;
   for (const std::string& name : options.scenes.empty() ? fallback : names_or_files(options.scenes)) {
+    if (!seen.insert(name).second) continue;  // what is asked for twice is there once
     scene::Scene scene = scene::load(name, options.import);
     if (!options.sun.empty()) scene.light_direction = scene::sunlight(options.sun[0], options.sun[1]);
     if (!options.camera.empty()) look_as_told(options.camera, scene.camera);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "input/input_error.h"
 #include "input/markdown.h"
 #include "study/summary.h"
 
@@ -76,30 +77,80 @@ std::string scene_table(const Results& results, double light) {
   return table.text();
 }
 
-}  // namespace
-
-std::string result_block(const Results& results, const std::string& chart_path) {
-  std::string block = fmt::format("Hardware: {}. Device: {}. Driver: {}. Penumbra {}{}.  \nCommand: `{}`\n\n",
-                                  markdown_cell(results.hardware), markdown_cell(results.device),
-                                  markdown_cell(results.driver), markdown_cell(results.library_version),
-                                  provenance(results), results.command);
-  block +=
-      "Errors are against ray tracing. Each figure is the mean over the scenes, ± half of its 95 % interval "
-      "over "
-      "scenes and pixels.\n\n";
-  for (const double light : light_sizes(results)) {
-    block += sample_text(results, light) + mean_table(results, light) + "\n";
+// Those records alone, technique by technique.
+Results with_rows(const Results& results, const std::vector<std::string>& rows) {
+  if (rows.empty()) return results;
+  Results shown = results;
+  shown.records.clear();
+  for (const std::string& row : rows) {
+    for (const Record& record : results.records) {
+      if (record.technique == row) shown.records.push_back(record);
+    }
   }
-  block += fmt::format("![Fetches against penumbra error]({})\n", chart_path);
-  block += "\n<details><summary>Penumbra RMSE of every scene</summary>\n";
-  for (const double light : light_sizes(results)) {
-    block += fmt::format("\n{} light\n\n", light_name(light)) + scene_table(results, light);
+  if (shown.records.empty()) {
+    throw InputError("", fmt::format("none of the rows {} was measured", fmt::join(rows, ", ")));
   }
-  return block + "\n</details>\n";
+  return shown;
 }
 
-std::string replace_result_block(const std::string& text, const std::string& block, const std::string& name) {
-  return replace_block(text, kResultBlock, block, name);
+std::string folded(const std::string& title, const std::string& content) {
+  return "<details><summary>" + title + "</summary>\n\n" + content + "\n</details>\n";
+}
+
+std::string light_table(const Results& results, double light) {
+  return sample_text(results, light) + mean_table(results, light);
+}
+
+std::string origin(const Results& results) {
+  return fmt::format("Penumbra {}{}, on {}, driver {}, processor {}.\n",
+                     markdown_cell(results.library_version), provenance(results),
+                     markdown_cell(results.device), markdown_cell(results.driver),
+                     markdown_cell(results.hardware));
+}
+
+std::string command(const Results& results) {
+  return folded("The command", fmt::format("```sh\n{}\n```\n\n{}", results.command, origin(results)));
+}
+
+constexpr const char* kHowToRead =
+    "Errors and rates are against ray tracing: means over the scenes ± half of their 95 % interval, over "
+    "scenes and "
+    "pixels. Light leaks are in full shadow, false shadow is in full light.\n\n";
+
+std::string brief_block(const Results& results) {
+  const std::vector<double> lights = light_sizes(results);
+  const double middle = lights[lights.size() / 2];
+  std::string others;
+  for (const double light : lights) {
+    if (light != middle) others += (others.empty() ? "" : "\n") + light_table(results, light);
+  }
+  std::string block = light_table(results, middle) + "\n" + kHowToRead;
+  if (!others.empty()) block += folded("Smaller and larger lights", others) + "\n";
+  return block + command(results);
+}
+
+std::string full_block(const Results& results, const std::string& chart_path) {
+  std::string block = kHowToRead;
+  std::string scenes;
+  for (const double light : light_sizes(results)) {
+    block += light_table(results, light) + "\n";
+    scenes += (scenes.empty() ? "" : "\n") + light_name(light) + " light\n\n" + scene_table(results, light);
+  }
+  block += fmt::format("![Fetches against penumbra error]({})\n\n", chart_path);
+  return block + folded("Penumbra RMSE of every scene", scenes) + "\n" + command(results);
+}
+
+}  // namespace
+
+std::string result_block(const Results& results, const BlockStyle& style) {
+  const Results shown = with_rows(results, style.rows);
+  if (shown.records.empty()) return "No record.\n";
+  return style.brief ? brief_block(shown) : full_block(shown, style.chart_path);
+}
+
+std::string replace_result_block(const std::string& text, const std::string& block, const std::string& name,
+                                 std::string_view block_name) {
+  return replace_block(text, block_name, block, name);
 }
 
 }  // namespace penumbra::study

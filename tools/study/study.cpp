@@ -29,6 +29,14 @@ using reference::VisibilityImage;
 constexpr int kUnlimitedVersion = 1;
 constexpr int kUnlimitedSeeds = 4;  // rotations averaged: thousands of taps leave little for them to do
 
+// Of the picture's size each way, so that its area doubles from step to step; and where it ends.
+constexpr std::array kPictureSteps{1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 16.0};
+constexpr int kLargestWidth = 3840;
+constexpr int kLargestHeight = 2160;
+constexpr int kPilotSamples = 64;
+constexpr double kPilotMargin =
+    1.2;  // the pilot counts are off by a few per cent, and the penumbra's by its edges
+
 constexpr double kErrorScale = 0.5;
 constexpr double kFetchScale = 128.0;
 
@@ -79,6 +87,8 @@ struct Stage {
   double light_degrees = 0.0;
   VisibilityImage t1;
   std::vector<View> views;  // by the wishes of subjects, each once
+  int width = 0;            // of the picture
+  int height = 0;
 
   const View& view(const Wishes& wishes) const {
     return *std::find_if(views.begin(), views.end(), [&](const View& view) { return view.wishes == wishes; });
@@ -115,6 +125,15 @@ std::string unlimited_key(const View& view, const resolve::CompiledShadowShader&
   hash.update(kUnlimitedVersion).update(view.key).update(std::span<const std::uint32_t>(shader.plain));
   hash.update(shader.source.parameters.fingerprint());
   return hash.hex();
+}
+
+std::size_t penumbra_pixels(const VisibilityImage& image) {
+  std::size_t count = 0;
+  for (std::size_t pixel = 0; pixel < image.visibility.size(); ++pixel) {
+    const double visibility = image.visibility[pixel];
+    count += image.valid[pixel] != 0 && visibility >= kUmbraBelow && visibility <= kLitAbove ? 1U : 0U;
+  }
+  return count;
 }
 
 std::vector<float> mean_image(const std::vector<std::vector<float>>& images) {
@@ -339,21 +358,56 @@ class Study {
   }
 
   Stage set_stage(const scene::Scene& scene, scene::Rasteriser& rasteriser, double degrees) {
-    Stage stage{scene, degrees, {}, {}};
+    Stage stage{scene, degrees, {}, {}, settings_.frame.width, settings_.frame.height};
+    if (settings_.penumbra_pixels > 0) enlarge(stage, rasteriser);
     for (const PreparedSubject& prepared : subjects_)
       add_view(stage, rasteriser, wishes_of(*prepared.subject));
     const parameters::Light light{scene.light_direction, degrees};
     const reference::TraceOptions trace{settings_.reference_samples, settings_.seed};
     stage.t1 = reference::trace_visibility(scene, stage.views.front().frame.receivers, light, trace,
                                            run_options("ray tracing " + label(stage), " rays"), &cache_);
+    note_little_penumbra(stage);
     if (settings_.split_error) {
       for (View& view : stage.views) view.t2 = same_map_estimate(stage, rasteriser, view);
     }
     return stage;
   }
 
+  // A few rays a pixel of the smallest picture tell how much penumbra there is; it grows with the picture's
+  // area.
+  void enlarge(Stage& stage, scene::Rasteriser& rasteriser) const {
+    const scene::Frame frame = rasteriser.frame(frame_settings(stage, {}));
+    const parameters::Light light{stage.scene.light_direction, stage.light_degrees};
+    const VisibilityImage pilot =
+        reference::trace_visibility(stage.scene, frame.receivers, light, {kPilotSamples, settings_.seed},
+                                    run_options("sizing " + label(stage), " rays"), &cache_);
+    const double wanted = kPilotMargin * settings_.penumbra_pixels;
+    const auto found = static_cast<double>(penumbra_pixels(pilot));
+    if (found == 0.0) return;
+    const int width = stage.width;
+    const int height = stage.height;
+    for (const double factor : kPictureSteps) {
+      const auto wider = static_cast<int>(factor * width);
+      const auto taller = static_cast<int>(factor * height);
+      if (wider > kLargestWidth || taller > kLargestHeight) return;
+      stage.width = wider;
+      stage.height = taller;
+      if (factor * factor * found >= wanted) return;
+    }
+  }
+
+  void note_little_penumbra(const Stage& stage) {
+    const std::size_t found = penumbra_pixels(stage.t1);
+    if (found >= static_cast<std::size_t>(settings_.penumbra_pixels)) return;
+    outcome_.notes.push_back(label(stage) + " has " + std::to_string(found) +
+                             " penumbra pixels, fewer than the " + std::to_string(settings_.penumbra_pixels) +
+                             " asked for");
+  }
+
   scene::FrameSettings frame_settings(const Stage& stage, const Wishes& wishes) const {
     scene::FrameSettings frame = settings_.frame;
+    frame.width = stage.width;
+    frame.height = stage.height;
     frame.angular_diameter_degrees = wishes.light_scale * stage.light_degrees;
     frame.shadows.distance_metres = stage.scene.shadow_distance_metres;
     frame.shadows.depth_bias = wishes.bias.depth;

@@ -62,6 +62,10 @@ struct StudySettings {
   std::vector<double> light_degrees;
   // The light, the shadow distance and the casters' bias are set per scene, light and subject.
   scene::FrameSettings frame;
+  // Of each scene and light, T1 should have at least so many; the picture grows from frame.width x
+  // frame.height, by steps that about double its area up to sixteen times each way and 3840 x 2160, until it
+  // has. 0: the picture stays.
+  int penumbra_pixels = 0;
   int reference_samples = 1024;
   std::uint64_t seed = 1;
   int noise_seeds = 16;
@@ -86,7 +90,8 @@ struct StudyOutcome {
   std::vector<MeasuredFrame> frames;  // of every scene and light
   std::vector<Record> records;
   std::vector<PictureRow> pictures;  // of every record
-  std::vector<std::string> notes;    // uniforms nobody provides, and the like
+  std::vector<std::string>
+      notes;  // uniforms nobody provides, pictures with too little penumbra, and the like
 };
 
 // Throws InputError for shaders that do not compile, platform::Interrupted when the user stops; answers that
