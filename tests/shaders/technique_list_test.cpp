@@ -58,16 +58,19 @@ class TechniqueListTest : public testing::Test {
 };
 
 TEST_F(TechniqueListTest, ATechniqueSaysTheBiasItShouldHave) {
-  EXPECT_EQ(read(good).techniques[0].bias, kPackageBias);
+  EXPECT_EQ(read(good).techniques[0].bias, TechniqueBias{});
   const std::string text =
       with(R"("values")", R"("bias": {"depth": 1, "normal": 0.5, "soft_quality": "high"}, "values")");
-  EXPECT_EQ(read(text).techniques[0].bias, (parameters::CasterBias{1.0, 0.5, parameters::SoftQuality::high}));
+  EXPECT_EQ(read(text).techniques[0].bias, (TechniqueBias{1.0, 0.5, "high"}));
   EXPECT_THAT(problem(R"("values")", R"("bias": {"depth": 1}, "values")"),
               HasSubstr("'normal' must be a number"));
   EXPECT_THAT(problem(R"("values")", R"("bias": {"depth": 11, "normal": 0}, "values")"),
               HasSubstr("from 0 to 10"));
   EXPECT_THAT(problem(R"("values")", R"("bias": {"depth": 1, "normal": 0, "soft": 1}, "values")"),
               HasSubstr("unknown key 'soft'"));
+  EXPECT_THAT(
+      problem(R"("values")", R"("bias": {"depth": 1, "normal": 0, "soft_quality": "hihg"}, "values")"),
+      HasSubstr("did you mean 'high'?"));
 }
 
 TEST_F(TechniqueListTest, ReadsWhatIsThere) {

@@ -37,7 +37,8 @@ StudyOutcome outcome(const std::vector<Subject>& subjects, double degrees, scene
 
 TEST(OwnSettings, TheListSaysTheBiasOfEachTechnique) {
   EXPECT_EQ(subject("tent-7", "a").bias, (parameters::CasterBias{1.0, 1.0, parameters::SoftQuality::high}));
-  EXPECT_EQ(subject("preset-high", "a").bias, shaders::kPackageBias);
+  EXPECT_EQ(subject("preset-high", "a").bias,
+            (parameters::CasterBias{1.0, 0.0, parameters::SoftQuality::medium}));
 }
 
 TEST(OwnSettings, SubjectsOfOneRunHaveTheirOwnCasters) {

@@ -12,7 +12,6 @@
 #include "input/input_error.h"
 #include "input/located_json.h"
 #include "input/nearest_name.h"
-#include "parameters/settings_input.h"
 #include "shaders/technique_chain.h"
 #include "shaders/technique_values.h"
 
@@ -21,6 +20,7 @@ namespace penumbra::shaders {
 namespace {
 
 const std::vector<std::string> field_types = {"float", "float2", "float4", "int"};
+const std::vector<std::string> soft_qualities = {"off", "low", "medium", "high"};
 const std::vector<std::string> target_names = {"spirv", "essl310", "glsl450", "msl23", "hlsl50"};
 
 bool contains(const std::vector<std::string>& list, const std::string& name) {
@@ -187,13 +187,17 @@ double read_bias_setting(JsonObject& bias, const std::string& key) {
   return value;
 }
 
-parameters::CasterBias read_bias(JsonObject& technique) {
-  if (!technique.has("bias")) return kPackageBias;
+TechniqueBias read_bias(JsonObject& technique) {
+  TechniqueBias bias;
+  if (!technique.has("bias")) return bias;
   JsonObject object = technique.object("bias");
-  parameters::CasterBias bias;
   bias.depth = read_bias_setting(object, "depth");
   bias.normal = read_bias_setting(object, "normal");
-  bias.soft_quality = parameters::read_soft_quality(object, "soft_quality", bias.soft_quality);
+  bias.soft_quality = object.text("soft_quality", bias.soft_quality);
+  if (!contains(soft_qualities, bias.soft_quality)) {
+    object.fail("soft_quality", "unknown soft quality '" + bias.soft_quality + "'",
+                unknown_name_way_out(bias.soft_quality, soft_qualities));
+  }
   object.finish();
   return bias;
 }

@@ -7,9 +7,9 @@
 //                  values: {field: number or numbers}, keywords, keyword_sets: [[...]],
 //                  unlimited: {field: number or its text}, targets_absent: {target: reason}}],
 //  "looks": [{name, title, doc, angularDiameterDegrees, maxPenumbraMetres}]}
-// Keys are the members' names below; screen is false, bias kPackageBias, scale 1 and there are no looks where
-// they are left out. Every field of the structs a chain uses has a value, within the field's range where it
-// has one, and every value a field; without keyword_sets there is one set, the empty one.
+// Keys are the members' names below; screen is false, bias TechniqueBias's own, scale 1 and there are no
+// looks where they are left out. Every field of the structs a chain uses has a value, within the field's
+// range where it has one, and every value a field; without keyword_sets there is one set, the empty one.
 #pragma once
 
 #include <filesystem>
@@ -18,8 +18,6 @@
 #include <string>
 #include <variant>
 #include <vector>
-
-#include "parameters/cascades.h"
 
 namespace penumbra::shaders {
 
@@ -57,7 +55,13 @@ struct TechniquePass {
 };
 
 // The package's advice to its users: filters that follow the receiver's plane need no normal bias.
-inline constexpr parameters::CasterBias kPackageBias{1.0, 0.0, parameters::SoftQuality::medium};
+struct TechniqueBias {
+  double depth = 1.0;  // URP's settings of the casters
+  double normal = 0.0;
+  std::string soft_quality = "medium";  // off, low, medium or high: what scales both
+
+  bool operator==(const TechniqueBias&) const = default;
+};
 
 struct Technique {
   std::string name;    // for example pcss-angular-24-16
@@ -67,7 +71,7 @@ struct Technique {
   // Runs over the screen as the passes of Shaders/PenumbraShadows.shader, from the camera's depth; else a
   // function that is called for a surface known exactly.
   bool screen = false;
-  parameters::CasterBias bias = kPackageBias;  // the casters' that it should have, and is measured at
+  TechniqueBias bias;  // the casters' that it should have, and is measured at
   std::vector<TechniquePass> chain;
   std::map<std::string, std::vector<double>> values;   // parameter values by field
   std::vector<std::string> keywords;                   // that this technique switches on

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "input/input_error.h"
+#include "parameters/settings_input.h"
 #include "platform/content_hash.h"
 #include "platform/interrupt.h"
 #include "reference/reference_cache.h"
@@ -554,7 +555,8 @@ Subject technique_subject(const shaders::TechniqueList& list, const shaders::Tec
   subject.name = technique.name;
   subject.title = technique.title;
   subject.parameters = technique.values;
-  subject.bias = technique.bias;
+  subject.bias = {technique.bias.depth, technique.bias.normal,
+                  parameters::soft_quality_named(technique.bias.soft_quality)};
   subject.shader = resolve::technique_shader(list, technique, resolve::Taps::as_listed, reversed_z);
   if (technique.screen) subject.screen = resolve::screen_chain(technique);
   if (!technique.unlimited.empty()) {
