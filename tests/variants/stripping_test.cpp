@@ -70,7 +70,7 @@ TEST(Stripping, SaysWhereAndWhat) {
       {R"({"urp": {"xr": ["steam"]}})",
        "s.json:1:10: 'xr' cannot be 'steam'\n  known are: instancing multiview single_pass"},
       {R"({"urp": {"additional_lights": "pixel"}})",
-       "s.json:1:10: 'additional_lights' cannot be 'pixel'\n  known are: disabled per_vertex per_pixel"},
+       "s.json:1:10: 'additional_lights' cannot be 'pixel'\n  did you mean 'per_pixel'?"},
       {R"({"urp": {"soft_shadows": 1}})",
        "s.json:1:10: 'soft_shadows' must be true or false, found a number"},
       {R"({"urp": {"shadow_cascades": 5}})", "s.json:1:10: 'shadow_cascades' must be from 1 to 4"},
