@@ -14,8 +14,8 @@ namespace penumbra::study::synthetic {
 Results results(const std::vector<std::string>& techniques);
 Results results();
 
-// Images of an edge with a 16-pixel penumbra, 48 x 24, made visible through the real colour maps. The technique's own
-// edge is 4 pixels wide (bilinear) or 8, from pixel 20 on.
+// Images of an edge with a 16-pixel penumbra, 48 x 24, made visible through the real colour maps. The
+// technique's own edge is 4 pixels wide (bilinear) or 8, from pixel 20 on.
 PictureRow picture_row(const std::string& scene, const std::string& technique);
 
 // results() with both charts and the pictures of two techniques in both scenes at 2 degrees.

@@ -42,7 +42,8 @@ struct Bounds {
 
 enum class SoftQuality { off, low, medium, high };
 
-// URP's settings that move casters before they are drawn: unitless, in texels of the map times the kernel's radius.
+// URP's settings that move casters before they are drawn: unitless, in texels of the map times the kernel's
+// radius.
 struct CasterBias {
   double depth = 1.0;
   double normal = 1.0;
