@@ -43,7 +43,7 @@ class Search {
   void visit(SpirvWords instruction) {
     const spv::Op op = opcode(instruction);
     if (op == spv::OpName && instruction.size() > 2) {
-      names_[instruction[1]] = text(instruction.subspan(2));
+      names_[instruction[1]] = literal_text(instruction.subspan(2));
     } else if (op == spv::OpTypeImage && instruction.size() > 5) {
       textures_[instruction[1]] = coordinates(static_cast<spv::Dim>(instruction[3]), instruction[5] != 0);
     } else if (op == spv::OpTypeVector && instruction.size() > 3) {
@@ -82,17 +82,6 @@ class Search {
                       " coordinates and has " + std::to_string(needed->second) +
                       ": a texture is handed to a function that takes another kind (an array, where both "
                       "eyes are drawn at once); declare it as that kind (TEXTURE2D_X)");
-  }
-
-  static std::string text(SpirvWords words) {
-    std::string text;
-    for (const std::uint32_t word : words)
-      for (unsigned shift = 0; shift < 32; shift += 8) {
-        const char c = static_cast<char>((word >> shift) & 0xFFU);
-        if (c == '\0') return text;
-        text += c;
-      }
-    return text;
   }
 
   const SpirvModule& module_;

@@ -113,18 +113,6 @@ std::optional<std::size_t> problem_instruction(const SpirvModule& module, Vulkan
   return found;
 }
 
-std::string literal_text(SpirvWords words) {
-  std::string text;
-  for (const std::uint32_t word : words) {
-    for (unsigned shift = 0; shift < 32; shift += 8) {
-      const auto character = static_cast<char>(word >> shift & 0xFFU);
-      if (character == 0) return text;
-      text.push_back(character);
-    }
-  }
-  return text;
-}
-
 // OpLine holds up to the next one, or to the end of the block (SPIR-V specification, 3.52.3).
 SourcePlace place_of_instruction(const SpirvModule& module, std::size_t wanted) {
   std::map<std::uint32_t, std::string> strings;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <glslang/SPIRV/spirv.hpp>
 #include <span>
+#include <string>
 
 #include "shaders/spirv_module.h"
 
@@ -14,6 +15,19 @@ using SpirvWords = std::span<const std::uint32_t>;
 
 inline spv::Op opcode(SpirvWords instruction) {
   return static_cast<spv::Op>(instruction[0] & 0xFFFFU);
+}
+
+// A literal string, up to the NUL that ends it.
+inline std::string literal_text(SpirvWords words) {
+  std::string text;
+  for (const std::uint32_t word : words) {
+    for (unsigned shift = 0; shift < 32; shift += 8) {
+      const auto character = static_cast<char>((word >> shift) & 0xFFU);
+      if (character == '\0') return text;
+      text += character;
+    }
+  }
+  return text;
 }
 
 // visit(SpirvWords) for each instruction behind the header. Ends where the words are those of no module.
