@@ -1,11 +1,10 @@
 #include "resolve/adapter_resources.h"
 
-#include <algorithm>
 #include <array>
-#include <cctype>
 #include <filesystem>
 #include <span>
 
+#include "hlsl/sampler_name.h"
 #include "input/input_error.h"
 #include "scene/image_file.h"
 
@@ -23,12 +22,6 @@ std::string default_names() {
   std::string names;
   for (const auto& entry : kDefaultTextures) names += (names.empty() ? "" : ", ") + entry.first;
   return names;
-}
-
-std::string lower_case(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
 }
 
 std::vector<float> as_floats(const scene::Texture& picture) {
@@ -60,15 +53,12 @@ AdapterTexture adapter_texture(const std::string& name, const std::string& file_
 }
 
 std::optional<gpu::SamplerKind> inline_sampler(const std::string& name) {
-  const std::string lower = lower_case(name);
-  const auto says = [&lower](const char* word) { return lower.find(word) != std::string::npos; };
-  const bool point = says("point");
-  const bool linear = says("linear");  // of trilinear, too: there is one level
-  const bool clamp = says("clamp");
-  const bool repeat = says("repeat");
-  if (says("compare") || says("mirror") || point == linear || clamp == repeat) return std::nullopt;
-  if (clamp) return point ? gpu::SamplerKind::point_clamp : gpu::SamplerKind::linear_clamp;
-  return point ? gpu::SamplerKind::point_repeat : gpu::SamplerKind::linear_repeat;
+  const hlsl::SamplerName words = hlsl::read_sampler_name(name);
+  if (words.compare || words.mirror || words.point == words.linear || words.clamp == words.repeat) {
+    return std::nullopt;
+  }
+  if (words.clamp) return words.point ? gpu::SamplerKind::point_clamp : gpu::SamplerKind::linear_clamp;
+  return words.point ? gpu::SamplerKind::point_repeat : gpu::SamplerKind::linear_repeat;
 }
 
 AdapterResources::AdapterResources(const gpu::Device& device, const std::vector<AdapterTexture>& textures)

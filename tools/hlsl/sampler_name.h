@@ -1,0 +1,20 @@
+// The settings that Unity reads out of a sampler's name (Unity manual, "Using sampler states", inline sampler
+// states): words in any case and order.
+#pragma once
+
+#include <string_view>
+
+namespace penumbra::hlsl {
+
+struct SamplerName {
+  bool point = false;
+  bool linear = false;  // trilinear holds linear
+  bool clamp = false;
+  bool repeat = false;
+  bool mirror = false;
+  bool compare = false;
+};
+
+SamplerName read_sampler_name(std::string_view name);
+
+}  // namespace penumbra::hlsl
