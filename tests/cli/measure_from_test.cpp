@@ -80,6 +80,34 @@ TEST_F(MeasureFrom, PicturesGrowUntilTheyHoldEnoughPenumbra) {
   EXPECT_LE(large["frames"][0]["width"], 128);
 }
 
+TEST_F(MeasureFrom, TitlesStandInTheFormsOfAReadme) {
+  const platform::ChildResult measured =
+      run(small({"--scene", "slabs", "--light", "2", "--technique", "hard,tent-5", "--title",
+                 "hard=No filter", "--title", "tent-5=The tent"}));
+  ASSERT_EQ(measured.exit_code, 0) << measured.errors;
+  EXPECT_THAT(measured.output, HasSubstr("--title 'hard=No filter'"));
+  const std::string results = write("results.json", measured.output).string();
+  const auto readme = [&](const std::vector<std::string>& form) {
+    const std::string page =
+        write("README.md", "<!-- results:begin -->\n<!-- results:end -->\nrest\n").string();
+    std::vector<std::string> arguments{"measure", "--from", results, "--readme", page};
+    arguments.insert(arguments.end(), form.begin(), form.end());
+    const platform::ChildResult result = run(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    return read("README.md");
+  };
+  EXPECT_THAT(readme({}),
+              testing::AllOf(HasSubstr("| No filter, `hard` |"), HasSubstr("| The tent, `tent-5` |")));
+  EXPECT_THAT(readme({"--brief"}), testing::AllOf(HasSubstr("| No filter |"), HasSubstr("| The tent |")));
+  EXPECT_THAT(readme({"--line", "--rows", "tent-5"}),
+              testing::AllOf(HasSubstr("against ray tracing, 2° light"), HasSubstr(": The tent "),
+                             testing::Not(HasSubstr("No filter"))));
+  const platform::ChildResult both =
+      run({"measure", "--from", results, "--readme", "README.md", "--line", "--brief"});
+  EXPECT_EQ(both.exit_code, 2);
+  EXPECT_THAT(both.errors, testing::AllOf(HasSubstr("--line"), HasSubstr("--brief")));
+}
+
 TEST_F(MeasureFrom, AnUnknownSettingOfAnAdapterIsNamed) {
   const platform::ChildResult result =
       run({"measure", "--scene", "slabs", "--adapter", "mine=Shadow.hlsl;@normal-bais=1"});

@@ -127,8 +127,6 @@ class Names(unittest.TestCase):
         package = whitelist.shipped(ROOT)
         files = [ROOT / "README.md", *(ROOT / package.source(path) for path in package.ending(".md", ".cs", ".json"))]
         for file in files:
-            if file.name == "PresetFigures.cs":
-                continue  # made of the last measurement, with the titles that it had
             for number, line in enumerate(file.read_text().splitlines(), 1):
                 # HDRP's own shadow is not the technique that follows it.
                 self.assertIsNone(self.OTHERS.search(line.replace("HDRP's own", "")), f"{file}:{number}: {line}")

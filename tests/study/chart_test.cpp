@@ -172,7 +172,7 @@ TEST(PagePanels, OnlyTheFrontIsLabelledWhereThereIsOne) {
 TEST(ParetoCharts, APointSaysItsFiguresAndHowManyScenesItIsAMeanOf) {
   const Chart chart = fetches_chart(synthetic::results());
   EXPECT_EQ(chart.panels[0].points[0].note,
-            "0.27 ± 0.13 penumbra RMSE\n1.0 ± 1.6 fetches per pixel\nmean of 2 scenes");
+            "0.27 ± 0.13 penumbra RMSE\n1.0 [0, 2.6] fetches per pixel\nmean of 2 scenes");
 }
 
 TEST(Labels, StayInTheFrameAndOffEachOther) {

@@ -24,8 +24,17 @@ TEST(FigureText, AHalfWidthThatRoundsUpKeepsTwoDigits) {
   EXPECT_EQ(figure_text(estimate(0.5, 0.036)), "0.50 ± 0.04");
 }
 
-TEST(FigureText, TheLongerSideCounts) {
-  EXPECT_EQ(figure_text(Estimate{0.1, Interval{0.099, 0.13, 0.01}}), "0.100 ± 0.030");
+TEST(FigureText, AnIntervalThatABoundCutsOffStandsWithBothEnds) {
+  EXPECT_EQ(figure_text(Estimate{0.07, Interval{0.0, 0.17, 0.05}}), "0.07 [0, 0.17]");
+  EXPECT_EQ(figure_text(Estimate{0.07, Interval{0.0, 0.17, 0.05}}, 100.0), "7 [0, 17]");
+  EXPECT_EQ(figure_text(Estimate{0.95, Interval{0.883, 1.0, 0.03}}), "0.95 [0.88, 1]");
+  EXPECT_EQ(figure_text_alone(Estimate{0.07, Interval{0.0, 0.17, 0.05}}), "0.07");
+}
+
+TEST(FigureText, TheLongerSideGivesTheDigits) {
+  EXPECT_EQ(figure_text(Estimate{0.01, Interval{0.0, 0.033, 0.013}}), "0.010 [0, 0.033]");
+  EXPECT_EQ(figure_text(Estimate{0.1, Interval{0.099, 0.13, 0.01}}), "0.100 ± 0.030")
+      << "no bound cuts this one off";
 }
 
 TEST(FigureText, PercentIsScaledFirst) {

@@ -55,15 +55,15 @@ TEST(ResultBlock, TablesHoldMeansAndEveryScene) {
   results.records[0].metrics.intervals.rmse_penumbra = Interval{0.19, 0.22, 0.008};
   results.records[8].metrics.intervals.rmse_penumbra = Interval{0.12, 0.13, 0.0025};
   const std::string block = result_block(results, {kChart, {}});
-  EXPECT_THAT(block, HasSubstr("| bilinear | 0.2 ± 0.5 | 0.0"));
-  EXPECT_THAT(block, HasSubstr("| bilinear | 0.200 ± 0.020 | 0.125 ± 0.005 |"));
+  EXPECT_THAT(block, HasSubstr("Title of bilinear, `bilinear` | 0.2 [0, 0.6] | 0.0"));
+  EXPECT_THAT(block, HasSubstr("| Title of bilinear | 0.200 ± 0.020 | 0.125 ± 0.005 |"));
   EXPECT_THAT(block, Not(HasSubstr(" ms"))) << "CPU time has no place in the README";
 }
 
 TEST(ResultBlock, RowsAreChosenAndOrdered) {
   const std::string block =
       result_block(synthetic::results(), {kChart, {"pcss-64-64", "nobody", "bilinear"}});
-  EXPECT_LT(block.find("| pcss-64-64 |"), block.find("| bilinear |"));
+  EXPECT_LT(block.find("`pcss-64-64` |"), block.find("`bilinear` |"));
   EXPECT_THAT(block, Not(HasSubstr("tent-5x5")));
   expect_input_error(
       [] {
@@ -73,7 +73,7 @@ TEST(ResultBlock, RowsAreChosenAndOrdered) {
 }
 
 TEST(ResultBlock, ABriefOneShowsOneTableAndFoldsTheRest) {
-  const std::string block = result_block(synthetic::results(), {kChart, {}, true});
+  const std::string block = result_block(synthetic::results(), {kChart, {}, BlockForm::brief});
   EXPECT_TRUE(block.starts_with("2° light, 2 scenes")) << block;
   const std::size_t fold = block.find("<details><summary>Smaller and larger lights");
   ASSERT_NE(fold, std::string::npos);
@@ -83,15 +83,37 @@ TEST(ResultBlock, ABriefOneShowsOneTableAndFoldsTheRest) {
   EXPECT_THAT(block, HasSubstr("penumbra measure --seed 1"));
 }
 
+TEST(ResultBlock, TheLineIsOneSentenceOfTheMiddleLight) {
+  const std::string line =
+      result_block(synthetic::results(), {kChart, {"bilinear", "pcss-64-64"}, BlockForm::line});
+  EXPECT_THAT(line,
+              testing::StartsWith("Error in penumbrae, RMSE against ray tracing, 2° light, mean of 2 scenes: "
+                                  "Title of bilinear 0."));
+  EXPECT_THAT(line, HasSubstr("texture fetches per pixel, Title of pcss-64-64 0."));
+  EXPECT_EQ(line.find('\n'), line.size() - 1);
+}
+
+TEST(ResultBlock, AMapStandsBesideATitleWhereThereAreSeveral) {
+  Results results = synthetic::results({"bilinear"});
+  const std::size_t records = results.records.size();
+  for (std::size_t i = 0; i < records; ++i) {
+    results.records.push_back(results.records[i]);
+    results.records.back().map_size = 1024;
+  }
+  EXPECT_THAT(result_block(results, {kChart, {}, BlockForm::brief}),
+              testing::AllOf(HasSubstr("| Title of bilinear (2048 D32, 4 cascades) |"),
+                             HasSubstr("| Title of bilinear (1024 D32, 4 cascades) |")));
+}
+
 TEST(ResultBlock, AMeanOverFewerScenesSaysSo) {
   Results results = synthetic::results();
   results.records.erase(results.records.begin());
-  EXPECT_THAT(result_block(results, {kChart, {}}), HasSubstr("(1 scenes)"));
+  EXPECT_THAT(result_block(results, {kChart, {}}), HasSubstr("(1 scene)"));
 }
 
 TEST(ResultBlock, NamesCannotBreakTheTable) {
   Results results = synthetic::results({"a|b<c>\nd"});
-  EXPECT_THAT(result_block(results, {kChart, {}}), HasSubstr("| a\\|b&lt;c> d |"));
+  EXPECT_THAT(result_block(results, {kChart, {}}), HasSubstr("a\\|b&lt;c> d"));
 }
 
 TEST(ReplaceResultBlock, KeepsEverythingElse) {
@@ -121,7 +143,7 @@ struct PublishedPage {
   std::string file;
   std::string folder;               // below Documentation~/results
   std::vector<std::string> rows{};  // --rows
-  bool brief = false;               // --brief
+  BlockForm form = BlockForm::full;
   std::string block{kResultBlock};  // --block
 };
 
@@ -130,17 +152,24 @@ void PrintTo(const PublishedPage& page, std::ostream* stream) {
 }
 
 std::vector<PublishedPage> published_pages() {
-  return {{"Readme",
-           "README.md",
-           "presets",
-           {"urp-low", "urp-medium", "urp-high", "hdrp-pcss", "hdrp-pcss-full-diameter", "preset-low",
-            "preset-medium", "preset-high", "preset-ultra"},
-           true},
-          {"Presets", "Documentation~/presets.md", "presets"},
-          {"Techniques", "Documentation~/techniques.md", "techniques"},
-          {"EqualBias", "Documentation~/bias.md", "equal-bias"},
-          {"EqualBiasOfUrp", "Documentation~/bias.md", "equal-bias-urp", {}, false, "results-urp-bias"},
-          {"FarOrigin", "Documentation~/far-origin.md", "far-origin"}};
+  return {
+      {"Readme",
+       "README.md",
+       "presets",
+       {"urp-low", "urp-medium", "urp-high", "hdrp-pcss", "hdrp-pcss-full-diameter", "preset-low",
+        "preset-medium", "preset-high", "preset-ultra"},
+       BlockForm::brief},
+      {"ReadmeLine",
+       "README.md",
+       "presets",
+       {"urp-high", "hdrp-pcss", "preset-high"},
+       BlockForm::line,
+       "line"},
+      {"Presets", "Documentation~/presets.md", "presets"},
+      {"Techniques", "Documentation~/techniques.md", "techniques"},
+      {"EqualBias", "Documentation~/bias.md", "equal-bias"},
+      {"EqualBiasOfUrp", "Documentation~/bias.md", "equal-bias-urp", {}, BlockForm::full, "results-urp-bias"},
+      {"FarOrigin", "Documentation~/far-origin.md", "far-origin"}};
 }
 
 class Published : public testing::TestWithParam<PublishedPage> {};
@@ -158,7 +187,7 @@ TEST_P(Published, ShowsTheCommittedResults) {
   const std::filesystem::path folder = root / "Documentation~/results" / page.folder;
   const Results results = read_results(folder / "results.json");
   const std::string text = file_text(root / page.file);
-  const std::string block = result_block(results, {relative_chart(page), page.rows, page.brief});
+  const std::string block = result_block(results, {relative_chart(page), page.rows, page.form});
   EXPECT_EQ(text, replace_result_block(text, block, page.file, page.block));
   const std::string chart = file_text(folder / "pareto-fetches.svg");
   for (const Choice& choice : choices(results)) {

@@ -38,10 +38,11 @@ struct MeasureOptions : StudyOptions {
   int pan_frames = 0;
   int penumbra_pixels = 0;
   std::string from;                        // earlier results.json: nothing is measured
-  std::string readme;                      // file whose result block is written anew
+  std::string readme;                      // file whose result block is replaced
   std::string block{study::kResultBlock};  // that block's name
   std::vector<std::string> rows;           // of its tables; empty: all
   bool brief = false;                      // one light's table in sight, no tables by scene
+  bool line = false;                       // one sentence
   std::string presets;                     // C# file of the presets' figures
 };
 
@@ -79,7 +80,7 @@ std::string reproducing_command(const std::vector<std::string>& arguments) {
       if (name == given) ++i;
       continue;
     }
-    if (given == "-q" || given == "--quiet" || given == "--brief") continue;
+    if (given == "-q" || given == "--quiet" || given == "--brief" || given == "--line") continue;
     const bool apart = name == given || !given.starts_with("--");
     command += " " + shell_word(apart ? shown(i > 0 ? arguments[i - 1] : "", given)
                                       : name + "=" + shown(name, given.substr(name.size() + 1)));
@@ -225,7 +226,10 @@ void rewrite_readme(const MeasureOptions& options, const study::Results& results
   const std::string chart =
       std::filesystem::absolute(beside / "pareto-fetches.svg").lexically_relative(home).generic_string();
   const std::string text = read_text(readme);
-  const std::string block = study::result_block(results, {chart, options.rows, options.brief});
+  const study::BlockForm form = options.line    ? study::BlockForm::line
+                                : options.brief ? study::BlockForm::brief
+                                                : study::BlockForm::full;
+  const std::string block = study::result_block(results, {chart, options.rows, form});
   platform::write_file_atomically(readme,
                                   study::replace_result_block(text, block, options.readme, options.block));
 }
@@ -268,6 +272,7 @@ void add_measure(CLI::App& app, Context& context) {
       ->group("What to measure");
   add_adapters(*command, options->adapters)->group("What to measure");
   add_set_option(*command, "What to measure", options->varied);
+  add_title_option(*command, "What to measure", options->varied);
   command->add_option("--seeds", options->noise_seeds, "Noise seeds per technique")
       ->type_name("N")
       ->check(within(1, 1024))
@@ -296,14 +301,19 @@ void add_measure(CLI::App& app, Context& context) {
     command->add_option(name, value, description)->type_name("FILE")->default_str("none");
   };
   file("--from", options->from, "Take the figures from this results.json; measure nothing");
-  file("--readme", options->readme, "Markdown file whose result block is written anew");
+  file("--readme", options->readme, "Markdown file whose result block is replaced");
   command->add_option("--block", options->block, "The block of --readme, by the name in its markers")
       ->type_name("NAME");
   as_list(command->add_option("--rows", options->rows, "Techniques in the tables of --readme, in this order"))
       ->type_name("NAME")
       ->default_str("all");
-  command->add_flag("--brief", options->brief,
-                    "In --readme the table of one light in sight, the others folded, and none by scene");
+  CLI::Option* brief =
+      command->add_flag("--brief", options->brief,
+                        "In --readme the table of the middle light, the others folded, and none by scene");
+  command
+      ->add_flag("--line", options->line,
+                 "In --readme one sentence: penumbra RMSE and fetches under the middle light")
+      ->excludes(brief);
   file("--presets", options->presets,
        "Write the quality presets' figures as C# to this file; - is standard output");
   command
@@ -319,7 +329,7 @@ void add_measure(CLI::App& app, Context& context) {
        {"penumbra measure --scene model.glb --light 2 -o report", "your own model, every technique"},
        {"penumbra measure --adapter mine=MyShadow.hlsl -o report", "your own shadow function"},
        {"penumbra measure --scene trees --technique pcss-angular-24-16 --set blockerSamples=8,16,32", ""},
-       {"penumbra measure --from report/results.json -o again", "the report anew, without measuring"}});
+       {"penumbra measure --from report/results.json -o again", "the report again, without measuring"}});
   command->callback([options, &context] { run(*options, context); });
 }
 

@@ -98,10 +98,7 @@ void add_render(CLI::App& app, Context& context) {
       ->check(within(1, 64))
       ->default_str("1")
       ->group("What to render");
-  one_each(command->add_option("--title", options->varied.titles, "Caption of a technique or adapter"))
-      ->type_name("NAME=TEXT")
-      ->default_str("its name")
-      ->group("What to render");
+  add_title_option(*command, "What to render", options->varied);
   command->add_option("--adapters", options->varied.adapters, "Where adapters stand beside the techniques")
       ->type_name("PLACE")
       ->check(one_of({"first", "last"}))

@@ -141,6 +141,14 @@ void add_set_option(CLI::App& command, const std::string& group, VariedSubjects&
       ->group(group);
 }
 
+void add_title_option(CLI::App& command, const std::string& group, VariedSubjects& varied) {
+  one_each(
+      command.add_option("--title", varied.titles, "Title of a technique or adapter, in captions and tables"))
+      ->type_name("NAME=TEXT")
+      ->default_str("its own")
+      ->group(group);
+}
+
 std::vector<study::Subject> varied_subjects(const StudyOptions& options, const VariedSubjects& varied) {
   const bool reversed_z = options.reversed_z;
   const shaders::TechniqueList list =

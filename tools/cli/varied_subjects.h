@@ -16,11 +16,12 @@ struct VariedSubjects {
       set;                  // NAME=V1[,V2...]: parameters of all techniques; several vary with each other
   std::vector<int> frames;  // averaged; empty: 1
   bool captions = true;     // titles are captions of pictures; else a technique's own title and what was set
-  std::vector<std::string> titles{};  // NAME=TEXT: captions of subjects, by their name
+  std::vector<std::string> titles{};  // NAME=TEXT: titles of subjects, by their name
   std::string adapters = "last";      // or first: where they stand beside the techniques
 };
 
 void add_set_option(CLI::App& command, const std::string& group, VariedSubjects& varied);
+void add_title_option(CLI::App& command, const std::string& group, VariedSubjects& varied);
 
 // Names are distinct: the technique's and what was set. Captions are, of one technique alone, what varies,
 // else the names, too. Without a technique and an adapter: pcss-angular-24-16. Throws InputError for an

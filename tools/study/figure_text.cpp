@@ -33,15 +33,32 @@ std::string plain(double value, int most_decimals) {
   return fmt::format("{:.{}f}", value, std::clamp(decimals, 0, std::min(3, most_decimals)));
 }
 
+// Whether the interval was cut off at 0 or 1. One that ends there by chance is symmetric.
+bool is_cut_off(const Interval& interval, double value) {
+  const double below = value - interval.low;
+  const double above = interval.high - value;
+  const bool symmetric = std::abs(below - above) <= 1e-6 * std::max(below, above);
+  return (interval.low == 0.0 || interval.high == 1.0) && !symmetric;
+}
+
+// An end of an interval; a bound has no decimals: "0", not "0.00".
+std::string end_text(double end, int decimals) {
+  return end == std::round(end) ? fmt::format("{:.0f}", end) : fmt::format("{:.{}f}", end, decimals);
+}
+
 std::string text_of(const std::optional<Estimate>& estimate, double scale, int most_decimals,
-                    bool with_half) {
+                    bool with_interval) {
   if (!estimate) return "–";
   const double value = scale * estimate->value;
   const double half = half_width(*estimate, scale);
   if (half < 0.5 * std::pow(10.0, -most_decimals)) return plain(value, most_decimals);
   const int decimals = decimals_of(half, most_decimals);
   const std::string text = fmt::format("{:.{}f}", value, decimals);
-  return with_half ? text + fmt::format(" ± {:.{}f}", half, decimals) : text;
+  if (!with_interval) return text;
+  if (!is_cut_off(*estimate->interval, estimate->value))
+    return text + fmt::format(" ± {:.{}f}", half, decimals);
+  return text + fmt::format(" [{}, {}]", end_text(scale * estimate->interval->low, decimals),
+                            end_text(scale * estimate->interval->high, decimals));
 }
 
 }  // namespace

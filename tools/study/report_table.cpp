@@ -148,12 +148,12 @@ double largest(const std::vector<Row>& rows, const Column& column) {
   return most;
 }
 
-// "0.147 ± 0.031": what follows the figure stands in a box of its own, so that figures end at one edge.
+// "0.147 ± 0.031" or "0.07 [0, 0.17]": the interval stands in a box of its own, so that figures end at one
+// edge.
 std::string figure_words(const std::string& text) {
-  constexpr std::string_view kBetween = " ± ";
-  const std::size_t at = text.find(kBetween);
-  const std::string half = at == std::string::npos ? "" : "± " + text.substr(at + kBetween.size());
-  return text.substr(0, at) + " <span class=\"plus\">" + half + "</span>";
+  const std::size_t space = text.find(' ');
+  const std::string interval = space == std::string::npos ? "" : text.substr(space + 1);
+  return text.substr(0, space) + " <span class=\"plus\">" + interval + "</span>";
 }
 
 std::string figure_cell(const Column& column, const Row& row, bool has_intervals, double most) {
@@ -293,9 +293,11 @@ std::string record_table(const Results& results, const std::vector<PictureRow>& 
   return filters(results) +
          "<div class=\"scroll\" role=\"region\" aria-label=\"All figures\" tabindex=\"0\">\n" +
          Table(results, pictures).html() +
-         "</div>\n<p class=\"quiet\">± is half of the 95 % interval, over the pixels of a scene or, for "
-         "means, over "
-         "scenes too. Penumbra pixels are those the errors stand on.</p>\n";
+         "</div>\n<p class=\"quiet\">± is half the width of the 95 % confidence interval, over the pixels of "
+         "a scene "
+         "or, for means, over scenes too; [a, b] are the ends of an interval that is cut off at 0 or 100 %. "
+         "Errors in "
+         "penumbra are over the penumbra pixels.</p>\n";
 }
 
 }  // namespace penumbra::study

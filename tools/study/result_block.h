@@ -11,16 +11,22 @@ namespace penumbra::study {
 
 inline constexpr std::string_view kResultBlock = "results";  // as input/markdown.h names blocks
 
+enum class BlockForm {
+  full,   // a table per light, the chart, and the penumbra RMSE of every scene
+  brief,  // the table of the middle light; those of the other lights folded
+  line,   // one sentence: penumbra RMSE and fetches under the middle light
+};
+
 struct BlockStyle {
   std::string chart_path;  // written as given
   std::vector<std::string>
-      rows;            // techniques, in this order; those that were not measured are left out; empty: all
-  bool brief = false;  // the middle light's table in sight, all else folded; no chart, no tables by scene
+      rows{};  // techniques, in this order; those that were not measured are left out; empty: all
+  BlockForm form = BlockForm::full;
 };
 
-// Markdown: means over scenes of errors, rates and fetches with their intervals, a table per light; then the
-// chart and the penumbra RMSE of every scene. No time stands in it: a software device's ranks nothing. Throws
-// InputError when none of the rows was measured.
+// Markdown: means over scenes of errors, rates and fetches with their intervals. Techniques go by their
+// titles; the full form gives their names, too. No time stands in it: a software device's ranks nothing.
+// Throws InputError when none of the rows was measured.
 std::string result_block(const Results& results, const BlockStyle& style);
 
 // The text with what stands between the two markers of the block's name replaced by the block; the rest is
