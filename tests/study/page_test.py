@@ -53,7 +53,7 @@ class PresetMasks(unittest.TestCase):
             record("preset-high", "b", mask=(0.0, 0.0)), record("other", mask=(0.9, 0.9))))
         self.assertTrue(text.endswith(
             "High:\n\n"
-            "| scene | spared 2°, % | spared 0.5°, % | missed 2°, % | missed 0.5°, % |\n"
+            "| scene | skipped, 2° light, % | skipped, 0.5° light, % | missed, 2° light, % | missed, 0.5° light, % |\n"
             "|:--|--:|--:|--:|--:|\n"
             "| a | 10 | 26 | - | 0.04 |\n"
             "| b | 0 | 100 | 0.00 | 50.00 |"), text)

@@ -28,7 +28,7 @@ std::string file_text(const std::filesystem::path& file) {
 TEST(ResultBlock, ATablePerLightThenChartScenesAndOrigin) {
   const std::string block = result_block(synthetic::results(), {kChart, {}});
   const std::vector<std::string> order{
-      "0.53° light, 2 scenes, 18000 penumbra pixels, 9000 in the scene with fewest:",
+      "0.53° light, 2 scenes, 18000 penumbra pixels, at least 9000 per scene:",
       "| Technique | RMSE in penumbra | RMSE of all pixels | light leaks, % | false shadow, % | fetches per "
       "pixel |",
       "2° light, 2 scenes",

@@ -51,7 +51,7 @@ void add_panels(Chart& chart, const Results& results, Cost cost) {
 Chart fetches_chart(const Results& results) {
   Chart chart;
   chart.name = "pareto-fetches";
-  chart.title = "Fetches against penumbra error";
+  chart.title = "Penumbra error against fetches per pixel";
   chart.x_label = "texture fetches per pixel, mean of the frame";
   chart.y_label = "penumbra RMSE";
   add_panels(chart, results, Cost::fetches);
@@ -61,7 +61,7 @@ Chart fetches_chart(const Results& results) {
 Chart time_chart(const Results& results) {
   Chart chart;
   chart.name = "pareto-time";
-  chart.title = "Time against penumbra error";
+  chart.title = "Penumbra error against time per frame";
   chart.x_label = results.is_software ? "CPU time of a frame, ms (software device: not a ranking)"
                                       : "GPU time of a frame, ms";
   chart.y_label = "penumbra RMSE";

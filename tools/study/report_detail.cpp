@@ -118,8 +118,8 @@ std::string fetches(const Metrics& metrics) {
     group.add("of passes at lower resolution", metrics.preprocess_fetches_per_pixel, "{:.2f}");
   }
   if (metrics.mask) {
-    group.add("pixels the mask spares, %", metrics.mask->pixels_saved, "{:.1f}", 100.0);
-    group.add("penumbra it misses, %", metrics.mask->penumbra_pixels_missed, "{:.2f}", 100.0);
+    group.add("pixels skipped by the mask, %", metrics.mask->pixels_saved, "{:.1f}", 100.0);
+    group.add("penumbra pixels missed by the mask, %", metrics.mask->penumbra_pixels_missed, "{:.2f}", 100.0);
   }
   return group.html();
 }

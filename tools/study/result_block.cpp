@@ -44,7 +44,7 @@ std::string provenance(const Results& results) {
 // What stands behind a light's means.
 std::string sample_text(const Results& results, double light) {
   const LightSample sample = sample_of(results, light);
-  return fmt::format("{} light, {} scene{}, {} penumbra pixels, {} in the scene with fewest:\n\n",
+  return fmt::format("{} light, {} scene{}, {} penumbra pixels, at least {} per scene:\n\n",
                      light_name(light), sample.scenes, sample.scenes == 1 ? "" : "s", sample.penumbra_pixels,
                      sample.smallest_penumbra_pixels);
 }
@@ -127,13 +127,11 @@ std::string command(const Results& results) {
 
 std::string how_to_read() {
   return fmt::format(
-      "Errors and rates are against ray tracing: means over the scenes ± half the width of their 95 % "
-      "confidence "
-      "interval, over scenes and pixels; [a, b] are the ends of an interval that is cut off at 0 or 100 %. "
-      "Light "
-      "leaks: share of the pixels in full shadow whose visibility is above {}. False shadow: share of the "
-      "fully lit "
-      "pixels whose visibility is below {}.\n\n",
+      "Errors and rates are measured against ray tracing. Each figure is a mean over the scenes ± half the "
+      "width of its 95 % confidence interval, which covers the choice of scenes and of pixels; where 0 or "
+      "100 % cuts the interval off, [a, b] gives its ends. Light leaks: share of the pixels in full shadow "
+      "whose visibility is above {}. False shadow: share of the fully lit pixels whose visibility is below "
+      "{}.\n\n",
       kLeakAbove, kFalseShadowBelow);
 }
 
@@ -176,7 +174,7 @@ std::string full_block(const Results& results, const std::string& chart_path) {
     block += light_table(results, light, BlockForm::full) + "\n";
     scenes += (scenes.empty() ? "" : "\n") + light_name(light) + " light\n\n" + scene_table(results, light);
   }
-  block += fmt::format("![Fetches against penumbra error]({})\n\n", chart_path);
+  block += fmt::format("![Penumbra error against fetches per pixel]({})\n\n", chart_path);
   return block + folded("Penumbra RMSE of every scene", scenes) + "\n" + command(results);
 }
 
