@@ -97,6 +97,31 @@ TEST_P(AngularFilter, LetsNoLightThroughBetweenAHighRoofAndALowWall) {
   for (const std::vector<float>& seen : result.visibility) EXPECT_THAT(seen, Each(Le(0.01f)));
 }
 
+// Leaves high above everything, and below them a board over everything left of the middle: the light that
+// passes the leaves ends at the board, and what lies beside the board stays as it is without one.
+TEST_P(AngularFilter, ALowBlockerKeepsItsShadowBelowHighLeaves) {
+  constexpr double kLeaves = 0.5;
+  constexpr double kBoard = 0.02;
+  set_light(kLeaves, 24.0);
+  const auto is_leaf = [](double u, double v) {
+    const auto square = [](double at) { return static_cast<int>(std::floor(at * kTileTexels / 2.0)); };
+    return (square(u) + square(v)) % 2 == 0;
+  };
+  const auto leaves = [&](double u, double v, int) { return is_leaf(u, v) ? blocker(kLeaves) : nothing(); };
+  const auto both = [&](double u, double v, int) {
+    return is_leaf(u, v) ? blocker(kLeaves) : (u < 0.5 ? blocker(kBoard) : nothing());
+  };
+  const ResolveResult below = resolve(both, steps(-40.0, -1.5, 78), {}, 4);
+  for (const std::vector<float>& seen : below.visibility) EXPECT_THAT(seen, Each(Le(0.02f)));
+  const std::vector<double> beside = steps(2.0, 40.0, 77);
+  const std::vector<double> with_board = means(resolve(both, beside, {}, 4));
+  const std::vector<double> without = means(resolve(leaves, beside, {}, 4));
+  for (std::size_t i = 0; i < beside.size(); ++i) {
+    EXPECT_NEAR(without[i], 0.5, 0.2) << beside[i];
+    EXPECT_NEAR(with_board[i], without[i], 0.1) << beside[i] << " texels from the board";
+  }
+}
+
 // One caster with a straight edge: visibility is the share of the light's disc beyond the edge.
 double half_plane(double distance_in_radii) {
   const double d = std::clamp(distance_in_radii, -1.0, 1.0);
