@@ -45,6 +45,37 @@ class Pages(unittest.TestCase):
                 self.assertLessEqual({name for part in parts for name in part}, named, f"{file}: say it in measure.md")
 
 
+class PresetSteps(unittest.TestCase):
+    def test_differences_are_paired_by_scene(self):
+        def preset(name, scene, error):
+            return record("preset-" + name, scene, rmse_penumbra=error)
+
+        text = page.preset_steps(results(
+            preset("low", "a", 0.30), preset("low", "b", 0.10), preset("low", "c", 0.20), record("other", "a"),
+            preset("high", "a", 0.28), preset("high", "b", 0.09), preset("high", "c", 0.20)))
+        # Differences 0.02, 0.01 and 0: mean 0.01, standard error 0.01 / sqrt(3), t of two degrees of freedom 4.303.
+        self.assertTrue(text.endswith("| from, to | 2° light |\n|:--|--:|\n| Low to High | 0.0100 ± 0.0248 (2 of 3) |"), text)
+
+    def test_one_scene_has_no_interval(self):
+        text = page.preset_steps(results(record("preset-low", rmse_penumbra=0.2), record("preset-high", rmse_penumbra=0.1)))
+        self.assertIn("| Low to High | - (1 of 1) |", text)
+
+
+class MaskCosts(unittest.TestCase):
+    def test_rows_are_scenes_and_the_last_their_mean(self):
+        text = page.mask_costs(results(
+            record("pcss", "a", fetches_mean=20.0), record("pcss", "b", fetches_mean=10.0),
+            record("pcss-masked", "a", fetches_mean=19.0, preprocess_fetches_per_pixel=2.0),
+            record("pcss-masked", "b", fetches_mean=4.0, preprocess_fetches_per_pixel=2.5),
+            *(record(name, scene, 5.0, fetches_mean=30.0) for name in ("pcss", "pcss-masked") for scene in "ab")))
+        self.assertTrue(text.endswith("| a | 20.0 → 21.0 | 30.0 → 30.0 |\n| b | 10.0 → 6.5 | 30.0 → 30.0 |\n"
+                                      "| mean | 15.0 → 13.8 | 30.0 → 30.0 |"), text)
+
+    def test_two_other_techniques_are_refused(self):
+        with self.assertRaises(page.Problem):
+            page.mask_costs(results(record("tent-5"), record("pcss-masked")))
+
+
 class PresetMasks(unittest.TestCase):
     def test_lights_are_columns_and_scenes_rows(self):
         text = page.preset_masks(results(

@@ -151,25 +151,51 @@ void PrintTo(const PublishedPage& page, std::ostream* stream) {
   *stream << page.file << ", " << page.block;
 }
 
+// The techniques of one bias. URP's own filters, which are in the results too, are four-tap, tent-5 and
+// tent-7.
+std::vector<std::string> once() {
+  return {"hard",
+          "bilinear",
+          "four-tap",
+          "box-3",
+          "box-5",
+          "box-7",
+          "tent-3",
+          "tent-5",
+          "tent-7",
+          "tent-5-plane",
+          "tent-5-adaptive",
+          "pcss-poisson-25",
+          "pcss-poisson-32",
+          "pcss-poisson-64",
+          "pcss-poisson-100",
+          "pcss-poisson-128",
+          "pcss-angular-24-16",
+          "pcss-angular-64-64",
+          "pcss-angular-24-16-hdrp",
+          "hdrp-pcss",
+          "hdrp-pcss-full-diameter"};
+}
+
 std::vector<PublishedPage> published_pages() {
-  return {
-      {"Readme",
-       "README.md",
-       "presets",
-       {"urp-low", "urp-medium", "urp-high", "hdrp-pcss", "hdrp-pcss-full-diameter", "preset-low",
-        "preset-medium", "preset-high", "preset-ultra"},
-       BlockForm::brief},
-      {"ReadmeLine",
-       "README.md",
-       "presets",
-       {"urp-high", "hdrp-pcss", "preset-high"},
-       BlockForm::line,
-       "line"},
-      {"Presets", "Documentation~/presets.md", "presets"},
-      {"Techniques", "Documentation~/techniques.md", "techniques"},
-      {"EqualBias", "Documentation~/bias.md", "equal-bias"},
-      {"EqualBiasOfUrp", "Documentation~/bias.md", "equal-bias-urp", {}, BlockForm::full, "results-urp-bias"},
-      {"FarOrigin", "Documentation~/far-origin.md", "far-origin"}};
+  return {{"Readme",
+           "README.md",
+           "presets",
+           {"urp-low", "urp-medium", "urp-high", "hdrp-pcss", "hdrp-pcss-full-diameter", "preset-low",
+            "preset-medium", "preset-high", "preset-ultra"},
+           BlockForm::brief},
+          {"ReadmeLine",
+           "README.md",
+           "presets",
+           {"urp-high", "hdrp-pcss", "preset-high"},
+           BlockForm::line,
+           "line"},
+          {"Presets", "Documentation~/presets.md", "presets"},
+          {"Techniques", "Documentation~/techniques.md", "techniques"},
+          {"EqualBias", "Documentation~/bias.md", "equal-bias"},
+          {"EqualBiasOfUrp", "Documentation~/bias.md", "equal-bias-urp", once(), BlockForm::full,
+           "results-urp-bias"},
+          {"FarOrigin", "Documentation~/far-origin.md", "far-origin"}};
 }
 
 class Published : public testing::TestWithParam<PublishedPage> {};

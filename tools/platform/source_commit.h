@@ -1,13 +1,19 @@
-// Which commit of our own repository this program was built from.
+// Which commit of our own repository this program and the shaders it reads are from.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 
 namespace penumbra::platform {
 
-// git's 40 hex digits, "-dirty" behind them when tools or shaders were changed since; absent when the program
-// was not built in a checkout, as from a tarball.
+// git's 40 hex digits of the commit that the program was built from, "-dirty" behind them when the program's
+// sources were changed then, or differ from that commit now: shaders are read when the program runs. Absent
+// when the program was not built in a checkout, as from a tarball.
 std::optional<std::string> source_commit();
+
+// The same of a program that was built from `built` and reads its shaders from `folder`. Where there is no
+// git, or no checkout, as in an installed copy, nothing tells the shaders from those of the build.
+std::optional<std::string> source_commit_in(const std::string& built, const std::filesystem::path& folder);
 
 }  // namespace penumbra::platform
