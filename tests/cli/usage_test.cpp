@@ -1,4 +1,6 @@
 // What a mistyped command is answered: the nearest right name, and where the help is.
+#include "cli/option_values.h"
+#include "cli/parse_only.h"
 #include "cli/program.h"
 
 namespace penumbra {
@@ -66,6 +68,54 @@ TEST_F(Usage, WhatIsCalledOtherwiseElsewhereIsNamed) {
 
 TEST_F(Usage, WhatIsTooMuchIsNamed) {
   expect_refused({"measure", "trees"}, {"penumbra measure does not expect 'trees'"});
+}
+
+// An option without the one that it is for would have the whole program measure all night, for nothing.
+TEST_F(Usage, TheFormOfABlockNeedsTheFileItIsIn) {
+  expect_refused({"measure", "--rows", "hard"}, {"--rows needs --readme"});
+  expect_refused({"measure", "--block", "line"}, {"--block needs --readme"});
+  expect_refused({"measure", "--brief"}, {"--brief needs --readme"});
+  expect_refused({"measure", "--line"}, {"--line needs --readme"});
+}
+
+// "$UNSET" of a script.
+TEST_F(Usage, AnEmptyNameOfAFileIsRefused) {
+  int options = 0;
+  cli::ParseOnly names;
+  for (CLI::App* command : cli::shown_subcommands(names.app())) {
+    for (const CLI::Option* option : command->get_options()) {
+      const std::string placeholder = cli::value_hint(*option).placeholder;
+      if (placeholder != "FILE" && placeholder != "FOLDER" && placeholder != "SCENE") continue;
+      ++options;
+      const std::vector<std::string> given{option->nonpositional() ? option->get_name() : "--", ""};
+      std::vector<std::string> arguments{command->get_name()};
+      arguments.insert(arguments.end(), given.begin(), given.end());
+      EXPECT_THAT(cli::ParseOnly().refusal(arguments), HasSubstr("is empty"))
+          << command->get_name() << " " << option->get_name();
+    }
+  }
+  EXPECT_GT(options, 30);
+  expect_refused({"measure", "--from", ""}, {"--from is empty"});
+  expect_refused({"measure", "--from="}, {"--from"});
+  expect_refused({"measure", "-o", ""}, {"--output is empty"});
+  expect_refused({"render", "--sheet", ""}, {"--sheet is empty"});
+  expect_refused({"render", "--device", ""}, {"--device is empty"});
+}
+
+TEST_F(Usage, EarlierFiguresAreNotMeasuredOtherwise) {
+  for (const std::vector<std::string>& option : std::vector<std::vector<std::string>>{{"--light", "2"},
+                                                                                      {"--scene", "trees"},
+                                                                                      {"--technique", "hard"},
+                                                                                      {"--title", "hard=x"},
+                                                                                      {"--no-ground"},
+                                                                                      {"--size", "32x32"}}) {
+    std::vector<std::string> arguments{"measure", "--from", "results.json"};
+    arguments.insert(arguments.end(), option.begin(), option.end());
+    expect_refused(arguments,
+                   {"--from takes its figures from the file; " + option.front() + " has no effect"});
+  }
+  expect_refused({"cost", "--from", "cost.json", "--define", "A"}, {"--define has no effect"});
+  expect_refused({"measure", "--from", "none.json", "-q"}, {"none.json"});
 }
 
 }  // namespace

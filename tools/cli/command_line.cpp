@@ -5,6 +5,7 @@
 
 #include "cli/failure.h"
 #include "cli/help.h"
+#include "cli/option_values.h"
 #include "cli/usage_error.h"
 
 namespace penumbra::cli {
@@ -42,6 +43,17 @@ void add_help(CLI::App& app) {
 }
 
 int run(const std::vector<std::string>& arguments) {
+// Of keywords alone an empty text says something: none of them.
+void refuse_empty_values(CLI::App& app) {
+  for (CLI::App* command : shown_subcommands(app)) {
+    for (CLI::Option* option : command->get_options()) {
+      const std::string placeholder = value_hint(*option).placeholder;
+      const bool of_keywords = placeholder == "EXPRESSION" || placeholder.starts_with("KEYWORD");
+      if (!placeholder.empty() && !of_keywords) not_empty(option);
+    }
+  }
+}
+
   Context context;
   context.arguments = arguments;
   const std::unique_ptr<CLI::App> app = command_line(context);
@@ -78,6 +90,7 @@ std::unique_ptr<CLI::App> command_line(Context& context) {
   add_completion(*app);
   add_help(*app);
   return app;
+  refuse_empty_values(*app);
 }
 
 std::vector<CLI::App*> shown_subcommands(CLI::App& app) {

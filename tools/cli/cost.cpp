@@ -272,7 +272,11 @@ void add_cost(CLI::App& app, Context& context) {
        {"penumbra cost My.hlsl --entry Fragment --keyword-set _A,_B --keyword-set _A", "a file of your own"},
        {"penumbra cost --format json -o cost.json", "a baseline to commit"},
        {"penumbra cost --baseline cost.json", "exit code 1 when a figure is worse"}});
-  command->callback([options, &context] { run_cost(*options, context); });
+  command->callback([command, options, &context] {
+    refuse_beside_from(*command, {"files", "--technique", "--family", "--format", "--output", "--baseline",
+                                  "--tolerance", "--any-driver", "--readme"});
+    run_cost(*options, context);
+  });
   add_worker(app);
 }
 

@@ -297,16 +297,20 @@ void add_measure(CLI::App& app, Context& context) {
       ->type_name("N")
       ->check(within(0, 1'000'000))
       ->group("Study");
+  brief->needs(readme);
   const auto file = [&](const char* name, std::string& value, const char* description) {
-    command->add_option(name, value, description)->type_name("FILE")->default_str("none");
+    return command->add_option(name, value, description)->type_name("FILE")->default_str("none");
   };
+      ->needs(readme)
   file("--from", options->from, "Take the figures from this results.json; measure nothing");
-  file("--readme", options->readme, "Markdown file whose result block is replaced");
+  CLI::Option* readme = file("--readme", options->readme, "Markdown file whose result block is replaced");
   command->add_option("--block", options->block, "The block of --readme, by the name in its markers")
-      ->type_name("NAME");
+      ->type_name("NAME")
+      ->needs(readme);
   as_list(command->add_option("--rows", options->rows, "Techniques in the tables of --readme, in this order"))
       ->type_name("NAME")
-      ->default_str("all");
+      ->default_str("all")
+      ->needs(readme);
   CLI::Option* brief =
       command->add_flag("--brief", options->brief,
                         "In --readme the table of the middle light, the others folded, and none by scene");
@@ -330,7 +334,11 @@ void add_measure(CLI::App& app, Context& context) {
        {"penumbra measure --adapter mine=MyShadow.hlsl -o report", "your own shadow function"},
        {"penumbra measure --scene trees --technique pcss-angular-24-16 --set blockerSamples=8,16,32", ""},
        {"penumbra measure --from report/results.json -o again", "the report again, without measuring"}});
-  command->callback([options, &context] { run(*options, context); });
+  command->callback([command, options, &context] {
+    refuse_beside_from(*command,
+                       {"--readme", "--block", "--rows", "--brief", "--line", "--presets", "--output"});
+    run(*options, context);
+  });
 }
 
 }  // namespace penumbra::cli

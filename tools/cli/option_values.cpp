@@ -58,6 +58,11 @@ CLI::Validator one_of(std::vector<std::string> names) {
   return {check, std::move(rule)};
 }
 
+CLI::Option* not_empty(CLI::Option* option) {
+  const auto check = [](std::string& text) { return std::string(text.empty() ? "is empty" : ""); };
+  return option->transform(CLI::Validator(check, ""));
+}
+
 ValueHint value_hint(const CLI::Option& option) {
   ValueHint hint;
   if (option.get_items_expected_max() == 0) return hint;

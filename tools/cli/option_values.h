@@ -17,6 +17,10 @@ CLI::Validator positive();
 // One of these names; another is refused with the nearest.
 CLI::Validator one_of(std::vector<std::string> names);
 
+// The option's value, or each of several, is refused where it is empty: an unset variable of a script is no
+// file. Comes before the option's other checks.
+CLI::Option* not_empty(CLI::Option* option);
+
 // What those said of an option.
 struct ValueHint {
   std::string placeholder;                          // "FILE"; empty for a flag

@@ -6,6 +6,7 @@
 
 #include "cli/known_names.h"
 #include "cli/option_values.h"
+#include "input/input_error.h"
 
 namespace penumbra::cli {
 
@@ -57,6 +58,16 @@ CLI::Option* add_package_roots(CLI::App& command, std::vector<std::string>& root
   return one_each(command.add_option("--package-root", roots, "Where the files of Packages/NAME/... are"))
       ->type_name("NAME=FOLDER")
       ->default_str("none");
+}
+
+void refuse_beside_from(const CLI::App& command, const std::set<std::string>& kept) {
+  if (command.get_option("--from")->count() == 0) return;
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string name = option->get_name();
+    if (option->count() == 0 || name == "--from" || kept.count(name) != 0) continue;
+    throw InputError("", "--from takes its figures from the file; " + name + " has no effect",
+                     "leave out one of the two");
+  }
 }
 
 void add_source_options(CLI::App& command, std::vector<std::string>& folders,

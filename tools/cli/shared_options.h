@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,9 @@ CLI::Option* add_technique_option(CLI::App& command, std::vector<std::string>& t
 CLI::Option* add_project(CLI::App& command, std::string& folder);
 CLI::Option* add_cginc_root(CLI::App& command, std::string& folder);
 CLI::Option* add_package_roots(CLI::App& command, std::vector<std::string>& roots);
+
+// Throws InputError where --from is given beside an option that says how to measure, which all do but `kept`.
+void refuse_beside_from(const CLI::App& command, const std::set<std::string>& kept);
 
 // -I and -D, for shaders of the user's own.
 void add_source_options(CLI::App& command, std::vector<std::string>& folders,

@@ -1,6 +1,7 @@
 #include "cli/usage_error.h"
 
 #include <algorithm>
+#include <regex>
 #include <utility>
 #include <vector>
 
@@ -81,6 +82,17 @@ InputError too_many(const CLI::App& command, const std::string& argument) {
   return {"", called(command) + " does not expect '" + argument + "'", see_help(command)};
 }
 
+// What CLI11 says, in this program's words.
+std::string plain_words(const std::string& said) {
+  static const std::pair<std::regex, const char*> kWords[] = {
+      {std::regex("^(\\S+): is empty$"), "$1 is empty"},
+      {std::regex("^(\\S+) requires (\\S+)$"), "$1 needs $2"},
+  };
+  for (const auto& [theirs, ours] : kWords)
+    if (std::regex_match(said, theirs)) return std::regex_replace(said, theirs, ours);
+  return said;
+}
+
 }  // namespace
 
 InputError unknown_subcommand(CLI::App& app, const std::string& name) {
@@ -100,7 +112,7 @@ InputError usage_error(CLI::App& app, const CLI::ParseError& error) {
   if (option != unexpected.end()) return unknown_option(command, *option);
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !unexpected.empty())
     return too_many(command, unexpected.front());
-  return {"", error.what(), see_help(command)};
+  return {"", plain_words(error.what()), see_help(command)};
 }
 
 }  // namespace penumbra::cli
