@@ -42,7 +42,6 @@ void add_help(CLI::App& app) {
   command->callback([name] { write_output("", help_on(*name)); });
 }
 
-int run(const std::vector<std::string>& arguments) {
 // Of keywords alone an empty text says something: none of them.
 void refuse_empty_values(CLI::App& app) {
   for (CLI::App* command : shown_subcommands(app)) {
@@ -54,6 +53,7 @@ void refuse_empty_values(CLI::App& app) {
   }
 }
 
+int run(const std::vector<std::string>& arguments) {
   Context context;
   context.arguments = arguments;
   const std::unique_ptr<CLI::App> app = command_line(context);

@@ -297,11 +297,9 @@ void add_measure(CLI::App& app, Context& context) {
       ->type_name("N")
       ->check(within(0, 1'000'000))
       ->group("Study");
-  brief->needs(readme);
   const auto file = [&](const char* name, std::string& value, const char* description) {
     return command->add_option(name, value, description)->type_name("FILE")->default_str("none");
   };
-      ->needs(readme)
   file("--from", options->from, "Take the figures from this results.json; measure nothing");
   CLI::Option* readme = file("--readme", options->readme, "Markdown file whose result block is replaced");
   command->add_option("--block", options->block, "The block of --readme, by the name in its markers")
@@ -314,9 +312,11 @@ void add_measure(CLI::App& app, Context& context) {
   CLI::Option* brief =
       command->add_flag("--brief", options->brief,
                         "In --readme the table of the middle light, the others folded, and none by scene");
+  brief->needs(readme);
   command
       ->add_flag("--line", options->line,
                  "In --readme one sentence: penumbra RMSE and fetches under the middle light")
+      ->needs(readme)
       ->excludes(brief);
   file("--presets", options->presets,
        "Write the quality presets' figures as C# to this file; - is standard output");

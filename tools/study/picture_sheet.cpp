@@ -59,6 +59,10 @@ double light_nearest(const Results& results, double degrees) {
   return nearest;
 }
 
+bool same_size(const Picture& a, const Picture& b) {
+  return a.width == b.width && a.height == b.height;
+}
+
 }  // namespace
 
 Picture side_by_side(const PictureRow& row) {
@@ -82,7 +86,9 @@ Picture overview(const Results& results, const std::vector<PictureRow>& pictures
   for (const PictureRow& row : pictures) {
     if (row.technique != technique || row.light_degrees != degrees || rows.size() >= 4 * most_scenes)
       continue;
-    for (CaptionedPicture& picture : captioned(row)) rows.push_back(std::move(picture));
+    std::vector<CaptionedPicture> captioned_row = captioned(row);
+    if (!rows.empty() && !same_size(rows.front().picture, captioned_row.front().picture)) continue;
+    for (CaptionedPicture& picture : captioned_row) rows.push_back(std::move(picture));
   }
   return rows.empty() ? Picture{} : compose(rows, 4);
 }

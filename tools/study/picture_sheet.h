@@ -16,7 +16,8 @@ Picture side_by_side(const PictureRow& row);
 std::string file_stem(const PictureRow& row);
 
 // One row per scene of the technique with the lowest mean error, at the light nearest 2 degrees: the picture
-// a README shows. Empty (no samples) without a record.
+// a README shows. Scenes whose pictures have another size than the first one's are left out. Empty (no
+// samples) without a record.
 Picture overview(const Results& results, const std::vector<PictureRow>& pictures, std::size_t most_scenes);
 
 }  // namespace penumbra::study
