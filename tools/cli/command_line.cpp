@@ -42,13 +42,15 @@ void add_help(CLI::App& app) {
   command->callback([name] { write_output("", help_on(*name)); });
 }
 
-// Of keywords alone an empty text says something: none of them.
+// An empty text says something of keywords, none of them, and of a variant, which is refused with those there
+// are.
 void refuse_empty_values(CLI::App& app) {
   for (CLI::App* command : shown_subcommands(app)) {
     for (CLI::Option* option : command->get_options()) {
       const std::string placeholder = value_hint(*option).placeholder;
-      const bool of_keywords = placeholder == "EXPRESSION" || placeholder.starts_with("KEYWORD");
-      if (!placeholder.empty() && !of_keywords) not_empty(option);
+      const bool may_be_empty =
+          placeholder == "EXPRESSION" || placeholder == "VARIANT" || placeholder.starts_with("KEYWORD");
+      if (!placeholder.empty() && !may_be_empty) not_empty(option);
     }
   }
 }
@@ -89,8 +91,8 @@ std::unique_ptr<CLI::App> command_line(Context& context) {
   add_measure(*app, context);
   add_completion(*app);
   add_help(*app);
-  return app;
   refuse_empty_values(*app);
+  return app;
 }
 
 std::vector<CLI::App*> shown_subcommands(CLI::App& app) {
