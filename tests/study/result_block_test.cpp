@@ -192,7 +192,7 @@ std::vector<PublishedPage> published_pages() {
            "line"},
           {"Presets", "Documentation~/presets.md", "presets"},
           {"Techniques", "Documentation~/techniques.md", "techniques"},
-          {"EqualBias", "Documentation~/bias.md", "equal-bias"},
+          {"EqualBias", "Documentation~/bias.md", "equal-bias", once()},
           {"EqualBiasOfUrp", "Documentation~/bias.md", "equal-bias-urp", once(), BlockForm::full,
            "results-urp-bias"},
           {"FarOrigin", "Documentation~/far-origin.md", "far-origin"}};
