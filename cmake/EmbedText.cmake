@@ -15,8 +15,8 @@ if(CMAKE_SCRIPT_MODE_FILE)
   string(REPEAT "'[^']+'," 16 line)
   string(REGEX REPLACE "(${line})" "\\1\n" bytes "${bytes}")
   file(WRITE ${OUTPUT} "#include \"${HEADER}\"\n\nnamespace ${NAMESPACE} {\nnamespace {\n\n"
-    "constexpr char kBytes[] = {\n${bytes}};\n\n}  // namespace\n\n"
-    "const std::string_view ${CONSTANT}(kBytes, sizeof(kBytes));\n\n}  // namespace ${NAMESPACE}\n")
+    "constexpr char ${CONSTANT}Bytes[] = {\n${bytes}};\n\n}  // namespace\n\n"
+    "const std::string_view ${CONSTANT}(${CONSTANT}Bytes, sizeof(${CONSTANT}Bytes));\n\n}  // namespace ${NAMESPACE}\n")
   return()
 endif()
 

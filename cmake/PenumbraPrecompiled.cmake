@@ -2,9 +2,8 @@
 # other presets build every source with its own includes alone, so that one that includes too little is found there.
 # With ccache, set CCACHE_SLOPPINESS=pch_defines,time_macros, or nothing is cached.
 #
-# penumbra_precompiled(TARGET)             the standard library, one file for all rooms
-# penumbra_precompiled(TARGET HEADERS...)  these besides, one file for this target
-# penumbra_precompiled_tests(TARGET)       GoogleTest besides, one file for all test programs
+# penumbra_precompiled(TARGET)        the standard library, one file for all rooms
+# penumbra_precompiled_tests(TARGET)  GoogleTest besides, one file for all test programs
 option(PENUMBRA_PRECOMPILED_HEADERS "Parse the standard library's headers once, not once for each source" OFF)
 
 set(penumbra_standard_headers
@@ -22,10 +21,6 @@ endfunction()
 
 function(penumbra_precompiled target)
   if(NOT PENUMBRA_PRECOMPILED_HEADERS)
-    return()
-  endif()
-  if(ARGN)
-    target_precompile_headers(${target} PRIVATE ${penumbra_standard_headers} ${ARGN})
     return()
   endif()
   if(NOT TARGET penumbra_precompiled_standard)

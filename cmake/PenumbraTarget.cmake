@@ -1,4 +1,5 @@
 include(PenumbraPrecompiled)
+include(PenumbraUnity)
 
 # Warnings are errors.
 function(penumbra_warnings target)
@@ -22,17 +23,21 @@ function(penumbra_warnings target)
   endif()
 endfunction()
 
-# penumbra_room(NAME SOURCES ... USES ... PUBLIC_LIBRARIES ... PRIVATE_LIBRARIES ... PRECOMPILED ...)
+# penumbra_room(NAME SOURCES ... USES ... PUBLIC_LIBRARIES ... PRIVATE_LIBRARIES ... [LIGHTLY_OPTIMISED])
 #
 # Declares the static library penumbra_NAME (alias penumbra::NAME) of one folder under tools/.
 # USES lists the rooms it may include; tests/architecture checks them against the one-way order.
-# PRECOMPILED names headers of others that most of its sources include and that take long to parse.
+# LIGHTLY_OPTIMISED where no run takes long in its code, which reads options and writes texts: it compiles faster.
 function(penumbra_room name)
-  cmake_parse_arguments(ROOM "" "" "SOURCES;USES;PUBLIC_LIBRARIES;PRIVATE_LIBRARIES;PRECOMPILED" ${ARGN})
+  cmake_parse_arguments(ROOM "LIGHTLY_OPTIMISED" "" "SOURCES;USES;PUBLIC_LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
   add_library(penumbra_${name} STATIC ${ROOM_SOURCES})
   add_library(penumbra::${name} ALIAS penumbra_${name})
   penumbra_warnings(penumbra_${name})
-  penumbra_precompiled(penumbra_${name} ${ROOM_PRECOMPILED})
+  penumbra_precompiled(penumbra_${name})
+  penumbra_unity(penumbra_${name})
+  if(ROOM_LIGHTLY_OPTIMISED AND NOT MSVC)
+    target_compile_options(penumbra_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+  endif()
   target_include_directories(penumbra_${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/tools>
     $<INSTALL_INTERFACE:include/penumbra>)

@@ -1,6 +1,7 @@
 // The program's command line parsed without its work: what parsing alone refuses.
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 #include <string>

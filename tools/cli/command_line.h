@@ -1,7 +1,6 @@
 // The program's command line as a tree of CLI11, and one run of it.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 #include <vector>

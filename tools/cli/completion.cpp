@@ -1,6 +1,7 @@
 // penumbra completion: scripts that let bash, zsh and fish complete subcommands, options and their values.
 // They are made from the tree of the command line, so what is added there is completed, too.
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <memory>

@@ -2,13 +2,12 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <memory>
 
 #include "cli/help.h"
 #include "cli/known_names.h"
+#include "cli/option_text.h"
 #include "cli/option_values.h"
 #include "cli/shader_arguments.h"
 #include "cli/shared_options.h"
@@ -19,6 +18,7 @@
 #include "cost/measure_cost.h"
 #include "cost/radv_worker.h"
 #include "input/input_error.h"
+#include "input/text_file.h"
 #include "platform/atomic_file.h"
 #include "platform/data_directory.h"
 #include "platform/terminal.h"
@@ -60,11 +60,6 @@ std::vector<std::string> each_once(const std::vector<std::string>& names) {
 
 std::vector<std::string> families_of(const CostOptions& options) {
   return options.families.empty() ? cost::default_families() : each_once(options.families);
-}
-
-std::string shell_word(const std::string& text) {
-  const bool plain = text.find_first_of(" ;&|<>()$`\"'\\*?") == std::string::npos;
-  return plain ? text : "'" + text + "'";
 }
 
 void add_techniques(const CostOptions& options, const fs::path& library, cost::CostRequest& request) {
@@ -142,12 +137,6 @@ cost::CostReport measure(const CostOptions& options, Context& context) {
   return std::move(outcome.report);
 }
 
-std::string read_text(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw InputError(file.string(), "cannot be opened");
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
 // Said before anything is measured: figures that cannot be compared help nobody.
 cost::CostReport checked_baseline(const CostOptions& options) {
   cost::CostReport baseline = cost::read_cost_report(options.baseline);
@@ -190,7 +179,7 @@ void run_cost(const CostOptions& options, Context& context) {
   } else {
     if (!options.output.empty()) write_output(options.output, in_form(report, options.format));
     platform::write_file_atomically(
-        options.readme, cost::replace_cost_blocks(read_text(options.readme), report, options.readme));
+        options.readme, cost::replace_cost_blocks(read_text_file(options.readme), report, options.readme));
   }
   if (baseline) compare(options, report, *baseline, context);
 }

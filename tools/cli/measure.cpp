@@ -1,21 +1,22 @@
 // penumbra measure: speed against error of techniques and users' own functions, over scenes and lights.
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <set>
 
 #include "cli/help.h"
+#include "cli/option_text.h"
 #include "cli/option_values.h"
 #include "cli/shared_options.h"
 #include "cli/study_options.h"
 #include "cli/subcommand.h"
 #include "cli/varied_subjects.h"
 #include "input/input_error.h"
+#include "input/text_file.h"
 #include "platform/atomic_file.h"
 #include "platform/data_directory.h"
 #include "platform/processor.h"
@@ -46,12 +47,6 @@ struct MeasureOptions : StudyOptions {
   std::string presets;                     // C# file of the presets' figures
 };
 
-std::string read_text(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw InputError(file.string(), "cannot be opened");
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
 // NAME=FOLDER of a package root, without the folder: it is the user's own.
 std::string without_folder(const std::string& root) {
   return root.substr(0, root.find('=')) + "=DIR";
@@ -61,11 +56,6 @@ std::string without_folder(const std::string& root) {
 std::string shown(const std::string& option, const std::string& value) {
   if (option == "--package-root") return without_folder(value);
   return option == "--project" || option == "--cginc-root" ? "DIR" : value;
-}
-
-std::string shell_word(const std::string& text) {
-  const bool plain = text.find_first_of(" ;&|<>()$`\"'\\*?") == std::string::npos;
-  return plain ? text : "'" + text + "'";
 }
 
 // The command that gives these results again: what was asked for, without this machine's folders.
@@ -225,7 +215,7 @@ void rewrite_readme(const MeasureOptions& options, const study::Results& results
   const std::filesystem::path home = std::filesystem::absolute(readme).parent_path();
   const std::string chart =
       std::filesystem::absolute(beside / "pareto-fetches.svg").lexically_relative(home).generic_string();
-  const std::string text = read_text(readme);
+  const std::string text = read_text_file(readme);
   const study::BlockForm form = options.line    ? study::BlockForm::line
                                 : options.brief ? study::BlockForm::brief
                                                 : study::BlockForm::full;

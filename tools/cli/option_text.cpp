@@ -32,4 +32,9 @@ double number(const std::string& option, const std::string& text) {
   return value;
 }
 
+std::string shell_word(const std::string& text) {
+  const bool plain = text.find_first_of(" ;&|<>()$`\"'\\*?") == std::string::npos;
+  return plain ? text : "'" + text + "'";
+}
+
 }  // namespace penumbra::cli

@@ -13,4 +13,7 @@ std::vector<std::string> split(const std::string& text, char separator);
 std::pair<std::string, std::string> name_and_value(const std::string& option, const std::string& text);
 double number(const std::string& option, const std::string& text);  // finite
 
+// A word of a command, in quotation marks where a shell would read it as anything else.
+std::string shell_word(const std::string& text);
+
 }  // namespace penumbra::cli

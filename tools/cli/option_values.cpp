@@ -22,12 +22,6 @@ double number_or_nan(const std::string& text) {
   return text.empty() || *end != '\0' ? std::numeric_limits<double>::quiet_NaN() : value;
 }
 
-std::string joined(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : "|") + name;
-  return text;
-}
-
 }  // namespace
 
 CLI::Validator within(double smallest, double largest) {
@@ -50,7 +44,7 @@ CLI::Validator positive() {
 }
 
 CLI::Validator one_of(std::vector<std::string> names) {
-  std::string rule = joined(names);
+  std::string rule = fmt::format("{}", fmt::join(names, "|"));
   const auto check = [names = std::move(names)](std::string& text) {
     if (std::find(names.begin(), names.end(), text) != names.end()) return std::string();
     return fmt::format("unknown value '{}'\n  {}", text, unknown_name_way_out(text, names));

@@ -7,10 +7,8 @@
 namespace penumbra::cli {
 namespace {
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-  return text;
+std::string words_text(const std::vector<std::string>& words) {
+  return fmt::format("{}", fmt::join(words, " "));
 }
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
@@ -42,7 +40,7 @@ const char* made_by = "# Made by `penumbra completion {}`: make it again when pe
 // How bash completes the value of an option.
 std::string bash_value(const CompletedOption& option) {
   const char* from = option.folders ? "folder" : option.files ? "file" : "none";
-  return fmt::format("from={} list={} words='{}'", from, option.list ? "yes" : "", joined(option.words));
+  return fmt::format("from={} list={} words='{}'", from, option.list ? "yes" : "", words_text(option.words));
 }
 
 std::string bash_values(const CompletedCommand& command, bool of_program) {
@@ -61,7 +59,7 @@ std::string bash_options(const CompletedCommand& command) {
   std::vector<std::string> names;
   for (const CompletedOption& option : command.options)
     for (const std::string& name : dashed(option)) names.push_back(name);
-  return joined(names);
+  return words_text(names);
 }
 
 // A spec of zsh's _arguments keeps brackets and colons for itself.
@@ -76,7 +74,7 @@ std::string zsh_value(const CompletedOption& option) {
   const std::string action = option.folders                          ? "_files -/"
                              : option.words.empty() && option.files  ? "_files"
                              : option.words.empty() && !option.files ? " "
-                                                                     : joined(words);
+                                                                     : words_text(words);
   return ":" + zsh_text(option.placeholder) + ":" + action;
 }
 
@@ -96,7 +94,8 @@ std::string fish_value(const CompletedOption& option) {
   const std::string more = option.files ? " -r -F" : " -x";
   if (option.words.empty()) return more;
   return more + " -a " +
-         quoted(option.list ? "(__fish_append , " + joined(option.words) + ")" : joined(option.words));
+         quoted(option.list ? "(__fish_append , " + words_text(option.words) + ")"
+                            : words_text(option.words));
 }
 
 std::string fish_options(const CompletedCommand& command, const std::string& condition) {
@@ -133,10 +132,10 @@ std::string bash_script(const std::vector<CompletedCommand>& commands) {
     script += fmt::format("      {}) words='{}' ;;\n", commands[i].name, bash_options(commands[i]));
   script += fmt::format("    esac\n    words+=' {}'\n", bash_options(program));
   script += "  elif [ -z \"$from\" ]; then\n    case $command in\n";
-  script += fmt::format("      '') words='{}' ;;\n", joined(subcommands(commands)));
+  script += fmt::format("      '') words='{}' ;;\n", words_text(subcommands(commands)));
   for (std::size_t i = 1; i < commands.size(); ++i)
-    script += fmt::format("      {}) words='{}' from={} ;;\n", commands[i].name, joined(commands[i].words),
-                          commands[i].files ? "file" : "none");
+    script += fmt::format("      {}) words='{}' from={} ;;\n", commands[i].name,
+                          words_text(commands[i].words), commands[i].files ? "file" : "none");
   script += R"(    esac
   fi
   [ -z "$list" ] || before=${current%"${current##*,}"}
@@ -181,7 +180,7 @@ _penumbra() {
     const CompletedCommand& command = commands[i];
     const std::string rest = command.files           ? "'*:file:_files'"
                              : command.words.empty() ? ""
-                                                     : quoted("1:word:(" + joined(command.words) + ")");
+                                                     : quoted("1:word:(" + words_text(command.words) + ")");
     script +=
         fmt::format("      {})\n    specs=(\n{}    {}\n    ) ;;\n", command.name, zsh_specs(command), rest);
   }
@@ -205,7 +204,7 @@ std::string fish_script(const std::vector<CompletedCommand>& commands) {
     script += fish_options(command, seen);
     if (command.files) script += "complete -c penumbra" + seen + " -F\n";
     if (!command.words.empty())
-      script += "complete -c penumbra" + seen + " -a " + quoted(joined(command.words)) + "\n";
+      script += "complete -c penumbra" + seen + " -a " + quoted(words_text(command.words)) + "\n";
   }
   return script;
 }

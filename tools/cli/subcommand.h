@@ -1,13 +1,16 @@
 // What every subcommand file offers main.cpp: a function that adds it to the program's command line.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "cli/progress.h"
+
+namespace CLI {
+class App;
+}
 
 namespace penumbra::cli {
 

@@ -13,8 +13,6 @@
 namespace penumbra::cost {
 namespace {
 
-using Json = nlohmann::json;
-
 constexpr const char* install_it =
     "\n  scripts/setup installs it (Debian: mesa-vulkan-drivers); no AMD hardware is needed. VK_DRIVER_FILES "
     "or "
@@ -63,19 +61,19 @@ std::string sudden_end(const platform::ChildResult& result, const NullRadv& radv
 }
 
 // Empty when the output is no answer.
-Json answer_in(const platform::ChildResult& result) {
+nlohmann::json answer_in(const platform::ChildResult& result) {
   if (!result.succeeded()) return {};
-  Json answer = Json::parse(result.output, nullptr, false);
-  return answer.is_object() ? answer : Json();
+  nlohmann::json answer = nlohmann::json::parse(result.output, nullptr, false);
+  return answer.is_object() ? answer : nlohmann::json();
 }
 
-void read_answer(const Json& answer, Measurement& measurement) {
+void read_answer(const nlohmann::json& answer, Measurement& measurement) {
   for (const char* reason : {"no_device", "failure"})
     if (answer.contains(reason)) measurement.failure = answer.at(reason).get<std::string>();
   if (!answer.contains("measured")) return;
-  const Json& measured = answer.at("measured");
+  const nlohmann::json& measured = answer.at("measured");
   measurement.subgroup_size = measured.at("subgroup_size").get<std::uint32_t>();
-  for (const Json& statistic : measured.at("statistics"))
+  for (const nlohmann::json& statistic : measured.at("statistics"))
     measurement.statistics.push_back(
         {statistic.at("name").get<std::string>(), statistic.at("value").get<std::uint64_t>()});
   measurement.figures = figures_of(measurement.statistics);
@@ -85,7 +83,7 @@ void read_answer(const Json& answer, Measurement& measurement) {
 
 RadvFamily open_family(const NullRadv& radv) {
   const platform::ChildResult result = platform::run_child(worker_command(radv));
-  const Json answer = answer_in(result);
+  const nlohmann::json answer = answer_in(result);
   if (answer.contains("no_device"))
     throw EnvironmentError("no RADV, Mesa's Vulkan driver for AMD: " +
                            first_line(answer["no_device"].get<std::string>()) + install_it);
@@ -115,7 +113,7 @@ Measurement measure(const NullRadv& radv, const ModuleToMeasure& module) {
   const platform::ChildResult result = platform::run_child(command);
   try {
     read_answer(answer_in(result), measurement);
-  } catch (const Json::exception& error) {
+  } catch (const nlohmann::json::exception& error) {
     measurement.failure = std::string("the worker's answer is not one: ") + error.what();
   }
   if (measurement.failure.empty() && measurement.statistics.empty())

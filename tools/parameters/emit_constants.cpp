@@ -105,7 +105,7 @@ struct TableRow {
   std::function<std::string(const Cascade&)> text;
 };
 
-std::string metres(double value) {
+std::string six_digits(double value) {
   return fmt::format("{:.6g}", value);
 }
 
@@ -115,20 +115,22 @@ const std::vector<TableRow>& table_rows() {
        [](const Cascade& c) { return fmt::format("{:.4g}, {:.4g}", c.offset_scale.x, c.offset_scale.y); }},
       {"tile width, height",
        [](const Cascade& c) { return fmt::format("{:.4g}, {:.4g}", c.offset_scale.z, c.offset_scale.w); }},
-      {"split sphere x (m)", [](const Cascade& c) { return metres(c.split_sphere.x); }},
-      {"split sphere y (m)", [](const Cascade& c) { return metres(c.split_sphere.y); }},
-      {"split sphere z (m)", [](const Cascade& c) { return metres(c.split_sphere.z); }},
-      {"split sphere radius (m)", [](const Cascade& c) { return metres(c.split_sphere.w); }},
-      {"depth range (m)", [](const Cascade& c) { return metres(1.0 / c.depth_per_metre); }},
-      {"texel (m)", [](const Cascade& c) { return metres(c.texel_size_metres); }},
-      {"uv per metre", [](const Cascade& c) { return metres(c.uv_per_metre); }},
-      {"depth to radial", [](const Cascade& c) { return metres(c.depth_to_radial); }},
+      {"split sphere x (m)", [](const Cascade& c) { return six_digits(c.split_sphere.x); }},
+      {"split sphere y (m)", [](const Cascade& c) { return six_digits(c.split_sphere.y); }},
+      {"split sphere z (m)", [](const Cascade& c) { return six_digits(c.split_sphere.z); }},
+      {"split sphere radius (m)", [](const Cascade& c) { return six_digits(c.split_sphere.w); }},
+      {"depth range (m)", [](const Cascade& c) { return six_digits(1.0 / c.depth_per_metre); }},
+      {"texel (m)", [](const Cascade& c) { return six_digits(c.texel_size_metres); }},
+      {"uv per metre", [](const Cascade& c) { return six_digits(c.uv_per_metre); }},
+      {"depth to radial", [](const Cascade& c) { return six_digits(c.depth_to_radial); }},
       {"radial to depth",
-       [](const Cascade& c) { return c.radial_to_depth ? metres(*c.radial_to_depth) : std::string("none"); }},
-      {"depth to radial, HDRP", [](const Cascade& c) { return metres(c.depth_to_radial_hdrp); }},
-      {"largest penumbra (texels)", [](const Cascade& c) { return metres(c.max_penumbra_texels); }},
-      {"depth bias (m)", [](const Cascade& c) { return metres(c.depth_bias_metres); }},
-      {"normal bias (m)", [](const Cascade& c) { return metres(c.normal_bias_metres); }},
+       [](const Cascade& c) {
+         return c.radial_to_depth ? six_digits(*c.radial_to_depth) : std::string("none");
+       }},
+      {"depth to radial, HDRP", [](const Cascade& c) { return six_digits(c.depth_to_radial_hdrp); }},
+      {"largest penumbra (texels)", [](const Cascade& c) { return six_digits(c.max_penumbra_texels); }},
+      {"depth bias (m)", [](const Cascade& c) { return six_digits(c.depth_bias_metres); }},
+      {"normal bias (m)", [](const Cascade& c) { return six_digits(c.normal_bias_metres); }},
   };
   return rows;
 }

@@ -10,16 +10,13 @@
 #include "input/located_json.h"
 #include "input/nearest_name.h"
 #include "parameters/matrix_check.h"
+#include "parameters/matrix_row.h"
 #include "parameters/setting_keys.h"
 #include "parameters/settings_input.h"
 
 namespace penumbra::parameters {
 
 namespace {
-
-glm::dvec3 row_of(const glm::dmat4& m, int row) {
-  return {m[0][row], m[1][row], m[2][row]};
-}
 
 void require(JsonObject& object, const char* key, const char* why) {
   if (!object.has(key)) object.fail(key, fmt::format("'{}' is missing", key), why);
@@ -99,9 +96,9 @@ class CascadeReader {
   // Equal within float rounding of products whose terms are as long as the eye is far.
   static bool agree(const glm::dmat4& a, const glm::dmat4& b) {
     for (int row = 0; row < 3; ++row) {
-      const double scale = glm::length(row_of(b, row));
+      const double scale = glm::length(matrix_row(b, row));
       const double reach = 1.0 + std::abs(b[3][row]);
-      if (glm::length(row_of(a, row) - row_of(b, row)) > 1e-5 * scale) return false;
+      if (glm::length(matrix_row(a, row) - matrix_row(b, row)) > 1e-5 * scale) return false;
       if (std::abs(a[3][row] - b[3][row]) > 1e-5 * reach) return false;
     }
     return true;
@@ -126,7 +123,7 @@ class CascadeReader {
   // Stored depth grows along the light, or against it when reversed.
   void check_direction(JsonObject& object, const Cascade& cascade, const char* key) const {
     if (!light_direction_) return;
-    const glm::dvec3 depth = row_of(cascade.world_to_shadow, 2) * (set_.reversed_z ? -1.0 : 1.0);
+    const glm::dvec3 depth = matrix_row(cascade.world_to_shadow, 2) * (set_.reversed_z ? -1.0 : 1.0);
     const double cosine = glm::dot(glm::normalize(depth), *light_direction_);
     if (cosine > 0.9999) return;
     if (cosine < -0.9999) {
@@ -141,20 +138,20 @@ class CascadeReader {
   void derive_pair(Cascade& cascade) const {
     const glm::dmat4& m = cascade.world_to_shadow;
     const double sign = set_.reversed_z ? -1.0 : 1.0;
-    const glm::dvec3 right = glm::normalize(row_of(m, 0));
-    const glm::dvec3 up = glm::normalize(row_of(m, 1));
-    const glm::dvec3 forward = glm::normalize(row_of(m, 2)) * sign;
+    const glm::dvec3 right = glm::normalize(matrix_row(m, 0));
+    const glm::dvec3 up = glm::normalize(matrix_row(m, 1));
+    const glm::dvec3 forward = glm::normalize(matrix_row(m, 2)) * sign;
     const glm::dvec4 tile = cascade.offset_scale;
     const glm::dvec4 near_centre(tile.x + 0.5 * tile.z, tile.y + 0.5 * tile.w, set_.reversed_z ? 1 : 0, 1);
     const glm::dvec3 eye(glm::inverse(m) * near_centre);
     const glm::dmat3 rotation = glm::transpose(glm::dmat3(right, up, -forward));
     cascade.view = glm::dmat4(rotation);
     cascade.view[3] = glm::dvec4(-(rotation * eye), 1.0);
-    const double per_range = glm::length(row_of(m, 2));
+    const double per_range = glm::length(matrix_row(m, 2));
     const bool unit = set_.clip_depth == ClipDepth::zero_to_one;
     cascade.projection = glm::dmat4(1.0);
-    cascade.projection[0][0] = 2.0 * glm::length(row_of(m, 0)) / tile.z;
-    cascade.projection[1][1] = 2.0 * glm::length(row_of(m, 1)) / tile.w;
+    cascade.projection[0][0] = 2.0 * glm::length(matrix_row(m, 0)) / tile.z;
+    cascade.projection[1][1] = 2.0 * glm::length(matrix_row(m, 1)) / tile.w;
     cascade.projection[2][2] = unit ? -per_range : -2.0 * per_range;
     cascade.projection[3][2] = unit ? 0.0 : -1.0;
   }
@@ -164,7 +161,7 @@ class CascadeReader {
     if (!object.has("split_sphere")) {
       const glm::dvec4 tile = cascade.offset_scale;
       const glm::dvec4 middle(tile.x + 0.5 * tile.z, tile.y + 0.5 * tile.w, 0.5, 1.0);
-      const double half = 0.5 * tile.z / glm::length(row_of(cascade.world_to_shadow, 0));
+      const double half = 0.5 * tile.z / glm::length(matrix_row(cascade.world_to_shadow, 0));
       cascade.split_sphere = glm::dvec4(glm::dvec3(glm::inverse(cascade.world_to_shadow) * middle), half);
       return;
     }
@@ -275,7 +272,7 @@ MatricesDump read_matrices(const LocatedJson& document) {
     }
     set.cascades.push_back(cascade);
   }
-  const glm::dvec3 depth = row_of(set.cascades.front().world_to_shadow, 2);
+  const glm::dvec3 depth = matrix_row(set.cascades.front().world_to_shadow, 2);
   set.light_direction = direction.value_or(glm::normalize(set.reversed_z ? -depth : depth));
   return dump;
 }

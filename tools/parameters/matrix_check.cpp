@@ -8,16 +8,14 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
+#include "parameters/matrix_row.h"
+
 namespace penumbra::parameters {
 
 namespace {
 
 // Matrices are dumped as floats, often with six or seven digits.
 constexpr double kRounding = 2e-5;
-
-glm::dvec3 row_of(const glm::dmat4& m, int row) {
-  return {m[0][row], m[1][row], m[2][row]};
-}
 
 std::string why_not_affine(const glm::dmat4& m) {
   for (int column = 0; column < 4; ++column) {
@@ -40,8 +38,8 @@ std::string why_not_affine(const glm::dmat4& m) {
 std::string why_not_perpendicular(const glm::dmat4& m) {
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3;
-    const glm::dvec3 a = row_of(m, i);
-    const glm::dvec3 b = row_of(m, j);
+    const glm::dvec3 a = matrix_row(m, i);
+    const glm::dvec3 b = matrix_row(m, j);
     const double cosine = glm::dot(a, b) / (glm::length(a) * glm::length(b));
     if (std::abs(cosine) > kRounding) {
       return fmt::format("is sheared: rows {} and {} stand at {:.6g} degrees, not 90", std::min(i, j),
@@ -54,7 +52,7 @@ std::string why_not_perpendicular(const glm::dmat4& m) {
 std::string why_singular(const glm::dmat4& m) {
   double lengths = 1.0;
   for (int row = 0; row < 3; ++row) {
-    const double length = glm::length(row_of(m, row));
+    const double length = glm::length(matrix_row(m, row));
     if (!(length > 0.0)) return fmt::format("is singular: row {} is zero", row);
     lengths *= length;
   }
@@ -69,7 +67,7 @@ std::string why_not_rigid(const glm::dmat4& matrix) {
   if (std::string why = why_not_affine(matrix); !why.empty()) return why;
   if (std::string why = why_singular(matrix); !why.empty()) return why;
   for (int row = 0; row < 3; ++row) {
-    const double length = glm::length(row_of(matrix, row));
+    const double length = glm::length(matrix_row(matrix, row));
     if (std::abs(length - 1.0) > kRounding) {
       return fmt::format("is scaled: row {} has length {:.9g}, not 1", row, length);
     }
@@ -81,8 +79,8 @@ std::string why_not_light_projection(const glm::dmat4& matrix, const glm::dvec2&
   if (std::string why = why_not_affine(matrix); !why.empty()) return why;
   if (std::string why = why_singular(matrix); !why.empty()) return why;
   if (std::string why = why_not_perpendicular(matrix); !why.empty()) return why;
-  const double x = glm::length(row_of(matrix, 0)) / tile_size.x;
-  const double y = glm::length(row_of(matrix, 1)) / tile_size.y;
+  const double x = glm::length(matrix_row(matrix, 0)) / tile_size.x;
+  const double y = glm::length(matrix_row(matrix, 1)) / tile_size.y;
   if (std::abs(x - y) > kRounding * std::max(x, y)) {
     return fmt::format("is stretched: a metre is {:.9g} of the tile across and {:.9g} of it up", x, y);
   }

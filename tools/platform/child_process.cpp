@@ -71,9 +71,9 @@ struct Streams {
   TemporaryStream errors;
 };
 
-class SpawnSettings {
+class ChildSettings {
  public:
-  explicit SpawnSettings(const Streams& streams) {
+  explicit ChildSettings(const Streams& streams) {
     posix_spawn_file_actions_init(&actions);
     const int descriptors[] = {streams.input.descriptor(), streams.output.descriptor(),
                                streams.errors.descriptor()};
@@ -86,12 +86,12 @@ class SpawnSettings {
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
     posix_spawnattr_setpgroup(&attributes, 0);
   }
-  ~SpawnSettings() {
+  ~ChildSettings() {
     posix_spawn_file_actions_destroy(&actions);
     posix_spawnattr_destroy(&attributes);
   }
-  SpawnSettings(const SpawnSettings&) = delete;
-  SpawnSettings& operator=(const SpawnSettings&) = delete;
+  ChildSettings(const ChildSettings&) = delete;
+  ChildSettings& operator=(const ChildSettings&) = delete;
 
   posix_spawn_file_actions_t actions{};
   posix_spawnattr_t attributes{};
@@ -128,7 +128,7 @@ pid_t start(const ChildCommand& command, const Streams& streams) {
   std::vector<std::string> variables = variables_of(command);
   const std::vector<char*> environment = pointers_to(variables);
 
-  const SpawnSettings settings(streams);
+  const ChildSettings settings(streams);
   pid_t child = 0;
   const int error = ::posix_spawnp(&child, argv[0], &settings.actions, &settings.attributes, argv.data(),
                                    environment.data());

@@ -84,9 +84,9 @@ std::unique_ptr<Ends> pipe_ends() {
 }
 
 // The worker's descriptors: nothing to read on 0, its noise on 1 and 2, the frames on 3.
-class SpawnSettings {
+class WorkerSettings {
  public:
-  SpawnSettings(int frames, int noise) {
+  WorkerSettings(int frames, int noise) {
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_adddup2(&actions, noise, 1);
@@ -100,12 +100,12 @@ class SpawnSettings {
     sigfillset(&every);
     posix_spawnattr_setsigdefault(&attributes, &every);
   }
-  ~SpawnSettings() {
+  ~WorkerSettings() {
     posix_spawn_file_actions_destroy(&actions);
     posix_spawnattr_destroy(&attributes);
   }
-  SpawnSettings(const SpawnSettings&) = delete;
-  SpawnSettings& operator=(const SpawnSettings&) = delete;
+  WorkerSettings(const WorkerSettings&) = delete;
+  WorkerSettings& operator=(const WorkerSettings&) = delete;
 
   posix_spawn_file_actions_t actions{};
   posix_spawnattr_t attributes{};
@@ -122,7 +122,7 @@ WorkerProcess::WorkerProcess(const std::vector<std::string>& arguments) {
   argv.reserve(words.size() + 1);
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
-  const SpawnSettings settings(frames->theirs.get(), noise->theirs.get());
+  const WorkerSettings settings(frames->theirs.get(), noise->theirs.get());
   errno = ::posix_spawn(&process_, argv[0], &settings.actions, &settings.attributes, argv.data(), environ);
   if (errno != 0) fail(argv[0]);
   socket_ = frames->ours.release();

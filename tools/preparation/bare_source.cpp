@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <array>
 
+#include "preparation/characters.h"
+
 namespace penumbra::preparation {
 
 namespace {
-
-bool is_blank(char c) {
-  return c == ' ' || c == '\t';
-}
 
 class BareSource {
  public:

@@ -9,7 +9,7 @@ namespace penumbra::preparation {
 
 namespace {
 
-bool is_modifier(std::string_view word) {
+bool is_storage_modifier(std::string_view word) {
   static constexpr hlsl::WordSet modifiers("static", "const", "uniform", "extern", "precise", "groupshared",
                                            "volatile", "row_major", "column_major", "snorm", "unorm",
                                            "linear", "centroid", "shared", "sample", "nointerpolation",
@@ -41,7 +41,7 @@ std::vector<Declarator> declarators(const TokenText& text, std::size_t first, st
   Declarator common;
   std::size_t at = first;
   while (text.is(at, "[") && text.partner(at) != npos) at = text.partner(at) + 1;
-  for (; at < last && text.is_word(at) && is_modifier(text[at].spelling); ++at) {
+  for (; at < last && text.is_word(at) && is_storage_modifier(text[at].spelling); ++at) {
     common.is_static = common.is_static || text.is(at, "static");
     common.is_const = common.is_const || text.is(at, "const");
     common.is_groupshared = common.is_groupshared || text.is(at, "groupshared");

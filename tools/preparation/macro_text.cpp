@@ -2,15 +2,13 @@
 
 #include <algorithm>
 
+#include "preparation/characters.h"
+
 namespace penumbra::preparation {
 
 namespace {
 
-bool is_word(char c) {
-  return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-
-bool is_blank(char c) {
+bool is_white_space(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v';
 }
 
@@ -40,7 +38,7 @@ class MacroScan {
 
   // Blanks, comments and joined lines; true when there was one.
   bool gap() {
-    if (is_blank(peek())) {
+    if (is_white_space(peek())) {
       ++at_;
     } else if (peek() == '\\' && peek(1) == '\n') {
       at_ += 2;

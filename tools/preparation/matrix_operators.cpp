@@ -13,7 +13,7 @@ namespace penumbra::preparation {
 
 namespace {
 
-constexpr std::string_view function_name = "penumbra_times";
+constexpr std::string_view product_function = "penumbra_times";
 
 // "4x3" of float4x3; empty for all but matrices of floats.
 std::string_view matrix_shape(std::string_view type) {
@@ -81,7 +81,7 @@ class MatrixOperators {
     const std::size_t begin = text_.is(at, "*") ? product_begin(at, left.begin) : npos;
     if (begin != npos) {
       remember(left, right);
-      text_.insert(begin, std::string(function_name) + "(");
+      text_.insert(begin, std::string(product_function) + "(");
       text_.replace(at, 1, ",");
     }
     cast_the_larger(left, right);
@@ -98,8 +98,8 @@ class MatrixOperators {
     if (left.matrix.empty() || by_scalar || !begins_statement(text_, left.begin)) return;
     if (end == npos || !text_.is(end, ";") || !may_be_repeated(text_, left.begin, left.end)) return;
     remember(left, right);
-    text_.replace(at, 2,
-                  "= " + std::string(function_name) + "(" + text_.spelled(left.begin, at - left.begin) + ",");
+    text_.replace(
+        at, 2, "= " + std::string(product_function) + "(" + text_.spelled(left.begin, at - left.begin) + ",");
     text_.insert(end, ")");
   }
 
@@ -252,7 +252,7 @@ class MatrixOperators {
   // Row by row, and by a scalar on either side.
   static std::string definitions(std::string_view shape) {
     const std::string type = "float" + std::string(shape);
-    const std::string head = type + " " + std::string(function_name) + "(";
+    const std::string head = type + " " + std::string(product_function) + "(";
     std::string rows;
     for (char row = '0'; row < shape[0]; ++row) {
       const std::string i = std::string("[") + row + "]";

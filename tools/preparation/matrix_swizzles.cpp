@@ -42,7 +42,7 @@ std::string index(const Element& element) {
   return "[" + std::to_string(element.row) + "][" + std::to_string(element.column) + "]";
 }
 
-std::string function_name(std::string_view word) {
+std::string swizzle_function(std::string_view word) {
   return "penumbra_swizzle" + std::string(word);
 }
 
@@ -61,7 +61,7 @@ std::string function_definitions(std::string_view word) {
     for (int r = rows; r <= 4; ++r) {
       for (int c = columns; c <= 4; ++c) {
         const std::string vector = type + std::to_string(elements.size());
-        text.append(vector).append(" ").append(function_name(word)).append("(").append(type);
+        text.append(vector).append(" ").append(swizzle_function(word)).append("(").append(type);
         text.append(std::to_string(r)).append("x").append(std::to_string(c));
         text.append(" m) { return ").append(vector).append("(");
         for (std::size_t i = 0; i < elements.size(); ++i)
@@ -116,7 +116,7 @@ class Swizzles {
   void read(std::size_t begin, std::size_t dot) {
     const std::string_view word = text_[dot + 1].spelling;
     read_.insert(word);
-    text_.insert(begin, function_name(word) + "(");
+    text_.insert(begin, swizzle_function(word) + "(");
     text_.replace(dot, 2, ")");
   }
 

@@ -49,28 +49,28 @@ std::string widened(const std::string& parameter) {
   return result;
 }
 
-struct Function {
+struct TwinnedFunction {
   const hlsl::Declaration* declaration;
   std::string name;  // with its namespaces
   std::vector<std::string> parameters;
   std::vector<std::string> widened_parameters;
 };
 
-Function read_function(const TokenText& text, const hlsl::Declaration& declaration) {
-  Function function{&declaration,
-                    declaration.scope + std::string(text[declaration.name].spelling),
-                    hlsl::parameter_types(text.tokens(), declaration),
-                    {}};
+TwinnedFunction read_function(const TokenText& text, const hlsl::Declaration& declaration) {
+  TwinnedFunction function{&declaration,
+                           declaration.scope + std::string(text[declaration.name].spelling),
+                           hlsl::parameter_types(text.tokens(), declaration),
+                           {}};
   for (const std::string& type : function.parameters) function.widened_parameters.push_back(widened(type));
   return function;
 }
 
 // Those that share their name with another; no other can have a twin.
-std::vector<Function> overloaded_functions(const TokenText& text) {
+std::vector<TwinnedFunction> overloaded_functions(const TokenText& text) {
   std::unordered_map<std::string_view, int> definitions;  // by name, of all namespaces together
   for (const hlsl::Declaration& declaration : text.outline())
     if (declaration.kind == hlsl::Declaration::Kind::function) ++definitions[text[declaration.name].spelling];
-  std::vector<Function> functions;
+  std::vector<TwinnedFunction> functions;
   for (const hlsl::Declaration& declaration : text.outline()) {
     if (declaration.kind != hlsl::Declaration::Kind::function) continue;
     if (definitions[text[declaration.name].spelling] > 1)
@@ -79,7 +79,7 @@ std::vector<Function> overloaded_functions(const TokenText& text) {
   return functions;
 }
 
-int narrow_parameters(const Function& function) {
+int narrow_parameters(const TwinnedFunction& function) {
   int count = 0;
   for (std::size_t i = 0; i < function.parameters.size(); ++i)
     count += function.parameters[i] != function.widened_parameters[i] ? 1 : 0;
@@ -87,7 +87,7 @@ int narrow_parameters(const Function& function) {
 }
 
 // float f(float x) { return f(half(x)); }: with one body left it would call itself.
-bool calls_its_name(const TokenText& text, const Function& function) {
+bool calls_its_name(const TokenText& text, const TwinnedFunction& function) {
   const hlsl::Declaration& declaration = *function.declaration;
   const std::string_view name = text[declaration.name].spelling;
   for (std::size_t at = declaration.open; at < declaration.close; ++at)
@@ -96,7 +96,7 @@ bool calls_its_name(const TokenText& text, const Function& function) {
 }
 
 // Which of two twins keeps its body: one that does not hand on to the other, then the one that loses less.
-bool better(const TokenText& text, const Function& a, const Function& b) {
+bool better(const TokenText& text, const TwinnedFunction& a, const TwinnedFunction& b) {
   const bool a_calls = calls_its_name(text, a);
   const bool b_calls = calls_its_name(text, b);
   return a_calls != b_calls ? b_calls : narrow_parameters(a) < narrow_parameters(b);
@@ -108,7 +108,7 @@ std::string list(const std::vector<std::string>& types) {
   return "(" + text + ")";
 }
 
-std::string widened_signature(const Function& function) {
+std::string widened_signature(const TwinnedFunction& function) {
   return function.name + list(function.widened_parameters);
 }
 
@@ -133,7 +133,7 @@ bool same_bodies(const TokenText& text, const hlsl::Declaration& a, const hlsl::
   return true;
 }
 
-void drop(TokenText& text, const Function& gone, const Function& kept) {
+void drop(TokenText& text, const TwinnedFunction& gone, const TwinnedFunction& kept) {
   const std::size_t kept_at = kept.declaration->name;
   const bool same = same_bodies(text, *gone.declaration, *kept.declaration);
   text.note(gone.declaration->name, hlsl::Severity::note,
@@ -147,16 +147,16 @@ void drop(TokenText& text, const Function& gone, const Function& kept) {
 }  // namespace
 
 void merge_precision_twins(TokenText& text) {
-  const std::vector<Function> functions = overloaded_functions(text);
-  std::unordered_map<std::string, const Function*> kept;
-  std::vector<const Function**> kept_of;  // of each function: where the one that its kind keeps is
-  for (const Function& function : functions) {
-    const Function*& best = kept[widened_signature(function)];
+  const std::vector<TwinnedFunction> functions = overloaded_functions(text);
+  std::unordered_map<std::string, const TwinnedFunction*> kept;
+  std::vector<const TwinnedFunction**> kept_of;  // of each function: where the one that its kind keeps is
+  for (const TwinnedFunction& function : functions) {
+    const TwinnedFunction*& best = kept[widened_signature(function)];
     if (best == nullptr || better(text, function, *best)) best = &function;
     kept_of.push_back(&best);
   }
   for (std::size_t i = 0; i < functions.size(); ++i) {
-    const Function& best = **kept_of[i];
+    const TwinnedFunction& best = **kept_of[i];
     if (functions[i].parameters == best.parameters) continue;  // itself, or a definition spelled alike
     drop(text, functions[i], best);
   }

@@ -4,19 +4,11 @@
 #include <cstddef>
 #include <string_view>
 
+#include "preparation/characters.h"
+
 namespace penumbra::preparation {
 
 namespace {
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-bool is_word(char c) {
-  return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-bool is_blank(char c) {
-  return c == ' ' || c == '\t';
-}
 
 class SourceScan {
  public:

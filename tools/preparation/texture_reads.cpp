@@ -28,14 +28,14 @@ constexpr std::array<Texture, 7> textures{{{"Texture1D", "float", "float"},
                                            {"TextureCubeArray", "float4", "float3"}}};
 
 // A member function of textures. C and D in its parameters stand for the two types above.
-struct Function {
+struct ReadFunction {
   std::string_view name;
   std::string_view returned;  // empty: what the texture holds
   std::string_view parameters;
   std::string_view arguments;
   int count;  // of them
 };
-constexpr std::array<Function, 12> functions{
+constexpr std::array<ReadFunction, 12> functions{
     {{"Sample", "", "SamplerState s, C c", "s, c", 2},
      {"SampleLevel", "", "SamplerState s, C c, float level", "s, c, level", 3},
      {"SampleBias", "", "SamplerState s, C c, float bias", "s, c, bias", 3},
@@ -130,18 +130,19 @@ class Reads {
   void separate(const Read& read) {
     const ValueType& type = types_.at(read.dot - 1);
     const Texture* texture = row(textures, type.name, &Texture::type);
-    const Function* function = row(functions, word(read.dot + 1), &Function::name);
+    const ReadFunction* function = row(functions, word(read.dot + 1), &ReadFunction::name);
     if (texture == nullptr || function == nullptr || arguments(read.dot + 2) != function->count) return;
     needed_.insert(definition(*texture, type.element, *function));
     text_.insert(read.first, function_name(*function) + "(");
     text_.replace(read.dot, 3, ",");
   }
 
-  std::string function_name(const Function& function) const {
+  std::string function_name(const ReadFunction& function) const {
     return text_.free_name(std::string(function.name) + "_of");
   }
 
-  std::string definition(const Texture& texture, std::string_view element, const Function& function) const {
+  std::string definition(const Texture& texture, std::string_view element,
+                         const ReadFunction& function) const {
     const std::string held(element.empty() ? "float4" : element);
     std::string text = std::string(function.returned.empty() ? held : function.returned) + " ";
     text.append(function_name(function)).append("(").append(texture.type);

@@ -22,4 +22,9 @@ std::vector<fs::path> folders_in(const fs::path& folder) {
   return folders;
 }
 
+bool is_there(const fs::path& file) {
+  std::error_code ignored;
+  return fs::exists(fs::symlink_status(file, ignored));
+}
+
 }  // namespace penumbra::project

@@ -8,6 +8,7 @@
 #include "project/ascii_case.h"
 #include "project/caseless_file.h"
 #include "project/editor_includes.h"
+#include "project/folder_entries.h"
 
 namespace penumbra::project {
 
@@ -81,11 +82,6 @@ Places places_of(const IncludeRoots& roots, const std::string& header, const fs:
     places.tried.push_back({includer.parent_path(), header.substr(after_slashes)});
   for (const fs::path& directory : roots.directories) places.tried.push_back({directory, header});
   return places;
-}
-
-bool is_there(const fs::path& file) {
-  std::error_code ignored;
-  return fs::exists(fs::symlink_status(file, ignored));
 }
 
 std::string ambiguous_message(std::string_view asked, const std::vector<fs::path>& files) {

@@ -1,21 +1,11 @@
 #include "project/project_manifest.h"
 
-#include <system_error>
-
 #include "input/located_json.h"
+#include "project/folder_entries.h"
 
 namespace penumbra::project {
 
 namespace fs = std::filesystem;
-
-namespace {
-
-bool is_there(const fs::path& file) {
-  std::error_code ignored;
-  return fs::exists(fs::symlink_status(file, ignored));
-}
-
-}  // namespace
 
 ProjectManifest read_project_manifest(const fs::path& packages) {
   ProjectManifest manifest;

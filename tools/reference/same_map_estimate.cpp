@@ -19,7 +19,7 @@
 namespace penumbra::reference {
 namespace {
 
-constexpr int algorithm_version = 1;  // a change of any result takes the next number
+constexpr int same_map_version = 1;  // a change of any result takes the next number
 
 void check(const MapView& view) {
   const scene::ShadowAtlas& atlas = view.atlas;
@@ -32,7 +32,7 @@ void check(const MapView& view) {
 
 std::string key_of(const MapView& view) {
   platform::ContentHash hash;
-  hash.update(std::string_view("T2")).update(algorithm_version);
+  hash.update(std::string_view("T2")).update(same_map_version);
   hash.update(view.atlas.width).update(view.atlas.height).update(static_cast<int>(view.atlas.format));
   hash.update(std::span<const float>(view.atlas.depth));
   const auto update = [&](const auto& vector) {

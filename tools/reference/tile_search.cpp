@@ -7,6 +7,7 @@
 #include <glm/vec4.hpp>
 
 #include "input/input_error.h"
+#include "parameters/matrix_row.h"
 
 namespace penumbra::reference {
 namespace {
@@ -23,10 +24,6 @@ double quantum(scene::DepthFormat format) {
   return 0x1p-24;
 }
 
-glm::dvec3 matrix_row(const glm::dmat4& matrix, int row) {
-  return {matrix[0][row], matrix[1][row], matrix[2][row]};
-}
-
 }  // namespace
 
 TileSearch::TileSearch(const scene::ShadowAtlas& atlas, const parameters::CascadeSet& cascades,
@@ -34,9 +31,9 @@ TileSearch::TileSearch(const scene::ShadowAtlas& atlas, const parameters::Cascad
     : depths_(atlas, cascades.cascades[cascade], cascades.reversed_z),
       world_to_shadow_(cascades.cascades[cascade].world_to_shadow),
       height_sign_(cascades.reversed_z ? 1.0 : -1.0) {
-  const glm::dvec3 across = matrix_row(world_to_shadow_, 0);
-  const glm::dvec3 along = matrix_row(world_to_shadow_, 1);
-  const glm::dvec3 depth = height_sign_ * matrix_row(world_to_shadow_, 2);
+  const glm::dvec3 across = parameters::matrix_row(world_to_shadow_, 0);
+  const glm::dvec3 along = parameters::matrix_row(world_to_shadow_, 1);
+  const glm::dvec3 depth = height_sign_ * parameters::matrix_row(world_to_shadow_, 2);
   const glm::dvec3 lengths(glm::length(across), glm::length(along), glm::length(depth));
   if (!(lengths.x > 0.0 && lengths.y > 0.0 && lengths.z > 0.0)) {
     throw InputError("", "a cascade's world_to_shadow matrix is singular");

@@ -18,7 +18,7 @@
 namespace penumbra::reference {
 namespace {
 
-constexpr int algorithm_version = 1;  // a change of any result takes the next number
+constexpr int tracing_version = 1;  // a change of any result takes the next number
 
 void check(const TraceOptions& options) {
   const int samples = options.samples;
@@ -34,7 +34,7 @@ void check(const TraceOptions& options) {
 std::string key_of(const scene::Mesh& mesh, const scene::Receivers& receivers, const parameters::Light& light,
                    const TraceOptions& options) {
   platform::ContentHash hash;
-  hash.update(std::string_view("T1")).update(algorithm_version);
+  hash.update(std::string_view("T1")).update(tracing_version);
   hash.update(std::span<const glm::vec3>(mesh.positions));
   hash.update(std::span<const std::uint32_t>(mesh.indices));
   hash.update(receivers.width).update(receivers.height);

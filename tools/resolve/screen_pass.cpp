@@ -7,8 +7,6 @@
 namespace penumbra::resolve {
 namespace {
 
-constexpr std::uint32_t kTriangle = 3;
-
 gpu::RasterShaders shaders_of(const CompiledScreenPass& compiled, ScreenPass::Module module) {
   const bool counting = module == ScreenPass::Module::counting;
   gpu::RasterShaders shaders;
@@ -62,7 +60,7 @@ double ScreenPass::draw(const gpu::Image& target, const ScreenResources& resourc
   gpu::RasterTile whole;
   whole.width = target.width();
   whole.height = target.height();
-  whole.vertex_count = kTriangle;
+  whole.vertex_count = 3;  // one triangle over all of it
   return pass_.draw({{&target}, nullptr, 0.0F}, {whole});
 }
 

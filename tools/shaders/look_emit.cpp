@@ -28,14 +28,14 @@ constexpr const char* custom = R"(        /// <summary>Values of no look, set by
 
 )";
 
-constexpr const char* table_begin = R"(    internal static class LookTable
+constexpr const char* look_table_begin = R"(    internal static class LookTable
     {
         /// <summary>In ShadowLook's order.</summary>
         internal static readonly LookValues[] Rows =
         {
 )";
 
-constexpr const char* table_end = R"(        };
+constexpr const char* look_table_end = R"(        };
     }
 }
 )";
@@ -67,9 +67,9 @@ std::string row(const Look& look) {
 std::string emit_looks_csharp(const TechniqueList& list) {
   std::string text = enum_begin;
   for (const Look& look : list.looks) text += enum_value(look);
-  text.append(custom).append(table_begin);
+  text.append(custom).append(look_table_begin);
   for (const Look& look : list.looks) text += row(look);
-  return text + table_end;
+  return text + look_table_end;
 }
 
 }  // namespace penumbra::shaders

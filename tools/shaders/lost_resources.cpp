@@ -21,9 +21,9 @@ SpirvWords handles(SpirvWords instruction) {
   return reads && instruction.size() > 3 ? instruction.subspan(3, 1) : SpirvWords{};
 }
 
-class Search {
+class LostSearch {
  public:
-  explicit Search(const SpirvModule& module) : module_(module) {}
+  explicit LostSearch(const SpirvModule& module) : module_(module) {}
 
   std::vector<std::string> run() {
     for_each_instruction(module_, [this](SpirvWords instruction) { visit(instruction); });
@@ -78,7 +78,7 @@ class Search {
 }  // namespace
 
 std::vector<std::string> lost_resources(const SpirvModule& module) {
-  return Search(module).run();
+  return LostSearch(module).run();
 }
 
 }  // namespace penumbra::shaders

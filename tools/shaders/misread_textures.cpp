@@ -4,7 +4,6 @@
 #include <map>
 #include <set>
 
-#define SPV_ENABLE_UTILITY_CODE
 #include "shaders/spirv_words.h"
 
 namespace penumbra::shaders {
@@ -30,9 +29,9 @@ std::uint32_t coordinates(spv::Dim dimension, bool is_array) {
   }
 }
 
-class Search {
+class MisreadSearch {
  public:
-  explicit Search(const SpirvModule& module) : module_(module) {}
+  explicit MisreadSearch(const SpirvModule& module) : module_(module) {}
 
   std::vector<std::string> run() {
     for_each_instruction(module_, [this](SpirvWords instruction) { visit(instruction); });
@@ -96,7 +95,7 @@ class Search {
 }  // namespace
 
 std::vector<std::string> misread_textures(const SpirvModule& module) {
-  return Search(module).run();
+  return MisreadSearch(module).run();
 }
 
 }  // namespace penumbra::shaders

@@ -4,14 +4,11 @@
 #include <unordered_set>
 #include <vector>
 
+#include "shaders/spirv_words.h"
+
 namespace penumbra::shaders {
 
 namespace {
-
-constexpr std::size_t header_words = 5;
-constexpr std::uint32_t op_decorate = 71;         // target, decoration
-constexpr std::uint32_t op_member_decorate = 72;  // structure, member, decoration
-constexpr std::uint32_t relaxed_precision = 0;
 
 bool is_word_character(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
@@ -29,8 +26,9 @@ bool is_set_at(std::string_view text, std::size_t at) {
 bool is_relaxed_precision(const SpirvModule& module, std::size_t at) {
   const std::uint32_t opcode = module[at] & 0xFFFFU;
   const std::size_t length = module[at] >> 16U;
-  return (opcode == op_decorate && length == 3 && module[at + 2] == relaxed_precision) ||
-         (opcode == op_member_decorate && length == 4 && module[at + 3] == relaxed_precision);
+  return (opcode == spv::OpDecorate && length == 3 && module[at + 2] == spv::DecorationRelaxedPrecision) ||
+         (opcode == spv::OpMemberDecorate && length == 4 &&
+          module[at + 3] == spv::DecorationRelaxedPrecision);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace penumbra::shaders {
 
 namespace {
 
-constexpr const char* table_begin =
+constexpr const char* preset_table_begin =
     R"(namespace Penumbra
 {
     // The options of the quality presets, in QualityPreset's order.
@@ -23,7 +23,7 @@ constexpr const char* table_begin =
         {
 )";
 
-constexpr const char* table_end = R"(        };
+constexpr const char* preset_table_end = R"(        };
     }
 }
 )";
@@ -74,10 +74,10 @@ std::string row(const Technique& preset) {
 }  // namespace
 
 std::string emit_presets_csharp(const TechniqueList& list) {
-  std::string text = table_begin;
+  std::string text = preset_table_begin;
   for (const Technique& technique : list.techniques)
     if (technique.name.starts_with(preset_prefix)) text += row(technique);
-  return text + table_end;
+  return text + preset_table_end;
 }
 
 }  // namespace penumbra::shaders

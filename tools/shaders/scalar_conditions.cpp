@@ -2,16 +2,12 @@
 
 #include <unordered_set>
 
+#include "shaders/spirv_words.h"
+
 namespace penumbra::shaders {
 
 namespace {
 
-// SPIR-V specification 1.3, section 3.32.
-constexpr std::size_t header_words = 5;
-constexpr std::uint32_t op_type_bool = 20;
-constexpr std::uint32_t op_copy_object = 83;
-constexpr std::uint32_t op_any = 154;
-constexpr std::uint32_t op_all = 155;
 constexpr std::uint32_t opcode_mask = 0xFFFFU;
 
 // Every instruction by its place; ends where a length is none, which is left to the validator.
@@ -31,11 +27,11 @@ void copy_scalar_conditions(SpirvModule& module) {
   std::unordered_set<std::uint32_t> bool_types;
   std::unordered_set<std::uint32_t> bools;  // results of a type of bool: words 1 and 2 of what has both
   each_instruction(module, [&](std::size_t at, std::uint32_t opcode, std::size_t length) {
-    if (opcode == op_type_bool && length == 2) bool_types.insert(module[at + 1]);
+    if (opcode == spv::OpTypeBool && length == 2) bool_types.insert(module[at + 1]);
     if (length < 3 || bool_types.count(module[at + 1]) == 0) return;
-    const bool condition = (opcode == op_any || opcode == op_all) && length == 4;
+    const bool condition = (opcode == spv::OpAny || opcode == spv::OpAll) && length == 4;
     if (condition && bools.count(module[at + 3]) != 0)
-      module[at] = (module[at] & ~opcode_mask) | op_copy_object;
+      module[at] = (module[at] & ~opcode_mask) | spv::OpCopyObject;
     bools.insert(module[at + 2]);
   });
 }

@@ -13,10 +13,6 @@ namespace penumbra::shaders {
 
 namespace {
 
-constexpr std::size_t header_words = 5;
-constexpr std::uint32_t op_decorate = 71;         // OpDecorate target decoration operands...
-constexpr std::uint32_t decoration_binding = 33;  // SPIR-V specification 3.20
-
 spv_target_env environment(VulkanVersion vulkan) {
   switch (vulkan) {
     case VulkanVersion::v1_0:
@@ -152,7 +148,7 @@ void number_bindings(SpirvModule& module) {
     const std::uint32_t length = module[at] >> 16U;
     if (length == 0 || at + length > module.size()) return;  // left to the validator
     const bool binding =
-        (module[at] & 0xFFFFU) == op_decorate && length == 4 && module[at + 2] == decoration_binding;
+        (module[at] & 0xFFFFU) == spv::OpDecorate && length == 4 && module[at + 2] == spv::DecorationBinding;
     if (binding) module[at + 3] = next++;
     at += length;
   }

@@ -11,6 +11,8 @@
 
 namespace penumbra::shaders {
 
+constexpr std::size_t header_words = 5;
+
 using SpirvWords = std::span<const std::uint32_t>;
 
 inline spv::Op opcode(SpirvWords instruction) {
@@ -33,7 +35,6 @@ inline std::string literal_text(SpirvWords words) {
 // visit(SpirvWords) for each instruction behind the header. Ends where the words are those of no module.
 template <typename Visit>
 void for_each_instruction(const SpirvModule& module, Visit visit) {
-  constexpr std::size_t header_words = 5;
   for (std::size_t at = header_words; at < module.size();) {
     const std::size_t length = module[at] >> 16U;
     if (length == 0 || at + length > module.size()) return;

@@ -1,19 +1,16 @@
 #include "shaders/uncalled_functions.h"
 
-#define SPV_ENABLE_UTILITY_CODE
-#include <glslang/SPIRV/spirv.hpp>
-
 #include <cstddef>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
 #include <vector>
 
+#include "shaders/spirv_words.h"
+
 namespace penumbra::shaders {
 
 namespace {
-
-constexpr std::size_t header_words = 5;
 
 using Ids = std::unordered_set<std::uint32_t>;
 

@@ -9,9 +9,7 @@
 namespace penumbra::study {
 namespace {
 
-constexpr int kGap = 8;         // pixels between and around pictures
-constexpr int kCaptionGap = 4;  // between a caption and its picture
-constexpr Rgb kPaper{255, 255, 255};
+constexpr int kCaptionGap = 4;   // between a caption and its picture
 constexpr Rgb kInk{34, 34, 34};  // a grey: sheets of greys keep within a palette
 
 std::vector<std::string> lines_of(const std::string& caption) {
@@ -33,12 +31,6 @@ void fill(Picture& picture, int left, int top, int right, int bottom, Rgb colour
   }
 }
 
-void place(Picture& canvas, int left, int top, const Picture& picture) {
-  for (int y = 0; y < picture.height; ++y) {
-    for (int x = 0; x < picture.width; ++x) set_pixel(canvas, left + x, top + y, pixel(picture, x, y));
-  }
-}
-
 // Writes captions of one size into a canvas.
 class Captions {
  public:
@@ -49,8 +41,8 @@ class Captions {
     const int last = rows - 1;
     int last_right = left + width;
     if (item.legend) {
-      last_right =
-          draw_legend(left + width, top + last * letters_.line_height(), *item.legend, width / 5) - kGap;
+      last_right = draw_legend(left + width, top + last * letters_.line_height(), *item.legend, width / 5) -
+                   kPictureGap;
     }
     const std::vector<std::string> lines = lines_of(item.caption);
     for (int row = 0; row < static_cast<int>(lines.size()); ++row) {
@@ -63,7 +55,7 @@ class Captions {
  private:
   // "from" [======] "to", right-aligned in the caption's row. Returns its left end.
   int draw_legend(int right, int top, const Legend& legend, int strip_width) {
-    const int strip_right = right - letters_.width(legend.to) - kGap / 2;
+    const int strip_right = right - letters_.width(legend.to) - kPictureGap / 2;
     const int strip_left = strip_right - strip_width;
     letters_.draw(canvas_, right - letters_.width(legend.to), top, legend.to, kInk);
     const int strip_top = top + letters_.line_height() / 4;
@@ -72,7 +64,7 @@ class Captions {
       fill(canvas_, strip_left + x, strip_top, strip_left + x + 1, strip_top + letters_.line_height() / 2,
            colour);
     }
-    const int left = strip_left - kGap / 2 - letters_.width(legend.from);
+    const int left = strip_left - kPictureGap / 2 - letters_.width(legend.from);
     letters_.draw(canvas_, left, top, legend.from, kInk);
     return left;
   }
@@ -99,8 +91,9 @@ Picture compose(const std::vector<CaptionedPicture>& pictures, int columns, int 
   const int rows = (static_cast<int>(pictures.size()) + columns - 1) / columns;
   const int caption_rows = most_lines(pictures);
   const int caption_height = caption_rows * Lettering(text_size).line_height() + kCaptionGap;
-  const int cell_height = caption_height + height + kGap;
-  Picture canvas = filled_picture(used * (cell_width + kGap) + kGap, rows * cell_height + kGap, kPaper);
+  const int cell_height = caption_height + height + kPictureGap;
+  Picture canvas = filled_picture(used * (cell_width + kPictureGap) + kPictureGap,
+                                  rows * cell_height + kPictureGap, kPaper);
 
   Captions captions(canvas, text_size);
   for (std::size_t i = 0; i < pictures.size(); ++i) {
@@ -108,10 +101,10 @@ Picture compose(const std::vector<CaptionedPicture>& pictures, int columns, int 
     if (item.picture.width != width || item.picture.height != height || item.picture.channels != 3) {
       throw std::invalid_argument("pictures to compose differ in size");
     }
-    const int left = kGap + static_cast<int>(i) % columns * (cell_width + kGap);
-    const int top = kGap + static_cast<int>(i) / columns * cell_height;
+    const int left = kPictureGap + static_cast<int>(i) % columns * (cell_width + kPictureGap);
+    const int top = kPictureGap + static_cast<int>(i) / columns * cell_height;
     captions.draw(left, top, cell_width, caption_rows, item);
-    place(canvas, left, top + caption_height, item.picture);
+    place_picture(canvas, left, top + caption_height, item.picture);
   }
   return canvas;
 }

@@ -21,7 +21,9 @@ struct CaptionedPicture {
   std::optional<Legend> legend;
 };
 
-inline constexpr int kTextSize = 20;  // pixels of a caption's line
+inline constexpr int kTextSize = 20;   // pixels of a caption's line
+inline constexpr int kPictureGap = 8;  // pixels between pictures
+inline constexpr Rgb kPaper{255, 255, 255};
 
 // Rows of at most `columns` pictures, dark text on white, each caption above its picture and cut to its
 // width, or to `least_width` pixels where that is more. Captions are UTF-8.

@@ -5,15 +5,13 @@
 #include <stdexcept>
 
 #include "study/colour_map.h"
+#include "study/composition.h"
 
 namespace penumbra::study {
 namespace {
 
 constexpr int kFrame = 4;  // pixels around an inset
 constexpr int kMark = 2;   // around its place in the picture
-constexpr int kGap = 8;
-constexpr Rgb kPaper{255, 255, 255};
-
 Rgb frame_colour(std::size_t inset) {
   static constexpr std::array kOrder{Category::vermillion, Category::blue, Category::yellow,
                                      Category::bluish_green};
@@ -37,19 +35,13 @@ void draw_frame(Picture& picture, const PictureWindow& window, int thickness, Rg
   fill(picture, {window.x + window.width, window.y, thickness, window.height}, colour);
 }
 
-void place(Picture& canvas, int left, int top, const Picture& picture) {
-  for (int y = 0; y < picture.height; ++y) {
-    for (int x = 0; x < picture.width; ++x) set_pixel(canvas, left + x, top + y, pixel(picture, x, y));
-  }
-}
-
 }  // namespace
 
 int inset_factor(int width, const std::vector<PictureWindow>& windows) {
   const int count = static_cast<int>(windows.size());
   int sum = 0;
   for (const PictureWindow& window : windows) sum += window.width;
-  return sum == 0 ? 0 : std::max(width - 2 * kFrame * count - kGap * (count - 1), 0) / sum;
+  return sum == 0 ? 0 : std::max(width - 2 * kFrame * count - kPictureGap * (count - 1), 0) / sum;
 }
 
 Picture with_insets(const Picture& picture, int zoom, const std::vector<PictureWindow>& windows) {
@@ -58,27 +50,28 @@ Picture with_insets(const Picture& picture, int zoom, const std::vector<PictureW
   const int factor = inset_factor(marked.width, windows);
   if (factor == 0) throw std::invalid_argument("the insets do not fit beneath the picture");
   int tallest = 0;
-  int rest = marked.width - kGap * (static_cast<int>(windows.size()) - 1);
+  int rest = marked.width - kPictureGap * (static_cast<int>(windows.size()) - 1);
   for (const PictureWindow& window : windows) {
     tallest = std::max(tallest, window.height);
     rest -= window.width * factor + 2 * kFrame;
   }
-  Picture canvas = filled_picture(marked.width, marked.height + kGap + tallest * factor + 2 * kFrame, kPaper);
+  Picture canvas =
+      filled_picture(marked.width, marked.height + kPictureGap + tallest * factor + 2 * kFrame, kPaper);
   for (std::size_t i = 0; i < windows.size(); ++i) {
     const PictureWindow& window = windows[i];
     draw_frame(marked, {window.x * zoom, window.y * zoom, window.width * zoom, window.height * zoom}, kMark,
                frame_colour(i));
   }
-  place(canvas, 0, 0, marked);
+  place_picture(canvas, 0, 0, marked);
   // What is left of the width stands between them, so that the outer ones align with the picture.
   const int between = windows.size() > 1 ? rest / (static_cast<int>(windows.size()) - 1) : 0;
   int left = windows.size() > 1 ? kFrame : kFrame + rest / 2;
-  const int top = marked.height + kGap + kFrame;
+  const int top = marked.height + kPictureGap + kFrame;
   for (std::size_t i = 0; i < windows.size(); ++i) {
     const Picture inset = enlarged(cropped(picture, windows[i]), factor);
-    place(canvas, left, top, inset);
+    place_picture(canvas, left, top, inset);
     draw_frame(canvas, {left, top, inset.width, inset.height}, kFrame, frame_colour(i));
-    left += inset.width + 2 * kFrame + kGap + between;
+    left += inset.width + 2 * kFrame + kPictureGap + between;
   }
   return canvas;
 }

@@ -80,6 +80,12 @@ Rgb pixel(const Picture& rgb, int x, int y) {
   return {rgb.samples[at], rgb.samples[at + 1], rgb.samples[at + 2]};
 }
 
+void place_picture(Picture& canvas, int left, int top, const Picture& picture) {
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) set_pixel(canvas, left + x, top + y, pixel(picture, x, y));
+  }
+}
+
 void set_pixel(Picture& rgb, int x, int y, Rgb colour) {
   const std::size_t at = offset(rgb, x, y);
   rgb.samples[at] = colour.r;

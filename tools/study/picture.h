@@ -42,6 +42,7 @@ struct PictureWindow {
 Picture filled_picture(int width, int height, Rgb colour);
 Rgb pixel(const Picture& rgb, int x, int y);
 void set_pixel(Picture& rgb, int x, int y, Rgb colour);
+void place_picture(Picture& canvas, int left, int top, const Picture& picture);
 
 // The window's pixels. Throws std::invalid_argument when it is empty or reaches beyond the picture.
 Picture cropped(const Picture& rgb, const PictureWindow& window);

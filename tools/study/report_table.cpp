@@ -204,9 +204,9 @@ std::string links_cell(const std::optional<std::size_t>& pictures, std::size_t r
       link, row);
 }
 
-class Table {
+class HtmlTable {
  public:
-  Table(const Results& results, const std::vector<PictureRow>& pictures)
+  HtmlTable(const Results& results, const std::vector<PictureRow>& pictures)
       : results_(results), pictures_(pictures), rows_(rows_of(results)), columns_(columns(rows_)) {
     for (const Column& column : columns_) {
       largest_.push_back(largest(rows_, column));
@@ -292,7 +292,7 @@ std::string record_table(const Results& results, const std::vector<PictureRow>& 
   if (results.records.empty()) return {};
   return filters(results) +
          "<div class=\"scroll\" role=\"region\" aria-label=\"All figures\" tabindex=\"0\">\n" +
-         Table(results, pictures).html() +
+         HtmlTable(results, pictures).html() +
          "</div>\n<p class=\"quiet\">± is half the width of the 95 % confidence interval, over the pixels of "
          "a scene "
          "or, for means, over scenes too; [a, b] are the ends of an interval that is cut off at 0 or 100 %. "

@@ -10,9 +10,9 @@ namespace penumbra::study {
 namespace {
 
 // A header row, the line under it (first column left, others right), and rows added one by one.
-class Table {
+class MarkdownTable {
  public:
-  explicit Table(const std::vector<std::string>& heads) {
+  explicit MarkdownTable(const std::vector<std::string>& heads) {
     add(heads);
     text_ += "|:--";
     for (std::size_t i = 1; i < heads.size(); ++i) text_ += "|--:";
@@ -61,8 +61,8 @@ std::string title_and_name(const Choice& choice) {
 }
 
 std::string mean_table(const Results& results, double light, BlockForm form) {
-  Table table({"Technique", "RMSE in penumbra", "RMSE of all pixels", "light leaks, %", "false shadow, %",
-               "fetches per pixel"});
+  MarkdownTable table({"Technique", "RMSE in penumbra", "RMSE of all pixels", "light leaks, %",
+                       "false shadow, %", "fetches per pixel"});
   for (const SummaryLine& line : summarise(results)) {
     if (line.light_degrees != light) continue;
     const std::string partial =
@@ -78,7 +78,7 @@ std::string mean_table(const Results& results, double light, BlockForm form) {
 std::string scene_table(const Results& results, double light) {
   std::vector<std::string> heads{"Technique"};
   for (const std::string& scene : scene_names(results)) heads.push_back(markdown_cell(scene));
-  Table table(heads);
+  MarkdownTable table(heads);
   for (const Choice& choice : choices(results)) {
     std::vector<std::string> cells{title_of(choice)};
     for (const std::string& scene : scene_names(results)) {

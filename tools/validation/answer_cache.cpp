@@ -81,7 +81,7 @@ void mark_used(const fs::path& file) {
   if (!error && now - before > use_grain) fs::last_write_time(file, now, error);
 }
 
-struct Entry {
+struct KeptFile {
   fs::path file;
   fs::file_time_type used;
   std::uint64_t size = 0;
@@ -100,14 +100,14 @@ bool is_own(const fs::path& file) {
 }
 
 // All entries; half-written ones of the dead are removed on the way.
-std::vector<Entry> entries_in(const fs::path& directory) {
+std::vector<KeptFile> entries_in(const fs::path& directory) {
   const fs::file_time_type long_ago = fs::file_time_type::clock::now() - std::chrono::hours(1);
-  std::vector<Entry> entries;
+  std::vector<KeptFile> entries;
   std::error_code error;
   for (fs::recursive_directory_iterator it(directory, error), end; !error && it != end; it.increment(error)) {
     std::error_code gone;  // another process may remove it meanwhile
     if (!it->is_regular_file(gone) || gone || !is_own(it->path())) continue;
-    Entry entry{it->path(), it->last_write_time(gone), it->file_size(gone)};
+    KeptFile entry{it->path(), it->last_write_time(gone), it->file_size(gone)};
     if (gone) continue;
     if (entry.file.extension() != part_extension)
       entries.push_back(std::move(entry));
@@ -151,13 +151,13 @@ void AnswerCache::store(EntryKind kind, const std::string& key, std::string_view
 }
 
 std::uint64_t trim_cache(const fs::path& directory, std::uint64_t limit) {
-  std::vector<Entry> entries = entries_in(directory);
-  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+  std::vector<KeptFile> entries = entries_in(directory);
+  std::sort(entries.begin(), entries.end(), [](const KeptFile& a, const KeptFile& b) {
     return a.used != b.used ? a.used < b.used : a.file < b.file;
   });
   std::uint64_t total = 0;
-  for (const Entry& entry : entries) total += entry.size;
-  for (const Entry& entry : entries) {
+  for (const KeptFile& entry : entries) total += entry.size;
+  for (const KeptFile& entry : entries) {
     if (total <= limit) break;
     std::error_code error;
     fs::remove(entry.file, error);

@@ -25,6 +25,12 @@ std::uint64_t ByteReader::number() {
   return 0;
 }
 
+bool ByteReader::flag() {
+  const std::uint64_t value = number();
+  if (value > 1) spoil();
+  return value == 1;
+}
+
 std::string ByteReader::text() {
   const std::uint64_t length = number();
   if (!whole_ || length > rest_.size()) {

@@ -33,6 +33,7 @@ class ByteReader {
   explicit ByteReader(std::string_view bytes) : rest_(bytes) {}
 
   std::uint64_t number();
+  bool flag();  // 0 or 1
   std::string text();
 
   template <typename Element, typename Read>

@@ -23,7 +23,7 @@ CompileUnit with_keywords(const CompileUnit& unit, const std::vector<std::string
   return fewer;
 }
 
-bool is_same(const hlsl::Diagnostic& a, const hlsl::Diagnostic& b) {
+bool is_same_message(const hlsl::Diagnostic& a, const hlsl::Diagnostic& b) {
   return a.severity == b.severity && a.file == b.file && a.line == b.line && a.column == b.column &&
          a.message == b.message;
 }
@@ -79,7 +79,7 @@ class Reduction {
     for (const UnitResult& result : run_units(units, engine_).results) {
       const std::vector<hlsl::Diagnostic>& said = result.targets[failure_.target].diagnostics;
       failing.push_back(std::any_of(said.begin(), said.end(), [this](const hlsl::Diagnostic& diagnostic) {
-        return is_same(diagnostic, failure_.said);
+        return is_same_message(diagnostic, failure_.said);
       }));
     }
     return failing;
@@ -99,7 +99,7 @@ Failure smallest_failure(const Finding& finding, const ValidationReport& report,
     if (failure.unit != nullptr && failure.unit->keywords.size() <= unit.keywords.size()) continue;
     const auto said = std::find_if(record.diagnostics.begin(), record.diagnostics.end(),
                                    [&](const hlsl::Diagnostic& diagnostic) {
-                                     return is_same(as_told(diagnostic, record), finding.diagnostic);
+                                     return is_same_message(as_told(diagnostic, record), finding.diagnostic);
                                    });
     const auto target = std::find(unit.targets.begin(), unit.targets.end(), record.target);
     if (said == record.diagnostics.end() || target == unit.targets.end()) continue;

@@ -30,7 +30,7 @@ ProgramKey program_of(const Named& named) {
 }
 
 // Units that differ in neither are compiled for one graphics API.
-std::string source_of(const CompileUnit& unit) {
+std::string source_name(const CompileUnit& unit) {
   std::string source = unit.compile.entry + " " + hlsl::stage_name(unit.compile.stage);
   for (const std::string& target : unit.targets) source += " " + target;
   return source;
@@ -51,7 +51,7 @@ std::vector<lint::Finding> keyword_findings(const ProgramToLint& program, const 
   keywords.declared = program.keywords;
   for (const auto& [unit, result] : results) {
     if (result->module_key.empty()) return {};  // what does not compile may be what the keyword is for
-    keywords.variants.push_back({unit->keywords, result->module_key, source_of(*unit)});
+    keywords.variants.push_back({unit->keywords, result->module_key, source_name(*unit)});
   }
   return lint::unused_keyword_findings(keywords);
 }

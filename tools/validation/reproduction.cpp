@@ -21,7 +21,7 @@ std::string one_line(std::string text) {
   return text;
 }
 
-std::string source_of(const CompileUnit& unit) {
+std::string source_text(const CompileUnit& unit) {
   if (unit.compile.text) return *unit.compile.text;
   return hlsl::read_source(unit.compile.file).text;
 }
@@ -53,7 +53,7 @@ std::string head(const CompileUnit& unit, const Crash& crash, const std::string&
 }  // namespace
 
 std::string write_reproduction(const fs::path& folder, const CompileUnit& unit, const Crash& crash) {
-  const std::string text = crash.text.empty() ? source_of(unit) : crash.text;
+  const std::string text = crash.text.empty() ? source_text(unit) : crash.text;
   const std::string name = name_of(unit, text + crash.target);
   std::error_code error;
   fs::create_directories(folder, error);

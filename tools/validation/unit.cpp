@@ -72,12 +72,6 @@ void write(ByteWriter& out, const std::vector<Diagnostic>& diagnostics) {
   out.list(diagnostics, [&](const Diagnostic& diagnostic) { write(out, diagnostic); });
 }
 
-bool read_flag(ByteReader& in) {
-  const std::uint64_t value = in.number();
-  if (value > 1) in.spoil();
-  return value == 1;
-}
-
 template <typename Enumeration>
 Enumeration read_enumerator(ByteReader& in, Enumeration last) {
   const std::uint64_t value = in.number();
@@ -107,7 +101,7 @@ std::vector<Pair> read_pairs(ByteReader& in) {
 shaders::CompileRequest read_request(ByteReader& in) {
   shaders::CompileRequest request;
   request.file = in.text();
-  const bool has_text = read_flag(in);
+  const bool has_text = in.flag();
   std::string text = in.text();
   if (has_text) request.text = std::move(text);
   request.entry = in.text();
@@ -118,10 +112,10 @@ shaders::CompileRequest read_request(ByteReader& in) {
   request.project = in.text();
   request.cginc_root = in.text();
   for (auto& [suffix, file] : read_pairs(in)) request.overlays.push_back({suffix, file});
-  request.prepare = read_flag(in);
-  request.optimise = read_flag(in);
-  request.debug_lines = read_flag(in);
-  request.keep_unoptimised = read_flag(in);
+  request.prepare = in.flag();
+  request.optimise = in.flag();
+  request.debug_lines = in.flag();
+  request.keep_unoptimised = in.flag();
   request.vulkan = read_enumerator(in, shaders::VulkanVersion::v1_2);
   return request;
 }
@@ -179,7 +173,7 @@ std::optional<CompileUnit> decode_unit(std::string_view bytes) {
   unit.keywords = read_texts(in);
   unit.compile = read_request(in);
   unit.targets = read_texts(in);
-  unit.lint.wanted = read_flag(in);
+  unit.lint.wanted = in.flag();
   unit.lint.shader_target = read_place(in);
   unit.lint.left_out = read_texts(in);
   if (!in.exhausted()) return std::nullopt;
@@ -204,7 +198,7 @@ std::optional<CompileAnswer> decode_compile_answer(std::string_view bytes) {
   answer.module_key = in.text();
   answer.missing_editor_include = in.text();
   answer.quoted = read_pairs(in);
-  const bool has_buffers = read_flag(in);
+  const bool has_buffers = in.flag();
   std::string buffers = in.text();
   if (has_buffers) answer.buffers = std::make_shared<const std::string>(std::move(buffers));
   if (!in.exhausted()) return std::nullopt;

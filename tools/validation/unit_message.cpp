@@ -8,14 +8,10 @@ namespace penumbra::validation {
 
 namespace {
 
-bool read_flag(ByteReader& in) {
-  return in.number() != 0;
-}
-
 // Nothing, or what `decode` makes of the text; spoils the reader when it makes nothing of it.
 template <typename Value, typename Decode>
 std::optional<Value> read_optional(ByteReader& in, const Decode& decode) {
-  if (!read_flag(in)) return std::nullopt;
+  if (!in.flag()) return std::nullopt;
   std::optional<Value> value = decode(in.text());
   if (!value) in.spoil();
   return value;
@@ -58,8 +54,8 @@ std::optional<UnitJob> decode_job(std::string_view bytes) {
        }))
     job.context.drivers.insert(std::move(driver));
   job.given_up = in.list<std::string>([&] { return in.text(); });
-  job.share = read_flag(in);
-  job.text_only = read_flag(in);
+  job.share = in.flag();
+  job.text_only = in.flag();
   if (!in.exhausted()) return std::nullopt;
   return job;
 }
@@ -85,8 +81,8 @@ std::optional<UnitReply> decode_reply(std::string_view bytes) {
   reply.compile = read_optional<CompileAnswer>(in, decode_compile_answer);
   reply.emitted = read_optional<EmittedAnswer>(in, decode_emitted_answer);
   reply.dependencies = in.list<std::filesystem::path>([&] { return std::filesystem::path(in.text()); });
-  reply.compile_cached = read_flag(in);
-  reply.emitted_cached = read_flag(in);
+  reply.compile_cached = in.flag();
+  reply.emitted_cached = in.flag();
   reply.text = in.text();
   reply.damaged = in.number();
   reply.written = in.number();

@@ -12,7 +12,7 @@ namespace penumbra::validation {
 
 namespace {
 
-struct Entry {
+struct NamedEntry {
   const SourceProgram* program = nullptr;
   std::size_t index = 0;  // as ShaderSources::entry_unit() takes it
   std::string function;
@@ -24,8 +24,8 @@ bool makes_spirv(const SourceProgram& program) {
 }
 
 // One for each graphics API, those for SPIR-V first.
-std::vector<Entry> all_entries(const ShaderSources& sources) {
-  std::vector<Entry> entries;
+std::vector<NamedEntry> all_entries(const ShaderSources& sources) {
+  std::vector<NamedEntry> entries;
   const auto add = [&entries](const SourceProgram& program, const std::string& function, std::size_t index) {
     entries.push_back(
         {&program, index, function, program.pass.empty() ? function : program.pass + "/" + function});
@@ -36,17 +36,17 @@ std::vector<Entry> all_entries(const ShaderSources& sources) {
     for (const variants::Kernel& kernel : program.kernels) add(program, kernel.function, index++);
   }
   std::stable_partition(entries.begin(), entries.end(),
-                        [](const Entry& entry) { return makes_spirv(*entry.program); });
+                        [](const NamedEntry& entry) { return makes_spirv(*entry.program); });
   return entries;
 }
 
 // Of one entry point for several graphics APIs, the first.
-std::vector<Entry> fitting(const std::vector<Entry>& entries, const VariantName& name) {
-  std::vector<Entry> list;
-  for (const Entry& entry : entries) {
+std::vector<NamedEntry> fitting(const std::vector<NamedEntry>& entries, const VariantName& name) {
+  std::vector<NamedEntry> list;
+  for (const NamedEntry& entry : entries) {
     const bool fits = (name.pass.empty() || name.pass == entry.program->pass) &&
                       (name.entry.empty() || name.entry == entry.function);
-    const bool is_new = std::none_of(list.begin(), list.end(), [&](const Entry& other) {
+    const bool is_new = std::none_of(list.begin(), list.end(), [&](const NamedEntry& other) {
       return other.program->file == entry.program->file && other.title == entry.title &&
              other.program->sub_shader == entry.program->sub_shader;
     });
@@ -59,19 +59,19 @@ std::string spelt(const VariantName& name) {
   return name.pass.empty() ? name.entry : name.pass + "/" + name.entry;
 }
 
-Entry find_entry(const ShaderSources& sources, const VariantName& name) {
-  const std::vector<Entry> all = all_entries(sources);
-  const std::vector<Entry> found = fitting(all, name);
+NamedEntry find_entry(const ShaderSources& sources, const VariantName& name) {
+  const std::vector<NamedEntry> all = all_entries(sources);
+  const std::vector<NamedEntry> found = fitting(all, name);
   if (found.empty()) {
     std::vector<std::string> known;
-    for (const Entry& entry : all)
+    for (const NamedEntry& entry : all)
       if (std::find(known.begin(), known.end(), entry.title) == known.end()) known.push_back(entry.title);
     throw InputError("--explain", "there is no entry point '" + spelt(name) + "'",
                      unknown_name_way_out(spelt(name), known));
   }
   if (found.size() == 1) return found.front();
   std::string list = "one of:";
-  for (const Entry& entry : found)
+  for (const NamedEntry& entry : found)
     list +=
         "\n    " + entry.program->file + ": " + entry.title +
         (entry.program->sub_shader == 0 ? "" : " of SubShader " + std::to_string(entry.program->sub_shader));
@@ -79,7 +79,7 @@ Entry find_entry(const ShaderSources& sources, const VariantName& name) {
                    "'" + spelt(name) + "' names " + std::to_string(found.size()) + " entry points", list);
 }
 
-void check_keywords(const Entry& entry, const variants::Keywords& keywords) {
+void check_keywords(const NamedEntry& entry, const variants::Keywords& keywords) {
   std::vector<std::string> declared;
   for (const variants::KeywordSet& set : entry.program->pragmas.keyword_sets)
     for (const std::string& keyword : variants::keywords_of(set)) declared.push_back(keyword);
@@ -107,7 +107,7 @@ VariantName parse_variant_name(const std::string& text) {
 }
 
 CompileUnit find_variant(const ShaderSources& sources, const VariantName& name) {
-  const Entry entry = find_entry(sources, name);
+  const NamedEntry entry = find_entry(sources, name);
   check_keywords(entry, name.keywords);
   return sources.entry_unit(*entry.program, entry.index, name.keywords);
 }

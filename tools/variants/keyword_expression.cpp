@@ -27,10 +27,6 @@ std::vector<std::string> words_of(std::string_view expression) {
   return words;
 }
 
-bool is_empty_keyword(const std::string& name) {
-  return !name.empty() && name.find_first_not_of('_') == std::string::npos;
-}
-
 Clause choice_of(const std::string& word) {
   Clause clause;
   clause.of_their_sets = true;

@@ -1,8 +1,17 @@
 #include "variants/keyword_set.h"
 
+#include <algorithm>
 #include <set>
 
 namespace penumbra::variants {
+
+bool is_empty_keyword(const std::string& name) {
+  return !name.empty() && name.find_first_not_of('_') == std::string::npos;
+}
+
+bool contains(const Keywords& keywords, const std::string& keyword) {
+  return std::find(keywords.begin(), keywords.end(), keyword) != keywords.end();
+}
 
 Keywords keywords_of(const KeywordSet& set) {
   Keywords keywords;

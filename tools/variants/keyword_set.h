@@ -60,6 +60,11 @@ struct DynamicKeyword {
   Place place;
 };
 
+// Unity's names of no keyword: "_", "__" and longer.
+bool is_empty_keyword(const std::string& name);
+
+bool contains(const Keywords& keywords, const std::string& keyword);
+
 // Every keyword of the set once, in the order written.
 Keywords keywords_of(const KeywordSet& set);
 

@@ -12,10 +12,6 @@
 namespace penumbra::variants {
 namespace {
 
-bool contains(const Keywords& keywords, const std::string& keyword) {
-  return std::find(keywords.begin(), keywords.end(), keyword) != keywords.end();
-}
-
 bool has_any(const Keywords& alternative, const Keywords& keywords) {
   return std::any_of(alternative.begin(), alternative.end(),
                      [&](const std::string& keyword) { return contains(keywords, keyword); });

@@ -14,10 +14,6 @@
 namespace penumbra::variants {
 namespace {
 
-bool is_empty_keyword(const std::string& word) {
-  return !word.empty() && word.find_first_not_of('_') == std::string::npos;
-}
-
 std::string hint(const std::string& given, const std::vector<std::string>& known) {
   const std::string nearest = nearest_name(given, known);
   return nearest.empty() ? "" : "; did you mean '" + nearest + "'?";

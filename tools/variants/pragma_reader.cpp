@@ -245,10 +245,6 @@ class PragmaReader {
   bool too_deep_ = false;
 };
 
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 bool has_stage(const Pragmas& pragmas, hlsl::Stage stage) {
   return std::any_of(pragmas.entry_points.begin(), pragmas.entry_points.end(),
                      [&](const EntryPoint& entry) { return entry.stage == stage; });
