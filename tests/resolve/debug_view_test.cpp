@@ -18,8 +18,6 @@
 namespace penumbra::resolve {
 namespace {
 
-const auto* const kSilentValidation = testing::AddGlobalTestEnvironment(new SilentValidation);
-
 constexpr ResolveOptions kOnce{.noise_seeds = 1, .timing_repeats = 0, .count_fetches = false};
 constexpr double kShadeOfLight = 0.4;  // what is left of a colour where all light is blocked
 
@@ -28,15 +26,15 @@ using Colours = std::vector<glm::vec3>;
 // Kept: compiling them costs more than running them.
 DebugView& debug_view(const std::string& name, bool reversed_z) {
   static const shaders::PackageShader shader(shaders::debug_shader_file());
-  static std::map<std::pair<std::string, bool>, DebugView> views;
-  return views.try_emplace({name, reversed_z}, test_device(), shader, name, reversed_z).first->second;
+  static KeptOnDevice<std::map<std::pair<std::string, bool>, DebugView>> views;
+  return views->try_emplace({name, reversed_z}, test_device(), shader, name, reversed_z).first->second;
 }
 
 ScreenChain& screen_chain_of(const shaders::Technique& technique, bool reversed_z) {
   static const shaders::PackageShader shader(shaders::package_shader_file());
-  static std::map<std::pair<std::string, bool>, ScreenChain> chains;
+  static KeptOnDevice<std::map<std::pair<std::string, bool>, ScreenChain>> chains;
   return chains
-      .try_emplace({technique.name, reversed_z}, test_device(), shader, screen_chain(technique), reversed_z)
+      ->try_emplace({technique.name, reversed_z}, test_device(), shader, screen_chain(technique), reversed_z)
       .first->second;
 }
 

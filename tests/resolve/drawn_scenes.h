@@ -30,8 +30,8 @@ inline const scene::Frame& drawn(const std::string& scene, int cascades, bool re
     scene::Rasteriser rasteriser;
     std::map<std::tuple<int, bool, scene::DepthFormat>, scene::Frame> frames;
   };
-  static std::map<std::string, std::unique_ptr<Drawn>> scenes;
-  std::unique_ptr<Drawn>& drawn = scenes[scene];
+  static KeptOnDevice<std::map<std::string, std::unique_ptr<Drawn>>> scenes;
+  std::unique_ptr<Drawn>& drawn = (*scenes)[scene];
   if (drawn == nullptr) drawn = std::make_unique<Drawn>(scene);
   const auto [frame, is_new] = drawn->frames.try_emplace({cascades, reversed_z, format});
   if (is_new) {

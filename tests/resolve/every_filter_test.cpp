@@ -19,8 +19,6 @@ using testing_frames::FrameSetup;
 using testing_frames::TexelDepth;
 using testing_frames::TilePoint;
 
-const auto* const kSilentValidation = testing::AddGlobalTestEnvironment(new SilentValidation);
-
 constexpr int kColumns = 24;
 
 struct Case {
@@ -71,9 +69,9 @@ class EveryFilter : public testing::TestWithParam<Case> {
 
   std::vector<float> visibility(const scene::Frame& frame, const UniformValues& parameters = {}) const {
     // Pipelines are kept: building one costs more than running it.
-    static std::map<std::string, std::unique_ptr<ResolvePass>> passes;
+    static KeptOnDevice<std::map<std::string, std::unique_ptr<ResolvePass>>> passes;
     const std::string key = GetParam().technique + (GetParam().reversed_z ? " reversed" : " conventional");
-    std::unique_ptr<ResolvePass>& pass = passes[key];
+    std::unique_ptr<ResolvePass>& pass = (*passes)[key];
     if (pass == nullptr) {
       const shaders::Technique& technique = library_techniques().find(GetParam().technique);
       pass = std::make_unique<ResolvePass>(

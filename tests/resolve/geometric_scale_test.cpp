@@ -17,8 +17,6 @@ namespace {
 using testing_frames::FrameSetup;
 using testing_frames::TilePoint;
 
-const auto* const kSilentValidation = testing::AddGlobalTestEnvironment(new SilentValidation);
-
 constexpr int kSetups = 1000;
 constexpr int kReceivers = 256;
 constexpr int kTileTexels = 256;

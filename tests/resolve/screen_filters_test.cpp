@@ -10,8 +10,6 @@
 namespace penumbra::resolve {
 namespace {
 
-const auto* const kSilentValidation = testing::AddGlobalTestEnvironment(new SilentValidation);
-
 constexpr glm::dvec3 kTilted(0.3, 0.8, -0.52);
 
 HandImage plane(int width, int height, const glm::dvec3& normal, double distance) {
@@ -64,8 +62,8 @@ int half(int size) {
 class Upsample : public testing::Test {
  protected:
   static PassRunner& pass() {
-    static PassRunner runner("Upsample");
-    return runner;
+    static KeptOnDevice<std::optional<PassRunner>> runner;
+    return *runner ? **runner : runner->emplace("Upsample");
   }
   static PassAnswer run(const HandImage& depth, const HandImage& halved) {
     return pass().run(depth, halved, depth.width, depth.height);
@@ -192,8 +190,8 @@ void PrintTo(const Direction& value, std::ostream* stream) {
 class Denoise : public testing::TestWithParam<Direction> {
  protected:
   static PassAnswer run(const HandImage& depth, const HandImage& source, const UniformValues& params) {
-    static std::map<std::string, std::unique_ptr<PassRunner>> runners;
-    std::unique_ptr<PassRunner>& runner = runners[GetParam().pass];
+    static KeptOnDevice<std::map<std::string, std::unique_ptr<PassRunner>>> runners;
+    std::unique_ptr<PassRunner>& runner = (*runners)[GetParam().pass];
     if (runner == nullptr) runner = std::make_unique<PassRunner>(GetParam().pass);
     return runner->run(depth, source, depth.width, depth.height, params);
   }

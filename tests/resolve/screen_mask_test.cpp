@@ -12,8 +12,6 @@
 namespace penumbra::resolve {
 namespace {
 
-const auto* const kSilentValidation = testing::AddGlobalTestEnvironment(new SilentValidation);
-
 constexpr int kBlock = 4;
 constexpr ResolveOptions kOnce{.noise_seeds = 1, .timing_repeats = 0};
 
@@ -54,8 +52,8 @@ class ScreenMask : public testing::TestWithParam<Case> {
 
   // Chains are kept: their pipelines cost more than running them.
   ScreenChain& chain(const std::string& name) const {
-    static std::map<std::pair<std::string, bool>, std::unique_ptr<ScreenChain>> chains;
-    std::unique_ptr<ScreenChain>& made = chains[{name, GetParam().reversed_z}];
+    static KeptOnDevice<std::map<std::pair<std::string, bool>, std::unique_ptr<ScreenChain>>> chains;
+    std::unique_ptr<ScreenChain>& made = (*chains)[{name, GetParam().reversed_z}];
     if (made == nullptr) {
       made =
           std::make_unique<ScreenChain>(test_device(), shaders::PackageShader(shaders::package_shader_file()),

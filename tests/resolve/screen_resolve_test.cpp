@@ -15,8 +15,6 @@
 namespace penumbra::resolve {
 namespace {
 
-const auto* const kSilentValidation = testing::AddGlobalTestEnvironment(new SilentValidation);
-
 struct Case {
   std::string technique;
   std::string keyword;

@@ -8,8 +8,6 @@
 namespace penumbra::resolve {
 namespace {
 
-const auto* const kSilentValidation = testing::AddGlobalTestEnvironment(new SilentValidation);
-
 constexpr ResolveOptions kOnce{.noise_seeds = 1, .timing_repeats = 0};
 
 std::string text_of(const ScreenChainDescription& chain) {

@@ -1,7 +1,14 @@
-// One device for all tests of a program; its validation layers must have stayed silent.
+// One device for all tests of a program, and what they keep on it; its validation layers must have stayed
+// silent.
 #pragma once
 
 #include <gtest/gtest.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "gpu/device.h"
 #include "platform/data_directory.h"
@@ -9,23 +16,62 @@
 
 namespace penumbra {
 
+// Opens the device when a test asks for it, and closes it behind the last one.
+class TestDevice : public testing::Environment {
+ public:
+  gpu::Device& open() {
+    if (!device_)
+      device_.emplace(gpu::DeviceOptions{.name = {}, .validation = true, .timeout_seconds = 600.0});
+    return *device_;
+  }
+
+  void before_it_closes(std::function<void()> work) { before_it_closes_.push_back(std::move(work)); }
+
+  void TearDown() override {
+    if (!device_) return;
+    for (const std::function<void()>& work : before_it_closes_) work();
+    const std::shared_ptr<const gpu::ValidationLog> log = device_->validation_log();
+    device_.reset();
+    for (const std::string& message : log->messages()) ADD_FAILURE() << message;
+  }
+
+ private:
+  std::optional<gpu::Device> device_;
+  std::vector<std::function<void()>> before_it_closes_;
+};
+
+inline TestDevice* const kTestDevice = [] {
+  auto* const environment = new TestDevice;
+  testing::AddGlobalTestEnvironment(environment);  // which owns it
+  return environment;
+}();
+
 inline gpu::Device& test_device() {
-  static gpu::Device device({.name = {}, .validation = true, .timeout_seconds = 600.0});
-  return device;
+  return kTestDevice->open();
 }
+
+// Passes and the like that tests share, because building a pipeline costs more than running it: a static
+// where they are made, empty before the device closes.
+template <typename Values>
+class KeptOnDevice {
+ public:
+  KeptOnDevice() {
+    kTestDevice->before_it_closes([this] { values_.emplace(); });
+  }
+  KeptOnDevice(const KeptOnDevice&) = delete;
+  KeptOnDevice& operator=(const KeptOnDevice&) = delete;
+
+  Values& operator*() { return *values_; }
+  Values* operator->() { return &*values_; }
+
+ private:
+  std::optional<Values> values_{std::in_place};
+};
 
 inline const shaders::TechniqueList& library_techniques() {
   static const shaders::TechniqueList list =
       shaders::read_technique_list(platform::data_directory() / "ShaderLibrary" / "techniques.json");
   return list;
 }
-
-class SilentValidation : public testing::Environment {
- public:
-  void SetUp() override { test_device(); }  // so that it outlives what the tests keep of it
-  void TearDown() override {
-    for (const std::string& message : test_device().validation_log()->messages()) ADD_FAILURE() << message;
-  }
-};
 
 }  // namespace penumbra
