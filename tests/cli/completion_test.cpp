@@ -36,20 +36,21 @@ class Completion : public ProgramTest {
     return result.output;
   }
 
-  // What an interactive zsh shows after the line and a tab.
+  // The line of an interactive zsh after a tab, in brackets.
   std::string in_zsh(const std::string& line) const {
     write("try.zsh",
           "zmodload zsh/zpty; zpty -b shell zsh -f -i\n"
           "wait_for() { local all= part; while zpty -r -t shell part || sleep 0.05; do all+=$part;"
           " [[ $all != *$1* ]] || break; done; print -r -- $all }\n"
           "zpty -w shell 'autoload -Uz compinit; compinit -u -D; source script.zsh; PS1=; setopt no_beep; "
-          "LISTMAX=1000; zstyle \":completion:*\" menu no; bindkey \"^I\" complete-word; echo rea\"\"dy'\n"
+          "zstyle \":completion:*\" menu no; tell() { zle complete-word; print -r -- \"[$BUFFER]\" }; "
+          "zle -N tell; bindkey \"^I\" tell; echo rea\"\"dy'\n"
           "wait_for ready >/dev/null\n"
           "zpty -w -n shell 'penumbra " +
               line +
-              "'$'\\t'; sleep 0.1; zpty -w -n shell $'\\x15''echo do\"\"ne'$'\\n'\n"
-              "wait_for done\n");
-    return shell("cd " + path("").string() + "; TERM=dumb COLUMNS=200 timeout 60 zsh -f try.zsh").output;
+              "'$'\\t'\n"
+              "wait_for ']'\n");
+    return shell("cd " + path("").string() + "; TERM=dumb COLUMNS=200 timeout 1500 zsh -f try.zsh").output;
   }
 };
 
@@ -84,11 +85,12 @@ TEST_F(Completion, FishKnowsSubcommandsOptionsAndValues) {
 }
 
 TEST_F(Completion, ZshKnowsSubcommandsOptionsAndValues) {
-  EXPECT_THAT(in_zsh("mea"), HasSubstr("penumbra measure"));
-  EXPECT_THAT(in_zsh("render --reference-s"), HasSubstr("--reference-samples"));
-  EXPECT_THAT(in_zsh("tables --format cs"), HasSubstr("csharp"));
-  EXPECT_THAT(in_zsh("measure --technique hard,pcss-angular-64"), HasSubstr("hard,pcss-angular-64-64"));
-  EXPECT_THAT(in_zsh("constants --config fil"), HasSubstr("file.json"));
+  EXPECT_THAT(in_zsh("mea"), HasSubstr("[penumbra measure ]"));
+  EXPECT_THAT(in_zsh("render --reference-s"), HasSubstr("[penumbra render --reference-samples ]"));
+  EXPECT_THAT(in_zsh("tables --format cs"), HasSubstr("[penumbra tables --format csharp ]"));
+  EXPECT_THAT(in_zsh("measure --technique hard,pcss-angular-64"),
+              HasSubstr("[penumbra measure --technique hard,pcss-angular-64-64 ]"));
+  EXPECT_THAT(in_zsh("constants --config fil"), HasSubstr("[penumbra constants --config file.json ]"));
 }
 
 }  // namespace
