@@ -134,10 +134,15 @@ class Page:
         return answer["result"].get("value")
 
     def wait(self, condition):
+        """For a JavaScript expression to come true."""
+        self.wait_until(lambda: self.ask(condition), condition)
+
+    def wait_until(self, is_true, what):
         until = time.monotonic() + LIMIT
-        while not self.ask(condition):
+        while not is_true():
             if time.monotonic() > until:
-                raise AssertionError(f"never came true: {condition}")
+                raise AssertionError(f"never came true: {what}")
+            self.ask("0")  # what the browser reports meanwhile comes with the answer
             time.sleep(0.02)
 
     def middle(self, selector, at=(0.5, 0.5)):
