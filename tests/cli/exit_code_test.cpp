@@ -61,5 +61,16 @@ TEST_F(ExitCode, AnInterruptionIs130) {
   EXPECT_FALSE(std::filesystem::exists(path("sheet.png")));
 }
 
+// timeout(1) sends its signal to the program and then to the program's group.
+TEST_F(ExitCode, ASignalThatIsSentTwiceAtOnceIsOneInterruption) {
+  const auto result = shell(
+      PENUMBRA_PROGRAM " render --quiet --size 1920x1080 --reference-samples 65536 --scene trees --cache " +
+      path("cache").string() + " --sheet " + path("sheet.png").string() +
+      " & listens() { (( 0x$(sed -n 's/^SigCgt:\\s*//p' /proc/$!/status) & 2 )); }\n"
+      "until listens; do sleep 0.05; done; for i in 1 2 3; do kill -TERM $!; done; wait $!");
+  EXPECT_EQ(result.exit_code, 130) << result.errors;
+  EXPECT_THAT(result.errors, HasSubstr("interrupted"));
+}
+
 }  // namespace
 }  // namespace penumbra

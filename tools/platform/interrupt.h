@@ -10,7 +10,8 @@ class Interrupted : public std::exception {
   const char* what() const noexcept override { return "interrupted"; }
 };
 
-void watch_interrupts();  // SIGINT and SIGTERM set the flag; a second one ends the program at once
+// SIGINT and SIGTERM set the flag. Another one, a second or more later, ends the program at once and says so.
+void watch_interrupts();
 bool interrupted();
 void throw_if_interrupted();  // throws Interrupted
 
