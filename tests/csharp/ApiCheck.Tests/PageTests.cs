@@ -24,7 +24,7 @@ public sealed class PageTests
     public void HoldsTheFigures() => Assert.That(Page.Written("before\n<!-- api-check -->\nold\n<!-- /api-check -->\nafter\n", [Report]), Is.EqualTo("""
         before
         <!-- api-check -->
-        | generation | read in | types | declarations | of these inherited | known by name | obsolete | differences |
+        | Unity | compared with | types | declarations | of which inherited | compared by name only | obsolete | differences |
         |:--|:--|--:|--:|--:|--:|--:|--:|
         | 2022.3 | engine 2022.3.17f1 (3 files), core of unknown version (2 files) | 2 | 7 | 1 | 1 | 1 | 1 |
 
@@ -36,7 +36,7 @@ public sealed class PageTests
 
         - A\<T>.Old()
 
-        Compared by name alone in 2022.3:
+        Compared by name only in 2022.3:
 
         - B.C
         <!-- /api-check -->

@@ -20,7 +20,7 @@ public static class Page
     private static string Table(IReadOnlyList<SourceReport> reports)
     {
         var text = new StringBuilder();
-        text.Append("| generation | read in | types | declarations | of these inherited | known by name | obsolete | differences |\n");
+        text.Append("| Unity | compared with | types | declarations | of which inherited | compared by name only | obsolete | differences |\n");
         text.Append("|:--|:--|--:|--:|--:|--:|--:|--:|\n");
         foreach (var report in reports)
         {
@@ -34,7 +34,7 @@ public static class Page
         {
             Listed(text, $"Differences in {report.Generation}:", report.Problems);
             Listed(text, $"Obsolete in {report.Generation}, with a warning:", report.Types.SelectMany(type => type.Obsolete ?? []));
-            Listed(text, $"Compared by name alone in {report.Generation}:",
+            Listed(text, $"Compared by name only in {report.Generation}:",
                    report.Types.SelectMany(type => type.ByName ?? []).Distinct());
         }
         return text.ToString();
