@@ -6,17 +6,17 @@
 //   ...
 //   float visibility = PenumbraMainLightVisibility(positionWS, normalWS, positionCS.xy);
 //
-// Computes:   visibility of the main light at a world position by the technique the keyword names:
+// Computes:   visibility of the main light at a world position, with the technique that the keyword selects:
 //             _PENUMBRA_HARD, _PENUMBRA_BILINEAR, _PENUMBRA_FOUR_TAP, _PENUMBRA_TENT_3X3, _PENUMBRA_TENT_7X7,
-//             _PENUMBRA_PCSS, _PENUMBRA_PCSS_POISSON, _PENUMBRA_PCSS_HDRP; without one, tent 5 x 5.
-// Source:     each filter's file names its own.
+//             _PENUMBRA_PCSS, _PENUMBRA_PCSS_POISSON, _PENUMBRA_PCSS_HDRP; without a keyword, tent 5 x 5.
+// Source:     see each filter's file.
 // Inputs:     positionWS, metres; normalWS: the geometric normal, unit; pixel: screen coordinate. Uniforms
-//             _PenumbraSamples: blocker samples, filter samples, search clump, smallest filter radius (texels);
+//             _PenumbraSamples: blocker samples, filter samples, blockerClump, smallest filter radius (texels);
 //             _PenumbraLimits: widest penumbra (m), cone height (m), search radius of classic PCSS (m); HDRP's tangents
 //             in _PenumbraHdrp.xy.
-// Cost:       the technique's fetches; none where no shadow map reaches.
+// Cost:       the technique's fetches; none outside of the shadow map.
 // Guarantees: [0, 1]; 1 beyond the shadow distance. URP's shadow strength is applied, its distance fade is not.
-// Use it:     in forward shaders, and in screen passes. Not: as URP's additional-light shadows, which stay URP's.
+// Use it:     in forward shaders, and in screen passes. Not: for additional lights, whose shadows remain URP's.
 #ifndef PENUMBRA_SHADOWS_HLSL
 #define PENUMBRA_SHADOWS_HLSL
 

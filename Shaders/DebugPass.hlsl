@@ -1,18 +1,19 @@
 // Penumbra: the debug views of the renderer feature, drawn over the camera's picture.
 //
-// Computes:   a colour for each pixel of the screen: the visibility receivers read; which cascade covers it; how large a
+// Computes:   a colour for each pixel of the screen: the visibility that receivers read; which cascade covers it; how large a
 //             texel of the shadow map is there; how wide the penumbra is; where the mask lets the filter run.
-// Source:     Screen/DebugColours.hlsl; the width: Filters/PcssAngular.hlsl, whatever the technique is.
+// Source:     Screen/DebugColours.hlsl; the width: Filters/PcssAngular.hlsl, for every technique.
 // Inputs:     those of ScreenPass.hlsl and Shadows.hlsl as the frame's own passes had them; URP's
 //             _ScreenSpaceShadowmapTexture; _PenumbraMaskTexture; _PenumbraDebugParams: x 1 where there is a mask, y 1
 //             where the camera draws over another's picture.
-// Cost:       the width: a blocker search; the others 2 to 7 fetches.
-// Guarantees: black on the sky, or nothing over another camera's picture; alpha 1. A width below a texel is blue: a tent filter draws such a penumbra as well.
+// Cost:       the width: a blocker search; the others: 2 to 7 fetches.
+// Guarantees: black on the sky, or nothing over another camera's picture; alpha 1. A width below a
+//             texel is blue: a tent filter draws such a penumbra as well.
 // Use it:     in the editor and in development builds, by the passes of PenumbraDebugViews.shader.
 #ifndef PENUMBRA_DEBUG_PASS_HLSL
 #define PENUMBRA_DEBUG_PASS_HLSL
 
-// The technique whose search tells the width.
+// The technique whose blocker search determines the width.
 #define _PENUMBRA_PCSS
 
 #include "ScreenPass.hlsl"
@@ -52,7 +53,7 @@ float4 OnSurface(DebugPixel here, float3 colour)
     return here.surface.seen ? float4(colour, 1.0) : float4(0.0, 0.0, 0.0, 1.0);
 }
 
-// The shadow stays visible in a view of something else.
+// The shadow remains visible in views of other values.
 float3 Shaded(DebugPixel here, float3 colour)
 {
     return colour * (0.4 + 0.6 * here.visibility);

@@ -1,10 +1,10 @@
-// Penumbra: the noise of penumbrae smoothed, one direction a pass.
+// Penumbra: smoothing of noise in penumbrae, one direction per pass.
 //
 // Computes:   Screen/EdgeDenoise.hlsl at this pixel.
 // Source:     see there.
 // Inputs:     those of ScreenPass.hlsl; source: visibility, of the screen's size; _PenumbraDenoiseParams: radius
-//             (pixels, at most 8), distance beside a surface's line at which another surface begins (pixel widths),
-//             difference of visibility that is no noise.
+//             (pixels, at most 8), distance from the surface from which a neighbour counts as another surface (pixel
+//             widths), difference of visibility from which it counts as an edge instead of noise.
 // Cost:       2 radius + 1 fetches, twice that in penumbrae and up to 4 more.
 // Guarantees: [0, 1]; exactly 0 and 1 where the neighbourhood is.
 // Use it:     DenoiseHorizontal, then DenoiseVertical, last of all.

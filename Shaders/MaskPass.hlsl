@@ -1,11 +1,11 @@
-// Penumbra: the penumbra mask of the main light and its widening.
+// Penumbra: the penumbra mask of the main light and its dilation.
 //
 // Computes:   1 where a penumbra may be, else 0, a quarter of the screen's size.
 // Source:     Screen/PenumbraMask.hlsl, Screen/MaskBlur.hlsl.
 // Inputs:     those of ScreenPass.hlsl and Shadows.hlsl; _PenumbraMaskParams: widest penumbra from 0 to 1 (m, 0: that
 //             of a fixed filter), smallest filter radius (texels of the shadow map), largest radius of the blur (texels
 //             of the mask). Target and source: the screen's size over 4, rounded up.
-// Cost:       8 fetches a texel of the mask; the blurs 4 depths each and their own.
+// Cost:       8 fetches per texel of the mask; the dilations 4 depths each and their own.
 // Guarantees: exactly 0 or 1, so 8 bits hold it. 0 on the sky.
 // Use it:     PenumbraMask, MaskBlurHorizontal, MaskBlurVertical; then Resolve with _PENUMBRA_MASK.
 #ifndef PENUMBRA_MASK_PASS_HLSL
@@ -39,7 +39,7 @@ float4 PenumbraMask(ScreenVaryings input) : SV_Target
                          TapVisibility(block, 2, view), TapVisibility(block, 3, view)));
 }
 
-// The block's own radius is that of the tap which needs the widest.
+// The block's radius is the largest that one of its taps needs.
 int RadiusOfBlock(int2 block, ScreenView view)
 {
     MaskParameters parameters;

@@ -1,5 +1,5 @@
-// What the renderer feature knows of each pixel, in colours, one pass a view. In the editor and in development builds
-// only: a release player has none of it.
+// Debug views of the renderer feature, one pass per view. In the editor and in development builds only: release players
+// do not contain them.
 Shader "Hidden/Penumbra/DebugViews"
 {
     SubShader

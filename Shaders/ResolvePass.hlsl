@@ -2,12 +2,12 @@
 //
 // Computes:   PenumbraMainLightVisibility where the camera sees a surface; with _PENUMBRA_MASK one comparison where the
 //             mask says that no penumbra is near.
-// Source:     Shadows.hlsl; the technique's file names its own.
+// Source:     Shadows.hlsl; see the technique's file.
 // Inputs:     those of ScreenPass.hlsl and Shadows.hlsl; _PenumbraMaskTexture: of MaskPass.hlsl. Target: the screen's
 //             size, or half of it rounded up.
-// Cost:       5 fetches of camera depth, up to 9 at edges, and the technique's; 3 in all where the mask is 0; 1 more
-//             elsewhere for asking it.
-// Guarantees: [0, 1], 1 on the sky. The shadow strength is in it, the distance fade is not: receivers add that.
+// Cost:       5 fetches of camera depth, up to 9 at edges, and the technique's; 3 in all where the mask is 0; elsewhere
+//             1 more to read the mask.
+// Guarantees: [0, 1], 1 on the sky. It includes the shadow strength, but not the distance fade, which receivers apply.
 // Use it:     as the one pass that every preset has.
 #ifndef PENUMBRA_RESOLVE_PASS_HLSL
 #define PENUMBRA_RESOLVE_PASS_HLSL

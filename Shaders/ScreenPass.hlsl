@@ -1,4 +1,4 @@
-// Penumbra: what every pass over the screen begins with.
+// Penumbra: the common part of all screen passes.
 //
 // Computes:   a triangle that covers the target, and the ScreenView of the eye being drawn.
 // Source:     one triangle with corners (-1, -1), (3, -1), (-1, 3) in clip space.
@@ -6,9 +6,9 @@
 //             _PenumbraScreenSize      of the screen, full resolution: width, height, 1 / width, 1 / height
 //             _PenumbraTargetSize      of the pass's target, the same
 //             _PenumbraSourceSize      of _PenumbraSourceTexture, the same
-//             _PenumbraSourceTexture   what the pass before wrote
+//             _PenumbraSourceTexture   the output of the previous pass
 // Cost:       no fetches.
-// Guarantees: pixels are named by SV_Position, so no pass depends on where the target's first row is. Each eye of a
+// Guarantees: pixels are identified by SV_Position, so no pass depends on where the target's first row is. Each eye of a
 //             stereo target reads its own slice and matrix.
 // Use it:     with a procedural draw of 3 vertices. Not: in shaders of objects.
 #ifndef PENUMBRA_SCREEN_PASS_HLSL
@@ -56,7 +56,7 @@ ScreenView ViewOfThisEye()
     return view;
 }
 
-// The pixel of the screen that this pixel of the target stands for.
+// The pixel of the screen that corresponds to this pixel of the target.
 int2 ScreenPixel(float4 positionCS)
 {
     const int scale = ScreenScale(_PenumbraScreenSize.x, _PenumbraTargetSize.x);

@@ -1,7 +1,7 @@
-// Penumbra: one comparison of the main light's shadow map, for where no penumbra is.
+// Penumbra: one comparison of the main light's shadow map, for pixels outside penumbrae.
 //
 // Computes:   the share of the four nearest texels, by bilinear weight, that do not block the receiver.
-// Source:     Filters/FixedPcf.hlsl; Filters/TexelQuad.hlsl beside PCSS, because a comparison texture must not be read
+// Source:     Filters/FixedPcf.hlsl; Filters/TexelQuad.hlsl with PCSS, because a comparison texture must not be read
 //             raw in the same program.
 // Inputs:     PenumbraMainLight.
 // Cost:       1 fetch.

@@ -1,4 +1,4 @@
-// Penumbra: visibility of half the screen's size brought to all of it.
+// Penumbra: half-resolution visibility upsampled to the screen's resolution.
 //
 // Computes:   Screen/EdgeUpsample.hlsl at this pixel.
 // Source:     see there.

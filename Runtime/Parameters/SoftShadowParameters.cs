@@ -18,8 +18,8 @@ namespace Penumbra
         public int FilterSamples;
 
         /// <summary>
-        /// Spread of the search, 0 to 8: 0 as many samples in every octave of radius, 1 even over the area, 2 as dense
-        /// as 1/r at the centre. HDRP's rules start at 1.
+        /// Radial distribution of the search samples, 0 to 8: 0 equally many per octave of radius, 1 uniform over the
+        /// area, 2 density 1/r. With HDRP's rules at least 1.
         /// </summary>
         public float BlockerClump;
 

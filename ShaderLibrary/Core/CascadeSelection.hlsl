@@ -1,13 +1,13 @@
 // Penumbra: which cascade a point belongs to.
 //
-// Computes:   the first cascade whose split sphere holds a world position.
+// Computes:   the first cascade whose split sphere contains a world position.
 // Source:     the split spheres of Unity's cascades (culling spheres; radii are kept squared).
 // Inputs:     positionWS, metres; sphere centres, metres, world space; squared radii, square metres;
 //             count 1..4. Spheres at and beyond `count` are not read.
 // Cost:       no fetches.
-// Guarantees: returns 0 .. count - 1, or count where no sphere holds the point (NaN positions included). A point
+// Guarantees: returns 0 .. count - 1, or count if no sphere contains the point (NaN positions included). A point
 //             exactly on a sphere is outside it.
-// Use it:     with more than one cascade: URP does not set the spheres for one.
+// Use it:     with more than one cascade: URP does not set the spheres for a single cascade.
 #ifndef PENUMBRA_CASCADE_SELECTION_HLSL
 #define PENUMBRA_CASCADE_SELECTION_HLSL
 

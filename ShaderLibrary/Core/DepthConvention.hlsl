@@ -1,12 +1,12 @@
-// Penumbra: which way stored depth runs.
+// Penumbra: the direction of stored depth.
 //
-// Computes:   comparisons and steps along the light that mean the same in both depth conventions.
+// Computes:   comparisons and steps along the light that have the same meaning in both depth conventions.
 // Source:     Reed, "Depth Precision Visualized" (2015), for why reversed depth exists.
 // Inputs:     stored shadow-map depths in [0, 1]. Conventional: 0 nearest the light, 1 farthest. Reversed
 //             (UNITY_REVERSED_Z non-zero): 1 nearest, 0 farthest.
 // Cost:       no fetches.
 // Guarantees: the only file of the library that tests UNITY_REVERSED_Z. Finite for finite inputs.
-// Use it:     wherever two depths meet. Not: for eye depth of the camera.
+// Use it:     wherever two depths are compared. Not: for the camera's eye depth.
 #ifndef PENUMBRA_DEPTH_CONVENTION_HLSL
 #define PENUMBRA_DEPTH_CONVENTION_HLSL
 
@@ -37,7 +37,7 @@ bool IsBlocker(float mapDepth, float referenceDepth)
     return DepthGap(mapDepth, referenceDepth) > 0.0;
 }
 
-// The stored depth `distance` (stored units, >= 0) nearer to the light, not bounded.
+// The stored depth `distance` (stored units, >= 0) nearer to the light, not clamped.
 float MoveTowardLight(float depth, float distance)
 {
     return depth + distance * kTowardLight;
@@ -50,7 +50,7 @@ float LargestGap(float depth)
 }
 
 // Keeps a reference depth strictly behind the near plane. Casters in front of the near plane are drawn at
-// kNearestDepth ("pancaking"), so a reference that a bias or a plane carried there must still lie behind them.
+// kNearestDepth ("pancaking"), so a reference that a bias or a plane moved there must still lie behind them.
 float KeepBehindNearPlane(float depth)
 {
     const float step = 5.9604645e-8; // 2^-24: half the spacing of floats below 1

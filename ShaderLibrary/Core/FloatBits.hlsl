@@ -1,13 +1,13 @@
-// Penumbra: NaN and infinity found by their bits.
+// Penumbra: detection of NaN and infinity by their bits.
 //
-// Computes:   replacements for values a shader must not go on calculating with.
+// Computes:   replacements for values that a shader must not compute with.
 // Source:     IEEE 754-2019, binary32: an exponent field of all ones is infinity (fraction 0) or NaN.
 // Inputs:     any float.
-// Cost:       no fetches; two integer instructions a value.
+// Cost:       no fetches; two integer instructions per value.
 // Guarantees: holds under fast mathematics, where compilers may drop floating-point tests for NaN, and on Metal,
 //             whose fast clamp is undefined for it. Results are finite.
-// Use it:     on every texel and parameter that comes from outside. Not: on values just computed from bounded
-//             ones.
+// Use it:     on every texel and parameter that comes from outside. Not: on values just computed from
+//             bounded ones.
 #ifndef PENUMBRA_FLOAT_BITS_HLSL
 #define PENUMBRA_FLOAT_BITS_HLSL
 
@@ -39,7 +39,7 @@ float BoundedOrLow(float value, float low, float high)
     return HasNanBits(value) ? low : min(max(value, low), high);
 }
 
-// A texel of the map, made a depth in [0, 1]. NaN says nothing about a blocker, so it becomes the farthest depth.
+// A texel of the map, clamped to a depth in [0, 1]. NaN is not a blocker, so it becomes the farthest depth.
 float SanitizeMapDepth(float depth)
 {
     return HasNanBits(depth) ? kFarthestDepth : min(max(depth, 0.0), 1.0);
@@ -57,7 +57,7 @@ float SanitizeReceiverDepth(float depth)
     return HasNanBits(depth) ? kNearestDepth : min(max(depth, 0.0), 1.0);
 }
 
-// The last step of every filter: a visibility in [0, 1], lit where the arithmetic says nothing.
+// The last step of every filter: a visibility in [0, 1]; NaN becomes 1, fully lit.
 float SanitizeVisibility(float visibility)
 {
     return HasNanBits(visibility) ? 1.0 : min(max(visibility, 0.0), 1.0);

@@ -1,11 +1,11 @@
-// Penumbra: noise that turns each pixel's disk.
+// Penumbra: noise that rotates each pixel's disk.
 //
 // Computes:   interleaved gradient noise, and a rotation from it.
 // Source:     Jimenez, "Next Generation Post Processing in Call of Duty: Advanced Warfare", SIGGRAPH 2014.
 // Inputs:     pixel: integer coordinates or pixel centres; frame: index of the frame, any; taken modulo 64.
 // Cost:       no fetches.
 // Guarantees: noise in [0, 1); the rotation is a unit vector up to rounding, so a kernel keeps its size.
-// Use it:     with a temporal or spatial filter after it. With frame 0 always, the pattern stands still.
+// Use it:     with a temporal or spatial filter after it. With frame always 0, the pattern is static.
 #ifndef PENUMBRA_NOISE_HLSL
 #define PENUMBRA_NOISE_HLSL
 

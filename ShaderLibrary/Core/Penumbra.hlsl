@@ -1,4 +1,4 @@
-// Penumbra: how wide, from how far.
+// Penumbra: widths of penumbrae and search radii.
 //
 // Computes:   penumbra and search radii in texels, and the test whether a texel lies in the cone of rays from the
 //             receiver to the light's disc.
@@ -34,7 +34,7 @@ struct ConeScales
 
 ConeScales ConeScalesOf(ShadowTile tile)
 {
-    // Tiles are square in texels, whatever the atlas.
+    // Tiles are square in texels, whatever the shape of the atlas.
     const float tileTexels = min(max(FiniteOr(tile.offsetScale.z * tile.atlasTexelSize.z, 1.0), 1.0), 65536.0);
     ConeScales scales;
     scales.texelsPerDepth = BoundedOrLow(tile.depthToRadial, 0.0, 1e9) * tileTexels;
@@ -51,8 +51,8 @@ float PenumbraRadius(float gap, ConeScales scales)
     return min(max(gap, 0.0) * scales.texelsPerDepth, scales.largestRadius);
 }
 
-// Radius within which any blocker of the map may hide part of the light, not beyond `largestPenumbraMetres` (full
-// width, 0 to 1) and not below `floorTexels`.
+// Radius within which any blocker of the map may hide part of the light, at most for `largestPenumbraMetres` (full
+// width, 0 to 1) and at least `floorTexels`.
 float SearchRadius(float receiverDepth, float largestPenumbraMetres, float floorTexels, ConeScales scales)
 {
     const float bound = 0.5 * BoundedOrLow(largestPenumbraMetres, 0.0, 1e9) * scales.texelsPerMetre;
@@ -66,14 +66,14 @@ float AverageGap(float gapSum, float weightSum)
 }
 
 // The gap a blocker at lateral distance `radius` (texels) must exceed to lie in the light's cone. A texel is a square,
-// not a point: `slack` texels count as no distance. `largestOffset` caps the cone's height, stored depth.
+// not a point, so the first `slack` texels of distance do not count. `largestOffset`: caps the cone's height (depth).
 float ConeOffset(float radius, float slack, float largestOffset, ConeScales scales)
 {
     return min(max(radius - slack, 0.0) * scales.depthPerTexel, largestOffset);
 }
 
-// Lit share of what was weighed: exactly 1 where nothing was blocked, exactly 0 where nothing was lit, 1 where
-// nothing was weighed at all.
+// Lit share of the weighted samples: exactly 1 if nothing blocks, exactly 0 if everything blocks, 1 if the sum of
+// weights is 0.
 float LitShare(float litWeight, float blockedWeight)
 {
     if (!(blockedWeight > 0.0)) return 1.0;

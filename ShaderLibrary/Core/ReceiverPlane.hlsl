@@ -1,27 +1,27 @@
-// Penumbra: the receiver's own depth beside the pixel.
+// Penumbra: the receiver's depth next to the pixel.
 //
-// Computes:   how stored depth changes along the receiver's plane, per unit of atlas UV, so that a tap beside the
-//             pixel is compared with the surface there and not with the pixel's depth.
+// Computes:   how stored depth changes along the receiver's plane, per unit of atlas UV, so that a tap next to
+//             the pixel is compared with the depth of the surface there and not with the pixel's.
 // Source:     Isidoro, "Shadow Mapping: GPU-based Tips and Techniques", GDC 2006 (the inverse Jacobian of the
-//             shadow coordinate on the screen). From a normal: the plane n.x = const pushed through the matrix.
+//             shadow coordinate on the screen). From a normal: the plane n.x = const, transformed by the matrix.
 // Inputs:     shadow coordinates: atlas UV and stored depth; normalWS: unit, world space; worldToShadow: maps
 //             column vectors (world metres, 1) to atlas UV and stored depth.
 // Cost:       no fetches.
 // Guarantees: finite, and no steeper than kLargestGradient. Where the screen derivatives of the UV are (nearly)
-//             parallel, or the plane stands edge-on to the light, the answer is 0: no plane known. Degeneracy is
+//             parallel, or the plane is edge-on to the light, the result is 0: no plane is known. Degeneracy is
 //             judged relative to the derivatives' own lengths, so it does not depend on resolution.
-// Use it:     from a normal where there is one: it is exact, while derivatives cross depth edges.
+// Use it:     from a normal if there is one: it is exact, while derivatives are wrong across depth edges.
 #ifndef PENUMBRA_RECEIVER_PLANE_HLSL
 #define PENUMBRA_RECEIVER_PLANE_HLSL
 
 #include "FloatBits.hlsl"
 
-// Steepest slope that is believed, stored depth per atlas UV. One texel of a 4096-texel map then changes depth by
+// Steepest slope that is accepted, stored depth per atlas UV. One texel of a 4096-texel map then changes depth by
 // a quarter of the range.
 static const float kLargestGradient = 1024.0;
 
-// sin of the smallest angle between screen derivatives, or between plane and light, that is believed: about 0.06
-// degrees. Below it rounding in the shadow coordinates decides the slope.
+// sin of the smallest angle between screen derivatives, or between plane and light, that is accepted: about
+// 0.06 degrees. Below it, rounding errors of the shadow coordinates dominate the slope.
 static const float kSmallestSine = 1e-3;
 
 float2 BoundGradient(float2 gradient)

@@ -1,18 +1,18 @@
-// Penumbra: from a pixel and its camera depth back to the world.
+// Penumbra: from a pixel and its camera depth to world space.
 //
 // Computes:   the world position under a pixel, how it moves with the pixel, and the surface's normal from the depths
-//             beside it.
+//             of its neighbours.
 // Source:     the inverse view-projection as a projective map: with h = M (u, v, depth, 1) and position = h.xyz / h.w,
 //             a step s of (u, v, depth) moves the position by (M s).xyz - position (M s).w, over h.w. Perspective
 //             projection maps planes to planes, so stored depth changes linearly over the screen along a surface, and
 //             the difference to a neighbour on the same surface is its exact slope.
-// Inputs:     screenToWorld: (uv, stored camera depth, 1), a column vector, to homogeneous world metres. Which way
-//             depth runs, where v begins and what projection it was are the matrix's business.
+// Inputs:     screenToWorld: (uv, stored camera depth, 1), a column vector, to homogeneous world metres. The
+//             matrix accounts for the direction of depth, the origin of v and the projection.
 // Cost:       no fetches.
-// Guarantees: a depth of 0 or 1 is no surface in either convention: one is the sky, the other the near plane, on which
-//             nothing drawn lies; neither is NaN. A normal is unit length or 0, never NaN. Positions are finite where
-//             the matrix is regular.
-// Use it:     in passes over the screen. Not: with view-space or linear depth.
+// Guarantees: a depth of 0, 1 or NaN is not a surface, in either convention: one is the sky, the other the near plane,
+//             on which nothing is drawn. A normal has unit length or is 0, never NaN. Positions are finite if the
+//             matrix is invertible.
+// Use it:     in screen passes. Not: with view-space or linear depth.
 #ifndef PENUMBRA_SCREEN_POSITION_HLSL
 #define PENUMBRA_SCREEN_POSITION_HLSL
 
@@ -54,7 +54,7 @@ float MetresPerPixel(float4x4 screenToWorld, ScreenPoint at, float2 pixelSize)
     return sqrt(min(dot(alongX, alongX), dot(alongY, alongY)));
 }
 
-// No slope of depths between 0 and 1 reaches this: "not known".
+// Larger than any slope between depths in [0, 1]: means "not known".
 static const float kNoDepthSlope = 2.0;
 
 // Depths of three pixels in a row.
@@ -79,8 +79,8 @@ float NearerSlope(DepthLine along)
     return abs(slopes.y) < abs(slopes.x) ? slopes.y : slopes.x;
 }
 
-// Two surfaces, or a sharp bend: the slopes differ by more than a sixteenth, which is many times what the rounding
-// of depths far from the camera does to them.
+// Two surfaces, or a sharp bend: the slopes differ by more than a sixteenth, many times the effect of rounding on
+// depths far from the camera.
 bool ContradictsItself(DepthLine along)
 {
     const float2 slopes = DepthSlopes(along);
@@ -88,9 +88,9 @@ bool ContradictsItself(DepthLine along)
     return steeper < kNoDepthSlope && abs(slopes.x - slopes.y) > 0.0625 * steeper;
 }
 
-// The side on which depth goes on as it began: a plane's depth is a straight line. A side without a second neighbour
-// is taken to bend by half the contradiction: it loses to a straight line and wins against an edge. Else the side that
-// changes less.
+// The side on which depth continues linearly, as it does on a plane. A side without a second neighbour is assumed to
+// bend by half the difference between the two slopes, so it loses to a straight line and wins against an edge. If both
+// bend equally, the side that changes less.
 float StraighterSlope(float before2, DepthLine along, float after2)
 {
     const float2 slopes = DepthSlopes(along);
@@ -102,7 +102,7 @@ float StraighterSlope(float before2, DepthLine along, float after2)
 }
 
 // slope: of depth per pixel to the right and down the rows. 0 where a slope is not known. The sign follows the
-// matrix: turn it where it matters.
+// matrix: flip it where it matters.
 float3 ScreenNormal(float4x4 screenToWorld, ScreenPoint at, float2 slope, float2 pixelSize)
 {
     if (!(abs(slope.x) <= 1.0) || !(abs(slope.y) <= 1.0)) return float3(0.0, 0.0, 0.0);
@@ -116,7 +116,7 @@ float3 ScreenNormal(float4x4 screenToWorld, ScreenPoint at, float2 slope, float2
     return across / sqrt(squared);
 }
 
-// 1 on the plane through the surface, falling to 0 at `tolerance` metres beside it. offset: to the other point.
+// 1 on the plane through the surface, falling to 0 at a distance of `tolerance` metres. offset: to the other point.
 float PlaneWeight(float3 offset, float3 normalWS, float tolerance)
 {
     const float beside = abs(dot(offset, normalWS));

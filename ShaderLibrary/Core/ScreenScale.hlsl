@@ -1,4 +1,4 @@
-// Penumbra: which pixel of the screen a pixel of a smaller image stands for.
+// Penumbra: which pixel of the screen corresponds to a pixel of a half-resolution image.
 //
 // Computes:   the pixel of the full screen at which a half-resolution pixel is evaluated, and the half-resolution
 //             pixels around a full one.
@@ -9,8 +9,8 @@
 // Source:     geometry.
 // Inputs:     pixel coordinates from 0; scale: pixels of the screen per pixel of the image, 1 or 2.
 // Cost:       no fetches.
-// Guarantees: the answer lies on the screen, in the last row and column of an odd screen, too.
-// Use it:     wherever images of two resolutions meet: both sides must mean the same pixel.
+// Guarantees: the result lies on the screen, also in the last row and column of a screen of odd size.
+// Use it:     wherever images of two resolutions are combined, so that both refer to the same pixels.
 #ifndef PENUMBRA_SCREEN_SCALE_HLSL
 #define PENUMBRA_SCREEN_SCALE_HLSL
 

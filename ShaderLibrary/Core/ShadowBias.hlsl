@@ -1,4 +1,4 @@
-// Penumbra: biases against a surface shadowing itself.
+// Penumbra: biases against surfaces that shadow themselves (shadow acne).
 //
 // Computes:   URP's caster bias, slope-scaled bias, and a bias that adapts to slope and kernel together.
 // Source:     caster bias: URP's depth and normal bias, both proportional to the texel and the soft kernel's radius.

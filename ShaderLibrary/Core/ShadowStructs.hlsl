@@ -1,6 +1,6 @@
-// Penumbra: what every filter is told about a pixel and its cascade.
+// Penumbra: the input of every filter: a pixel and its cascade.
 //
-// Computes:   nothing: two structs, and the units they keep.
+// Computes:   nothing: it declares two structs and their units.
 // Source:     the per-cascade scales follow from the world-to-shadow matrix M: uvPerMetre = |row0.xyz| of M divided
 //             by the tile's extent, depthPerMetre = |row2.xyz|.
 // Inputs:     -

@@ -1,7 +1,7 @@
-// Penumbra: a tent-shaped kernel laid over texels, as bilinear fetches.
+// Penumbra: a tent-shaped kernel over texels, as bilinear fetches.
 //
 // Computes:   along one axis, for a tent N texels wide (N = 3, 5, 7) centred anywhere, the (N + 1) / 2 bilinear
-//             fetches that together weigh every texel by the area of the tent above it.
+//             fetches that together weight every texel by the area of the tent above it.
 // Source:     derived here. The tent over [0, N], peak at N/2, has the distribution
 //
 //                   /\            mass(a, b) = 2 (b - a)(b + a) / N^2              left of the peak
@@ -68,7 +68,7 @@ TentAxis TentFetches(float centre, int taps)
         axis.weight[i] = i < taps ? RoundToWeightGrid(sum) : 0.0;
         axis.position[i] = firstTexel + 2.0 * float(i) + 0.5 + (sum > 0.0 ? min(b / sum, 1.0) : 0.5);
     }
-    // The heaviest fetch takes what rounding left over; every term is a multiple of the grid, so this is exact.
+    // The fetch with the largest weight absorbs the rounding error. Every term is a multiple of 2^-23: this is exact.
     axis.weight[1] = 1.0 - (axis.weight[0] + axis.weight[2] + axis.weight[3]);
     return axis;
 }

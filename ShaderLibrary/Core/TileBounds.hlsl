@@ -1,6 +1,6 @@
 // Penumbra: keeping every fetch inside its cascade's tile.
 //
-// Computes:   the nearest place to a coordinate at which a fetch reads no texel of a neighbouring tile.
+// Computes:   the coordinate nearest to a given one at which a fetch reads no texel of a neighbouring tile.
 // Source:     geometry. A bilinear footprint reaches half a texel to each side:
 //
 //                 tile edge
@@ -10,8 +10,8 @@
 // Inputs:     atlas UV; ShadowTile. Texel coordinates are atlas UV times the atlas size.
 // Cost:       no fetches.
 // Guarantees: the result is finite for any input. Devices keep 8 fractional bits of a texel coordinate and may
-//             round it either way, so bilinear footprints are held 1/64 texel further inside than exact arithmetic
-//             asks; a quad of four texels is named by its corner and needs no such margin.
+//             round it either way, so bilinear footprints are kept 1/64 texel further inside than exact arithmetic
+//             requires; a quad of four texels is addressed at its corner and needs no such margin.
 // Use it:     before every sample. Not: as a test whether a receiver lies in a cascade.
 #ifndef PENUMBRA_TILE_BOUNDS_HLSL
 #define PENUMBRA_TILE_BOUNDS_HLSL
@@ -32,7 +32,7 @@ TileBounds BoundsInTexels(ShadowTile tile)
     const float2 size = max(FiniteOr(tile.atlasTexelSize.zw, float2(1.0, 1.0)), 1.0);
     const float2 origin = min(max(FiniteOr(tile.offsetScale.xy, float2(0.0, 0.0)), 0.0), 1.0);
     const float2 extent = min(max(FiniteOr(tile.offsetScale.zw, float2(1.0, 1.0)), 0.0), 1.0 - origin);
-    // Tiles are cut at whole texels; rounding takes away what the product of two floats added.
+    // Tile borders are at whole texels; rounding removes the error of the product of two floats.
     TileBounds bounds;
     bounds.minimum = floor(origin * size + 0.5);
     bounds.maximum = floor((origin + extent) * size + 0.5);
@@ -48,7 +48,7 @@ float2 TexelCoordinates(float2 atlasUV, ShadowTile tile)
     return min(max(texels, bounds.minimum), bounds.maximum);
 }
 
-// The place nearest to `texels` whose bilinear footprint stays inside the tile.
+// The position nearest to `texels` whose bilinear footprint stays inside the tile.
 float2 ClampFootprint(float2 texels, TileBounds bounds)
 {
     const float2 middle = 0.5 * (bounds.minimum + bounds.maximum);

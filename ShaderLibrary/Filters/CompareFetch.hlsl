@@ -1,12 +1,12 @@
 // Penumbra: one bilinear comparison, inside its tile.
 //
 // Computes:   the share of the four nearest texels, by bilinear weight, that do not block the receiver.
-// Source:     percentage-closer filtering, Reeves, Salesin and Cook (1987), in the form hardware offers.
+// Source:     percentage-closer filtering, Reeves, Salesin and Cook (1987), as hardware implements it.
 // Inputs:     texels: texel coordinates of the sample; CompareReceiver. Sampler: linear, clamp, comparing LESS_EQUAL
 //             (reversed Z: GREATER_EQUAL) the reference with the texel.
 // Cost:       1 fetch.
-// Guarantees: in [0, 1]; reads no texel outside the tile. How a NaN texel compares is the device's choice.
-// Use it:     as the building stone of fixed kernels. Not: mixed with raw reads of the same map in one function:
+// Guarantees: in [0, 1]; reads no texel outside the tile. How a NaN texel compares depends on the device.
+// Use it:     as the building block of fixed kernels. Not: mixed with raw reads of the same map in one function:
 //             compilers that separate comparison textures from others (glslang) cannot pass one that is both.
 #ifndef PENUMBRA_COMPARE_FETCH_HLSL
 #define PENUMBRA_COMPARE_FETCH_HLSL

@@ -1,18 +1,18 @@
-// Penumbra: percentage-closer filters of fixed, even kernels.
+// Penumbra: percentage-closer filters with fixed kernels of equal weights.
 //
 // Computes:   the mean of bilinear comparisons at N x N neighbouring texels (N = 1, 3, 5, 7, 9), and the same 3 x 3
 //             footprint from four:
 //
 //                 1 2 1      o at the four corners of the centre texel: every bilinear fetch covers
-//                 2 4 2      2 x 2 texels, and together they weigh the texels as on the left when the
-//                 1 2 1      receiver stands at a texel's centre
+//                 2 4 2      2 x 2 texels, and together they weight the texels as on the left when the
+//                 1 2 1      receiver is at a texel's centre
 //
 // Source:     Reeves, Salesin and Cook, "Rendering Antialiased Shadows with Depth Maps" (1987).
 // Inputs:     shadow map with comparison sampler; ShadowReceiver; ShadowTile; BoxParameters: taps per side.
 // Cost:       bilinear 1 fetch, four-tap 4, box N x N.
 // Guarantees: [0, 1]; exactly 1 when no comparison fails, exactly 0 when all do.
 // Use it:     bilinear and four-tap on the smallest devices. Not the box: TentPcf.hlsl covers more texels with fewer
-//             fetches; it is here to be compared with.
+//             fetches; it is included for comparison.
 #ifndef PENUMBRA_FIXED_PCF_HLSL
 #define PENUMBRA_FIXED_PCF_HLSL
 

@@ -5,7 +5,7 @@
 // Inputs:     shadow map (raw read; the sampler is not used); ShadowReceiver; ShadowTile.
 // Cost:       1 fetch.
 // Guarantees: exactly 0 or 1; NaN texels do not block; no texel outside the tile is read.
-// Use it:     as the baseline. Not: where an edge is seen.
+// Use it:     as the baseline. Not: where shadow edges are visible.
 #ifndef PENUMBRA_HARD_TEST_HLSL
 #define PENUMBRA_HARD_TEST_HLSL
 

@@ -9,8 +9,8 @@
 // Cost:       samples fetches where nothing blocks, else twice as many.
 // Guarantees: [0, 1] for any input; exactly 1 without blockers, exactly 0 where every texel read blocks; texels outside
 //             the tile are not read.
-// Use it:     to compare with other people's PCSS. Not: as a first choice; PcssAngular.hlsl knows how far to search and
-//             ignores blockers that cannot hide the light.
+// Use it:     for comparison with existing PCSS implementations. Not: as a first choice; PcssAngular.hlsl adapts the
+//             search radius and ignores blockers that cannot hide the light.
 #ifndef PENUMBRA_PCSS_CLASSIC_HLSL
 #define PENUMBRA_PCSS_CLASSIC_HLSL
 

@@ -9,7 +9,7 @@
 //             PcssHdrpParameters. The receiver's plane is not used, as in HDRP.
 // Cost:       blockerSamples fetches where nothing blocks, else blockerSamples + filterSamples.
 // Guarantees: [0, 1] for any input; exactly 1 without blockers; texels outside the tile do not count.
-// Use it:     when a scene lit for HDRP must look the same. Not: when the sun's size is meant to be the sun's size.
+// Use it:     when a scene lit for HDRP must look the same. Not: when the light's angular diameter must be exact.
 #ifndef PENUMBRA_PCSS_HDRP_HLSL
 #define PENUMBRA_PCSS_HDRP_HLSL
 
@@ -44,8 +44,8 @@ HdrpScales HdrpScalesOf(ConeScales scales, PcssHdrpParameters parameters)
     hdrp.depthPerTexel = scales.depthPerTexel / kHdrpScale;
     hdrp.searchDepthPerTexel = DepthPerTexelOf(BoundedOrLow(parameters.searchTanHalf, 0.0, 1e3), scales);
     hdrp.minFilterDepthPerTexel = DepthPerTexelOf(BoundedOrLow(parameters.minFilterTanHalf, 0.0, 1e3), scales);
-    // A penumbra of maxPenumbraMetres is made by a gap of maxPenumbra / (2 tan(a/2)) metres. tan(a/2) itself is not
-    // among the tile's fields; texels per depth over texels per metre times depth per metre is.
+    // A penumbra of maxPenumbraMetres is made by a gap of maxPenumbra / (2 tan(a/2)) metres. The tile has no
+    // field for tan(a/2) itself; it is texels per depth / texels per metre * depth per metre.
     const float tanHalfPerDepth = scales.texelsPerMetre > 0.0 ? scales.texelsPerDepth / scales.texelsPerMetre : 0.0;
     hdrp.largestBlockerGap = tanHalfPerDepth > 0.0
         ? BoundedOrLow(parameters.maxPenumbraMetres, 0.0, 1e6) * 0.5 / tanHalfPerDepth : 1.0;
@@ -141,7 +141,7 @@ float FilterPcssHdrp(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SAMPL
             taken += 1.0;
         }
     }
-    // Every tap can lie outside the tile: the receiver's own texel then decides.
+    // If every tap lies outside the tile, the receiver's own texel decides.
     if (!(taken > 0.0))
     {
         return LitByGather(TEXTURE2D_ARGS(shadowMap, sampler_point), prepared, prepared.centre,

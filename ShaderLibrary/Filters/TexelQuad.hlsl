@@ -1,4 +1,4 @@
-// Penumbra: four texels by one gather, each tested at its own centre.
+// Penumbra: four texels from one gather, each tested at its own centre.
 //
 // Computes:   depths of a 2 x 2 quad, which of them block the receiver, and their bilinear weights.
 //
@@ -9,9 +9,9 @@
 // Source:     the receiver's plane: Isidoro, GDC 2006. A comparison sampler has one reference depth for four texels;
 //             gathering first costs the same fetch and gives each texel its own.
 // Inputs:     shadow map (raw reads), point sampler; texel coordinates.
-// Cost:       1 fetch a quad.
+// Cost:       1 fetch per quad.
 // Guarantees: reads no texel outside the tile; NaN texels do not block; all results finite. The quad is addressed at
-//             its corner, half a texel from where a device's rounding could choose another.
+//             its corner, half a texel away from where rounding could select another quad.
 // Use it:     in kernels wider than a texel. Needs gather (Shader Model 4.1, OpenGL ES 3.1).
 #ifndef PENUMBRA_TEXEL_QUAD_HLSL
 #define PENUMBRA_TEXEL_QUAD_HLSL
@@ -47,7 +47,7 @@ struct TexelQuad
     float4 abovePlane; // the same above the receiver's plane at the texel's centre
     float4 radius;     // from the receiver to the texel's centre, texels
     float4 blocking;   // 1 where the texel hides light, else 0
-    float4 weight;     // bilinear, of the sample's place
+    float4 weight;     // bilinear, at the sample's position
 };
 
 // What a blocker search finds.

@@ -1,33 +1,33 @@
-// Penumbra: the sun's shadows of Unity's HDRP, for custom passes and shaders of your own.
+// Penumbra: the sun's shadows of Unity's HDRP, for custom passes and your own shaders.
 //
 //   #pragma multi_compile_local _ _PENUMBRA_TENT_3X3 _PENUMBRA_TENT_7X7 _PENUMBRA_PCSS _PENUMBRA_PCSS_HDRP
-//   // HDRP's CustomPassCommon.hlsl, or whatever else of HDRP includes its ShaderVariables.hlsl; then
+//   // HDRP's CustomPassCommon.hlsl, or another file of HDRP that includes its ShaderVariables.hlsl; then
 //   #include "Packages/com.penumbra.shadows/ShaderLibrary/Pipelines/Hdrp.hlsl"
 //   ...
 //   float visibility = PenumbraHdrpVisibility(posInput.positionWS, normalWS, posInput.positionSS);
 //
 // Computes:   cascade, shadow coordinate, receiver plane, tile scales and HDRP's PCSS parameters of a position, from
-//             what HDRP uploads for the directional light that casts shadows; and its visibility by the technique the
-//             keyword names (TechniqueByKeyword.hlsl).
+//             what HDRP uploads for the directional light that casts shadows; and its visibility with the technique
+//             that the keyword selects (TechniqueByKeyword.hlsl).
 // Source:     the layout of HDRP 14 to 17. The light's view as three rows, its device projection (depth 0..1) as m00,
 //             m11, m22, m23, so that |m00| / 2 is tile UV per metre and |m22| depth per metre. HDRP's scale of depth
 //             to radius is |m00 / m22|, twice the geometric one: tiles here carry the geometric scale, and
 //             Filters/PcssHdrp.hlsl doubles it.
-// Inputs:     positionRWS: in HDRP's own space, relative to the camera unless the project turned that off, metres, as
-//             GetPositionInput gives it; normalWS: geometric, unit; pixel: screen coordinate. HDRP's globals; and
+// Inputs:     positionRWS: in HDRP's own space, relative to the camera unless the project disabled that, metres, as
+//             GetPositionInput returns it; normalWS: geometric, unit; pixel: screen coordinate. HDRP's globals; and
 //             _PenumbraMainLightParams           y tan(angularDiameter / 2), z frame index of the noise
 //             and those of TechniqueByKeyword.hlsl.
 //             PENUMBRA_HDRP_PACKED_PCSS: 1 where HDShadowData holds dirLightPCSSParams0 and 1 (HDRP 17, Unity 6),
-//             else 0; told by Unity's version unless defined before. With it, where HDRP filled them (directional
-//             shadows of High quality), the light's angular diameter is HDRP's own, and so is all that
-//             _PENUMBRA_PCSS_HDRP takes.
-// Cost:       the technique's fetches; none where no cascade reaches. One cascade per pixel: in the border of two,
-//             noise chooses, as HDRP does at low and medium quality.
+//             else 0; derived from Unity's version unless defined before. If it is 1 and HDRP filled them
+//             (directional shadows of High quality), the light's angular diameter and all parameters of
+//             _PENUMBRA_PCSS_HDRP are HDRP's own.
+// Cost:       the technique's fetches; none outside all cascades. One cascade per pixel: where two blend,
+//             noise selects one, as HDRP does at low and medium quality.
 // Guarantees: [0, 1]; 1 without a shadowed sun and outside all cascades. The light's shadow dimmer, the last cascade's
 //             fade and HDRP's normal bias are applied; shadow tint and shadow mask are not.
-// Use it:     where HDRP's shadow maps are drawn and still held: in lit passes, and in custom passes at
-//             BeforePreRefraction or BeforeTransparent. Beside HDRP's HDShadowContext.hlsl: after it. Not: for point,
-//             spot and area lights.
+// Use it:     where HDRP's shadow maps exist: in lit passes, and in custom passes at BeforePreRefraction or
+//             BeforeTransparent. If HDRP's HDShadowContext.hlsl is included too, include this file after it. Not: for
+//             point, spot and area lights.
 #ifndef PENUMBRA_HDRP_HLSL
 #define PENUMBRA_HDRP_HLSL
 
@@ -63,32 +63,32 @@ StructuredBuffer<HDShadowData> _HDShadowDatas;
 StructuredBuffer<HDDirectionalShadowData> _HDDirectionalShadowData;
 #endif
 
-// The words in these names are what Unity builds inline samplers from.
+// Unity creates inline samplers from the words in these names.
 SAMPLER_CMP(sampler_PenumbraLinearClampCompare);
 SAMPLER(sampler_PenumbraPointClamp);
 
 float4 _PenumbraMainLightParams;
 
-// HDRP adds it to every reference depth: its casters carry a bias by slope, and this little is the rest.
+// HDRP adds it to every reference depth: its casters have a slope-scaled bias, and this is the small constant part.
 static const float kHdrpDepthBias = 1.0 / 65536.0;
 
 struct PenumbraHdrpCascade
 {
-    int index;   // -1: no cascade holds the position
+    int index;   // -1: no cascade contains the position
     float blend; // how far into the border to the next cascade, 0 to 1
 };
 
 struct PenumbraHdrpLight
 {
     bool covered;   // false: no map covers the position, it is lit
-    float strength; // of the shadow: the light's dimmer, less where the last cascade fades out
+    float strength; // of the shadow: the light's dimmer, reduced where the last cascade fades out
     ShadowReceiver receiver;
     ShadowTile tile;
     PcssHdrpParameters pcss;
 };
 
-// The first sphere that holds the position (spheres keep squared radii). The border blends on the far side only: where
-// the sphere's centre lies behind the position as the camera sees it, HDRP takes the blend away by a steep ramp.
+// The first sphere that contains the position (spheres hold squared radii). The border blends on the far side only:
+// where the sphere's centre lies behind the position as seen from the camera, HDRP removes the blend by a steep ramp.
 PenumbraHdrpCascade PenumbraHdrpCascadeOf(float3 positionRWS, HDDirectionalShadowData shadows, int count)
 {
     PenumbraHdrpCascade cascade;
@@ -130,14 +130,14 @@ float4x4 PenumbraHdrpWorldToAtlas(HDShadowData data)
 bool PenumbraHdrpIsPacked(HDShadowData data)
 {
 #if PENUMBRA_HDRP_PACKED_PCSS
-    // HDRP fills them at High quality alone. Of a light without a disc the first two hold 0 and an infinity.
+    // HDRP fills them at High quality only. For a light without a disc the first two hold 0 and an infinity.
     return data.dirLightPCSSParams1.y > 0.0;
 #else
     return false;
 #endif
 }
 
-// tanHalf: of the light, where HDRP did not pack its own.
+// tanHalf: of the light, used where HDRP did not pack its own.
 ShadowTile PenumbraHdrpTile(HDShadowData data, float tanHalf)
 {
     ShadowTile tile;
@@ -153,7 +153,7 @@ ShadowTile PenumbraHdrpTile(HDShadowData data, float tanHalf)
     return tile;
 }
 
-// What HDRP packed of the light's settings: with s = |m00 / m22| and t = tan(a/2)
+// How HDRP packs the light's settings: with s = |m00 / m22| and t = tan(a/2)
 //   dirLightPCSSParams0   t s | 1 / (t s) | widest penumbra / (2 t), metres | cone height, metres
 //   dirLightPCSSParams1   smallest filter, texels | 1 / (s tan) of its cone | 1 / (s tan) of the search's | clump / 2
 //   shadowFilterParams0   y blocker samples, z filter samples: integers by their bits
@@ -181,7 +181,7 @@ PcssHdrpParameters PenumbraHdrpParametersOf(HDShadowData data)
 ShadowReceiver PenumbraHdrpReceiver(float3 positionRWS, float3 normalWS, HDShadowData data, float2 rotation)
 {
     const float4x4 worldToAtlas = PenumbraHdrpWorldToAtlas(data);
-    // Cached maps may be older than the camera's place, and the normal bias is HDRP's: on the receiver's side.
+    // Cached maps may be older than the camera's position, and the normal bias is HDRP's, which moves the receiver.
     const float3 moved = positionRWS + data.cacheTranslationDelta + normalWS * (data.normalBias * data.worldTexelSize);
     ShadowReceiver receiver;
     receiver.shadowCoord = mul(worldToAtlas, float4(moved, 1.0)).xyz;

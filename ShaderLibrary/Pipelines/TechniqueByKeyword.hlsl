@@ -1,16 +1,16 @@
-// Penumbra: the technique that a shader keyword names.
+// Penumbra: the technique that a shader keyword selects.
 //
-// Computes:   visibility by the filter of the keyword in force: _PENUMBRA_HARD, _PENUMBRA_BILINEAR,
+// Computes:   visibility with the filter of the enabled keyword: _PENUMBRA_HARD, _PENUMBRA_BILINEAR,
 //             _PENUMBRA_FOUR_TAP, _PENUMBRA_TENT_3X3, _PENUMBRA_TENT_7X7, _PENUMBRA_PCSS, _PENUMBRA_PCSS_POISSON,
-//             _PENUMBRA_PCSS_HDRP; without one, tent 5 x 5.
-// Source:     each filter's file names its own.
+//             _PENUMBRA_PCSS_HDRP; without a keyword, tent 5 x 5.
+// Source:     see each filter's file.
 // Inputs:     shadow map, its comparison and point samplers, ShadowReceiver, ShadowTile; uniforms
-//             _PenumbraSamples: blocker samples, filter samples, search clump, smallest filter radius (texels);
+//             _PenumbraSamples: blocker samples, filter samples, blockerClump, smallest filter radius (texels);
 //             _PenumbraLimits: widest penumbra (m), cone height (m), search radius of classic PCSS (m); HDRP's tangents
 //             in _PenumbraHdrp.xy. Runtime/Parameters/ShadowUniforms.cs packs them.
 // Cost:       the technique's fetches.
-// Guarantees: [0, 1]. One filter's file is included, the keyword's.
-// Use it:     after a pipeline's binding; Shadows.hlsl and Hdrp.hlsl do. Not: from a shader of its own.
+// Guarantees: [0, 1]. Only the file of the selected filter is included.
+// Use it:     after a pipeline's bindings, as Shadows.hlsl and Hdrp.hlsl do. Not: directly from a shader.
 #ifndef PENUMBRA_TECHNIQUE_BY_KEYWORD_HLSL
 #define PENUMBRA_TECHNIQUE_BY_KEYWORD_HLSL
 
@@ -18,7 +18,7 @@
 #include "../Core/TechniqueParameters.hlsl"
 
 // PCSS reads depths by gather from a texture whose sampler compares. That is undefined in OpenGL ES and WebGL, and
-// before ES 3.1 there is no gather: the widest tent stands in.
+// before ES 3.1 there is no gather: the widest tent is used instead.
 #if defined(SHADER_API_GLES) || defined(SHADER_API_GLES3) || defined(SHADER_API_WEBGL)
 #define PENUMBRA_WITHOUT_GATHER
 #endif

@@ -1,6 +1,6 @@
-// Penumbra: the main light's shadow data of Unity's URP, as filters want it.
+// Penumbra: the main light's shadow data of Unity's URP, in the form that filters take.
 //
-// Computes:   cascade, shadow coordinate, receiver plane and tile scales of a world position, from the globals URP
+// Computes:   cascade, shadow coordinate, receiver plane and tile scales of a world position, from the globals that URP
 //             uploads every frame.
 // Source:     the layout of URP 14 to 17: atlas tiles two by two, the atlas half as high with two cascades; matrices
 //             that map world space to atlas UV and stored depth. From M: |row0.xyz| is atlas UV per metre, |row2.xyz|
@@ -10,14 +10,14 @@
 //             _PenumbraMainLightParams           x cascade count, y tan(angularDiameter / 2), z frame index
 // Cost:       no fetches.
 // Guarantees: the only file that names a pipeline's globals. A position beyond the shadow distance, in front of or
-//             behind the map's depth range, or in a cascade URP left without a matrix, is reported as such.
+//             behind the map's depth range, or in a cascade for which URP set no matrix, is reported as not covered.
 // Use it:     through Shadows.hlsl. Not: for additional lights.
 #ifndef PENUMBRA_URP_HLSL
 #define PENUMBRA_URP_HLSL
 
 #if !defined(UNIVERSAL_SHADOWS_INCLUDED)
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
-// URP's Shadows.hlsl calls LerpWhiteTo, which it leaves to its user to include.
+// URP's Shadows.hlsl calls LerpWhiteTo, which the including file must provide.
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/CommonMaterial.hlsl"
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Shadows.hlsl"
 #endif
@@ -27,7 +27,7 @@
 #include "../Core/ReceiverPlane.hlsl"
 #include "../Core/ShadowStructs.hlsl"
 
-// The words in these names are what Unity builds inline samplers from.
+// Unity creates inline samplers from the words in these names.
 SAMPLER_CMP(sampler_PenumbraLinearClampCompare);
 SAMPLER(sampler_PenumbraPointClamp);
 

@@ -1,12 +1,11 @@
 // Penumbra: texture, sampler and flow-control macros for use outside Unity.
 //
-// Computes:   nothing. Gives the macro names of Unity's core ShaderLibrary the meaning they have on Direct3D 11,
-//             Vulkan and Metal, so that every other file of this library is the same file inside and outside
-//             Unity.
+// Computes:   nothing. Defines the macro names of Unity's core ShaderLibrary as they are on Direct3D 11, Vulkan and
+//             Metal, so that all other files of this library are the same inside and outside Unity.
 // Source:     the names are Unity's public interface (com.unity.render-pipelines.core); the definitions follow
 //             from HLSL's texture objects.
-// Inputs:     UNITY_COMMON_INCLUDED: Unity's own macros are in force, this file does nothing.
-//             PENUMBRA_PLATFORM_INCLUDED: somebody else's are (the fetch-counting ones, an engine's own).
+// Inputs:     UNITY_COMMON_INCLUDED: Unity's own macros are defined, and this file does nothing.
+//             PENUMBRA_PLATFORM_INCLUDED: other macros are (those that count fetches, or an engine's own).
 // Cost:       none.
 // Guarantees: a filter that reaches textures through these names only can be counted, and ported.
 // Use it:     include it first when calling Filters/ from your own engine. Not: inside Unity, where Core.hlsl
@@ -48,7 +47,7 @@
 #define LOAD_TEXTURE2D_LOD(textureName, texel, lod) textureName.Load(int3(texel, lod))
 #define GATHER_RED_TEXTURE2D(textureName, samplerName, uv) textureName.GatherRed(samplerName, uv)
 
-// Textures of the screen: Unity makes arrays of them where both eyes are drawn at once.
+// Screen-sized textures: Unity makes them arrays when both eyes are drawn at once.
 #define SLICE_ARRAY_INDEX 0
 #define TEXTURE2D_X(textureName) TEXTURE2D(textureName)
 #define TEXTURE2D_X_FLOAT(textureName) TEXTURE2D(textureName)

@@ -2,12 +2,12 @@
 //
 // Computes:   world position, normal and pixel width of what the camera sees.
 // Source:     Core/ScreenPosition.hlsl.
-// Inputs:     camera depth texture, stored depth; ScreenView; pixel: of the full-resolution screen, its row 0 the row
-//             in which the texture keeps it.
+// Inputs:     camera depth texture, stored depth; ScreenView; pixel: of the full-resolution screen, with rows in the
+//             order in which the texture stores them.
 // Cost:       1 fetch without the normal, 5 with it, up to 9 at edges.
 // Guarantees: reads no texel outside the screen; beyond its border there is no surface. `seen` is false for sky, for
-//             depths outside (0, 1) and for NaN; then nothing else of the answer means anything.
-// Use it:     first in every pass over the screen. Not: where normals come with the surface.
+//             depths outside (0, 1) and for NaN; then the other fields are undefined.
+// Use it:     first in every screen pass. Not: where the surface's normal is available.
 #ifndef PENUMBRA_CAMERA_SURFACE_HLSL
 #define PENUMBRA_CAMERA_SURFACE_HLSL
 
@@ -24,7 +24,7 @@ struct CameraSurface
 {
     bool seen;
     float3 positionWS;    // metres
-    float3 normalWS;      // unit, either way round; 0 where it was not asked for or is not known
+    float3 normalWS;      // unit, of either sign; 0 where it was not requested or is not known
     float metresPerPixel; // in the plane of equal depth
 };
 
@@ -54,7 +54,7 @@ CameraSurface ReadCameraPosition(TEXTURE2D_X_FLOAT(cameraDepth), ScreenView view
     return SurfaceWithSlope(view, pixel, depth, float2(kNoDepthSlope, kNoDepthSlope));
 }
 
-// The second neighbours are asked only where the first two contradict each other: at an edge, or on a sharp bend.
+// The second neighbours are read only where the first two disagree: at an edge, or on a sharp bend.
 float ReadDepthSlope(TEXTURE2D_X_FLOAT(cameraDepth), ScreenView view, int2 pixel, int2 direction, float depth)
 {
     DepthLine along;

@@ -1,13 +1,13 @@
-// Penumbra: numbers made visible, for debug views.
+// Penumbra: colours for numbers, for debug views.
 //
 // Computes:   a colour for a cascade, a length, the size of a shadow texel, and the chequers of the shadow map's texels.
-// Source:     black body colours for lengths: as bright as large. Cascades have colours of Okabe and Ito, "Color
-//             Universal Design" (2008), which stay apart for colour-blind people and are light enough for the shadow
-//             to show under them; texel sizes go between three of them.
+// Source:     black body colours for lengths: the larger, the brighter. Cascades have colours of Okabe and Ito, "Color
+//             Universal Design" (2008), which colour-blind people can tell apart and which are light enough for the
+//             shadow to show under them; texel sizes blend between three of them.
 // Inputs:     cascade 0 to 3; metres; screen pixels; texel coordinates of the atlas.
 // Cost:       no fetches.
 // Guarantees: [0, 1] for any input; NaN counts as 0.
-// Use it:     on a screen for people. Not: for anything that is measured.
+// Use it:     for pictures that people look at. Not: for anything that is measured.
 #ifndef PENUMBRA_DEBUG_COLOURS_HLSL
 #define PENUMBRA_DEBUG_COLOURS_HLSL
 
@@ -51,7 +51,7 @@ float3 TexelSizeColour(float pixels)
     return share < 0.5 ? lerp(fine, middle, 2.0 * share) : lerp(middle, coarse, 2.0 * share - 1.0);
 }
 
-// 1 and 0 by turns, a texel each.
+// Alternating 1 and 0, one texel each.
 float TexelChequer(float2 texels)
 {
     const int2 texel = int2(floor(float2(BoundedOrLow(texels.x, 0.0, 65536.0), BoundedOrLow(texels.y, 0.0, 65536.0))));

@@ -1,22 +1,22 @@
-// Penumbra: the noise of penumbrae smoothed along surfaces, not across their edges.
+// Penumbra: smoothing of noise in penumbrae along surfaces, not across their edges.
 //
-// Computes:   a tent-weighted mean of visibility along one direction; each tap counts by how near it lies to the
-//             straight line in which this pixel's surface goes on, and by how little its visibility differs.
+// Computes:   a tent-weighted mean of visibility along one direction; each tap is weighted by its distance to
+//             the straight line that continues this pixel's surface, and by its difference in visibility.
 //
-//                 depth       . x          x: another surface, no share
+//                 depth       . x          x: another surface, weight 0
 //                       o o o o o          o: on the line
 //                 pixel -2 -1 0 1 2
 //
 // Source:     Tomasi and Manduchi, "Bilateral Filtering for Gray and Color Images" (1998), in one direction at a time;
-//             its ranges are the distance to the surface, whose depth runs straight over the screen
-//             (ScreenPosition.hlsl), and the difference that noise makes.
+//             its range weights use the distance to the surface, whose depth is linear over the screen
+//             (ScreenPosition.hlsl), and the amplitude of the noise.
 // Inputs:     visibility and camera depth at the screen's size; ScreenView; direction: (1, 0) or (0, 1);
 //             DenoiseParameters.
-// Cost:       2 radius + 1 fetches, twice that where they are not all 0 or all 1, and up to 2 more beside edges.
+// Cost:       2 radius + 1 fetches, twice that where they are not all 0 or all 1, and up to 2 more next to edges.
 // Guarantees: [0, 1], never NaN. Exactly 0 or 1 where the whole neighbourhood is, and there no depth is read. Reads no
 //             texel outside the screen. radius at most kLargestDenoiseRadius.
-// Use it:     horizontally, then vertically, after a noisy filter. Not: after a fixed one, which has no noise and would
-//             only lose its edges.
+// Use it:     horizontally, then vertically, after a noisy filter. Not: after a fixed one, which has no noise and
+//             would only lose sharpness.
 #ifndef PENUMBRA_EDGE_DENOISE_HLSL
 #define PENUMBRA_EDGE_DENOISE_HLSL
 
@@ -25,12 +25,12 @@
 
 static const int kLargestDenoiseRadius = 8;
 
-// Where a surface goes on to either side of a pixel, as stored depth.
+// How a surface continues to either side of a pixel, as stored depth.
 struct SurfaceLine
 {
     float depth;
     float slope;          // of depth per pixel
-    float metresPerDepth; // beside the line, per unit of stored depth
+    float metresPerDepth; // distance from the line, per unit of stored depth
     float tolerance;      // metres
 };
 
@@ -59,7 +59,7 @@ float LineWeight(SurfaceLine along, float depth, int steps)
     return 1.0 - beside / along.tolerance;
 }
 
-// A difference larger than noise makes is the shadow's own.
+// A difference larger than noise belongs to the shadow.
 float NoiseWeight(float difference, float amplitude)
 {
     return max(1.0 - abs(difference) / max(amplitude, 1e-6), 0.0);
@@ -70,7 +70,7 @@ bool IsOnScreen(ScreenView view, int2 pixel)
     return all(pixel >= 0) && all(pixel < int2(view.size.xy));
 }
 
-// Whether every visibility within the radius is the same end: nothing to smooth.
+// Whether all visibilities within the radius are 0, or all are 1: nothing to smooth.
 bool IsSettled(TEXTURE2D_X(visibility), ScreenView view, int2 pixel, int2 direction, int radius, float here)
 {
     if (here > 0.0 && here < 1.0) return false;

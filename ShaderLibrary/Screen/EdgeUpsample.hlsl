@@ -1,14 +1,15 @@
-// Penumbra: half-resolution visibility brought to the screen's.
+// Penumbra: half-resolution visibility upsampled to the screen's resolution.
 //
-// Computes:   bilinear interpolation between the up to four half-resolution pixels around a pixel, each weighed by how
-//             near the surface it saw lies to this pixel's plane.
+// Computes:   bilinear interpolation between the up to four half-resolution pixels around a pixel, each weighted by the
+//             distance of its surface to this pixel's plane.
 // Source:     Kopf, Cohen, Lischinski and Uyttendaele, "Joint Bilateral Upsampling" (2007), with the distance to the
 //             receiver's plane as the range.
-// Inputs:     visibility, half the screen's size rounded up (Core/ScreenScale.hlsl says which pixels it saw); camera
+// Inputs:     visibility, half the screen's size rounded up (at the pixels of Core/ScreenScale.hlsl); camera
 //             depth; ScreenView.
-// Cost:       1, 2 or 4 fetches of visibility; where these differ, up to 9 of camera depth for the plane and 1 a tap.
-// Guarantees: [0, 1]. A pixel the half image saw itself is copied bit for bit, as is what all taps agree on. A surface
-//             beside the plane by more than the tolerance has no share, unless all have none: then the nearest has all.
+// Cost:       1, 2 or 4 fetches of visibility; where these differ, up to 9 of camera depth for the plane and 1 per tap.
+// Guarantees: [0, 1]. A pixel at which the half image was computed is copied exactly, and so is a value on which all
+//             taps agree. A tap farther from the plane than the tolerance has weight 0; if all are, the nearest tap is
+//             used.
 // Use it:     after a resolve at half resolution, before EdgeDenoise.hlsl.
 #ifndef PENUMBRA_EDGE_UPSAMPLE_HLSL
 #define PENUMBRA_EDGE_UPSAMPLE_HLSL
@@ -16,7 +17,7 @@
 #include "CameraSurface.hlsl"
 #include "../Core/ScreenScale.hlsl"
 
-// Pixel widths beside the plane at which a surface is another one.
+// Distance from the plane, in pixel widths, from which a surface counts as another one.
 static const float kUpsampleTolerance = 2.0;
 
 struct HalfTaps
@@ -52,7 +53,7 @@ float UpsampleAcrossEdges(TEXTURE2D_X_FLOAT(cameraDepth), ScreenView view, int2 
 {
     const CameraSurface here = ReadCameraSurface(cameraDepth, view, pixel);
     if (!here.seen) return 1.0;
-    // Without a plane nothing can be told to lie on it.
+    // Without a plane, the nearest tap is used.
     const bool hasPlane = dot(here.normalWS, here.normalWS) > 0.0;
     float sum = 0.0;
     float weights = 0.0;
@@ -66,7 +67,7 @@ float UpsampleAcrossEdges(TEXTURE2D_X_FLOAT(cameraDepth), ScreenView view, int2 
         const CameraSurface there = ReadCameraPosition(cameraDepth, view, seenAt);
         if (!there.seen) continue;
         const float3 offset = there.positionWS - here.positionWS;
-        // Taps lie equally far from a pixel between them: bilinear weights are equal, too.
+        // A pixel between taps is equally far from all of them, so their bilinear weights are equal.
         const float onPlane = PlaneWeight(offset, here.normalWS, kUpsampleTolerance * here.metresPerPixel);
         const float weight = hasPlane ? onPlane : 0.0;
         sum += weight * taps.visibility[i];

@@ -1,15 +1,16 @@
-// Penumbra: the mask of shadow edges widened to the mask of penumbrae.
+// Penumbra: dilation of the mask of shadow edges to a mask of penumbrae.
 //
 // Computes:   how far a penumbra can reach from its edge at a receiver, in texels of the mask, and whether an edge lies
 //             within that reach: a maximum along one direction, so that two calls widen a square.
 // Source:     the widest penumbra is that of a blocker at the map's near plane (Core/Penumbra.hlsl), or what the
-//             technique caps it to. A pixel covers the fewer metres the nearer it is, so the mask widens toward the
+//             technique caps it to. A pixel covers fewer metres the nearer it is, so the radius grows towards the
 //             camera.
 // Inputs:     MaskParameters; stored depth of the receiver and its tile; mask texture, 1 at edges.
-// Cost:       2 radius + 1 fetches a texel of the mask, fewer where an edge is found early.
-// Guarantees: exactly 0 or 1. Reads no texel outside the mask; NaN in it counts as an edge. Reaches across the light,
-//             in metres, so a surface that the light grazes may have a penumbra beyond it.
-// Use it:     horizontally, then vertically. Not: in an average: at 8 bits a wide one rounds a lone edge to nothing.
+// Cost:       2 radius + 1 fetches per texel of the mask, fewer where an edge is found early.
+// Guarantees: exactly 0 or 1. Reads no texel outside the mask; NaN in it counts as an edge. The reach is
+//             measured across the light, so at grazing light a penumbra on the surface may extend beyond it.
+// Use it:     horizontally, then vertically. Not: with a mean instead of the maximum, which at 8 bits can
+//             round a single edge to 0.
 #ifndef PENUMBRA_MASK_BLUR_HLSL
 #define PENUMBRA_MASK_BLUR_HLSL
 

@@ -1,8 +1,8 @@
 // Penumbra: a quarter-resolution mask of where a shadow's edge may lie.
 //
-// Computes:   which pixels of a block are asked, and from their visibilities whether an edge passes through it.
+// Computes:   which pixels of a block are sampled, and from their visibilities whether it contains an edge.
 //
-//                 . 0 . .      four comparison taps a block: every row and every column of it once
+//                 . 0 . .      four comparison taps per block, one in each row and column
 //                 . . . 1
 //                 2 . . .
 //                 . . 3 .
@@ -10,9 +10,9 @@
 // Source:     the mask of deferred shadowing passes: mark coarsely where comparisons disagree, then filter there only.
 // Inputs:     block: pixel of the mask. Visibilities of single comparisons at the taps' surfaces, 1 where there is
 //             none: the sky is lit.
-// Cost:       no fetches; the taps are the caller's: 4 camera depths and 4 comparisons a block, half a fetch a pixel.
+// Cost:       no fetches; the taps are the caller's: 4 camera depths and 4 comparisons per block, 0.5 per pixel.
 // Guarantees: exactly 0 or 1; tap pixels lie on the screen. Not conservative: a shadow thinner than the gap between
-//             taps can pass unseen.
+//             taps can be missed.
 // Use it:     before MaskBlur.hlsl. Not: alone, since a penumbra is wider than its edge.
 #ifndef PENUMBRA_PENUMBRA_MASK_HLSL
 #define PENUMBRA_PENUMBRA_MASK_HLSL
@@ -31,7 +31,7 @@ int2 MaskBlockOf(int2 pixel)
     return pixel / kMaskBlock;
 }
 
-// Hardware filters in steps of 1/256: half a step from an end is that end.
+// Hardware filters in steps of 1/256, so values within half a step of 0 or 1 count as 0 or 1.
 float MaskOf(float4 visibilities)
 {
     const float halfStep = 0.001953125;

@@ -8,7 +8,7 @@ constexpr const char* structs_header =
     R"(// Parameter structs of the techniques, one per family of filters.
 // Written by `penumbra validate --emit-parameters` from ShaderLibrary/techniques.json; do not edit.
 //
-// Units stand before each field's meaning. Cost: no fetch.
+// Each comment gives the field's unit, then its meaning. Cost: no fetch.
 #ifndef PENUMBRA_TECHNIQUE_PARAMETERS_HLSL
 #define PENUMBRA_TECHNIQUE_PARAMETERS_HLSL
 )";
