@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "cli/subcommand.h"
 #include "cost/families.h"
@@ -17,13 +18,19 @@
 namespace penumbra::cli {
 namespace {
 
+void described(std::vector<KnownName>& names, const std::string& name, std::string description) {
+  for (KnownName& known : names)
+    if (known.name == name) known.description = std::move(description);
+}
+
 std::vector<KnownName> scenes() {
   std::vector<KnownName> names;
   for (const std::string& name : scene::scene_names()) names.push_back({name, ""});
+  for (const std::string& name : scene::built_in_names())
+    described(names, name, scene::built_in_description(name));
   for (const scene::PackageModel& model : scene::package_models())
-    for (KnownName& known : names)
-      if (known.name == "package:" + model.name)
-        known.description = model.description + ", of the Debian package " + model.debian_package;
+    described(names, "package:" + model.name,
+              model.description + ", from the Debian package " + model.debian_package);
   return names;
 }
 
@@ -53,14 +60,14 @@ std::vector<KnownName> targets() {
 
 std::vector<KnownName> rules() {
   std::vector<KnownName> names;
-  for (const lint::RuleInfo& rule : lint::rules()) names.push_back({std::string(rule.name), ""});
+  for (const lint::RuleInfo& rule : lint::rules()) names.push_back({rule.name, rule.summary});
   return names;
 }
 
 const NameKind& kind_of(const std::string& placeholder) {
   for (const NameKind& kind : name_kinds())
     if (kind.placeholder == placeholder) return kind;
-  throw std::out_of_range("no names are called " + placeholder);
+  throw std::out_of_range("unknown kind of name " + placeholder);
 }
 
 void print(const NameKind& kind) {
@@ -95,7 +102,7 @@ void takes(CLI::App& command, CLI::Option* option, const char* placeholder) {
     print(kind);
     throw CLI::Success();
   };
-  command.add_flag_callback(kind.flag, print_and_end, fmt::format("Print every {} and end", placeholder))
+  command.add_flag_callback(kind.flag, print_and_end, fmt::format("Print every {} and exit", placeholder))
       ->group(option->get_group());
 }
 

@@ -9,18 +9,30 @@ namespace {
 
 struct Entry {
   const char* name;
+  const char* description;
   Scene (*build)();
 };
 
 constexpr std::array entries{
-    Entry{"contact-boxes", contact_boxes},
-    Entry{"poles-and-fence", poles_and_fence},
-    Entry{"trees", trees},
-    Entry{"slabs", slabs},
-    Entry{"colonnade", colonnade},
-    Entry{"street", street},
-    Entry{"garden", garden_scene},
+    Entry{"contact-boxes", "boxes that touch, lean on and hover over the ground, for contact shadows",
+          contact_boxes},
+    Entry{"poles-and-fence", "thin poles, wires of 1 to 3 cm and chain-link under a low sun",
+          poles_and_fence},
+    Entry{"trees", "six trees and eight bushes with 67,000 leaves of 5 to 11 cm", trees},
+    Entry{"slabs", "low slabs under high slabs: two and three blockers above one receiver", slabs},
+    Entry{"colonnade", "24 columns on steps with a wall behind them, for wide umbrae", colonnade},
+    Entry{"street", "a street of 45 m with houses, balconies, lamps, cables, cars and trees", street},
+    Entry{"garden",
+          "a walled garden with textured materials: stones, leaves, a wire fence, an awning, a laid table",
+          garden_scene},
 };
+
+const Entry& entry_of(std::string_view name) {
+  for (const Entry& entry : entries)
+    if (name == entry.name) return entry;
+  throw InputError("", "unknown scene '" + std::string(name) + "'",
+                   unknown_name_way_out(name, built_in_names()));
+}
 
 }  // namespace
 
@@ -31,16 +43,16 @@ std::vector<std::string> built_in_names() {
   return names;
 }
 
+std::string built_in_description(std::string_view name) {
+  return entry_of(name).description;
+}
+
 Scene built_in(std::string_view name) {
-  for (const Entry& entry : entries) {
-    if (name == entry.name) {
-      Scene scene = entry.build();
-      scene.name = entry.name;
-      return scene;
-    }
-  }
-  throw InputError("", "unknown scene '" + std::string(name) + "'",
-                   unknown_name_way_out(name, built_in_names()));
+  const Entry& entry = entry_of(name);
+  Scene scene = entry.build();
+  scene.name = entry.name;
+  scene.description = entry.description;
+  return scene;
 }
 
 }  // namespace penumbra::scene

@@ -61,7 +61,6 @@ Scene colonnade() {
   mesh.tube({{-8.2, 0.0, 7.0}, {-8.2, 0.7, 7.0}, 0.38, 0.37, 24});
   mesh.standing_box({-7.4, 0.0, 10.5}, {0.25, 1.9, 0.7}, 20.0);
   Scene scene;
-  scene.description = "a colonnade of 24 columns with architrave, roof edge, steps and a wall behind";
   mesh.move_into(scene);
   scene.camera = camera_looking({-2.9, kFloor + 1.7, 1.2}, {-3.7, 2.1, 10.0});
   scene.light_direction = sunlight(34.0, -62.0);

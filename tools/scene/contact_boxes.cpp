@@ -81,7 +81,6 @@ Scene contact_boxes() {
   add_far_towers(mesh);
   add_pebbles(mesh);
   Scene scene;
-  scene.description = "boxes that touch, lean and hover over the ground";
   mesh.move_into(scene);
   scene.camera = camera_looking({-0.2, 1.7, -2.2}, {0.2, 0.4, 6.0});
   scene.light_direction = sunlight(33.0, 55.0);

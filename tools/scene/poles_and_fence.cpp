@@ -75,7 +75,6 @@ Scene poles_and_fence() {
     add_upright(mesh, {0.6 + 0.45 * (i % 4), 0.0, 2.0 + 3.0 * i}, 1.0 + 0.2 * i, 0.010 + 0.004 * i);
   }
   Scene scene;
-  scene.description = "thin poles, a wire fence of 1 to 3 cm and chain-link under a low sun";
   mesh.move_into(scene);
   scene.camera = camera_looking({0.4, 1.7, -3.5}, {0.2, 0.7, 6.0});
   scene.light_direction = sunlight(24.0, -62.0);

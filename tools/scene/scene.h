@@ -58,6 +58,9 @@ std::vector<std::string> built_in_names();
 // bytes on every machine.
 Scene built_in(std::string_view name);
 
+// Its description, without building it; throws as built_in() does.
+std::string built_in_description(std::string_view name);
+
 struct ImportOptions {
   double metres_per_unit = 1.0;
   bool z_up = false;

@@ -55,7 +55,6 @@ Scene slabs() {
     for (const double z : {8.9, 15.9}) mesh.standing_box({x, 0.0, z}, {0.12, 2.65, 0.12});
   }
   Scene scene;
-  scene.description = "low slabs under high slabs: two and three blockers over one receiver";
   mesh.move_into(scene);
   scene.camera = camera_looking({-0.2, 1.7, -2.4}, {0.2, 0.8, 6.0});
   scene.light_direction = sunlight(48.0, 35.0);

@@ -117,7 +117,6 @@ Scene street() {
   add_tree(mesh, {{4.7, kKerb, 17.0}, 4.8, 5000}, random);
   add_tree(mesh, {{-4.6, kKerb, 30.0}, 5.0, 5000}, random);
   Scene scene;
-  scene.description = "a street with houses, balconies, lamps, cables, cars and trees";
   mesh.move_into(scene);
   scene.camera = camera_looking({-0.6, 1.7, -3.5}, {0.2, 1.6, 8.0});
   scene.light_direction = sunlight(40.0, 58.0);

@@ -117,7 +117,6 @@ Scene trees() {
     add_clump(mesh, {{-1.6 + 0.9 * (i % 3) + 0.8 * i, 0.45, 3.2 + 4.0 * i}, 0.5, 500}, random);
   }
   Scene scene;
-  scene.description = "six trees and eight bushes, 67,000 leaves of 5 to 11 cm";
   mesh.move_into(scene);
   scene.camera = camera_looking({0.2, 1.7, -5.0}, {0.3, 1.3, 6.0});
   scene.light_direction = sunlight(42.0, 40.0);

@@ -79,7 +79,6 @@ Scene garden_scene() {
   add_planting(shop);
   add_festoon(shop, {{-2.6, 2.9, 1.2}, {2.4, 3.12, 3.2}, 0.35, 11});
   Scene scene;
-  scene.description = "a walled garden: stones, leaves, a wire fence, an awning, a laid table";
   mesh.move_into(scene);
   scene.camera = camera_looking({0.05, 1.70, -4.7}, {0.30, 1.05, 1.0});
   scene.camera.fov_y_degrees = 46.0;
