@@ -64,11 +64,11 @@ def committed_files(repository, package):
 
 def refuse_other_branches(repository, branch, reference, tip):
     if repository.git("check-ref-format", "--branch", branch, fails=True) is None:
-        raise Stop(f"--branch {branch}: is no name for a branch: take upm")
+        raise Stop(f"--branch {branch}: is not a branch name: use upm")
     if f"branch {reference}\n" in repository.git("worktree", "list", "--porcelain"):
-        raise Stop(f"--branch {branch}: is checked out: check another branch out, or name another")
+        raise Stop(f"--branch {branch}: is checked out: check out another branch, or choose another")
     if tip and not repository.git("log", "-1", "--format=%s", tip).startswith(f"{NAME} "):
-        raise Stop(f"--branch {branch}: exists and holds no package: name another")
+        raise Stop(f"--branch {branch}: exists and contains no package: choose another")
 
 
 def commit_to_branch(package, branch):

@@ -22,7 +22,7 @@ class Document:
         except json.JSONDecodeError as error:
             raise Malformed(Problem(path, f"is not JSON: {error.msg}", error.lineno, error.colno)) from error
         except ValueError as error:  # a number of too many digits
-            raise Malformed(Problem(path, f"is no JSON that can be read: {error}")) from error
+            raise Malformed(Problem(path, f"is not JSON that can be read: {error}")) from error
         except RecursionError as error:
             raise Malformed(Problem(path, "is JSON nested too deeply to read")) from error
 

@@ -73,7 +73,7 @@ def samples(document, package):
         folder = path[len("Samples~/"):] if is_text(path) and path.startswith("Samples~/") else ""
         if folder not in there:
             yield document.problem(("samples", index, "path"),
-                                   "the sample's 'path' is no folder of Samples~ with files in it: write \"Samples~/NAME\"")
+                                   "the sample's 'path' is not a folder of Samples~ with files in it: write \"Samples~/NAME\"")
         listed.add(folder)
     for folder in sorted(there - listed):
         yield document.problem(("samples",),

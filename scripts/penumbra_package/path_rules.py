@@ -39,4 +39,4 @@ def check(package):
     for path in sorted(package.files | package.folders):
         other = by_folded.setdefault(path.lower(), path)
         if other != path:
-            yield Problem(path, f"differs from {other} in case alone, which Windows and macOS take for one: rename one")
+            yield Problem(path, f"differs from {other} only in case, which Windows and macOS do not distinguish: rename one")

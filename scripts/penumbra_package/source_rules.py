@@ -24,7 +24,7 @@ def may_be_left_out(path):
 def whitelist_problems(root, package):
     for path in package.paths:
         if not may_ship(path):
-            yield Problem(MANIFEST, f"'files' ships {path}, which is none of the package's: take it out")
+            yield Problem(MANIFEST, f"'files' ships {path}, which is not part of the package: remove it")
     for path in files_below(root, FOLDERS):
         if may_ship(path) and path not in package.files and not may_be_left_out(path) and not NEVER.search(path):
             entry = path.split("/")[0] + "/" if "/" in path else path

@@ -23,7 +23,7 @@ FORM = re.compile(r"!?(?:[\w~-][\w~. -]*/[\w~.* /-]*|[\w~*][\w~.* -]*)")
 def pattern(entry):
     """A regular expression of the paths that one entry names."""
     if not isinstance(entry, str) or not FORM.fullmatch(entry):
-        raise Stop(f"package.json: the entry {json.dumps(entry)} of 'files' is of no form that scripts/package reads: "
+        raise Stop(f"package.json: the entry {json.dumps(entry)} of 'files' has a form that scripts/package does not read: "
                    "write 'file', 'folder/', '*', '**/' or '!' before one of these")
     words = {"**/": "(?:.*/)?", "**": ".*", "*": "[^/]*"}
     text = "".join(words.get(word, re.escape(word)) for word in re.findall(r"\*\*/|\*\*|\*|[^*]+", entry.lstrip("!")))
@@ -54,7 +54,7 @@ def read_whitelist(root):
     except json.JSONDecodeError as error:
         raise Stop(f"package.json:{error.lineno}:{error.colno}: is not JSON: {error.msg}") from error
     except (ValueError, RecursionError) as error:
-        raise Stop(f"package.json: is no JSON that can be read: {error}") from error
+        raise Stop(f"package.json: is not JSON that can be read: {error}") from error
     except (KeyError, TypeError):
         entries = None
     if not isinstance(entries, list):

@@ -103,7 +103,7 @@ class Page(ReportCase):
 
     def test_findings_stand_above_everything(self):
         page = self.open(kind="findings")
-        self.assertIn("3 results are no visibility", page.ask("document.querySelector('header .finding').textContent"))
+        self.assertIn("3 results are NaN, infinite or outside [0, 1]", page.ask("document.querySelector('header .finding').textContent"))
 
     def test_no_page_is_wider_than_its_window(self):
         for kind in ("whole", "figures", "evil"):

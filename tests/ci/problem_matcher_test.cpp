@@ -65,7 +65,7 @@ TEST_F(ProblemMatcher, FindsWarnings) {
 
 TEST_F(ProblemMatcher, FindsErrorsOfWholeFiles) {
   EXPECT_THAT(problems_of("float4 Frag() : SV_Target { return 1; }\n"),
-              ElementsAre(Problem{"", 0, 0, "error", "there is no function 'Main' to enter at"}));
+              ElementsAre(Problem{"", 0, 0, "error", "the entry point 'Main' is not defined"}));
 }
 
 TEST_F(ProblemMatcher, FindsNothingInTheRestOfTheText) {

@@ -115,7 +115,8 @@ TEST_F(Cost, WithoutRadvItSaysWhatToInstall) {
   const auto result = shell("VK_DRIVER_FILES=/no/such.json VK_ICD_FILENAMES=/no/such.json " PENUMBRA_PROGRAM
                             " cost --technique hard --family navi21");
   EXPECT_EQ(result.exit_code, 3);
-  EXPECT_THAT(result.errors, AllOf(HasSubstr("no RADV"), HasSubstr("mesa-vulkan-drivers")));
+  EXPECT_THAT(result.errors, AllOf(HasSubstr("RADV, Mesa's Vulkan driver for AMD, cannot be used"),
+                                   HasSubstr("mesa-vulkan-drivers")));
 }
 
 TEST_F(Cost, TheDocumentationIsWrittenFromAFile) {

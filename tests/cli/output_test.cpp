@@ -56,8 +56,8 @@ TEST_F(Output, AFolderMayBeNewButNotBelowAFile) {
                                                                    {"render", "--scene", "none", "--cache"},
                                                                    {"validate", "none.hlsl", "--cache"},
                                                                    {"validate", "none.hlsl", "--keep"}}) {
-    expect_refused(command, file, "is a file, and a folder is needed");
-    expect_refused(command, file + "/below", "is a file, and a folder is needed");
+    expect_refused(command, file, "is a file, not a folder");
+    expect_refused(command, file + "/below", "is a file, not a folder");
   }
   EXPECT_THAT(listing(), testing::ElementsAre("file"));
 }

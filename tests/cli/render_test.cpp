@@ -74,9 +74,9 @@ TEST_F(Render, ValuesThatAreNoneAreRefused) {
 }
 
 TEST_F(Render, NothingStandsTwice) {
-  expect_refused({"--set", "blockerSamples=4,4"}, {"--set blockerSamples=4 is asked for twice"});
+  expect_refused({"--set", "blockerSamples=4,4"}, {"--set blockerSamples=4 is given twice"});
   expect_refused({"--set", "blockerSamples=4", "--set", "blockerSamples=5"}, {"--set blockerSamples"});
-  expect_refused({"--technique", "tent-5", "--technique", "tent-5"}, {"'tent-5' is asked for twice"});
+  expect_refused({"--technique", "tent-5", "--technique", "tent-5"}, {"'tent-5' is given twice"});
 }
 
 TEST_F(Render, AnAdapterAloneHasNothingToSet) {
@@ -87,9 +87,9 @@ TEST_F(Render, AnAdapterAloneHasNothingToSet) {
 }
 
 TEST_F(Render, ACropLiesInThePicture) {
-  expect_refused({"--crop", "32,0,33,8"}, {"--crop 32,0,33,8 reaches beyond the picture of 64x36 pixels"});
-  expect_refused({"--crop", "0,-1,8,8"}, {"reaches beyond"});
-  expect_refused({"--crop", "2147483647,0,8,8"}, {"reaches beyond"});
+  expect_refused({"--crop", "32,0,33,8"}, {"--crop 32,0,33,8 extends beyond the picture of 64x36 pixels"});
+  expect_refused({"--crop", "0,-1,8,8"}, {"extends beyond"});
+  expect_refused({"--crop", "2147483647,0,8,8"}, {"extends beyond"});
   for (const char* crop : {"0,0,8", "0,0,0,8", "0,0,8,8,8", "wide"}) {
     expect_refused({"--crop", crop}, {"X,Y,WIDTH,HEIGHT"});
   }
@@ -107,7 +107,7 @@ TEST_F(Render, ASheetThatNobodyCouldOpenIsRefused) {
 TEST_F(Render, ASheetNeedsAPlaceBeforeAnythingIsDrawn) {
   const auto nowhere = run(small({"--sheet", path("no/sheet.png").string()}));
   EXPECT_EQ(nowhere.exit_code, 2);
-  EXPECT_THAT(nowhere.errors, AllOf(HasSubstr("no/sheet.png"), HasSubstr("there is no folder")));
+  EXPECT_THAT(nowhere.errors, AllOf(HasSubstr("no/sheet.png"), HasSubstr("does not exist")));
   const auto folder = run(small({"--sheet", path("").string()}));
   EXPECT_EQ(folder.exit_code, 2);
   EXPECT_THAT(folder.errors, HasSubstr("is a folder"));
@@ -140,8 +140,9 @@ TEST_F(Render, OneCommandMakesASheet) {
 }
 
 TEST_F(Render, ATitleIsOfWhatIsThere) {
-  expect_refused({"--technique", "tent-5", "--title", "tent-7=Wide"},
-                 {"--title tent-7=Wide: nothing here is called 'tent-7'", "there are 'tent-5'"});
+  expect_refused(
+      {"--technique", "tent-5", "--title", "tent-7=Wide"},
+      {"--title tent-7=Wide: no technique or adapter is named 'tent-7'", "the names are 'tent-5'"});
   expect_refused({"--title", "Wide"}, {"--title 'Wide' is not of the form NAME=VALUE"});
   expect_refused({"--adapters", "middle"}, {"--adapters", "last"});
 }
@@ -164,8 +165,8 @@ TEST_F(Render, AdaptersStandWhereTheyAreAskedToUnderTheirTitles) {
 }
 
 TEST_F(Render, AnInsetLiesInWhatIsShownAndFitsBeneathIt) {
-  expect_refused({"--inset", "60,0,8,8"}, {"--inset 60,0,8,8 reaches beyond what is shown, 64x36 pixels"});
-  expect_refused({"--crop", "8,8,32,16", "--inset", "0,0,8,8"}, {"reaches beyond", "32x16 pixels from 8,8"});
+  expect_refused({"--inset", "60,0,8,8"}, {"--inset 60,0,8,8 extends beyond what is shown, 64x36 pixels"});
+  expect_refused({"--crop", "8,8,32,16", "--inset", "0,0,8,8"}, {"extends beyond", "32x16 pixels from 8,8"});
   expect_refused({"--inset", "wide"}, {"--inset 'wide'", "X,Y,WIDTH,HEIGHT"});
   expect_refused({"--inset", "0,0,32,8", "--inset", "0,8,32,8"}, {"too wide", "fewer or smaller"});
   expect_refused({"--reference", "middle"}, {"--reference", "last"});
@@ -211,7 +212,8 @@ TEST_F(Render, ALitSheetHasTheSizeOfOneWithoutLightAndTwiceTheSameBytes) {
 
 TEST_F(Render, DebugViewsAreOfTechniquesOverTheScreen) {
   expect_refused({"--technique", "tent-5", "--show", "cascades"},
-                 {"--show cascades: no technique of this sheet runs over the screen", "the presets do"});
+                 {"--show cascades: no technique of this sheet runs as a screen pass",
+                  "the presets and the techniques named screen-... do"});
   expect_refused({"--technique", "preset-low", "--show", "cascade"}, {"--show", "cascades"});
 }
 

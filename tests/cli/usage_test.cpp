@@ -39,8 +39,7 @@ TEST_F(Usage, HelpOfASubcommandHasTwoWays) {
 }
 
 TEST_F(Usage, AnUnknownSubcommandNamesTheNearestOrAll) {
-  expect_refused({"mesure"},
-                 {"there is no subcommand 'mesure'", "did you mean 'measure'?", "penumbra --help"});
+  expect_refused({"mesure"}, {"unknown subcommand 'mesure'", "did you mean 'measure'?", "penumbra --help"});
   expect_refused({"mesure", "--scene", "trees"}, {"'mesure'", "'measure'"});
   expect_refused({"banana"}, {"known are:", "constants", "validate", "render"});
   EXPECT_THAT(run({"banana"}).errors, Not(HasSubstr("worker"))) << "a process of the program's own";

@@ -245,7 +245,7 @@ TEST_F(Validate, ExplainAsksForOneVariantThatThereIs) {
     return run(command({"--explain", variant})).errors;
   };
   EXPECT_THAT(refused("Fragg"),
-              AllOf(HasSubstr("--explain: there is no entry point 'Fragg'"), HasSubstr("Frag")));
+              AllOf(HasSubstr("--explain: unknown entry point 'Fragg'"), HasSubstr("Frag")));
   EXPECT_THAT(refused(""), AllOf(HasSubstr("names 2 entry points"), HasSubstr("Two.shader: Colour/Vert")));
   EXPECT_THAT(refused("Vert: WORM"), AllOf(HasSubstr("declares no keyword 'WORM'"), HasSubstr("WARM")));
   EXPECT_THAT(run({"validate", "--explain", "Frag"}).errors, HasSubstr("--explain: needs a shader file"));

@@ -25,7 +25,7 @@ std::filesystem::path written(const std::string& text) {
 TEST(CostReport, JsonReadsBackAsItWasWritten) {
   CostReport report = made_up::report();
   report.rows[1].measured = {};
-  report.rows[1].measured.failure = "the driver's compiler was ended by signal 11";
+  report.rows[1].measured.failure = "the driver's compiler was terminated by signal 11";
   const std::string json = cost_json(report);
   const CostReport again = read_cost_report(written(json));
   EXPECT_EQ(again.driver, report.driver);
@@ -49,7 +49,7 @@ TEST(CostReport, JsonHoldsTheDriversOwnNamesButNoHash) {
 
 TEST(CostReport, ABadFileIsNamedWithItsPlace) {
   const auto reading = [](const std::string& text) { return [text] { read_cost_report(written(text)); }; };
-  expect_input_error(reading("{}"), HasSubstr("is no report of penumbra cost"));
+  expect_input_error(reading("{}"), HasSubstr("is not a report of penumbra cost"));
   expect_input_error(reading("{\"driver\": \"d\",\n \"rows\": [\n {\"figures\": {\"instructions\": -1}}]}"),
                      HasSubstr("-cost.json:3:"));
   expect_input_error(reading("{\"driver\": \"d\", \"rows\": [{\"figures\": {\"instructoins\": 1}}]}"),
@@ -72,13 +72,13 @@ TEST(CostReport, NamesSayWhatSharesAModule) {
 TEST(CostReport, TheTableHasARowAFamilyAndExplainsItself) {
   CostReport report = made_up::report();
   report.rows[5].measured = {};
-  report.rows[5].measured.failure = "the driver's compiler was ended by signal 8";
+  report.rows[5].measured.failure = "the driver's compiler was terminated by signal 8";
   const std::string table = cost_table(report);
   EXPECT_THAT(table, HasSubstr("old: Old GPU, radv Mesa 1.2.3\n"));
   EXPECT_THAT(table, HasSubstr("box-3 is the same shader as box-5: they differ in uniforms\n"));
   EXPECT_THAT(table, HasSubstr("0 in every row: SGPRs, spilled VGPRs"));
   EXPECT_THAT(table,
-              HasSubstr("failed: box-3 (and 1 more), new: the driver's compiler was ended by signal 8"));
+              HasSubstr("failed: box-3 (and 1 more), new: the driver's compiler was terminated by signal 8"));
 }
 
 TEST(CostReport, CsvQuotesWhatWouldBreakALine) {

@@ -61,7 +61,7 @@ TEST(NullRadv, OpensAFamilyWithoutItsHardware) {
 
 TEST(NullRadv, AnUnknownFamilyIsNamedWithTheNearest) {
   expect_input_error([] { open_family(radv("navi-21")); },
-                     AllOf(HasSubstr("--family: this machine's RADV knows no family 'navi-21'"),
+                     AllOf(HasSubstr("--family: this machine's RADV does not know the family 'navi-21'"),
                            HasSubstr("did you mean 'navi21'?")));
 }
 
@@ -169,7 +169,7 @@ TEST(NullRadv, ABrokenModuleIsSaidAndNeverReachesTheDriver) {
   // With a worker that does not exist: nothing is started.
   const NullRadv nobody{"navi21", "/no/such/program"};
   for (const ModuleToMeasure& broken : {truncated, poisoned, ModuleToMeasure{}})
-    EXPECT_THAT(measure(nobody, broken).failure, StartsWith("no valid SPIR-V for Vulkan 1.1: "));
+    EXPECT_THAT(measure(nobody, broken).failure, StartsWith("not valid SPIR-V for Vulkan 1.1: "));
 }
 
 TEST(NullRadv, AnEntryPointThatIsNotThereIsAFailure) {
@@ -201,7 +201,7 @@ class Ending : public testing::Test {
 
 TEST_F(Ending, AKilledChildIsAFailureWithSignalAndLastWords) {
   const Measurement measured = measure(worker("echo 'last words' >&2; kill -SEGV $$"), module_);
-  EXPECT_EQ(measured.failure, "the driver's compiler was ended by signal 11: last words");
+  EXPECT_EQ(measured.failure, "the driver's compiler was terminated by signal 11: last words");
   EXPECT_EQ(measured.figures, Figures());
 }
 
@@ -213,11 +213,11 @@ TEST_F(Ending, AHangingChildIsAFailureAfterTheTimeLimit) {
 
 TEST_F(Ending, AnAnswerThatIsNoneIsAFailure) {
   EXPECT_EQ(measure(worker("echo nonsense"), module_).failure,
-            "the worker ended with exit code 0 and no answer");
+            "the worker ended with exit code 0 and without an answer");
   EXPECT_THAT(measure(worker("echo '{\"measured\": 3}'"), module_).failure, Not(IsEmpty()));
   EXPECT_THAT(measure(worker("echo '{\"measured\": {\"subgroup_size\": 64, \"statistics\": [{}]}}'"), module_)
                   .failure,
-              StartsWith("the worker's answer is not one"));
+              StartsWith("the worker's answer cannot be read"));
 }
 
 TEST_F(Ending, AMissingWorkerIsTheEnvironments) {

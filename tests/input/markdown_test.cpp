@@ -26,8 +26,8 @@ TEST(Markdown, MarkersStandOnceAndInOrder) {
                      HasSubstr("x.md: the marker '<!-- one:begin -->' is missing"));
   expect_input_error(replace("<!-- one:begin -->"), HasSubstr("'<!-- one:end -->' is missing"));
   expect_input_error(replace("<!-- one:begin --><!-- one:begin --><!-- one:end -->"),
-                     HasSubstr("stands twice"));
-  expect_input_error(replace("<!-- one:end --><!-- one:begin -->"), HasSubstr("before their beginning"));
+                     HasSubstr("appears twice"));
+  expect_input_error(replace("<!-- one:end --><!-- one:begin -->"), HasSubstr("before the begin marker"));
 }
 
 }  // namespace

@@ -28,11 +28,10 @@ std::vector<std::string> in_loop(const std::string& text) {
 constexpr const char* sample = "c += _Map.Sample(sampler_Map, uv);\n";
 
 TEST(DivergentDerivative, UnderAConditionThatVaries) {
-  EXPECT_THAT(
-      divergent(shader(std::string("    if (uv.x > 0.5)\n        ") + sample)),
-      ElementsAre("6:19 warning divergent-derivative: a texture is sampled with implicit derivatives "
-                  "where only some pixels of a quad may come, by the condition at line 5: sample before "
-                  "the condition, or use SampleLevel or SampleGrad"));
+  EXPECT_THAT(divergent(shader(std::string("    if (uv.x > 0.5)\n        ") + sample)),
+              ElementsAre("6:19 warning divergent-derivative: a texture is sampled with implicit derivatives "
+                          "where only some pixels of a quad may be active, by the condition at line 5: "
+                          "sample before the condition, or use SampleLevel or SampleGrad"));
 }
 
 TEST(DivergentDerivative, UnderAUniformOrFlatCondition) {
@@ -69,8 +68,8 @@ TEST(DivergentDerivative, AfterDiscardPixelsLiveOnForDerivatives) {
 TEST(DivergentDerivative, DerivativesThemselves) {
   EXPECT_THAT(
       divergent(shader("    if (uv.x > 0.5) c += ddx(uv.x);\n")),
-      ElementsAre("5:26 warning divergent-derivative: a derivative is taken where only some pixels of a "
-                  "quad may come, by the condition at line 5: take it before the condition"));
+      ElementsAre("5:26 warning divergent-derivative: a derivative is taken where only some pixels of a quad "
+                  "may be active, by the condition at line 5: take it before the condition"));
   EXPECT_THAT(divergent(shader("    if (uv.x > 0.5) c += fwidth(uv.y);\n")), testing::SizeIs(1));
 }
 
@@ -79,7 +78,7 @@ TEST(DivergentDerivative, InAFunctionCalledUnderACondition) {
   EXPECT_THAT(
       divergent(shader("    if (uv.x > 0.5) c += Read(uv);\n", before)),
       ElementsAre(HasSubstr("4:17 warning divergent-derivative: a texture is sampled with implicit "
-                            "derivatives where only some pixels of a quad may come, by the condition at "
+                            "derivatives where only some pixels of a quad may be active, by the condition at "
                             "line 9")));
   EXPECT_THAT(divergent(shader("    c += Read(uv);\n", before)), IsEmpty());
 }
@@ -108,11 +107,10 @@ TEST(DivergentDerivative, AfterALoopWithVaryingRounds) {
 }
 
 TEST(GradientInVaryingLoop, RoundsThatVaryWithoutABound) {
-  EXPECT_THAT(
-      in_loop(shader(std::string("    for (int i = 0; i < uv.x * 8; ++i)\n        ") + sample)),
-      ElementsAre("6:19 error gradient-in-varying-loop: derivatives are taken in a loop that pixels leave "
-                  "after different rounds, by the condition at line 5; Direct3D must unroll it and finds "
-                  "no bound: use SampleLevel or SampleGrad"));
+  EXPECT_THAT(in_loop(shader(std::string("    for (int i = 0; i < uv.x * 8; ++i)\n        ") + sample)),
+              ElementsAre("6:19 error gradient-in-varying-loop: derivatives are taken in a loop that pixels "
+                          "leave after different numbers of iterations, by the condition at line 5; Direct3D "
+                          "must unroll it and finds no bound: use SampleLevel or SampleGrad"));
 }
 
 TEST(GradientInVaryingLoop, AVaryingBreakFromABoundedLoopIsAWarning) {
@@ -122,8 +120,8 @@ TEST(GradientInVaryingLoop, AVaryingBreakFromABoundedLoopIsAWarning) {
   EXPECT_THAT(
       in_loop(shader(loop)),
       ElementsAre("8:19 warning gradient-in-varying-loop: derivatives are taken in a loop that pixels leave "
-                  "after different rounds, by the condition at line 7; Direct3D unrolls it, elsewhere they "
-                  "are undefined: use SampleLevel or SampleGrad"));
+                  "after different numbers of iterations, by the condition at line 7; Direct3D unrolls it, "
+                  "elsewhere they are undefined: use SampleLevel or SampleGrad"));
   EXPECT_THAT(divergent(shader(loop)), IsEmpty()) << "one cause, one rule";
 }
 
@@ -139,10 +137,9 @@ std::vector<std::string> unroll(const std::string& text) {
 }
 
 TEST(UnrollWithoutBound, ABoundThatOnlyTheHostKnows) {
-  EXPECT_THAT(
-      unroll(shader("    [unroll]\n    for (int i = 0; i < _Count; ++i) c += i;\n")),
-      ElementsAre("6:5 error unroll-without-bound: [unroll] on a loop whose rounds no constant bounds: use "
-                  "[loop], or break after a constant number of rounds"));
+  EXPECT_THAT(unroll(shader("    [unroll]\n    for (int i = 0; i < _Count; ++i) c += i;\n")),
+              ElementsAre("6:5 error unroll-without-bound: [unroll] on a loop without a constant bound on "
+                          "its iterations: use [loop], or break after a constant number of iterations"));
 }
 
 TEST(UnrollWithoutBound, AConstantBound) {

@@ -39,16 +39,15 @@ TEST(SamplerName, OfATextureOrOfASetting) {
 TEST(SamplerName, OfNothing) {
   EXPECT_THAT(
       names("Texture2D _Map;\nSamplerState mySampler;\n", "_Map.Sample(mySampler, uv)"),
-      ElementsAre("2:14 error sampler-name: sampler 'mySampler' is named for no texture this shader samples, "
-                  "and not for a filter and a wrap mode, as sampler_linear_clamp is"));
+      ElementsAre("2:14 error sampler-name: sampler 'mySampler' is not named after a texture that this "
+                  "shader samples, nor after a filter and a wrap mode, such as sampler_linear_clamp"));
 }
 
 TEST(SamplerName, OfATextureTheShaderDoesNotSample) {
-  EXPECT_THAT(
-      names("Texture2D _Map; Texture2D _Other;\nSamplerState sampler_Other;\n",
-            "_Map.Sample(sampler_Other, uv)"),
-      ElementsAre(HasSubstr("2:14 error sampler-name: sampler 'sampler_Other' is named for no texture this "
-                            "shader samples ('_Other' is not)")));
+  EXPECT_THAT(names("Texture2D _Map; Texture2D _Other;\nSamplerState sampler_Other;\n",
+                    "_Map.Sample(sampler_Other, uv)"),
+              ElementsAre(HasSubstr("2:14 error sampler-name: sampler 'sampler_Other' is not named after a "
+                                    "texture that this shader samples ('_Other' is not)")));
 }
 
 TEST(SamplerName, UnusedOnesDoNotMatter) {
@@ -152,8 +151,8 @@ TEST(RegisterLimit, InterpolatorsOfThePragmaTarget) {
   EXPECT_THAT(limits(interpolating(10), hlsl::Stage::vertex, 30), IsEmpty());
   EXPECT_THAT(
       limits(interpolating(11), hlsl::Stage::vertex, 30),
-      ElementsAre("0 note register-limit: 11 interpolators are used; #pragma target 3.0 promises devices "
-                  "with 10 that the shader works there"));
+      ElementsAre("0 note register-limit: 11 interpolators are used; devices of #pragma target 3.0 may "
+                  "have only 10"));
   EXPECT_THAT(limits(interpolating(9), hlsl::Stage::vertex, 25), testing::SizeIs(1));
   EXPECT_THAT(limits(interpolating(15), hlsl::Stage::vertex, 35), IsEmpty());
   EXPECT_THAT(limits(interpolating(16), hlsl::Stage::vertex, 45), IsEmpty());

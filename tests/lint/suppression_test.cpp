@@ -55,8 +55,9 @@ TEST(Suppression, OfARuleThatDoesNotExistIsSaid) {
               ElementsAre("negative-pow", "unknown-rule"));
   EXPECT_THAT(
       findings_of("unknown-rule", "// penumbra-lint: disable=negativ-pow\n" + fragment("", "1")),
-      ElementsAre("1:27 warning unknown-rule: there is no rule 'negativ-pow' to disable; did you mean "
-                  "'negative-pow'?"));
+      ElementsAre(
+          "1:27 warning unknown-rule: this comment disables an unknown rule, 'negativ-pow'; did you mean "
+          "'negative-pow'?"));
 }
 
 TEST(Suppression, FindingsWithoutALineNeedTheWholeFile) {

@@ -167,11 +167,11 @@ TEST(ReadBeforeSet, AStructPartlySetMayGoWhereTheRestIsNotRead) {
 TEST(ReadBeforeSet, AStructPartlySetIsCaughtWhereACalleeReadsTheRest) {
   EXPECT_THAT(
       reads(fragment("    Surface s;\n    s.albedo = 1;\n", "Blended(s)", surface)),
-      ElementsAre("9:20 warning read-before-set: 's.alpha' is given to 'Blended', which reads it, but "
+      ElementsAre("9:20 warning read-before-set: 's.alpha' is passed to 'Blended', which reads it, but "
                   "never set"));
   EXPECT_THAT(
       reads(fragment("    Surface s;\n    s.albedo = 1;\n", "Through(s)", surface)),
-      ElementsAre("9:20 warning read-before-set: 's.alpha' is given to 'Through', which reads it, but "
+      ElementsAre("9:20 warning read-before-set: 's.alpha' is passed to 'Through', which reads it, but "
                   "never set"));
 }
 
@@ -181,7 +181,7 @@ TEST(ReadBeforeSet, AMemberThatACalleeGotToChangeIsStillTheCallers) {
                              "float Outer(Surface s) { Maybe(s.alpha, s.albedo.x); return s.alpha; }\n";
   EXPECT_THAT(
       reads(fragment("    Surface s;\n    s.albedo = 1;\n", "Outer(s)", before)),
-      ElementsAre("11:18 warning read-before-set: 's.alpha' is given to 'Outer', which reads it, but never "
+      ElementsAre("11:18 warning read-before-set: 's.alpha' is passed to 'Outer', which reads it, but never "
                   "set"));
 }
 
@@ -207,7 +207,7 @@ TEST(ReadBeforeSet, InoutThatIsOnlyWritten) {
   EXPECT_THAT(reads(fragment("    float a;\n    Set(a);\n", "a", before)), IsEmpty());
   EXPECT_THAT(
       reads(fragment("    float a;\n    Add(a);\n", "a", before)),
-      ElementsAre("6:9 warning read-before-set: 'a' is given to 'Add', which reads it, before it is set "
+      ElementsAre("6:9 warning read-before-set: 'a' is passed to 'Add', which reads it, before it is set "
                   "on every path"));
 }
 

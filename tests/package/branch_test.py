@@ -103,9 +103,9 @@ class Branch(CopiedRepository):
 
     def test_branches_of_other_things_stay(self):
         self.git("branch", "other")
-        for branch, message in (("main", "is checked out: check another branch out, or name another"),
-                                ("other", "exists and holds no package: name another"),
-                                ("a..b", "is no name for a branch: take upm")):
+        for branch, message in (("main", "is checked out: check out another branch, or choose another"),
+                                ("other", "exists and contains no package: choose another"),
+                                ("a..b", "is not a branch name: use upm")):
             self.assert_refused(2, f"scripts/package: --branch {branch}: {message}", "--branch", branch)
         self.assertEqual(self.git("rev-parse", "main"), self.git("rev-parse", "other"))
         self.assertFalse((self.folder / "build").exists())

@@ -7,7 +7,7 @@ from scratch import UnpackedTarball
 PATH = "package.json"
 URP = "com.unity.render-pipelines.universal"
 NOT_THERE = "is not in the package, and every package has one: write it, or add it to 'files' of package.json"
-NO_FOLDER = "the sample's 'path' is no folder of Samples~ with files in it: write \"Samples~/NAME\""
+NO_FOLDER = "the sample's 'path' is not a folder of Samples~ with files in it: write \"Samples~/NAME\""
 
 
 class Manifest(UnpackedTarball):
@@ -85,7 +85,7 @@ class Manifest(UnpackedTarball):
                               ("[]", f"{PATH}:1:1: is no JSON object: write one with name, version and unity"),
                               ('{"name": "a", "name": "b"}', f"{PATH}:1:15: the key 'name' is there twice: remove one"),
                               ("[" * 100000, f"{PATH}: is JSON nested too deeply to read"),
-                              ("1" * 10000, f"{PATH}: is no JSON that can be read: ")):
+                              ("1" * 10000, f"{PATH}: is not JSON that can be read: ")):
             self.write(PATH, text)
             self.assertTrue(any(line.startswith(message) for line in self.problems()), self.problems())
 

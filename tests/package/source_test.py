@@ -69,7 +69,7 @@ class Source(CopiedRepository):
         self.write("tools/made/made.txt", "")
         self.change_files(add=["tools/", "CMakeLists.txt", "scripts/package"])
         self.assertEqual([line for line in self.refusals() if line.startswith(MANIFEST)],
-                         [f"{MANIFEST}: 'files' ships {path}, which is none of the package's: take it out"
+                         [f"{MANIFEST}: 'files' ships {path}, which is not part of the package: remove it"
                           for path in ("CMakeLists.txt", "scripts/package", "tools/made/made.txt")])
 
     def test_a_list_in_no_known_form(self):
@@ -93,7 +93,7 @@ class Source(CopiedRepository):
         self.write(MANIFEST, '{\n  "files": ]')
         self.assert_refused(2, "scripts/package: package.json:2:12: is not JSON: Expecting value", "--check")
         self.write(MANIFEST, "[" * 100000)
-        self.assertRegex(self.assert_run(2, "--check").stderr, "^scripts/package: package.json: is no JSON that can be read: ")
+        self.assertRegex(self.assert_run(2, "--check").stderr, "^scripts/package: package.json: is not JSON that can be read: ")
         (self.folder / MANIFEST).unlink()
         self.assert_refused(2, "scripts/package: package.json: cannot be read: No such file or directory", "--check")
 
@@ -146,7 +146,7 @@ class RootsOfPackages(CopiedRepository):
         for given in ("a", "a=", "=b", "a=nothing"):
             self.assert_refused(2, f"scripts/package: --package-root {given}: is not NAME=DIR with a folder that exists",
                                 "--check", "--package-root", given)
-        self.assert_refused(2, "scripts/package: PENUMBRA_URP_PACKAGES: nothing is no folder: "
+        self.assert_refused(2, "scripts/package: PENUMBRA_URP_PACKAGES: nothing is not a folder: "
                             "name one that holds packages, or unset it", "--check", PENUMBRA_URP_PACKAGES="nothing")
 
 

@@ -158,9 +158,9 @@ TEST(Matrices, OrderMustBeStatedAndTrue) {
 TEST(Matrices, WrongConventionIsSeenAndTheRightOneNamed) {
   const CascadeSet set = unitys();
   expect_input_error([&] { read(dump_text(set, {.clip_depth = "zero_to_one"})); },
-                     HasSubstr("it does with clip_depth minus_one_to_one and reversed_z true"));
+                     HasSubstr("it matches with clip_depth minus_one_to_one and reversed_z true"));
   expect_input_error([&] { read(dump_text(set, {.reversed_z = false})); },
-                     HasSubstr("it does with clip_depth minus_one_to_one and reversed_z true"));
+                     HasSubstr("it matches with clip_depth minus_one_to_one and reversed_z true"));
   const std::string light = fmt::format(", \"light_direction\": [{}, {}, {}]", set.light_direction.x,
                                         set.light_direction.y, set.light_direction.z);
   EXPECT_NO_THROW(read(dump_text(set, {.pair = false, .extra = light})));
@@ -204,7 +204,7 @@ TEST(Matrices, OnlyOrthographicLightProjectionsPass) {
       {glm::perspective(1.0, 1.0, 0.1, 100.0), "perspective projection: its last row is 0 0 -1 0"},
       {singular, "singular: row 2 is zero"},
       {flat, "singular: its rows lie in one plane"},
-      {sheared, "sheared: rows 0 and 1"},
+      {sheared, "sheared: the angle between rows 0 and 1"},
       {stretched, "stretched"},
       {glm::dmat4(0.0), "perspective"}};
   for (const Case& bad : cases) {

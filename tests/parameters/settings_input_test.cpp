@@ -88,13 +88,14 @@ TEST(Settings, BadFilesAreAnsweredAtTheirPlace) {
       {R"({"shadows": {"cascades": 4, "splits": [0.1]}})", "f:1:29", "3 numbers"},
       {R"({"shadows": {"fit_to_bounds": true}})", "f:1:14", "caster_bounds"},
       {R"({"shadows": {"caster_bounds": {"min": [0, 0, 0]}}})", "f:1:14", "'max'"},
-      {R"({"shadows": {"caster_bounds": {"min": [1, 0, 0], "max": [0, 1, 1]}}})", "f:1:14", "beyond"},
+      {R"({"shadows": {"caster_bounds": {"min": [1, 0, 0], "max": [0, 1, 1]}}})", "f:1:14",
+       "above its maximum"},
       {R"({"light": {"direction": [0, 0, 0]}})", "f:1:12", "length 0"},
       {R"({"light": {"angular_diameter_degrees": -1}})", "f:1:12", "outside 0 .. 30"},
       {R"({"light": {"angular_diameter_degrees": 31}})", "f:1:12", "outside 0 .. 30"},
       {R"({"camera": {"fov_y_degrees": 0}})", "f:1:13", "between 0 and 180"},
       {R"({"camera": {"fov_y_degrees": 180}})", "f:1:13", "between 0 and 180"},
-      {R"({"camera": {"near": 10, "far": 5}})", "f:1:13", "not before the far plane"},
+      {R"({"camera": {"near": 10, "far": 5}})", "f:1:13", "not closer than the far plane"},
       {R"({"camera": {"up": [0, 0, 2]}})", "f:1:13", "parallel"},
       {R"({"camera": {"position": [1e999, 0, 0]}})", "f:1:", ""},
   };
@@ -143,7 +144,7 @@ TEST(Settings, NotANumberIsRefusedWhereverItStands) {
 
 // Settings each in range may still lead to figures no float holds: never "inf" in the output.
 TEST(Settings, FiguresBeyondFloatAreRefused) {
-  const auto refused = HasSubstr("do not fit into floats");
+  const auto refused = HasSubstr("overflow 32-bit floats");
   expect_input_error([&] { fit_cascades({}, {.angular_diameter_degrees = 1e-42}, {}); }, refused);
   const Bounds speck{{0, 1, 9}, {1e-150, 1, 9}};
   const ShadowSettings on_a_speck{.caster_bounds = speck, .fit_to_bounds = true};

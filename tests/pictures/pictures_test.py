@@ -84,7 +84,7 @@ class Script(unittest.TestCase):
 
     def test_commands_that_are_none(self):
         self.page("penumbra render --sheet Documentation~/images/one.gif")
-        self.assertIn("Documentation~/page.md: Documentation~/images/one.gif is called neither .png nor .jpg",
+        self.assertIn("Documentation~/page.md: Documentation~/images/one.gif ends in neither .png nor .jpg",
                       self.run_script().stderr)
         self.page("penumbra render --sheet Documentation~/images/one.png")
         self.page("penumbra render --sheet Documentation~/images/one.png", name="other.md")

@@ -147,7 +147,7 @@ TEST(WorkerPool, OneWorkerFailsItsMessageAlone) {
     EXPECT_THAT(outcomes.at(healthy).answer, HasSubstr(messages[healthy] + " done by "));
   EXPECT_EQ(outcomes.at(3).failure, "crashed with SIGABRT");
   EXPECT_EQ(outcomes.at(4).failure, "ended with exit code 7");
-  EXPECT_EQ(outcomes.at(5).failure, "was ended from outside with SIGKILL");
+  EXPECT_EQ(outcomes.at(5).failure, "was killed from outside with SIGKILL");
   EXPECT_TRUE(outcomes.at(5).from_outside);
   EXPECT_FALSE(outcomes.at(3).from_outside);
   EXPECT_EQ(outcomes.at(7).failure, "failed: not today");
@@ -161,7 +161,7 @@ TEST(WorkerPool, AComputingWorkerEndsAtItsProcessorTime) {
   WorkerPool pool = small_pool(1);
   pool.limits.processor_time = std::chrono::seconds(1);
   const auto outcomes = run({"compute", "a"}, pool);
-  EXPECT_EQ(outcomes.at(0).failure, "took more than 1 s of processor time");
+  EXPECT_EQ(outcomes.at(0).failure, "took more than 1 s of CPU time");
   EXPECT_THAT(outcomes.at(1).answer, HasSubstr("a done"));
 }
 

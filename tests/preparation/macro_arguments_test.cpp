@@ -154,7 +154,7 @@ TEST(MacroExpansion, ASecondDefinitionCountsFromWhereItStands) {
                    diagnostic.message);
   const auto message = [](const std::string& name, int other) {
     return "macro '" + name + "' is defined as something else at macros.hlsl:" + std::to_string(other) +
-           "; from here on this one counts";
+           "; from here on this definition is used";
   };
   EXPECT_THAT(said, ElementsAre("3:9: " + message("D", 1), "6:9: " + message("K", 5),
                                 "8:9: " + message("E", 7), "10:9: " + message("G", 9)));

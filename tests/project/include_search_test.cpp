@@ -86,7 +86,7 @@ TEST_F(IncludeSearchTest, AssetsWithoutAProjectSayWhatIsMissing) {
   EXPECT_EQ(found("Assets/Shaders/Noise.hlsl"),
             "cannot find 'Assets/Shaders/Noise.hlsl'; tried " +
                 files.text("Assets/Shaders/Inner/Assets/Shaders/Noise.hlsl") +
-                "; --project DIR names the folder that holds Assets/");
+                "; name the folder that contains Assets/ with --project DIR");
 }
 
 TEST_F(IncludeSearchTest, PackageWithoutARootNamesTheNearest) {
@@ -100,9 +100,8 @@ TEST_F(IncludeSearchTest, EditorOnlyIncludeSaysWhereItShips) {
   const IncludeSearch search = find("unityCG.cginc");
   EXPECT_EQ(search.missing_editor_include, "UnityCG.cginc");
   EXPECT_EQ(search.problem,
-            "cannot find 'UnityCG.cginc': it ships with the Unity editor (Editor/Data/CGIncludes) and in no "
-            "package; "
-            "--cginc-root DIR names that folder");
+            "cannot find 'UnityCG.cginc': it ships only with the Unity editor (Editor/Data/CGIncludes); name "
+            "that folder with --cginc-root DIR");
   EXPECT_EQ(find("Assets/UnityCG.cginc").missing_editor_include, "");
   EXPECT_EQ(find("UnityCG2.cginc").missing_editor_include, "");
 }
@@ -126,9 +125,8 @@ TEST_F(IncludeSearchTest, CgincRootIsLookedAtLast) {
   EXPECT_NE(find("unitycg.cginc").warning, "");
   EXPECT_EQ(found("UnityUI.cginc"),
             "cannot find 'UnityUI.cginc' in " + files.text("cginc") +
-                ", which --cginc-root names: it ships with the Unity editor "
-                "(Editor/Data/CGIncludes) and in no package; is this the folder of an editor "
-                "that has it?");
+                ", which --cginc-root names: it ships only with the Unity editor (Editor/Data/CGIncludes); "
+                "is this the folder of an editor that has it?");
   files.write("Assets/Shaders/Inner/UnityCG.cginc", "");
   EXPECT_EQ(found("UnityCG.cginc"), "Assets/Shaders/Inner/UnityCG.cginc");
 }

@@ -70,7 +70,7 @@ TEST(ShaderFiles, PatternsChooseAndDrop) {
   const ShaderFiles found = find_shader_files(files.path(), selection);
   EXPECT_THAT(shown(found), ElementsAre("Assets/Fire/c.shader"));
   EXPECT_THAT(formatted(found.problems),
-              ElementsAre("warning: --include 'Assets/Wtaer/**' matches no shader file"));
+              ElementsAre("warning: --only 'Assets/Wtaer/**' matches no shader file"));
 }
 
 TEST(ShaderFiles, NamedPlacesStandForThemselves) {
@@ -98,7 +98,7 @@ TEST(ShaderFiles, PlaceThatIsNoneIsBadInput) {
   selection.places = {files.path("readme.txt")};
   expect_input_error([&] { find_shader_files(files.path(), selection); },
                      files.text("readme.txt") +
-                         ": is no shader file\n  give a folder, or a .shader, .compute or .hlsl file");
+                         ": is not a shader file\n  name a folder, or a .shader, .compute or .hlsl file");
 }
 
 }  // namespace

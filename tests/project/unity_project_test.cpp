@@ -154,11 +154,11 @@ TEST(UnityProject, DependencyThatIsNowhereNamesItsLineAndTheWayOut) {
       warnings_of(read_project(files.path()).problems),
       ElementsAre(
           files.text("Packages/manifest.json") +
-              ":4:5: warning: 'com.x.gone' (2.0.0) is nowhere: it is neither embedded in Packages/ nor in "
+              ":4:5: warning: 'com.x.gone' (2.0.0) was not found: it is neither embedded in Packages/ nor in "
               "Library/PackageCache; open the project once in the Unity editor, or give --package-root "
               "com.x.gone=DIR",
           files.text("Packages/manifest.json") +
-              ":5:5: warning: 'com.x.here' (file:../here) is nowhere: there is no folder " +
+              ":5:5: warning: 'com.x.here' (file:../here) was not found: there is no folder " +
               files.text("here") +
               "; open the project once in the Unity editor, or give --package-root com.x.here=DIR"));
 }
@@ -171,10 +171,11 @@ TEST(UnityProject, WithoutACacheOneWarningNamesWhatIsMissing) {
   files.manifest(dependencies);
   EXPECT_THAT(
       warnings_of(read_project(files.path()).problems),
-      ElementsAre(files.text("Packages/manifest.json") +
-                  ":4:5: warning: 8 packages are nowhere, because the project has no Library/PackageCache: "
-                  "com.x.a, com.x.b, com.x.c, com.x.d, com.x.e, com.x.f and 2 more; open the project once in "
-                  "the Unity editor, or give --package-root NAME=DIR for each that the shaders include"));
+      ElementsAre(
+          files.text("Packages/manifest.json") +
+          ":4:5: warning: 8 packages were not found, because the project has no Library/PackageCache: "
+          "com.x.a, com.x.b, com.x.c, com.x.d, com.x.e, com.x.f and 2 more; open the project once in "
+          "the Unity editor, or give --package-root NAME=DIR for each that the shaders include"));
 }
 
 TEST(UnityProject, WithoutManifestAllOfTheCacheCounts) {
@@ -219,7 +220,7 @@ TEST(UnityProject, LocalPackageOfAnotherNameIsAWarning) {
   files.package("b", "com.x.b", "1.0.0");
   EXPECT_THAT(
       warnings_of(read_project(files.path()).problems),
-      ElementsAre(files.text("Packages/manifest.json") + ":3:5: warning: 'com.x.a' is asked for, but " +
+      ElementsAre(files.text("Packages/manifest.json") + ":3:5: warning: 'com.x.a' is required, but " +
                   files.text("b") + " holds the package 'com.x.b'; correct the name or the path"));
 }
 
@@ -230,14 +231,14 @@ TEST(UnityProject, EditorVersionThatCannotBeReadIsSaid) {
   EXPECT_THAT(formatted(read_project(files.path()).problems),
               ElementsAre(file + ": note: is missing or empty; the project's UNITY_VERSION is not known"));
   files.write("ProjectSettings/ProjectVersion.txt", "m_Version: 1\n");
-  EXPECT_THAT(
-      formatted(read_project(files.path()).problems),
-      ElementsAre(file + ": note: names no m_EditorVersion; the project's UNITY_VERSION is not known"));
+  EXPECT_THAT(formatted(read_project(files.path()).problems),
+              ElementsAre(file + ": note: has no m_EditorVersion; the project's UNITY_VERSION is not known"));
   files.write("ProjectSettings/ProjectVersion.txt", "\nm_EditorVersion: latest\n");
   EXPECT_THAT(
       formatted(read_project(files.path()).problems),
-      ElementsAre(file + ":2: warning: 'latest' is no editor version like 2022.3.20f1; UNITY_VERSION is not "
-                         "known\n    m_EditorVersion: latest"));
+      ElementsAre(file +
+                  ":2: warning: 'latest' is not an editor version like 2022.3.20f1; UNITY_VERSION is not "
+                  "known\n    m_EditorVersion: latest"));
 }
 
 TEST(UnityProject, WhatIsNoProjectIsBadInput) {
@@ -245,8 +246,8 @@ TEST(UnityProject, WhatIsNoProjectIsBadInput) {
   expect_input_error([&] { read_project(files.path("gone")); }, files.text("gone") + ": no such folder");
   expect_input_error([&] { read_project(files.path()); },
                      files.text("") +
-                         ": is no Unity project: it holds neither Assets/ nor Packages/\n"
-                         "  give the folder that holds Assets/");
+                         ": is not a Unity project: it contains neither Assets/ nor Packages/\n"
+                         "  name the folder that contains Assets/");
   files.write("file", "");
   expect_input_error([&] { read_project(files.path("file")); },
                      files.text("file") + ": is a file, not the folder of a project");

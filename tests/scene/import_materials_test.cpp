@@ -92,7 +92,7 @@ TEST_F(ImportMaterials, LeavesOutTexturesThatAreMissingBrokenHugeOrElsewhere) {
   write("broken.png", "no picture at all");
   expect_left_out(with_texture("broken.png"), "broken.png: no picture");
   std::string huge = kPicture;
-  huge[13] = huge[15] = 0x40;  // 16,386 pixels a side
+  huge[13] = huge[15] = 0x40;  // 16,386 pixels per side
   write("huge.tga", huge);
   expect_left_out(with_texture("huge.tga"), "huge.tga");
 }

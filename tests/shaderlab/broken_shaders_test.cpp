@@ -21,30 +21,29 @@ constexpr Broken kBroken[] = {
     {"Shader \"x\" {\nSubShader {\nPass { }\n",
      "4:1: expected '}' for the SubShader of line 2, found the end of the file"},
     {"Shader \"x\" {\nSubShader {\nPass {\nCull Off\nPass { }\n} }",
-     "5:1: 'Pass' cannot stand in the Pass of line 3: is its '}' missing?"},
+     "5:1: 'Pass' is not allowed in the Pass of line 3: is its '}' missing?"},
     {"Shader \"x\" {\nSubShader {\nPass { }\nFallback Off\n}",
-     "4:1: 'Fallback' cannot stand in the SubShader of line 2: is its '}' missing?"},
+     "4:1: 'Fallback' is not allowed in the SubShader of line 2: is its '}' missing?"},
     {"Shader \"x\" {\nSubShader { } }\nSubShader { Pass { } }",
      "3:1: the Shader ended before this 'SubShader', and what follows would be lost: is there one '}' too "
      "many?"},
     {"Shader \"x\" { SubShader { Pass {\nHLSLPROGRAM\nfloat a;\n} } }",
      "2:1: HLSLPROGRAM is not closed: no ENDHLSL follows"},
     {"Shader \"x\" { SubShader { Pass {\nHLSLPROGRAM\n// ENDHLSL\n} } }",
-     "2:1: HLSLPROGRAM is not closed: no ENDHLSL follows (the one of line 3 stands in a comment)"},
+     "2:1: HLSLPROGRAM is not closed: no ENDHLSL follows (the one in line 3 is inside a comment)"},
     {"Shader \"x\" { SubShader { Pass {\nHLSLPROGRAM\n\n  ENDCG\n} } }",
      "4:3: ENDCG does not close the HLSLPROGRAM of line 2: write ENDHLSL"},
     {"Shader \"x\" {\nHLSLINCLUDE\nint a;\nSubShader { Pass {\nHLSLPROGRAM\nENDHLSL\n} } }",
      "5:1: the HLSLINCLUDE of line 2 is not closed before this HLSLPROGRAM: write ENDHLSL first"},
     {"Shader \"x\" {\nHLSLPROGRAM\nENDHLSL\n}",
-     "2:1: HLSLPROGRAM stands in the Shader of line 1: a program belongs into a Pass, or a surface shader "
-     "into a "
+     "2:1: HLSLPROGRAM is in the Shader of line 1: a program belongs in a Pass, a surface shader in a "
      "SubShader"},
     {"Shader \"x\" { SubShader { Pass {\n#pragma vertex Vertex\nENDHLSL } } }",
-     "2:1: '#pragma' stands outside a program: move it between HLSLPROGRAM and ENDHLSL"},
+     "2:1: '#pragma' is outside a program: move it between HLSLPROGRAM and ENDHLSL"},
     {"Shader \"x\" { SubShader { Pass {\nfloat4 a;\n} } }",
-     "2:9: ShaderLab has no use for ';' here: shader code stands between HLSLPROGRAM and ENDHLSL"},
+     "2:9: ShaderLab has no use for ';' here: shader code belongs between HLSLPROGRAM and ENDHLSL"},
     {"Shader \"x\" { SubShader { Passs {\nHLSLPROGRAM\nENDHLSL } } }",
-     "1:26: 'Passs' is no command of ShaderLab: did you mean 'Pass'? (and its block holds a program)"},
+     "1:26: 'Passs' is not a command of ShaderLab: did you mean 'Pass'? (and its block holds a program)"},
     {"Shader \"x\" { SubShader { Pass { Cull\nZWrite Off } } }",
      "2:1: expected a value for Cull, found 'ZWrite'"},
     {"Shader \"x\" { SubShader { Pass { Blend One } } }", "1:43: expected a value for Blend, found '}'"},
@@ -99,7 +98,8 @@ constexpr Broken kBroken[] = {
     {"Shader \"x\" { Properties { _A (\"a\", Float) = 0\nSubShader { } }",
      "2:11: expected '(' after the property SubShader, found '{'"},
     {"Shader \"x\" { \x01 }",
-     "1:14: ShaderLab has no use for the byte 0x01 here: shader code stands between HLSLPROGRAM and ENDHLSL"},
+     "1:14: ShaderLab has no use for the byte 0x01 here: shader code belongs between HLSLPROGRAM and "
+     "ENDHLSL"},
 };
 
 TEST(BrokenShaders, GiveOneErrorEachWhereItIs) {

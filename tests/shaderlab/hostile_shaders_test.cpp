@@ -163,7 +163,7 @@ TEST(HostileShaders, TimeGrowsWithTheLengthOnly) {
 TEST(HostileShaders, DeepNestingIsRefused) {
   const ParsedShader parsed = parse_shader("Shader \"x\" {" + repeated("Category {", 1'000'000), "a");
   ASSERT_EQ(parsed.diagnostics.size(), 1u);
-  EXPECT_EQ(parsed.diagnostics[0].message, "Category stands in more than 32 others");
+  EXPECT_EQ(parsed.diagnostics[0].message, "Category is nested in more than 32 others");
 }
 
 TEST(HostileShaders, ProgramsThatWouldFillTheMemoryAreRefused) {

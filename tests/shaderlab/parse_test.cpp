@@ -195,11 +195,11 @@ TEST(Commands, BlocksHoldTheirOwnCommands) {
 
 TEST(Commands, AnUnknownOneIsAWarningAndTheRestIsRead) {
   EXPECT_THAT(messages(in_pass("Culll Off\nZWrite Off")),
-              ElementsAre("a:2:1: warning: 'Culll' is no command of ShaderLab: did you mean 'Cull'?"));
+              ElementsAre("a:2:1: warning: 'Culll' is not a command of ShaderLab: did you mean 'Cull'?"));
   EXPECT_THAT(messages(in_pass("Zippity 1, 2 { Any { thing } } ZWrite Off")),
-              ElementsAre("a:2:1: warning: 'Zippity' is no command of ShaderLab"));
+              ElementsAre("a:2:1: warning: 'Zippity' is not a command of ShaderLab"));
   EXPECT_THAT(messages(in_pass("Stencil { Reff 2 Comp Always }")),
-              ElementsAre("a:2:11: warning: 'Reff' is no command of Stencil: did you mean 'Ref'?"));
+              ElementsAre("a:2:11: warning: 'Reff' is not a command of Stencil: did you mean 'Ref'?"));
   const ParsedShader result = parse_shader(in_pass("Culll Off\nZWrite Off"), "a");
   EXPECT_THAT(result.shader.sub_shaders.at(0).passes.at(0).settings.commands, SizeIs(1));
 }
@@ -208,7 +208,7 @@ TEST(Warnings, SayWhatIsOdd) {
   EXPECT_THAT(messages("Shader \"x\" { Properties {\n_A(\"a\", Float) = 0\n_A(\"b\", Float) = 0 } }"),
               ElementsAre("a:3:1: warning: the property _A is already declared in line 2"));
   EXPECT_THAT(messages("Shader \"x\" { SubShader { Tags { \"a\"=\"b\", \"c\"=\"d\" } } }"),
-              ElementsAre("a:1:40: warning: tags stand without a comma between them"));
+              ElementsAre("a:1:40: warning: tags are written without a comma between them"));
   EXPECT_THAT(messages("Shader \"x\" { }\n}"),
               ElementsAre("a:2:1: warning: what follows the end of the Shader is not read"));
   EXPECT_THAT(messages("#line 5\nShader \"x\" { }"),

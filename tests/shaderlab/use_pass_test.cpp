@@ -65,7 +65,7 @@ TEST_F(UsePass, SaysWhatIsMissing) {
             "a.shader:2:11: error: UsePass \"FORWARD\" names no Pass: write \"Shader/Name/PASSNAME\"" + line +
                 "FORWARD\" } }\n              ^");
   EXPECT_EQ(why("Chain/LOOP"),
-            "a.shader:2:11: error: UsePass \"Chain/LOOP\" leads from UsePass to UsePass and to no Pass" +
+            "a.shader:2:11: error: UsePass \"Chain/LOOP\" leads from UsePass to UsePass and never to a Pass" +
                 line + "Chain/LOOP\" } }\n              ^");
 }
 

@@ -144,7 +144,7 @@ TEST(Compile, EmptyFileHasNoEntryPoint) {
   const CompileResult result = compile_text("");
   EXPECT_TRUE(result.spirv.empty());
   ASSERT_EQ(result.diagnostics.size(), 1U);
-  EXPECT_EQ(first_message(result), "shader.hlsl: error: there is no function 'Main' to enter at");
+  EXPECT_EQ(first_message(result), "shader.hlsl: error: the entry point 'Main' is not defined");
 }
 
 TEST(Compile, FileWithoutTheEntryPointSaysWhichIsMissing) {
@@ -155,7 +155,7 @@ TEST(Compile, FileWithoutTheEntryPointSaysWhichIsMissing) {
   const CompileResult result = compile(request);
   ASSERT_EQ(result.diagnostics.size(), 1U);
   EXPECT_EQ(first_message(result),
-            "shader.hlsl: error: there is no function 'Mian' to enter at; did you mean 'Main'?");
+            "shader.hlsl: error: the entry point 'Mian' is not defined; did you mean 'Main'?");
 }
 
 TEST(Compile, ByteOrderMarkAndCrLfChangeNothing) {

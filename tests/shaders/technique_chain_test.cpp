@@ -45,12 +45,15 @@ TEST(TechniqueChain, WhatCannotBeRunIsSaid) {
   EXPECT_THAT(
       problem({{"denoise", 1}, {"resolve", 1}}),
       HasSubstr(
-          "'resolve' stands after 'denoise' | the order is mask, mask-blur, resolve, upsample, denoise"));
-  EXPECT_THAT(problem({{"resolve", 1}, {"resolve", 1}}), HasSubstr("'resolve' stands after 'resolve'"));
-  EXPECT_THAT(problem({{"mask", 4}, {"resolve", 1}}), HasSubstr("'mask' and 'mask-blur' go together"));
-  EXPECT_THAT(problem({{"mask-blur", 4}, {"resolve", 1}}), HasSubstr("'mask' and 'mask-blur' go together"));
-  EXPECT_THAT(problem({{"resolve", 2}}), HasSubstr("'upsample' belongs to a resolve pass of scale 2"));
-  EXPECT_THAT(problem({{"resolve", 1}, {"upsample", 1}}), HasSubstr("'upsample' belongs to"));
+          "'resolve' comes after 'denoise' | the order is mask, mask-blur, resolve, upsample, denoise"));
+  EXPECT_THAT(problem({{"resolve", 1}, {"resolve", 1}}), HasSubstr("'resolve' comes after 'resolve'"));
+  EXPECT_THAT(problem({{"mask", 4}, {"resolve", 1}}),
+              HasSubstr("'mask' and 'mask-blur' must be used together"));
+  EXPECT_THAT(problem({{"mask-blur", 4}, {"resolve", 1}}),
+              HasSubstr("'mask' and 'mask-blur' must be used together"));
+  EXPECT_THAT(problem({{"resolve", 2}}), HasSubstr("'upsample' and a resolve pass of scale 2"));
+  EXPECT_THAT(problem({{"resolve", 1}, {"upsample", 1}}),
+              HasSubstr("'upsample' and a resolve pass of scale 2"));
   EXPECT_THAT(problem({{"resolve", 3}}), HasSubstr("kind 'resolve' has a scale of 1 or 2, not 3"));
   EXPECT_THAT(problem({{"mask", 2}, {"mask-blur", 4}, {"resolve", 1}}), HasSubstr("scale of 4, not 2"));
 }

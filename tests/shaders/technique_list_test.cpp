@@ -109,7 +109,7 @@ TEST_F(TechniqueListTest, WrongEntriesAreNamedWithTheirPlaceAndAWayOut) {
   EXPECT_THAT(problem("\"taps\": 3", "\"taps\": 2.5"), HasSubstr("must be a whole number"));
   EXPECT_THAT(problem("\"taps\": 3", "\"taps\": 11"),
               HasSubstr("'taps' is a whole number from 1 to 9, not 11"));
-  EXPECT_THAT(problem("[1, 9]", "[9, 1]"), HasSubstr("the smallest value stands after the largest"));
+  EXPECT_THAT(problem("[1, 9]", "[9, 1]"), HasSubstr("the smallest value comes after the largest"));
   EXPECT_THAT(problem("[1, 9]", "[1]"), HasSubstr("array of 2 numbers"));
   EXPECT_THAT(problem("[1.0, 0.5]", "[1.0]"), HasSubstr("array of 2 numbers"));
   EXPECT_THAT(problem("Box.hlsl", "Bax.hlsl"), HasSubstr("there is no file"));
@@ -118,11 +118,11 @@ TEST_F(TechniqueListTest, WrongEntriesAreNamedWithTheirPlaceAndAWayOut) {
   EXPECT_THAT(problem("\"int\"", "\"uint\""), HasSubstr("unknown type 'uint'"));
   EXPECT_THAT(problem("\"hlsl50\"", "\"hlsl51\""), HasSubstr("unknown target 'hlsl51'"));
   EXPECT_THAT(problem("\"hlsl50\": \"too long\"", "\"hlsl50\": \"\""), HasSubstr("missing or empty"));
-  EXPECT_THAT(problem("\"FilterBox\"", "\"Filter Box\""), HasSubstr("no HLSL identifier"));
+  EXPECT_THAT(problem("\"FilterBox\"", "\"Filter Box\""), HasSubstr("not an HLSL identifier"));
   EXPECT_THAT(problem("[\"UNITY_REVERSED_Z\"]", "\"UNITY_REVERSED_Z\""),
               HasSubstr("array of arrays of strings"));
-  EXPECT_THAT(problem("\"_WIDE\"", "\"_WIDE 1\""), HasSubstr("'_WIDE 1' is no keyword"));
-  EXPECT_THAT(problem("\"taps\": \"4096\"", "\"taps\": \"many\""), HasSubstr("'many' is no number"));
+  EXPECT_THAT(problem("\"_WIDE\"", "\"_WIDE 1\""), HasSubstr("'_WIDE 1' is not a keyword"));
+  EXPECT_THAT(problem("\"taps\": \"4096\"", "\"taps\": \"many\""), HasSubstr("'many' is not a number"));
   EXPECT_THAT(problem("\"taps\": \"4096\"", "\"tops\": \"4096\""), HasSubstr("did you mean 'taps'?"));
   EXPECT_THAT(problem("\"name\": \"scale\"", "\"name\": \"taps\""), HasSubstr("two fields 'taps'"));
 }

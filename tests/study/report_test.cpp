@@ -88,9 +88,10 @@ TEST_F(Report, AColumnWithoutAnyFigureIsLeftOut) {
 
 TEST_F(Report, ExplainsEveryFigureAndReference) {
   const std::string html = render_report(*content_);
-  for (const char* term : {"T1: ray tracing", "T2: the same map, exhaustively",
-                           "T3: the technique, unlimited", "Error split", "RMSE penumbra", "RMSE all", "Bias",
-                           "Variance", "p99", "Max", "Leak", "False shadow", "Fetches", "Time", "Invalid"}) {
+  for (const char* term :
+       {"T1: ray tracing", "T2: all the information in the shadow map",
+        "T3: the technique without a sample limit", "Error split", "RMSE penumbra", "RMSE all", "Bias",
+        "Variance", "p99", "Max", "Leak", "False shadow", "Fetches", "Time", "Invalid"}) {
     EXPECT_THAT(html, HasSubstr(std::string("<dt>") + term + "</dt>"));
   }
 }
@@ -140,7 +141,7 @@ TEST_F(Report, AFindingIsToldAboveEverything) {
   EXPECT_THAT(render_report(*content_), Not(HasSubstr("class=\"finding\"")));
   ReportContent content = *content_;
   content.results.records[5].metrics.invalid = 3;
-  EXPECT_THAT(render_report(content), HasSubstr("3 results are no visibility"));
+  EXPECT_THAT(render_report(content), HasSubstr("3 results are NaN, infinite or outside [0, 1]"));
 }
 
 TEST_F(Report, AnAbsentFigureIsADashThatSortsLast) {

@@ -131,9 +131,9 @@ TEST(ReplaceResultBlock, WantsEachMarkerOnceAndInOrder) {
                      HasSubstr("README.md: the marker '<!-- results:begin -->' is missing"));
   expect_input_error(replace("<!-- results:begin -->"), HasSubstr("'<!-- results:end -->' is missing"));
   expect_input_error(replace("<!-- results:begin --><!-- results:begin --><!-- results:end -->"),
-                     HasSubstr("stands twice"));
+                     HasSubstr("appears twice"));
   expect_input_error(replace("<!-- results:end --><!-- results:begin -->"),
-                     HasSubstr("before their beginning"));
+                     HasSubstr("before the begin marker"));
 }
 
 // Every page that scripts/publish writes figures into, and how it calls `penumbra measure --from

@@ -73,7 +73,7 @@ TEST(ReportJson, ReadsBackWhatItWrote) {
 }
 
 TEST(ReportJson, OtherFilesAreRefusedAtTheirPlace) {
-  EXPECT_THAT(refusal("{}"), AllOf(HasSubstr("report.json"), HasSubstr("no report of penumbra validate")));
+  EXPECT_THAT(refusal("{}"), AllOf(HasSubstr("report.json"), HasSubstr("not a report of penumbra validate")));
   EXPECT_THAT(refusal("[1]"), HasSubstr("expected an object"));
   const std::string good = report_json(full_report());
   const auto with = [&](const std::string& part, const std::string& instead) {
@@ -172,7 +172,8 @@ TEST(MergeReports, TwoWholeRunsAreRefused) {
 TEST(MergeReports, ShardsOfDifferentRequestsAreRefused) {
   std::vector<NamedReport> shards = shards_of(whole_run(), 2);
   shards[1].report.fingerprint = "beef";
-  EXPECT_THAT(refusal(shards), HasSubstr("shard2.json: was made by another request than shard1.json"));
+  EXPECT_THAT(refusal(shards),
+              HasSubstr("shard2.json: was made with other files or options than shard1.json"));
   shards = shards_of(whole_run(), 2);
   shards[1].report.shards = 3;
   EXPECT_THAT(refusal(shards), HasSubstr("shard2.json: is shard 2/3, but shard1.json is shard 1/2"));

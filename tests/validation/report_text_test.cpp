@@ -74,9 +74,10 @@ TEST(ReportText, TargetsOfOneCauseAreFolded) {
         fails ? failed(water({}, name), error_at(name, name == "essl310" ? 4 : 7, 1, "bad"))
               : water({}, name));
   }
-  EXPECT_THAT(report_text(report), StartsWith("Assets/Water.shader: error: the emitted text is refused: bad\n"
-                                              "  pass ForwardLit of Custom/Water, fragment entry Frag, "
-                                              "for essl310, glsl450\n"));
+  EXPECT_THAT(report_text(report),
+              StartsWith("Assets/Water.shader: error: the generated text is rejected: bad\n"
+                         "  pass ForwardLit of Custom/Water, fragment entry Frag, "
+                         "for essl310, glsl450\n"));
 }
 
 TEST(ReportText, SeveralEntryPointsAreCounted) {

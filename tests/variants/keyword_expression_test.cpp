@@ -37,7 +37,7 @@ TEST(KeywordExpression, SaysWhatIsWrong) {
       {"-_", "--keywords: '-_' does not name a keyword"},
       {"+A-B", "--keywords: '+A-B' does not name a keyword"},
       {"+A -A", "--keywords: '-A' contradicts '+A'"},
-      {"A|", "--keywords: 'A|' lacks a name beside '|'"},
+      {"A|", "--keywords: 'A|' lacks a name next to '|'"},
       {"_|__", "--keywords: '_|__' names no keyword, so it is not known which sets it is for"},
       {"A|2", "--keywords: 'A|2' holds '2', which is not a keyword"},
   };

@@ -45,18 +45,12 @@ TEST(Refusal, IsEmptyWithinTheLimit) {
 
 TEST(Refusal, NamesWhatMultipliesMostAndHowToPinIt) {
   const KeywordSpace lit(pragmas_of(lit_text));
-  EXPECT_EQ(
-      refusal({{"Lit", &lit, {Stage::vertex, Stage::fragment}}, {"Unlit", &lit, {Stage::vertex}}}, 10),
-      "24 variants to compile; the limit is 10\n"
-      "most of them in\n"
-      "  Lit   vertex 6   fragment 12\n"
-      "  Unlit   vertex 6\n"
-      "what multiplies most, and what is left when it stands still\n"
-      "  8 left   --keywords '-SHADOWS -SHADOWS_SOFT'\n"
-      "  12 left   --keywords '+FAST'\n"
-      "  18 left   --keywords '-COOKIES'\n"
-      "narrow the keywords (+NAME always, -NAME never, A|B only these), give a stripping file with what the "
-      "project uses (URP settings, materials), or raise the limit\n");
+  EXPECT_EQ(refusal({{"Lit", &lit, {Stage::vertex, Stage::fragment}}, {"Unlit", &lit, {Stage::vertex}}}, 10),
+            "24 variants to compile; the limit is 10\nmost of them in\n  Lit   vertex 6   fragment 12\n  "
+            "Unlit   vertex 6\nwhat multiplies the number most, and how many variants are left without it\n  "
+            "8 left   --keywords '-SHADOWS -SHADOWS_SOFT'\n  12 left   --keywords '+FAST'\n  18 left   "
+            "--keywords '-COOKIES'\nnarrow the keywords (+NAME always, -NAME never, A|B only these), pass a "
+            "stripping file with what the project uses (URP settings, materials), or raise the limit\n");
 }
 
 TEST(Refusal, WhatItPromisesHolds) {

@@ -38,10 +38,10 @@ TEST(PragmaMessages, NameThePlaceAndTheWayOut) {
       {"#pragma kernel K A =", "a.shader:1:20: error: '=' is not NAME or NAME=VALUE, without blanks"},
       {"#pragma multi_compile", "a.shader:1:1: warning: '#pragma multi_compile' names no keyword"},
       {"#pragma multi_compile A,B",
-       "a.shader:1:23: error: 'A,B' is not a keyword; keywords are separated by blanks, without commas"},
+       "a.shader:1:23: error: 'A,B' is not a keyword; keywords are separated by spaces, without commas"},
       {"#pragma multi_compile _ 3D",
        "a.shader:1:25: error: '3D' is not a keyword; keywords are letters, digits and '_'"},
-      {"#pragma multi_compile A A", "a.shader:1:25: warning: 'A' stands twice in one set and counts once"},
+      {"#pragma multi_compile A A", "a.shader:1:25: warning: 'A' appears twice in one set and counts once"},
       {"#pragma multi_compile_fog FOG",
        "a.shader:1:27: warning: '#pragma multi_compile_fog' takes no keywords"},
       {"#pragma target", "a.shader:1:1: error: '#pragma target' needs a shader model, for example 3.5"},
@@ -67,7 +67,7 @@ TEST(PragmaMessages, NameThePlaceAndTheWayOut) {
       {"#include_with_pragmas gone.hlsl",
        "a.shader:1:1: error: '#include_with_pragmas' needs a file name in quotes"},
       {"#include_with_pragmas \"gone.hlsl\"",
-       "a.shader:1:1: warning: cannot find 'gone.hlsl': its pragmas do not count"},
+       "a.shader:1:1: warning: cannot find 'gone.hlsl': its pragmas are ignored"},
       {"#if 1 +\n#endif",
        "a.shader:1:1: warning: this condition is not understood, and what it decides may be wrong: a value "
        "is "
@@ -105,11 +105,10 @@ TEST(PragmaMessages, FilesThatIncludeThemselvesEnd) {
   const Files files{{"a.hlsl", "#include_with_pragmas \"b.hlsl\"\n#include_with_pragmas \"b.hlsl\"\n"},
                     {"b.hlsl", "\n#include_with_pragmas \"a.hlsl\"\n#include_with_pragmas \"a.hlsl\"\n"}};
   const Pragmas pragmas = pragmas_of("#include_with_pragmas \"a.hlsl\"\n#pragma vertex V\n", files);
-  EXPECT_THAT(
-      messages_of(pragmas),
-      ElementsAre("a.hlsl:1:1: error: files include each other more than 100 deep, down to 'b.hlsl'; give "
-                  "it an include guard or '#pragma once'",
-                  testing::HasSubstr("too many files are included")));
+  EXPECT_THAT(messages_of(pragmas),
+              ElementsAre("a.hlsl:1:1: error: files include each other more than 100 deep, down to 'b.hlsl'; "
+                          "add an include guard or '#pragma once'",
+                          testing::HasSubstr("too many files are included")));
   EXPECT_THAT(pragmas.entry_points, SizeIs(1));
 }
 

@@ -48,7 +48,7 @@ TEST(Pragmas, KeywordSetsAsTheManualHasThem) {
   EXPECT_EQ(pragmas.keyword_sets[0].kind, KeywordSet::Kind::shader_feature);
   EXPECT_EQ(pragmas.keyword_sets[2].kind, KeywordSet::Kind::multi_compile);
   EXPECT_THAT(messages_of(pragmas),
-              ElementsAre("a.shader:6:27: warning: '___' stands twice in one set and counts once"));
+              ElementsAre("a.shader:6:27: warning: '___' appears twice in one set and counts once"));
 }
 
 TEST(Pragmas, SuffixesStandInAnyOrder) {

@@ -79,7 +79,7 @@ TEST(Stripping, SaysWhereAndWhat) {
       {R"({"materials": [["A", 3]]})", "s.json:1:23: a keyword must be a string"},
       {R"({"materials": [["A,B"]]})", "s.json:1:21: 'A,B' is not a keyword"},
       {R"({"shader_feature": "all", "materials": []})",
-       "s.json:1:2: \"all\" leaves no use for \"materials\"\n  remove one of the two"},
+       "s.json:1:2: \"materials\" has no effect together with \"all\"\n  remove one of the two"},
       {R"({"shader_feature": "some"})",
        "s.json:1:2: 'shader_feature' cannot be 'some'\n  known are: used all"},
   };

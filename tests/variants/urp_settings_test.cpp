@@ -195,7 +195,7 @@ TEST(UrpAsset, SaysWhatIsWrong) {
   expect_input_error([] { read_urp_asset("  m_RenderingMode: 9\n", "x.asset"); },
                      "x.asset:1: 'm_RenderingMode' must be a whole number from 0 to 3, found '9'");
   expect_input_error([] { read_urp_asset("%YAML 1.1\n  m_Shader: 1\n", "x.mat"); },
-                     "x.mat: holds no setting of the Universal Render Pipeline\n  give a "
+                     "x.mat: contains no setting of the Universal Render Pipeline\n  use a "
                      "UniversalRenderPipelineAsset or UniversalRendererData, a text .asset file");
   expect_input_error([] { read_urp_asset(std::string_view("a\0b", 3), "x.asset"); },
                      HasSubstr("x.asset: is a binary asset\n  set Project Settings"));

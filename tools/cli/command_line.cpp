@@ -15,12 +15,13 @@ namespace {
 constexpr const char* kExitCodes =
     "Exit codes:\n"
     "  0    success\n"
-    "  1    findings: a variant fails, a figure is worse than its baseline, a result is not a number\n"
-    "  2    bad usage or bad input: the command or a file has to be mended\n"
-    "  3    the environment: no Vulkan device, no such package, too little memory\n"
-    "  70   a mistake in penumbra itself; please report it\n"
+    "  1    findings: a variant fails, a figure is worse than its baseline, a result is NaN or out of range\n"
+    "  2    usage or input error: correct the command line or the file\n"
+    "  3    environment error: no Vulkan device, a missing package, too little memory\n"
+    "  70   a bug in penumbra; please report it\n"
     "  130  interrupted, by Ctrl-C for example; finished work is kept\n"
-    "Progress goes to standard error: a bar on a terminal, else a line every 10 s; --quiet leaves it out.";
+    "Progress goes to standard error: a bar on a terminal, otherwise a line every 10 s; --quiet turns it "
+    "off.";
 
 // `penumbra help measure` says what `penumbra measure --help` says. Of a tree of its own: CLI11 answers a
 // tree's help() with that of the subcommand which was parsed.
@@ -75,11 +76,11 @@ int run(const std::vector<std::string>& arguments) {
 }  // namespace
 
 std::unique_ptr<CLI::App> command_line(Context& context) {
-  auto app = std::make_unique<CLI::App>("Soft shadows for Unity whose error is known.", "penumbra");
+  auto app = std::make_unique<CLI::App>("Soft shadows for Unity, measured against ray tracing.", "penumbra");
   app->set_version_flag("--version", "penumbra " PENUMBRA_VERSION);
   app->require_subcommand(0, 1);
   app->footer(kExitCodes);
-  app->add_flag("-q,--quiet", context.quiet, "No progress and no notes on stderr");
+  app->add_flag("-q,--quiet", context.quiet, "Print no progress and no notes on standard error");
   app->fallthrough();
   app->option_defaults()->always_capture_default();
   lay_out_help(*app);

@@ -67,8 +67,7 @@ std::string script_for(const std::string& shell) {
 }  // namespace
 
 void add_completion(CLI::App& app) {
-  CLI::App* command =
-      app.add_subcommand("completion", "Print the script with which a shell completes penumbra");
+  CLI::App* command = app.add_subcommand("completion", "Print the completion script for a shell");
   auto shell = std::make_shared<std::string>();
   command->add_option("shell", *shell, "The shell")
       ->type_name("SHELL")

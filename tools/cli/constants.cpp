@@ -69,7 +69,7 @@ void apply_splits(const std::vector<double>& given, parameters::ShadowSettings& 
     throw InputError("",
                      "--splits has " + std::to_string(given.size()) + " numbers, and --cascades is " +
                          std::to_string(shadows.cascades),
-                     "give one fewer than cascades, or three as Unity's asset holds");
+                     "give one number fewer than there are cascades, or three as in Unity's asset");
   }
   shadows.splits = {};
   std::copy(given.begin(), given.end(), shadows.splits.begin());
@@ -133,7 +133,9 @@ CLI::Option* add_setting(CLI::App& command, const char* key, std::optional<Value
 
 // What describes a fit has no meaning beside matrices that are already fitted.
 void add_fit_flags(CLI::App& command, ConstantsOptions& options, CLI::Option& matrices) {
-  command.add_option("--config", options.config, "JSON with camera, light and shadows; options override it")
+  command
+      .add_option("--config", options.config,
+                  "JSON with camera, light and shadow settings; options override it")
       ->type_name("FILE")
       ->default_str("none")
       ->excludes(&matrices);
@@ -164,14 +166,13 @@ void add_fit_flags(CLI::App& command, ConstantsOptions& options, CLI::Option& ma
 void add_golden_flags(CLI::App& command, ConstantsOptions& options) {
   const std::vector<CLI::Option*> others =
       command.get_options([](const CLI::Option* option) { return !option->check_name("--help"); });
-  CLI::Option* golden =
-      command
-          .add_option("--golden", options.golden,
-                      "Print inputs and answers, this many random ones of each kind, as JSON for other "
-                      "implementations to be tested against")
-          ->type_name("COUNT")
-          ->check(within(1, 100000))
-          ->default_str("none");
+  CLI::Option* golden = command
+                            .add_option("--golden", options.golden,
+                                        "Print this many random test cases of each kind, with inputs and "
+                                        "expected results, as JSON for testing other implementations")
+                            ->type_name("COUNT")
+                            ->check(within(1, 100000))
+                            ->default_str("none");
   for (CLI::Option* other : others) golden->excludes(other);
   command.add_option("--seed", options.seed, "Seed of --golden's random inputs")
       ->type_name("N")
@@ -181,14 +182,16 @@ void add_golden_flags(CLI::App& command, ConstantsOptions& options) {
 }  // namespace
 
 void add_constants(CLI::App& app, Context& /*context*/) {
-  CLI::App* command =
-      app.add_subcommand("constants", "Matrices, scales and biases of each cascade, with their error in ULP");
+  CLI::App* command = app.add_subcommand(
+      "constants",
+      "Print each shadow cascade's matrices, scales and biases, with their rounding error in ULP");
   auto options = std::make_shared<ConstantsOptions>();
-  CLI::Option* matrices = command
-                              ->add_option("--matrices", options->matrices,
-                                           "JSON with matrices dumped from Unity, in place of a fit")
-                              ->type_name("FILE")
-                              ->default_str("none");
+  CLI::Option* matrices =
+      command
+          ->add_option("--matrices", options->matrices,
+                       "JSON with matrices dumped from Unity, used instead of fitting cascades")
+          ->type_name("FILE")
+          ->default_str("none");
   add_fit_flags(*command, *options, *matrices);
   add_format(*command, options->format, {"table", "json", "hlsl", "csharp", "cpp"});
   add_golden_flags(*command, *options);
@@ -199,12 +202,14 @@ void add_constants(CLI::App& app, Context& /*context*/) {
         write_output("", parameters::setting_keys_table());
         throw CLI::Success();
       },
-      "Print every key of a --config file, with type, unit, default and bounds, and end");
-  end_help(*command, "",
-           {{"penumbra constants", "of URP's default settings"},
-            {"penumbra constants --cascades 4 --light 2 --format json", ""},
-            {"penumbra constants --config settings.json --format hlsl -o Constants.hlsl", "for a shader"},
-            {"penumbra constants --matrices shadows.json --format hlsl", "of a frame that Unity has drawn"}});
+      "Print every key of a --config file, with type, unit, default and bounds, and exit");
+  end_help(
+      *command, "",
+      {{"penumbra constants", "URP's default settings"},
+       {"penumbra constants --cascades 4 --light 2 --format json", ""},
+       {"penumbra constants --config settings.json --format hlsl -o Constants.hlsl", "as HLSL, for a shader"},
+       {"penumbra constants --matrices shadows.json --format hlsl",
+        "from matrices of a frame that Unity has drawn"}});
   command->callback([options, matrices] {
     check_output_file(options->output);
     const auto text = [&] {

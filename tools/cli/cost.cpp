@@ -37,7 +37,7 @@ struct CostOptions {
   std::string entry = "Main";
   std::string stage = "fragment";
   std::vector<std::string> defines;
-  std::vector<std::string> keywords;  // one set each, its keywords parted by commas
+  std::vector<std::string> keywords;  // one set each, its keywords separated by commas
   std::vector<std::string> package_roots;
   std::vector<std::string> include_directories;
   std::string format = "table";
@@ -46,7 +46,7 @@ struct CostOptions {
   double tolerance = 0.0;
   bool any_driver = false;
   std::string from;    // earlier JSON: nothing is measured
-  std::string readme;  // file whose blocks of figures are written anew
+  std::string readme;  // file whose blocks of figures are updated
   int jobs = 0;        // 0: all cores
   unsigned time_limit_seconds = 60;
 };
@@ -87,7 +87,7 @@ cost::CostRequest make_request(const CostOptions& options) {
     request.package_roots.push_back(parse_package_root(root));
   request.package_roots.push_back({"com.penumbra.shadows", library});
   for (const std::string& directory : options.include_directories) {
-    if (!fs::is_directory(directory)) throw InputError("-I", "'" + directory + "' is no folder");
+    if (!fs::is_directory(directory)) throw InputError("-I", "'" + directory + "' is not a folder");
     request.include_directories.emplace_back(directory);
   }
   request.families = families_of(options);
@@ -158,9 +158,9 @@ void compare(const CostOptions& options, const cost::CostReport& report, const c
   const cost::BaselineComparison comparison = cost::compare_with_baseline(
       report, baseline, {families, options.techniques, options.files}, options.tolerance);
   if (report.driver != baseline.driver || report.compiler != baseline.compiler)
-    std::fprintf(stderr, "note: %s is of %s and %s, this run of %s and %s\n", options.baseline.c_str(),
-                 baseline.driver.c_str(), baseline.compiler.c_str(), report.driver.c_str(),
-                 report.compiler.c_str());
+    std::fprintf(stderr, "note: %s was measured with %s and %s, this run with %s and %s\n",
+                 options.baseline.c_str(), baseline.driver.c_str(), baseline.compiler.c_str(),
+                 report.driver.c_str(), report.compiler.c_str());
   if (!context.quiet || !comparison.passed())
     std::fprintf(stderr, "%s", cost::comparison_text(comparison).c_str());
   if (!comparison.passed()) context.exit_code = findings;
@@ -185,7 +185,7 @@ void run_cost(const CostOptions& options, Context& context) {
 }
 
 void add_what(CLI::App& command, CostOptions& options) {
-  command.add_option("files", options.files, "HLSL files of your own")
+  command.add_option("files", options.files, "Your own HLSL files")
       ->type_name("FILE")
       ->default_str("the library's techniques");
   add_technique_option(command, options.techniques, "all, without files");
@@ -194,7 +194,7 @@ void add_what(CLI::App& command, CostOptions& options) {
       ->type_name("STAGE")
       ->check(one_of({"vertex", "fragment", "compute"}));
   one_each(command.add_option("--keyword-set", options.keywords,
-                              "One keyword set of the files, its keywords parted by commas"))
+                              "One keyword set of the files, as a comma-separated list"))
       ->type_name("KEYWORD[,...]")
       ->default_str("the empty set");
   add_package_roots(command, options.package_roots);
@@ -210,14 +210,14 @@ void add_what(CLI::App& command, CostOptions& options) {
 void add_comparison(CLI::App& command, CostOptions& options) {
   command
       .add_option("--baseline", options.baseline,
-                  "Compare with this JSON of an earlier run; exit code 1 when a figure is worse")
+                  "Compare with the JSON of an earlier run; exit code 1 if a figure is worse")
       ->type_name("FILE")
       ->default_str("none");
-  command.add_option("--tolerance", options.tolerance, "Per cent by which a figure may be worse")
+  command.add_option("--tolerance", options.tolerance, "By how many per cent a figure may be worse")
       ->type_name("PERCENT")
       ->check(within(0, 1000));
   command.add_flag("--any-driver", options.any_driver,
-                   "Compare also with figures of other versions of driver and compiler");
+                   "Compare even if the baseline was measured with other versions of driver or compiler");
 }
 
 // The process of one shader, which `cost` starts: not for people, and not in --help.
@@ -233,34 +233,33 @@ void add_worker(CLI::App& app) {
 }  // namespace
 
 void add_cost(CLI::App& app, Context& context) {
-  CLI::App* command = app.add_subcommand(
-      "cost",
-      "Instructions, registers, occupancy and cycles on AMD GPUs, from Mesa's compiler, without a GPU");
+  CLI::App* command = app.add_subcommand("cost",
+                                         "Report instructions, registers, occupancy and cycles on AMD GPUs, "
+                                         "from Mesa's compiler; no GPU is needed");
   auto options = std::make_shared<CostOptions>();
   add_what(*command, *options);
   add_format(*command, options->format, {"table", "json", "csv"});
   add_output_file(*command, options->output);
   add_comparison(*command, *options);
-  command->add_option("--from", options->from, "Take the figures from this JSON; measure nothing")
+  command->add_option("--from", options->from, "Read the figures from this JSON instead of measuring")
       ->type_name("FILE")
       ->default_str("none");
-  command->add_option("--readme", options->readme, "Markdown file whose blocks of figures are written anew")
+  command->add_option("--readme", options->readme, "Markdown file whose blocks of figures are updated")
       ->type_name("FILE")
       ->default_str("none");
   add_jobs(*command, options->jobs);
-  command->add_option("--time-limit", options->time_limit_seconds, "Seconds for one shader")
+  command->add_option("--time-limit", options->time_limit_seconds, "Time limit for one shader")
       ->type_name("SECONDS")
       ->check(within(1, 3600));
-  end_help(
-      *command,
-      "Exit code 1 when a shader fails or a figure is worse than the baseline's, 3 when RADV is missing or "
-      "the\n"
-      "baseline is of other compilers. The figures are static: no cache miss and no overdraw is in them.",
-      {{"penumbra cost", "every technique on three families"},
-       {"penumbra cost --technique tent-5,tent-7 --family navi21", ""},
-       {"penumbra cost My.hlsl --entry Fragment --keyword-set _A,_B --keyword-set _A", "a file of your own"},
-       {"penumbra cost --format json -o cost.json", "a baseline to commit"},
-       {"penumbra cost --baseline cost.json", "exit code 1 when a figure is worse"}});
+  end_help(*command,
+           "The exit code is 1 if a shader fails or a figure is worse than the baseline's, and 3 if RADV is "
+           "missing or the\nbaseline is from other compiler versions. The figures are static: they include "
+           "no cache misses and no overdraw.",
+           {{"penumbra cost", "every technique on three families"},
+            {"penumbra cost --technique tent-5,tent-7 --family navi21", ""},
+            {"penumbra cost My.hlsl --entry Fragment --keyword-set _A,_B --keyword-set _A", "your own file"},
+            {"penumbra cost --format json -o cost.json", "a baseline to commit"},
+            {"penumbra cost --baseline cost.json", "exit code 1 if a figure is worse"}});
   command->callback([command, options, &context] {
     refuse_beside_from(*command, {"files", "--technique", "--family", "--format", "--output", "--baseline",
                                   "--tolerance", "--any-driver", "--readme"});

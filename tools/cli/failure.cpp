@@ -11,7 +11,7 @@ namespace {
 
 Failure mistake_of_ours(const std::string& what) {
   return {internal_error, "internal error: " + what +
-                              "\n  this is a mistake in penumbra " PENUMBRA_VERSION
+                              "\n  this is a bug in penumbra " PENUMBRA_VERSION
                               ", not in your input; please report it with the command line"};
 }
 
@@ -21,7 +21,7 @@ Failure failure_of(const std::exception_ptr& thrown) {
   try {
     std::rethrow_exception(thrown);
   } catch (const platform::Interrupted&) {
-    return {interrupted, "interrupted; finished work is kept and the same command goes on from there"};
+    return {interrupted, "interrupted; finished work is kept, and the same command continues from there"};
   } catch (const InputError& error) {
     return {bad_input, error.what()};
   } catch (const EnvironmentError& error) {
@@ -29,7 +29,7 @@ Failure failure_of(const std::exception_ptr& thrown) {
   } catch (const std::filesystem::filesystem_error& error) {
     return {bad_input, error.what()};
   } catch (const std::bad_alloc&) {
-    return {bad_environment, "out of memory; ask for a smaller image, map or scene"};
+    return {bad_environment, "out of memory; use a smaller picture, map or scene"};
   } catch (const std::exception& error) {
     return mistake_of_ours(error.what());
   } catch (...) {

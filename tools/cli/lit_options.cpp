@@ -9,16 +9,18 @@ namespace penumbra::cli {
 
 void add_lit_options(CLI::App& command, LitArguments& arguments) {
   CLI::Option* lit =
-      command.add_flag("--lit", arguments.wanted, "Sun and sky on materials, instead of visibility alone")
+      command
+          .add_flag("--lit", arguments.wanted,
+                    "Draw the lit scene, with materials, sun and sky, instead of visibility only")
           ->group("Lit view");
   command
       .add_option("--supersampling", arguments.supersampling,
-                  "Samples of a pixel each way; techniques run at this many times the size")
+                  "Supersampling in x and y; techniques run at this multiple of the size")
       ->type_name("N")
       ->check(within(1, 4))
       ->needs(lit)
       ->group("Lit view");
-  command.add_option("--exposure", arguments.exposure_stops, "Brighter or darker, in stops")
+  command.add_option("--exposure", arguments.exposure_stops, "Exposure correction, in stops")
       ->type_name("STOPS")
       ->check(within(-10, 10))
       ->needs(lit)
@@ -32,10 +34,9 @@ lighting::LitSettings light_study(const LitArguments& arguments, study::StudySet
   if (frame.width * factor > kMostPixels || frame.height * factor > kMostPixels) {
     throw InputError(
         "",
-        fmt::format("a picture of {}x{} with {} samples a pixel each way would take frames of more "
-                    "than {} pixels a side",
+        fmt::format("a picture of {}x{} with supersampling {} needs frames larger than {} pixels per side",
                     frame.width, frame.height, factor, kMostPixels),
-        "give a smaller --size or --supersampling 1");
+        "use a smaller --size or --supersampling 1");
   }
   frame.width *= factor;
   frame.height *= factor;

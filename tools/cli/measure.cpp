@@ -254,7 +254,8 @@ void run(const MeasureOptions& options, Context& context) {
 }  // namespace
 
 void add_measure(CLI::App& app, Context& context) {
-  CLI::App* command = app.add_subcommand("measure", "Measure speed against error, compared with ray tracing");
+  CLI::App* command = app.add_subcommand(
+      "measure", "Measure the error of shadow techniques against ray tracing, and their cost");
   auto options = std::make_shared<MeasureOptions>();
   options->lights = {0.53, 2.0, 5.0};
   add_study_options(*command, *options, "all");
@@ -271,41 +272,42 @@ void add_measure(CLI::App& app, Context& context) {
       ->type_name("N")
       ->check(within(0, 1000))
       ->group("Study");
-  command->add_flag("--no-split", options->no_split, "Leave out the references T2 and T3")->group("Study");
   command
-      ->add_option(
-          "--pan-frames", options->pan_frames,
-          "Frames of a slow pan, for shimmer with static noise and with noise per frame; fewer than 2: none")
+      ->add_flag("--no-split", options->no_split, "Do not split the error into map, algorithm and sampling")
+      ->group("Study");
+  command
+      ->add_option("--pan-frames", options->pan_frames,
+                   "Frames of a slow pan in which shimmer is measured, with static noise and with noise per "
+                   "frame; fewer than 2: no shimmer")
       ->type_name("N")
       ->check(within(0, 64))
       ->group("Study");
   command
       ->add_option("--penumbra-pixels", options->penumbra_pixels,
-                   "Enlarge the picture of a scene and light until it has so many pixels in penumbra, up to "
-                   "3840x2160; "
-                   "0: --size stays")
+                   "Enlarge the picture of a scene and light until it has this many penumbra pixels, up to "
+                   "3840x2160; 0: keep --size")
       ->type_name("N")
       ->check(within(0, 1'000'000))
       ->group("Study");
   const auto file = [&](const char* name, std::string& value, const char* description) {
     return command->add_option(name, value, description)->type_name("FILE")->default_str("none");
   };
-  file("--from", options->from, "Take the figures from this results.json; measure nothing");
-  CLI::Option* readme = file("--readme", options->readme, "Markdown file whose result block is replaced");
-  command->add_option("--block", options->block, "The block of --readme, by the name in its markers")
+  file("--from", options->from, "Read the figures from this results.json instead of measuring");
+  CLI::Option* readme = file("--readme", options->readme, "Markdown file whose result block is updated");
+  command->add_option("--block", options->block, "Name of the block of --readme, as in its markers")
       ->type_name("NAME")
       ->needs(readme);
   as_list(command->add_option("--rows", options->rows, "Techniques in the tables of --readme, in this order"))
       ->type_name("NAME")
       ->default_str("all")
       ->needs(readme);
-  CLI::Option* brief =
-      command->add_flag("--brief", options->brief,
-                        "In --readme the table of the middle light, the others folded, and none by scene");
+  CLI::Option* brief = command->add_flag(
+      "--brief", options->brief,
+      "In --readme, show the table of the middle light size, fold the others, and leave out tables by scene");
   brief->needs(readme);
   command
       ->add_flag("--line", options->line,
-                 "In --readme one sentence: penumbra RMSE and fetches under the middle light")
+                 "In --readme, write one sentence: penumbra RMSE and fetches under the middle light size")
       ->needs(readme)
       ->excludes(brief);
   file("--presets", options->presets,
@@ -314,7 +316,7 @@ void add_measure(CLI::App& app, Context& context) {
       ->add_option("-o,--output", options->output,
                    "Folder for results.json, report.html, charts and pictures")
       ->type_name("FOLDER")
-      ->default_str("the JSON alone, on standard output");
+      ->default_str("only the JSON, on standard output");
   end_help(
       *command, "",
       {{"penumbra measure --scene trees,street --technique tent-5,pcss-angular-24-16 --light 0.53,2 -o "
@@ -323,7 +325,7 @@ void add_measure(CLI::App& app, Context& context) {
        {"penumbra measure --scene model.glb --light 2 -o report", "your own model, every technique"},
        {"penumbra measure --adapter mine=MyShadow.hlsl -o report", "your own shadow function"},
        {"penumbra measure --scene trees --technique pcss-angular-24-16 --set blockerSamples=8,16,32", ""},
-       {"penumbra measure --from report/results.json -o again", "the report again, without measuring"}});
+       {"penumbra measure --from report/results.json -o again", "the same report again, without measuring"}});
   command->callback([command, options, &context] {
     refuse_beside_from(*command,
                        {"--readme", "--block", "--rows", "--brief", "--line", "--presets", "--output"});

@@ -26,21 +26,19 @@ void run_merge(const MergeOptions& options, Context& context) {
 }  // namespace
 
 void add_merge(CLI::App& app, Context& context) {
-  CLI::App* command =
-      app.add_subcommand("merge", "Join the reports of all shards of one run, or put one in another form");
+  CLI::App* command = app.add_subcommand(
+      "merge", "Merge the reports of all shards of a run, or convert a report to another format");
   auto options = std::make_shared<MergeOptions>();
   options->report.form = "json";
   command->add_option("reports", options->files, "JSON reports of penumbra validate")
       ->type_name("FILE")
       ->required();
   add_report_options(*command, options->report);
-  end_help(
-      *command,
-      "Each shard of one request must be there just once. Exit code 1 when a variant of the merged report\n"
-      "failed, as that of the run without shards.",
-      {{"penumbra merge shard-1.json shard-2.json -o report.json", "one report of two shards"},
-       {"penumbra merge report.json --format sarif -o report.sarif",
-        "a whole run's report in another form"}});
+  end_help(*command,
+           "Every shard of the run must be given exactly once. The exit code is 1 if a variant failed in any "
+           "shard, as it\nis for a run without shards.",
+           {{"penumbra merge shard-1.json shard-2.json -o report.json", "merge two shards"},
+            {"penumbra merge report.json --format sarif -o report.sarif", "convert a report to SARIF"}});
   command->callback([options, &context] { run_merge(*options, context); });
 }
 

@@ -31,7 +31,7 @@ void check_output_folder(const std::string& folder) {
   std::filesystem::path there = std::filesystem::absolute(folder).lexically_normal();
   while (!std::filesystem::exists(there, status) && there != there.parent_path()) there = there.parent_path();
   if (!std::filesystem::is_directory(there, status)) {
-    throw InputError(folder, "'" + there.string() + "' is a file, and a folder is needed here");
+    throw InputError(folder, "'" + there.string() + "' is a file, not a folder");
   }
   platform::check_file_can_be_written(there / "penumbra-output");
 }

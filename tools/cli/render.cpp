@@ -85,21 +85,23 @@ void render(const RenderOptions& options, const Context& context) {
 }  // namespace
 
 void add_render(CLI::App& app, Context& context) {
-  CLI::App* command = app.add_subcommand("render", "Render techniques beside the ray-traced reference");
+  CLI::App* command =
+      app.add_subcommand("render", "Render shadow techniques next to the ray-traced reference");
   auto options = std::make_shared<RenderOptions>();
   options->lights = {2.0};
   add_study_options(*command, *options, "contact-boxes");
   add_technique_option(*command, options->techniques, "pcss-angular-24-16")->group("What to render");
   add_adapters(*command, options->adapters)->group("What to render");
   add_set_option(*command, "What to render", options->varied);
-  as_list(command->add_option("--frames", options->varied.frames,
-                              "Frames averaged, each with noise of its own; one picture per number"))
+  as_list(
+      command->add_option("--frames", options->varied.frames,
+                          "Number of frames to average, each with different noise; one picture per number"))
       ->type_name("N")
       ->check(within(1, 64))
       ->default_str("1")
       ->group("What to render");
   add_title_option(*command, "What to render", options->varied);
-  command->add_option("--adapters", options->varied.adapters, "Where adapters stand beside the techniques")
+  command->add_option("--adapters", options->varied.adapters, "Position of the adapters among the techniques")
       ->type_name("PLACE")
       ->check(one_of({"first", "last"}))
       ->group("What to render");
@@ -111,9 +113,9 @@ void add_render(CLI::App& app, Context& context) {
   end_help(
       *command, "",
       {{"penumbra render --technique preset-medium,preset-high --light 0.53,5 --sheet presets.png",
-        "one picture, captioned: two presets under two lights, beside the reference"},
+        "one picture with captions: two presets under two lights, next to the reference"},
        {"penumbra render --lit --scene garden --technique preset-high --size 1280x720 --sheet garden.png",
-        "sun and sky on materials"},
+        "lit scene with materials, sun and sky"},
        {"penumbra render --technique pcss-angular-24-16 --set blockerSamples=4,16,64 --crop 300,180,120,80 "
         "--zoom 3 --sheet blockers.png",
         "what a parameter does, enlarged"},

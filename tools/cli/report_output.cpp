@@ -17,7 +17,7 @@ void add_report_options(CLI::App& command, ReportOptions& options) {
   add_output_file(command, options.output);
   command
       .add_option("--root", options.root,
-                  "Folder that files are named relative to in sarif, junit and github")
+                  "Folder to which file names in sarif, junit and github are relative")
       ->type_name("FOLDER")
       ->default_str("the current one");
   command.add_flag("--verbose", options.verbose, "Show every note in the text report");

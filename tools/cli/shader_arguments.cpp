@@ -27,8 +27,8 @@ shaders::PackageRoot parse_package_root(const std::string& text) {
                      "for example com.unity.render-pipelines.core=/packages/core");
   shaders::PackageRoot root{text.substr(0, equals), text.substr(equals + 1)};
   if (!std::filesystem::is_directory(root.directory))
-    throw EnvironmentError("package root of " + root.name + " is no folder: '" + root.directory.string() +
-                           "'");
+    throw EnvironmentError("the package root of " + root.name + " is not a folder: '" +
+                           root.directory.string() + "'");
   return root;
 }
 

@@ -17,13 +17,13 @@ CLI::Option* add_output_file(CLI::App& command, std::string& file) {
 }
 
 CLI::Option* add_format(CLI::App& command, std::string& format, std::vector<std::string> forms) {
-  return command.add_option("--format", format, "Form of what is printed")
-      ->type_name("FORM")
+  return command.add_option("--format", format, "Output format")
+      ->type_name("FORMAT")
       ->check(one_of(std::move(forms)));
 }
 
 CLI::Option* add_jobs(CLI::App& command, int& jobs) {
-  return command.add_option("-j,--jobs", jobs, "How much to do at a time; 0: as many as there are cores")
+  return command.add_option("-j,--jobs", jobs, "Number of parallel jobs; 0: one per core")
       ->type_name("N")
       ->check(within(0, 1024));
 }
@@ -42,8 +42,9 @@ CLI::Option* add_technique_option(CLI::App& command, std::vector<std::string>& t
 
 CLI::Option* add_project(CLI::App& command, std::string& folder) {
   return command
-      .add_option("--project", folder,
-                  "Unity project: its Assets/ and Packages/, and where packages lie; --package-root wins")
+      .add_option(
+          "--project", folder,
+          "Unity project: its Assets/, its Packages/ and the packages it uses; --package-root overrides")
       ->type_name("FOLDER")
       ->default_str("none");
 }
@@ -55,7 +56,7 @@ CLI::Option* add_cginc_root(CLI::App& command, std::string& folder) {
 }
 
 CLI::Option* add_package_roots(CLI::App& command, std::vector<std::string>& roots) {
-  return one_each(command.add_option("--package-root", roots, "Where the files of Packages/NAME/... are"))
+  return one_each(command.add_option("--package-root", roots, "Folder with the files of Packages/NAME/..."))
       ->type_name("NAME=FOLDER")
       ->default_str("none");
 }
@@ -72,10 +73,11 @@ void refuse_beside_from(const CLI::App& command, const std::set<std::string>& ke
 
 void add_source_options(CLI::App& command, std::vector<std::string>& folders,
                         std::vector<std::string>& defines) {
-  one_each(command.add_option("-I,--include", folders, "Folder to look for includes in"))
+  one_each(command.add_option("-I,--include", folders, "Folder to search for includes"))
       ->type_name("FOLDER")
       ->default_str("none");
-  one_each(command.add_option("-D,--define", defines, "Macro for every variant; without a value it is 1"))
+  one_each(
+      command.add_option("-D,--define", defines, "Macro to define for every variant; 1 if no value is given"))
       ->type_name("NAME[=VALUE]")
       ->default_str("none");
 }

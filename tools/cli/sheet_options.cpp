@@ -32,7 +32,7 @@ study::PictureWindow window_of(const std::string& option, const std::string& tex
       std::sscanf(text.c_str(), "%d,%d,%d,%d%c", &window.x, &window.y, &window.width, &window.height, &extra);
   if (read != 4 || window.width < 1 || window.height < 1) {
     throw InputError("",
-                     option + " '" + text + "' is not X,Y,WIDTH,HEIGHT in pixels from the left upper corner");
+                     option + " '" + text + "' is not X,Y,WIDTH,HEIGHT in pixels from the upper left corner");
   }
   return window;
 }
@@ -41,9 +41,9 @@ study::PictureWindow crop_of(const std::string& text, const study::PictureWindow
   const study::PictureWindow window = window_of("--crop", text);
   if (!lies_inside(window, picture)) {
     throw InputError("",
-                     fmt::format("--crop {} reaches beyond the picture of {}x{} pixels", text, picture.width,
+                     fmt::format("--crop {} extends beyond the picture of {}x{} pixels", text, picture.width,
                                  picture.height),
-                     "--size gives another picture");
+                     "--size sets the size of the picture");
   }
   return window;
 }
@@ -54,11 +54,11 @@ std::vector<study::PictureWindow> insets_of(const std::vector<std::string>& text
   for (const std::string& text : texts) {
     insets.push_back(window_of("--inset", text));
     if (lies_inside(insets.back(), shown)) continue;
-    throw InputError("", fmt::format("--inset {} reaches beyond what is shown, {}x{} pixels from {},{}", text,
+    throw InputError("", fmt::format("--inset {} extends beyond what is shown, {}x{} pixels from {},{}", text,
                                      shown.width, shown.height, shown.x, shown.y));
   }
   if (!insets.empty() && study::inset_factor(shown.width * zoom, insets) == 0) {
-    throw InputError("", "the insets are too wide to stand side by side beneath a picture",
+    throw InputError("", "the insets are too wide to fit side by side beneath a picture",
                      "show fewer or smaller ones");
   }
   return insets;
@@ -98,14 +98,13 @@ bool has_mask(const study::Subject& subject) {
 void refuse_without_a_place(const std::filesystem::path& file) {
   const std::filesystem::path folder = file.parent_path();
   if (!folder.empty() && !std::filesystem::is_directory(folder)) {
-    throw InputError(file.string(), "there is no folder '" + folder.string() + "'");
+    throw InputError(file.string(), "the folder '" + folder.string() + "' does not exist");
   }
   if (std::filesystem::is_directory(file)) {
     throw InputError(file.string(), "is a folder", "--sheet names the PNG or JPEG file");
   }
   if (!is_jpeg_name(file) && file.extension() != ".png" && file.extension() != ".PNG") {
-    throw InputError(file.string(), "is called neither .png nor .jpg",
-                     "a sheet is written as PNG or as JPEG");
+    throw InputError(file.string(), "ends in neither .png nor .jpg", "a sheet is written as PNG or as JPEG");
   }
 }
 
@@ -128,34 +127,34 @@ void refuse_too_large(const study::SheetOptions& options, const study::StudySett
 CLI::Option* add_sheet_options(CLI::App& command, SheetArguments& arguments) {
   CLI::Option* sheet = command
                            .add_option("--sheet", arguments.file,
-                                       "Write one PNG or JPEG: the reference and all pictures, captioned")
+                                       "Write one PNG or JPEG with the reference and all pictures, captioned")
                            ->type_name("FILE")
                            ->default_str("none")
                            ->group("Sheet");
   command
       .add_option("--crop", arguments.crop,
-                  "Show, and measure, this part alone, in pixels from the left upper corner")
+                  "Show and measure only this part, in pixels from the upper left corner")
       ->type_name("X,Y,WIDTH,HEIGHT")
       ->default_str("all of the picture")
       ->needs(sheet)
       ->group("Sheet");
-  command.add_option("--zoom", arguments.zoom, "Pixels of the sheet per pixel, each way")
+  command.add_option("--zoom", arguments.zoom, "Enlargement: pixels of the sheet per pixel, in x and y")
       ->type_name("N")
       ->check(within(1, 16))
       ->needs(sheet)
       ->group("Sheet");
   one_each(
-      command.add_option("--inset", arguments.insets, "This part of every picture enlarged beneath it, too"))
+      command.add_option("--inset", arguments.insets, "Part of every picture to show enlarged beneath it"))
       ->type_name("X,Y,WIDTH,HEIGHT")
       ->default_str("none")
       ->needs(sheet)
       ->group("Sheet");
-  command.add_option("--reference", arguments.reference, "Where the ray-traced picture stands")
+  command.add_option("--reference", arguments.reference, "Position of the ray-traced picture")
       ->type_name("PLACE")
       ->check(one_of({"first", "last"}))
       ->needs(sheet)
       ->group("Sheet");
-  command.add_option("--columns", arguments.columns, "Pictures side by side")
+  command.add_option("--columns", arguments.columns, "Pictures per row")
       ->type_name("N")
       ->check(within(1, 64))
       ->default_str("up to four")
@@ -163,9 +162,8 @@ CLI::Option* add_sheet_options(CLI::App& command, SheetArguments& arguments) {
       ->group("Sheet");
   command
       .add_option("--show", arguments.show,
-                  "What of each technique; cascades, shadow-texels, penumbra-width, penumbra-mask and "
-                  "visibility of those "
-                  "over the screen alone")
+                  "What to show of each technique; cascades, shadow-texels, penumbra-width, penumbra-mask "
+                  "and visibility exist for the presets and the screen-... techniques only")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("PICTURE")
@@ -195,12 +193,12 @@ study::SheetOptions sheet_options(const SheetArguments& arguments, const study::
     if (choice.kind == study::SheetPicture::mask &&
         std::none_of(subjects.begin(), subjects.end(), has_mask)) {
       throw InputError("", "--show mask: no technique of this sheet has a mask",
-                       "preset-high has one, and so has what is called ...-masked");
+                       "preset-high and the techniques named ...-masked have one");
     }
     if (choice.kind == study::SheetPicture::debug_view &&
         std::none_of(subjects.begin(), subjects.end(), runs_over_the_screen)) {
-      throw InputError("", "--show " + name + ": no technique of this sheet runs over the screen",
-                       "the presets do, and what is called screen-...");
+      throw InputError("", "--show " + name + ": no technique of this sheet runs as a screen pass",
+                       "the presets and the techniques named screen-... do");
     }
   }
   refuse_too_large(options, settings, subjects.size());

@@ -39,11 +39,12 @@ void look_as_told(const std::vector<double>& numbers, parameters::Camera& camera
   const glm::dvec3 target{numbers[3], numbers[4], numbers[5]};
   const double fov = numbers.size() > 6 ? numbers[6] : camera.fov_y_degrees;
   for (const double number : numbers) {
-    if (!std::isfinite(number)) throw InputError("--camera", "holds a number that is not finite");
+    if (!std::isfinite(number)) throw InputError("--camera", "contains a number that is not finite");
   }
   const glm::dvec3 view = target - position;
   if (glm::length(glm::cross(view, camera.up)) <= 1e-6 * glm::length(view)) {
-    throw InputError("--camera", "looks straight up or down, or nowhere", "move the target a little aside");
+    throw InputError("--camera", "looks straight up or down, or its target is its position",
+                     "move the target sideways");
   }
   if (!(fov >= 1.0 && fov <= 170.0)) {
     throw InputError("--camera", "the field of view must be 1 to 170 degrees");
@@ -71,17 +72,17 @@ void add_scene_options(CLI::App& command, StudyOptions& options, const std::stri
   as_vector(
       number("--sun", options.sun, "DEGREES", "Sun's elevation and azimuth")->default_str("the scene's"), 2,
       2);
-  as_vector(number("--origin", options.origin, "METRES", "Move the scene to this place in the world")
+  as_vector(number("--origin", options.origin, "METRES", "Move the scene to this position in world space")
                 ->default_str("0 0 0"),
             3, 3);
   as_vector(number("--camera", options.camera, "X,Y,Z,X,Y,Z[,DEGREES]",
-                   "Position and target in metres, then perhaps the vertical field of view")
+                   "Camera position and target in metres, optionally followed by the vertical field of view")
                 ->default_str("the scene's"),
             6, 7);
   number("--metres-per-unit", options.import.metres_per_unit, "METRES", "Scale of a model file")
       ->check(positive());
   number("--height", options.import.height_metres, "METRES", "Scale a model file to this height")
-      ->default_str("as its scale says")
+      ->default_str("set by --metres-per-unit")
       ->check(positive());
   command.add_flag("--z-up", options.import.z_up, "The model file's +Z is up")->group(group);
   command.add_flag("!--no-ground", options.import.ground, "Put no ground under a model file")->group(group);
@@ -101,25 +102,25 @@ void add_light_and_map_options(CLI::App& command, StudyOptions& options) {
       ->check(bounds("/shadows/resolution"));
   add("--map-format", options.map_format, "FORMAT", "Depth format of the map")
       ->check(one_of({"d16", "d24", "d32"}));
-  add("--cascades", options.cascades, "N", "Cascades")->check(bounds("/shadows/cascades"));
+  add("--cascades", options.cascades, "N", "Number of cascades")->check(bounds("/shadows/cascades"));
   add("--distance", options.distance_metres, "METRES", "Shadow distance")
       ->check(bounds("/shadows/distance_metres"))
       ->default_str("the scene's");
   constexpr const char* kOwn = "each technique's own";
-  add("--depth-bias", options.depth_bias, "BIAS", "URP's depth bias setting, for all alike")
+  add("--depth-bias", options.depth_bias, "BIAS", "URP's depth bias setting, for all techniques")
       ->check(bounds("/shadows/depth_bias"))
       ->default_str(kOwn);
-  add("--normal-bias", options.normal_bias, "BIAS", "URP's normal bias setting, for all alike")
+  add("--normal-bias", options.normal_bias, "BIAS", "URP's normal bias setting, for all techniques")
       ->check(bounds("/shadows/normal_bias"))
       ->default_str(kOwn);
   add("--soft-quality", options.soft_quality, "QUALITY",
-      "URP's soft shadow quality, which scales both biases, for all alike")
+      "URP's soft shadow quality, which scales both biases, for all techniques")
       ->check(one_of({"off", "low", "medium", "high"}))
       ->default_str(kOwn);
   add("--slope-bias", options.slope_bias, "BIAS",
-      "The rasteriser's bias of casters, times the depth's change from texel to texel")
+      "Slope-scaled depth bias of the rasteriser when it draws the casters")
       ->check(within(0.0, 100.0));
-  add("--reversed-z", options.reversed_z, "BOOL", "Whether depth is 1 near the light")
+  add("--reversed-z", options.reversed_z, "BOOL", "Whether depth is reversed: 1 near the light")
       ->check(one_of({"true", "false"}))
       ->default_str("true");
 }
@@ -138,7 +139,7 @@ void add_study_options(CLI::App& command, StudyOptions& options, const std::stri
       ->check(within(reference::fewest_samples, reference::most_samples));
   add("--seed", options.seed, "N", "Seed of the reference's random numbers");
   add_jobs(command, options.jobs)->group("Study");
-  add("--cache", options.cache, "FOLDER", "Folder that keeps references between runs")
+  add("--cache", options.cache, "FOLDER", "Folder in which references are cached between runs")
       ->default_str("the user's cache");
   add("--device", options.device, "DEVICE", "Vulkan device: part of its name, or its number")
       ->default_str("the first");
@@ -265,7 +266,7 @@ study::StudyProgress study_progress(const Context& context) {
 void make_folder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) throw InputError(folder.string(), "cannot be made: " + error.message());
+  if (error) throw InputError(folder.string(), "cannot be created: " + error.message());
 }
 
 bool is_jpeg_name(const std::filesystem::path& file) {

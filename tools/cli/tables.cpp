@@ -29,13 +29,13 @@ std::string tables_text(const TablesOptions& options) {
 }  // namespace
 
 void add_tables(CLI::App& app, Context& /*context*/) {
-  CLI::App* command =
-      app.add_subcommand("tables", "Fibonacci, Vogel and Poisson disks with their quality figures");
+  CLI::App* command = app.add_subcommand(
+      "tables", "Print the Fibonacci, Vogel and Poisson sample disks, with quality figures");
   auto options = std::make_shared<TablesOptions>();
   add_format(*command, options->format, {"table", "json", "hlsl", "csharp", "cpp"});
   add_output_file(*command, options->output);
   command->add_flag("--generate", options->generate,
-                    "Make the Poisson disks anew instead of printing the shipped ones (seconds)");
+                    "Generate the Poisson disks again instead of printing the shipped ones; takes seconds");
   end_help(*command, "",
            {{"penumbra tables", "how even each disk is"},
             {"penumbra tables --format hlsl -o Disks.hlsl", "the tables for a shader of your own"}});

@@ -177,17 +177,17 @@ Found look_around(const ValidateOptions& options) {
                   [](const project::PackageRoot& root) { return root.name == "com.penumbra.shadows"; });
   if (!has_library) found.roots.packages.push_back({"com.penumbra.shadows", platform::data_directory()});
   for (const std::string& directory : options.include_directories) {
-    if (!fs::is_directory(directory)) throw InputError("-I", "'" + directory + "' is no folder");
+    if (!fs::is_directory(directory)) throw InputError("-I", "'" + directory + "' is not a folder");
     found.roots.directories.emplace_back(directory);
   }
   if (!options.cginc_root.empty() && !fs::is_directory(options.cginc_root))
     throw EnvironmentError("--cginc-root: '" + options.cginc_root +
-                           "' is no folder; it is Editor/Data/CGIncludes of a Unity editor");
+                           "' is not a folder; it should be Editor/Data/CGIncludes of a Unity editor");
   found.roots.cginc = options.cginc_root;
   if (options.unity_version.empty()) return found;
   const std::optional<int> version = variants::unity_version_number(options.unity_version);
   if (!version)
-    throw InputError("--unity-version", "'" + options.unity_version + "' is no version",
+    throw InputError("--unity-version", "'" + options.unity_version + "' is not a version",
                      "for example 2022.3.20f1");
   found.unity_version = *version;
   return found;
@@ -264,7 +264,8 @@ void add_sources(const ValidateOptions& options, validation::ValidationRequest& 
 void check_list(const ValidateOptions& options, bool sources_given) {
   if (!sources_given) throw InputError("--count", "needs shader files or --project");
   if (options.report.form != "text" && options.report.form != "json")
-    throw InputError("--format", "--count has no form '" + options.report.form + "'", "take text or json");
+    throw InputError("--format", "--count cannot be printed as '" + options.report.form + "'",
+                     "use text or json");
 }
 
 void check_outputs(const ValidateOptions& options) {
@@ -329,23 +330,23 @@ void run_validate(const ValidateOptions& options, Context& context) {
 void add_validate(CLI::App& app, Context& context) {
   CLI::App* command = app.add_subcommand(
       "validate",
-      "Compile every variant of shaders for every target, without Unity, and say exactly what is wrong");
+      "Compile every shader variant for every target, without Unity, and report each error at its line");
   auto options = std::make_shared<ValidateOptions>();
   add_validate_options(*command, *options);
-  end_help(
-      *command,
-      "Each target is made from the source as Unity compiles it for that graphics API; --api takes one for "
-      "all.\n"
-      "Exit code 1 when a variant fails. MSL and HLSL are emitted and not compiled: no compiler for them "
-      "runs\n"
-      "here. ESSL and GLSL are compiled and linked by this machine's OpenGL driver through EGL.",
-      {{"penumbra validate --project MyGame", "every shader of a Unity project"},
-       {"penumbra validate Water.shader --keywords '+_NORMALMAP -DEBUG_DISPLAY'", "some of its variants"},
-       {"penumbra validate --project MyGame --count --what-if=-_FOAM", "what the keyword _FOAM multiplies"},
-       {"penumbra validate Water.shader --target spirv,msl23 --minimize",
-        "the few keywords that a failure needs"},
-       {"penumbra validate --project MyGame --shard 1/4 --format json -o shard-1.json",
-        "on one of four machines"}});
+  end_help(*command,
+           "Each target is generated from the source as Unity compiles it for that graphics API; --api uses "
+           "one API for\nall. The exit code is 1 if a variant fails. MSL and HLSL are emitted but not "
+           "compiled, because their compilers\ndo not run here. ESSL and GLSL are compiled and linked by "
+           "this machine's OpenGL driver through EGL.",
+           {{"penumbra validate --project MyGame", "every shader of a Unity project"},
+            {"penumbra validate Water.shader --keywords '+_NORMALMAP -DEBUG_DISPLAY'",
+             "only some variants of a file"},
+            {"penumbra validate --project MyGame --count --what-if=-_FOAM",
+             "how many variants the keyword _FOAM adds"},
+            {"penumbra validate Water.shader --target spirv,msl23 --minimize",
+             "the smallest set of keywords that causes each failure"},
+            {"penumbra validate --project MyGame --shard 1/4 --format json -o shard-1.json",
+             "on one of four machines"}});
   command->callback([options, &context] { run_validate(*options, context); });
 }
 

@@ -29,8 +29,7 @@ struct Parameter {
 };
 
 [[noreturn]] void refuse_twice(const std::string& what) {
-  throw InputError("", what + " is asked for twice",
-                   "every technique and adapter stands once, with every value once");
+  throw InputError("", what + " is given twice", "give every technique, adapter and value once");
 }
 
 std::vector<Parameter> parameters(const std::vector<std::string>& set) {
@@ -125,8 +124,8 @@ void give_titles(std::vector<study::Subject>& subjects, const std::vector<std::s
       std::string names;
       for (const study::Subject& subject : subjects)
         names += (names.empty() ? "'" : ", '") + subject.name + "'";
-      throw InputError("", "--title " + text + ": nothing here is called '" + name + "'",
-                       "there are " + names);
+      throw InputError("", "--title " + text + ": no technique or adapter is named '" + name + "'",
+                       "the names are " + names);
     }
     found->title = title;
   }
@@ -135,7 +134,8 @@ void give_titles(std::vector<study::Subject>& subjects, const std::vector<std::s
 }  // namespace
 
 void add_set_option(CLI::App& command, const std::string& group, VariedSubjects& varied) {
-  one_each(command.add_option("--set", varied.set, "A parameter of the techniques, each value on its own"))
+  one_each(command.add_option("--set", varied.set,
+                              "A parameter of the techniques; several values are tried one by one"))
       ->type_name("NAME=VALUE[,...]")
       ->default_str("each technique's own values")
       ->group(group);
@@ -156,8 +156,8 @@ std::vector<study::Subject> varied_subjects(const StudyOptions& options, const V
   std::vector<std::string> names = options.techniques;
   if (names.empty() && options.adapters.empty()) names.emplace_back(kDefaultTechnique);
   if (names.empty() && !varied.set.empty()) {
-    throw InputError("", "--set changes techniques, and there are only adapters",
-                     "an adapter's uniforms are set with it: --adapter 'NAME=FILE;UNIFORM=a,b,c,d'");
+    throw InputError("", "--set applies to techniques, and only adapters are given",
+                     "set an adapter's uniforms with --adapter 'NAME=FILE;UNIFORM=a,b,c,d'");
   }
   const std::vector<std::vector<Setting>> settings = combinations(parameters(varied.set));
   const std::vector<resolve::Adapter> adapters = chosen_adapters(options);

@@ -91,8 +91,8 @@ void require_same_compilers(const std::string& driver, const std::string& compil
   throw EnvironmentError(
       file + ": measured with " + baseline.driver + " and " + baseline.compiler + ", but this machine has " +
       driver + " and " + compiler +
-      "\n  install those versions, or write the baseline anew here with --format json -o " + file +
-      ", or compare all the same with --any-driver");
+      "\n  install those versions, or write a new baseline on this machine with --format json -o " + file +
+      ", or compare anyway with --any-driver");
 }
 
 std::string comparison_text(const BaselineComparison& comparison) {

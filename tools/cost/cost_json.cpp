@@ -134,7 +134,7 @@ CostReport read_cost_report(const std::filesystem::path& file) {
   report.driver = json.text("driver", "");
   report.compiler = json.text("compiler", "");
   if (report.driver.empty() || !json.has("rows"))
-    throw InputError(file.string(), "is no report of penumbra cost: it has no driver or no rows",
+    throw InputError(file.string(), "is not a report of penumbra cost: it has no driver or no rows",
                      "write one with penumbra cost --format json -o FILE");
   for (JsonObject& family : json.objects("families")) {
     report.families.push_back(

@@ -52,10 +52,10 @@ std::string sudden_end(const platform::ChildResult& result, const NullRadv& radv
     return fmt::format("the driver's compiler did not finish within {:g} s",
                        std::chrono::duration<double>(radv.time_limit).count());
   std::string reason =
-      result.overflowed ? "the driver wrote without end"
+      result.overflowed ? "the driver printed without end"
       : result.exit_code > 128
-          ? "the driver's compiler was ended by signal " + std::to_string(result.exit_code - 128)
-          : "the worker ended with exit code " + std::to_string(result.exit_code) + " and no answer";
+          ? "the driver's compiler was terminated by signal " + std::to_string(result.exit_code - 128)
+          : "the worker ended with exit code " + std::to_string(result.exit_code) + " and without an answer";
   if (const std::string said = last_line(result.errors); !said.empty()) reason += ": " + said;
   return reason;
 }
@@ -85,14 +85,14 @@ RadvFamily open_family(const NullRadv& radv) {
   const platform::ChildResult result = platform::run_child(worker_command(radv));
   const nlohmann::json answer = answer_in(result);
   if (answer.contains("no_device"))
-    throw EnvironmentError("no RADV, Mesa's Vulkan driver for AMD: " +
+    throw EnvironmentError("RADV, Mesa's Vulkan driver for AMD, cannot be used: " +
                            first_line(answer["no_device"].get<std::string>()) + install_it);
   if (answer.contains("device"))
     return {radv.family, answer["device"].get<std::string>(), answer["driver"].get<std::string>()};
   if (answer.contains("failure")) throw EnvironmentError("RADV: " + answer["failure"].get<std::string>());
   // RADV ends the process when it does not know the family.
   if (result.errors.find("Unknown family") != std::string::npos)
-    throw InputError("--family", "this machine's RADV knows no family '" + radv.family + "'",
+    throw InputError("--family", "this machine's RADV does not know the family '" + radv.family + "'",
                      unknown_name_way_out(radv.family, known_family_names()));
   throw EnvironmentError("RADV does not start for family '" + radv.family + "': " + sudden_end(result, radv));
 }
@@ -103,7 +103,7 @@ Measurement measure(const NullRadv& radv, const ModuleToMeasure& module) {
   const std::vector<std::string> problems =
       shaders::validation_problems(module.spirv, shaders::VulkanVersion::v1_1, false);
   if (!problems.empty()) {
-    measurement.failure = "no valid SPIR-V for Vulkan 1.1: " + problems.front();
+    measurement.failure = "not valid SPIR-V for Vulkan 1.1: " + problems.front();
     return measurement;
   }
   platform::ChildCommand command = worker_command(radv);
@@ -114,7 +114,7 @@ Measurement measure(const NullRadv& radv, const ModuleToMeasure& module) {
   try {
     read_answer(answer_in(result), measurement);
   } catch (const nlohmann::json::exception& error) {
-    measurement.failure = std::string("the worker's answer is not one: ") + error.what();
+    measurement.failure = std::string("the worker's answer cannot be read: ") + error.what();
   }
   if (measurement.failure.empty() && measurement.statistics.empty())
     measurement.failure = sudden_end(result, radv);

@@ -83,7 +83,7 @@ class LocatingParser : public json::json_sax_t {
     if (levels_.back()->contains(name)) {
       throw InputError(
           name_ + ":" + std::to_string(key_place_.first) + ":" + std::to_string(key_place_.second),
-          "the key '" + name + "' stands twice in one object", "remove one of them");
+          "the key '" + name + "' appears twice in one object", "remove one of them");
     }
     return true;
   }

@@ -13,7 +13,7 @@ std::size_t only_position(const std::string& text, const std::string& marker, st
                      "put " + block_begin(name) + " and " + block_end(name) + " where the figures belong");
   }
   if (text.find(marker, first + 1) != std::string::npos) {
-    throw InputError(file, "the marker '" + marker + "' stands twice", "remove one of them");
+    throw InputError(file, "the marker '" + marker + "' appears twice", "remove one of them");
   }
   return first;
 }
@@ -57,7 +57,7 @@ std::string replace_block(const std::string& text, std::string_view name, const 
   const std::size_t begin = only_position(text, block_begin(name), name, file) + block_begin(name).size();
   const std::size_t end = only_position(text, block_end(name), name, file);
   if (end < begin) {
-    throw InputError(file, "the figures' end marker '" + block_end(name) + "' stands before their beginning");
+    throw InputError(file, "the end marker '" + block_end(name) + "' comes before the begin marker");
   }
   return text.substr(0, begin) + "\n" + block + text.substr(end);
 }

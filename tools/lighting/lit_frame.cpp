@@ -30,8 +30,8 @@ void check(const scene::FrameSettings& frame, int supersampling) {
       supersampling > 0 && frame.width % supersampling == 0 && frame.height % supersampling == 0;
   if (divides) return;
   throw InputError("", "a frame of " + std::to_string(frame.width) + "x" + std::to_string(frame.height) +
-                           " pixels is no picture of " + std::to_string(supersampling) + "x" +
-                           std::to_string(supersampling) + " samples a pixel");
+                           " pixels is not a picture of " + std::to_string(supersampling) + "x" +
+                           std::to_string(supersampling) + " samples per pixel");
 }
 
 reference::RunOptions run_options(const LitSettings& settings, const LitProgress& progress,

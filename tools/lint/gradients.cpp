@@ -52,13 +52,13 @@ Finding in_loop(const LintedCode& linted, const Function& function, const Diverg
   const bool bounded =
       has_constant_bound(linted.code, function, divergence.flow(), loop_body(divergence.flow(), header));
   const Place place = gradient.instruction.place;
-  Finding finding = finding_at(
-      linted, "gradient-in-varying-loop", place, {"Sample", "ddx", "ddy", "fwidth"},
-      "derivatives are taken in a loop that pixels leave after different rounds, by the condition" +
-          where(linted, function, branch, place) +
-          (bounded ? "; Direct3D unrolls it, elsewhere they are undefined"
-                   : "; Direct3D must unroll it and finds no bound") +
-          ": use SampleLevel or SampleGrad");
+  Finding finding = finding_at(linted, "gradient-in-varying-loop", place, {"Sample", "ddx", "ddy", "fwidth"},
+                               "derivatives are taken in a loop that pixels leave after different numbers of "
+                               "iterations, by the condition" +
+                                   where(linted, function, branch, place) +
+                                   (bounded ? "; Direct3D unrolls it, elsewhere they are undefined"
+                                            : "; Direct3D must unroll it and finds no bound") +
+                                   ": use SampleLevel or SampleGrad");
   if (bounded) finding.diagnostic.severity = hlsl::Severity::warning;
   return finding;
 }
@@ -70,7 +70,7 @@ Finding under_condition(const LintedCode& linted, const Function& function, cons
   return finding_at(
       linted, "divergent-derivative", place, {"Sample", "ddx", "ddy", "fwidth"},
       std::string(derivative ? "a derivative is taken" : "a texture is sampled with implicit derivatives") +
-          " where only some pixels of a quad may come, by the condition" +
+          " where only some pixels of a quad may be active, by the condition" +
           where(linted, function, branch, place) +
           (derivative ? ": take it before the condition"
                       : ": sample before the condition, or use SampleLevel or SampleGrad"));
@@ -122,10 +122,9 @@ std::vector<Finding> unroll_findings(const LintedCode& linted) {
       if (body.empty() || has_constant_bound(linted.code, function, flow, body)) continue;
       Place place = merge.place;
       if (place.line == 0) place = linted.code.instructions()[block.begin].place;
-      findings.push_back(
-          finding_at(linted, "unroll-without-bound", place, {"for", "while", "do"},
-                     "[unroll] on a loop whose rounds no constant bounds: use [loop], or break "
-                     "after a constant number of rounds"));
+      findings.push_back(finding_at(linted, "unroll-without-bound", place, {"for", "while", "do"},
+                                    "[unroll] on a loop without a constant bound on its iterations: use "
+                                    "[loop], or break after a constant number of iterations"));
     }
   }
   return findings;

@@ -85,9 +85,9 @@ void check_sampler_names(const LintedCode& linted, const std::vector<Used>& used
     const bool of_texture = name.rfind("sampler_", 0) == 0;
     findings.push_back(finding_at_declaration(
         linted, "sampler-name", name, {"SamplerState", "SamplerComparisonState", "SAMPLER"},
-        "sampler '" + name + "' is named for no texture this shader samples" +
+        "sampler '" + name + "' is not named after a texture that this shader samples" +
             (of_texture ? " ('" + name.substr(7) + "' is not)" : "") +
-            ", and not for a filter and a wrap mode, as sampler_linear_clamp is"));
+            ", nor after a filter and a wrap mode, such as sampler_linear_clamp"));
   }
 }
 
@@ -175,9 +175,9 @@ void check_interpolators(const LintedCode& linted, hlsl::Stage stage, int shader
   if (sum.registers <= most) return;
   Finding finding =
       finding_at(linted, "register-limit", {}, {},
-                 std::to_string(sum.registers) + " interpolators are used; #pragma target " +
+                 std::to_string(sum.registers) + " interpolators are used; devices of #pragma target " +
                      std::to_string(shader_target / 10) + "." + std::to_string(shader_target % 10) +
-                     " promises devices with " + std::to_string(most) + " that the shader works there");
+                     " may have only " + std::to_string(most));
   finding.diagnostic.severity = hlsl::Severity::note;
   findings.push_back(finding);
 }

@@ -128,11 +128,11 @@ std::vector<Finding> unknown_suppressions(const hlsl::SourceFiles& sources) {
     for (const Comment& comment : comments_of(sources.text(file)))
       for (const Comment::Name& name : comment.names) {
         if (find_rule(name.text) != nullptr) continue;
-        findings.push_back(
-            {"unknown-rule",
-             {file, comment.line, name.column, hlsl::Severity::warning,
-              "there is no rule '" + name.text + "' to disable; " + unknown_name_way_out(name.text, known),
-              sources.line(file, comment.line)}});
+        findings.push_back({"unknown-rule",
+                            {file, comment.line, name.column, hlsl::Severity::warning,
+                             "this comment disables an unknown rule, '" + name.text + "'; " +
+                                 unknown_name_way_out(name.text, known),
+                             sources.line(file, comment.line)}});
       }
   return findings;
 }

@@ -86,7 +86,7 @@ Finding read_finding(const LintedCode& linted, ComponentLayout& layout, const Un
                       "'" + path.substr(path.empty() ? 0 : 1) + "' of what '" + callee +
                           "' returns is read, but not set on every path");
   const std::string name = linted.code.name(read.variable);
-  const std::string where = callee.empty() ? " is read" : " is given to '" + callee + "', which reads it,";
+  const std::string where = callee.empty() ? " is read" : " is passed to '" + callee + "', which reads it,";
   const std::string why = read.ever_set ? " before it is set on every path" : " but never set";
   return finding_at(linted, "read-before-set", read.place, words_of(name, path),
                     missing(layout, name, read.type, read.known) + where + why);

@@ -248,7 +248,7 @@ std::string why_not_emittable(const Cascade& cascade) {
   for (const glm::dmat4* matrix : {&cascade.view, &cascade.projection, &cascade.world_to_shadow}) {
     for (int column = 0; column < 4; ++column) {
       for (int row = 0; row < 4; ++row) {
-        if (!holds((*matrix)[column][row])) return "its matrices do not fit into floats";
+        if (!holds((*matrix)[column][row])) return "its matrices overflow 32-bit floats";
       }
     }
   }
@@ -256,7 +256,7 @@ std::string why_not_emittable(const Cascade& cascade) {
        {cascade.uv_per_metre, cascade.depth_per_metre, cascade.depth_to_radial_hdrp,
         cascade.radial_to_depth.value_or(0.0), cascade.texel_size_metres, cascade.max_penumbra_texels,
         cascade.depth_bias_metres, cascade.normal_bias_metres, cascade.split_sphere.w}) {
-    if (!holds(scale)) return "its scales do not fit into floats";
+    if (!holds(scale)) return "its scales overflow 32-bit floats";
   }
   return {};
 }
@@ -292,7 +292,7 @@ CascadeSet fit_cascades(const Camera& camera, const Light& light, const ShadowSe
     place_matrices(axes, fit_tile(axes, settings, sphere, layout.tile_resolution), set, cascade);
     derive_scales(set, settings, cascade);
     if (const std::string why = why_not_emittable(cascade); !why.empty()) {
-      throw InputError("", fmt::format("cascade {} is beyond measure: {}", i, why),
+      throw InputError("", fmt::format("cascade {} cannot be represented: {}", i, why),
                        "the caster bounds, the angle of view or the light's diameter are extreme");
     }
     set.cascades.push_back(cascade);

@@ -55,7 +55,7 @@ const std::vector<Figure>& figures() {
        [](const Cascade& c) { return one(c.depth_per_metre); }},
       {"depth_to_radial", "DepthToRadial", "Penumbra radius in tile UV per unit of stored depth gap.", 1,
        [](const Cascade& c) { return one(c.depth_to_radial); }},
-      {"radial_to_depth", "RadialToDepth", "Its inverse; 0 stands for none, at angular diameter 0.", 1,
+      {"radial_to_depth", "RadialToDepth", "Its inverse; 0 at angular diameter 0, where there is none.", 1,
        [](const Cascade& c) { return one(c.radial_to_depth.value_or(0.0)); }},
       {"depth_to_radial_hdrp", "DepthToRadialHdrp",
        "HDRP's m00/m22 of the device projection: twice the geometric radius.", 1,

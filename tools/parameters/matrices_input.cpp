@@ -45,7 +45,7 @@ class CascadeReader {
     const bool pair = object.has("view") || object.has("projection");
     const bool shadow = object.has("world_to_shadow");
     if (!pair && !shadow) {
-      object.fail("view", "the cascade holds no matrix", "give view and projection, or world_to_shadow");
+      object.fail("view", "the cascade has no matrix", "give view and projection, or world_to_shadow");
     }
     if (pair) read_pair(object, cascade);
     if (shadow) read_shadow(object, cascade, pair);
@@ -58,7 +58,7 @@ class CascadeReader {
 
  private:
   glm::dmat4 matrix(JsonObject& object, const char* key) const {
-    require(object, key, "view and projection come together");
+    require(object, key, "view and projection must be given together");
     return matrix_from(object.numbers(key, 16).data(), row_major_);
   }
 
@@ -111,12 +111,12 @@ class CascadeReader {
         if (!agree(given, transform(cascade, clip_depth, reversed))) continue;
         object.fail(
             "world_to_shadow",
-            "the shadow matrix does not follow from view and projection as the file describes them",
-            fmt::format("it does with clip_depth {} and reversed_z {}", name_of(clip_depth), reversed));
+            "the shadow matrix does not match view and projection as the file describes them",
+            fmt::format("it matches with clip_depth {} and reversed_z {}", name_of(clip_depth), reversed));
       }
     }
     object.fail(
-        "world_to_shadow", "the shadow matrix does not follow from view and projection",
+        "world_to_shadow", "the shadow matrix does not match view and projection",
         "dump all three in the same frame, with the resolution and the number of cascades of the map");
   }
 
@@ -127,8 +127,9 @@ class CascadeReader {
     const double cosine = glm::dot(glm::normalize(depth), *light_direction_);
     if (cosine > 0.9999) return;
     if (cosine < -0.9999) {
-      object.fail(key, "depth runs against the light: reversed_z or light_direction is the wrong way round",
-                  "light_direction is the way the light travels (transform.forward of Unity's light)");
+      object.fail(
+          key, "depth runs against the light: reversed_z or light_direction is inverted",
+          "light_direction is the direction in which the light travels (transform.forward of Unity's light)");
     }
     object.fail(key, fmt::format("depth runs {:.4g} degrees off light_direction",
                                  std::acos(cosine) * 57.29577951308232));
@@ -268,7 +269,7 @@ MatricesDump read_matrices(const LocatedJson& document) {
     Cascade cascade = reader.read(cascades[static_cast<std::size_t>(i)], i, tile_rectangle(layout, i));
     derive_scales(set, dump.settings, cascade);
     if (const std::string why = why_not_emittable(cascade); !why.empty()) {
-      root.fail("cascades", fmt::format("cascade {} is beyond measure: {}", i, why));
+      root.fail("cascades", fmt::format("cascade {} cannot be represented: {}", i, why));
     }
     set.cascades.push_back(cascade);
   }

@@ -29,7 +29,7 @@ std::string why_not_affine(const glm::dmat4& m) {
   if (last == glm::dvec4(0, 0, 0, 1)) return {};
   const glm::dvec4 transposed_last = m[3];
   if (transposed_last == glm::dvec4(0, 0, 0, 1)) {
-    return "is affine only when read the other way: matrix_order is wrong";
+    return "is affine only in the other matrix order: matrix_order is wrong";
   }
   return fmt::format("is a perspective projection: its last row is {} {} {} {}, not 0 0 0 1", last.x, last.y,
                      last.z, last.w);
@@ -42,8 +42,9 @@ std::string why_not_perpendicular(const glm::dmat4& m) {
     const glm::dvec3 b = matrix_row(m, j);
     const double cosine = glm::dot(a, b) / (glm::length(a) * glm::length(b));
     if (std::abs(cosine) > kRounding) {
-      return fmt::format("is sheared: rows {} and {} stand at {:.6g} degrees, not 90", std::min(i, j),
-                         std::max(i, j), std::acos(std::clamp(cosine, -1.0, 1.0)) * 57.29577951308232);
+      return fmt::format("is sheared: the angle between rows {} and {} is {:.6g} degrees, not 90",
+                         std::min(i, j), std::max(i, j),
+                         std::acos(std::clamp(cosine, -1.0, 1.0)) * 57.29577951308232);
     }
   }
   return {};

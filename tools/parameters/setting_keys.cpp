@@ -28,16 +28,17 @@ std::vector<SettingKey> camera_keys() {
   const Camera camera;
   return {
       {"/camera/position", "3 numbers", "m", -kLongest, kLongest, false, text_of(camera.position),
-       "--position", "where the camera stands"},
+       "--position", "camera position"},
       {"/camera/forward", "3 numbers", "", 0, 0, false, text_of(camera.forward), "--forward",
-       "where it looks; any length but 0"},
-      {"/camera/up", "3 numbers", "", 0, 0, false, text_of(camera.up), "", "its up, not parallel to forward"},
+       "viewing direction; any length except 0"},
+      {"/camera/up", "3 numbers", "", 0, 0, false, text_of(camera.up), "",
+       "the camera's up vector, not parallel to forward"},
       {"/camera/fov_y_degrees", "number", "degrees", 0, 180, true, text_of(camera.fov_y_degrees), "--fov",
-       "full vertical angle of view"},
+       "vertical field of view, full angle"},
       {"/camera/aspect", "number", "", 1e-3, 1e3, false, text_of(camera.aspect), "--aspect",
-       "width over height"},
+       "aspect ratio, width / height"},
       {"/camera/near", "number", "m", kShortest, kLongest, false, text_of(camera.near_plane), "--near",
-       "near plane, before the far plane"},
+       "near plane, closer than the far plane"},
       {"/camera/far", "number", "m", kShortest, kLongest, false, text_of(camera.far_plane), "--far",
        "far plane"},
   };
@@ -47,7 +48,7 @@ std::vector<SettingKey> light_keys() {
   const Light light;
   return {
       {"/light/direction", "3 numbers", "", 0, 0, false, text_of(light.direction), "--light-direction",
-       "the way the light travels; any length but 0"},
+       "direction in which the light travels; any length except 0"},
       {"/light/angular_diameter_degrees", "number", "degrees", 0, 30, false,
        text_of(light.angular_diameter_degrees), "--light", "angular diameter of the light's disc"},
   };
@@ -58,11 +59,11 @@ std::vector<SettingKey> shadow_keys() {
   const auto truth = [](bool value) { return std::string(value ? "true" : "false"); };
   return {
       {"/shadows/distance_metres", "number", "m", kShortest, kLongest, false,
-       text_of(shadows.distance_metres), "--distance", "shadow distance, beyond the near plane"},
+       text_of(shadows.distance_metres), "--distance", "shadow distance, farther than the near plane"},
       {"/shadows/cascades", "whole number", "", 1, 4, false, fmt::format("{}", shadows.cascades),
        "--cascades", "number of cascades"},
       {"/shadows/splits", "up to 3 numbers", "", 0, 1, true, "URP's", "--splits",
-       "where all cascades but the last end, as growing fractions of the distance"},
+       "ends of all cascades except the last, as increasing fractions of the shadow distance"},
       {"/shadows/resolution", "whole number", "texels", 8, 16384, false,
        fmt::format("{}", shadows.resolution), "--map-size", "width of the cascade atlas"},
       {"/shadows/depth_bias", "number", "", 0, 1e3, false, text_of(shadows.depth_bias), "--depth-bias",
@@ -72,22 +73,22 @@ std::vector<SettingKey> shadow_keys() {
       {"/shadows/soft_quality", "name", "", 0, 0, false, name_of(shadows.soft_quality), "--soft-quality",
        "off, low, medium or high: URP's soft shadow quality, which scales both biases"},
       {"/shadows/reversed_z", "true or false", "", 0, 0, false, truth(shadows.reversed_z), "--reversed-z",
-       "whether depth is 1 near the light"},
+       "whether depth is reversed: 1 near the light"},
       {"/shadows/clip_depth", "name", "", 0, 0, false, name_of(shadows.clip_depth), "--clip-depth",
-       "zero_to_one or minus_one_to_one: the convention of the projections that are printed"},
-      {"/shadows/depth_range_metres", "number", "m", kShortest, kLongest, false, "of the fit",
-       "--depth-range", "depth range of every cascade; not beside caster_bounds"},
+       "zero_to_one or minus_one_to_one: clip-space depth range of the printed projections"},
+      {"/shadows/depth_range_metres", "number", "m", kShortest, kLongest, false, "computed", "--depth-range",
+       "depth range of every cascade; not together with caster_bounds"},
       {"/shadows/caster_bounds", "object", "", 0, 0, false, "none", "",
-       "world box of all casters, which fixes the depth range"},
+       "world-space bounding box of all shadow casters, which sets the depth range"},
       {"/shadows/caster_bounds/min", "3 numbers", "m", -kLongest, kLongest, false, "required", "",
-       "its smallest corner"},
+       "minimum corner"},
       {"/shadows/caster_bounds/max", "3 numbers", "m", -kLongest, kLongest, false, "required", "",
-       "its largest corner"},
+       "maximum corner"},
       {"/shadows/fit_to_bounds", "true or false", "", 0, 0, false, truth(shadows.fit_to_bounds), "",
-       "whether the cascades are fitted to caster_bounds too"},
+       "whether the cascades are also fitted to caster_bounds"},
       {"/shadows/near_plane_offset_metres", "number", "m", 0, kLongest, false,
        text_of(shadows.near_plane_offset_metres), "",
-       "Unity's shadow near plane, added before the cascade's sphere"},
+       "Unity's shadow near plane offset, added in front of the cascade's bounding sphere"},
   };
 }
 
@@ -123,7 +124,7 @@ const std::vector<SettingKey>& setting_keys() {
 const SettingKey& setting_key(std::string_view key) {
   for (const SettingKey& setting : setting_keys())
     if (setting.key == key) return setting;
-  throw std::out_of_range("no setting is called " + std::string(key));
+  throw std::out_of_range("unknown setting " + std::string(key));
 }
 
 std::string setting_keys_table() {

@@ -40,7 +40,8 @@ class Inspector {
     }
     const double length = glm::length(value);
     if (!(length > 1e-150 && length < 1e150)) {
-      report(key, fmt::format("has length {}; a direction needs one", length), "any length but zero serves");
+      report(key, fmt::format("has length {}, so it has no direction", length),
+             "any length except zero is valid");
     }
   }
 
@@ -61,15 +62,15 @@ void inspect_camera(const Camera& camera, Inspector& inspect) {
   inspect.direction("/camera/up", camera.up);
   if (inspect.clean()) {
     const double sine = glm::length(glm::cross(glm::normalize(camera.forward), glm::normalize(camera.up)));
-    if (sine < 1e-6) inspect.report("/camera/up", "is parallel to /camera/forward", "give another up");
+    if (sine < 1e-6) inspect.report("/camera/up", "is parallel to /camera/forward", "use another up vector");
   }
   inspect.number("/camera/fov_y_degrees", camera.fov_y_degrees);
   inspect.number("/camera/aspect", camera.aspect);
   inspect.number("/camera/near", camera.near_plane);
   inspect.number("/camera/far", camera.far_plane);
   if (camera.near_plane >= camera.far_plane) {
-    inspect.report("/camera/near", fmt::format("is {} m, not before the far plane at {} m", camera.near_plane,
-                                               camera.far_plane));
+    inspect.report("/camera/near", fmt::format("is {} m, not closer than the far plane at {} m",
+                                               camera.near_plane, camera.far_plane));
   }
 }
 
@@ -90,10 +91,11 @@ void inspect_splits(const Camera& camera, const ShadowSettings& settings, Inspec
                      "splits are fractions of the shadow distance");
     } else if (split <= previous) {
       inspect.report("/shadows/splits",
-                     i == 0 ? fmt::format("[0] ends cascade 0 at {} m, not beyond the near plane at {} m",
-                                          split * distance, camera.near_plane)
-                            : fmt::format("[{}] is {}, not greater than {} before it", i, split, previous),
-                     "splits grow from the near plane to the shadow distance");
+                     i == 0
+                         ? fmt::format("[0] ends cascade 0 at {} m, not farther than the near plane at {} m",
+                                       split * distance, camera.near_plane)
+                         : fmt::format("[{}] is {}, not greater than {} before it", i, split, previous),
+                     "splits increase from the near plane to the shadow distance");
     }
     previous = split;
   }
@@ -101,21 +103,22 @@ void inspect_splits(const Camera& camera, const ShadowSettings& settings, Inspec
 
 void inspect_bounds(const ShadowSettings& settings, Inspector& inspect) {
   if (settings.fit_to_bounds && !settings.caster_bounds) {
-    inspect.report("/shadows/fit_to_bounds", "is set without caster_bounds", "give the bounds to fit to");
+    inspect.report("/shadows/fit_to_bounds", "is set without caster_bounds", "set the bounds to fit to");
   }
   if (!settings.caster_bounds) return;
   inspect.point("/shadows/caster_bounds", "/shadows/caster_bounds/min", settings.caster_bounds->minimum);
   inspect.point("/shadows/caster_bounds", "/shadows/caster_bounds/max", settings.caster_bounds->maximum);
   for (int axis = 0; axis < 3; ++axis) {
     if (settings.caster_bounds->minimum[axis] > settings.caster_bounds->maximum[axis]) {
-      inspect.report(
-          "/shadows/caster_bounds",
-          fmt::format("has its minimum {} beyond its maximum {} on {}", settings.caster_bounds->minimum[axis],
-                      settings.caster_bounds->maximum[axis], "xyz"[axis]));
+      inspect.report("/shadows/caster_bounds",
+                     fmt::format("has a minimum of {} above its maximum of {} on {}",
+                                 settings.caster_bounds->minimum[axis], settings.caster_bounds->maximum[axis],
+                                 "xyz"[axis]));
     }
   }
   if (settings.depth_range_metres) {
-    inspect.report("/shadows/caster_bounds", "stands beside depth_range_metres; only one can fix the range",
+    inspect.report("/shadows/caster_bounds",
+                   "is given together with depth_range_metres; only one can set the range",
                    "remove one of them");
   }
 }
@@ -124,7 +127,7 @@ void inspect_shadows(const Camera& camera, const ShadowSettings& settings, Inspe
   inspect.number("/shadows/distance_metres", settings.distance_metres);
   if (settings.distance_metres <= camera.near_plane) {
     inspect.report("/shadows/distance_metres",
-                   fmt::format("is {} m, not beyond the camera's near plane at {} m",
+                   fmt::format("is {} m, not farther than the camera's near plane at {} m",
                                settings.distance_metres, camera.near_plane));
   }
   inspect.number("/shadows/cascades", settings.cascades);

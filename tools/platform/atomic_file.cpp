@@ -40,7 +40,7 @@ bool flush_to_disk(std::FILE* stream) {
   std::filesystem::remove(temporary, ignored);
   const bool full = reason == ENOSPC;
   throw InputError(file.string(), std::string("cannot be written: ") + std::strerror(reason),
-                   full ? "free some space or name another folder; nothing was changed"
+                   full ? "free some space or choose another folder; nothing was changed"
                         : "check the folder and its permissions; nothing was changed");
 }
 

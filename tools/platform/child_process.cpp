@@ -33,7 +33,7 @@ class TemporaryStream {
  public:
   TemporaryStream() : file_(std::tmpfile()) {
     if (file_ == nullptr) {
-      throw EnvironmentError(std::string("no temporary file can be made: ") + std::strerror(errno));
+      throw EnvironmentError(std::string("a temporary file cannot be created: ") + std::strerror(errno));
     }
   }
   ~TemporaryStream() { std::fclose(file_); }

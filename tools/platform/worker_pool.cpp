@@ -96,7 +96,7 @@ class Seat {
   void watch() {
     if (!process_) return;
     const auto spent = Clock::now() - since_;
-    if (!ready_ && spent > start_limit) throw EnvironmentError("a worker process does not start");
+    if (!ready_ && spent > start_limit) throw EnvironmentError("a worker process did not start in time");
     if (!busy_ || spent < watch_interval) return;
     if (spent > pool_.limits.time) return fail("took longer than " + seconds_text(pool_.limits.time));
     if (process_->resident_bytes() > pool_.limits.memory)
@@ -133,16 +133,17 @@ class Seat {
       case FrameKind::settings:
       case FrameKind::message:
       case FrameKind::reply:
-        return fail("lost its way");  // these go the other way: memory was overwritten
+        return fail("sent a message that makes no sense");  // these go the other way: memory was overwritten
     }
-    fail("lost its way");
+    fail("sent a message that makes no sense");
   }
 
   // The worker has closed its end without being told to.
   void ended() {
     const int status = process_->end();
     if (!ready_) {
-      throw EnvironmentError("a worker process ended before it began; it said:\n" + process_->last_words());
+      throw EnvironmentError("a worker process ended before it was ready; its output:\n" +
+                             process_->last_words());
     }
     if (!busy_) {  // between two messages: nobody's fault that is waiting
       process_.reset();
@@ -151,9 +152,9 @@ class Seat {
     if (!WIFSIGNALED(status)) return fail("ended with exit code " + std::to_string(WEXITSTATUS(status)));
     const int signal = WTERMSIG(status);
     if (signal == SIGXCPU)
-      return fail("took more than " + seconds_text(pool_.limits.processor_time) + " of processor time");
+      return fail("took more than " + seconds_text(pool_.limits.processor_time) + " of CPU time");
     outcome_.from_outside = signal == SIGKILL || signal == SIGTERM || signal == SIGHUP || signal == SIGINT;
-    fail((outcome_.from_outside ? "was ended from outside with " : "crashed with ") + signal_name(signal));
+    fail((outcome_.from_outside ? "was killed from outside with " : "crashed with ") + signal_name(signal));
   }
 
   void fail(std::string reason) {

@@ -138,8 +138,8 @@ void drop(TokenText& text, const TwinnedFunction& gone, const TwinnedFunction& k
   const bool same = same_bodies(text, *gone.declaration, *kept.declaration);
   text.note(gone.declaration->name, hlsl::Severity::note,
             "'" + gone.name + list(gone.parameters) + "' differs from '" + kept.name + list(kept.parameters) +
-                "' in precision alone, which is not told apart here; the body at " + text.file_of(kept_at) +
-                ":" + std::to_string(text[kept_at].line) + " is used for both" +
+                "' only in precision, which is ignored here; the body at " + text.file_of(kept_at) + ":" +
+                std::to_string(text[kept_at].line) + " is used for both" +
                 (same ? "" : ", and the two bodies differ in more than their types"));
   text.replace(gone.declaration->open, gone.declaration->close - gone.declaration->open + 1, ";");
 }

@@ -65,7 +65,7 @@ void add_package_places(const IncludeRoots& roots, const std::string& header, Pl
 
 void add_asset_places(const IncludeRoots& roots, const std::string& header, Places& places) {
   if (roots.project.empty()) {
-    places.hint = "--project DIR names the folder that holds Assets/";
+    places.hint = "name the folder that contains Assets/ with --project DIR";
     return;
   }
   places.tried.push_back({roots.project, header});
@@ -142,8 +142,8 @@ std::string missing_message(std::string_view asked, const Places& places) {
 
 std::string missing_editor_message(std::string_view name, const fs::path& cginc) {
   const std::string start = "cannot find '" + std::string(name) + "'";
-  const std::string ships = "it ships with the Unity editor (Editor/Data/CGIncludes) and in no package";
-  if (cginc.empty()) return start + ": " + ships + "; --cginc-root DIR names that folder";
+  const std::string ships = "it ships only with the Unity editor (Editor/Data/CGIncludes)";
+  if (cginc.empty()) return start + ": " + ships + "; name that folder with --cginc-root DIR";
   return start + " in " + cginc.string() + ", which --cginc-root names: " + ships +
          "; is this the folder of an editor that has it?";
 }

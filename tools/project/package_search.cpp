@@ -105,7 +105,7 @@ class PackageSearch {
       const PackageManifest manifest = read_package_manifest(folder);
       if (!manifest.name.empty() && manifest.name != name)
         say(where, hlsl::Severity::warning,
-            "'" + name + "' is asked for, but " + folder.string() + " holds the package '" + manifest.name +
+            "'" + name + "' is required, but " + folder.string() + " holds the package '" + manifest.name +
                 "'; correct the name or the path");
     } catch (const InputError& error) {
       problems_.push_back(diagnostic_from(error, folder / "package.json", hlsl::Severity::warning));
@@ -148,7 +148,7 @@ class PackageSearch {
     const std::string tried = folder ? "there is no folder " + folder->string()
                                      : "it is neither embedded in Packages/ nor in Library/PackageCache";
     say(request.where, hlsl::Severity::warning,
-        "'" + name + "' (" + request.version + ") is nowhere: " + tried +
+        "'" + name + "' (" + request.version + ") was not found: " + tried +
             "; open the project once in the Unity editor, or give --package-root " + name + "=DIR");
   }
 
@@ -159,7 +159,7 @@ class PackageSearch {
       list.append(i == 0 ? "" : ", ").append(missing_[i]);
     if (missing_.size() > shown) list += " and " + std::to_string(missing_.size() - shown) + " more";
     say(sources_.manifest.requested.at(missing_.front()).where, hlsl::Severity::warning,
-        std::to_string(missing_.size()) + " packages are nowhere, because the project has no " +
+        std::to_string(missing_.size()) + " packages were not found, because the project has no " +
             "Library/PackageCache: " + list + "; open the project once in the Unity editor, or give " +
             "--package-root NAME=DIR for each that the shaders include");
   }

@@ -96,8 +96,8 @@ void add_place(const fs::path& place, ShaderWalk& walk, std::vector<fs::path>& n
   if (fs::is_directory(place, ignored)) return walk.add(place);
   if (!fs::exists(place, ignored)) throw InputError(place.string(), "no such file or folder");
   if (!is_imported_shader(place) && !has_extension(place, ".hlsl"))
-    throw InputError(place.string(), "is no shader file",
-                     "give a folder, or a .shader, .compute or .hlsl file");
+    throw InputError(place.string(), "is not a shader file",
+                     "name a folder, or a .shader, .compute or .hlsl file");
   named.push_back(place);
 }
 
@@ -121,7 +121,7 @@ class Filter {
                             0,
                             0,
                             hlsl::Severity::warning,
-                            "--include '" + selection_.include[i] + "' matches no shader file",
+                            "--only '" + selection_.include[i] + "' matches no shader file",
                             {}});
   }
 

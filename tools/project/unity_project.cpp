@@ -29,8 +29,8 @@ void check_is_project(const fs::path& directory) {
   if (!fs::exists(directory, ignored)) throw InputError(directory.string(), "no such folder");
   if (!is_folder(directory)) throw InputError(directory.string(), "is a file, not the folder of a project");
   if (!is_folder(directory / "Assets") && !is_folder(directory / "Packages"))
-    throw InputError(directory.string(), "is no Unity project: it holds neither Assets/ nor Packages/",
-                     "give the folder that holds Assets/");
+    throw InputError(directory.string(), "is not a Unity project: it contains neither Assets/ nor Packages/",
+                     "name the folder that contains Assets/");
 }
 
 std::optional<EditorVersion> read_editor_version(const fs::path& file,
@@ -47,14 +47,14 @@ std::optional<EditorVersion> read_editor_version(const fs::path& file,
         start == std::string::npos || end < start ? "" : line.substr(start, end + 1 - start);
     std::optional<EditorVersion> version = parse_editor_version(text);
     if (!version)
-      problems.push_back({file.string(), number, 0, hlsl::Severity::warning,
-                          "'" + text + "' is no editor version like 2022.3.20f1; UNITY_VERSION is not known",
-                          line});
+      problems.push_back(
+          {file.string(), number, 0, hlsl::Severity::warning,
+           "'" + text + "' is not an editor version like 2022.3.20f1; UNITY_VERSION is not known", line});
     return version;
   }
   problems.push_back(
       diagnostic_of(file, hlsl::Severity::note,
-                    std::string(number == 0 ? "is missing or empty" : "names no m_EditorVersion") +
+                    std::string(number == 0 ? "is missing or empty" : "has no m_EditorVersion") +
                         "; the project's UNITY_VERSION is not known"));
   return std::nullopt;
 }

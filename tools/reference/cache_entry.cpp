@@ -22,8 +22,8 @@ void CacheEntryWriter::write(const std::filesystem::path& file) {
   std::error_code error;
   std::filesystem::create_directories(file.parent_path(), error);
   if (error) {
-    throw InputError(file.parent_path().string(), "the cache folder cannot be made: " + error.message(),
-                     "name another with the environment variable PENUMBRA_CACHE");
+    throw InputError(file.parent_path().string(), "the cache folder cannot be created: " + error.message(),
+                     "choose another with the environment variable PENUMBRA_CACHE");
   }
   content_ += hash_of(content_);
   platform::write_file_atomically(file, content_);

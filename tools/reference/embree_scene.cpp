@@ -16,7 +16,7 @@ void fill_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format,
                  const std::vector<Element>& elements, std::size_t per_item) {
   auto* buffer = static_cast<Element*>(rtcSetNewGeometryBuffer(
       geometry, type, 0, format, per_item * sizeof(Element), elements.size() / per_item));
-  if (buffer == nullptr) throw EnvironmentError("Embree found no memory for the scene");
+  if (buffer == nullptr) throw EnvironmentError("Embree ran out of memory for the scene");
   std::copy(elements.begin(), elements.end(), buffer);
 }
 

@@ -19,7 +19,8 @@ bool finite(const glm::dvec3& vector) {
 DiscLight disc_light(const parameters::Light& light) {
   const double length = glm::length(light.direction);
   if (!finite(light.direction) || !(length > 0.0) || !std::isfinite(length)) {
-    throw InputError("", "the light's direction is zero or not finite", "give the way the light travels");
+    throw InputError("", "the light's direction is zero or not finite",
+                     "give the direction in which the light travels");
   }
   const double diameter = light.angular_diameter_degrees;
   if (!(diameter >= 0.0 && diameter <= 30.0)) {

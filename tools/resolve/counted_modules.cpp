@@ -50,9 +50,9 @@ void refuse_uncounted_fetches(shaders::CompileRequest counting, const std::strin
   if (uncounted.empty()) return;
   const shaders::ImageInstruction& first = uncounted.front();
   throw InputError(first.line == 0 ? shader : first.file + ":" + std::to_string(first.line),
-                   "function '" + first.function + "' reads a texture past the sampling macros (" +
+                   "function '" + first.function + "' reads a texture without the sampling macros (" +
                        first.opcode + "), so its fetches cannot be counted",
-                   "use SAMPLE_TEXTURE2D_SHADOW, LOAD_TEXTURE2D_LOD, GATHER_RED_TEXTURE2D and their like");
+                   "use SAMPLE_TEXTURE2D_SHADOW, LOAD_TEXTURE2D_LOD, GATHER_RED_TEXTURE2D or similar");
 }
 
 }  // namespace penumbra::resolve

@@ -29,7 +29,7 @@ ScreenPass::ScreenPass(const gpu::Device& device, const CompiledScreenPass& comp
   const std::vector<shaders::Resource> of_vertex = shaders::reflect(compiled.vertex).resources;
   if (!of_vertex.empty()) {
     throw InputError(name_, "the vertex stage reads '" + of_vertex.front().name + "'",
-                     "a pass over the screen needs nothing but SV_VertexID there");
+                     "the vertex stage of a screen pass needs only SV_VertexID");
   }
   bound_ = shaders::reflect(module == Module::counting ? compiled.counting : compiled.fragment).resources;
 }

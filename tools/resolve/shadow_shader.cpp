@@ -120,7 +120,7 @@ std::map<std::string, std::string> named_at(const std::vector<std::uint32_t>& sp
 
 const MissingName kAdapterFunction{
     "ShadowVisibility",
-    "an adapter defines: float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)"};
+    "an adapter must define: float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)"};
 
 }  // namespace
 
@@ -141,7 +141,7 @@ ShadowShader technique_shader(const shaders::TechniqueList& list, const shaders:
 
 ShadowShader adapter_shader(const Adapter& adapter, bool reversed_z) {
   if (!std::filesystem::is_regular_file(adapter.file)) {
-    throw InputError(adapter.file.string(), "no such file", "--adapter names an HLSL file of yours");
+    throw InputError(adapter.file.string(), "no such file", "--adapter takes the name of an HLSL file");
   }
   ShadowShader shader;
   shader.name = adapter.name;

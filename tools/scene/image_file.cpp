@@ -36,8 +36,8 @@ constexpr int kChannels = 4;
 static_assert(kLargestImageSide == STBI_MAX_DIMENSIONS);
 
 [[noreturn]] void refuse(const std::string& name) {
-  throw InputError(name, fmt::format("no picture that can be read: {}", stbi_failure_reason()),
-                   "PNG, JPEG, TGA and BMP are read");
+  throw InputError(name, fmt::format("cannot be read as a picture: {}", stbi_failure_reason()),
+                   "PNG, JPEG, TGA and BMP can be read");
 }
 
 }  // namespace
@@ -52,7 +52,7 @@ Texture decode_image(std::span<const std::byte> bytes, const std::string& name) 
   Texture texture;
   if (stbi_info_from_memory(data, length, &texture.width, &texture.height, &channels) == 0) refuse(name);
   if (texture.width > kLargestImageSide || texture.height > kLargestImageSide) {
-    throw InputError(name, fmt::format("has {} x {} pixels; {} a side is the limit", texture.width,
+    throw InputError(name, fmt::format("has {} x {} pixels; the limit is {} per side", texture.width,
                                        texture.height, kLargestImageSide));
   }
   const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(

@@ -86,7 +86,7 @@ double scale_of(const parameters::Bounds& bounds, const ImportOptions& options,
     if (extent.y < 1e-6 * largest) {
       throw InputError(file.string(),
                        "has no height that could be scaled to " + shown(options.height_metres) + " m",
-                       "give metres per unit instead, or say that +Z is up");
+                       "give metres per unit instead, or set that +Z is up");
     }
     scale = options.height_metres / extent.y;
   }
@@ -147,7 +147,7 @@ Scene import(const std::filesystem::path& file, const ImportOptions& options) {
   ModelFile model = read_model_file(file, options.triangle_limit);
   if (options.z_up || options.minus_z_up) stand_up(model, options.z_up ? 1.0 : -1.0);
   drop_triangles_without_area(model);
-  if (model.indices.empty()) throw InputError(file.string(), "has no triangle with an area");
+  if (model.indices.empty()) throw InputError(file.string(), "has only triangles without area");
   add_missing_normals(model);
   const parameters::Bounds bounds = bounds_of(model);
   const double scale = scale_of(bounds, options, file);

@@ -45,9 +45,9 @@ Scene package_model(std::string_view name, const ImportOptions& options, const s
   const std::filesystem::path file = share / found->file;
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored)) {
-    throw EnvironmentError("the model '" + found->name + "' is not at " + file.string() +
-                           "\n  it comes with the package " + found->debian_package + ": apt-get install " +
-                           found->debian_package);
+    throw EnvironmentError("the model '" + found->name + "' was not found at " + file.string() +
+                           "\n  it comes with the Debian package " + found->debian_package +
+                           ": apt-get install " + found->debian_package);
   }
   ImportOptions scaled = options;
   const bool own_scale =
@@ -56,7 +56,7 @@ Scene package_model(std::string_view name, const ImportOptions& options, const s
   scaled.minus_z_up = found->minus_z_up && !options.z_up;
   Scene scene = import(file, scaled);
   scene.name = found->name;
-  scene.description = found->description + ", from the package " + found->debian_package;
+  scene.description = found->description + ", from the Debian package " + found->debian_package;
   return scene;
 }
 

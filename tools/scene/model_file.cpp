@@ -46,7 +46,7 @@ void check_readable(const std::filesystem::path& file) {
   const std::filesystem::file_status status = std::filesystem::status(file, error);
   if (status.type() == std::filesystem::file_type::not_found) refuse(file, "no such file");
   if (error) refuse(file, error.message());
-  if (std::filesystem::is_directory(status)) refuse(file, "is a folder, not a model", "name a file in it");
+  if (std::filesystem::is_directory(status)) refuse(file, "is a folder, not a model", "choose a file in it");
   if (!std::filesystem::is_regular_file(status)) refuse(file, "is not a regular file");
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   if (error) refuse(file, error.message());
@@ -57,7 +57,7 @@ void check_readable(const std::filesystem::path& file) {
   if (extension.empty() || !known(std::string_view(extension).substr(1))) {
     std::string list;
     for (const std::string_view each : kExtensions) list += " ." + std::string(each);
-    refuse(file, "is not a model format that can be read", "formats that can:" + list);
+    refuse(file, "is not a model format that can be read", "readable formats:" + list);
   }
 }
 
@@ -175,7 +175,7 @@ void append_triangles(ModelFile& model, const PlacedMesh& placed, std::size_t fi
       const unsigned index = face.mIndices[corner];
       if (index >= mesh.mNumVertices) {
         refuse(file, "face " + std::to_string(i) + " of mesh '" + std::string(mesh.mName.C_Str()) +
-                         "' names vertex " + std::to_string(index) + " of " +
+                         "' refers to vertex " + std::to_string(index) + " of " +
                          std::to_string(mesh.mNumVertices));
       }
       model.indices.push_back(static_cast<std::uint32_t>(first + index));

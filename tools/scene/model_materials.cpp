@@ -62,7 +62,7 @@ Texture embedded_texture(const aiTexture& texture, const std::string& name) {
   }
   if (texture.mWidth > static_cast<unsigned>(kLargestImageSide) ||
       texture.mHeight > static_cast<unsigned>(kLargestImageSide)) {
-    throw InputError(name, "has more than " + std::to_string(kLargestImageSide) + " pixels a side");
+    throw InputError(name, "has more than " + std::to_string(kLargestImageSide) + " pixels per side");
   }
   Texture read{static_cast<int>(texture.mWidth), static_cast<int>(texture.mHeight), {}};
   const std::size_t texels = std::size_t{texture.mWidth} * texture.mHeight;
@@ -109,7 +109,7 @@ class Reader {
       made.normal_texture = normal.texture;
     } else if (normal.texture >= 0) {
       note("material '" + made.name +
-           "': its normals lie on other texture coordinates than its colour and are left out");
+           "': its normal map uses other texture coordinates than its colour and is left out");
     }
     result_.uv_channels.push_back(base.texture >= 0 ? base.uv_channel : normal.uv_channel);
     result_.materials.push_back(std::move(made));

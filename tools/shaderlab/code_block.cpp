@@ -119,7 +119,7 @@ class BlockScan {
     none.problem =
         opening_word(block_) + " is not closed: no " + closing_word_of(block_.language) + " follows";
     if (commented_end_.line > 0)
-      none.problem += " (the one of line " + std::to_string(commented_end_.line) + " stands in a comment)";
+      none.problem += " (the one in line " + std::to_string(commented_end_.line) + " is inside a comment)";
     none.problem_place = block_.keyword;
     return none;
   }

@@ -253,8 +253,8 @@ class CommandParser {
   void skip(Scope scope) {
     const Token word = cursor_.take();
     const std::string hint = cursor_.warns() ? near_name_hint(word.spelling, names_of(scope)) : "";
-    cursor_.warn(word.place, "'" + std::string(word.spelling) + "' is no command of " + command_.name.text +
-                                 (hint.empty() ? "" : ": " + hint));
+    cursor_.warn(word.place, "'" + std::string(word.spelling) + "' is not a command of " +
+                                 command_.name.text + (hint.empty() ? "" : ": " + hint));
     while ((at_value(cursor_) || cursor_.at_mark(',')) && cursor_.peek().place.line == word.place.line)
       cursor_.take();
   }
@@ -284,7 +284,7 @@ std::string unknown_command_message(const Token& word, const std::vector<std::st
   std::vector<std::string> known = names_of(Scope::pass);
   known.insert(known.end(), structure.begin(), structure.end());
   const std::string hint = near_name_hint(word.spelling, known);
-  return "'" + std::string(word.spelling.substr(0, 40)) + "' is no command of ShaderLab" +
+  return "'" + std::string(word.spelling.substr(0, 40)) + "' is not a command of ShaderLab" +
          (hint.empty() ? "" : ": " + hint);
 }
 

@@ -82,7 +82,7 @@ class Lexer {
       take(Token::Kind::mark, at_ + 1);
     } else {
       break_at(here(), "ShaderLab has no use for " + shown(c) +
-                           " here: shader code stands between HLSLPROGRAM and ENDHLSL");
+                           " here: shader code belongs between HLSLPROGRAM and ENDHLSL");
     }
   }
 
@@ -208,7 +208,7 @@ class Lexer {
     while (is_word(at(end))) ++end;
     const std::string name = "#" + std::string(text_.substr(begin, std::min<std::size_t>(end - begin, 40)));
     if (name != "#line" && name != "#warning" && name != "#error") {
-      break_at(here(), "'" + name + "' stands outside a program: move it between HLSLPROGRAM and ENDHLSL");
+      break_at(here(), "'" + name + "' is outside a program: move it between HLSLPROGRAM and ENDHLSL");
       return;
     }
     lexed_.warnings.push_back({here(), "'" + name + "' outside a program is not read"});

@@ -89,7 +89,8 @@ class StructureParser {
   void category(int parent, int depth) {
     const Place place = cursor_.take().place;
     if (depth > kDeepestCategory)
-      cursor_.fail_at(place, "Category stands in more than " + std::to_string(kDeepestCategory) + " others");
+      cursor_.fail_at(place,
+                      "Category is nested in more than " + std::to_string(kDeepestCategory) + " others");
     const Owner owner{"Category", place.line};
     cursor_.expect_mark('{', "after Category");
     const std::size_t index = shader_.categories.size();
@@ -181,7 +182,7 @@ class StructureParser {
     cursor_.expect_mark('{', "after Tags");
     while (!cursor_.take_mark('}')) {
       if (!tags.empty() && cursor_.at_mark(',')) {
-        cursor_.warn(cursor_.take().place, "tags stand without a comma between them");
+        cursor_.warn(cursor_.take().place, "tags are written without a comma between them");
         continue;
       }
       if (!cursor_.at(Token::Kind::text)) cursor_.fail("a tag in quotes or '}' in Tags");
@@ -211,15 +212,15 @@ class StructureParser {
     const Token& word = cursor_.peek();
     if (std::any_of(kStructureWords.begin(), kStructureWords.end(),
                     [&](const std::string& name) { return same_keyword(name, word.spelling); })) {
-      cursor_.fail_at(word.place, "'" + std::string(word.spelling) + "' cannot stand in " + owner.text() +
+      cursor_.fail_at(word.place, "'" + std::string(word.spelling) + "' is not allowed in " + owner.text() +
                                       ": is its '}' missing?");
     }
     skip_unknown_command(cursor_, known);
   }
 
   std::string misplaced_program(const Owner& owner) const {
-    return std::string(cursor_.peek().spelling) + " stands in " + owner.text() +
-           ": a program belongs into a Pass, or a surface shader into a SubShader";
+    return std::string(cursor_.peek().spelling) + " is in " + owner.text() +
+           ": a program belongs in a Pass, a surface shader in a SubShader";
   }
 
   void trailing() {

@@ -60,7 +60,7 @@ class Resolver {
       path = found.pass->name.text;
     }
     return failure(hlsl::Severity::error,
-                   "UsePass \"" + use_.name.text + "\" leads from UsePass to UsePass and to no Pass");
+                   "UsePass \"" + use_.name.text + "\" leads from UsePass to UsePass and never to a Pass");
   }
 
  private:

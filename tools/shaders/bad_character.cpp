@@ -51,7 +51,7 @@ std::optional<hlsl::Diagnostic> bad_character(const std::string& preprocessed, c
     diagnostic.message = in_words(text, at);
     return diagnostic;
   }
-  diagnostic.message = "a character here, or in a macro used here, is none of HLSL's";
+  diagnostic.message = "a character here, or in a macro used here, is not allowed in HLSL";
   return diagnostic;
 }
 

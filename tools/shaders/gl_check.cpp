@@ -24,7 +24,7 @@ EGLDisplay surfaceless_display() {
   });
   if (display == EGL_NO_DISPLAY)
     throw EnvironmentError(
-        "no EGL display without a surface: install Mesa's EGL (Debian: libegl1, libegl-mesa0)");
+        "EGL has no surfaceless display: install Mesa's EGL (Debian: libegl1, libegl-mesa0)");
   return display;
 }
 
@@ -68,7 +68,7 @@ class Context {
     context_ =
         eglCreateContext(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, es_ ? es_attributes : gl_attributes);
     if (context_ == EGL_NO_CONTEXT || !make_current())
-      throw EnvironmentError(std::string("EGL gives no ") + (es_ ? "OpenGL ES 3.1" : "OpenGL 4.5 core") +
+      throw EnvironmentError(std::string("EGL provides no ") + (es_ ? "OpenGL ES 3.1" : "OpenGL 4.5 core") +
                              " context, which checking " + target_name(target) + " needs");
   }
   ~Context() {

@@ -83,7 +83,7 @@ void IncludeResolver::releaseInclude(IncludeResult* result) {
 }
 
 IncludeResolver::IncludeResult* IncludeResolver::open(const std::string& name) {
-  if (open_.size() > max_include_depth) return fail("includes without end: " + chain_to(name));
+  if (open_.size() > max_include_depth) return fail("the includes never end: " + chain_to(name));
   if (!sources_.contains(name)) {
     const hlsl::SourceRead& read = memory_.read(name);
     if (!read.problem.empty()) return fail("cannot read '" + name + "': " + read.problem);

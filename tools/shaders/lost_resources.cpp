@@ -65,8 +65,9 @@ class LostSearch {
     const auto found = undefined_.find(id);
     if (found == undefined_.end()) return;
     sentences_.insert("a " + found->second +
-                      " that was never set is read; if every path sets it, one function reads it both by a "
-                      "comparison sampler and otherwise, which glslang loses: give each its own function");
+                      " that was never set is read; if every path does set it, one function reads it both "
+                      "with a comparison sampler and with another sampler, which glslang miscompiles: use a "
+                      "separate function for each");
   }
 
   const SpirvModule& module_;

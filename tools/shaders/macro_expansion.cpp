@@ -185,7 +185,8 @@ class MacroExpansion {
             line.line,
             column_of(name, text),
             hlsl::Severity::warning,
-            "macro '" + name + "' is defined as something else" + other + "; from here on this one counts",
+            "macro '" + name + "' is defined as something else" + other +
+                "; from here on this definition is used",
             text};
   }
 

@@ -79,7 +79,7 @@ class MisreadSearch {
     while (sources_.count(image) != 0) image = sources_[image];
     sentences_.insert("'" + names_[image] + "' is read with " + std::to_string(given->second) +
                       " coordinates and has " + std::to_string(needed->second) +
-                      ": a texture is handed to a function that takes another kind (an array, where both "
+                      ": a texture is passed to a function that takes another kind (an array, where both "
                       "eyes are drawn at once); declare it as that kind (TEXTURE2D_X)");
   }
 

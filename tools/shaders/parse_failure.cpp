@@ -183,7 +183,7 @@ hlsl::Diagnostic missing_semicolon(LogLine error, std::size_t at, const Surround
   if (const std::string number = number_in_two(places, at); !number.empty()) {
     hlsl::TokenPlace place = places.at(at, sources);
     place.column = column_of(number, sources.line(place.file, place.line));
-    return at_place(place, "'" + number + "' is no number", sources);
+    return at_place(place, "'" + number + "' is not a number", sources);
   }
   return at_place(places.after(at - 1, sources), sentence(error, around), sources);
 }
@@ -273,7 +273,7 @@ hlsl::Diagnostic link_error(const ParseFailure& failure, const std::string& entr
   };
   if (failure.log.find("Entry point not found") != std::string_view::npos)
     return at_place({failure.main_file, 0, 0},
-                    "there is no function '" + entry + "' to enter at" + nearest_function(entry, places),
+                    "the entry point '" + entry + "' is not defined" + nearest_function(entry, places),
                     sources);
   std::istringstream lines{std::string(failure.log)};
   for (std::string line; std::getline(lines, line);) {

@@ -25,28 +25,28 @@ struct Phrase {
 };
 
 constexpr std::array<Phrase, 37> phrases{{
-    {"assign", "l-value required (can't modify a const)", "what stands left of '=' is const"},
-    {"assign", "l-value required", "what stands left of '=' cannot be written$"},
+    {"assign", "l-value required (can't modify a const)", "the left side of '=' is const"},
+    {"assign", "l-value required", "the left side of '=' cannot be written$"},
     {"", "l-value required", "'%' needs a variable that can be written$"},
     {"", "no matching overloaded function found", "no function '%' takes these arguments"},
-    {"", "function already has a body", "function '%' has a body already"},
-    {"", "redefinition", "'%' is declared already$"},
+    {"", "function already has a body", "function '%' already has a body"},
+    {"", "redefinition", "'%' is already declared$"},
     {"[", "array index out of range", "the index $ is outside of the array"},
     {"constructor", "not enough data provided for construction", "too few components for this constructor"},
     {"constructor", "too many arguments", "too many components for this constructor"},
     {"conditional expression", "", "a condition must be one value, not a vector"},
     {"", "vector swizzle selection out of range", "'.%' asks for components that the vector does not have"},
     {"", "vector swizzle selectors not from the same set", "'.%' mixes xyzw with rgba"},
-    {"", "unknown swizzle selection", "'.%' is no swizzle"},
+    {"", "unknown swizzle selection", "'.%' is not a swizzle"},
     {"", "no such field in structure", "the structure has no member '%'"},
-    {"register", "ignoring unrecognized register type", "'$' is no kind of register: b, t, s, u or c"},
+    {"register", "ignoring unrecognized register type", "'$' is not a kind of register: use b, t, s, u or c"},
     {"\\", "illegal use of escape character", "'\\' may only end a line"},
     {"", "Could not perform requested binary operation", "'@' cannot combine these two types"},
     {"", "array size must be a constant integer expression", "an array's size must be a constant integer"},
     {"return", "void function cannot return a value", "a void function returns no value"},
     {"", "function does not return a value:", "function '$' must return a value"},
     {"return", "type does not match, or is not convertible to, the function's return type",
-     "this cannot become the function's return type"},
+     "this cannot be converted to the function's return type"},
     {"", "numeric literal too big", "this number is too big for an int"},
     {"", "octal literal digit too large", "a number that starts with 0 is octal: no digit is above 7"},
     {"preprocessor evaluation", "bad expression", "this condition has no value"},
@@ -54,18 +54,16 @@ constexpr std::array<Phrase, 37> phrases{{
     {"macro expansion", "Too few args in Macro", "too few arguments for macro '$'"},
     {"macro expansion", "Too many args in macro", "too many arguments for macro '$'"},
     {"macro expansion", "End of input in macro", "the call of macro '$' is never closed"},
+    {"#define", "Macro redefined; different substitutions:", "macro '$' is already defined differently"},
+    {"#define", "Macro redefined; different argument names:", "macro '$' is already defined differently"},
     {"#define",
-     "Macro redefined; different substitutions:", "macro '$' is defined already as something else"},
+     "Macro redefined; different number of arguments:", "macro '$' is already defined differently"},
     {"#define",
-     "Macro redefined; different argument names:", "macro '$' is defined already as something else"},
-    {"#define",
-     "Macro redefined; different number of arguments:", "macro '$' is defined already as something else"},
-    {"#define",
-     "Macro redefined; function-like versus object-like:", "macro '$' is defined already as something else"},
+     "Macro redefined; function-like versus object-like:", "macro '$' is already defined differently"},
     {"#define", "must be followed by macro name", "'#define' names no macro"},
     {"#include", "must be followed by a header name", "'#include' needs a \"file\" or a <file>"},
-    {"#elif", "#elif after #else", "'#elif' stands after '#else'"},
-    {"#else", "#else after #else", "'#else' stands after another '#else'"},
+    {"#elif", "#elif after #else", "'#elif' comes after '#else'"},
+    {"#else", "#else after #else", "'#else' comes after another '#else'"},
     {"#", "invalid directive:", "unknown directive '#$'"},
 }};
 
@@ -119,8 +117,8 @@ std::string in_words(const std::string& part) {
 }
 
 std::string expected(const LogLine& line, const Surroundings& around) {
-  if (line.token == "loop or switch") return "'break' stands outside of every loop and switch";
-  if (line.token == "loop") return "'continue' stands outside of every loop";
+  if (line.token == "loop or switch") return "'break' is outside of every loop and switch";
+  if (line.token == "loop") return "'continue' is outside of every loop";
   if (around.found == "else") return "'else' has no 'if'";
   const std::string found = std::string(around.found);
   if (around.found_is_word && around.next_is_word && line.token == ")") return "unknown type '" + found + "'";

@@ -21,7 +21,7 @@ std::size_t place_of(const std::string& kind) {
   for (std::size_t i = 0; i < pass_kinds().size(); ++i) {
     if (pass_kinds()[i].name == kind) return i;
   }
-  throw std::out_of_range("no kind of pass is called '" + kind + "'");
+  throw std::out_of_range("unknown kind of pass '" + kind + "'");
 }
 
 std::string order_of_kinds() {
@@ -65,19 +65,20 @@ ChainProblem chain_problem(const Technique& technique) {
     const TechniquePass& pass = technique.chain[i];
     if (const std::string problem = wrong_scale(pass); !problem.empty()) return {problem, ""};
     if (i > 0 && place_of(technique.chain[i - 1].kind) >= place_of(pass.kind)) {
-      return {"'" + pass.kind + "' stands after '" + technique.chain[i - 1].kind + "'",
+      return {"'" + pass.kind + "' comes after '" + technique.chain[i - 1].kind + "'",
               "the order is " + order_of_kinds() + ", each once"};
     }
   }
   if (!has_pass(technique, "resolve")) return {"the chain has no resolve pass", "every technique has one"};
   if (!technique.screen && (technique.chain.size() > 1 || technique.resolve().scale != 1)) {
-    return {"a chain of passes runs over the screen", "write \"screen\": true"};
+    return {"only a screen technique has a chain of passes", "write \"screen\": true"};
   }
   if (has_pass(technique, "mask") != has_pass(technique, "mask-blur")) {
-    return {"'mask' and 'mask-blur' go together", "a penumbra is wider than the edge that the mask finds"};
+    return {"'mask' and 'mask-blur' must be used together",
+            "a penumbra is wider than the edge that the mask finds"};
   }
   if (has_pass(technique, "upsample") != (technique.resolve().scale == 2)) {
-    return {"'upsample' belongs to a resolve pass of scale 2, and it to 'upsample'", ""};
+    return {"'upsample' and a resolve pass of scale 2 must be used together", ""};
   }
   return {};
 }

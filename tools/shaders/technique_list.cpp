@@ -35,7 +35,7 @@ std::string required_text(JsonObject& object, const std::string& key) {
 
 std::string required_identifier(JsonObject& object, const std::string& key) {
   std::string name = required_text(object, key);
-  if (!hlsl::is_identifier(name)) object.fail(key, "'" + name + "' is no HLSL identifier");
+  if (!hlsl::is_identifier(name)) object.fail(key, "'" + name + "' is not an HLSL identifier");
   return name;
 }
 
@@ -63,7 +63,7 @@ ParameterField read_field(JsonObject object) {
   require_known(object, "type", "type", field.type, field_types);
   if (object.has("range")) {
     const std::vector<double> ends = object.numbers("range", 2);
-    if (ends[0] > ends[1]) object.fail("range", "the smallest value stands after the largest");
+    if (ends[0] > ends[1]) object.fail("range", "the smallest value comes after the largest");
     field.range = {ends[0], ends[1]};
   }
   object.finish();
@@ -132,7 +132,7 @@ std::string number_text(JsonObject& object, const std::string& key, const nlohma
     std::string text = object.text(key, "");
     char* end = nullptr;
     std::strtod(text.c_str(), &end);
-    if (text.empty() || *end != '\0') object.fail(key, "'" + text + "' is no number");
+    if (text.empty() || *end != '\0') object.fail(key, "'" + text + "' is not a number");
     return text;
   }
   std::ostringstream number;
@@ -153,7 +153,7 @@ void read_unlimited(JsonObject object, const nlohmann::json& values,
 }
 
 void check_keyword(JsonObject& object, const std::string& key, const std::string& keyword) {
-  if (!hlsl::is_identifier(keyword)) object.fail(key, "'" + keyword + "' is no keyword");
+  if (!hlsl::is_identifier(keyword)) object.fail(key, "'" + keyword + "' is not a keyword");
 }
 
 std::vector<std::vector<std::string>> read_keyword_sets(const LocatedJson& document, JsonObject& object,

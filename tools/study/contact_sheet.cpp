@@ -29,7 +29,7 @@ std::string figures(const Metrics& metrics) {
 
 std::string mask_figures(const Metrics& metrics) {
   if (!metrics.mask) return "mask";
-  return fmt::format("mask: spares {:.1f} %, misses {:.1f} %", 100.0 * metrics.mask->pixels_saved,
+  return fmt::format("mask: skips {:.1f} %, misses {:.1f} %", 100.0 * metrics.mask->pixels_saved,
                      100.0 * metrics.mask->penumbra_pixels_missed.value_or(0.0));
 }
 

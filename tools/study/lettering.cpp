@@ -42,14 +42,14 @@ Font found_font() {
   if (const char* named = std::getenv("PENUMBRA_FONT"); named != nullptr && *named != '\0') {
     if (read(font, named)) return font;
     throw EnvironmentError(std::string("PENUMBRA_FONT: '") + named +
-                           "' is no TrueType font that can be read");
+                           "' is not a TrueType font that can be read");
   }
   for (const char* file : kFontFiles) {
     if (read(font, file)) return font;
   }
   throw EnvironmentError(
-      "captions need the font DejaVu Sans, of Debian's package fonts-dejavu-core; PENUMBRA_FONT names "
-      "another file");
+      "captions need the font DejaVu Sans from the Debian package fonts-dejavu-core, or another one that "
+      "PENUMBRA_FONT names");
 }
 
 const stbtt_fontinfo& font() {

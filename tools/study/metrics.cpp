@@ -124,8 +124,8 @@ void check_reference(std::span<const float> reference, std::span<const std::uint
                      const char* name) {
   for (std::size_t pixel = 0; pixel < reference.size(); ++pixel) {
     if (valid[pixel] != 0 && !is_visibility(reference[pixel])) {
-      throw std::invalid_argument(std::string(name) + " is no visibility at pixel " + std::to_string(pixel) +
-                                  ": " + std::to_string(reference[pixel]));
+      throw std::invalid_argument(std::string(name) + " is not a visibility at pixel " +
+                                  std::to_string(pixel) + ": " + std::to_string(reference[pixel]));
     }
   }
 }

@@ -96,7 +96,7 @@ void set_pixel(Picture& rgb, int x, int y, Rgb colour) {
 Picture cropped(const Picture& rgb, const PictureWindow& window) {
   if (window.x < 0 || window.y < 0 || window.width < 1 || window.height < 1 ||
       window.x > rgb.width - window.width || window.y > rgb.height - window.height) {
-    throw std::invalid_argument("a window reaches beyond its picture");
+    throw std::invalid_argument("a window extends beyond its picture");
   }
   Picture part = filled_picture(window.width, window.height, {});
   for (int y = 0; y < part.height; ++y) {
@@ -115,7 +115,7 @@ Picture enlarged(const Picture& rgb, int factor) {
 
 Picture shrunk(const Picture& rgb, int factor) {
   if (factor < 1 || rgb.width % factor != 0 || rgb.height % factor != 0) {
-    throw std::invalid_argument("a picture is no whole number of squares");
+    throw std::invalid_argument("a picture is not a whole number of squares");
   }
   Picture small = filled_picture(rgb.width / factor, rgb.height / factor, {});
   const int pixels = factor * factor;
@@ -163,7 +163,7 @@ Picture decode_png(std::span<const std::byte> bytes, const std::string& name) {
   constexpr std::size_t kMostPixels = std::size_t{1} << 26;
   PngImage png;
   if (png_image_begin_read_from_memory(&png.image, bytes.data(), bytes.size()) == 0) {
-    throw InputError(name, std::string("is no readable PNG: ") + png.image.message);
+    throw InputError(name, std::string("is not a readable PNG: ") + png.image.message);
   }
   const std::size_t pixels = std::size_t{png.image.width} * png.image.height;
   if (pixels > kMostPixels) throw InputError(name, "has more than 2^26 pixels");

@@ -51,7 +51,7 @@ std::string introduction(const Results& results) {
   const std::vector<std::string> scenes = scene_names(results);
   return fmt::format(
       "<h1>Penumbra: measured soft shadows</h1>\n"
-      "<p class=\"lead\">{}, each from its real shader file, against ray tracing in {} ({}) under "
+      "<p class=\"lead\">{}, each measured from its own shader file against ray tracing in {} ({}) under "
       "lights of {}. Errors are those of visibility, from 0 (hidden) to 1 (lit).</p>\n",
       plural(choices(results).size(), "technique"), plural(scenes.size(), "scene"),
       escape_html(joined(scenes)), joined(lights));
@@ -61,9 +61,10 @@ std::string findings(const Results& results) {
   std::string html;
   for (const Record& record : results.records) {
     if (record.metrics.invalid == 0) continue;
-    html += fmt::format("<p class=\"finding\">{} in {} at {}°: {} results are no visibility.</p>\n",
-                        escape_html(record.technique), escape_html(record.scene), record.light_degrees,
-                        record.metrics.invalid);
+    html += fmt::format(
+        "<p class=\"finding\">{} in {} at {}°: {} results are NaN, infinite or outside [0, 1].</p>\n",
+        escape_html(record.technique), escape_html(record.scene), record.light_degrees,
+        record.metrics.invalid);
   }
   return html;
 }
@@ -77,16 +78,17 @@ std::string headline_cards(const Results& results) {
   }
   if (html.empty()) return {};
   return "<div class=\"cards\">\n" + html +
-         "</div>\n<p class=\"quiet\">Means over all scenes and lights; every scene weighs the same.</p>\n";
+         "</div>\n<p class=\"quiet\">Means over all scenes and lights; every scene has the same "
+         "weight.</p>\n";
 }
 
 std::string machine(const Results& results) {
   const auto entry = [](const char* name, const std::string& value) {
     return fmt::format("<dt>{}</dt><dd>{}</dd>\n", name, value);
   };
-  const std::string note = results.is_software
-                               ? "Software device: milliseconds are CPU time and rank nothing."
-                               : "Graphics card: milliseconds are GPU time.";
+  const std::string note =
+      results.is_software ? "Software device: milliseconds are CPU time and say little about speed on a GPU."
+                          : "Hardware GPU: milliseconds are GPU time.";
   std::string library = "Penumbra " + escape_html(results.library_version);
   if (results.commit) library += ", commit <code>" + escape_html(*results.commit) + "</code>";
   std::string packages;
@@ -130,7 +132,8 @@ std::vector<Section> sections(const ReportContent& content) {
       {"figures", "All figures", record_table(results, content.pictures)},
       {"pictures", "Pictures", pictures_html(results, content.pictures)},
       {"words", "What each figure means", metric_definitions_html()},
-      {"references", "What the errors are taken against", reference_definitions_html() + references(results)},
+      {"references", "What the errors are measured against",
+       reference_definitions_html() + references(results)},
       {"machine", "How it was measured", machine(results)},
   };
   std::erase_if(all, [](const Section& section) { return section.body.empty(); });

@@ -55,12 +55,13 @@ void add(std::vector<ReportChart>& charts, Chart chart, const std::string& capti
 std::vector<ReportChart> report_charts(const Results& results) {
   std::vector<ReportChart> charts;
   add(charts, fetches_chart(results),
-      "Blue: nothing measured here is both cheaper and closer to ray tracing. Means over all scenes.");
+      "Blue: the Pareto front. No other technique measured here is both cheaper and closer to ray tracing. "
+      "Means over all scenes.");
   add(charts, time_chart(results),
-      results.is_software
-          ? "CPU time of a software device. It ranks nothing: a graphics card weighs fetches and "
-            "arithmetic differently."
-          : "Blue: nothing measured here is both faster and closer to ray tracing.");
+      results.is_software ? "CPU time of a software device. Do not rank techniques by it: on a GPU, fetches "
+                            "and arithmetic have other relative costs."
+                          : "Blue: the Pareto front. No other technique measured here is both faster and "
+                            "closer to ray tracing.");
   return charts;
 }
 

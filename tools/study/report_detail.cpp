@@ -69,7 +69,7 @@ std::string about(const Record& record, const std::string& id) {
   if (settings.slope_bias != 0.0) group.add_text("slope bias", fmt::format("{}", settings.slope_bias));
   group.add_text("soft quality", std::string(parameters::name_of(settings.soft_quality)));
   if (settings.light_scale != 1.0) {
-    group.add_text("light's diameter", fmt::format("times {}", settings.light_scale));
+    group.add_text("light's diameter", fmt::format("multiplied by {}", settings.light_scale));
   }
   group.add_text("reversed depth", yes_or_no(settings.reversed_z));
   return group.html(id);
@@ -82,10 +82,10 @@ std::string intervals(const MetricIntervals& intervals) {
     group.add_text(term, fmt::format("{:.4g} to {:.4g}", interval->low * scale, interval->high * scale));
   };
   add("RMSE in penumbra", intervals.rmse_penumbra, 1.0);
-  add("RMSE all pixels", intervals.rmse_all, 1.0);
+  add("RMSE of all pixels", intervals.rmse_all, 1.0);
   add("leaks, %", intervals.leak_rate, 100.0);
   add("false shadow, %", intervals.false_shadow_rate, 100.0);
-  add("fetches of the function", intervals.fetches_mean, 1.0);
+  add("fetches of the shadow function", intervals.fetches_mean, 1.0);
   return group.html();
 }
 
@@ -128,7 +128,7 @@ std::string motion(const Record& record) {
   Group group("Shimmer");
   if (!record.shimmer) return {};
   group.add("static noise", record.shimmer->static_noise, "{:.4f}");
-  group.add("noise of each frame", record.shimmer->per_frame_noise, "{:.4f}");
+  group.add("new noise per frame", record.shimmer->per_frame_noise, "{:.4f}");
   return group.html();
 }
 
@@ -143,9 +143,9 @@ void add_frame(Group& group, const Results& results, const Record& record) {
   };
   group.add_text("picture", fmt::format("{} × {} pixels", found->width, found->height));
   group.add_text("shadow distance", fmt::format("{} m", found->shadow_distance_metres));
-  group.add_text("sun shines along", vector(found->sun_direction));
-  group.add_text("camera at", vector(found->camera.position));
-  group.add_text("camera looks along", vector(found->camera.forward));
+  group.add_text("sun's direction", vector(found->sun_direction));
+  group.add_text("camera position", vector(found->camera.position));
+  group.add_text("camera direction", vector(found->camera.forward));
 }
 
 std::string provenance(const Results& results, const Record& record) {
@@ -178,7 +178,7 @@ std::string mean_detail(const Results& results, const Record& any, const std::st
   Group group("Mean of");
   group.add_text("scenes", fmt::format("{}", sample.scenes));
   group.add_text("penumbra pixels, all scenes", fmt::format("{}", sample.penumbra_pixels));
-  group.add_text("fewest of a scene", fmt::format("{}", sample.smallest_penumbra_pixels));
+  group.add_text("penumbra pixels, fewest in a scene", fmt::format("{}", sample.smallest_penumbra_pixels));
   return "<div class=\"groups\">\n" + about(any, about_id) + group.html() + "</div>\n";
 }
 

@@ -131,8 +131,8 @@ class Album {
 };
 
 constexpr std::string_view kViewer =
-    R"html(<p class="no-script">The viewer needs scripts. The same pictures lie in the folder
-<code>pictures</code> beside this file.</p>
+    R"html(<p class="no-script">The viewer needs JavaScript. The same pictures are in the folder
+<code>pictures</code> next to this file.</p>
 <div class="viewer needs-script" id="viewer">
 <form class="controls">
 <div class="line">
@@ -164,22 +164,22 @@ constexpr std::string_view kViewer =
 <output></output></label>
 <span class="legend"><span class="from"></span><canvas width="256" height="1" role="img"></canvas><span class="to"></span></span>
 </div>
-<p class="readout">Point at the picture to read its numbers.</p>
+<p class="readout">Point at the picture to read the values of a pixel.</p>
 </div>
 )html";
 
 constexpr std::string_view kExplanation =
-    R"html(<p class="quiet" id="viewer-keys">Drag the border, or the picture once it is enlarged.
-Ctrl and the wheel, or two fingers, zoom. Keys on the picture: + and − zoom, 0 fits, arrows move it, comma and full stop move the
-border, B blinks, X swaps left and right, N and P take the next and the previous technique.</p>
+    R"html(<p class="quiet" id="viewer-keys">Drag the border, or the picture when it is enlarged.
+Ctrl and the wheel, or two fingers, zoom. Keys on the picture: + and − zoom, 0 fits the picture to the window, arrow keys move it, comma and full stop move the
+border, B blinks, X swaps left and right, N and P select the next and the previous technique.</p>
 <p class="quiet">One frame, of the first noise seed. Pictures hold 8 bits: differences below 1/255 (0.004) do not show, and
-fetches are cut off at 255. <span class="swatch no-receiver"></span> no surface there; <span class="swatch invalid"></span> no
-valid result, a finding.</p>
+fetches are cut off at 255. <span class="swatch no-receiver"></span> no surface; <span class="swatch invalid"></span> invalid
+result, reported as a finding.</p>
 )html";
 
 constexpr std::string_view kNone =
-    R"html(<p>This report was made from earlier figures, which hold no pictures. The command
-below measures them again and adds the pictures:</p>
+    R"html(<p>This report was made from a results file, which contains no pictures. The command
+below measures again and adds the pictures:</p>
 )html";
 
 }  // namespace

@@ -110,7 +110,7 @@ std::vector<Column> columns(const std::vector<Row>& rows) {
        },
        [](const Estimate& value) { return fmt::format("{}", value.value); }},
       figure("RMSE in penumbra", "of visibility", &Row::rmse_penumbra),
-      figure("RMSE all pixels", "of visibility", &Row::rmse_all),
+      figure("RMSE of all pixels", "of visibility", &Row::rmse_all),
       figure("Leaks", "% of umbra", &Row::leak_rate, 100.0),
       figure("False shadow", "% of lit", &Row::false_shadow_rate, 100.0),
       {"Fetches", "per pixel", [](const Row& row) { return row.fetches; },
@@ -273,7 +273,7 @@ std::string filters(const Results& results) {
   const std::vector<std::string> names = scene_names(results);
   std::string scenes;
   if (names.size() > 1) scenes = option(scene_value(""), fmt::format("mean of {}", names.size()));
-  scenes += option("", "each");
+  scenes += option("", "every scene");
   for (const std::string& scene : names) scenes += option(scene_value(scene), scene);
   std::string lights = option("", "all");
   for (const double light : light_sizes(results)) {
@@ -294,10 +294,8 @@ std::string record_table(const Results& results, const std::vector<PictureRow>& 
          "<div class=\"scroll\" role=\"region\" aria-label=\"All figures\" tabindex=\"0\">\n" +
          HtmlTable(results, pictures).html() +
          "</div>\n<p class=\"quiet\">± is half the width of the 95 % confidence interval, over the pixels of "
-         "a scene "
-         "or, for means, over scenes too; [a, b] are the ends of an interval that is cut off at 0 or 100 %. "
-         "Errors in "
-         "penumbra are over the penumbra pixels.</p>\n";
+         "a scene and, for means, also over the scenes. Where 0 or 100 % cuts the interval off, [a, b] gives "
+         "its ends. RMSE in penumbra is over the penumbra pixels only.</p>\n";
 }
 
 }  // namespace penumbra::study

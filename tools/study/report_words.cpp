@@ -22,17 +22,14 @@ std::string reference_definitions_html() {
   constexpr Entry kEntries[] = {
       {"T1: ray tracing",
        "Rays from each pixel's surface point to points spread over the light's disc, on the real geometry. "
-       "All "
-       "errors are taken against T1. Its own noise floor is the RMSE between two independent T1 images over "
-       "the "
-       "penumbra, divided by √2: a difference below it means nothing."},
-      {"T2: the same map, exhaustively",
-       "Every texel of the shadow map taken as a square at its stored depth, projected back onto the light, "
-       "and "
-       "the union of what it hides. A defined estimate from what the map holds: a reference, not a bound. A "
-       "technique may be better."},
-      {"T3: the technique, unlimited",
-       "The technique's own function with so many samples that more change nothing."},
+       "All errors are differences from T1. The noise floor of T1 is the RMSE between two independent T1 "
+       "images over the penumbra, divided by √2: differences below it are not significant."},
+      {"T2: all the information in the shadow map",
+       "Every texel of the shadow map is taken as a square at its stored depth and projected onto the light; "
+       "T2 is the part of the light that no texel covers. It is an estimate from what the map contains, not "
+       "a bound: a technique may be better."},
+      {"T3: the technique without a sample limit",
+       "The technique's own function with so many samples that more would not change the result."},
       {"Error split",
        "Per pixel, with its sign: map T2 − T1, algorithm T3 − T2, sampling result − T3. The three add up "
        "to the error, and their means to the bias. Their RMSEs do not add up and must not be subtracted: the "
@@ -43,7 +40,7 @@ std::string reference_definitions_html() {
 
 std::string metric_definitions_html() {
   constexpr Entry kEntries[] = {
-      {"Visibility", "1 where the whole light disc is seen, 0 where none of it is."},
+      {"Visibility", "1 where the whole disc of the light is visible, 0 where none of it is."},
       {"Pixels",
        "Only pixels that show a surface within the shadow distance. By T1: umbra below 0.02, penumbra "
        "between 0.02 and 0.98, lit above 0.98."},
@@ -55,18 +52,19 @@ std::string metric_definitions_html() {
        "temporal filter would have to remove."},
       {"p99", "99th percentile (nearest rank) of the absolute error in penumbra."},
       {"Max", "Largest absolute error of any pixel and seed, penumbra or not."},
-      {"Leak", "Share of umbra results above 0.1: light where there is none."},
-      {"False shadow", "Share of lit results below 0.9: shadow where there is none."},
+      {"Leak", "Share of umbra results above 0.1: light where there should be full shadow."},
+      {"False shadow", "Share of fully lit results below 0.9: shadow where there should be none."},
       {"Fetches",
-       "Counted in the shader itself: a load, a gather, a bilinear or bilinear-compare sample counts "
-       "one. Mean and 95th percentile over all pixels, mean over penumbra pixels; preparation is what "
-       "passes over the map or the screen add per pixel."},
+       "Counted in the shader itself: a load, a gather, a bilinear sample and a bilinear comparison sample "
+       "count as one each. Mean and 95th percentile are over all pixels, the mean in penumbra is over "
+       "penumbra pixels. Passes at lower resolution are counted separately, per pixel of the picture."},
       {"Time",
-       "Median of a frame and the distance between its quartiles. On a software device it is the time of "
-       "a processor and says little about a graphics card: it ranks nothing here."},
+       "Median time of a frame and the distance between the quartiles. On a software device it is CPU time "
+       "and says little about a GPU; do not rank techniques by it."},
       {"Invalid",
-       "Results that are no number or outside [0, 1]. They are findings, and enter no other figure."},
-      {"–", "No pixel to measure on, or not measured. Not zero."},
+       "Results that are NaN, infinite or outside [0, 1]. They are reported as findings and left out of all "
+       "other figures."},
+      {"–", "Not measured, or there is no pixel to measure. It does not mean zero."},
   };
   return definition_list(kEntries);
 }

@@ -402,7 +402,7 @@ class Study {
     if (found >= static_cast<std::size_t>(settings_.penumbra_pixels)) return;
     outcome_.notes.push_back(label(stage) + " has " + std::to_string(found) +
                              " penumbra pixels, fewer than the " + std::to_string(settings_.penumbra_pixels) +
-                             " asked for");
+                             " requested");
   }
 
   scene::FrameSettings frame_settings(const Stage& stage, const Wishes& wishes) const {
@@ -530,7 +530,7 @@ class Study {
 
   void note_unset(const Subject& subject, const resolve::ResolveResult& result) {
     if (result.unset_uniforms.empty()) return;
-    std::string note = subject.name + " reads uniforms nobody provides, as zero:";
+    std::string note = subject.name + " reads uniforms that are not provided and are therefore 0:";
     for (const std::string& name : result.unset_uniforms) note += " " + name;
     if (std::find(outcome_.notes.begin(), outcome_.notes.end(), note) == outcome_.notes.end()) {
       outcome_.notes.push_back(std::move(note));

@@ -20,8 +20,8 @@ void make_cache_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error)
-    throw InputError(folder.string(), "the cache folder cannot be made: " + error.message(),
-                     "name another with the environment variable PENUMBRA_CACHE, or do without");
+    throw InputError(folder.string(), "the cache folder cannot be created: " + error.message(),
+                     "choose another with the environment variable PENUMBRA_CACHE, or use none");
 }
 
 // Looking at every entry takes time that a small run should not pay: it is done when this run alone has

@@ -119,7 +119,7 @@ std::string keyword_list(const std::vector<std::string>& keywords) {
 // The place a person can open: a line of emitted text is none.
 hlsl::Diagnostic as_told(hlsl::Diagnostic diagnostic, const VariantRecord& record) {
   if (in_emitted_text(diagnostic, record)) {
-    diagnostic.message = "the emitted text is refused: " + diagnostic.message;
+    diagnostic.message = "the generated text is rejected: " + diagnostic.message;
     diagnostic.file.clear();
     diagnostic.line = diagnostic.column = 0;
     diagnostic.source_line.clear();

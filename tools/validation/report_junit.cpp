@@ -166,7 +166,7 @@ class JunitReport {
       if (record.status == VariantStatus::passed) return {};  // folded: some were tried, and passed
       if (!reason.empty()) continue;
       reason = status_name(record.status);
-      reason += record.status == VariantStatus::unreached ? ": there is no SPIR-V to make it from"
+      reason += record.status == VariantStatus::unreached ? ": there is no SPIR-V to generate it from"
                                                           : ": " + record.reason;
     }
     return reason;

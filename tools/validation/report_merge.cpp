@@ -19,8 +19,8 @@ std::string shard_name(const ValidationReport& report) {
 
 void check_same_request(const NamedReport& first, const NamedReport& other) {
   if (other.report.fingerprint != first.report.fingerprint)
-    throw InputError(other.name, "was made by another request than " + first.name,
-                     "make every shard with the same files and options, --shard and --jobs apart");
+    throw InputError(other.name, "was made with other files or options than " + first.name,
+                     "make every shard with the same files and options, except --shard and --jobs");
   if (other.report.shards != first.report.shards)
     throw InputError(other.name, "is shard " + shard_name(other.report) + ", but " + first.name +
                                      " is shard " + shard_name(first.report));
@@ -29,11 +29,11 @@ void check_same_request(const NamedReport& first, const NamedReport& other) {
                      first.report.shards == 1
                          ? "is a whole run, as " + first.name + " is"
                          : "is shard " + shard_name(other.report) + ", as " + first.name + " is",
-                     "give each shard of one run once");
+                     "give each shard of one run exactly once");
 }
 
 void check_shards(const std::vector<NamedReport>& reports) {
-  if (reports.empty()) throw InputError("", "no report is given");
+  if (reports.empty()) throw InputError("", "no report was given");
   for (std::size_t i = 1; i < reports.size(); ++i)
     for (std::size_t k = 0; k < i; ++k) check_same_request(reports[k], reports[i]);
   const unsigned shards = reports.front().report.shards;

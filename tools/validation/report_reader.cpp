@@ -23,7 +23,7 @@ hlsl::Severity read_severity(JsonObject& object) {
   const std::string name = required_text(object, "severity");
   if (name == "error") return hlsl::Severity::error;
   if (name == "warning") return hlsl::Severity::warning;
-  if (name != "note") object.fail("severity", "'" + name + "' is no severity", "error, warning or note");
+  if (name != "note") object.fail("severity", "'" + name + "' is not a severity", "error, warning or note");
   return hlsl::Severity::note;
 }
 
@@ -85,7 +85,7 @@ std::map<std::string, std::string> read_texts(JsonObject object) {
 void check_count(JsonObject& summary, const std::string& key, std::size_t counted) {
   if (whole_number(summary, key) != counted)
     summary.fail(key, "the summary's '" + key + "' is not what the records count: " + std::to_string(counted),
-                 "the file was changed or cut; make it again");
+                 "the file was changed or truncated; create it again");
 }
 
 void read_summary(JsonObject summary, ValidationReport& report) {
@@ -116,7 +116,7 @@ ValidationReport read_report_json(const std::filesystem::path& file) {
   const LocatedJson document = LocatedJson::read(file);
   JsonObject object(document);
   if (!object.has("variants"))
-    object.fail("variants", "this is no report of penumbra validate",
+    object.fail("variants", "this is not a report of penumbra validate",
                 "make one with: penumbra validate --format json -o FILE");
   ValidationReport report;
   for (const JsonObject& record : object.objects("variants")) report.records.push_back(read_record(record));

@@ -23,11 +23,11 @@ const char* level_of(hlsl::Severity severity) {  // 3.27.10
 
 std::string describe(const std::string& rule, const ValidationReport& report) {
   if (const auto known = report.rules.find(rule); known != report.rules.end()) return known->second;
-  if (rule == "hlsl") return "The HLSL compiler refuses the source or warns of it";
-  if (rule == "spirv") return "The compiled module is no valid SPIR-V";
+  if (rule == "hlsl") return "The HLSL compiler rejects the source or warns about it";
+  if (rule == "spirv") return "The compiled module is not valid SPIR-V";
   if (rule == "compiler-crash") return "A compiler crashes, hangs or runs out of memory on the source";
   const std::string target = "target-";
-  if (rule.starts_with(target)) return "The shader cannot be had for " + rule.substr(target.size());
+  if (rule.starts_with(target)) return "The shader cannot be compiled for " + rule.substr(target.size());
   return "Finds what Unity's own compilers reject or what costs speed: " + rule;
 }
 
@@ -52,7 +52,7 @@ class SarifLog {
     Json run;
     run["tool"]["driver"] = {{"name", "penumbra"}, {"rules", rules_}};
     run["invocations"] = Json::array({invocation()});
-    run["originalUriBaseIds"][source_root]["description"]["text"] = "The folder the check ran in";
+    run["originalUriBaseIds"][source_root]["description"]["text"] = "The folder in which the check ran";
     run["artifacts"] = artifacts_;
     run["columnKind"] = "unicodeCodePoints";
     run["results"] = std::move(results);

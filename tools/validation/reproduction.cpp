@@ -45,7 +45,7 @@ std::string head(const CompileUnit& unit, const Crash& crash, const std::string&
   text += "; entry " + one_line(unit.compile.entry) + ", stage " + stage + "\n// Defines:";
   for (const auto& [name, value] : unit.compile.defines)
     text.append(one_line(std::string(" ").append(name).append("=").append(value)));
-  if (crash.text.empty()) text += "\n// The source as it is: the preprocessor does not come to its end.";
+  if (crash.text.empty()) text += "\n// The source as it is: the preprocessor does not finish.";
   return text + "\n// See it: penumbra validate " + file_name + " --entry " + one_line(unit.compile.entry) +
          " --stage " + stage + " --target " + (by_lint ? std::string(note_compile) : crash.target) + "\n";
 }

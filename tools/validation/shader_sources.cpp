@@ -53,7 +53,7 @@ hlsl::Diagnostic no_entry_point(const SourceProgram& program) {
           program.line,
           program.column,
           hlsl::Severity::error,
-          "this program names no entry point: #pragma vertex, #pragma fragment and their kind do",
+          "this program names no entry point: add #pragma vertex, #pragma fragment or similar",
           {}};
 }
 
@@ -172,11 +172,11 @@ void ShaderSources::add_shader(const project::ShaderFile& file, const std::strin
     program.properties = numbers_of(shader);
     program.text = found.implicit_includes ? with_implicit_includes(found.text, program.file) : found.text;
     if (found.language == shaderlab::Language::glsl) {
-      leave_unchecked(program, "a GLSLPROGRAM is for OpenGL alone and is not compiled here");
+      leave_unchecked(program, "a GLSLPROGRAM is for OpenGL only and is not compiled here");
     } else if (found.is_surface_shader) {
       leave_unchecked(program, "a surface shader: the Unity editor writes its passes");
     } else if (found.is_ray_tracing) {
-      leave_unchecked(program, "a ray tracing program: no target here has its stages");
+      leave_unchecked(program, "a ray tracing program: no target here supports its stages");
     } else {
       add_program(program);
     }

@@ -52,7 +52,7 @@ void add_records(const SourceVariant& variant, const UnitResult& result, std::si
     record.place = report_place;
     if (!result.missing_editor_include.empty())
       record.reason = "'" + result.missing_editor_include +
-                      "' ships with the Unity editor alone; --cginc-root DIR names its CGIncludes";
+                      "' ships only with the Unity editor; name its CGIncludes folder with --cginc-root DIR";
     judge(record, variant.technique);
     report.records.push_back(std::move(record));
   }

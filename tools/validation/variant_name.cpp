@@ -66,7 +66,7 @@ NamedEntry find_entry(const ShaderSources& sources, const VariantName& name) {
     std::vector<std::string> known;
     for (const NamedEntry& entry : all)
       if (std::find(known.begin(), known.end(), entry.title) == known.end()) known.push_back(entry.title);
-    throw InputError("--explain", "there is no entry point '" + spelt(name) + "'",
+    throw InputError("--explain", "unknown entry point '" + spelt(name) + "'",
                      unknown_name_way_out(spelt(name), known));
   }
   if (found.size() == 1) return found.front();

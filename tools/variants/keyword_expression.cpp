@@ -39,7 +39,7 @@ Clause choice_of(const std::string& word) {
     } else if (hlsl::is_identifier(name)) {
       clause.any_of.push_back(name);
     } else {
-      fail(word, name.empty() ? "lacks a name beside '|'" : "holds '" + name + "', which is not a keyword");
+      fail(word, name.empty() ? "lacks a name next to '|'" : "holds '" + name + "', which is not a keyword");
     }
     at = end + 1;
   }

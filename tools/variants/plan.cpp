@@ -123,15 +123,15 @@ std::string refusal(const std::vector<PlannedProgram>& programs, std::uint64_t l
     text += "  and " + std::to_string(largest.size() - most_shown) + " more programs\n";
   }
   const std::vector<Saving> candidates = savings(programs, counted.total);
-  if (!candidates.empty()) text += "what multiplies most, and what is left when it stands still\n";
+  if (!candidates.empty())
+    text += "what multiplies the number most, and how many variants are left without it\n";
   for (std::size_t i = 0; i < std::min(candidates.size(), most_shown); ++i) {
     const Saving& saving = candidates[i];
     text += "  " + text_of(saving.left) + " left   --keywords '" + shortened(saving.pin, 200) + "'\n";
   }
   return text +
-         "narrow the keywords (+NAME always, -NAME never, A|B only these), give a stripping file with what "
-         "the "
-         "project uses (URP settings, materials), or raise the limit\n";
+         "narrow the keywords (+NAME always, -NAME never, A|B only these), pass a stripping file with what "
+         "the project uses (URP settings, materials), or raise the limit\n";
 }
 
 }  // namespace penumbra::variants

@@ -111,7 +111,7 @@ bool PragmaParser::is_keyword(const Word& word, const Line& line) {
   if (hlsl::is_identifier(word.text)) return true;
   const bool comma = word.text.find(',') != std::string::npos;
   error(place_of(line, word), "'" + word.text + "' is not a keyword" +
-                                  (comma ? "; keywords are separated by blanks, without commas"
+                                  (comma ? "; keywords are separated by spaces, without commas"
                                          : "; keywords are letters, digits and '_'"));
   return false;
 }
@@ -125,7 +125,7 @@ KeywordSet PragmaParser::set_of(const Line& line) {
     if (!is_keyword(word, line)) continue;
     const bool empty = is_empty_keyword(word.text);
     if (!seen.insert(empty ? "_" : word.text).second) {
-      warn(place_of(line, word), "'" + word.text + "' stands twice in one set and counts once");
+      warn(place_of(line, word), "'" + word.text + "' appears twice in one set and counts once");
       continue;
     }
     set.alternatives.push_back(empty ? Keywords{} : Keywords{word.text});

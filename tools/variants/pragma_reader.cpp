@@ -184,7 +184,7 @@ class PragmaReader {
     const std::optional<IncludedText> found =
         program_.find_included ? program_.find_included(name, file) : std::nullopt;
     if (!found) {
-      say(hlsl::Severity::warning, place, "cannot find '" + name + "': its pragmas do not count");
+      say(hlsl::Severity::warning, place, "cannot find '" + name + "': its pragmas are ignored");
       return;
     }
     if (once_.contains(found->name)) return;
@@ -192,13 +192,12 @@ class PragmaReader {
       if (!std::exchange(too_deep_, true))
         say(hlsl::Severity::error, place,
             "files include each other more than " + std::to_string(deepest_include) + " deep, down to '" +
-                found->name + "'; give it an include guard or '#pragma once'");
+                found->name + "'; add an include guard or '#pragma once'");
       return;
     }
     if (++includes_ > most_files || bytes_ + found->text.size() > most_bytes) {
       if (includes_ == most_files + 1) {
-        say(hlsl::Severity::error, place,
-            "too many files are included; the pragmas of the rest do not count");
+        say(hlsl::Severity::error, place, "too many files are included; the pragmas of the rest are ignored");
       }
       includes_ = most_files + 1;
       return;

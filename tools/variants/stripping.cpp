@@ -190,7 +190,8 @@ Narrowing narrowing_of(const LocatedJson& document, const std::string& name) {
     const bool used = find_name<bool>(root, "shader_feature", root.text("shader_feature", ""),
                                       {{"used", true}, {"all", false}});
     if (!used && narrowing.materials) {
-      root.fail("shader_feature", "\"all\" leaves no use for \"materials\"", "remove one of the two");
+      root.fail("shader_feature", "\"materials\" has no effect together with \"all\"",
+                "remove one of the two");
     }
     if (used && !narrowing.materials) narrowing.materials.emplace();
   }

@@ -103,8 +103,8 @@ UrpSettings read_urp_asset(std::string_view text, const std::string& name) {
     at = end + 1;
   }
   if (!known) {
-    throw InputError(name, "holds no setting of the Universal Render Pipeline",
-                     "give a UniversalRenderPipelineAsset or UniversalRendererData, a text .asset file");
+    throw InputError(name, "contains no setting of the Universal Render Pipeline",
+                     "use a UniversalRenderPipelineAsset or UniversalRendererData, a text .asset file");
   }
   if (no_main_light) settings.main_light_shadows = false;
   return settings;

@@ -110,13 +110,13 @@ public sealed class CommandTests
     [TestCase("--generation 2022.3 or --generation 6000.0 says which declarations to check", "--source", ".")]
     [TestCase("--generation 2022.3 or --generation 6000.0 says which declarations to check", "--source", ".", "--generation", "5.6")]
     [TestCase("--source needs a value (--help lists the options)", "--source")]
-    [TestCase("--sauce is no option (--help lists them)", "--sauce", "a")]
+    [TestCase("--sauce is not an option (--help lists them)", "--sauce", "a")]
     [TestCase("x: a folder of sources is given as --source x", "x", "--source", ".")]
     [TestCase("--version does not go with --source (--help says more)", "--source", ".", "--generation", "2022.3", "--version", "6000.0")]
     [TestCase("--generation does not go with a folder of assemblies (--help says more)", ".", "--generation", "2022.3")]
     [TestCase("--output does not go with --page (--help says more)", "--page", "a.md", "--output", "b.json")]
     [TestCase("nowhere: there is no such folder", "nowhere")]
-    [TestCase("'new' is no version of Unity: one reads 2022.3.17f1 or 6000.0", ".", "--version", "new")]
+    [TestCase("'new' is not a version of Unity such as 2022.3.17f1 or 6000.0", ".", "--version", "new")]
     public void WrongUsageIsTold(string message, params string[] arguments)
     {
         var run = Commands.Run(["--package", world.Folder.At("package"), .. arguments]);

@@ -244,7 +244,7 @@ public sealed partial class InstallationTests
         File.WriteAllText(world.Folder.At("Project/Library/ScriptAssemblies/Unity.RenderPipelines.Core.Runtime.dll"), "broken");
         var run = world.Check(world.Installation, world.Project);
         Assert.That(run.Notes, Does.Contain("Unity.RenderPipelines.Core.Runtime.dll, to which Probe.Runtime refers: the file in " +
-                                            $"{world.Project}/Library/ScriptAssemblies is no .NET assembly; "));
+                                            $"{world.Project}/Library/ScriptAssemblies is not a .NET assembly; "));
         Assert.That(run.Code, Is.EqualTo(3));
     }
 

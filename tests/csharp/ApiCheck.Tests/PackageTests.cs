@@ -107,7 +107,7 @@ public sealed class PackageTests
     [TestCase("{ \"name\": 1 }", ":1:1: a field is missing or has the wrong type: ")]
     [TestCase("[]", ":1:1: a field is missing or has the wrong type: ")]
     [TestCase("{ \"name\": \"A\", \"versionDefines\": [ { \"expression\": \"new\" } ] }",
-              ":1:1: 'new' is no version expression: one reads 14.0.0 or [14.0,17.0)")]
+              ":1:1: 'new' is not a version expression such as 14.0.0 or [14.0,17.0)")]
     public void ABrokenAsmdefIsToldWithItsPlace(string text, string message)
     {
         using var folder = new TemporaryFolder();

@@ -10,7 +10,7 @@ public sealed class ScriptTests
     public void PassesArgumentsOn()
     {
         var (code, output) = Run(null, "--sauce", "a");
-        Assert.That(output, Is.EqualTo("check-unity-api: --sauce is no option (--help lists them)\n"));
+        Assert.That(output, Is.EqualTo("check-unity-api: --sauce is not an option (--help lists them)\n"));
         Assert.That(code, Is.EqualTo(2));
     }
 

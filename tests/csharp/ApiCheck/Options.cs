@@ -84,7 +84,7 @@ public sealed class Options
             case "--page": Page = value; break;
             case "--package": Package = value; break;
             case "--declarations": Declarations = value; break;
-            default: throw CheckException.Usage($"{option} is no option (--help lists them)");
+            default: throw CheckException.Usage($"{option} is not an option (--help lists them)");
         }
     }
 }

@@ -1,4 +1,4 @@
-// bad_register.hlsl:2:22: warning: 'q' is no kind of register: b, t, s, u or c
+// bad_register.hlsl:2:22: warning: 'q' is not a kind of register: use b, t, s, u or c
 Texture2D _BaseMap : register(q0);
 SamplerState sampler_BaseMap;
 float4 Main(float4 position : SV_Position, float2 uv : TEXCOORD0) : SV_Target

@@ -1,4 +1,4 @@
-// elif_after_else.hlsl:6:1: error: '#elif' stands after '#else'
+// elif_after_else.hlsl:6:1: error: '#elif' comes after '#else'
 #if defined(_A)
 #define SHADE 1.0
 #else

@@ -1,1 +1,1 @@
-// empty_file.hlsl: error: there is no function 'Main' to enter at
+// empty_file.hlsl: error: the entry point 'Main' is not defined

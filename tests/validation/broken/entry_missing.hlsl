@@ -1,4 +1,4 @@
-// entry_missing.hlsl: error: there is no function 'Main' to enter at
+// entry_missing.hlsl: error: the entry point 'Main' is not defined
 float4 Frag(float4 position : SV_Position) : SV_Target
 {
     return 1.0;

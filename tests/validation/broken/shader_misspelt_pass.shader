@@ -1,4 +1,4 @@
-// shader_misspelt_pass.shader:6:9: error: 'Pas' is no command of ShaderLab: did you mean 'Pass'? (and its block holds a program)
+// shader_misspelt_pass.shader:6:9: error: 'Pas' is not a command of ShaderLab: did you mean 'Pass'? (and its block holds a program)
 Shader "Broken/Test"
 {
     SubShader

@@ -68,7 +68,7 @@ public sealed class AssemblyIndex
 
     private static string Fault(string? folder, string name) =>
         folder is not null && File.Exists(Path.Combine(folder, name + ".dll"))
-            ? $"the file in {folder} is no .NET assembly"
+            ? $"the file in {folder} is not a .NET assembly"
             : "missing";
 
     private static bool IsEngine(ManagedFile file) => IsNamed(file, "UnityEngine") || IsNamed(file, "UnityEditor");

@@ -51,7 +51,7 @@ public sealed record Asmdef(string File, string Name)
         {
             var expression = Text(entry, "expression");
             var range = VersionRange.Parse(expression) ?? throw CheckException.Usage(
-                $"{file}:1:1: '{expression}' is no version expression: one reads 14.0.0 or [14.0,17.0)");
+                $"{file}:1:1: '{expression}' is not a version expression such as 14.0.0 or [14.0,17.0)");
             return new VersionDefine(Text(entry, "name"), range, Text(entry, "define"));
         }).ToArray();
     }

@@ -20,7 +20,7 @@ public sealed partial record UnityVersion(int Major, int Minor, int Patch, strin
     public string Generation => Major < 6000 ? "2022.3" : "6000.0";
 
     public static UnityVersion Parse(string text) =>
-        Find(text) ?? throw CheckException.Usage($"'{text}' is no version of Unity: one reads 2022.3.17f1 or 6000.0");
+        Find(text) ?? throw CheckException.Usage($"'{text}' is not a version of Unity such as 2022.3.17f1 or 6000.0");
 
     /// <summary>The first version that the text holds, null where it holds none.</summary>
     public static UnityVersion? Find(string text)
