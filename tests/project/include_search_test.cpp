@@ -89,6 +89,13 @@ TEST_F(IncludeSearchTest, AssetsWithoutAProjectSayWhatIsMissing) {
                 "; name the folder that contains Assets/ with --project DIR");
 }
 
+TEST_F(IncludeSearchTest, APlaceIsNamedOnce) {
+  roots.directories = {files.path("Assets/Shaders/Inner"), files.path("lib")};
+  EXPECT_EQ(found("Gone.hlsl"), "cannot find 'Gone.hlsl'; tried " +
+                                    files.text("Assets/Shaders/Inner/Gone.hlsl") + ", " +
+                                    files.text("lib/Gone.hlsl"));
+}
+
 TEST_F(IncludeSearchTest, PackageWithoutARootNamesTheNearest) {
   EXPECT_EQ(found("Packages/com.x.cor@1.0.0/A.hlsl"),
             "cannot find 'Packages/com.x.cor@1.0.0/A.hlsl'; tried " +

@@ -129,10 +129,12 @@ std::string missing_message(std::string_view asked, const Places& places) {
   std::string message = "cannot find '" + std::string(asked) + "'";
   std::vector<Place> tried = places.other_case;
   tried.insert(tried.end(), places.tried.begin(), places.tried.end());
-  const char* separator = "; tried ";
+  std::vector<std::string> named;  // an include directory may be the includer's own folder
   for (const Place& place : tried) {
-    message += separator + place.file().string();
-    separator = ", ";
+    const std::string file = place.file().string();
+    if (std::find(named.begin(), named.end(), file) != named.end()) continue;
+    message += (named.empty() ? "; tried " : ", ") + file;
+    named.push_back(file);
   }
   if (!places.hint.empty()) message += "; " + places.hint;
   const std::string nearest = nearest_file(tried);
