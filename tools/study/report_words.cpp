@@ -22,8 +22,9 @@ std::string reference_definitions_html() {
   constexpr Entry kEntries[] = {
       {"T1: ray tracing",
        "Rays from each pixel's surface point to points spread over the light's disc, on the real geometry. "
-       "All errors are differences from T1. The noise floor of T1 is the RMSE between two independent T1 "
-       "images over the penumbra, divided by √2: differences below it are not significant."},
+       "All errors are differences from T1. Its noise floor is half the RMS difference, over the penumbra, "
+       "between "
+       "the visibilities by either half of its rays: differences below it are not significant."},
       {"T2: all the information in the shadow map",
        "Every texel of the shadow map is taken as a square at its stored depth and projected onto the light; "
        "T2 is the part of the light that no texel covers. It is an estimate from what the map contains, not "

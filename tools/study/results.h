@@ -23,9 +23,10 @@ namespace penumbra::study {
 inline constexpr int kResultsSchemaVersion = 2;
 
 struct ReferenceNote {
-  std::string kind;          // for example "ray-traced disc light"
-  int samples = 0;           // rays per pixel
-  double noise_floor = 0.0;  // RMSE of two independent references in penumbra, divided by sqrt(2)
+  std::string kind;  // for example "ray-traced disc light"
+  int samples = 0;   // rays per pixel
+  double noise_floor =
+      0.0;  // RMSE of T1 itself in penumbra: half the RMS difference of two halves of its rays
 
   bool operator==(const ReferenceNote&) const = default;
 };
