@@ -37,6 +37,14 @@ TEST_F(MeasureFrom, WhatIsAskedForTwiceIsMeasuredOnceAndReadAgain) {
   EXPECT_EQ(results["frames"].size(), 1U);
 }
 
+TEST_F(MeasureFrom, AReportOfEarlierFiguresHasNoFolderForPictures) {
+  measured({"--scene", "slabs", "--light", "2", "--technique", "hard"});
+  const auto again = run({"measure", "--from", path("results.json").string(), "-o", path("again").string()});
+  ASSERT_EQ(again.exit_code, 0) << again.errors;
+  EXPECT_TRUE(std::filesystem::exists(path("again/report.html")));
+  EXPECT_FALSE(std::filesystem::exists(path("again/pictures")));
+}
+
 TEST_F(MeasureFrom, ARecordSaysWhatItRanAt) {
   const std::string lit = write("Lit.hlsl", R"(#include "Platform/Platform.hlsl"
 float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel) { return 1.0; }

@@ -147,6 +147,24 @@ TEST_F(Render, ATitleIsOfWhatIsThere) {
   expect_refused({"--adapters", "middle"}, {"--adapters", "last"});
 }
 
+// Each caption is the one that the title asks for.
+TEST_F(Render, CaptionsAreTitlesNotNames) {
+  const auto sheet = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> arguments = small({"--sheet", path("sheet.png").string()});
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const auto result = run(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    return read("sheet.png");
+  };
+  EXPECT_EQ(sheet({"--technique", "tent-3-plane,preset-high"}),
+            sheet({"--technique", "tent-3-plane,preset-high", "--title",
+                   "tent-3-plane=Tent 3x3, receiver plane", "--title", "preset-high=Penumbra High"}));
+  const std::vector<std::string> set{"--technique", "preset-low", "--set", "maxPenumbraMetres=2"};
+  std::vector<std::string> titled = set;
+  titled.insert(titled.end(), {"--title", "preset-low maxPenumbraMetres=2=Penumbra Low maxPenumbraMetres=2"});
+  EXPECT_EQ(sheet(set), sheet(titled)) << "one value alone leaves the technique its title";
+}
+
 TEST_F(Render, AdaptersStandWhereTheyAreAskedToUnderTheirTitles) {
   const auto file =
       write("mine.hlsl", "float ShadowVisibility(float3 p, float3 n, float2 xy) { return 0.25; }\n");

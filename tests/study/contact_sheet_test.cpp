@@ -43,6 +43,13 @@ struct MadeUp {
   }
 };
 
+// The line drawn alone, found again in the sheet.
+bool holds_text(const Picture& sheet, const std::string& line, int text_size = kTextSize) {
+  const int width = caption_width(line, text_size);
+  const Picture alone = compose({{line, filled_picture(width, 1, {255, 255, 255}), {}}}, 1, 0, text_size);
+  return occurrences(sheet, cropped(alone, {8, 8, width, text_size})) > 0;
+}
+
 TEST(ContactSheet, HoldsTheReferenceOncePerLightAndEveryResult) {
   MadeUp study;
   for (const double degrees : {2.0, 5.0}) {
@@ -80,6 +87,16 @@ TEST(ContactSheet, ShowsADebugViewOfThoseThatHaveIt) {
   EXPECT_EQ(sheet, contact_sheet({study.records[0]}, {study.rows[0]},
                                  {.pictures = {{SheetPicture::debug_view, "Cascades"}}}))
       << "the function has no cell";
+}
+
+TEST(ContactSheet, NamesADebugViewAsTheInspectorDoes) {
+  MadeUp study;
+  study.add("boxes", 2.0, "a");
+  study.rows[0].debug_views["PenumbraWidth"] = noise(78);
+  const Picture sheet =
+      contact_sheet(study.records, study.rows, {.pictures = {{SheetPicture::debug_view, "PenumbraWidth"}}});
+  EXPECT_TRUE(holds_text(sheet, "Penumbra Width"));
+  EXPECT_FALSE(holds_text(sheet, "PenumbraWidth"));
 }
 
 TEST(ContactSheet, ShowsTheWindowZoomed) {
@@ -134,20 +151,43 @@ TEST(ContactSheet, ShowsWhatIsAskedForAndAMaskOnlyWhereThereIsOne) {
   EXPECT_EQ(occurrences(sheet, study.rows[1].mask), 1);
 }
 
-// A caption drawn alone, found again in the sheet: error, and the fetches of all passes together.
+// Error, and the fetches of all passes together.
 TEST(ContactSheet, CaptionsHoldNameErrorAndFetches) {
   MadeUp study;
   study.add("boxes", 2.0, "blockerSamples=4");
-  const Picture sheet = contact_sheet(study.records, study.rows, {});
-  for (const std::string line :
+  const Picture sheet = contact_sheet(study.records, study.rows, {.zoom = 14});
+  for (const char* line :
        {"Ray traced", "boxes, light of 2°", "blockerSamples=4", "penumbra error 0.125, 42.5 fetches"}) {
-    const int width = caption_width(line);
-    const Picture alone = compose({{line, filled_picture(width, 1, {255, 255, 255}), {}}}, 1);
-    EXPECT_EQ(occurrences(sheet, cropped(alone, {8, 8, width, 20})), 1) << line;
+    EXPECT_TRUE(holds_text(sheet, line)) << line;
   }
   study.records[0].metrics.rmse_penumbra.reset();
   const Picture lit = contact_sheet(study.records, study.rows, {});
   EXPECT_NE(lit, sheet) << "no penumbra to be wrong in";
+}
+
+// A cell of 240 pixels, the least there is, and 8 between cells.
+TEST(ContactSheet, ALongCaptionIsBrokenAndTheCellKeepsItsWidth) {
+  MadeUp study;
+  study.add("boxes", 2.0, "PCSS 24+16 at half resolution, masked and denoised");
+  const Picture sheet = contact_sheet(study.records, study.rows, {.zoom = 6});
+  EXPECT_EQ(sheet.width, 2 * (240 + 8) + 8);
+  for (const char* line : {"PCSS 24+16 at half", "resolution,", "masked and denoised",
+                           "penumbra error 0.125,", "42.5 fetches"}) {
+    EXPECT_TRUE(holds_text(sheet, line)) << line;
+  }
+}
+
+// 420 pixels hold the figures in smaller letters, not of the 28 that so wide a sheet would have.
+TEST(ContactSheet, LettersAreALittleSmallerWhereThatKeepsALineWhole) {
+  MadeUp study;
+  for (const char* technique : {"a", "b", "c"}) study.add("boxes", 2.0, technique);
+  const Picture sheet = contact_sheet(study.records, study.rows, {.zoom = 14});
+  EXPECT_EQ(sheet.width, 4 * (420 + 8) + 8);
+  const std::string line = "penumbra error 0.125, 42.5 fetches";
+  int size = 28;
+  while (caption_width(line, size) > 420 - size / 2) --size;
+  EXPECT_LT(size, 28);
+  EXPECT_TRUE(holds_text(sheet, line, size));
 }
 
 TEST(ContactSheet, RecordsAndPicturesGoTogether) {

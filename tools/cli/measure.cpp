@@ -26,6 +26,7 @@
 #include "study/preset_figures.h"
 #include "study/report.h"
 #include "study/result_block.h"
+#include "study/short_title.h"
 #include "study/study.h"
 #include "study/summary.h"
 
@@ -139,9 +140,12 @@ void write_report(const std::filesystem::path& folder, const study::Results& res
   for (const study::ReportChart& chart : content.charts) {
     platform::write_file_atomically(folder / (chart.chart.name + ".svg"), chart.svg);
   }
-  make_folder(folder / "pictures");
-  for (const study::PictureRow& row : content.pictures) {
-    write_picture(folder / "pictures" / (study::file_stem(row) + ".png"), study::side_by_side(row));
+  if (!content.pictures.empty()) make_folder(folder / "pictures");
+  for (std::size_t i = 0; i < content.pictures.size(); ++i) {
+    const study::PictureRow& row = content.pictures[i];
+    const study::Record& record = results.records[i];
+    write_picture(folder / "pictures" / (study::file_stem(row) + ".png"),
+                  study::side_by_side(row, study::short_title(record.technique, record.title)));
   }
   const study::Picture overview = study::overview(results, content.pictures, 4);
   if (!overview.samples.empty()) write_picture(folder / "overview.png", overview);

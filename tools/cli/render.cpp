@@ -39,16 +39,17 @@ study::StudySettings study_settings(const StudyOptions& options) {
   return settings;
 }
 
-void write_rows(const std::filesystem::path& folder, const std::vector<study::PictureRow>& rows) {
+void write_rows(const std::filesystem::path& folder, const study::StudyOutcome& outcome) {
   make_folder(folder);
-  for (const study::PictureRow& row : rows) {
+  for (std::size_t i = 0; i < outcome.pictures.size(); ++i) {
+    const study::PictureRow& row = outcome.pictures[i];
     const std::string name = study::file_stem(row);
     write_picture(folder / (name + "_reference.png"), row.reference);
     write_picture(folder / (name + "_result.png"), row.result);
     write_picture(folder / (name + "_error.png"), row.error);
     write_picture(folder / (name + "_fetches.png"), row.fetches);
     if (!row.mask.samples.empty()) write_picture(folder / (name + "_mask.png"), row.mask);
-    write_picture(folder / (name + ".png"), study::side_by_side(row));
+    write_picture(folder / (name + ".png"), study::side_by_side(row, outcome.records[i].title));
     write_output("", (folder / (name + ".png")).string() + "\n");
   }
 }
@@ -75,7 +76,7 @@ void render(const RenderOptions& options, const Context& context) {
   if (lit) lit->replace_pictures(outcome.pictures);
 
   if (options.sheet.file.empty()) {
-    write_rows(options.output.empty() ? "." : options.output, outcome.pictures);
+    write_rows(options.output.empty() ? "." : options.output, outcome);
   } else {
     write_picture(options.sheet.file, study::contact_sheet(outcome.records, outcome.pictures, sheet));
     write_output("", options.sheet.file + "\n");

@@ -11,6 +11,7 @@
 #include "input/input_error.h"
 #include "platform/data_directory.h"
 #include "shaders/technique_values.h"
+#include "study/short_title.h"
 
 namespace penumbra::cli {
 namespace {
@@ -86,23 +87,23 @@ std::string text_of_varying(const std::vector<Setting>& settings) {
   return text_of(varying.empty() ? settings : varying);
 }
 
-// One technique's name would only repeat itself where something varies.
-std::string caption(const std::string& name, const std::string& varied, bool alone) {
-  return alone && !varied.empty() ? varied : joined(name, varied);
+// One technique's name would only repeat itself beside every value.
+std::string caption(const std::string& title, const std::string& varied, bool alone) {
+  return alone ? varied : joined(title, varied);
 }
 
 void add_captioned(std::vector<study::Subject>& subjects, const study::Subject& subject,
-                   const std::vector<int>& frames, bool alone, const std::string& base,
+                   const std::vector<int>& frames, bool alone, const std::string& title,
                    const std::string& varied) {
   if (frames.empty()) {
     subjects.push_back(subject);
-    subjects.back().title = caption(base, varied, alone);
+    subjects.back().title = caption(title, varied, alone);
   }
   for (const int count : frames) {
     const std::string text = fmt::format("{} frame{}", count, count == 1 ? "" : "s");
     subjects.push_back(subject);
     subjects.back().name = joined(subject.name, text);
-    subjects.back().title = caption(base, joined(varied, text), alone);
+    subjects.back().title = caption(title, joined(varied, text), alone);
     subjects.back().averaged_frames = count;
   }
 }
@@ -116,10 +117,11 @@ void refuse_repetitions(const std::vector<study::Subject>& subjects) {
 
 void give_titles(std::vector<study::Subject>& subjects, const std::vector<std::string>& titles) {
   for (const std::string& text : titles) {
-    const auto [name, title] = name_and_value("--title", text);
-    const auto found =
-        std::find_if(subjects.begin(), subjects.end(),
-                     [&name = name](const study::Subject& subject) { return subject.name == name; });
+    const std::string name = name_and_value("--title", text).first;
+    // A name that holds what was set holds '=' too.
+    const auto found = std::find_if(subjects.begin(), subjects.end(), [&text](const study::Subject& subject) {
+      return text.size() > subject.name.size() + 1 && text.starts_with(subject.name + "=");
+    });
     if (found == subjects.end()) {
       std::string names;
       for (const study::Subject& subject : subjects)
@@ -127,7 +129,7 @@ void give_titles(std::vector<study::Subject>& subjects, const std::vector<std::s
       throw InputError("", "--title " + text + ": no technique or adapter is named '" + name + "'",
                        "the names are " + names);
     }
-    found->title = title;
+    found->title = text.substr(found->name.size() + 1);
   }
 }
 
@@ -161,7 +163,7 @@ std::vector<study::Subject> varied_subjects(const StudyOptions& options, const V
   }
   const std::vector<std::vector<Setting>> settings = combinations(parameters(varied.set));
   const std::vector<resolve::Adapter> adapters = chosen_adapters(options);
-  const bool alone = names.size() + adapters.size() == 1;
+  const bool alone = names.size() + adapters.size() == 1 && (settings.size() > 1 || varied.frames.size() > 1);
 
   std::vector<study::Subject> subjects;
   for (const std::string& name : names) {
@@ -173,9 +175,10 @@ std::vector<study::Subject> varied_subjects(const StudyOptions& options, const V
       study::Subject subject = study::technique_subject(list, technique, reversed_z);
       subject.bias = chosen_bias(options, subject.bias);
       subject.name = joined(name, text_of(combination));
-      subject.title = joined(subject.title, text_of(combination));
+      const std::string title = study::short_title(name, subject.title);
+      if (!combination.empty()) subject.title = joined(title, text_of(combination));
       if (varied.captions)
-        add_captioned(subjects, subject, varied.frames, alone, name, text_of_varying(combination));
+        add_captioned(subjects, subject, varied.frames, alone, title, text_of_varying(combination));
       else
         subjects.push_back(std::move(subject));
     }
@@ -185,7 +188,8 @@ std::vector<study::Subject> varied_subjects(const StudyOptions& options, const V
     study::Subject subject = study::adapter_subject(adapter, reversed_z);
     subject.bias = chosen_bias(options, subject.bias);
     if (varied.captions)
-      add_captioned(subjects, subject, varied.frames, alone, adapter.name, "");
+      add_captioned(subjects, subject, varied.frames, alone, study::short_title(adapter.name, subject.title),
+                    "");
     else
       subjects.push_back(std::move(subject));
   }

@@ -23,10 +23,10 @@ struct VariedSubjects {
 void add_set_option(CLI::App& command, const std::string& group, VariedSubjects& varied);
 void add_title_option(CLI::App& command, const std::string& group, VariedSubjects& varied);
 
-// Names are distinct: the technique's and what was set. Captions are, of one technique alone, what varies,
-// else the names, too. Without a technique and an adapter: pcss-angular-24-16. Throws InputError for an
-// unknown technique, a parameter that a technique lacks, a value out of its range or no number, a title of
-// what is not there, and whatever would stand twice.
+// Names are distinct: the technique's and what was set. Captions are, of one technique under several
+// settings, what varies, else the short title (study/short_title.h) and what was set. Without a technique and
+// an adapter: pcss-angular-24-16. Throws InputError for an unknown technique, a parameter that a technique
+// lacks, a value out of its range or no number, a title of what is not there, and whatever would stand twice.
 std::vector<study::Subject> varied_subjects(const StudyOptions& options, const VariedSubjects& varied);
 
 }  // namespace penumbra::cli

@@ -36,15 +36,15 @@ class Captions {
  public:
   Captions(Picture& canvas, int text_size) : canvas_(canvas), letters_(text_size) {}
 
-  // The caption's lines from the top, and the legend in the last of `rows`.
-  void draw(int left, int top, int width, int rows, const CaptionedPicture& item) {
-    const int last = rows - 1;
+  // The caption's lines from the top, and the legend in the last of them.
+  void draw(int left, int top, int width, const CaptionedPicture& item) {
+    const std::vector<std::string> lines = lines_of(item.caption);
+    const int last = std::max(static_cast<int>(lines.size()) - 1, 0);
     int last_right = left + width;
     if (item.legend) {
       last_right = draw_legend(left + width, top + last * letters_.line_height(), *item.legend, width / 5) -
                    kPictureGap;
     }
-    const std::vector<std::string> lines = lines_of(item.caption);
     for (int row = 0; row < static_cast<int>(lines.size()); ++row) {
       const int right = row == last ? last_right : left + width;
       letters_.draw(canvas_, left, top + row * letters_.line_height(),
@@ -82,6 +82,30 @@ int caption_width(const std::string& caption, int text_size) {
   return width;
 }
 
+std::string wrapped_caption(const std::string& caption, int width, int text_size) {
+  const Lettering letters(text_size);
+  std::string wrapped;
+  for (const std::string& line : lines_of(caption)) {
+    std::istringstream words(line);
+    std::string begun;
+    for (std::string word; words >> word;) {
+      const std::string longer = begun.empty() ? word : begun + " " + word;
+      if (begun.empty() || letters.width(longer) <= width) {
+        begun = longer;
+        continue;
+      }
+      const std::size_t comma = longer.rfind(", ");
+      const bool at_comma = comma != std::string::npos && letters.width(longer.substr(comma + 2)) <= width;
+      const std::size_t space = at_comma ? comma + 1 : begun.size();
+      wrapped += longer.substr(0, space) + "\n";
+      begun = longer.substr(space + 1);
+    }
+    wrapped += begun + "\n";
+  }
+  if (!wrapped.empty()) wrapped.pop_back();
+  return wrapped;
+}
+
 Picture compose(const std::vector<CaptionedPicture>& pictures, int columns, int least_width, int text_size) {
   if (pictures.empty() || columns < 1) throw std::invalid_argument("nothing to compose");
   const int width = pictures.front().picture.width;
@@ -103,7 +127,7 @@ Picture compose(const std::vector<CaptionedPicture>& pictures, int columns, int 
     }
     const int left = kPictureGap + static_cast<int>(i) % columns * (cell_width + kPictureGap);
     const int top = kPictureGap + static_cast<int>(i) / columns * cell_height;
-    captions.draw(left, top, cell_width, caption_rows, item);
+    captions.draw(left, top, cell_width, item);
     place_picture(canvas, left, top + caption_height, item.picture);
   }
   return canvas;

@@ -16,7 +16,7 @@ struct Legend {
 };
 
 struct CaptionedPicture {
-  std::string caption;  // lines of text; a legend stands in the last line of the longest caption
+  std::string caption;  // lines of text; a legend stands in the last one
   Picture picture;      // RGB; all of one size
   std::optional<Legend> legend;
 };
@@ -33,5 +33,9 @@ Picture compose(const std::vector<CaptionedPicture>& pictures, int columns, int 
 
 // Pixels that the longest line of a caption takes.
 int caption_width(const std::string& caption, int text_size = kTextSize);
+
+// The caption with lines broken after commas, else at spaces, so that none but a single word is wider than
+// this.
+std::string wrapped_caption(const std::string& caption, int width, int text_size = kTextSize);
 
 }  // namespace penumbra::study

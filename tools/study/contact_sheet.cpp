@@ -13,7 +13,7 @@ namespace penumbra::study {
 namespace {
 
 constexpr int kMostColumns = 4;
-constexpr int kLeastWidth = 240;  // pixels that a legend needs
+constexpr int kLeastWidth = 12;  // of a cell, in heights of a line: what a legend needs
 
 std::string reference_caption(const Record& record) {
   return fmt::format("Ray traced\n{}, light of {}°", record.scene, record.light_degrees);
@@ -38,11 +38,21 @@ std::optional<CaptionedPicture> mask_cell(const Record& record, const PictureRow
   return CaptionedPicture{record.title + "\n" + mask_figures(record.metrics), row.mask, {}};
 }
 
+// As Unity's inspector shows the name of a pass: "Penumbra Width".
+std::string inspector_name(const std::string& pass) {
+  std::string name;
+  for (const char c : pass) {
+    if (!name.empty() && c >= 'A' && c <= 'Z') name += ' ';
+    name += c;
+  }
+  return name;
+}
+
 std::optional<CaptionedPicture> view_cell(const std::string& view, const Record& record,
                                           const PictureRow& row) {
   const auto found = row.debug_views.find(view);
   if (found == row.debug_views.end()) return std::nullopt;
-  return CaptionedPicture{record.title + "\n" + view, found->second, {}};
+  return CaptionedPicture{record.title + "\n" + inspector_name(view), found->second, {}};
 }
 
 std::optional<CaptionedPicture> cell(const SheetChoice& choice, const Record& record, const PictureRow& row) {
@@ -99,10 +109,23 @@ int text_size(int sheet_width) {
   return std::clamp(sheet_width / kLettersPerSheet, kTextSize, 3 * kTextSize);
 }
 
-int least_width(const std::vector<CaptionedPicture>& cells, int text) {
-  int width = kLeastWidth;
-  for (const CaptionedPicture& cell : cells) width = std::max(width, caption_width(cell.caption, text));
-  return width;
+// Of a cell's width; the rest keeps neighbours' captions apart.
+int room_for_captions(int width, int text) {
+  return std::max(width, kLeastWidth * text) - text / 2;
+}
+
+bool captions_fit(const std::vector<CaptionedPicture>& cells, int text) {
+  const int room = room_for_captions(cells.front().picture.width, text);
+  return std::all_of(cells.begin(), cells.end(),
+                     [&](const CaptionedPicture& cell) { return caption_width(cell.caption, text) <= room; });
+}
+
+// Rather a little smaller than broken into more lines.
+int fitting_text_size(const std::vector<CaptionedPicture>& cells, int largest) {
+  for (int text = largest; text >= std::max(kTextSize, largest * 3 / 4); --text) {
+    if (captions_fit(cells, text)) return text;
+  }
+  return largest;
 }
 
 // The part that is shown, zoomed, and its insets.
@@ -129,8 +152,14 @@ Picture contact_sheet(const std::vector<Record>& records, const std::vector<Pict
                           ? options.columns
                           : std::min(static_cast<int>(cells.of_the_first_frame), kMostColumns);
   const int beside = std::min(columns, static_cast<int>(cells.all.size()));
-  const int text = text_size(beside * cells.all.front().picture.width);
-  return compose(cells.all, columns, least_width(cells.all, text), text);
+  const int picture_width = cells.all.front().picture.width;
+  const int text = fitting_text_size(cells.all, text_size(beside * picture_width));
+  int least_width = kLeastWidth * text;
+  for (CaptionedPicture& cell : cells.all) {
+    cell.caption = wrapped_caption(cell.caption, room_for_captions(picture_width, text), text);
+    least_width = std::max(least_width, caption_width(cell.caption, text) + text / 2);
+  }
+  return compose(cells.all, columns, least_width, text);
 }
 
 }  // namespace penumbra::study

@@ -37,9 +37,9 @@ struct SheetOptions {
 };
 
 // Per scene and light the ray-traced reference, then the subjects. `records` and `rows` are those of one
-// study, in its order; a record's title names its pictures, and its figures are the caption's.
-// Throws std::invalid_argument when they do not go together, for a window or
-// an inset beyond the pictures, and for insets too wide to stand side by side beneath one.
+// study, in its order; a record's title names its pictures, and its figures are the caption's. Captions keep
+// to their cells: long lines are broken. Throws std::invalid_argument when they do not go together, for a
+// window or an inset beyond the pictures, and for insets too wide to stand side by side beneath one.
 Picture contact_sheet(const std::vector<Record>& records, const std::vector<PictureRow>& rows,
                       const SheetOptions& options);
 

@@ -7,6 +7,7 @@
 
 #include "study/colour_map.h"
 #include "study/composition.h"
+#include "study/short_title.h"
 #include "study/summary.h"
 
 namespace penumbra::study {
@@ -14,27 +15,27 @@ namespace {
 
 constexpr int kCaptionWidth = 440;  // pixels that a caption and its legend need
 
-std::vector<CaptionedPicture> captioned(const PictureRow& small) {
+std::vector<CaptionedPicture> captioned(const PictureRow& small, const std::string& title) {
   const int factor = (kCaptionWidth + small.reference.width - 1) / small.reference.width;
   PictureRow row = small;
   for (Picture* picture : {&row.reference, &row.result, &row.error, &row.fetches}) {
     *picture = enlarged(*picture, factor);
   }
-  const std::string scene = fmt::format("{} {} deg", row.scene, row.light_degrees);
+  const std::string scene = fmt::format("Ray traced\n{}, light of {}°", row.scene, row.light_degrees);
   return {
       {scene, row.reference, Legend{ramp_strip(visibility_colour, 0.0, 1.0), "0", "1"}},
-      {row.technique, row.result, Legend{ramp_strip(visibility_colour, 0.0, 1.0), "0", "1"}},
-      {"error", row.error,
+      {title + "\nresult", row.result, Legend{ramp_strip(visibility_colour, 0.0, 1.0), "0", "1"}},
+      {title + "\nerror", row.error,
        Legend{ramp_strip(error_colour, -1.0, 1.0), fmt::format("-{} dark", row.error_scale),
               fmt::format("+{} bright", row.error_scale)}},
-      {"fetches", row.fetches,
+      {title + "\nfetches", row.fetches,
        Legend{ramp_strip(fetch_colour, 0.0, 1.0), "0", fmt::format("{}", row.fetch_scale)}},
   };
 }
 
-std::string best_technique(const Results& results) {
+Choice best_technique(const Results& results) {
   double lowest = std::numeric_limits<double>::infinity();
-  std::string best;
+  Choice best;
   for (const Choice& choice : choices(results)) {
     double sum = 0.0;
     int lines = 0;
@@ -45,7 +46,7 @@ std::string best_technique(const Results& results) {
     }
     if (lines > 0 && sum / lines < lowest) {
       lowest = sum / lines;
-      best = choice.technique;
+      best = choice;
     }
   }
   return best;
@@ -65,8 +66,8 @@ bool same_size(const Picture& a, const Picture& b) {
 
 }  // namespace
 
-Picture side_by_side(const PictureRow& row) {
-  return compose(captioned(row), 2);
+Picture side_by_side(const PictureRow& row, const std::string& title) {
+  return compose(captioned(row, title), 2);
 }
 
 std::string file_stem(const PictureRow& row) {
@@ -80,13 +81,14 @@ std::string file_stem(const PictureRow& row) {
 }
 
 Picture overview(const Results& results, const std::vector<PictureRow>& pictures, std::size_t most_scenes) {
-  const std::string technique = best_technique(results);
+  const Choice best = best_technique(results);
   const double degrees = light_nearest(results, 2.0);
   std::vector<CaptionedPicture> rows;
   for (const PictureRow& row : pictures) {
-    if (row.technique != technique || row.light_degrees != degrees || rows.size() >= 4 * most_scenes)
+    if (row.technique != best.technique || row.light_degrees != degrees || rows.size() >= 4 * most_scenes)
       continue;
-    std::vector<CaptionedPicture> captioned_row = captioned(row);
+    std::vector<CaptionedPicture> captioned_row =
+        captioned(row, short_title(best.technique, best.title));
     if (!rows.empty() && !same_size(rows.front().picture, captioned_row.front().picture)) continue;
     for (CaptionedPicture& picture : captioned_row) rows.push_back(std::move(picture));
   }

@@ -10,7 +10,8 @@
 
 namespace penumbra::study {
 
-Picture side_by_side(const PictureRow& row);
+// title: what the technique is called in the captions.
+Picture side_by_side(const PictureRow& row, const std::string& title);
 
 // "<scene>_<technique>_<degrees>", with what file systems dislike replaced.
 std::string file_stem(const PictureRow& row);
