@@ -161,12 +161,21 @@ TEST(PagePanels, PointsLieWhereGnuplotDrewThem) {
   }
 }
 
-TEST(PagePanels, OnlyTheFrontIsLabelledWhereThereIsOne) {
+TEST(PagePanels, LabelTwelvePointsAndOfMoreThoseThatFindRoom) {
   Chart chart = small_chart();
-  chart.panels = {{"one light", {{"good", 1.0, 0.1}, {"bad", 2.0, 0.2}}, {0}}};
-  EXPECT_THAT(render_panels(chart)[0].svg, AllOf(HasSubstr(">good<"), Not(HasSubstr(">bad<"))));
-  chart.panels[0].front.clear();
-  EXPECT_THAT(render_panels(chart)[0].svg, AllOf(HasSubstr(">good<"), HasSubstr(">bad<")));
+  const auto labels_of = [&chart](int points) {
+    chart.panels = {{"one light", {}, {0}}};
+    for (int i = 0; i < points; ++i) {
+      chart.panels[0].points.push_back({"technique " + std::to_string(i), 10.0 + i, 0.1 + 0.001 * i});
+    }
+    const std::string svg = render_panels(chart)[0].svg;
+    EXPECT_THAT(svg, HasSubstr(">technique 0<")) << "the front";
+    return count(svg, ">technique ");
+  };
+  EXPECT_EQ(labels_of(12), 12);
+  const int of_sixty = labels_of(60);
+  EXPECT_GE(of_sixty, 12);
+  EXPECT_LT(of_sixty, 60);
 }
 
 TEST(ParetoCharts, APointSaysItsFiguresAndHowManyScenesItIsAMeanOf) {
@@ -188,16 +197,38 @@ TEST(Labels, StayInTheFrameAndOffEachOther) {
   requests.push_back({800.0, 280.0, "in the other"});
   for (const LabelRequest& r : requests) obstacles.push_back({r.x - 5.0, r.y - 5.0, r.x + 5.0, r.y + 5.0});
   const Box frame{80.0, 30.0, 800.0, 280.0};
-  const std::vector<PlacedLabel> labels = place_labels(requests, obstacles, frame, 12.0);
+  const auto labels = place_labels(requests, obstacles, frame, 12.0);
   ASSERT_EQ(labels.size(), requests.size());
   for (std::size_t i = 0; i < labels.size(); ++i) {
-    const Box& box = labels[i].box;
+    const Box& box = labels[i]->box;
     EXPECT_GE(box.left, frame.left) << i;
     EXPECT_LE(box.right, frame.right) << i;
     EXPECT_GE(box.top, frame.top) << i;
     EXPECT_LE(box.bottom, frame.bottom) << i;
     for (const Box& obstacle : obstacles) EXPECT_EQ(overlap_area(box, obstacle), 0.0) << i;
-    for (std::size_t j = 0; j < i; ++j) EXPECT_EQ(overlap_area(box, labels[j].box), 0.0) << i << " on " << j;
+    for (std::size_t j = 0; j < i; ++j) EXPECT_EQ(overlap_area(box, labels[j]->box), 0.0) << i << " on " << j;
+  }
+}
+
+// Four presets close together on a flat front, as a light of 0.53 degrees brings them.
+TEST(Labels, OfANeighbourNoneStandsAtAPointWithoutALine) {
+  const std::vector<LabelRequest> requests{{250.0, 225.0, "Preset Low"},
+                                           {268.0, 227.0, "Preset Medium"},
+                                           {278.0, 228.0, "Preset High"},
+                                           {293.0, 228.0, "Preset Ultra"}};
+  std::vector<Box> obstacles;
+  for (const LabelRequest& r : requests) obstacles.push_back({r.x - 5.0, r.y - 5.0, r.x + 5.0, r.y + 5.0});
+  const auto labels = place_labels(requests, obstacles, {58.0, 10.0, 370.0, 290.0}, 12.0);
+  const auto distance = [](const Box& box, const LabelRequest& r) {
+    return std::hypot(r.x - std::clamp(r.x, box.left, box.right), r.y - std::clamp(r.y, box.top, box.bottom));
+  };
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (labels[i]->needs_line) continue;
+    for (std::size_t j = 0; j < requests.size(); ++j) {
+      if (j == i) continue;
+      EXPECT_GT(distance(labels[i]->box, requests[j]), distance(labels[i]->box, requests[i]))
+          << requests[i].text << " at " << requests[j].text;
+    }
   }
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 
 #include "input/input_error.h"
@@ -26,11 +27,12 @@ struct Layout {
   double right = 20.0;
   double top = 30.0;
   double bottom = 56.0;
-  bool front_labels_only = false;
+  bool drops_labels = false;  // beyond kAlwaysLabelled, those of points behind the front that find no room
 };
 
 constexpr Layout kFile{};
-constexpr Layout kPage{380.0, 310.0, 0.0, 58.0, 10.0, 10.0, 50.0, true};
+constexpr Layout kPage{380.0, 340.0, 0.0, 58.0, 10.0, 10.0, 50.0, true};
+constexpr std::size_t kAlwaysLabelled = 12;  // points of a panel
 
 namespace ink {
 constexpr std::string_view kGround = "#fcfcfb";
@@ -205,27 +207,42 @@ class Script {
     return boxes;
   }
 
-  void add_labels(const ChartPanel& panel, const Box& frame) {
-    std::vector<LabelRequest> requests;
-    std::vector<bool> on_front;
-    for (std::size_t i = 0; i < panel.points.size(); ++i) {
-      const ChartPoint& point = panel.points[i];
-      const bool front = is_on_front(panel, i);
-      if (!is_drawn(chart_, point) || (layout_.front_labels_only && !front && !panel.front.empty())) continue;
-      const Spot at = spot(point, frame);
-      requests.push_back({at.x, at.y, point.label});
-      on_front.push_back(front);
+  struct Labels {
+    std::vector<LabelRequest> requests;  // those of the front first
+    std::size_t of_front = 0;
+    std::vector<std::optional<PlacedLabel>> places;
+  };
+
+  Labels placed_labels(const ChartPanel& panel, const Box& frame) const {
+    Labels labels;
+    for (const bool front : {true, false}) {
+      for (std::size_t i = 0; i < panel.points.size(); ++i) {
+        const ChartPoint& point = panel.points[i];
+        if (!is_drawn(chart_, point) || is_on_front(panel, i) != front) continue;
+        const Spot at = spot(point, frame);
+        labels.requests.push_back({at.x, at.y, point.label});
+      }
+      if (front) labels.of_front = labels.requests.size();
     }
-    const std::vector<PlacedLabel> labels =
-        place_labels(requests, obstacles(panel, frame), frame, kFont - 1.0);
+    const std::size_t always =
+        layout_.drops_labels ? std::max(kAlwaysLabelled, labels.of_front) : labels.requests.size();
+    labels.places = place_labels(labels.requests, obstacles(panel, frame), frame, kFont - 1.0, always);
+    return labels;
+  }
+
+  void add_labels(const ChartPanel& panel, const Box& frame) {
+    const Labels all = placed_labels(panel, frame);
+    const std::vector<LabelRequest>& requests = all.requests;
+    const std::vector<std::optional<PlacedLabel>>& labels = all.places;
     for (std::size_t i = 0; i < labels.size(); ++i) {
-      const Box& box = labels[i].box;
+      if (!labels[i]) continue;
+      const Box& box = labels[i]->box;
       const double x = (box.left + box.right) / 2.0;
       const double y = (box.top + box.bottom) / 2.0;
       text_ += fmt::format("set label {} at screen {:.5f},{:.5f} center front font ',{}' textcolor '{}'\n",
                            gnuplot_string(requests[i].text), screen_x(x), screen_y(y), kFont - 1.0,
-                           on_front[i] ? ink::kFront : ink::kOther);
-      if (!labels[i].needs_line) continue;
+                           i < all.of_front ? ink::kFront : ink::kOther);
+      if (!labels[i]->needs_line) continue;
       const double end_x = std::clamp(requests[i].x, box.left, box.right);
       const double end_y = std::clamp(requests[i].y, box.top, box.bottom);
       text_ += fmt::format(

@@ -1,6 +1,9 @@
 // Where the labels of a scatter chart go: near their points, off each other and inside the frame.
 #pragma once
 
+#include <cstddef>
+#include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +14,8 @@ struct Box {
   double top = 0.0;  // y grows downwards, as in SVG
   double right = 0.0;
   double bottom = 0.0;
+
+  bool operator==(const Box&) const = default;
 };
 
 struct LabelRequest {
@@ -21,16 +26,20 @@ struct LabelRequest {
 
 struct PlacedLabel {
   Box box;                  // of the text
-  bool needs_line = false;  // too far from its point to be read as its own
+  bool needs_line = false;  // too far from its point, or too near to another one, to be read as its own
+
+  bool operator==(const PlacedLabel&) const = default;
 };
 
 double overlap_area(const Box& a, const Box& b);
 
-// Greedy, in the order given: each label takes, of places on rings around its point, the one that covers
-// least of labels placed before it, of the obstacles (points, lines), and of what lies outside the frame;
-// near places win ties. The same input gives the same places.
-std::vector<PlacedLabel> place_labels(const std::vector<LabelRequest>& requests,
-                                      const std::vector<Box>& obstacles, const Box& frame,
-                                      double font_pixels);
+// Each label takes, of places on rings around its point, the one that covers least of other labels, of the
+// obstacles (points, lines) and of what lies outside the frame, that stands nearest to its own point rather
+// than to another label's, and whose line crosses no other label, point or line; in several orders, a few
+// times each now that the others stand. The order that costs least is taken. Near places win ties. Beyond the
+// first `always` labels, those that find no room are left out. The same input gives the same places.
+std::vector<std::optional<PlacedLabel>> place_labels(
+    const std::vector<LabelRequest>& requests, const std::vector<Box>& obstacles, const Box& frame,
+    double font_pixels, std::size_t always = std::numeric_limits<std::size_t>::max());
 
 }  // namespace penumbra::study
