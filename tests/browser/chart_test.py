@@ -3,16 +3,16 @@ import unittest
 
 from report_case import ReportCase
 
-LIT = "[...document.querySelectorAll('.point.lit')].map(e => e.dataset.label)"
+LIT = "[...document.querySelectorAll('.point.lit')].map(e => e.dataset.technique)"
 TEXT = "document.getElementById('tooltip').textContent"
 
 
 class Charts(ReportCase):
     def test_a_point_says_its_figures_and_shows_its_technique_everywhere(self):
         page = self.open()
-        page.hover("#cost .panel .point[data-label='tent-5x5'] .reach")
+        page.hover("#cost .panel .point[data-technique='tent-5x5'] .reach")
         page.wait("!document.getElementById('tooltip').hidden")
-        for word in ("tent-5x5", "penumbra RMSE", "fetches per pixel", "mean of 2 scenes"):
+        for word in ("Title of tent-5x5", "penumbra RMSE", "fetches per pixel", "mean of 2 scenes"):
             self.assertIn(word, page.ask(TEXT))
         self.assertEqual(page.ask(LIT), ["tent-5x5"] * 4, "two charts, two lights")
         page.mouse("mouseMoved", 2, 2)
@@ -33,9 +33,19 @@ class Charts(ReportCase):
 
     def test_a_click_shows_the_techniques_rows(self):
         page = self.open()
-        page.click("#cost .point[data-label='pcss-24-16'] .reach")
+        page.click("#cost .point[data-technique='pcss-24-16'] .reach")
         page.wait("document.querySelector('#filters output').textContent === '2 rows'")
         self.assertEqual(page.ask("location.hash"), "#figures")
+
+    def test_the_label_of_each_axis_is_whole_and_inside(self):
+        for width in (1440, 390):
+            page = self.open(width=width, height=900)
+            cut = page.ask("""[...document.querySelectorAll('.panel svg')].flatMap(svg =>
+                [...svg.querySelectorAll('text')].filter(e => {
+                  const [own, all] = [e.getBoundingClientRect(), svg.getBoundingClientRect()];
+                  return own.left < all.left || own.right > all.right || own.bottom > all.bottom;
+                }).map(e => e.textContent))""")
+            self.assertEqual(cut, [], width)
 
     def test_charts_follow_the_scheme(self):
         page = self.open()

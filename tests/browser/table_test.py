@@ -72,6 +72,18 @@ class Table(ReportCase):
         page.click("#filters [type=reset]")
         page.wait(f"{count} === '8 rows'")
 
+    def test_techniques_stand_by_title_and_are_found_by_title_or_name(self):
+        page = self.open()
+        cell = f"{SHOWN}.map(e => e.rows[0].cells[0].querySelector('.label'))"
+        self.assertEqual(page.ask(f"{cell}.map(e => [e.textContent, e.title])[2]"), ["Title of tent-5x5", "tent-5x5"])
+        self.assertEqual(page.ask("document.querySelector('#filters [name=technique]').options[2].text"),
+                         "Title of tent-5x5")
+        find = "(text => { const find = document.querySelector('#filters [name=find]'); find.value = text;" \
+               " find.dispatchEvent(new Event('input', { bubbles: true })); })"
+        for text, rows in (("title TENT", 2), ("of pcss-24", 2), ("pcss-64-64", 2), ("title", 8), ("nothing", 0)):
+            page.ask(f"{find}({text!r})")
+            self.assertEqual(len(page.ask(f"{SHOWN}.map(e => e.dataset.technique)")), rows, text)
+
     def test_every_error_has_its_interval(self):
         page = self.each_scene()
         column = self.column(page, "RMSE in penumbra")
@@ -141,7 +153,7 @@ class Table(ReportCase):
         row = "tbody[data-technique='pcss-24-16'][data-scene='scene fence'][data-light='2']"
         page.click(f"{row} .to-pictures")
         page.wait("document.querySelector('.stage canvas').getAttribute('aria-label') ==="
-                  " 'fence, 2 degree light: Ray traced and pcss-24-16'")
+                  " 'fence, 2 degree light: Ray traced and Title of pcss-24-16'")
         self.assertEqual(page.ask("document.activeElement.className"), "stage")
         self.assertEqual(page.ask("document.querySelectorAll('.figures tbody .to-pictures').length"), 4,
                          "only rows with pictures")

@@ -12,6 +12,7 @@ struct ChartPoint {
   double y = 0.0;
   std::string
       note{};  // what a page says of it beside the label: figures with units, and what they are means of
+  std::string name{};  // by which a page knows what it stands for, in every chart and beyond
 };
 
 struct ChartPanel {

@@ -32,7 +32,8 @@ ChartPanel panel_of(const Results& results, double light_degrees, Cost cost) {
     const std::optional<double> price = price_of(line, cost);
     if (line.light_degrees != light_degrees || !line.complete || !price || !line.rmse_penumbra) continue;
     if (!(*price > 0.0)) continue;  // without a fetch there is no place on a logarithmic axis
-    panel.points.push_back({line.choice.label, *price, line.rmse_penumbra->value, note(results, line, cost)});
+    panel.points.push_back(
+        {line.choice.shown, *price, line.rmse_penumbra->value, note(results, line, cost), line.choice.label});
     points.push_back({*price, line.rmse_penumbra->value});
   }
   if (cost == Cost::fetches || !results.is_software) panel.front = pareto_front(points);
@@ -62,8 +63,7 @@ Chart time_chart(const Results& results) {
   Chart chart;
   chart.name = "pareto-time";
   chart.title = "Penumbra error against time per frame";
-  chart.x_label = results.is_software ? "CPU time of a frame, ms (software device: not a ranking)"
-                                      : "GPU time of a frame, ms";
+  chart.x_label = results.is_software ? "CPU time of a frame, ms (not a ranking)" : "GPU time of a frame, ms";
   chart.y_label = "penumbra RMSE";
   add_panels(chart, results, Cost::time);
   return chart;

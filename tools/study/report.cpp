@@ -63,7 +63,7 @@ std::string findings(const Results& results) {
     if (record.metrics.invalid == 0) continue;
     html += fmt::format(
         "<p class=\"finding\">{} in {} at {}°: {} results are NaN, infinite or outside [0, 1].</p>\n",
-        escape_html(record.technique), escape_html(record.scene), record.light_degrees,
+        escape_html(choice_of(results, record).shown), escape_html(record.scene), record.light_degrees,
         record.metrics.invalid);
   }
   return html;

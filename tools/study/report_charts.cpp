@@ -15,10 +15,12 @@ std::string point_html(const DrawnPoint& drawn, const ChartPoint& point) {
   const std::string label = escape_html(point.label);
   const std::string note = escape_html(point.note);
   return fmt::format(
-      "<a class=\"point{}\" href=\"#figures\" data-label=\"{}\" data-note=\"{}\" aria-label=\"{}: {}\">"
+      "<a class=\"point{}\" href=\"#figures\" data-technique=\"{}\" data-label=\"{}\" data-note=\"{}\" "
+      "aria-label=\"{}: {}\">"
       "<circle class=\"reach\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\"/>"
       "<circle class=\"ring\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"6\"/></a>\n",
-      drawn.on_front ? " front" : "", label, note, label, note, drawn.x, drawn.y, kReach, drawn.x, drawn.y);
+      drawn.on_front ? " front" : "", escape_html(point.name), label, note, label, note, drawn.x, drawn.y,
+      kReach, drawn.x, drawn.y);
 }
 
 std::string panel_html(const DrawnPanel& drawn, const ChartPanel& panel) {

@@ -55,6 +55,7 @@ std::string yes_or_no(bool yes) {
 // Parameters, and what the technique was measured at.
 std::string about(const Record& record, const std::string& id) {
   Group group(record.title.empty() ? record.technique : record.title);
+  group.add_text("name", record.technique);
   for (const auto& [name, values] : record.parameters) {
     group.add_text(name, fmt::format("{}", fmt::join(values, " ")));
   }

@@ -9,7 +9,7 @@
 
 #include "study/colour_map.h"
 #include "study/html_text.h"
-#include "study/summary.h"
+#include "study/short_title.h"
 
 namespace penumbra::study {
 namespace {
@@ -84,7 +84,9 @@ class Album {
     Json item;
     item["id"] = place;
     item["technique"] = row.technique;
-    if (const std::optional<double> rmse = rmse_of(row)) item["rmse"] = *rmse;
+    const Record* record = record_of(row);
+    item["shown"] = record == nullptr ? row.technique : short_title(record->technique, record->title);
+    if (record != nullptr && record->metrics.rmse_penumbra) item["rmse"] = *record->metrics.rmse_penumbra;
     item["errorScale"] = row.error_scale;
     item["fetchScale"] = row.fetch_scale;
     item["result"] = store(result.visibility);
@@ -109,13 +111,13 @@ class Album {
     return stages_.back();
   }
 
-  std::optional<double> rmse_of(const PictureRow& row) const {
+  const Record* record_of(const PictureRow& row) const {
     const auto found =
         std::find_if(results_.records.begin(), results_.records.end(), [&row](const Record& record) {
           return record.scene == row.scene && record.technique == row.technique &&
                  record.light_degrees == row.light_degrees;
         });
-    return found == results_.records.end() ? std::nullopt : found->metrics.rmse_penumbra;
+    return found == results_.records.end() ? nullptr : &*found;
   }
 
   std::size_t store(const Picture& grey) {

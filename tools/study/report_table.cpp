@@ -168,13 +168,14 @@ std::string figure_cell(const Column& column, const Row& row, bool has_intervals
   return fmt::format("<td class=\"figure\" data-value=\"{:.9g}\">{}{}</td>\n", value->value, shown, bar);
 }
 
-std::string technique_cell(const std::string& label, const std::string& about_id) {
-  const std::string safe = escape_html(label);
+std::string technique_cell(const Choice& choice, const std::string& about_id) {
+  const std::string safe = escape_html(choice.shown);
   return fmt::format(
-      "<th scope=\"row\" class=\"name technique\" data-value=\"{}\"><span class=\"label\">{}</span>"
+      "<th scope=\"row\" class=\"name technique\" data-value=\"{}\"><span class=\"label\" "
+      "title=\"{}\">{}</span>"
       "<button type=\"button\" class=\"about\" data-tip=\"{}\" aria-label=\"Parameters of "
       "{}\">i</button></th>\n",
-      safe, safe, about_id, safe);
+      safe, escape_html(choice.label), safe, about_id, safe);
 }
 
 std::string scene_cell(const Row& row, std::size_t scenes) {
@@ -234,11 +235,12 @@ class HtmlTable {
   std::string body(std::size_t index) const {
     const Row& row = rows_[index];
     const std::string about_id = fmt::format("about-{}", index);
-    std::string html =
-        fmt::format("<tbody data-technique=\"{}\" data-scene=\"{}\" data-light=\"{}\">\n<tr class=\"{}\">",
-                    escape_html(row.choice.label), escape_html(scene_value(row.scene)), row.light_degrees,
-                    row.is_mean() ? "record mean" : "record");
-    html += technique_cell(row.choice.label, about_id) + scene_cell(row, scene_names(results_).size());
+    std::string html = fmt::format(
+        "<tbody data-technique=\"{}\" data-shown=\"{}\" data-scene=\"{}\" data-light=\"{}\">\n<tr "
+        "class=\"{}\">",
+        escape_html(row.choice.label), escape_html(row.choice.shown), escape_html(scene_value(row.scene)),
+        row.light_degrees, row.is_mean() ? "record mean" : "record");
+    html += technique_cell(row.choice, about_id) + scene_cell(row, scene_names(results_).size());
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       html += figure_cell(columns_[i], row, has_intervals_[i], largest_[i]);
     }
@@ -269,7 +271,7 @@ std::string choice(const char* name, const char* label, const std::string& optio
 
 std::string filters(const Results& results) {
   std::string techniques = option("", "all");
-  for (const Choice& entry : choices(results)) techniques += option(entry.label, entry.label);
+  for (const Choice& entry : choices(results)) techniques += option(entry.label, entry.shown);
   const std::vector<std::string> names = scene_names(results);
   std::string scenes;
   if (names.size() > 1) scenes = option(scene_value(""), fmt::format("mean of {}", names.size()));
@@ -280,8 +282,10 @@ std::string filters(const Results& results) {
     lights += option(fmt::format("{}", light), fmt::format("{}°", light));
   }
   return "<form class=\"filters needs-script\" id=\"filters\">\n" +
-         choice("technique", "Technique", techniques) + choice("scene", "Scene", scenes) +
-         choice("light", "Light", lights) +
+         choice("technique", "Technique", techniques) +
+         "<label>Find <input type=\"search\" name=\"find\" placeholder=\"title or name\" "
+         "autocomplete=\"off\"></label>\n" +
+         choice("scene", "Scene", scenes) + choice("light", "Light", lights) +
          "<button type=\"reset\">Reset</button>\n<output class=\"quiet\" "
          "aria-live=\"polite\"></output>\n</form>\n";
 }

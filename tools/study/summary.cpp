@@ -7,6 +7,8 @@
 #include <set>
 #include <tuple>
 
+#include "study/short_title.h"
+
 namespace penumbra::study {
 namespace {
 
@@ -134,9 +136,9 @@ std::vector<double> light_sizes(const Results& results) {
 }
 
 Choice choice_of(const Results& results, const Record& record) {
-  const std::string label =
-      one_map(results) ? record.technique : fmt::format("{} ({})", record.technique, map_name(record));
-  return {record.technique, label, record.title};
+  const std::string map = one_map(results) ? "" : fmt::format(" ({})", map_name(record));
+  return {record.technique, record.technique + map, record.title,
+          short_title(record.technique, record.title) + map};
 }
 
 std::vector<Choice> choices(const Results& results) {
@@ -208,14 +210,17 @@ std::vector<Headline> headlines(const Results& results) {
     const std::string count = fmt::format("{:.3g}", entry.fetches);
     return count + (count == "1" ? " fetch per pixel" : " fetches per pixel");
   };
-  return {
-      {fmt::format("{:.3f}", best.rmse), "lowest penumbra error (RMSE)",
-       best.choice.label + ", " + cost(best)},
-      {fmt::format("{:.3g}", bargain->fetches), "fetches per pixel come within 10 % of it",
-       fmt::format("{}, error {:.3f}", bargain->choice.label, bargain->rmse)},
-      {fmt::format("{:.3f}", cheapest.rmse), "error of the cheapest technique",
-       cheapest.choice.label + ", " + cost(cheapest)},
-  };
+  std::vector<Headline> all{{fmt::format("{:.3f}", best.rmse), "lowest penumbra error (RMSE)",
+                             best.choice.shown + ", " + cost(best)}};
+  if (bargain != &best) {
+    all.push_back({fmt::format("{:.3g}", bargain->fetches), "fetches per pixel come within 10 % of it",
+                   fmt::format("{}, error {:.3f}", bargain->choice.shown, bargain->rmse)});
+  }
+  if (&cheapest != &best) {
+    all.push_back({fmt::format("{:.3f}", cheapest.rmse), "error of the cheapest technique",
+                   cheapest.choice.shown + ", " + cost(cheapest)});
+  }
+  return all;
 }
 
 }  // namespace penumbra::study

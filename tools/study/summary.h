@@ -11,12 +11,13 @@
 
 namespace penumbra::study {
 
-// One technique on one map setting. `label` is the technique's name, with the map when the results hold
-// several.
+// One technique on one map setting. `label` is the technique's name and `shown` its short title
+// (study/short_title.h), both with the map when the results hold several.
 struct Choice {
   std::string technique;
   std::string label;
   std::string title;
+  std::string shown;
 
   bool operator==(const Choice&) const = default;
 };
@@ -68,8 +69,9 @@ struct Headline {
 };
 
 // The lowest error, the cheapest way to come within 10 % of it, and the error of the cheapest technique of
-// all: means over all scenes and lights, costs in fetches (times on a software device rank nothing). Empty
-// when no technique was measured on every scene and light.
+// all, each of the latter only where it is another technique than that of the lowest error: means over all
+// scenes and lights, costs in fetches (times on a software device rank nothing). Empty when no technique was
+// measured on every scene and light.
 std::vector<Headline> headlines(const Results& results);
 
 }  // namespace penumbra::study

@@ -10,7 +10,7 @@ for (const group of document.querySelectorAll(".chart .points")) {
   };
   const light = on => point => {
     for (const other of document.querySelectorAll(".chart .point")) {
-      other.classList.toggle("lit", on && other.dataset.label === point.dataset.label);
+      other.classList.toggle("lit", on && other.dataset.technique === point.dataset.technique);
     }
   };
   const words = point => {
@@ -30,7 +30,8 @@ for (const group of document.querySelectorAll(".chart .points")) {
     point.addEventListener("click", () => {
       const filters = document.getElementById("filters");
       if (!filters) return;
-      filters.elements.technique.value = point.dataset.label;
+      filters.elements.technique.value = point.dataset.technique;
+      filters.elements.find.value = "";
       filters.dispatchEvent(new Event("input"));
       tooltip.hide();
     });

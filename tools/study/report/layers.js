@@ -20,7 +20,7 @@ class Layers {
       fetches: () => paint(ramps.fetches, i => values[i] / item.fetchScale),
       error: () => paint(ramps.error, i => ((values[i] - reference[i]) / 255 / errorScale + 1) / 2),
     }[kind]();
-    return { name: kind === "result" ? item.technique : `${item.technique}: ${kind}`, canvas };
+    return { name: kind === "result" ? item.shown : `${item.shown}: ${kind}`, canvas };
   }
 
   // What the colours of a kind mean, from one end to the other, and a strip of them.
@@ -38,7 +38,7 @@ class Layers {
       [stage.receivers, stage.reference, item.result, item.fetches].map(id => this.pixels.grey(id)));
     const number = value => (value / 255).toFixed(3).replace("-", "−");
     return `Pixel ${column}, ${row}: ` + (receivers[i] === 0 ? "no surface" :
-      `ray traced ${number(reference[i])}, ${item.technique} ${number(result[i])}, ` +
+      `ray traced ${number(reference[i])}, ${item.shown} ${number(result[i])}, ` +
       `error ${number(result[i] - reference[i])}` + (fetches ? `, ${fetches[i]} fetches` : ""));
   }
 }

@@ -19,11 +19,15 @@
     table.append(...[...table.tBodies].sort(compare));
   };
 
+  // Every word typed, in the title or in the name.
+  const isFound = record => filters.elements.find.value.toLowerCase().split(/\s+/).every(word =>
+    `${record.dataset.shown} ${record.dataset.technique}`.toLowerCase().includes(word));
+
   const filter = () => {
     const wanted = ["technique", "scene", "light"].map(name => [name, filters.elements[name].value]);
     let shown = 0;
     for (const record of table.tBodies) {
-      record.hidden = wanted.some(([name, value]) =>
+      record.hidden = !isFound(record) || wanted.some(([name, value]) =>
         value === "" ? name === "scene" && record.dataset.scene === "mean" : record.dataset[name] !== value);
       shown += record.hidden ? 0 : 1;
     }

@@ -75,7 +75,7 @@ class Viewer {
     left.replaceChildren();
     this.#option(left, "", "Ray traced");
     this.#option(left, "same", "Result");
-    for (const item of this.stage.items) this.#option(left, `item-${item.technique}`, item.technique);
+    for (const item of this.stage.items) this.#option(left, `item-${item.technique}`, item.shown);
     left.value = before;
     if (left.selectedIndex < 0) left.value = "";
     const list = this.root.querySelector(".techniques");
@@ -85,7 +85,8 @@ class Viewer {
       const rmse = document.createElement("small");
       rmse.textContent = item.rmse === undefined ? "" : item.rmse.toFixed(3);
       rmse.title = "RMSE in penumbra";
-      button.append(item.technique, rmse);
+      button.title = item.technique;
+      button.append(item.shown, rmse);
       button.addEventListener("click", () => this.#choose(item));
       return button;
     }));
