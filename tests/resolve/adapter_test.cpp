@@ -192,6 +192,35 @@ float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel) { retur
             HasSubstr("SAMPLE_TEXTURE2D_SHADOW")));
 }
 
+// glslang takes the reads of a comparison sampler that do not compare, or crashes on them.
+TEST_F(AdapterTest, ASamplerOfTheWrongKindIsRefusedAtItsLine) {
+  const auto expect = [this](const std::string& read, const testing::Matcher<std::string>& message) {
+    expect_refused(R"(
+#include "Platform/Platform.hlsl"
+TEXTURE2D(_ShadowMap);
+SAMPLER_CMP(sampler_LinearClampCompare);
+SAMPLER_CMP(sampler_LinearClamp);
+SAMPLER(sampler_ShadowMap);
+float Read(float2 uv)
+{
+    return )" + read + R"(;
+}
+float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel) { return Read(pixel * 0.001); }
+)",
+                   message);
+  };
+  const auto comparison = AllOf(HasSubstr("Mine.hlsl:9:"), HasSubstr("'sampler_LinearClampCompare'"),
+                                HasSubstr("is a comparison sampler"), HasSubstr("SAMPLE_TEXTURE2D_SHADOW"));
+  expect("GATHER_RED_TEXTURE2D(_ShadowMap, sampler_LinearClampCompare, uv).x", comparison);
+  expect("SAMPLE_TEXTURE2D_LOD(_ShadowMap, sampler_LinearClampCompare, uv, 0.0).x", comparison);
+  expect("SAMPLE_TEXTURE2D_LOD(_ShadowMap, sampler_ShadowMap, uv, 0.0).x",
+         AllOf(HasSubstr("Mine.hlsl:9: "), HasSubstr("'sampler_ShadowMap', which is a comparison sampler"),
+               HasSubstr("use sampler_LinearClamp or SAMPLE_TEXTURE2D_SHADOW")));
+  expect("SAMPLE_TEXTURE2D_SHADOW(_ShadowMap, sampler_LinearClamp, float3(uv, 0.5))",
+         AllOf(HasSubstr("Mine.hlsl:9: "), HasSubstr("'sampler_LinearClamp', which is not a comparison"),
+               HasSubstr("use sampler_LinearClampCompare")));
+}
+
 TEST_F(AdapterTest, AFileWithoutTheFunctionIsToldItsSignature) {
   expect_refused(
       "float Visibility(float3 positionWS) { return 1.0; }\n",

@@ -24,8 +24,10 @@ void count_fetches(shaders::CompileRequest& request) {
 
 std::vector<std::uint32_t> compile_or_throw(const shaders::CompileRequest& request,
                                             std::vector<std::string>* notes, const MissingName* needed,
-                                            hlsl::SourceFiles* sources) {
+                                            hlsl::SourceFiles* sources,
+                                            std::vector<std::uint32_t>* unoptimised) {
   shaders::CompileResult result = shaders::compile(request);
+  if (unoptimised != nullptr) *unoptimised = std::move(result.unoptimised);
   if (sources != nullptr) *sources = result.sources;
   for (const hlsl::Diagnostic& diagnostic : result.diagnostics) {
     if (notes != nullptr && diagnostic.severity == hlsl::Severity::note) {

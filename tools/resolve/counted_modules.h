@@ -19,11 +19,12 @@ struct MissingName {
 };
 
 // The module; throws InputError with the compiler's messages. Notes are formatted messages; sources the texts
-// that were read.
+// that were read; unoptimised as in shaders::CompileResult.
 std::vector<std::uint32_t> compile_or_throw(const shaders::CompileRequest& request,
                                             std::vector<std::string>* notes = nullptr,
                                             const MissingName* needed = nullptr,
-                                            hlsl::SourceFiles* sources = nullptr);
+                                            hlsl::SourceFiles* sources = nullptr,
+                                            std::vector<std::uint32_t>* unoptimised = nullptr);
 
 // Throws InputError, naming the line or else the shader, when a request that counts reads a texture outside
 // the counting functions.

@@ -11,6 +11,17 @@ namespace {
 
 constexpr int kMaxCascades = 4;
 
+enum class ProvidedSampler { compare, point, linear };
+
+const std::map<std::string, ProvidedSampler> kSamplers{
+    {"sampler_ShadowMap", ProvidedSampler::compare},
+    {"sampler_MainLightShadowmapTexture", ProvidedSampler::compare},
+    {"sampler_LinearClampCompare", ProvidedSampler::compare},
+    {"sampler_PenumbraLinearClampCompare", ProvidedSampler::compare},
+    {"sampler_PenumbraPointClamp", ProvidedSampler::point},
+    {"sampler_PointClamp", ProvidedSampler::point},
+    {"sampler_LinearClamp", ProvidedSampler::linear}};
+
 gpu::Format gpu_format(scene::DepthFormat format) {
   switch (format) {
     case scene::DepthFormat::d16:
@@ -152,10 +163,18 @@ std::map<std::string, const gpu::Image*> FrameOnDevice::images() const {
 }
 
 std::map<std::string, const gpu::Sampler*> FrameOnDevice::samplers() const {
-  return {{"sampler_ShadowMap", &compare_},          {"sampler_MainLightShadowmapTexture", &compare_},
-          {"sampler_LinearClampCompare", &compare_}, {"sampler_PenumbraLinearClampCompare", &compare_},
-          {"sampler_PenumbraPointClamp", &point_},   {"sampler_PointClamp", &point_},
-          {"sampler_LinearClamp", &linear_}};
+  const std::map<ProvidedSampler, const gpu::Sampler*> of_kind{{ProvidedSampler::compare, &compare_},
+                                                               {ProvidedSampler::point, &point_},
+                                                               {ProvidedSampler::linear, &linear_}};
+  std::map<std::string, const gpu::Sampler*> samplers;
+  for (const auto& [name, kind] : kSamplers) samplers[name] = of_kind.at(kind);
+  return samplers;
+}
+
+std::optional<bool> FrameOnDevice::sampler_compares(const std::string& name) {
+  const auto found = kSamplers.find(name);
+  if (found == kSamplers.end()) return std::nullopt;
+  return found->second == ProvidedSampler::compare;
 }
 
 }  // namespace penumbra::resolve

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/vec4.hpp>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "gpu/resources.h"
@@ -23,6 +24,8 @@ class FrameOnDevice {
   std::map<std::string, const gpu::Buffer*> buffers() const;
   std::map<std::string, const gpu::Image*> images() const;
   std::map<std::string, const gpu::Sampler*> samplers() const;
+  // Whether the one of that name compares; empty for names that samplers() lacks.
+  static std::optional<bool> sampler_compares(const std::string& name);
   UniformValues uniforms(int noise_frame) const;
 
   const gpu::Buffer& visibility() const { return visibility_; }

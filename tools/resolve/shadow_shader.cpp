@@ -6,6 +6,7 @@
 
 #include "input/input_error.h"
 #include "platform/data_directory.h"
+#include "resolve/adapter_checks.h"
 #include "resolve/counted_modules.h"
 #include "shaders/reflect.h"
 
@@ -164,10 +165,16 @@ ShadowShader adapter_shader(const Adapter& adapter, bool reversed_z) {
 CompiledShadowShader compile(const ShadowShader& shader) {
   CompiledShadowShader compiled;
   compiled.source = shader;
-  if (shader.fragment) compiled.vertex = compile_or_throw(triangle_request());
+  shaders::CompileRequest plain = request(shader, false);
+  if (shader.fragment) {
+    compiled.vertex = compile_or_throw(triangle_request());
+    plain.keep_unoptimised = true;
+  }
   hlsl::SourceFiles sources;
-  compiled.plain = compile_or_throw(request(shader, false), &compiled.notes, &kAdapterFunction, &sources);
+  std::vector<std::uint32_t> unoptimised;
+  compiled.plain = compile_or_throw(plain, &compiled.notes, &kAdapterFunction, &sources, &unoptimised);
   compiled.named_at = named_at(compiled.plain, sources);
+  if (shader.fragment) check_adapter(unoptimised, shader.name);
   refuse_uncounted_fetches(request(shader, true), shader.name);
   compiled.counting = compile_or_throw(request(shader, true));
   return compiled;

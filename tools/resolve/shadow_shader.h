@@ -75,7 +75,8 @@ struct CompiledShadowShader {
 };
 
 // Throws InputError with the compiler's messages when the shader does not compile, and when it reaches a
-// texture past the counting macros (a raw .Sample would count as nothing).
+// texture past the counting macros (a raw .Sample would count as nothing). Of a user's function also when it
+// compares through a sampler that does not, or reads through one that does.
 CompiledShadowShader compile(const ShadowShader& shader);
 
 }  // namespace penumbra::resolve

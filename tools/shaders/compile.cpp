@@ -12,6 +12,7 @@
 #include "hlsl/source_text.h"
 #include "input/input_error.h"
 #include "preparation/prepare.h"
+#include "shaders/comparison_reads.h"
 #include "shaders/flat_inputs.h"
 #include "shaders/lost_resources.h"
 #include "shaders/macro_expansion.h"
@@ -126,6 +127,19 @@ hlsl::Diagnostic at_place(const Source& source, const SourcePlace& place, const 
   return diagnostic;
 }
 
+bool only_compares(const Source& source, const hlsl::SourceFiles& sources, const glslang::TIntermediate& tree,
+                   CompileResult& result) {
+  const std::vector<ComparisonRead> reads = reads_without_comparing(tree);
+  for (const ComparisonRead& read : reads) {
+    const std::string sampler = read.sampler.empty() ? "this" : "'" + read.sampler + "'";
+    result.diagnostics.push_back(
+        at_place(source, read.place, sources,
+                 sampler + " is a comparison sampler and this read does not compare; use a sampler like "
+                           "sampler_LinearClamp, or SAMPLE_TEXTURE2D_SHADOW"));
+  }
+  return reads.empty();
+}
+
 bool finish_module(const Source& source, const hlsl::SourceFiles& sources, const glslang::TIntermediate& tree,
                    CompileResult& result) {
   std::vector<std::string> problems;
@@ -155,6 +169,7 @@ bool build(const Source& source, const hlsl::SourceFiles& sources, CompileResult
   program.addShader(&shader.get());
   if (!link(source, sources, program, result)) return false;
   const glslang::TIntermediate& tree = *program.getIntermediate(language(source.request.stage));
+  if (!only_compares(source, sources, tree, result)) return false;
   if (!generate(source, tree, result) || !finish_module(source, sources, tree, result)) return false;
   if (!source.request.keep_unoptimised) return true;
   spv::SpvBuildLogger said_before;

@@ -1,11 +1,11 @@
 #include "shaders/spirv_module.h"
 
-#include <map>
 #include <optional>
 #include <spirv-tools/libspirv.hpp>
 #include <spirv-tools/optimizer.hpp>
 #include <string_view>
 
+#include "shaders/debug_lines.h"
 #include "shaders/spirv_words.h"
 #include "shaders/uncalled_functions.h"
 
@@ -109,20 +109,12 @@ std::optional<std::size_t> problem_instruction(const SpirvModule& module, Vulkan
   return found;
 }
 
-// OpLine holds up to the next one, or to the end of the block (SPIR-V specification, 3.52.3).
 SourcePlace place_of_instruction(const SpirvModule& module, std::size_t wanted) {
-  std::map<std::uint32_t, std::string> strings;
-  SourcePlace place;
+  DebugLines lines;
   SourcePlace found;
   std::size_t number = 0;
   for_each_instruction(module, [&](SpirvWords instruction) {
-    const spv::Op op = opcode(instruction);
-    if (op == spv::OpString && instruction.size() > 2)
-      strings[instruction[1]] = literal_text(instruction.subspan(2));
-    if (op == spv::OpLine && instruction.size() > 2) {
-      place = {strings[instruction[1]], static_cast<int>(instruction[2])};
-    }
-    if (op == spv::OpNoLine || op == spv::OpLabel || op == spv::OpFunctionEnd) place = {};
+    const SourcePlace& place = lines.visit(instruction);
     if (++number == wanted) found = place;
   });
   return found;

@@ -1,0 +1,45 @@
+#include "resolve/adapter_checks.h"
+
+#include "input/input_error.h"
+#include "resolve/frame_on_device.h"
+#include "shaders/sampler_uses.h"
+#include "shaders/spirv_module.h"
+
+namespace penumbra::resolve {
+namespace {
+
+using shaders::SpirvModule;
+
+std::string text_of(const shaders::SourcePlace& place, const std::string& shader) {
+  return place.line == 0 ? shader : place.file + ":" + std::to_string(place.line);
+}
+
+bool compares(const std::string& sampler) {
+  return FrameOnDevice::sampler_compares(sampler).value_or(false);  // those of the user's textures do not
+}
+
+// The shader may declare a sampler as another kind than the one its name stands for.
+void refuse_misused_samplers(const SpirvModule& module, const std::string& shader) {
+  for (const shaders::SamplerUse& use : shaders::sampler_uses(module)) {
+    if (use.compares == compares(use.sampler)) continue;
+    if (use.compares) {
+      throw InputError(text_of(use.place, shader),
+                       "compares through '" + use.sampler + "', which is not a comparison sampler",
+                       "use sampler_LinearClampCompare, or read without comparing");
+    }
+    throw InputError(text_of(use.place, shader),
+                     "reads without comparing through '" + use.sampler + "', which is a comparison sampler",
+                     "use sampler_LinearClamp or SAMPLE_TEXTURE2D_SHADOW");
+  }
+}
+
+}  // namespace
+
+void check_adapter(std::vector<std::uint32_t> unoptimised, const std::string& shader) {
+  SpirvModule module = std::move(unoptimised);
+  std::vector<std::string> problems;
+  if (!shaders::optimise(module, shaders::VulkanVersion::v1_1, problems)) return;  // as the module that ships
+  refuse_misused_samplers(module, shader);
+}
+
+}  // namespace penumbra::resolve

@@ -1,0 +1,23 @@
+// Reads that do not compare, through a comparison sampler. HLSL has no such overload; glslang accepts them
+// and takes what follows for the reference to compare with, or crashes when it finds nothing. Internal to
+// this room.
+#pragma once
+
+#include <glslang/Include/intermediate.h>
+
+#include <string>
+#include <vector>
+
+#include "shaders/spirv_module.h"
+
+namespace penumbra::shaders {
+
+struct ComparisonRead {
+  std::string sampler;  // empty where it is no variable
+  SourcePlace place;
+};
+
+// In the whole tree, which generating SPIR-V walks.
+std::vector<ComparisonRead> reads_without_comparing(const glslang::TIntermediate& tree);
+
+}  // namespace penumbra::shaders

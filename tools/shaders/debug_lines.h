@@ -1,0 +1,31 @@
+// Which line of the source an instruction comes from, in a module that keeps its debug lines. Internal to
+// this room.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "shaders/spirv_words.h"
+
+namespace penumbra::shaders {
+
+// OpLine holds up to the next one, or to the end of the block (SPIR-V specification, 3.52.3).
+class DebugLines {
+ public:
+  // To be called with every instruction in order; the place is then that instruction's.
+  const SourcePlace& visit(SpirvWords instruction) {
+    const spv::Op op = opcode(instruction);
+    if (op == spv::OpString && instruction.size() > 2)
+      strings_[instruction[1]] = literal_text(instruction.subspan(2));
+    if (op == spv::OpLine && instruction.size() > 2)
+      place_ = {strings_[instruction[1]], static_cast<int>(instruction[2])};
+    if (op == spv::OpNoLine || op == spv::OpLabel || op == spv::OpFunctionEnd) place_ = {};
+    return place_;
+  }
+
+ private:
+  std::map<std::uint32_t, std::string> strings_;
+  SourcePlace place_;
+};
+
+}  // namespace penumbra::shaders
