@@ -221,6 +221,30 @@ float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel) { retur
                HasSubstr("use sampler_LinearClampCompare")));
 }
 
+TEST_F(AdapterTest, APixelThatIsDiscardedIsRefusedAtItsLine) {
+  for (const char* statement : {"if (pixel.x < 2.0) discard;", "clip(pixel.x - 2.0);"}) {
+    expect_refused(
+        std::string("void Unused(float x) { clip(x); }\nvoid GiveUp(float2 pixel)\n{\n    ") + statement + R"(
+}
+float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
+{
+    GiveUp(pixel);
+    return 1.0;
+}
+)",
+        AllOf(HasSubstr("Mine.hlsl:4: "), HasSubstr("discards the pixel"), HasSubstr("return 1.0")));
+  }
+}
+
+TEST_F(AdapterTest, ADiscardThatIsNotReachedIsAllowed) {
+  const ResolveResult result = run(adapter_shader(adapter(R"(
+void Unused(float x) { clip(x); }
+float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel) { return 0.5; }
+)")),
+                                   half_plane({0}, true));
+  EXPECT_THAT(result.visibility.at(0), ElementsAre(0.5F));
+}
+
 TEST_F(AdapterTest, AFileWithoutTheFunctionIsToldItsSignature) {
   expect_refused(
       "float Visibility(float3 positionWS) { return 1.0; }\n",

@@ -2,6 +2,7 @@
 
 #include "input/input_error.h"
 #include "resolve/frame_on_device.h"
+#include "shaders/discards.h"
 #include "shaders/sampler_uses.h"
 #include "shaders/spirv_module.h"
 
@@ -33,6 +34,14 @@ void refuse_misused_samplers(const SpirvModule& module, const std::string& shade
   }
 }
 
+// A pixel that is given up writes no result: what is read there is whatever the memory held.
+void refuse_discard(const SpirvModule& module, const std::string& shader) {
+  const std::optional<shaders::SourcePlace> place = shaders::first_discard(module);
+  if (!place) return;
+  throw InputError(text_of(*place, shader), "discards the pixel, so there is no visibility to measure there",
+                   "return 1.0 (lit) or 0.0 (in shadow) instead of 'discard' and 'clip'");
+}
+
 }  // namespace
 
 void check_adapter(std::vector<std::uint32_t> unoptimised, const std::string& shader) {
@@ -40,6 +49,7 @@ void check_adapter(std::vector<std::uint32_t> unoptimised, const std::string& sh
   std::vector<std::string> problems;
   if (!shaders::optimise(module, shaders::VulkanVersion::v1_1, problems)) return;  // as the module that ships
   refuse_misused_samplers(module, shader);
+  refuse_discard(module, shader);
 }
 
 }  // namespace penumbra::resolve

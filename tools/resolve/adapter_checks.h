@@ -10,7 +10,7 @@ namespace penumbra::resolve {
 
 // `unoptimised`: its module before optimisation, with debug lines. Throws InputError, naming the line or else
 // the shader, for a comparison through a sampler that does not compare and for other reads through one that
-// does.
+// does, and for `discard` and `clip`.
 void check_adapter(std::vector<std::uint32_t> unoptimised, const std::string& shader);
 
 }  // namespace penumbra::resolve
