@@ -71,6 +71,25 @@ TEST_F(AdapterCommand, AFunctionWithoutFetchesHasAReport) {
   EXPECT_THAT(read("report/results.json"), HasSubstr("\"fetches_mean\": 0.0"));
 }
 
+TEST_F(AdapterCommand, ResultsThatAreNoVisibilityAreCountedByMeasureAndRender) {
+  const std::string file =
+      write("dark.hlsl",
+            "float ShadowVisibility(float3 p, float3 n, float2 pixel) { return sqrt(-1.0 - abs(p.x)); }\n")
+          .string();
+  const auto told =
+      AllOf(testing::ContainsRegex("dark: ([0-9]+) of [0-9]+ results are not finite or not in 0..1"),
+            HasSubstr("scene slabs, light 2"));
+  const auto measured = measure({"--adapter", "dark=" + file, "--quiet"});
+  EXPECT_EQ(measured.exit_code, 1);
+  EXPECT_THAT(measured.errors, told);
+  const auto rendered = run({"render", "--size", "32x18", "--map-size", "256", "--reference-samples", "32",
+                             "--scene", "slabs", "--light", "2", "--cache", path("cache").string(), "--quiet",
+                             "--adapter", "dark=" + file, "--sheet", path("sheet.png").string()});
+  EXPECT_EQ(rendered.exit_code, 1);
+  EXPECT_THAT(rendered.errors, told);
+  EXPECT_TRUE(std::filesystem::exists(path("sheet.png")));
+}
+
 TEST_F(AdapterCommand, APackageAndAssetsOfAProjectAreIncluded) {
   write("game/Packages/com.mine.shadows/package.json", R"({"name": "com.mine.shadows", "version": "1.2.3"})");
   write("game/Packages/com.mine.shadows/Lit.hlsl", "float Lit() { return 1.0; }\n");

@@ -12,6 +12,7 @@
 #include "cli/option_text.h"
 #include "cli/option_values.h"
 #include "cli/shared_options.h"
+#include "cli/study_messages.h"
 #include "cli/study_options.h"
 #include "cli/subcommand.h"
 #include "cli/varied_subjects.h"
@@ -188,9 +189,7 @@ Measured measure(const MeasureOptions& options, Context& context) {
   gpu::Device device = open_device(options);
   study::StudyOutcome outcome = study::run_study(device, subjects, settings, study_progress(context));
 
-  for (const std::string& note : outcome.notes) {
-    if (!context.quiet) fmt::print(stderr, "note: {}\n", note);
-  }
+  tell_notes(outcome.notes, context);
   for (const std::string& message : device.validation_log()->messages()) {
     fmt::print(stderr, "validation: {}\n", message);
     context.exit_code = findings;
@@ -243,7 +242,7 @@ void run(const MeasureOptions& options, Context& context) {
   } else {
     measured.results = study::read_results(options.from);
   }
-  if (study::has_invalid_values(measured.results)) context.exit_code = findings;
+  if (study::has_invalid_values(measured.results)) tell_invalid_results(measured.results.records, context);
   if (!options.output.empty() && options.output != "-") {
     write_report(options.output, measured.results, std::move(measured.pictures));
     print_headlines(options.output, measured.results);

@@ -7,6 +7,7 @@
 #include "cli/option_values.h"
 #include "cli/shared_options.h"
 #include "cli/sheet_options.h"
+#include "cli/study_messages.h"
 #include "cli/study_options.h"
 #include "cli/subcommand.h"
 #include "cli/varied_subjects.h"
@@ -54,7 +55,7 @@ void write_rows(const std::filesystem::path& folder, const study::StudyOutcome& 
   }
 }
 
-void render(const RenderOptions& options, const Context& context) {
+void render(const RenderOptions& options, Context& context) {
   check_output_folder(options.cache);
   if (options.sheet.file.empty()) check_output_folder(options.output);
   study::StudySettings settings = study_settings(options);
@@ -73,6 +74,8 @@ void render(const RenderOptions& options, const Context& context) {
   if (lit) settings.answered = [&lit](const study::SubjectAnswer& answer) { lit->add(answer); };
   gpu::Device device = open_device(options);
   study::StudyOutcome outcome = study::run_study(device, subjects, settings, study_progress(context));
+  tell_notes(outcome.notes, context);
+  tell_invalid_results(outcome.records, context);
   if (lit) lit->replace_pictures(outcome.pictures);
 
   if (options.sheet.file.empty()) {

@@ -1,0 +1,19 @@
+// What `measure` and `render` say of a study beside its figures and pictures, on standard error.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/subcommand.h"
+#include "study/results.h"
+
+namespace penumbra::cli {
+
+// Nothing when the user wants quiet.
+void tell_notes(const std::vector<std::string>& notes, const Context& context);
+
+// A line for each technique, scene and light with results that are not a visibility; such a command ends with
+// findings.
+void tell_invalid_results(const std::vector<study::Record>& records, Context& context);
+
+}  // namespace penumbra::cli
