@@ -380,6 +380,24 @@ float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel) { retur
   EXPECT_THAT(run(adapter_shader(mine), half_plane({0}, true)).visibility.at(0), ElementsAre(0.75F));
 }
 
+TEST_F(AdapterTest, TheLibraryIsIncludedByTheNameOfItsPackageUnlessOneIsGiven) {
+  const char* includes = R"(
+#include "Packages/com.penumbra.shadows/ShaderLibrary/Platform/Platform.hlsl"
+TEXTURE2D(_ShadowMap);
+#ifndef MINE
+#define MINE 0.5
+#endif
+float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel) { return MINE; }
+)";
+  const scene::Frame frame = half_plane({0}, true);
+  EXPECT_THAT(run(adapter_shader(adapter(includes)), frame).visibility.at(0), ElementsAre(0.5F));
+  write("own/ShaderLibrary/Platform/Platform.hlsl",
+        "#define TEXTURE2D(name) Texture2D name\n#define MINE 0.25\n");
+  Adapter brings = adapter(includes);
+  brings.package_roots = {{"com.penumbra.shadows", brings.file.parent_path() / "own"}};
+  EXPECT_THAT(run(adapter_shader(brings), frame).visibility.at(0), ElementsAre(0.25F));
+}
+
 TEST_F(AdapterTest, AFileThatIsNotThereIsNoAdapter) {
   Adapter absent;
   absent.name = "absent";

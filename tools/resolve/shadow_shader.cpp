@@ -58,13 +58,22 @@ std::string whole_source(const ShadowShader& shader) {
   return shader.body + "#include \"Platform/Platform.hlsl\"\n#include \"Resolve.hlsl\"\n";
 }
 
+// This library under the name it has in Unity, unless the user brings a version of it.
+std::vector<shaders::PackageRoot> with_own_package(std::vector<shaders::PackageRoot> roots) {
+  const std::string name = "com.penumbra.shadows";
+  const bool given = std::any_of(roots.begin(), roots.end(),
+                                 [&](const shaders::PackageRoot& root) { return root.name == name; });
+  if (!given) roots.push_back({name, platform::data_directory()});
+  return roots;
+}
+
 shaders::CompileRequest request(const ShadowShader& shader, bool counting) {
   const std::filesystem::path root = platform::data_directory();
   shaders::CompileRequest request;
   request.file = shader.name + (counting ? " (counting).hlsl" : ".hlsl");
   request.text = whole_source(shader);
   request.defines = shader.defines;
-  request.package_roots = shader.package_roots;
+  request.package_roots = with_own_package(shader.package_roots);
   request.include_directories = shader.include_directories;
   request.include_directories.push_back(root / "ShaderLibrary");
   request.include_directories.push_back(root / "tools" / "resolve" / "shaders");
