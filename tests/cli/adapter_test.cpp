@@ -52,7 +52,10 @@ TEST_F(AdapterCommand, NumbersAreUniformsAndOtherValuesTextures) {
 TEST_F(AdapterCommand, WhatFollowsTheFileIsCheckedBeforeAnythingIsMeasured) {
   const std::string file = write("mine.hlsl", kNumberAndTexture).string();
   for (const auto& [ending, words] : std::vector<std::pair<std::string, std::vector<std::string>>>{
-           {";_Shares=0,0,1;_Mask=clouds.png", {"clouds.png", "'_Mask'", "white"}},
+           {";_Shares=0,0,1;_Mask=clouds.png", {"_Mask=clouds.png", "neither a number nor", "white"}},
+           {";9X", {"'9X' is not a keyword's name"}},
+           {";bad keyword", {"'bad keyword' is not a keyword's name"}},
+           {";@depth-bias=x", {"@depth-bias: 'x' is not a number"}},
            {";_Shares=0,0,1;_Shares=1,1,1;_Mask=white", {"'_Shares' is given twice"}},
            {";_Shares=0,0;_Mask=white", {"3 numbers", "given 2"}},
            {";_Shares=0,0,1", {"mine.hlsl:4:", "texture '_Mask'"}}}) {

@@ -266,7 +266,32 @@ TEXTURE2D(_Clouds);
 float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel) { return LOAD_TEXTURE2D(_Clouds, int2(0, 0)).x; }
 )",
       AllOf(HasSubstr("Mine.hlsl:3: "), HasSubstr("texture '_Clouds'"), HasSubstr("does not provide"),
-            HasSubstr("_ShadowMap")));
+            HasSubstr("';_Clouds=picture.png' or ';_Clouds=white'"), HasSubstr("_ShadowMap")));
+}
+
+TEST_F(AdapterTest, ASamplersMessageSaysWhichNamesAreSamplers) {
+  Adapter mine = adapter(R"(
+#include "Platform/Platform.hlsl"
+TEXTURE2D(_Clouds);
+SAMPLER(sampler_of_clouds);
+float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
+{
+    return SAMPLE_TEXTURE2D_LOD(_Clouds, sampler_of_clouds, pixel, 0.0).x;
+}
+)");
+  mine.textures = {adapter_texture("_Clouds", "white")};
+  expect_input_error([&] { run(adapter_shader(mine), half_plane({0}, true)); },
+                     AllOf(HasSubstr("Mine.hlsl:4: "), HasSubstr("'sampler_of_clouds'"),
+                           HasSubstr("'point' or 'linear'"), HasSubstr("'clamp' or 'repeat'")));
+}
+
+TEST_F(AdapterTest, OnlyTexturesOfTwoDimensionsAreProvided) {
+  expect_refused(R"(
+#include "Platform/Platform.hlsl"
+TEXTURECUBE(_Sky);
+float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel) { return 1.0; }
+)",
+                 AllOf(HasSubstr("Mine.hlsl:3:"), HasSubstr("only 2D textures are provided")));
 }
 
 // Receivers stand at x of the row's texels: from pixel to pixel the map's u rises by a texel.
@@ -318,7 +343,8 @@ TEST_F(AdapterTest, UnitysDefaultTexturesAreKnownByName) {
   EXPECT_THAT(adapter_texture("_Mask", "white").picture.rgba, ElementsAre(255, 255, 255, 255));
   EXPECT_THAT(adapter_texture("_Mask", "bump").picture.rgba, ElementsAre(128, 128, 255, 128));
   expect_input_error([] { adapter_texture("_Mask", "whyte"); },
-                     AllOf(HasSubstr("whyte"), HasSubstr("'_Mask'"), HasSubstr("black, bump")));
+                     AllOf(HasSubstr("_Mask=whyte"), HasSubstr("neither a number nor a picture's file"),
+                           HasSubstr("black, bump")));
 }
 
 TEST_F(AdapterTest, ASamplersNameMustSayFilterAndAddressing) {
@@ -367,7 +393,15 @@ TEST_F(AdapterTest, NumbersThatDoNotFitTheirUniformAreRefused) {
   expect("_Taps", {1, 2}, AllOf(HasSubstr("'_Taps'"), HasSubstr("3 numbers"), HasSubstr("given 2")));
   expect("_Count", {1.5}, AllOf(HasSubstr("'_Count'"), HasSubstr("integer")));
   expect("_Count", {-1}, HasSubstr("integer"));
-  expect("_Tops", {1, 2, 3}, AllOf(HasSubstr("no uniform '_Tops'"), HasSubstr("did you mean '_Taps'?")));
+  expect("_Count", {1, 2}, HasSubstr("Mine.hlsl:5: "));
+  expect("_Tops", {1, 2, 3},
+         AllOf(HasSubstr("Mine.hlsl:6: "), HasSubstr("no uniform '_Tops'"),
+               HasSubstr("did you mean '_Taps'?"), HasSubstr("it reads _Lights, _Taps, _Count")));
+  expect("_Taps[3]", {1},
+         AllOf(HasSubstr("Mine.hlsl:4: "), HasSubstr("'_Taps' has _Taps[0], _Taps[1], _Taps[2]")));
+  expect("_Lights[1].rnge", {1},
+         AllOf(HasSubstr("Mine.hlsl:3: "), HasSubstr("did you mean '_Lights[1].range'?"),
+               HasSubstr("'_Lights' has _Lights[0].range, ")));
 }
 
 TEST_F(AdapterTest, AssetsOfAProjectAreIncluded) {

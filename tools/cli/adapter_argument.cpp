@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "cli/option_text.h"
+#include "hlsl/identifier.h"
 #include "input/input_error.h"
 #include "input/nearest_name.h"
 #include "parameters/settings_input.h"
@@ -47,7 +48,7 @@ void add_value(resolve::Adapter& adapter, const std::string& name, const std::st
 }
 
 double bounded(const std::string& name, const std::string& text, double most) {
-  const double value = number("--adapter", text);
+  const double value = number("--adapter: " + name, text);
   if (value < 0.0 || value > most) {
     throw InputError("", fmt::format("--adapter: {} must be from 0 to {:g}, not {}", name, most, text));
   }
@@ -80,6 +81,9 @@ resolve::Adapter parse_adapter(const std::string& text) {
   std::tie(adapter.name, adapter.file) = name_and_value("--adapter", parts[0]);
   for (std::size_t i = 1; i < parts.size(); ++i) {
     if (parts[i].find('=') == std::string::npos) {
+      if (!hlsl::is_identifier(parts[i])) {
+        throw InputError("--adapter " + adapter.name, "'" + parts[i] + "' is not a keyword's name", kForm);
+      }
       adapter.keywords.push_back(parts[i]);
       continue;
     }

@@ -46,8 +46,12 @@ AdapterTexture adapter_texture(const std::string& name, const std::string& file_
     return {name, {1, 1, {colour.begin(), colour.end()}}};
   }
   if (!std::filesystem::is_regular_file(file_or_default)) {
-    throw InputError(file_or_default, "no such file for texture '" + name + "'",
-                     "a picture, or one of Unity's default textures: " + default_names());
+    throw InputError(
+        "'" + name + "=" + file_or_default + "'",
+        "'" + file_or_default + "' is neither a number nor a picture's file",
+        "a uniform takes numbers with commas between them; a texture a PNG, JPEG, TGA or BMP file "
+        "or one of Unity's default textures: " +
+            default_names());
   }
   return {name, scene::read_image(file_or_default)};
 }

@@ -9,6 +9,15 @@ namespace {
 
 constexpr const char* kCountingPrefix = "PenumbraCounted";
 
+// Of what the compiler does not know.
+std::string way_out_of(const std::string& messages, const MissingName& needed) {
+  if (messages.find("'" + needed.name + "'") != std::string::npos) return needed.way_out;
+  for (const char* macro : {"'TEXTURE2D_ARRAY'", "'TEXTURECUBE'", "'TEXTURECUBE_ARRAY'", "'TEXTURE3D'"}) {
+    if (messages.find(macro) != std::string::npos) return "only 2D textures are provided: TEXTURE2D";
+  }
+  return "";
+}
+
 }  // namespace
 
 void count_fetches(shaders::CompileRequest& request) {
@@ -39,8 +48,8 @@ std::vector<std::uint32_t> compile_or_throw(const shaders::CompileRequest& reque
   for (const hlsl::Diagnostic& diagnostic : result.diagnostics) {
     if (diagnostic.severity == hlsl::Severity::error) messages += "\n" + hlsl::format(diagnostic);
   }
-  const bool is_missing = needed != nullptr && messages.find("'" + needed->name + "'") != std::string::npos;
-  throw InputError(request.file.string(), "does not compile:" + messages, is_missing ? needed->way_out : "");
+  throw InputError(request.file.string(), "does not compile:" + messages,
+                   needed == nullptr ? "" : way_out_of(messages, *needed));
 }
 
 // The module that shows which function reads keeps its functions.

@@ -9,10 +9,10 @@
 namespace penumbra::resolve {
 
 // Throws InputError with the names that are provided when this one is not. `where`: the shader, or the line
-// that names the resource.
+// that names the resource; `way_out`: how the user can provide it.
 template <typename Map>
 const auto& provided(const Map& map, const shaders::Resource& resource, const std::string& where,
-                     const char* kind) {
+                     const char* kind, const std::string& way_out = "") {
   const auto found = map.find(resource.name);
   if (found != map.end()) return *found->second;
   std::string known;
@@ -20,7 +20,7 @@ const auto& provided(const Map& map, const shaders::Resource& resource, const st
   throw InputError(
       where,
       std::string("reads the ") + kind + " '" + resource.name + "', which the harness does not provide",
-      "provided are:" + known);
+      (way_out.empty() ? "" : way_out + "; ") + "provided are:" + known);
 }
 
 }  // namespace penumbra::resolve

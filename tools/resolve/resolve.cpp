@@ -14,6 +14,14 @@ const std::vector<std::uint32_t>& words(const CompiledShadowShader& shader, Reso
   return module == ResolvePass::Module::counting ? shader.counting : shader.plain;
 }
 
+constexpr const char* kSamplerNames =
+    "a name with 'point' or 'linear' and with 'clamp' or 'repeat' (sampler_LinearClamp) is a sampler of that "
+    "kind, and 'sampler' followed by the name of a texture of yours is linear and repeating";
+
+std::string texture_way_out(const std::string& name) {
+  return "give it one behind the adapter's file: ';" + name + "=picture.png' or ';" + name + "=white'";
+}
+
 }  // namespace
 
 ResolvePass::ResolvePass(const gpu::Device& device, const CompiledShadowShader& shader, Module module)
@@ -24,7 +32,8 @@ ResolvePass::ResolvePass(const gpu::Device& device, const CompiledShadowShader& 
       resources_(shaders::reflect(words(shader, module)).resources),
       own_(device, shader.source.textures),
       pass_(device, shader.vertex, words(shader, module)) {
-  check_numbers(numbers_, resources_, name_);
+  const auto function = named_at_.find("ShadowVisibility");
+  check_numbers(numbers_, resources_, function == named_at_.end() ? name_ : function->second, named_at_);
 }
 
 const std::string& ResolvePass::place_of(const shaders::Resource& resource) const {
@@ -37,7 +46,8 @@ void ResolvePass::bind_sampler(const shaders::Resource& resource, const FrameOnD
   const auto samplers = frame.samplers();
   const gpu::Sampler* own = samplers.count(resource.name) == 0 ? own_.sampler(resource.name) : nullptr;
   pass_.bindings().sampler(
-      slot, own != nullptr ? *own : provided(samplers, resource, place_of(resource), "sampler"));
+      slot,
+      own != nullptr ? *own : provided(samplers, resource, place_of(resource), "sampler", kSamplerNames));
 }
 
 void ResolvePass::bind(const FrameOnDevice& frame) {
@@ -54,7 +64,8 @@ void ResolvePass::bind(const FrameOnDevice& frame) {
         pass_.bindings().storage_buffer(slot, provided(buffers, resource, place_of(resource), "buffer"));
         break;
       case shaders::ResourceKind::sampled_image:
-        pass_.bindings().sampled_image(slot, provided(images, resource, place_of(resource), "texture"));
+        pass_.bindings().sampled_image(
+            slot, provided(images, resource, place_of(resource), "texture", texture_way_out(resource.name)));
         break;
       case shaders::ResourceKind::sampler:
         bind_sampler(resource, frame);

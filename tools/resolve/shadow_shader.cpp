@@ -114,23 +114,35 @@ int line_of_name(const std::string& text, const std::string& name) {
   return 0;
 }
 
+const MissingName kAdapterFunction{
+    "ShadowVisibility",
+    "an adapter defines: float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)"};
+
+// Of the first file that was read and has the name; the user's own is read before those that it includes.
+std::string place_of_name(const hlsl::SourceFiles& sources, const std::string& name) {
+  for (const std::string& file : sources.names()) {
+    const int line = line_of_name(sources.text(file), name);
+    if (line != 0) return file + ":" + std::to_string(line);
+  }
+  return "";
+}
+
 std::map<std::string, std::string> named_at(const std::vector<std::uint32_t>& spirv,
                                             const hlsl::SourceFiles& sources) {
   std::map<std::string, std::string> places;
+  const auto add = [&](const std::string& name) {
+    const std::string place = place_of_name(sources, name);
+    if (!place.empty()) places[name] = place;
+  };
+  add(kAdapterFunction.name);
   for (const shaders::Resource& resource : shaders::reflect(spirv).resources) {
-    for (const std::string& file : sources.names()) {
-      const int line = line_of_name(sources.text(file), resource.name);
-      if (line == 0) continue;
-      places[resource.name] = file + ":" + std::to_string(line);
-      break;
+    add(resource.name);
+    for (const shaders::UniformMember& member : resource.members) {
+      if (member.read) add(member.name);
     }
   }
   return places;
 }
-
-const MissingName kAdapterFunction{
-    "ShadowVisibility",
-    "an adapter must define: float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)"};
 
 }  // namespace
 

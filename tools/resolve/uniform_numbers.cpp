@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -67,17 +68,50 @@ std::size_t offset_of(const UniformLeaf& leaf, std::size_t n) {
                         : leaf.offset + row * leaf.matrix_stride + 4 * column;
 }
 
-std::vector<std::string> names_of(const std::vector<shaders::Resource>& resources) {
-  std::vector<std::string> names;
+// "_Lights" of "_Lights[1].colour".
+std::string uniform_of(const std::string& path) {
+  return path.substr(0, path.find_first_of(".["));
+}
+
+struct KnownNames {
+  std::vector<std::string> all;    // of uniforms
+  std::vector<std::string> read;   // those of them that the shader reads
+  std::vector<std::string> parts;  // of the uniform that was asked for: elements and fields
+};
+
+KnownNames known_names(const std::vector<shaders::Resource>& resources, const std::string& asked) {
+  KnownNames names;
   for (const shaders::Resource& resource : resources) {
-    for (const shaders::UniformMember& member : resource.members) names.push_back(member.name);
+    for (const shaders::UniformMember& member : resource.members) {
+      names.all.push_back(member.name);
+      if (member.read) names.read.push_back(member.name);
+      if (member.name != uniform_of(asked)) continue;
+      for (const UniformLeaf& leaf : member.leaves) names.parts.push_back(leaf.path);
+    }
   }
   return names;
 }
 
-std::string did_you_mean(const std::string& name, const std::vector<std::string>& known) {
-  const std::string nearest = nearest_name(name, known);
-  return nearest.empty() ? "" : "did you mean '" + nearest + "'?";
+std::string listed(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 24;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, names.size()); ++i) text += (i == 0 ? "" : ", ") + names[i];
+  return names.size() > most ? text + ", ..." : text;
+}
+
+// What exists instead: the parts of a uniform that is there, else the uniforms.
+std::string way_out_of(const std::string& name, const KnownNames& known) {
+  const bool is_part = !known.parts.empty();
+  const std::string nearest = nearest_name(name, is_part ? known.parts : known.all);
+  const std::string meant = nearest.empty() ? "" : "did you mean '" + nearest + "'? ";
+  if (is_part) return meant + "'" + uniform_of(name) + "' has " + listed(known.parts);
+  return meant + "it reads " + (known.read.empty() ? "no uniform" : listed(known.read));
+}
+
+const std::string& place_of(const std::string& name, const std::map<std::string, std::string>& places,
+                            const std::string& shader) {
+  const auto found = places.find(uniform_of(name));
+  return found == places.end() ? shader : found->second;
 }
 
 void check(const std::string& name, const std::vector<double>& numbers,
@@ -100,18 +134,19 @@ void check(const std::string& name, const std::vector<double>& numbers,
 }  // namespace
 
 void check_numbers(const UniformNumbers& numbers, const std::vector<shaders::Resource>& resources,
-                   const std::string& shader) {
+                   const std::string& shader, const std::map<std::string, std::string>& places) {
   for (const auto& [name, values] : numbers) {
+    const std::string& where = place_of(name, places, shader);
     bool found = false;
     for (const shaders::Resource& resource : resources) {
       const std::vector<const UniformLeaf*> leaves = leaves_of(resource, name);
       if (leaves.empty()) continue;
       found = true;
-      check(name, values, leaves, shader);
+      check(name, values, leaves, where);
     }
     if (found) continue;
-    throw InputError(shader, fmt::format("the shader reads no uniform '{}'", name),
-                     did_you_mean(name, names_of(resources)));
+    throw InputError(where, fmt::format("the shader reads no uniform '{}'", name),
+                     way_out_of(name, known_names(resources, name)));
   }
 }
 

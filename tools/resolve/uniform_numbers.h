@@ -15,10 +15,11 @@ namespace penumbra::resolve {
 // The numbers fill it in the order of its declaration, a matrix row by row as mul(M, v) reads it.
 using UniformNumbers = std::map<std::string, std::vector<double>>;
 
-// Throws InputError, naming the shader, for a name that none of the blocks has (with the nearest one), for
-// too few or too many numbers, and for an int uniform whose number is none.
+// Throws InputError for a name that none of the blocks has (with the nearest one and those that are read),
+// for too few or too many numbers, and for an int uniform whose number is none. The message names the
+// uniform's place, or else `shader`.
 void check_numbers(const UniformNumbers& numbers, const std::vector<shaders::Resource>& resources,
-                   const std::string& shader);
+                   const std::string& shader, const std::map<std::string, std::string>& places = {});
 
 // Writes what of the numbers belongs into this block.
 void write_numbers(const UniformNumbers& numbers, const shaders::Resource& block,
