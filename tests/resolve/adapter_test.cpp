@@ -292,6 +292,30 @@ TEXTURECUBE(_Sky);
 float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel) { return 1.0; }
 )",
                  AllOf(HasSubstr("Mine.hlsl:3:"), HasSubstr("only 2D textures are provided")));
+  // As a pipeline's macros declare and read it; the picture would be bound in the cube's place.
+  Adapter sky = adapter(R"(
+#define SAMPLE_TEXTURECUBE_LOD(map, sampler_map, coord, lod) PenumbraCountedSample(map, sampler_map, coord, lod)
+#ifndef PENUMBRA_COUNT_FETCHES
+float4 PenumbraCountedSample(TextureCube map, SamplerState s, float3 at, float lod) { return map.SampleLevel(s, at, lod); }
+#endif
+#include "Platform/Platform.hlsl"
+TextureCube _Sky;
+SAMPLER(sampler_Sky);
+float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
+{
+    return SAMPLE_TEXTURECUBE_LOD(_Sky, sampler_Sky, normalWS, 0.0).x;
+}
+)");
+  sky.textures = {adapter_texture("_Sky", "white")};
+  expect_input_error([&] { run(adapter_shader(sky), half_plane({0}, true)); },
+                     AllOf(HasSubstr("Mine.hlsl:7: "), HasSubstr("'_Sky' is not a plain 2D texture")));
+}
+
+TEST_F(AdapterTest, AFunctionThatReturnsAVectorIsRefused) {
+  expect_refused(
+      "float4 ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel) { return 1.0; }\n",
+      AllOf(HasSubstr("Mine.hlsl:1: "), HasSubstr("returns more than one number"),
+            HasSubstr("returns a float")));
 }
 
 // Receivers stand at x of the row's texels: from pixel to pixel the map's u rises by a texel.

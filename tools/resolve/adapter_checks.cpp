@@ -3,8 +3,10 @@
 #include "input/input_error.h"
 #include "resolve/frame_on_device.h"
 #include "shaders/discards.h"
+#include "shaders/function_results.h"
 #include "shaders/sampler_uses.h"
 #include "shaders/spirv_module.h"
+#include "shaders/texture_kinds.h"
 
 namespace penumbra::resolve {
 namespace {
@@ -42,14 +44,38 @@ void refuse_discard(const SpirvModule& module, const std::string& shader) {
                    "return 1.0 (lit) or 0.0 (in shadow) instead of 'discard' and 'clip'");
 }
 
+// HLSL would take the first number without a word.
+void refuse_several_numbers(const SpirvModule& unoptimised, const std::string& where) {
+  if (!shaders::returns_several_numbers(unoptimised, "ShadowVisibility")) return;
+  throw InputError(where, "ShadowVisibility returns more than one number",
+                   "it returns a float, the visibility: 1 = lit, 0 = in shadow");
+}
+
+std::string place_of(const std::map<std::string, std::string>& places, const std::string& name,
+                     const std::string& shader) {
+  const auto found = places.find(name);
+  return found == places.end() ? shader : found->second;
+}
+
+void refuse_other_textures(const SpirvModule& module, const std::map<std::string, std::string>& places,
+                           const std::string& shader) {
+  for (const std::string& texture : shaders::textures_that_are_not_2d(module)) {
+    throw InputError(place_of(places, texture, shader), "'" + texture + "' is not a plain 2D texture",
+                     "only 2D textures are provided: TEXTURE2D");
+  }
+}
+
 }  // namespace
 
-void check_adapter(std::vector<std::uint32_t> unoptimised, const std::string& shader) {
+void check_adapter(std::vector<std::uint32_t> unoptimised, const std::string& shader,
+                   const std::map<std::string, std::string>& places) {
+  refuse_several_numbers(unoptimised, place_of(places, "ShadowVisibility", shader));
   SpirvModule module = std::move(unoptimised);
   std::vector<std::string> problems;
   if (!shaders::optimise(module, shaders::VulkanVersion::v1_1, problems)) return;  // as the module that ships
   refuse_misused_samplers(module, shader);
   refuse_discard(module, shader);
+  refuse_other_textures(module, places, shader);
 }
 
 }  // namespace penumbra::resolve

@@ -195,7 +195,7 @@ CompiledShadowShader compile(const ShadowShader& shader) {
   std::vector<std::uint32_t> unoptimised;
   compiled.plain = compile_or_throw(plain, &compiled.notes, &kAdapterFunction, &sources, &unoptimised);
   compiled.named_at = named_at(compiled.plain, sources);
-  if (shader.fragment) check_adapter(unoptimised, shader.name);
+  if (shader.fragment) check_adapter(unoptimised, shader.name, compiled.named_at);
   refuse_uncounted_fetches(request(shader, true), shader.name);
   compiled.counting = compile_or_throw(request(shader, true));
   return compiled;

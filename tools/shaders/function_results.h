@@ -1,0 +1,13 @@
+// What kind of value a function returns, in a module that kept its functions and names.
+#pragma once
+
+#include <string>
+
+#include "shaders/spirv_module.h"
+
+namespace penumbra::shaders {
+
+// Whether a function of that name, whatever its parameters, returns more than one number.
+bool returns_several_numbers(const SpirvModule& module, const std::string& function);
+
+}  // namespace penumbra::shaders

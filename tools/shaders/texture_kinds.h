@@ -1,0 +1,15 @@
+// Which textures of a module are not plain ones of two dimensions.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "shaders/spirv_module.h"
+
+namespace penumbra::shaders {
+
+// The sampled textures of an optimised module that are cubes, arrays, multisampled, buffers or of another
+// number of dimensions.
+std::vector<std::string> textures_that_are_not_2d(const SpirvModule& module);
+
+}  // namespace penumbra::shaders
