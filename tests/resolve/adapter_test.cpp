@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "input/input_error_matcher.h"
+#include "platform/data_directory.h"
 #include "reference/scratch_folder.h"
 #include "resolve/resolve.h"
 #include "resolve/synthetic_frame.h"
@@ -19,6 +20,7 @@ using testing::Contains;
 using testing::Each;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 using testing_frames::FrameSetup;
 using testing_frames::TilePoint;
 
@@ -454,6 +456,13 @@ float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel) { retur
   Adapter brings = adapter(includes);
   brings.package_roots = {{"com.penumbra.shadows", brings.file.parent_path() / "own"}};
   EXPECT_THAT(run(adapter_shader(brings), frame).visibility.at(0), ElementsAre(0.25F));
+}
+
+TEST_F(AdapterTest, AFileThatIncludesItselfIsNamedAtThatLine) {
+  expect_refused("#include \"Platform/Platform.hlsl\"\n\n#include \"Mine.hlsl\"\n",
+                 AllOf(testing::ContainsRegex(
+                           "Mine.hlsl:3:[0-9]+: error: includes without end: .*Mine.hlsl -> .*Mine.hlsl\n"),
+                       Not(HasSubstr("-> " + (platform::data_directory() / "ShaderLibrary").string()))));
 }
 
 TEST_F(AdapterTest, AFileThatIsNotThereIsNoAdapter) {
