@@ -49,8 +49,14 @@ class ParseOnly {
 inline std::vector<std::string> words_of(const std::string& command) {
   std::vector<std::string> words(1);
   char quote = '\0';
+  bool escaped = false;
   for (const char c : command) {
-    if (quote != '\0') {
+    if (escaped) {
+      words.back() += c;
+      escaped = false;
+    } else if (quote == '\0' && c == '\\') {
+      escaped = true;
+    } else if (quote != '\0') {
       if (c == quote) {
         quote = '\0';
       } else {

@@ -250,7 +250,7 @@ float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel) { retur
 TEST_F(AdapterTest, AFileWithoutTheFunctionIsToldItsSignature) {
   expect_refused(
       "float Visibility(float3 positionWS) { return 1.0; }\n",
-      HasSubstr("an adapter must define: float ShadowVisibility(float3 positionWS, float3 normalWS, "
+      HasSubstr("an adapter defines: float ShadowVisibility(float3 positionWS, float3 normalWS, "
                 "float2 pixel)"));
 }
 

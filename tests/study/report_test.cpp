@@ -38,7 +38,7 @@ TEST_F(Report, SaysOnWhatAndHowItWasMeasured) {
        {"made-up processor, 2 cores", "made-up device", "made-up driver 1.2", "Penumbra 0.1.0",
         "commit <code>0123456789abcdef0123456789abcdef01234567</code>", "com.example.shadows 17.0.3",
         "<span>penumbra</span> <span>measure</span> <span>--seed</span> <span>1</span></code>",
-        "milliseconds are CPU time and rank nothing"}) {
+        "milliseconds are CPU time and say little about speed on a GPU"}) {
     EXPECT_THAT(html, HasSubstr(text));
   }
 }

@@ -217,7 +217,7 @@ TEST_P(Published, ShowsTheCommittedResults) {
   EXPECT_EQ(text, replace_result_block(text, block, page.file, page.block));
   const std::string chart = file_text(folder / "pareto-fetches.svg");
   for (const Choice& choice : choices(results)) {
-    EXPECT_THAT(chart, HasSubstr(">" + choice.label + "<")) << "the chart is of other results";
+    EXPECT_THAT(chart, HasSubstr(">" + choice.shown + "<")) << "the chart is of other results";
   }
 }
 

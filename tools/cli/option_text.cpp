@@ -34,7 +34,10 @@ double number(const std::string& option, const std::string& text) {
 
 std::string shell_word(const std::string& text) {
   const bool plain = text.find_first_of(" ;&|<>()$`\"'\\*?") == std::string::npos;
-  return plain ? text : "'" + text + "'";
+  if (plain) return text;
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
 }
 
 }  // namespace penumbra::cli
