@@ -27,8 +27,8 @@ class Table(ReportCase):
     def test_sorts_by_exact_figures_with_absent_ones_last(self):
         page = self.each_scene()
         for turn, falling in (("ascending", False), ("descending", True)):
-            self.sort(page, "RMSE all")
-            values = self.values(page, "RMSE all")
+            self.sort(page, "RMSE of all")
+            values = self.values(page, "RMSE of all")
             self.assertEqual(values[-1], "")
             figures = [float(value) for value in values[:-1]]
             self.assertEqual(len(figures), 15)

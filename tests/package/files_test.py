@@ -58,8 +58,8 @@ class Paths(UnpackedTarball):
 
     def test_names_that_differ_in_case_alone(self):
         self.write("Documentation~/Results/x.txt", "")
-        self.assert_problems("Documentation~/results: differs from Documentation~/Results in case alone, which Windows and "
-                             "macOS take for one: rename one")
+        self.assert_problems("Documentation~/results: differs from Documentation~/Results only in case, which Windows and "
+                             "macOS do not distinguish: rename one")
 
 
 class Metas(UnpackedTarball):

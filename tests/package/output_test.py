@@ -42,7 +42,7 @@ class Output(CopiedRepository):
     def test_a_folder_of_somebody_else_stays(self):
         (self.output / "upm").mkdir(parents=True)
         (self.output / "upm" / "mine.txt").write_text("mine")
-        self.assert_refused(2, f"scripts/package: {self.output / 'upm'}: exists and is no package: "
+        self.assert_refused(2, f"scripts/package: {self.output / 'upm'}: exists and is not a package: "
                             "remove it, or choose another --output", "--output", self.output, "--upm")
         self.assertEqual([path.name for path in self.output.rglob("*")], ["upm", "mine.txt"])
 

@@ -75,8 +75,8 @@ class Source(CopiedRepository):
     def test_a_list_in_no_known_form(self):
         for entry in ("/Runtime", "../other", "Runtime/{a,b}", "**/a.md", "", 5):
             self.change_files(add=[entry])
-            self.assert_refused(2, f"scripts/package: package.json: the entry {json.dumps(entry)} of 'files' is of no form "
-                                "that scripts/package reads: write 'file', 'folder/', '*', '**/' or '!' before one of these",
+            self.assert_refused(2, f"scripts/package: package.json: the entry {json.dumps(entry)} of 'files' has a form "
+                                "that scripts/package does not read: write 'file', 'folder/', '*', '**/' or '!' before one of these",
                                 "--check")
             self.change_files(entry)
 
