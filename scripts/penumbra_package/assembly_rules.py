@@ -36,7 +36,7 @@ def references(document, owners, guids):
     """`owners` are the package's assemblies by name, `guids` their names."""
     given = document.value.get("references", [])
     if not isinstance(given, list):
-        yield document.problem(("references",), "'references' is no list: write one of assembly names")
+        yield document.problem(("references",), "'references' is not a list: write one of assembly names")
         return
     not_in_players = EDITOR_ASSEMBLIES | {name for name, owner in owners.items() if is_for_editor_alone(owner)}
     known = owners.keys() | PLAYER_ASSEMBLIES | EDITOR_ASSEMBLIES
@@ -44,7 +44,7 @@ def references(document, owners, guids):
         place = ("references", index)
         name = guids.get(reference[5:]) if isinstance(reference, str) and reference.startswith("GUID:") else reference
         if not isinstance(name, str) or name not in known:
-            yield document.problem(place, f"'{reference}' is no assembly of this package, nor one of Unity's that it may "
+            yield document.problem(place, f"'{reference}' is not an assembly of this package, nor one of Unity's that it may "
                                           "use: write the name of one, or add it to "
                                           "scripts/penumbra_package/assembly_rules.py")
         elif name in not_in_players and not is_for_editor_alone(document):
@@ -56,7 +56,7 @@ def version_defines(document):
     given = document.value.get("versionDefines", [])
     if not isinstance(given, list):
         yield document.problem(("versionDefines",),
-                               "'versionDefines' is no list: write one of {name, expression, define}")
+                               "'versionDefines' is not a list: write one of {name, expression, define}")
         return
     forms = {"name": (RESOURCE, "a package's name or Unity"),
              "expression": (EXPRESSION, "a version or a range like [14.0,17.0)"),

@@ -59,7 +59,7 @@ def check_kinds(text):
     for match in re.finditer(r"^### (.*?)[ \t]*$", text, re.MULTILINE):
         if match[1] not in KINDS:
             yield at_offset(PATH, text, match.start(),
-                            f"'### {match[1]}' is no kind of change: write one of {', '.join(KINDS)}")
+                            f"'### {match[1]}' is not a kind of change: write one of {', '.join(KINDS)}")
 
 
 def newest_version(text):

@@ -65,7 +65,7 @@ class Includes:
         if name == NAME:
             return compared(path, case_in_package(self.package, path), "the package")
         if name not in self.reachable and name not in OPTIONAL.get(including, ()):
-            return f"{name} is no dependency of package.json: add it there, or do without its file"
+            return f"{name} is not a dependency of package.json: add it there, or do without its file"
         if name in self.roots:
             return compared(path, case_on_disk(self.roots[name], path), name)
         return None
@@ -84,7 +84,7 @@ class Includes:
             return f"what {target or 'nothing'} leads to is not known here: write the path in quotes"
         path = target[1:-1]
         if "\\" in path:
-            return f"{path} has '\\', which is no separator on Linux and macOS: write '/'"
+            return f"{path} has '\\', which is not a separator on Linux and macOS: write '/'"
         if path.startswith("Packages/"):
             _, name, *rest = path.split("/")
             return self.from_package(including, name, posixpath.normpath("/".join(rest)))

@@ -26,7 +26,7 @@ def fixed_values(document):
     version = document.value.get("version")
     if not is_text(version) or not SEMANTIC_VERSION.fullmatch(version):
         yield document.problem(("version",),
-                               "'version' is no semantic version: write one like \"1.2.3\" or \"1.2.3-pre.1\"")
+                               "'version' is not a semantic version: write one like \"1.2.3\" or \"1.2.3-pre.1\"")
     for key in ("displayName", "description"):
         if not is_text(document.value.get(key)):
             yield document.problem((key,), f"'{key}' is empty, and the Package Manager shows it: write one")
@@ -36,12 +36,12 @@ def dependencies(document):
     given = document.value.get("dependencies")
     if not isinstance(given, dict):
         yield document.problem(("dependencies",),
-                               f"'dependencies' is no object: write {{\"{URP}\": \"{URP_VERSION}\"}}")
+                               f"'dependencies' is not an object: write {{\"{URP}\": \"{URP_VERSION}\"}}")
         return
     for name, version in given.items():
         if not is_text(version) or not SEMANTIC_VERSION.fullmatch(version):
             yield document.problem(("dependencies", name),
-                                   f"the version of {name} is no semantic version: write one like \"1.2.3\"")
+                                   f"the version of {name} is not a semantic version: write one like \"1.2.3\"")
     if is_text(given.get(URP)) and given[URP] == URP_VERSION:
         return
     yield document.problem(("dependencies", URP), f"the dependency on {URP} is not \"{URP_VERSION}\", "
@@ -53,13 +53,13 @@ def addresses(document):
         value = document.value.get(key)
         if key in document.value and not (is_text(value) and ADDRESS.fullmatch(value)):
             yield document.problem((key,),
-                                   f"'{key}' is no address: write one that begins with https://, or leave it out")
+                                   f"'{key}' is not an address: write one that begins with https://, or leave it out")
 
 
 def samples(document, package):
     given = document.value.get("samples", [])
     if not isinstance(given, list):
-        yield document.problem(("samples",), "'samples' is no list: write one of {displayName, description, path}")
+        yield document.problem(("samples",), "'samples' is not a list: write one of {displayName, description, path}")
         return
     there = {path.split("/")[1] for path in package.paths if path.startswith("Samples~/") and path.count("/") > 1}
     listed = set()
@@ -93,7 +93,7 @@ def check(package):
         yield error.problem
         return
     if not isinstance(document.value, dict):
-        yield document.problem((), "is no JSON object: write one with name, version and unity")
+        yield document.problem((), "is not a JSON object: write one with name, version and unity")
         return
     yield from fixed_values(document)
     yield from dependencies(document)

@@ -44,12 +44,12 @@ class Assemblies(UnpackedTarball):
     def test_references_that_lead_nowhere(self):
         for reference in ("Penumbra.Runtimes", "Unity.RenderPipelines.HighDefinition.Runtime", "GUID:" + "0" * 32, 5):
             self.define(PATH, name="Made", references=["Penumbra.Runtime", reference])
-            self.assert_value(json.dumps(reference), f"'{reference}' is no assembly of this package, nor one of Unity's "
+            self.assert_value(json.dumps(reference), f"'{reference}' is not an assembly of this package, nor one of Unity's "
                               "that it may use: write the name of one, or add it to scripts/penumbra_package/assembly_rules.py")
 
     def test_references_that_are_no_list(self):
         self.define(PATH, name="Made", references="Penumbra.Runtime")
-        self.assert_value('"Penumbra.Runtime"', "'references' is no list: write one of assembly names")
+        self.assert_value('"Penumbra.Runtime"', "'references' is not a list: write one of assembly names")
 
     def test_editor_code_in_players(self):
         self.define(PATH, name="Made", references=["Unity.RenderPipelines.Universal.Editor"])
@@ -82,7 +82,7 @@ class Assemblies(UnpackedTarball):
 
     def test_version_defines_that_are_no_list(self):
         self.define(PATH, name="Made", versionDefines={})
-        self.assert_value("{}", "'versionDefines' is no list: write one of {name, expression, define}")
+        self.assert_value("{}", "'versionDefines' is not a list: write one of {name, expression, define}")
 
     def test_a_script_that_no_assembly_covers(self):
         self.add("Shaders/Made.cs", "class Made {}\n")

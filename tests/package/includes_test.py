@@ -67,7 +67,7 @@ class Includes(UnpackedTarball):
 
     def test_separators_of_windows(self):
         self.assert_include('"..\\Made.hlsl"',
-                            "..\\Made.hlsl has '\\', which is no separator on Linux and macOS: write '/'")
+                            "..\\Made.hlsl has '\\', which is not a separator on Linux and macOS: write '/'")
 
     def test_paths_that_are_not_written_out(self):
         self.assert_include("<Nothing.hlsl>", "what <Nothing.hlsl> leads to is not known here: write the path in quotes")
@@ -75,7 +75,7 @@ class Includes(UnpackedTarball):
 
     def test_a_package_that_is_no_dependency(self):
         self.assert_include('"Packages/com.unity.render-pipelines.high-definition/Runtime/A.hlsl"',
-                            "com.unity.render-pipelines.high-definition is no dependency of package.json: "
+                            "com.unity.render-pipelines.high-definition is not a dependency of package.json: "
                             "add it there, or do without its file")
 
 

@@ -38,7 +38,7 @@ class Manifest(UnpackedTarball):
     def test_versions(self):
         for version in ("0.1", "v0.1.0", "0.01.0", "0.1.0-", "0.1.0-01", "0.1.0+build", "٠.1.0", 1, None):
             self.change_manifest(version=version)
-            self.assertIn("'version' is no semantic version: write one like \"1.2.3\" or \"1.2.3-pre.1\"",
+            self.assertIn("'version' is not a semantic version: write one like \"1.2.3\" or \"1.2.3-pre.1\"",
                           [line.split(": ", 1)[1] for line in self.problems()], version)
 
     def test_versions_that_are_right(self):
@@ -53,19 +53,19 @@ class Manifest(UnpackedTarball):
         self.change_manifest(dependencies={})
         self.assertIn(f"{self.place(PATH, '{}')}: {text}", self.problems())
         self.change_manifest(dependencies=[])
-        self.assertIn(f"{self.place(PATH, '[]')}: 'dependencies' is no object: write {{\"{URP}\": \"14.0.0\"}}",
+        self.assertIn(f"{self.place(PATH, '[]')}: 'dependencies' is not an object: write {{\"{URP}\": \"14.0.0\"}}",
                       self.problems())
 
     def test_other_dependencies(self):
         self.change_manifest(dependencies={URP: "14.0.0", "com.unity.burst": "1.8"})
-        self.assert_problems(f"{self.place(PATH, json.dumps('1.8'))}: the version of com.unity.burst is no semantic "
+        self.assert_problems(f"{self.place(PATH, json.dumps('1.8'))}: the version of com.unity.burst is not a semantic "
                              "version: write one like \"1.2.3\"")
 
     def test_addresses(self):
         for key in ("documentationUrl", "changelogUrl", "licensesUrl"):
             for wrong in ("http://example.com/", "example.com", "https://example", "https://", "https://a.com/a b", "", 5):
                 self.assert_value(key, wrong,
-                                  f"'{key}' is no address: write one that begins with https://, or leave it out")
+                                  f"'{key}' is not an address: write one that begins with https://, or leave it out")
             self.change_manifest(**{key: "https://docs.example.com/penumbra/index.html"})
             self.assert_problems()
             self.change_manifest(**{key: None})
@@ -82,7 +82,7 @@ class Manifest(UnpackedTarball):
 
     def test_text_that_is_no_manifest(self):
         for text, message in (('{\n  "name": }', f"{PATH}:2:11: is not JSON: Expecting value"),
-                              ("[]", f"{PATH}:1:1: is no JSON object: write one with name, version and unity"),
+                              ("[]", f"{PATH}:1:1: is not a JSON object: write one with name, version and unity"),
                               ('{"name": "a", "name": "b"}', f"{PATH}:1:15: the key 'name' is there twice: remove one"),
                               ("[" * 100000, f"{PATH}: is JSON nested too deeply to read"),
                               ("1" * 10000, f"{PATH}: is not JSON that can be read: ")):
@@ -124,7 +124,7 @@ class Samples(UnpackedTarball):
 
     def test_no_list(self):
         self.change_manifest(samples="Samples~")
-        self.assertIn(f"{self.place(PATH, json.dumps('samples') + ': ', 11)}: 'samples' is no list: write one of "
+        self.assertIn(f"{self.place(PATH, json.dumps('samples') + ': ', 11)}: 'samples' is not a list: write one of "
                       "{displayName, description, path}", self.problems())
 
 

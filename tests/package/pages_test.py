@@ -56,7 +56,7 @@ class Changelog(UnpackedTarball):
 
     def test_kinds_of_changes(self):
         self.write(PATH, f"# Changelog\n\n## [{self.version}] - Unreleased\n\n### Added\n\n### New things\n")
-        self.assert_problems(f"{PATH}:7:1: '### New things' is no kind of change: write one of Added, Changed, Deprecated, "
+        self.assert_problems(f"{PATH}:7:1: '### New things' is not a kind of change: write one of Added, Changed, Deprecated, "
                              "Removed, Fixed, Security")
 
 

@@ -118,7 +118,7 @@ class Source(CopiedRepository):
 
     def test_a_version_that_is_missing_is_told_once(self):
         self.change_manifest(version=None)
-        self.assertEqual(self.refusals(), [f"{MANIFEST}:1:1: 'version' is no semantic version: write one like \"1.2.3\" or "
+        self.assertEqual(self.refusals(), [f"{MANIFEST}:1:1: 'version' is not a semantic version: write one like \"1.2.3\" or "
                                            "\"1.2.3-pre.1\""])
 
     def test_a_pre_release_has_the_version_of_its_release(self):
