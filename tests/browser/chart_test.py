@@ -64,4 +64,4 @@ class Charts(ReportCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    unittest.main(failfast=True)  # a hang costs its limit of time once

@@ -53,4 +53,4 @@ class Watcher(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    unittest.main(failfast=True)  # a hang costs its limit of time once

@@ -113,4 +113,4 @@ class Page(ReportCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    unittest.main(failfast=True)  # a hang costs its limit of time once

@@ -166,4 +166,4 @@ class Table(ReportCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    unittest.main(failfast=True)  # a hang costs its limit of time once

@@ -14,7 +14,7 @@ class ViewerCase(ReportCase):
     def viewer(self, **view):
         page = self.open(**view)
         page.click("#viewer .techniques button:nth-child(2)")
-        page.wait("document.querySelector('.tag.right').textContent === 'pcss-24-16'")
+        page.wait("document.querySelector('.tag.right').textContent === 'Title of pcss-24-16'")
         return page
 
     def samples(self, page, area):
@@ -91,18 +91,18 @@ class Comparison(ViewerCase):
         page = self.viewer()
         page.ask("document.querySelector('.stage').focus()")
         page.press("x")
-        page.wait("document.querySelector('.tag.left').textContent === 'pcss-24-16'")
+        page.wait("document.querySelector('.tag.left').textContent === 'Title of pcss-24-16'")
         self.assertEqual(self.pixel(page, 18, 12), self.grey(0))
 
     def test_takes_the_next_technique_and_compares_two(self):
         page = self.viewer()
         page.ask("document.querySelector('.stage').focus()")
         page.press("n")
-        page.wait("document.querySelector('.tag.right').textContent === 'bilinear'")
+        page.wait("document.querySelector('.tag.right').textContent === 'Title of bilinear'")
         self.side(page, "right")
         self.assertEqual(self.pixel(page, 25, 12), self.grey(1))
         page.choose("#viewer [name=left]", "item-pcss-24-16")
-        page.wait("document.querySelector('.tag.left').textContent === 'pcss-24-16'")
+        page.wait("document.querySelector('.tag.left').textContent === 'Title of pcss-24-16'")
         self.side(page, "left")
         self.assertEqual(self.pixel(page, 25, 12), self.grey(5 / 8))
 
@@ -111,7 +111,7 @@ class Errors(ViewerCase):
     def test_the_error_is_computed_in_the_colours_of_the_picture_files(self):
         page = self.viewer()
         page.click("#viewer [value=error] + span")
-        page.wait("document.querySelector('.tag.right').textContent === 'pcss-24-16: error'")
+        page.wait("document.querySelector('.tag.right').textContent === 'Title of pcss-24-16: error'")
         self.side(page, "right")
         ramp = page.ask("[...atob(JSON.parse(document.getElementById('picture-index').textContent).ramps.error)]"
                         ".map(c => c.charCodeAt(0))")
@@ -125,7 +125,7 @@ class Errors(ViewerCase):
     def test_the_reader_sets_how_strong_an_error_shows(self):
         page = self.viewer()
         page.click("#viewer [value=error] + span")
-        page.wait("document.querySelector('.tag.right').textContent === 'pcss-24-16: error'")
+        page.wait("document.querySelector('.tag.right').textContent === 'Title of pcss-24-16: error'")
         self.side(page, "right")
         before = self.pixel(page, 18, 12)
         page.choose("#viewer [name=scale]", 0)
@@ -139,8 +139,8 @@ class Errors(ViewerCase):
     def test_reads_numbers_under_the_pointer(self):
         page = self.viewer()
         for column, row, words in (
-                (24, 12, "Pixel 24, 12: ray traced 0.502, pcss-24-16 0.502, error 0.000, 40 fetches"),
-                (18, 12, "Pixel 18, 12: ray traced 0.125, pcss-24-16 0.000, error −0.125, 40 fetches"),
+                (24, 12, "Pixel 24, 12: ray traced 0.502, Title of pcss-24-16 0.502, error 0.000, 40 fetches"),
+                (18, 12, "Pixel 18, 12: ray traced 0.125, Title of pcss-24-16 0.000, error −0.125, 40 fetches"),
                 (18, 1, "Pixel 18, 1: no surface")):
             page.hover(".stage canvas", ((column + 0.5) / 48, (row + 0.5) / 24))
             page.wait(f"document.querySelector('.readout').textContent === {words!r}")
@@ -148,7 +148,7 @@ class Errors(ViewerCase):
     def test_results_that_are_no_visibility_stand_out(self):
         page = self.open(kind="findings")
         page.click("#viewer .techniques button:nth-child(2)")
-        page.wait("document.querySelector('.tag.right').textContent === 'pcss-24-16'")
+        page.wait("document.querySelector('.tag.right').textContent === 'Title of pcss-24-16'")
         self.side(page, "right")
         self.assertEqual(self.pixel(page, 1, 20), [255, 0, 255])
         self.assertEqual(self.pixel(page, 5, 20), [0, 0, 0])
@@ -215,11 +215,11 @@ class Choices(ViewerCase):
         page = self.viewer()
         page.choose("#viewer [name=scene]", "fence")
         page.wait("document.querySelector('.stage canvas').getAttribute('aria-label').startsWith('fence')")
-        self.assertEqual(page.ask("document.querySelector('.tag.right').textContent"), "pcss-24-16")
+        self.assertEqual(page.ask("document.querySelector('.tag.right').textContent"), "Title of pcss-24-16")
 
     def test_an_address_opens_its_picture(self):
         page = self.open(fragment="#picture-2")
-        page.wait("document.querySelector('.tag.right').textContent === 'bilinear'")
+        page.wait("document.querySelector('.tag.right').textContent === 'Title of bilinear'")
         self.assertEqual(page.ask("document.querySelector('#viewer [name=scene]').value"), "fence")
 
     def test_what_a_technique_lacks_is_not_offered(self):
@@ -229,4 +229,4 @@ class Choices(ViewerCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    unittest.main(failfast=True)  # a hang costs its limit of time once

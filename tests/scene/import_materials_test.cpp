@@ -90,7 +90,7 @@ TEST_F(ImportMaterials, ReadsNamesWithBlanksAndFoldersInsideTheModels) {
 TEST_F(ImportMaterials, LeavesOutTexturesThatAreMissingBrokenHugeOrElsewhere) {
   expect_left_out(with_texture("missing.png"), "missing.png: no such file");
   write("broken.png", "no picture at all");
-  expect_left_out(with_texture("broken.png"), "broken.png: no picture");
+  expect_left_out(with_texture("broken.png"), "broken.png: cannot be read as a picture");
   std::string huge = kPicture;
   huge[13] = huge[15] = 0x40;  // 16,386 pixels per side
   write("huge.tga", huge);
