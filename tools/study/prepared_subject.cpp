@@ -1,0 +1,87 @@
+#include "study/prepared_subject.h"
+
+#include "platform/content_hash.h"
+#include "study/shimmer.h"
+
+namespace penumbra::study {
+namespace {
+
+// Version of what is stored under unlimited_key: raise it when the meaning of T3 changes.
+constexpr int kUnlimitedVersion = 1;
+constexpr int kUnlimitedSeeds = 4;  // rotations averaged: thousands of taps leave little for them to do
+
+std::string unlimited_key(const View& view, const resolve::CompiledShadowShader& shader) {
+  platform::ContentHash hash;
+  hash.update(kUnlimitedVersion).update(view.key).update(std::span<const std::uint32_t>(shader.plain));
+  hash.update(shader.source.parameters.fingerprint());
+  return hash.hex();
+}
+
+}  // namespace
+
+std::vector<float> mean_image(const std::vector<std::vector<float>>& images) {
+  std::vector<float> mean(images.front().size());
+  for (std::size_t i = 0; i < mean.size(); ++i) {
+    double sum = 0.0;
+    for (const std::vector<float>& image : images) sum += image[i];
+    mean[i] = static_cast<float>(sum / static_cast<double>(images.size()));
+  }
+  return mean;
+}
+
+PreparedSubject::PreparedSubject(const gpu::Device& device, const Subject& subject,
+                                 const StudySettings& settings,
+                                 const std::function<const shaders::PackageShader&()>& package)
+    : subject_(&subject) {
+  if (subject.screen) {
+    chain_.emplace(device, package(), *subject.screen, settings.frame.shadows.reversed_z);
+  } else {
+    resolver_.emplace(device, resolve::compile(subject.shader));
+  }
+  if (settings.split_error && subject.unlimited) {
+    unlimited_ = resolve::compile(*subject.unlimited);
+    unlimited_resolver_.emplace(device, *unlimited_);
+  }
+}
+
+Answer PreparedSubject::answer(const StagedFrame& frame, const resolve::ResolveOptions& options) {
+  if (resolver_) return {resolver_->resolve(frame.on_device, options), 0.0, {}, {}};
+  resolve::ScreenChainResult result = chain_->run(frame.on_device, frame.camera, options);
+  return {std::move(result.image), result.fetches_of_others, std::move(result.fetches_of_others_at),
+          std::move(result.masked_out)};
+}
+
+std::optional<reference::VisibilityImage> PreparedSubject::unlimited_answer(
+    const Stage& stage, const View& view, const reference::ReferenceCache& cache) {
+  if (!unlimited_) return std::nullopt;
+  const resolve::FrameOnDevice& frame = view.staged.on_device;
+  const std::string key = unlimited_key(view, *unlimited_);
+  if (std::optional<reference::VisibilityImage> kept = cache.find(key)) return kept;
+  resolve::ResolveOptions options;
+  options.noise_seeds = kUnlimitedSeeds;
+  options.timing_repeats = 0;
+  options.count_fetches = false;
+  reference::VisibilityImage answer;
+  answer.width = frame.width();
+  answer.height = frame.height();
+  answer.visibility = mean_image(unlimited_resolver_->resolve(frame, options).visibility);
+  answer.valid = stage.t1.valid;
+  answer.samples = kUnlimitedSeeds;
+  cache.store(key, answer);
+  return answer;
+}
+
+Shimmer PreparedSubject::shimmer(const Stage& stage, const std::vector<StagedFrame>& pan) {
+  const auto of = [&](bool noise_moves) {
+    std::vector<std::vector<float>> pictures;
+    for (std::size_t k = 0; k < pan.size(); ++k) {
+      resolve::ResolveOptions options{.noise_seeds = 1, .timing_repeats = 0, .count_fetches = false};
+      options.first_seed = noise_moves ? static_cast<int>(k) : 0;
+      pictures.push_back(answer(pan[k], options).image.visibility.front());
+    }
+    return shimmer_of(pictures, stage.t1.width, stage.t1.visibility, stage.t1.valid);
+  };
+  return {static_cast<int>(pan.size()), of(false), of(true)};
+}
+
+}  // namespace penumbra::study

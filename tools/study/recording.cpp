@@ -1,0 +1,157 @@
+#include "study/recording.h"
+
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "study/colour_map.h"
+#include "study/metrics.h"
+
+namespace penumbra::study {
+namespace {
+
+constexpr double kErrorScale = 0.5;
+constexpr double kFetchScale = 128.0;
+
+std::string map_format_name(scene::DepthFormat format) {
+  switch (format) {
+    case scene::DepthFormat::d16:
+      return "D16";
+    case scene::DepthFormat::d24:
+      return "D24";
+    case scene::DepthFormat::d32:
+      break;
+  }
+  return "D32";
+}
+
+// Receivers inside of the window alone.
+std::vector<std::uint8_t> counted_receivers(const reference::VisibilityImage& t1,
+                                            const std::optional<PictureWindow>& window) {
+  std::vector<std::uint8_t> counted = t1.valid;
+  if (!window) return counted;
+  for (std::size_t i = 0; i < counted.size(); ++i) {
+    const int x = static_cast<int>(i) % t1.width;
+    const int y = static_cast<int>(i) / t1.width;
+    if (!window->contains(x, y)) counted[i] = 0;
+  }
+  return counted;
+}
+
+double fetches_of_others(const Answer& answer, int width, const std::optional<PictureWindow>& window) {
+  if (!window || answer.fetches_of_others_at.empty()) return answer.fetches_of_others;
+  double sum = 0.0;
+  for (int y = window->y; y < window->y + window->height; ++y) {
+    const auto row = answer.fetches_of_others_at.begin() + static_cast<std::ptrdiff_t>(y) * width + window->x;
+    sum = std::accumulate(row, row + window->width, sum);
+  }
+  return sum / (static_cast<double>(window->width) * window->height);
+}
+
+// Of every pass at each pixel.
+std::vector<std::uint32_t> all_fetches(const Answer& answer) {
+  std::vector<std::uint32_t> all = answer.image.fetches;
+  for (std::size_t i = 0; i < answer.fetches_of_others_at.size(); ++i) {
+    all[i] += static_cast<std::uint32_t>(std::lround(answer.fetches_of_others_at[i]));
+  }
+  return all;
+}
+
+Picture mask_picture(const PixelGrid& grid, const std::vector<std::uint8_t>& masked_out) {
+  std::vector<float> runs;
+  runs.reserve(masked_out.size());
+  for (const std::uint8_t left_out : masked_out) runs.push_back(left_out != 0 ? 0.0F : 1.0F);
+  return visibility_picture(grid, runs);
+}
+
+RunSettings run_settings(const View& view) {
+  const parameters::ShadowSettings& shadows = view.frame.settings.shadows;
+  RunSettings settings;
+  settings.depth_bias = shadows.depth_bias;
+  settings.normal_bias = shadows.normal_bias;
+  settings.soft_quality = shadows.soft_quality;
+  settings.constant_bias = view.frame.settings.raster_bias.constant;
+  settings.slope_bias = view.frame.settings.raster_bias.slope;
+  settings.light_scale = view.wishes.light_scale;
+  settings.reversed_z = shadows.reversed_z;
+  const std::array<double, 3> splits = parameters::effective_splits(shadows);
+  settings.splits.assign(splits.begin(), splits.begin() + (shadows.cascades - 1));
+  return settings;
+}
+
+Metrics metrics_of(const Stage& stage, const View& view, const Answer& answer,
+                   const std::optional<PictureWindow>& window,
+                   const std::optional<reference::VisibilityImage>& unlimited) {
+  const resolve::ResolveResult& result = answer.image;
+  MeasuredImages images;
+  const std::vector<std::uint8_t> counted = counted_receivers(stage.t1, window);
+  images.preprocess_fetches_per_pixel = fetches_of_others(answer, stage.t1.width, window);
+  images.masked_out = answer.masked_out;
+  images.width = stage.t1.width;
+  images.t1 = stage.t1.visibility;
+  images.valid = counted;
+  for (const std::vector<float>& image : result.visibility) images.results.emplace_back(image);
+  images.fetches.emplace_back(result.fetches);
+  if (view.t2) {
+    images.t2 = view.t2->visibility;
+    images.t3 = unlimited ? std::span<const float>(unlimited->visibility) : images.results.front();
+  }
+  return measure(images);
+}
+
+}  // namespace
+
+MeasuredFrame measured_frame(const Stage& stage) {
+  const scene::Frame& frame = stage.views.front().frame;
+  MeasuredFrame note;
+  note.scene = stage.scene.name;
+  note.light_degrees = stage.light_degrees;
+  note.sun_direction = frame.cascades.light_direction;
+  note.width = stage.t1.width;
+  note.height = stage.t1.height;
+  note.shadow_distance_metres = frame.settings.shadows.distance_metres;
+  note.camera = frame.camera;
+  return note;
+}
+
+Record record_of(const Stage& stage, const View& view, const Subject& subject, const Answer& answer,
+                 const std::optional<PictureWindow>& window,
+                 const std::optional<reference::VisibilityImage>& unlimited, const std::string& device) {
+  Record record;
+  record.scene = stage.scene.name;
+  record.technique = subject.name;
+  record.title = subject.title;
+  record.parameters = subject.parameters;
+  record.light_degrees = stage.light_degrees;
+  record.map_size = view.frame.atlas.width;
+  record.map_format = map_format_name(view.frame.atlas.format);
+  record.cascades = static_cast<int>(view.frame.cascades.cascades.size());
+  record.settings = run_settings(view);
+  record.device = device;
+  record.metrics = metrics_of(stage, view, answer, window, unlimited);
+  std::vector<double> milliseconds = answer.image.time_ns;
+  for (double& time : milliseconds) time *= 1e-6;
+  record.time = summarise(std::move(milliseconds));
+  record.reference = {"ray-traced disc light", stage.t1.samples, stage.t1.noise_floor};
+  return record;
+}
+
+PictureRow pictures_of(const Stage& stage, const Subject& subject, const Answer& answer) {
+  const resolve::ResolveResult& result = answer.image;
+  const PixelGrid grid{stage.t1.width, stage.t1.height, stage.t1.valid};
+  PictureRow row;
+  row.scene = stage.scene.name;
+  row.technique = subject.name;
+  row.light_degrees = stage.light_degrees;
+  row.reference = visibility_picture(grid, stage.t1.visibility);
+  row.result = visibility_picture(grid, result.visibility.front());
+  row.error = error_picture(grid, result.visibility.front(), stage.t1.visibility, kErrorScale);
+  row.fetches = fetch_picture(grid, all_fetches(answer), kFetchScale);
+  row.fetch_counts = count_picture(grid, all_fetches(answer));
+  if (!answer.masked_out.empty()) row.mask = mask_picture(grid, answer.masked_out);
+  row.error_scale = kErrorScale;
+  row.fetch_scale = kFetchScale;
+  return row;
+}
+
+}  // namespace penumbra::study

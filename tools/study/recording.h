@@ -1,0 +1,24 @@
+// What a study keeps of an answer: figures and pictures. Internal to this room.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "study/prepared_subject.h"
+#include "study/report.h"
+#include "study/results.h"
+#include "study/stage.h"
+
+namespace penumbra::study {
+
+MeasuredFrame measured_frame(const Stage& stage);
+
+// Figures are of the window alone where there is one. `unlimited` is the subject's answer with unlimited
+// samples.
+Record record_of(const Stage& stage, const View& view, const Subject& subject, const Answer& answer,
+                 const std::optional<PictureWindow>& window,
+                 const std::optional<reference::VisibilityImage>& unlimited, const std::string& device);
+
+PictureRow pictures_of(const Stage& stage, const Subject& subject, const Answer& answer);
+
+}  // namespace penumbra::study

@@ -1,0 +1,33 @@
+#include "parameters/settings_input.h"
+#include "resolve/screen_technique.h"
+#include "study/study.h"
+
+namespace penumbra::study {
+
+Subject technique_subject(const shaders::TechniqueList& list, const shaders::Technique& technique,
+                          bool reversed_z) {
+  Subject subject;
+  subject.name = technique.name;
+  subject.title = technique.title;
+  subject.parameters = technique.values;
+  subject.bias = {technique.bias.depth, technique.bias.normal,
+                  parameters::soft_quality_named(technique.bias.soft_quality)};
+  subject.shader = resolve::technique_shader(list, technique, resolve::Taps::as_listed, reversed_z);
+  if (technique.screen) subject.screen = resolve::screen_chain(technique);
+  if (!technique.unlimited.empty()) {
+    subject.unlimited = resolve::technique_shader(list, technique, resolve::Taps::unlimited, reversed_z);
+  }
+  return subject;
+}
+
+Subject adapter_subject(const resolve::Adapter& adapter, bool reversed_z) {
+  Subject subject;
+  subject.name = adapter.name;
+  subject.title = adapter.name + " (" + adapter.file.filename().string() + ")";
+  subject.bias = adapter.bias;
+  subject.light_scale = adapter.light_scale;
+  subject.shader = resolve::adapter_shader(adapter, reversed_z);
+  return subject;
+}
+
+}  // namespace penumbra::study
