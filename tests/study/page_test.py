@@ -17,7 +17,7 @@ PARTS = ("mask", "shimmer", "error_split", "reference", "settings", "intervals")
 
 def record(technique, scene="a", light=2.0, mask=None, shimmer=None, **figures):
     made = {"technique": technique, "scene": scene, "light_degrees": light, "rmse_penumbra": 0.1, "fetches_mean": 4.0,
-            "preprocess_fetches_per_pixel": 0.0, **figures}
+            "preprocess_fetches_per_pixel": 0.0, "penumbra_pixels": 3000, **figures}
     if mask:
         made["mask"] = {"pixels_saved": mask[0], "penumbra_pixels_missed": mask[1]}
     if shimmer:
@@ -105,10 +105,13 @@ class ScreenFigures(unittest.TestCase):
     def test_means_over_scenes_of_all_passes(self):
         text = page.screen_figures(results(
             record("t", "a", mask=(0.2, 0.01), shimmer=(0.1, 0.2), preprocess_fetches_per_pixel=1.0),
-            record("t", "b", mask=(0.4, None), shimmer=(0.3, None), rmse_penumbra=0.2),
+            record("t", "b", mask=(0.4, None), shimmer=(0.3, None), rmse_penumbra=0.2, penumbra_pixels=2017),
             record("plain", "a", rmse_penumbra=None, fetches_mean=None)))
-        self.assertTrue(text.startswith("device, mean of 2 scenes.  \nCommand: `penumbra measure --made`\n"), text)
-        self.assertIn("| t | 0.150 | 4.5 | 30 | 1.00 | 0.200 | 0.200 |", text)
+        self.assertTrue(text.startswith(
+            "device, mean of 2 scenes, at least 2017 penumbra pixels per scene and light; ± is half the width of the"
+            " 95 % confidence interval over the scenes.  \nCommand: `penumbra measure --made`\n"), text)
+        # Of two values the interval is 12.706 times half their difference.
+        self.assertIn("| t | 0.150 ± 0.635 | 4.5 ± 6.4 | 30 | 1.00 | 0.200 | 0.200 |", text)
         self.assertIn("| plain | - | - | - | - | - | - |", text)
 
 
@@ -129,6 +132,14 @@ class SampleSplit(unittest.TestCase):
             "| **8** | **16** | **0.200** | **0.100** | **11.0** | **12.0** |\n"
             "| 24 | 8 | 0.200 | 0.200 | 26.0 | 28.0 |\n"
             "| **24** | **32** | **0.050** | **0.050** | **26.0** | **38.0** |"), text)
+
+    def test_differences_to_the_last_row_are_paired_by_scene(self):
+        text = page.sample_split(results(
+            split(8.0, 16.0, 2.0, 0.10, 10.0), split(8.0, 16.0, 2.0, 0.32, 10.0, "b"),
+            split(24.0, 32.0, 2.0, 0.08, 40.0), split(24.0, 32.0, 2.0, 0.28, 40.0, "b")))
+        # Differences 0.02 and 0.04; of two values the interval is 12.706 times half their difference.
+        self.assertIn("| **8** | **16** | **0.210 (+0.030 ± 0.127)** |", text)
+        self.assertIn("| **24** | **32** | **0.180 ± 1.271** |", text)
 
 
 if __name__ == "__main__":
