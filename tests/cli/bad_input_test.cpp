@@ -40,6 +40,18 @@ TEST_F(BadInput, NotJson) {
   expect_config_refused("{\n\"camera\": }", {"config.json:2:", "not valid JSON"});
 }
 
+TEST_F(BadInput, ANumberThatIsTooLarge) {
+  const auto file = write("config.json", "{\"shadows\": {\n\"distance_metres\": 1e999}}");
+  const auto result = run({"constants", "--config", file.string()});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.errors, AllOf(HasSubstr("config.json:2:"), HasSubstr("number overflow"),
+                                   testing::Not(HasSubstr("json.exception"))));
+}
+
+TEST_F(BadInput, ACameraThatLooksStraightUp) {
+  expect_config_refused("{\"camera\": {\n\"forward\": [0, 1, 0]}}", {"camera/up is parallel to camera/forward"});
+}
+
 TEST_F(BadInput, WrongType) {
   expect_config_refused("{\"shadows\": {\n\"cascades\": \"four\"}}", {"config.json:2:1", "number", "string"});
 }

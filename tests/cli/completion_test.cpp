@@ -24,8 +24,28 @@ class Completion : public ProgramTest {
   // The words that bash offers for the last of these.
   std::string in_bash(const std::string& words) const {
     return shell("cd " + path("").string() + "; source script.bash; COMP_WORDS=(penumbra " + words +
-                 "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _penumbra; printf '%s\\n' \"${COMPREPLY[@]}\"")
+                 "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); COMP_LINE='penumbra " + words +
+                 "'; COMP_POINT=${#COMP_LINE}; _penumbra; printf '%s\\n' \"${COMPREPLY[@]}\"")
         .output;
+  }
+
+  // The words of the line after a tab at its end, as an interactive bash completes it.
+  std::string in_interactive_bash(const std::string& line) const {
+    write("try.py", R"(import os, pty, sys
+pid, terminal = pty.fork()
+if pid == 0:
+    os.environ.update(PS1="", TERM="dumb", INPUTRC="/dev/null", HISTFILE="/dev/null")
+    os.execvp("bash", ["bash", "--norc", "--noprofile", "-i"])
+os.write(terminal, b"source script.bash; penumbra() { printf '<%s>' \"$@\" >words; }; stty -echo\n")
+os.write(terminal, b"penumbra " + sys.argv[1].encode() + b"\t\nexit\n")
+try:
+    while os.read(terminal, 4096): pass
+except OSError: pass
+os.waitpid(pid, 0)
+)");
+    const auto result = shell("cd " + path("").string() + "; rm -f words; timeout 60 python3 try.py '" +
+                              line + "'; cat words");
+    return result.output;
   }
 
   std::string in_fish(const std::string& line) const {
@@ -75,6 +95,26 @@ TEST_F(Completion, BashKnowsFilesAndFolders) {
   EXPECT_EQ(in_bash("constants --light fi"), "\n") << "a number is no file";
 }
 
+// At these two bash parts words by itself.
+TEST_F(Completion, BashCompletesBehindColonsAndEqualsSigns) {
+  write("a:file.obj", "");
+  EXPECT_EQ(in_interactive_bash("measure --scene package:assimp/m"),
+            "<measure><--scene><package:assimp/milk-truck>");
+  EXPECT_EQ(in_interactive_bash("measure --scene package:gl"), "<measure><--scene><package:glmark2/>");
+  EXPECT_EQ(in_interactive_bash("measure --scene trees,package:glmark2/b"),
+            "<measure><--scene><trees,package:glmark2/bunny>");
+  EXPECT_EQ(in_interactive_bash("measure --scene=ga"), "<measure><--scene=garden>");
+  EXPECT_EQ(in_interactive_bash("measure --scene=trees,package:glmark2/b"),
+            "<measure><--scene=trees,package:glmark2/bunny>");
+  EXPECT_EQ(in_interactive_bash("measure --technique=hard,pcss-angular-64"),
+            "<measure><--technique=hard,pcss-angular-64-64>");
+  EXPECT_EQ(in_interactive_bash("constants --config=fi"), "<constants><--config=file.json>");
+  EXPECT_EQ(in_interactive_bash("validate --project=fo"), "<validate><--project=folder/>");
+  EXPECT_EQ(in_interactive_bash("measure --scene a:fi"), "<measure><--scene><a:file.obj>");
+  EXPECT_EQ(in_interactive_bash("measure --light=2 --scene tre"), "<measure><--light=2><--scene><trees>");
+  EXPECT_EQ(in_interactive_bash("measure -o out --scene colo"), "<measure><-o><out><--scene><colonnade>");
+}
+
 TEST_F(Completion, FishKnowsSubcommandsOptionsAndValues) {
   EXPECT_THAT(in_fish("mea"), HasSubstr("measure\t"));
   EXPECT_THAT(in_fish("render --reference-"), HasSubstr("--reference-samples\t"));
@@ -86,7 +126,7 @@ TEST_F(Completion, FishKnowsSubcommandsOptionsAndValues) {
 
 TEST_F(Completion, ZshKnowsSubcommandsOptionsAndValues) {
   EXPECT_THAT(in_zsh("mea"), HasSubstr("[penumbra measure ]"));
-  EXPECT_THAT(in_zsh("render --reference-s"), HasSubstr("[penumbra render --reference-samples ]"));
+  EXPECT_THAT(in_zsh("render --reference-s"), HasSubstr("[penumbra render --reference-samples=]"));
   EXPECT_THAT(in_zsh("tables --format cs"), HasSubstr("[penumbra tables --format csharp ]"));
   EXPECT_THAT(in_zsh("measure --technique hard,pcss-angular-64"),
               HasSubstr("[penumbra measure --technique hard,pcss-angular-64-64 ]"));

@@ -91,9 +91,11 @@ TEST_F(MeasureFrom, PicturesGrowUntilTheyHoldEnoughPenumbra) {
 TEST_F(MeasureFrom, TitlesStandInTheFormsOfAReadme) {
   const platform::ChildResult measured =
       run(small({"--scene", "slabs", "--light", "2", "--technique", "hard,tent-5", "--title",
-                 "hard=No filter", "--title", "tent-5=The tent"}));
+                 "hard=No filter", "--title", "tent-5=The tent's"}));
   ASSERT_EQ(measured.exit_code, 0) << measured.errors;
   EXPECT_THAT(measured.output, HasSubstr("--title 'hard=No filter'"));
+  EXPECT_THAT(Json::parse(measured.output)["command"].get<std::string>(),
+              HasSubstr("--title 'tent-5=The tent'\\''s'"));
   const std::string results = write("results.json", measured.output).string();
   const auto readme = [&](const std::vector<std::string>& form) {
     const std::string page =
@@ -105,10 +107,10 @@ TEST_F(MeasureFrom, TitlesStandInTheFormsOfAReadme) {
     return read("README.md");
   };
   EXPECT_THAT(readme({}),
-              testing::AllOf(HasSubstr("| No filter, `hard` |"), HasSubstr("| The tent, `tent-5` |")));
-  EXPECT_THAT(readme({"--brief"}), testing::AllOf(HasSubstr("| No filter |"), HasSubstr("| The tent |")));
+              testing::AllOf(HasSubstr("| No filter, `hard` |"), HasSubstr("| The tent's, `tent-5` |")));
+  EXPECT_THAT(readme({"--brief"}), testing::AllOf(HasSubstr("| No filter |"), HasSubstr("| The tent's |")));
   EXPECT_THAT(readme({"--line", "--rows", "tent-5"}),
-              testing::AllOf(HasSubstr("against ray tracing, 2° light"), HasSubstr(": The tent "),
+              testing::AllOf(HasSubstr("against ray tracing, 2° light"), HasSubstr(": The tent's "),
                              testing::Not(HasSubstr("No filter"))));
   const platform::ChildResult both =
       run({"measure", "--from", results, "--readme", "README.md", "--line", "--brief"});

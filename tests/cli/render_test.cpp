@@ -73,10 +73,35 @@ TEST_F(Render, ValuesThatAreNoneAreRefused) {
   expect_refused({"--frames", "0"}, {"--frames", "1 .. 64"});
 }
 
-TEST_F(Render, NothingStandsTwice) {
-  expect_refused({"--set", "blockerSamples=4,4"}, {"--set blockerSamples=4 is given twice"});
+TEST_F(Render, AFontWithoutAnEndIsRefused) {
+  const auto result =
+      shell("ulimit -v 16000000; PENUMBRA_FONT=/dev/zero timeout 120 " PENUMBRA_PROGRAM
+            " render --quiet --size 64x36 --map-size 512 --reference-samples 32 --technique hard --sheet " +
+            path("sheet.png").string());
+  EXPECT_EQ(result.exit_code, 3) << result.errors;
+  EXPECT_THAT(result.errors, HasSubstr("PENUMBRA_FONT: '/dev/zero' is not a TrueType font"));
+}
+
+TEST_F(Render, WhatContradictsItselfIsRefused) {
   expect_refused({"--set", "blockerSamples=4", "--set", "blockerSamples=5"}, {"--set blockerSamples"});
-  expect_refused({"--technique", "tent-5", "--technique", "tent-5"}, {"'tent-5' is given twice"});
+  const std::string adapter = "mine=" + write("mine.hlsl", "").string();
+  const auto twice = run(small({"--adapter", adapter, "--adapter", adapter}));
+  EXPECT_EQ(twice.exit_code, 2);
+  EXPECT_THAT(twice.errors, HasSubstr("'mine' is given twice"));
+}
+
+TEST_F(Render, WhatIsAskedForTwiceIsThereOnce) {
+  const auto sheet = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> arguments{"--sheet", path("sheet.png").string()};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const auto result = run(small(arguments));
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    return read("sheet.png");
+  };
+  const std::string once = sheet({"--light", "2", "--technique", "tent-5"});
+  EXPECT_FALSE(once.empty());
+  EXPECT_EQ(sheet({"--light", "2,2", "--technique", "tent-5"}), once);
+  EXPECT_EQ(sheet({"--light", "2", "--technique", "tent-5,tent-5"}), once);
 }
 
 TEST_F(Render, AnAdapterAloneHasNothingToSet) {

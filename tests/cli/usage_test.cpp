@@ -65,7 +65,28 @@ TEST_F(Usage, WhatIsCalledOtherwiseElsewhereIsNamed) {
   expect_refused({"cost", "--threads", "2"}, {"'--jobs'"});
 }
 
+TEST_F(Usage, BoundsThatAreOutsideThemselvesAreInHelpAndInForce) {
+  const std::string help = run({"constants", "--help"}).output;
+  EXPECT_THAT(help, AllOf(HasSubstr("full angle; between 0 and 180"), HasSubstr("between 0 and 1 [")));
+  expect_refused({"constants", "--fov", "0"}, {"--fov: 0 is not between 0 and 180"});
+  expect_refused({"constants", "--fov", "180"}, {"--fov: 180 is not between 0 and 180"});
+  expect_refused({"constants", "--fov", "wide"}, {"--fov: 'wide' is not a number"});
+  expect_refused({"constants", "--cascades", "3", "--splits", "0.5,1"},
+                 {"--splits: 1 is not between 0 and 1"});
+  EXPECT_EQ(run({"constants", "--fov", "179.5"}).exit_code, 0);
+}
+
+TEST_F(Usage, OfThreeShellsAllAreNamed) {
+  expect_refused({"completion", "tcsh"}, {"bash, zsh, fish"});
+}
+
 TEST_F(Usage, WhatIsTooMuchIsNamed) {
+  expect_refused({"measure", "--reference-samples", "32", "--reference-samples", "64"},
+                 {"--reference-samples is given twice"});
+  expect_refused({"tables", "-o", "a", "-o", "b", "--output", "c"}, {"--output is given 3 times"});
+  expect_refused({"measure", "--origin", "1,2"}, {"--origin takes at least 3 numbers, not 2"});
+  expect_refused({"measure", "--origin", "1,2,3,4"}, {"--origin takes at most 3 numbers, not 4"});
+  expect_refused({"measure", "--from"}, {"--from is given without its FILE"});
   expect_refused({"measure", "trees"}, {"penumbra measure does not expect 'trees'"});
 }
 
@@ -75,6 +96,25 @@ TEST_F(Usage, TheFormOfABlockNeedsTheFileItIsIn) {
   expect_refused({"measure", "--block", "line"}, {"--block needs --readme"});
   expect_refused({"measure", "--brief"}, {"--brief needs --readme"});
   expect_refused({"measure", "--line"}, {"--line needs --readme"});
+}
+
+// Names stand in READMEs, captions and messages.
+TEST_F(Usage, ANameOfAnotherKindOfTextIsRefused) {
+  const std::vector<std::string> render{"render", "--technique", "hard"};
+  const auto refused = [&](const std::string& option, const std::string& value, const std::string& why) {
+    std::vector<std::string> arguments = render;
+    arguments.insert(arguments.end(), {option, value});
+    expect_refused(arguments, {option + ": the name '", why});
+  };
+  refused("--title", "hard=a --> <!-- results:end -->", "holds '<!--'");
+  refused("--title", "hard=a -->", "holds '-->'");
+  refused("--title", "hard=a\nb", "'hard=a\\x0Ab' holds a control character");
+  refused("--title", "hard=\x1B[2J", "\\x1B[2J");
+  refused("--title", "hard=\a", "\\x07");
+  refused("--adapter", "a\nb=mine.hlsl", "control character");
+  refused("--adapter", "<!--=mine.hlsl", "holds '<!--'");
+  refused("--scene", "a\x1B.obj", "control character");
+  refused("--scene", "<!-- results:end -->.obj", "holds '<!--'");
 }
 
 // "$UNSET" of a script.

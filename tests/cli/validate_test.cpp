@@ -96,6 +96,21 @@ TEST_F(Validate, KeywordsNarrowAndAreCounted) {
   EXPECT_EQ(report({"--target", "spirv", "--sample", "1"})["summary"]["variants"], 2);
 }
 
+TEST_F(Validate, AKeywordThatNoProgramDeclaresIsRefusedWithTheNearest) {
+  for (const char* option : {"--keywords=+WRAM", "--keywords=-BRIGHT WRAM|BRIGHT"}) {
+    const auto refused = run(command({"--target", "spirv", "--count", option}));
+    EXPECT_EQ(refused.exit_code, 2) << refused.errors;
+    EXPECT_THAT(refused.errors, AllOf(HasSubstr("--keywords"), HasSubstr("no program declares 'WRAM'"),
+                                      HasSubstr("did you mean 'WARM'?")));
+  }
+}
+
+TEST_F(Validate, APatternThatMatchesNothingIsRefused) {
+  const auto refused = run({"validate", path("").string(), "--count", "--only", "zzz/**"});
+  EXPECT_EQ(refused.exit_code, 2) << refused.errors;
+  EXPECT_THAT(refused.errors, HasSubstr("--only 'zzz/**' matches no shader file"));
+}
+
 TEST_F(Validate, WhatAKeywordAddsIsCounted) {
   const auto text = run(command({"--target", "spirv", "--count", "--what-if=-WARM"}));
   EXPECT_THAT(text.output,

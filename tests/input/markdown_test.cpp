@@ -13,6 +13,23 @@ TEST(Markdown, ACellCannotBreakItsTable) {
   EXPECT_EQ(markdown_cell("a|b<c>&\nd"), "a\\|b&lt;c>&amp; d");
 }
 
+TEST(Markdown, ACellIsTextAlone) {
+  EXPECT_EQ(markdown_cell("[a](b) *c* `d` \\"), "\\[a\\](b) \\*c\\* \\`d\\` \\\\");
+  EXPECT_EQ(markdown_cell("a\x1B[2J\a\t\x7F"
+                          "b\u00B0"),
+            "a \\[2J   b\u00B0");
+  EXPECT_EQ(markdown_cell("--> <!-- x:end -->"), "--> &lt;!-- x:end -->");
+}
+
+TEST(Markdown, CodeEndsWhereItsTextDoes) {
+  EXPECT_EQ(markdown_code("tent-5"), "`tent-5`");
+  EXPECT_EQ(markdown_code("a`b``c|d"), "```a`b``c\\|d```");
+  EXPECT_EQ(markdown_code("`a"), "`` `a ``");
+  EXPECT_EQ(markdown_code("--> <!-- x:end -->\n"), "`--> <! -- x:end --> `");
+  EXPECT_EQ(markdown_code_block("sh", "ls | wc"), "```sh\nls | wc\n```\n");
+  EXPECT_EQ(markdown_code_block("sh", "a\n```\n<!-- x:end -->"), "````sh\na ``` <! -- x:end -->\n````\n");
+}
+
 TEST(Markdown, ABlockIsReplacedAndTheRestKept) {
   const std::string text =
       "# Title\r\n<!-- one:begin -->old<!-- one:end -->\n<!-- two:begin --><!-- two:end -->";

@@ -11,7 +11,9 @@ namespace penumbra::project {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::AllOf;
 using testing::ElementsAre;
+using testing::HasSubstr;
 using testing::IsEmpty;
 
 std::vector<std::string> shown(const ShaderFiles& found) {
@@ -71,6 +73,33 @@ TEST(ShaderFiles, PatternsChooseAndDrop) {
   EXPECT_THAT(shown(found), ElementsAre("Assets/Fire/c.shader"));
   EXPECT_THAT(formatted(found.problems),
               ElementsAre("warning: --only 'Assets/Wtaer/**' matches no shader file"));
+}
+
+TEST(ShaderFiles, PatternsThatMatchNothingAreRefusedWithTheNearestName) {
+  const ProjectFolder files;
+  for (const char* name : {"Assets/Water/a.shader", "Assets/Fire/c.shader"}) files.write(name, "");
+  const auto with = [&](const std::string& pattern) {
+    return [&files, pattern] {
+      ShaderSelection selection;
+      selection.include = {pattern};
+      find_shader_files(files.path(), selection);
+    };
+  };
+  expect_input_error(with("Assets/Wtaer/**"),
+                     AllOf(HasSubstr("--only 'Assets/Wtaer/**' matches no shader file"),
+                           HasSubstr("did you mean 'Assets/Water/**'?")));
+  expect_input_error(with("Assets/Water/b.shader"), HasSubstr("did you mean 'Assets/Water/a.shader'?"));
+  expect_input_error(with("cc.shader"), HasSubstr("did you mean 'c.shader'?"));
+  expect_input_error(with("zzzzzzzzzz/**"),
+                     HasSubstr("there are: Assets/**, Assets/Fire/**, Assets/Water/**"));
+}
+
+TEST(ShaderFiles, AProjectWithoutShadersIsSaid) {
+  const ProjectFolder files;
+  files.write("Assets/a.cs", "");
+  const ShaderFiles found = find_shader_files(files.path(), {});
+  EXPECT_THAT(shown(found), IsEmpty());
+  EXPECT_THAT(formatted(found.problems), ElementsAre("warning: there is no shader file to validate"));
 }
 
 TEST(ShaderFiles, NamedPlacesStandForThemselves) {

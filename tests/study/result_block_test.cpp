@@ -47,6 +47,24 @@ TEST(ResultBlock, ATablePerLightThenChartScenesAndOrigin) {
   }
 }
 
+// From a file that anybody may have written.
+TEST(ResultBlock, WhatResultsHoldCannotEndTheBlock) {
+  const std::string hostile = "--> <!-- results:end -->\n```\n| a | \x1B[2J";
+  Results results = synthetic::results();
+  results.command = hostile;
+  results.device = results.driver = results.hardware = results.library_version = hostile;
+  results.commit = hostile;
+  for (Record& record : results.records) record.scene = record.technique = record.title = hostile;
+  const std::string page = "<!-- results:begin --><!-- results:end -->rest";
+  for (const BlockForm form : {BlockForm::full, BlockForm::brief, BlockForm::line}) {
+    const std::string block = result_block(results, {kChart, {}, form});
+    const std::string once = replace_result_block(page, block, "README.md");
+    EXPECT_EQ(replace_result_block(once, block, "README.md"), once);
+    EXPECT_EQ(block.find('\x1B'), std::string::npos);
+    EXPECT_EQ(block.find("<!--"), std::string::npos);
+  }
+}
+
 TEST(ResultBlock, TablesHoldMeansAndEveryScene) {
   Results results = synthetic::results();
   results.records[0].metrics.rmse_penumbra = 0.2;    // boxes, bilinear, 0.53°
@@ -70,6 +88,11 @@ TEST(ResultBlock, RowsAreChosenAndOrdered) {
         (void)result_block(synthetic::results(), {kChart, {"nobody", "none"}});
       },
       HasSubstr("none of the rows nobody, none was measured"));
+  expect_input_error(
+      [] {
+        (void)result_block(synthetic::results(), {kChart, {"bilinaer"}});
+      },
+      HasSubstr("did you mean 'bilinear'?"));
 }
 
 TEST(ResultBlock, ABriefOneShowsOneTableAndFoldsTheRest) {

@@ -79,6 +79,7 @@ resolve::Adapter parse_adapter(const std::string& text) {
   if (parts.empty()) throw InputError("--adapter", "is empty", kForm);
   resolve::Adapter adapter;
   std::tie(adapter.name, adapter.file) = name_and_value("--adapter", parts[0]);
+  require_plain_name("--adapter", adapter.name);
   for (std::size_t i = 1; i < parts.size(); ++i) {
     if (parts[i].find('=') == std::string::npos) {
       if (!hlsl::is_identifier(parts[i])) {

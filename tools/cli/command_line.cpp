@@ -20,6 +20,7 @@ constexpr const char* kExitCodes =
     "  3    environment error: no Vulkan device, a missing package, too little memory\n"
     "  70   a bug in penumbra; please report it\n"
     "  130  interrupted, by Ctrl-C for example; finished work is kept\n"
+    "  143  ended by SIGTERM, by a time limit for example; finished work is kept\n"
     "Progress goes to standard error: a bar on a terminal, otherwise a line every 10 s; --quiet turns it "
     "off.";
 

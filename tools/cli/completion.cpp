@@ -64,15 +64,23 @@ std::string script_for(const std::string& shell) {
   return shell == "fish" ? fish_script(commands) : bash_script(commands);
 }
 
+// Few enough to name all, even where one is near.
+CLI::Validator known_shell() {
+  const CLI::Validator known = one_of({"bash", "zsh", "fish"});
+  const auto check = [known](std::string& text) {
+    const std::string said = known(text);
+    return said.empty() ? said
+                        : fmt::format("there is no completion for '{}'\n  known are: bash, zsh, fish", text);
+  };
+  return {check, known.get_description()};
+}
+
 }  // namespace
 
 void add_completion(CLI::App& app) {
   CLI::App* command = app.add_subcommand("completion", "Print the completion script for a shell");
   auto shell = std::make_shared<std::string>();
-  command->add_option("shell", *shell, "The shell")
-      ->type_name("SHELL")
-      ->check(one_of({"bash", "zsh", "fish"}))
-      ->required();
+  command->add_option("shell", *shell, "The shell")->type_name("SHELL")->check(known_shell())->required();
   end_help(*command, "",
            {{"source <(penumbra completion bash)", "in ~/.bashrc"},
             {"source <(penumbra completion zsh)", "in ~/.zshrc, after compinit"},

@@ -119,6 +119,18 @@ std::string constants_from_matrices(const ConstantsOptions& options) {
   return print(dump.set, parameters::verify_dump(dump.settings, dump.set), options.format);
 }
 
+// The bounds themselves are outside.
+CLI::Validator between(const parameters::SettingKey& setting) {
+  const auto check = [&setting](std::string& text) {
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    if (text.empty() || *end != '\0' || std::isnan(value)) return "'" + text + "' is not a number";
+    return value > setting.smallest && value < setting.largest ? std::string()
+                                                               : text + " is not " + setting.bounds();
+  };
+  return {check, setting.bounds()};
+}
+
 // The option of one key of a --config file: its default, bounds and meaning are those of the key.
 template <typename Value>
 CLI::Option* add_setting(CLI::App& command, const char* key, std::optional<Value>& value) {
@@ -127,7 +139,8 @@ CLI::Option* add_setting(CLI::App& command, const char* key, std::optional<Value
   std::string unit = setting.unit;
   std::transform(unit.begin(), unit.end(), unit.begin(), [](unsigned char c) { return std::toupper(c); });
   option->type_name(unit.empty() ? "VALUE" : unit == "M" ? "METRES" : unit);
-  if (setting.has_bounds() && !setting.between) option->check(within(setting.smallest, setting.largest));
+  if (setting.has_bounds())
+    option->check(setting.between ? between(setting) : within(setting.smallest, setting.largest));
   return option;
 }
 

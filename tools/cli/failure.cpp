@@ -21,7 +21,8 @@ Failure failure_of(const std::exception_ptr& thrown) {
   try {
     std::rethrow_exception(thrown);
   } catch (const platform::Interrupted&) {
-    return {interrupted, "interrupted; finished work is kept, and the same command continues from there"};
+    const int signal = platform::interrupting_signal();
+    return {signal == 0 ? interrupted : static_cast<ExitCode>(128 + signal), platform::interrupted_message};
   } catch (const InputError& error) {
     return {bad_input, error.what()};
   } catch (const EnvironmentError& error) {

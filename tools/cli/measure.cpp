@@ -80,20 +80,9 @@ std::string reproducing_command(const std::vector<std::string>& arguments) {
   return command;
 }
 
-// What is asked for twice is measured once.
-template <typename Value>
-void drop_repetitions(std::vector<Value>& values) {
-  std::vector<Value> once;
-  for (const Value& value : values) {
-    if (std::find(once.begin(), once.end(), value) == once.end()) once.push_back(value);
-  }
-  values = std::move(once);
-}
-
 // Without a choice every technique, unless parameters are set, which most techniques lack.
 std::vector<study::Subject> chosen_subjects(const MeasureOptions& options) {
   StudyOptions choice = options;
-  drop_repetitions(choice.techniques);
   if (choice.techniques.empty() && choice.adapters.empty() && options.varied.set.empty()) {
     const shaders::TechniqueList list =
         shaders::read_technique_list(platform::data_directory() / "ShaderLibrary" / "techniques.json");

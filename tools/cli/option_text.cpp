@@ -1,5 +1,7 @@
 #include "cli/option_text.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
@@ -33,11 +35,27 @@ double number(const std::string& option, const std::string& text) {
 }
 
 std::string shell_word(const std::string& text) {
-  const bool plain = text.find_first_of(" ;&|<>()$`\"'\\*?") == std::string::npos;
-  if (plain) return text;
+  if (!text.empty() && text.find_first_of(" \t\n;&|<>()$`\"'\\*?[]#~!{}") == std::string::npos) return text;
   std::string word = "'";
-  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
   return word + "'";
+}
+
+void require_plain_name(const std::string& option, const std::string& text) {
+  std::string shown;
+  bool control = false;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool is_control = byte < 0x20 || byte == 0x7F;
+    control = control || is_control;
+    shown += is_control ? fmt::format("\\x{:02X}", byte) : std::string(1, c);
+  }
+  if (control) throw InputError("", option + ": the name '" + shown + "' holds a control character");
+  for (const char* mark : {"<!--", "-->"}) {
+    if (text.find(mark) == std::string::npos) continue;
+    throw InputError("", option + ": the name '" + shown + "' holds '" + mark + "'",
+                     "that marks comments in Markdown, where names stand");
+  }
 }
 
 }  // namespace penumbra::cli

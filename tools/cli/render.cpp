@@ -29,6 +29,7 @@ study::StudySettings study_settings(const StudyOptions& options) {
   study::StudySettings settings;
   settings.scenes = chosen_scenes(options, {"contact-boxes"});
   settings.light_degrees = options.lights;
+  drop_repetitions(settings.light_degrees);
   settings.frame = frame_settings(options);
   settings.reference_samples = options.reference_samples;
   settings.seed = options.seed;

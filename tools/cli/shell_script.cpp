@@ -83,7 +83,9 @@ std::string zsh_specs(const CompletedCommand& command) {
   for (const CompletedOption& option : command.options)
     for (const std::string& name : dashed(option)) {
       const std::string value = option.placeholder.empty() ? "" : zsh_value(option);
-      text += "    " + quoted("*" + name + "[" + zsh_text(option.description) + "]" + value) + "\n";
+      const bool joined = !value.empty() && name.starts_with("--");  // "--option=value" is one, too
+      text += "    " +
+              quoted("*" + name + (joined ? "=[" : "[") + zsh_text(option.description) + "]" + value) + "\n";
     }
   return text;
 }
@@ -116,11 +118,24 @@ std::string bash_script(const std::vector<CompletedCommand>& commands) {
   std::string names;
   for (const std::string& name : subcommands(commands)) names += (names.empty() ? "" : "|") + name;
   std::string script = fmt::format(fmt::runtime(made_by), "bash");
+  // Bash parts words at the : of package:NAME and the = of --option=VALUE, and replaces what follows the
+  // last.
   script += fmt::format(R"(_penumbra() {{
-  local current=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD - 1]}} command='' i
-  for ((i = 1; i < COMP_CWORD; ++i)); do
-    case ${{COMP_WORDS[i]}} in {}) command=${{COMP_WORDS[i]}} && break ;; esac
+  local line=${{COMP_LINE:0:COMP_POINT}} given=() command='' i rest word
+  for ((i = 0; i <= COMP_CWORD; ++i)); do
+    rest=${{line#"${{line%%[![:blank:]]*}}"}}
+    [ "$i" -lt "$COMP_CWORD" ] && word=${{COMP_WORDS[i]}} || word=$rest
+    if [ "$i" -gt 0 ] && [ "$rest" = "$line" ]; then given[-1]+=$word; else given+=("$word"); fi
+    line=${{rest#"$word"}}
   done
+  local current=${{given[-1]}} previous=${{given[-2]}} option=''
+  for word in "${{given[@]:1:${{#given[@]}}-2}}"; do
+    case $word in {}) command=$word && break ;; esac
+  done
+  if [[ $current == --*=* ]]; then
+    previous=${{current%%=*}} option=${{current%%=*}}=
+    current=${{current#*=}}
+  fi
   local from='' list='' words='' before=''
   case "$command $previous" in
 )",
@@ -139,11 +154,18 @@ std::string bash_script(const std::vector<CompletedCommand>& commands) {
   script += R"(    esac
   fi
   [ -z "$list" ] || before=${current%"${current##*,}"}
-  mapfile -t COMPREPLY < <(compgen -P "$before" -W "$words" -- "${current#"$before"}")
+  mapfile -t COMPREPLY < <(compgen -P "$option$before" -W "$words" -- "${current#"$before"}")
   case $from in
-    file) mapfile -t -O "${#COMPREPLY[@]}" COMPREPLY < <(compgen -f -- "$current") && compopt -o filenames 2>/dev/null ;;
-    folder) mapfile -t -O "${#COMPREPLY[@]}" COMPREPLY < <(compgen -d -- "$current") && compopt -o filenames 2>/dev/null ;;
+    file) mapfile -t -O "${#COMPREPLY[@]}" COMPREPLY < <(compgen -P "$option" -f -- "$current") && compopt -o filenames 2>/dev/null ;;
+    folder) mapfile -t -O "${#COMPREPLY[@]}" COMPREPLY < <(compgen -P "$option" -d -- "$current") && compopt -o filenames 2>/dev/null ;;
   esac
+  current=$option$current
+  for word in : =; do
+    [[ $COMP_WORDBREAKS == *$word* && $current == *$word* ]] || continue
+    before=${current%"${current##*"$word"}"}
+    COMPREPLY=("${COMPREPLY[@]#"$before"}")
+    current=${current#"$before"}
+  done
   return 0
 }
 complete -F _penumbra penumbra

@@ -175,6 +175,7 @@ std::vector<scene::Scene> chosen_scenes(const StudyOptions& options,
   std::set<std::string> seen;
   for (const std::string& name : options.scenes.empty() ? fallback : names_or_files(options.scenes)) {
     if (!seen.insert(name).second) continue;  // what is asked for twice is there once
+    require_plain_name("--scene", std::filesystem::path(name).filename().string());
     scene::Scene scene = scene::load(name, options.import);
     if (!options.sun.empty()) scene.light_direction = scene::sunlight(options.sun[0], options.sun[1]);
     if (!options.camera.empty()) look_as_told(options.camera, scene.camera);

@@ -6,6 +6,7 @@
 #include "cli/shared_options.h"
 #include "cli/subcommand.h"
 #include "parameters/emit_disks.h"
+#include "platform/interrupt.h"
 
 namespace penumbra::cli {
 
@@ -18,7 +19,7 @@ struct TablesOptions {
 };
 
 std::string tables_text(const TablesOptions& options) {
-  const parameters::DiskSet set = parameters::disk_set(options.generate);
+  const parameters::DiskSet set = parameters::disk_set(options.generate, platform::throw_if_interrupted);
   if (options.format == "json") return parameters::disks_json(set);
   if (options.format == "hlsl") return parameters::disks_source(set, parameters::Language::hlsl);
   if (options.format == "csharp") return parameters::disks_source(set, parameters::Language::csharp);

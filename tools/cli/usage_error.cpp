@@ -86,6 +86,13 @@ InputError too_many(const CLI::App& command, const std::string& argument) {
 std::string plain_words(const std::string& said) {
   static const std::pair<std::regex, const char*> kWords[] = {
       {std::regex("^(\\S+): is empty$"), "$1 is empty"},
+      {std::regex("^(\\S+): At Most 1 required but received 2$"), "$1 is given twice"},
+      {std::regex("^(\\S+): At Most 1 required but received (\\d+)$"), "$1 is given $2 times"},
+      {std::regex("^(\\S+): At Most (\\d+) required but received (\\d+)$"),
+       "$1 takes at most $2 numbers, not $3"},
+      {std::regex("^(\\S+): At least (\\d+) required but received (\\d+)$"),
+       "$1 takes at least $2 numbers, not $3"},
+      {std::regex("^(\\S+): \\d+ required (\\S+) missing$"), "$1 is given without its $2"},
       {std::regex("^(\\S+) requires (\\S+)$"), "$1 needs $2"},
   };
   for (const auto& [theirs, ours] : kWords)

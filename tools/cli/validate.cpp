@@ -223,6 +223,19 @@ void list(const ValidateOptions& options, const validation::ShaderSources& sourc
                                           : variants::text_of(plan));
 }
 
+// A keyword that nobody declares is a slip of the pen, and would narrow nothing. What a program that was not
+// understood declares is unknown.
+void refuse_unknown_keywords(const ValidateOptions& options, const validation::ShaderSources& sources) {
+  std::vector<const variants::Pragmas*> declared;
+  for (const validation::SourceProgram& program : sources.programs()) declared.push_back(&program.pragmas);
+  if (declared.empty() || !sources.records().empty()) return;
+  for (const std::string& expression : options.keywords) {
+    const std::vector<std::string> unknown =
+        variants::unknown_keywords(variants::parse_keyword_expression(expression), declared);
+    if (!unknown.empty()) throw InputError("", unknown.front());
+  }
+}
+
 void add_sources(const ValidateOptions& options, validation::ValidationRequest& request, Context& context) {
   Found found = look_around(options);
   project::ShaderSelection selection;
@@ -245,6 +258,7 @@ void add_sources(const ValidateOptions& options, validation::ValidationRequest& 
   for (const project::ShaderFile& file : files.files) sources.add(file);
 
   for (const hlsl::Diagnostic& problem : found.said) say(context, hlsl::format(problem));
+  refuse_unknown_keywords(options, sources);
   if (options.explain) return explain(options, sources, request.engine, context);
   const variants::Plan plan = sources.plan();
   const auto counted = [](std::size_t count, const std::string& thing) {

@@ -30,7 +30,8 @@ struct Parameter {
 };
 
 [[noreturn]] void refuse_twice(const std::string& what) {
-  throw InputError("", what + " is given twice", "give every technique, adapter and value once");
+  throw InputError("", what + " is given twice",
+                   "give every adapter a name of its own, and name a parameter once in --set");
 }
 
 std::vector<Parameter> parameters(const std::vector<std::string>& set) {
@@ -40,12 +41,11 @@ std::vector<Parameter> parameters(const std::vector<std::string>& set) {
     const auto [name, values] = name_and_value("--set", text);
     if (!names.insert(name).second) refuse_twice("--set " + name);
     Parameter parameter{name, {}};
-    std::set<double> seen;
     if (values.back() == ',') throw InputError("", "--set " + text + ": no value after the last comma");
     for (const std::string& value : split(values, ',')) {
       parameter.values.push_back(number("--set " + name, value));
-      if (!seen.insert(parameter.values.back()).second) refuse_twice(fmt::format("--set {}={}", name, value));
     }
+    drop_repetitions(parameter.values);
     parameters.push_back(std::move(parameter));
   }
   return parameters;
@@ -118,6 +118,7 @@ void refuse_repetitions(const std::vector<study::Subject>& subjects) {
 void give_titles(std::vector<study::Subject>& subjects, const std::vector<std::string>& titles) {
   for (const std::string& text : titles) {
     const std::string name = name_and_value("--title", text).first;
+    require_plain_name("--title", text);
     // A name that holds what was set holds '=' too.
     const auto found = std::find_if(subjects.begin(), subjects.end(), [&text](const study::Subject& subject) {
       return text.size() > subject.name.size() + 1 && text.starts_with(subject.name + "=");
@@ -156,6 +157,9 @@ std::vector<study::Subject> varied_subjects(const StudyOptions& options, const V
   const shaders::TechniqueList list =
       shaders::read_technique_list(platform::data_directory() / "ShaderLibrary" / "techniques.json");
   std::vector<std::string> names = options.techniques;
+  drop_repetitions(names);
+  std::vector<int> frames = varied.frames;
+  drop_repetitions(frames);
   if (names.empty() && options.adapters.empty()) names.emplace_back(kDefaultTechnique);
   if (names.empty() && !varied.set.empty()) {
     throw InputError("", "--set applies to techniques, and only adapters are given",
@@ -178,7 +182,7 @@ std::vector<study::Subject> varied_subjects(const StudyOptions& options, const V
       const std::string title = study::short_title(name, subject.title);
       if (!combination.empty()) subject.title = joined(title, text_of(combination));
       if (varied.captions)
-        add_captioned(subjects, subject, varied.frames, alone, title, text_of_varying(combination));
+        add_captioned(subjects, subject, frames, alone, title, text_of_varying(combination));
       else
         subjects.push_back(std::move(subject));
     }
@@ -188,8 +192,7 @@ std::vector<study::Subject> varied_subjects(const StudyOptions& options, const V
     study::Subject subject = study::adapter_subject(adapter, reversed_z);
     subject.bias = chosen_bias(options, subject.bias);
     if (varied.captions)
-      add_captioned(subjects, subject, varied.frames, alone, study::short_title(adapter.name, subject.title),
-                    "");
+      add_captioned(subjects, subject, frames, alone, study::short_title(adapter.name, subject.title), "");
     else
       subjects.push_back(std::move(subject));
   }

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/study_options.h"
@@ -20,13 +22,23 @@ struct VariedSubjects {
   std::string adapters = "last";      // or first: where they stand beside the techniques
 };
 
+// What is asked for twice is there once, where it stood first.
+template <typename Value>
+void drop_repetitions(std::vector<Value>& values) {
+  std::vector<Value> once;
+  for (const Value& value : values) {
+    if (std::find(once.begin(), once.end(), value) == once.end()) once.push_back(value);
+  }
+  values = std::move(once);
+}
+
 void add_set_option(CLI::App& command, const std::string& group, VariedSubjects& varied);
 void add_title_option(CLI::App& command, const std::string& group, VariedSubjects& varied);
 
 // Names are distinct: the technique's and what was set. Captions are, of one technique under several
 // settings, what varies, else the short title (study/short_title.h) and what was set. Without a technique and
 // an adapter: pcss-angular-24-16. Throws InputError for an unknown technique, a parameter that a technique
-// lacks, a value out of its range or no number, a title of what is not there, and whatever would stand twice.
+// lacks, a value out of its range or no number, a title of what is not there, and two adapters of one name.
 std::vector<study::Subject> varied_subjects(const StudyOptions& options, const VariedSubjects& varied);
 
 }  // namespace penumbra::cli

@@ -14,8 +14,8 @@ constexpr const char* summary_block = "cost-summary";
 
 std::string head_of(const CostReport& report) {
   return "Driver: " + markdown_cell(report.driver) +
-         ", without hardware. SPIR-V: " + markdown_cell(report.compiler) + ".  \nCommand: `" +
-         report.command + "`\n\n";
+         ", without hardware. SPIR-V: " + markdown_cell(report.compiler) +
+         ".  \nCommand: " + markdown_code(report.command) + "\n\n";
 }
 
 std::string table_line(const std::vector<std::string>& cells) {

@@ -90,6 +90,8 @@ class LocatingParser : public json::json_sax_t {
 
   bool parse_error(std::size_t, const std::string& token, const json::exception& error) override {
     std::string reason = error.what();
+    if (const std::size_t tag = reason.find("] "); reason.starts_with("[json.") && tag != std::string::npos)
+      reason = reason.substr(tag + 2);
     const std::size_t colon = reason.find(": ");
     if (colon != std::string::npos) reason = reason.substr(colon + 2);
     const std::size_t detail = reason.find(" - ");

@@ -1,5 +1,7 @@
 #include "input/markdown.h"
 
+#include <algorithm>
+
 #include "input/input_error.h"
 
 namespace penumbra {
@@ -18,6 +20,30 @@ std::size_t only_position(const std::string& text, const std::string& marker, st
   return first;
 }
 
+bool is_control(char c) {
+  return static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
+}
+
+// In code nothing can be escaped: control characters become blanks, and a comment's beginning is parted.
+std::string harmless_code(std::string_view text) {
+  std::string safe;
+  for (const char c : text) {
+    if (c == '-' && safe.ends_with("<!")) safe += ' ';
+    safe += is_control(c) ? ' ' : c;
+  }
+  return safe;
+}
+
+std::string more_backticks_than_in(std::string_view text, std::size_t least) {
+  std::size_t longest = 0;
+  std::size_t run = 0;
+  for (const char c : text) {
+    run = c == '`' ? run + 1 : 0;
+    longest = std::max(longest, run);
+  }
+  return std::string(std::max(least, longest + 1), '`');
+}
+
 }  // namespace
 
 std::string markdown_cell(std::string_view text) {
@@ -25,7 +51,13 @@ std::string markdown_cell(std::string_view text) {
   for (const char c : text) {
     switch (c) {
       case '|':
-        safe += "\\|";
+      case '[':
+      case ']':
+      case '*':
+      case '`':
+      case '\\':
+        safe += '\\';
+        safe += c;
         break;
       case '<':
         safe += "&lt;";
@@ -33,15 +65,26 @@ std::string markdown_cell(std::string_view text) {
       case '&':
         safe += "&amp;";
         break;
-      case '\n':
-      case '\r':
-        safe += ' ';
-        break;
       default:
-        safe += c;
+        safe += is_control(c) ? ' ' : c;
     }
   }
   return safe;
+}
+
+std::string markdown_code(std::string_view text) {
+  const std::string code = harmless_code(text);
+  const std::string fence = more_backticks_than_in(code, 1);
+  const bool touches = code.starts_with('`') || code.ends_with('`');
+  std::string safe = fence + (touches ? " " : "");
+  for (const char c : code) safe += c == '|' ? "\\|" : std::string(1, c);
+  return safe + (touches ? " " : "") + fence;
+}
+
+std::string markdown_code_block(std::string_view language, std::string_view text) {
+  const std::string code = harmless_code(text);
+  const std::string fence = more_backticks_than_in(code, 3);
+  return fence + std::string(language) + "\n" + code + "\n" + fence + "\n";
 }
 
 std::string block_begin(std::string_view name) {

@@ -6,8 +6,14 @@
 
 namespace penumbra {
 
-// Text for a table's cell: a bar would end the cell, a line break the table, and HTML would be obeyed.
+// Text for a table's cell: a bar would end the cell, a line break the table, and HTML, links, emphasis and
+// code would be obeyed. A control character becomes a blank.
 std::string markdown_cell(std::string_view text);
+
+// The same as code within a line, which may be that of a table; and as a block of code in its fence. Neither
+// ends before its text does, and no comment begins in it.
+std::string markdown_code(std::string_view text);
+std::string markdown_code_block(std::string_view language, std::string_view text);
 
 // "<!-- NAME:begin -->" and "<!-- NAME:end -->", between which the block NAME stands.
 std::string block_begin(std::string_view name);

@@ -137,10 +137,11 @@ DiskPoints ordered(const DiskPoints& rounded) {
 
 }  // namespace
 
-DiskPoints generate_poisson_disk(int count) {
+DiskPoints generate_poisson_disk(int count, const std::function<void()>& before_start) {
   DiskPoints best;
   double best_error = HUGE_VAL;
   for (int start = 0; start < kStarts; ++start) {
+    if (before_start) before_start();
     Random random(static_cast<std::uint64_t>(count) * 1000 + static_cast<std::uint64_t>(start));
     Points points = throw_darts(count, random);
     descend(points);

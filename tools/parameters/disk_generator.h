@@ -12,10 +12,13 @@
 //    early.
 #pragma once
 
+#include <functional>
+
 #include "parameters/disk.h"
 
 namespace penumbra::parameters {
 
-DiskPoints generate_poisson_disk(int count);
+// `before_start` is called before each start, every few milliseconds, and may throw to end the work.
+DiskPoints generate_poisson_disk(int count, const std::function<void()>& before_start = {});
 
 }  // namespace penumbra::parameters

@@ -34,14 +34,15 @@ std::string json_quality(const DiskQuality& q) {
 
 }  // namespace
 
-DiskSet disk_set(bool generate) {
+DiskSet disk_set(bool generate, const std::function<void()>& before_start) {
   DiskSet set{fibonacci_directions(kFibonacciDirections), {}};
   for (int count = 1; count <= kFibonacciDirections; ++count) {
     set.disks.push_back({"fibonacci", vogel_disk(count)});
   }
   for (const int count : kVogelSizes) set.disks.push_back({"vogel", vogel_disk(count)});
   for (const int count : kPoissonSizes) {
-    set.disks.push_back({"poisson", generate ? generate_poisson_disk(count) : poisson_disk(count)});
+    set.disks.push_back(
+        {"poisson", generate ? generate_poisson_disk(count, before_start) : poisson_disk(count)});
   }
   return set;
 }

@@ -2,6 +2,7 @@
 // Runtime/DiskTables.cs and tools/parameters/disk_tables.h are these texts.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -21,8 +22,9 @@ struct DiskSet {
   std::vector<Disk> disks;  // Fibonacci 1 .. 64, then Vogel, then Poisson
 };
 
-// generate: make the Poisson disks anew instead of taking the checked-in ones.
-DiskSet disk_set(bool generate);
+// generate: make the Poisson disks anew instead of taking the checked-in ones; before_start as for
+// generate_poisson_disk.
+DiskSet disk_set(bool generate, const std::function<void()>& before_start = {});
 
 std::string disks_table(const DiskSet& set);
 std::string disks_json(const DiskSet& set);

@@ -62,7 +62,7 @@ void inspect_camera(const Camera& camera, Inspector& inspect) {
   inspect.direction("/camera/up", camera.up);
   if (inspect.clean()) {
     const double sine = glm::length(glm::cross(glm::normalize(camera.forward), glm::normalize(camera.up)));
-    if (sine < 1e-6) inspect.report("/camera/up", "is parallel to /camera/forward", "use another up vector");
+    if (sine < 1e-6) inspect.report("/camera/up", "is parallel to camera/forward", "use another up vector");
   }
   inspect.number("/camera/fov_y_degrees", camera.fov_y_degrees);
   inspect.number("/camera/aspect", camera.aspect);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "input/input_error.h"
+#include "platform/interrupt.h"
 
 #ifdef _WIN32
 #include <io.h>
@@ -66,6 +67,7 @@ void check_file_can_be_written(const std::filesystem::path& file) {
   std::error_code status;
   if (std::filesystem::is_directory(file, status)) fail(file, temporary, EISDIR);
   if (std::filesystem::exists(file, status) && !std::filesystem::is_regular_file(file, status)) return;
+  const FileWrite writing;
   std::FILE* stream = std::fopen(temporary.string().c_str(), "wb");
   if (stream == nullptr) fail(file, temporary, errno);
   std::fclose(stream);
@@ -78,6 +80,7 @@ void write_file_atomically(const std::filesystem::path& file, std::string_view c
   if (std::filesystem::is_directory(file, status)) fail(file, temporary, EISDIR);
   if (std::filesystem::exists(file, status) && !std::filesystem::is_regular_file(file, status))
     return write_straight(file, content);
+  const FileWrite writing;
   std::FILE* stream = std::fopen(temporary.string().c_str(), "wb");
   if (stream == nullptr) fail(file, temporary, errno);
   errno = 0;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "input/input_error.h"
+#include "input/nearest_name.h"
 #include "project/ascii_case.h"
 #include "project/json_diagnostic.h"
 #include "project/package_manifest.h"
@@ -107,11 +108,19 @@ class Filter {
       : selection_(selection), used_(selection.include.size(), false) {}
 
   bool lets_pass(const std::string& shown) {
+    seen_.push_back(shown);
     bool included = selection_.include.empty();
     for (std::size_t i = 0; i < selection_.include.size(); ++i)
       if (path_matches(selection_.include[i], shown)) included = used_[i] = true;
     return included && std::none_of(selection_.exclude.begin(), selection_.exclude.end(),
                                     [&](const std::string& pattern) { return path_matches(pattern, shown); });
+  }
+
+  // What a person may have meant by a pattern that matches nothing.
+  void require_a_match() const {
+    if (used_.empty() || std::find(used_.begin(), used_.end(), true) != used_.end()) return;
+    const std::string& pattern = selection_.include.front();
+    throw InputError("", "--only '" + pattern + "' matches no shader file", way_out(pattern));
   }
 
   void report_unused(std::vector<hlsl::Diagnostic>& problems) const {
@@ -126,8 +135,32 @@ class Filter {
   }
 
  private:
+  std::string way_out(const std::string& pattern) const {
+    constexpr std::size_t kMostListed = 5;
+    constexpr std::string_view kBelow = "/**";
+    std::set<std::string> folders;
+    for (const std::string& file : seen_)
+      for (std::size_t slash = file.find('/', 1); slash != std::string::npos;
+           slash = file.find('/', slash + 1))
+        folders.insert(file.substr(0, slash));
+    const bool below = pattern.ends_with(kBelow);
+    std::vector<std::string> known = seen_;
+    if (below) known.assign(folders.begin(), folders.end());
+    if (pattern.find('/') == std::string::npos)  // a name alone, wherever the file is
+      for (std::string& file : known) file.erase(0, file.rfind('/') + 1);
+    const std::string nearest =
+        nearest_name(below ? pattern.substr(0, pattern.size() - kBelow.size()) : pattern, known);
+    if (!nearest.empty()) return "did you mean '" + nearest + (below ? std::string(kBelow) : "") + "'?";
+    if (seen_.empty()) return "there is no shader file here";
+    std::string listed;
+    for (std::size_t i = 0; i < std::min(known.size(), kMostListed); ++i)
+      listed += (i > 0 ? ", " : "") + known[i] + (below ? std::string(kBelow) : "");
+    return "there are: " + listed + (known.size() > kMostListed ? ", ..." : "");
+  }
+
   const ShaderSelection& selection_;
   std::vector<bool> used_;
+  std::vector<std::string> seen_;  // every file that was asked about
 };
 
 }  // namespace
@@ -149,7 +182,10 @@ ShaderFiles find_shader_files(const fs::path& project, const ShaderSelection& se
     std::string shown = shown_name(file, project);
     if (filter.lets_pass(shown)) result.files.push_back({file, std::move(shown)});
   }
+  if (named.empty()) filter.require_a_match();
   filter.report_unused(result.problems);
+  if (result.files.empty())
+    result.problems.push_back({{}, 0, 0, hlsl::Severity::warning, "there is no shader file to validate", {}});
   std::sort(result.files.begin(), result.files.end(),
             [](const ShaderFile& a, const ShaderFile& b) { return a.shown < b.shown; });
   const auto same = [](const ShaderFile& a, const ShaderFile& b) { return a.shown == b.shown; };

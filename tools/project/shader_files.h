@@ -32,11 +32,12 @@ struct ShaderFile {
 struct ShaderFiles {
   std::vector<ShaderFile> files;  // by `shown`
   std::vector<hlsl::Diagnostic>
-      problems;  // warnings: a folder that cannot be listed, a pattern without a match
+      problems;  // warnings: a folder that cannot be listed, a pattern without a match, no file at all
 };
 
 // `project` may be empty when `places` are given. Throws InputError for a place that is missing or is a file
-// of another kind.
+// of another kind, and, with the nearest name, where no pattern of `include` matches any file and no place is
+// one.
 ShaderFiles find_shader_files(const std::filesystem::path& project, const ShaderSelection& selection);
 
 }  // namespace penumbra::project

@@ -7,9 +7,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <system_error>
 #include <vector>
 
 #include "input/input_error.h"
@@ -28,7 +31,16 @@ struct Font {
   stbtt_fontinfo info{};
 };
 
+// Not a device, which may have no end.
+bool could_be_a_font(const std::filesystem::path& file) {
+  constexpr std::uintmax_t kLargest = std::uintmax_t{64} << 20;
+  std::error_code error;
+  return std::filesystem::is_regular_file(file, error) &&
+         std::filesystem::file_size(file, error) <= kLargest && !error;
+}
+
 bool read(Font& font, const char* file) {
+  if (!could_be_a_font(file)) return false;
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return false;
   font.file.assign(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());

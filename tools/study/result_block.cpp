@@ -4,6 +4,7 @@
 
 #include "input/input_error.h"
 #include "input/markdown.h"
+#include "input/nearest_name.h"
 #include "study/summary.h"
 
 namespace penumbra::study {
@@ -57,7 +58,7 @@ std::string title_of(const Choice& choice) {
 // "Tent 5x5, `tent-5`": the name is what options take.
 std::string title_and_name(const Choice& choice) {
   return choice.title == choice.technique ? title_of(choice)
-                                          : title_of(choice) + ", `" + markdown_cell(choice.technique) + "`";
+                                          : title_of(choice) + ", " + markdown_code(choice.technique);
 }
 
 std::string mean_table(const Results& results, double light, BlockForm form) {
@@ -101,7 +102,10 @@ Results with_rows(const Results& results, const std::vector<std::string>& rows) 
     }
   }
   if (shown.records.empty()) {
-    throw InputError("", fmt::format("none of the rows {} was measured", fmt::join(rows, ", ")));
+    std::vector<std::string> known;
+    for (const Choice& choice : choices(results)) known.push_back(choice.technique);
+    throw InputError("", fmt::format("none of the rows {} was measured", fmt::join(rows, ", ")),
+                     unknown_name_way_out(rows.front(), known));
   }
   return shown;
 }
@@ -122,7 +126,7 @@ std::string origin(const Results& results) {
 }
 
 std::string command(const Results& results) {
-  return folded("The command", fmt::format("```sh\n{}\n```\n\n{}", results.command, origin(results)));
+  return folded("The command", markdown_code_block("sh", results.command) + "\n" + origin(results));
 }
 
 std::string how_to_read() {
