@@ -14,7 +14,7 @@ constexpr double kSunKilolux = 133.0;                    // above the air
 constexpr glm::dvec3 kSunColour{1.075, 0.985, 0.945};    // of 5778 K, Y = 1
 constexpr glm::dvec3 kMicrometres{0.612, 0.549, 0.465};  // where the three channels are asked
 constexpr double kGroundReflectance = 0.2;
-constexpr double kHorizonFade = 0.02;  // sine of the depression by which 1 - 1/e of the ground shows
+constexpr double kHorizonFade = 0.12;  // sine of the depression by which 1 - 1/e of the ground shows
 
 using Cubic =
     std::array<double, 4>;  // coefficients of the sun's zenith angle cubed, squared, linear, constant

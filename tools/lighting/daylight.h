@@ -18,7 +18,7 @@ class Daylight {
   explicit Daylight(const glm::dvec3& to_sun, double turbidity = 3.0);
 
   // Of the sky alone, without the sun's disc. Below the horizon: a ground of reflectance 0.2 under this
-  // light, which fades into the horizon's colour within about two degrees.
+  // light, which haze hides towards the horizon: most of it within five degrees.
   glm::dvec3 sky(const glm::dvec3& direction) const;
 
   const glm::dvec3& to_sun() const { return to_sun_; }
