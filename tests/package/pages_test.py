@@ -142,7 +142,7 @@ class Looks(unittest.TestCase):
         for look in looks:
             degrees, metres = f"{look['angularDiameterDegrees']:g}", f"{look['maxPenumbraMetres']:g}"
             self.assertIn(f"\n| {look['title']} | {degrees}° | {metres} m | {look['doc']} |\n", page)
-            command = re.search(rf"^penumbra render (?:[^\n]*\\\n)*[^\n]*images/look-{look['name']}\.png$", page, re.MULTILINE)
+            command = re.search(rf"^penumbra render (?:[^\n]*\\\n)*[^\n]*images/look-{look['name']}\.jpg$", page, re.MULTILINE)
             self.assertIsNotNone(command, look["name"])
             self.assertIn(f"--light {degrees} ", command[0])
             capped = re.search(r"--set maxPenumbraMetres=(\S+)", command[0])
