@@ -52,6 +52,19 @@ TEST_F(BadInput, ACameraThatLooksStraightUp) {
   expect_config_refused("{\"camera\": {\n\"forward\": [0, 1, 0]}}", {"camera/up is parallel to camera/forward"});
 }
 
+// Before anything is compiled or traced: a run may take an hour.
+TEST_F(BadInput, WhatAMeasurementWouldEndWithIsRefusedAtItsBeginning) {
+  const auto page = write("page.md", "no markers\n");
+  const auto markers = run({"measure", "--readme", page.string()});
+  EXPECT_EQ(markers.exit_code, 2);
+  EXPECT_THAT(markers.errors, HasSubstr("marker"));
+  EXPECT_THAT(markers.errors, testing::Not(HasSubstr("compiling")));
+  const auto samples = run({"measure", "--reference-samples", "100"});
+  EXPECT_EQ(samples.exit_code, 2);
+  EXPECT_THAT(samples.errors, HasSubstr("must be a power of two"));
+  EXPECT_THAT(samples.errors, testing::Not(HasSubstr("compiling")));
+}
+
 TEST_F(BadInput, WrongType) {
   expect_config_refused("{\"shadows\": {\n\"cascades\": \"four\"}}", {"config.json:2:1", "number", "string"});
 }

@@ -105,6 +105,21 @@ TEST_F(Validate, AKeywordThatNoProgramDeclaresIsRefusedWithTheNearest) {
   }
 }
 
+TEST_F(Validate, AShaderIsNotReplacedByItsReport) {
+  const auto shader = write("Main.hlsl", "float4 Main() : SV_Target { return 1; }\n");
+  const auto result = run({"validate", shader.string(), "--format", "json", "-o", shader.string()});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.errors, HasSubstr("is one of the shaders to validate"));
+  EXPECT_THAT(read("Main.hlsl"), HasSubstr("SV_Target"));
+}
+
+TEST_F(Validate, AProjectWithoutShadersIsRefused) {
+  std::filesystem::create_directories(path("Empty/Assets"));
+  const auto result = run({"validate", "--project", path("Empty").string()});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.errors, HasSubstr("has no shader file to validate"));
+}
+
 TEST_F(Validate, APatternThatMatchesNothingIsRefused) {
   const auto refused = run({"validate", path("").string(), "--count", "--only", "zzz/**"});
   EXPECT_EQ(refused.exit_code, 2) << refused.errors;

@@ -94,12 +94,10 @@ TEST(ShaderFiles, PatternsThatMatchNothingAreRefusedWithTheNearestName) {
                      HasSubstr("there are: Assets/**, Assets/Fire/**, Assets/Water/**"));
 }
 
-TEST(ShaderFiles, AProjectWithoutShadersIsSaid) {
+TEST(ShaderFiles, AProjectWithoutShadersIsRefused) {
   const ProjectFolder files;
   files.write("Assets/a.cs", "");
-  const ShaderFiles found = find_shader_files(files.path(), {});
-  EXPECT_THAT(shown(found), IsEmpty());
-  EXPECT_THAT(formatted(found.problems), ElementsAre("warning: there is no shader file to validate"));
+  expect_input_error([&] { find_shader_files(files.path(), {}); }, HasSubstr("has no shader file to validate"));
 }
 
 TEST(ShaderFiles, NamedPlacesStandForThemselves) {

@@ -22,6 +22,7 @@
 #include "platform/data_directory.h"
 #include "platform/processor.h"
 #include "platform/source_commit.h"
+#include "reference/trace_visibility.h"
 #include "shaders/preset_emit.h"
 #include "study/picture_sheet.h"
 #include "study/preset_figures.h"
@@ -109,6 +110,7 @@ study::StudySettings study_settings(const MeasureOptions& options) {
   drop_repetitions(settings.light_degrees);
   settings.frame = frame_settings(options);
   settings.penumbra_pixels = options.penumbra_pixels;
+  reference::check_samples(options.reference_samples);
   settings.reference_samples = options.reference_samples;
   settings.seed = options.seed;
   settings.noise_seeds = options.noise_seeds;
@@ -221,6 +223,8 @@ void check_outputs(const MeasureOptions& options) {
   check_output_folder(options.cache);
   check_output_file(options.presets);
   check_output_file(options.readme);
+  if (!options.readme.empty())  // a page without the markers, before the measuring and not after it
+    (void)study::replace_result_block(read_text_file(options.readme), "", options.readme, options.block);
 }
 
 void run(const MeasureOptions& options, Context& context) {

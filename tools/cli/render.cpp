@@ -11,6 +11,7 @@
 #include "cli/study_options.h"
 #include "cli/subcommand.h"
 #include "cli/varied_subjects.h"
+#include "reference/trace_visibility.h"
 #include "study/contact_sheet.h"
 #include "study/lit_view.h"
 #include "study/picture_sheet.h"
@@ -31,6 +32,7 @@ study::StudySettings study_settings(const StudyOptions& options) {
   settings.light_degrees = options.lights;
   drop_repetitions(settings.light_degrees);
   settings.frame = frame_settings(options);
+  reference::check_samples(options.reference_samples);
   settings.reference_samples = options.reference_samples;
   settings.seed = options.seed;
   settings.noise_seeds = 1;

@@ -236,6 +236,16 @@ void refuse_unknown_keywords(const ValidateOptions& options, const validation::S
   }
 }
 
+// A report in place of a shader would be the end of the shader.
+void refuse_inputs_as_output(const std::string& output, const project::ShaderFiles& files) {
+  if (output.empty() || output == "-") return;
+  for (const project::ShaderFile& file : files.files) {
+    std::error_code ignored;
+    if (fs::equivalent(output, file.path, ignored))
+      throw InputError("--output", "'" + output + "' is one of the shaders to validate", "name another file");
+  }
+}
+
 void add_sources(const ValidateOptions& options, validation::ValidationRequest& request, Context& context) {
   Found found = look_around(options);
   project::ShaderSelection selection;
@@ -244,6 +254,7 @@ void add_sources(const ValidateOptions& options, validation::ValidationRequest& 
   selection.exclude = options.skip;
   const project::ShaderFiles files = project::find_shader_files(options.project, selection);
   for (const hlsl::Diagnostic& problem : files.problems) found.said.push_back(problem);
+  refuse_inputs_as_output(options.report.output, files);
 
   validation::SourceOptions source;
   source.platforms = platforms(options, request.targets, found.unity_version);

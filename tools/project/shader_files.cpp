@@ -185,7 +185,8 @@ ShaderFiles find_shader_files(const fs::path& project, const ShaderSelection& se
   if (named.empty()) filter.require_a_match();
   filter.report_unused(result.problems);
   if (result.files.empty())
-    result.problems.push_back({{}, 0, 0, hlsl::Severity::warning, "there is no shader file to validate", {}});
+    throw InputError(project.string(), "has no shader file to validate",
+                     "name the folder that holds Assets/ with --project, or files and folders");
   std::sort(result.files.begin(), result.files.end(),
             [](const ShaderFile& a, const ShaderFile& b) { return a.shown < b.shown; });
   const auto same = [](const ShaderFile& a, const ShaderFile& b) { return a.shown == b.shown; };

@@ -20,17 +20,6 @@ namespace {
 
 constexpr int tracing_version = 1;  // a change of any result takes the next number
 
-void check(const TraceOptions& options) {
-  const int samples = options.samples;
-  static_assert(fewest_samples == 2 * DiscTracer::packet_size);
-  if (samples < fewest_samples || samples > most_samples || (samples & (samples - 1)) != 0) {
-    throw InputError("",
-                     "samples per pixel must be a power of two from " + std::to_string(fewest_samples) +
-                         " to " + std::to_string(most_samples) + ", not " + std::to_string(samples),
-                     "1024 is the default");
-  }
-}
-
 std::string key_of(const scene::Mesh& mesh, const scene::Receivers& receivers, const parameters::Light& light,
                    const TraceOptions& options) {
   platform::ContentHash hash;
@@ -48,10 +37,20 @@ std::string key_of(const scene::Mesh& mesh, const scene::Receivers& receivers, c
 
 }  // namespace
 
+void check_samples(int samples) {
+  static_assert(fewest_samples == 2 * DiscTracer::packet_size);
+  if (samples < fewest_samples || samples > most_samples || (samples & (samples - 1)) != 0) {
+    throw InputError("",
+                     "samples per pixel must be a power of two from " + std::to_string(fewest_samples) +
+                         " to " + std::to_string(most_samples) + ", not " + std::to_string(samples),
+                     "1024 is the default");
+  }
+}
+
 VisibilityImage trace_visibility(const scene::Scene& scene, const scene::Receivers& receivers,
                                  const parameters::Light& light, const TraceOptions& options,
                                  const RunOptions& run, const ReferenceCache* cache) {
-  check(options);
+  check_samples(options.samples);
   const DiscLight disc = disc_light(light);
   RowJob job;
   job.size = {receivers.width, receivers.height};

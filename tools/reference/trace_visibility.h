@@ -24,6 +24,8 @@ namespace penumbra::reference {
 inline constexpr int fewest_samples = 32;
 inline constexpr int most_samples = 65536;
 
+void check_samples(int samples);  // throws InputError for another number
+
 struct TraceOptions {
   int samples = 1024;  // rays per pixel
   std::uint64_t seed = 1;
