@@ -35,7 +35,7 @@ namespace Penumbra
             "there if it is large.";
 
         internal const string Mask =
-            "Runs the full filter only where a coarse search finds an edge; elsewhere a pixel costs one fetch.";
+            "Runs the full filter only where a coarse search finds an edge; elsewhere a pixel reads the shadow map once.";
 
         internal const string HalfResolution =
             "Filters a quarter of the pixels, every second one along both axes, and fills in the others along edges.";

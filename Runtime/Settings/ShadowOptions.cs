@@ -38,7 +38,7 @@ namespace Penumbra
         [Range(0.0f, 8.0f)]
         public float minFilterTexels;
 
-        /// <summary>Full filter only where the mask finds a penumbra; one fetch elsewhere.</summary>
+        /// <summary>Full filter only where the mask finds a penumbra; one look at the shadow map elsewhere.</summary>
         [Tooltip(OptionTooltips.Mask)]
         public bool mask;
 

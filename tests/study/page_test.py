@@ -76,6 +76,25 @@ class MaskCosts(unittest.TestCase):
             page.mask_costs(results(record("tent-5"), record("pcss-masked")))
 
 
+def cost_row(entry, technique, instructions, keywords=("UNITY_REVERSED_Z",), family="navi21"):
+    return {"family": family, "entry": entry, "variants": [{"technique": technique, "keywords": list(keywords)}],
+            "figures": {"instructions": instructions, "vgprs": 8, "inverse_throughput_cycles": 2 * instructions}}
+
+
+class PresetCosts(unittest.TestCase):
+    def test_programs_of_several_presets_stand_once(self):
+        text = page.preset_costs({"driver": "radv", "command": "penumbra cost", "rows": [
+            cost_row("Fragment", "tent-7", 400), cost_row("Fragment", "tent-7", 399, []),
+            cost_row("Fragment", "tent-7", 398, family="gfx1100"),
+            cost_row("Resolve", "preset-low", 1000), cost_row("Resolve", "preset-high", 1200),
+            cost_row("Mask", "preset-high", 900), cost_row("Resolve", "preset-ultra", 1200)]})
+        self.assertTrue(text.endswith(
+            "| Tent 7x7, URP's filter at High | the filter alone | 400 | 8 | 800 |\n"
+            "| Low | Resolve | 1000 | 8 | 2000 |\n"
+            "| High, Ultra | Resolve | 1200 | 8 | 2400 |\n"
+            "| High | Mask | 900 | 8 | 1800 |"), text)
+
+
 class PresetMasks(unittest.TestCase):
     def test_lights_are_columns_and_scenes_rows(self):
         text = page.preset_masks(results(

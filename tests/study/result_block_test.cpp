@@ -109,10 +109,11 @@ TEST(ResultBlock, ABriefOneShowsOneTableAndFoldsTheRest) {
 TEST(ResultBlock, TheLineIsOneSentenceOfTheMiddleLight) {
   const std::string line =
       result_block(synthetic::results(), {kChart, {"bilinear", "pcss-64-64"}, BlockForm::line});
-  EXPECT_THAT(line,
-              testing::StartsWith("Error in penumbrae, RMSE against ray tracing, 2° light, mean of 2 scenes: "
-                                  "Title of bilinear 0."));
-  EXPECT_THAT(line, HasSubstr("texture fetches per pixel, Title of pcss-64-64 0."));
+  EXPECT_THAT(line, testing::StartsWith(
+                        "Error in penumbrae (RMSE of visibility, 0 to 1, against ray tracing; 2° light, "
+                        "mean of 2 scenes): Title of bilinear: 0."));
+  EXPECT_THAT(line, HasSubstr("texture fetches per pixel ("));
+  EXPECT_THAT(line, HasSubstr(" per pixel in penumbra); Title of pcss-64-64: 0."));
   EXPECT_EQ(line.find('\n'), line.size() - 1);
 }
 
@@ -204,13 +205,13 @@ std::vector<PublishedPage> published_pages() {
   return {{"Readme",
            "README.md",
            "presets",
-           {"urp-low", "urp-medium", "urp-high", "hdrp-pcss", "hdrp-pcss-full-diameter", "preset-low",
+           {"urp-low", "urp-medium", "urp-high", "urp-high-normal-bias-0", "hdrp-pcss", "preset-low",
             "preset-medium", "preset-high", "preset-ultra"},
            BlockForm::brief},
           {"ReadmeLine",
            "README.md",
            "presets",
-           {"urp-high", "hdrp-pcss", "preset-high"},
+           {"urp-high", "urp-high-normal-bias-0", "hdrp-pcss", "preset-high"},
            BlockForm::line,
            "line"},
           {"Presets", "Documentation~/presets.md", "presets"},

@@ -60,9 +60,9 @@ class SceneFigures {
   std::vector<SceneFigure> figures_;
 };
 
-std::optional<double> total_fetches(const Metrics& metrics) {
-  return metrics.fetches_mean ? std::optional(*metrics.fetches_mean + metrics.preprocess_fetches_per_pixel)
-                              : std::nullopt;
+// With those of passes at lower resolution.
+std::optional<double> of_all_passes(const std::optional<double>& fetches, const Metrics& metrics) {
+  return fetches ? std::optional(*fetches + metrics.preprocess_fetches_per_pixel) : std::nullopt;
 }
 
 SummaryLine line_of(const Results& results, const Choice& choice, double light_degrees) {
@@ -71,6 +71,7 @@ SummaryLine line_of(const Results& results, const Choice& choice, double light_d
   SceneFigures leaks;
   SceneFigures false_shadows;
   SceneFigures fetches;
+  SceneFigures fetches_in_penumbra;
   Mean time;
   for (const std::string& scene : scene_names(results)) {
     const Record* record = find_record(results, choice.label, scene, light_degrees);
@@ -80,7 +81,8 @@ SummaryLine line_of(const Results& results, const Choice& choice, double light_d
     rmse_all.add(metrics.rmse_all, metrics.intervals.rmse_all);
     leaks.add(metrics.leak_rate, metrics.intervals.leak_rate);
     false_shadows.add(metrics.false_shadow_rate, metrics.intervals.false_shadow_rate);
-    fetches.add(total_fetches(metrics), metrics.intervals.fetches_mean);
+    fetches.add(of_all_passes(metrics.fetches_mean, metrics), metrics.intervals.fetches_mean);
+    fetches_in_penumbra.add(of_all_passes(metrics.fetches_penumbra_mean, metrics), std::nullopt);
     if (record->time) time.add(record->time->median_ms);
   }
   SummaryLine line{choice, light_degrees, rmse.count()};
@@ -89,6 +91,7 @@ SummaryLine line_of(const Results& results, const Choice& choice, double light_d
   line.leak_rate = leaks.mean(1.0);
   line.false_shadow_rate = false_shadows.mean(1.0);
   line.fetches = fetches.mean(std::numeric_limits<double>::infinity());
+  line.fetches_in_penumbra = fetches_in_penumbra.mean(std::numeric_limits<double>::infinity());
   line.time_ms = time.value();
   line.complete = rmse.count() > 0 && rmse.count() == sample_of(results, light_degrees).scenes;
   return line;

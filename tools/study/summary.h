@@ -34,8 +34,9 @@ struct SummaryLine {
   std::optional<Estimate> rmse_all{};
   std::optional<Estimate> leak_rate{};
   std::optional<Estimate> false_shadow_rate{};
-  std::optional<Estimate> fetches{};  // per pixel of the frame, preparation included
-  std::optional<double> time_ms{};    // median of a frame
+  std::optional<Estimate> fetches{};              // per pixel of the frame, preparation included
+  std::optional<Estimate> fetches_in_penumbra{};  // the same of the pixels in penumbra alone
+  std::optional<double> time_ms{};                // median of a frame
 };
 
 // What the means of one light stand on.
