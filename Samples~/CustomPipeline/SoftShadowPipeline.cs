@@ -25,9 +25,11 @@ namespace Penumbra.Samples.CustomPipeline
             GraphicsSettings.lightsUseLinearIntensity = true;
         }
 
+#if !UNITY_6000_1_OR_NEWER  // abstract until then, obsolete since
         /// <inheritdoc/>
         protected override void Render(ScriptableRenderContext context, Camera[] cameras) =>
             Render(context, new List<Camera>(cameras));
+#endif
 
         /// <inheritdoc/>
         protected override void Render(ScriptableRenderContext context, List<Camera> cameras)

@@ -107,8 +107,8 @@ public sealed class CommandTests
     }
 
     [TestCase("neither sources (--source DIR) nor a folder of assemblies is given (--help says more)")]
-    [TestCase("--generation 2022.3 or --generation 6000.0 says which declarations to check", "--source", ".")]
-    [TestCase("--generation 2022.3 or --generation 6000.0 says which declarations to check", "--source", ".", "--generation", "5.6")]
+    [TestCase("--generation 2022.3|6000.0|6000.5 says which declarations to check", "--source", ".")]
+    [TestCase("--generation 2022.3|6000.0|6000.5 says which declarations to check", "--source", ".", "--generation", "5.6")]
     [TestCase("--source needs a value (--help lists the options)", "--source")]
     [TestCase("--sauce is not an option (--help lists them)", "--sauce", "a")]
     [TestCase("x: a folder of sources is given as --source x", "x", "--source", ".")]

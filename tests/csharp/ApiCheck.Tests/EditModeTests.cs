@@ -31,6 +31,7 @@ public sealed class EditModeTests
 
     [TestCase("2022.3")]
     [TestCase("6000.0")]
+    [TestCase("6000.5")]
     public void CompileInUnity(string generation) => Assert.That(Check(Repository.Root, generation).Problems, Is.Empty);
 
     [TestCase("class A { object B => UnityEngine.Shader.Known; }", "ours, not Unity's")]

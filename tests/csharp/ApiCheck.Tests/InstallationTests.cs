@@ -16,6 +16,7 @@ public sealed partial class InstallationTests
 
     [TestCase("2022.3", "2022.3.17f1")]
     [TestCase("6000.0", "6000.0.23f1")]
+    [TestCase("6000.5", "6000.5.2f1")]
     public void OurPackageCompiles(string generation, string version)
     {
         var run = world.WithRepository().WithInstallation(generation, $"{version}/Editor/Data").WithProject(generation, version)
@@ -29,6 +30,7 @@ public sealed partial class InstallationTests
 
     [TestCase("2022.3")]
     [TestCase("6000.0")]
+    [TestCase("6000.5")]
     public void AMisspeltMemberInOurPackageIsFound(string generation)
     {
         world.WithRepository();

@@ -38,6 +38,7 @@ public sealed class PackageSourcesTests
     [TestCase("2022.3", "player", "A", "B is not compiled for the player: its constraint UNITY_6000_0_OR_NEWER is not met")]
     [TestCase("6000.0", "editor", "A B E", "")]
     [TestCase("6000.0", "player", "A B", "")]
+    [TestCase("6000.5", "player", "A B", "")]
     public void ConstraintsAndPlatformsAreRespected(string version, string set, string compiled, string leftOut)
     {
         var build = new PackageBuild(PackageSources.Read(folder.Path), PackageVersions.Of(UnityVersion.Parse(version)),

@@ -36,8 +36,17 @@ public sealed class PackageTests
     [TestCase("2023.1.0f1", "2022.3")]
     [TestCase("6000.0.0f1", "6000.0")]
     [TestCase("6000.3.1f1", "6000.0")]
+    [TestCase("6000.5.2f1", "6000.5")]
+    [TestCase("6000.7.0a1", "6000.5")]
     public void AVersionHasAGeneration(string version, string generation) =>
         Assert.That(UnityVersion.Parse(version).Generation, Is.EqualTo(generation));
+
+    [TestCase("14.0.9", "2022.3")]
+    [TestCase("17.0.3", "6000.0")]
+    [TestCase("17.4.0", "6000.0")]
+    [TestCase("17.5.0", "6000.5")]
+    public void APipelineHasAGeneration(string version, string generation) =>
+        Assert.That(Generation.OfPipeline(version), Is.EqualTo(generation));
 
     [TestCase("", "0.0.1", true)]
     [TestCase("14.0.0", "14.0.0", true)]

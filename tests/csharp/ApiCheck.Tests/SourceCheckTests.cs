@@ -87,6 +87,49 @@ public sealed class SourceCheckTests
         Problems($"{Shared}/Thing.cs:3:14: Thing: says of no source of 2022.3 where it was read: add [ReadFrom], or [OwnBehaviour] if it is ours");
     }
 
+    private void MakeUnity65()
+    {
+        world.Real("engine/README.md", "## Unity 6000.5.2f1 C# reference source code\n");
+        foreach (var (source, package) in new[] { ("core", "core"), ("urp", "universal") })
+            world.Real($"{source}/package.json", $$"""{ "name": "com.unity.render-pipelines.{{package}}", "version": "17.5.0" }""");
+    }
+
+    [Test]
+    public void ALaterGenerationTakesOverWhatTheEarlierOneSays()
+    {
+        MakeUnity65();
+        world.Real("urp/Runtime/Thing.cs", "public class Thing { public int a; }");
+        Declare("public class Thing { public int a; }", "\"17.0.3\", \"universal\", \"Runtime/Thing.cs\"");
+        world.Declare("6000.0/Old.cs", "[Penumbra.UnityApi.ReadFrom(\"17.0.3\", \"universal\", \"Runtime/Old.cs\")] public class Old { }");
+        world.Declare("6000.5/New.cs", "[Penumbra.UnityApi.ReadFrom(\"17.5.0\", \"universal\", \"Runtime/New.cs\")] public class New { }");
+        world.Real("urp/Runtime/New.cs", "public class New { }");
+        Assert.That(world.Check("6000.5").Problems,
+                    Is.EqualTo(new[] { "tests/csharp/UnityApi/6000.0/Old.cs:1:84: Old: the source of universal has no such type" }));
+        Assert.That(world.Check("6000.5").Sources.Single(source => source.Source == "universal").DeclaredFrom,
+                    Is.EqualTo(new[] { "17.5.0" }));
+    }
+
+    [Test]
+    public void ALaterGenerationsWordCounts()
+    {
+        MakeUnity65();
+        world.Real("urp/Runtime/Moved.cs", "public class Thing { }");
+        Declare("[ReadFrom(\"17.5.0\", \"universal\", \"Runtime/Moved.cs\")] public class Thing { }",
+                "\"17.0.3\", \"universal\", \"Runtime/Thing.cs\"");
+        Assert.That(world.Check("6000.5").Problems, Is.Empty);
+    }
+
+    [Test]
+    public void OfTheExternalCodeUnitysOwnIsRead()
+    {
+        world.Real("engine/External/ScriptingCore/Unity.Scripting/Mark.cs", "public class Mark { }");
+        world.Real("engine/External/Other/Alien.cs", "public class Alien { }");
+        Declare("public class Mark { }", "\"2022.3.17f1\", \"engine\", \"External/ScriptingCore/Unity.Scripting/Mark.cs\"");
+        Problems();
+        Declare("public class Alien { }", "\"2022.3.17f1\", \"engine\", \"External/Other/Alien.cs\"");
+        Problems($"{Shared}/Thing.cs:3:14: Alien: the source of engine has no such type");
+    }
+
     [Test]
     public void ASourceThatIsNotGivenIsTold()
     {

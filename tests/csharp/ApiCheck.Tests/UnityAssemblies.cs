@@ -94,7 +94,7 @@ public static class UnityAssemblies
     }
 
     private static Part? Home(ISymbol type, string generation) =>
-        Declarations.Origins(type).FirstOrDefault(origin => origin.IsOf(generation)) is { } origin
+        Declarations.Origins(type, generation).FirstOrDefault() is { } origin
             ? Parts.Single(part => part.Source == origin.Source && part.IsEditor == SourceFolder.IsEditorFile(origin.Path))
             : null;
 }

@@ -1,4 +1,5 @@
 using Penumbra.ApiCheck.Assemblies;
+using Penumbra.ApiCheck.Package;
 using Penumbra.ApiCheck.Report;
 using Penumbra.ApiCheck.Sources;
 
@@ -53,8 +54,8 @@ public static class Command
     {
         if (options.Operands.Count > 0)
             throw CheckException.Usage($"{options.Operands[0]}: a folder of sources is given as --source {options.Operands[0]}");
-        if (options.Generation is not ("2022.3" or "6000.0"))
-            throw CheckException.Usage("--generation 2022.3 or --generation 6000.0 says which declarations to check");
+        if (options.Generation is null || !Generation.All.Contains(options.Generation))
+            throw CheckException.Usage($"--generation {string.Join('|', Generation.All)} says which declarations to check");
         var package = PackageOf(options);
         var check = SourceCheck.Run(new SourceRequest(options.Generation, package,
             Path.GetFullPath(options.Declarations ?? Path.Combine(package, "tests/csharp/UnityApi")))

@@ -4,7 +4,7 @@ namespace Penumbra.ApiCheck;
 public sealed class Options
 {
     public const string Usage = """
-        usage: check-unity-api --source DIR [--source DIR ...] --generation 2022.3|6000.0 [options]
+        usage: check-unity-api --source DIR [--source DIR ...] --generation 2022.3|6000.0|6000.5 [options]
                check-unity-api DIR [DIR ...] [options]
                check-unity-api --page FILE REPORT [REPORT ...]
 

@@ -24,7 +24,7 @@ public sealed class ApiComparison(IReadOnlyDictionary<string, CSharpCompilation>
 
     private void CompareTop(INamedTypeSymbol declared)
     {
-        var origins = Declarations.Origins(declared).Where(origin => origin.IsOf(generation)).ToArray();
+        var origins = Declarations.Origins(declared, generation);
         if (origins.Length > 0 && origins.All(origin => SourceFolder.IsEditorFile(origin.Path)) && !isEditor)
             return;
         findings.Look(Names.Of(declared));

@@ -45,7 +45,7 @@ public static class Signature
         member is not IMethodSymbol { AssociatedSymbol: not null };
 
     private static string ReadFrom(ISymbol symbol, string generation) =>
-        string.Concat(Declarations.Origins(symbol).Where(origin => origin.IsOf(generation)).Select(origin => " " + origin));
+        string.Concat(Declarations.Origins(symbol, generation).Select(origin => " " + origin));
 
     private static string Of(ISymbol symbol)
     {

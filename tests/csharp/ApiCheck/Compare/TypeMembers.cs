@@ -14,7 +14,8 @@ public sealed class TypeMembers(TypeResult result, Findings findings, string gen
         var comparison = new TypeComparison(match);
         CheckPlace(declared, real, origins);
         var files = Files(origins);
-        result.Versions.UnionWith(origins.Select(origin => (origin.Source, origin.Version)));
+        result.Versions.UnionWith(origins.Where(origin => origin.InGeneration() == generation)
+            .Select(origin => (origin.Source, origin.Version)));
         foreach (var difference in comparison.Differences(declared, real))
             findings.Add(declared, difference, real, files);
         Note(declared, real);
@@ -34,7 +35,7 @@ public sealed class TypeMembers(TypeResult result, Findings findings, string gen
 
     private void CompareMember(ISymbol declared, INamedTypeSymbol type, IReadOnlyList<ReadFrom> origins)
     {
-        var own = Declarations.Origins(declared).Where(origin => origin.IsOf(generation)).ToArray();
+        var own = Declarations.Origins(declared, generation);
         var read = own.Length > 0 ? own : origins;
         if (declared is INamedTypeSymbol nested)
         {

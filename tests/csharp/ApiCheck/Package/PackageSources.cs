@@ -41,7 +41,7 @@ public sealed class PackageSources
 
     public IEnumerable<SyntaxTree> Trees(Asmdef assembly, IEnumerable<string> symbols)
     {
-        // Unity 2022.3 and 6000.0 compile C# 9.
+        // Unity 2022.3 to 6000.5 compile C# 9.
         var options = new CSharpParseOptions(LanguageVersion.CSharp9, DocumentationMode.None, preprocessorSymbols: symbols);
         return Owners.Where(owner => owner.Value == assembly).Select(owner => owner.Key).Order(StringComparer.Ordinal)
             .Select(file => CSharpSyntaxTree.ParseText(File.ReadAllText(file), options, Shown(file)));

@@ -17,7 +17,7 @@ public sealed partial record UnityVersion(int Major, int Minor, int Patch, strin
     ];
 
     /// <summary>Which set of our declarations stands for this version.</summary>
-    public string Generation => Major < 6000 ? "2022.3" : "6000.0";
+    public string Generation => Package.Generation.Of(this);
 
     public static UnityVersion Parse(string text) =>
         Find(text) ?? throw CheckException.Usage($"'{text}' is not a version of Unity such as 2022.3.17f1 or 6000.0");

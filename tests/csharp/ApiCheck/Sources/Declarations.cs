@@ -5,7 +5,8 @@ using Penumbra.ApiCheck.Package;
 namespace Penumbra.ApiCheck.Sources;
 
 /// <summary>
-/// Our declarations of Unity's API for one generation: Shared/ and the generation's folder, as the compiler sees them.
+/// Our declarations of Unity's API for one generation: Shared/, the generation's folder and that of the one it takes
+/// over, as the compiler sees them.
 /// </summary>
 public sealed class Declarations
 {
@@ -20,7 +21,7 @@ public sealed class Declarations
     public Declarations(string root, string generation, string shownFrom)
     {
         (this.root, this.shownFrom) = (root, shownFrom);
-        string[] folders = [Path.Combine(root, "Shared"), Path.Combine(root, generation)];
+        var folders = Generation.Line(generation).Prepend("Shared").Select(folder => Path.Combine(root, folder));
         files = [.. folders.Where(Directory.Exists).SelectMany(ShippedFiles.Below)
             .Where(file => file.EndsWith(".cs", StringComparison.Ordinal))];
         if (files.Length == 0)
@@ -63,6 +64,14 @@ public sealed class Declarations
         let texts = attribute.ConstructorArguments.Select(argument => argument.Value as string ?? "").ToArray()
         select new ReadFrom(texts[0], texts[1], texts[2]);
 
+    /// <summary>The same for one generation: what it says itself, else what the generation says that it takes over.</summary>
+    public static ReadFrom[] Origins(ISymbol symbol, string generation)
+    {
+        var all = Origins(symbol).ToArray();
+        return Generation.Line(generation).Select(one => all.Where(origin => origin.InGeneration() == one).ToArray())
+            .FirstOrDefault(found => found.Length > 0, []);
+    }
+
     private static bool Is(AttributeData attribute, string name) =>
         attribute.AttributeClass is { } type && type.Name == name && type.ContainingNamespace.ToDisplayString() == OwnNamespace;
 
@@ -73,8 +82,8 @@ public sealed class Declarations
 /// <summary>The attribute of a declaration: version of Unity or of the package, source, file within it.</summary>
 public sealed record ReadFrom(string Version, string Source, string Path)
 {
-    /// <summary>Whether it speaks of this generation: of 2022.3 with pipeline 14, or of 6000.0 with pipeline 17.</summary>
-    public bool IsOf(string generation) => Source == SourceFolder.Engine
-        ? Version.StartsWith(generation + ".", StringComparison.Ordinal)
-        : Version.StartsWith(generation == "2022.3" ? "14." : "17.", StringComparison.Ordinal);
+    /// <summary>That of the version.</summary>
+    public string InGeneration() => Source == SourceFolder.Engine
+        ? Generation.Of(UnityVersion.Parse(Version))
+        : Generation.OfPipeline(Version);
 }

@@ -13,6 +13,9 @@ public sealed class RealSource
     // Not part of what a project gets from the source: tools, third-party code, tests and samples.
     private static readonly string[] Outside = ["Tools", "External", "Projects", "Tests", "artifacts"];
 
+    // Unity's own, of which 6000.5 has some types that stood in Runtime/ before.
+    private const string OwnExternal = "External/ScriptingCore/";
+
     private readonly IReadOnlyList<(string Path, string Text)> conditional;
     private readonly IReadOnlyList<SyntaxTree> always;
     private readonly IReadOnlyList<Asmdef> assemblies;
@@ -36,7 +39,8 @@ public sealed class RealSource
     {
         var files = ShippedFiles.Below(folder.Root)
             .Select(file => (File: file, Path: Path.GetRelativePath(folder.Root, file).Replace('\\', '/')))
-            .Where(entry => !Outside.Contains(entry.Path.Split('/')[0])).ToArray();
+            .Where(entry => !Outside.Contains(entry.Path.Split('/')[0]) ||
+                            entry.Path.StartsWith(OwnExternal, StringComparison.Ordinal)).ToArray();
         var texts = files.Where(entry => entry.Path.EndsWith(".cs", StringComparison.Ordinal)).AsParallel().AsOrdered()
             .Select(entry => (Path: $"{folder.Source}/{entry.Path}", Text: File.ReadAllText(entry.File))).ToArray();
         var conditional = texts.Where(entry => entry.Text.Contains("#if") || entry.Text.Contains("# if")).ToArray();

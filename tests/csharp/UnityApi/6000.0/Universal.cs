@@ -5,11 +5,13 @@ using UnityEngine.Rendering.RenderGraphModule;
 
 namespace UnityEngine.Rendering.Universal
 {
+#if !UNITY_6000_5_OR_NEWER
     [ReadFrom(At.Universal17, "universal", "Runtime/Settings/RenderGraphSettings.cs")]
     public class RenderGraphSettings : IRenderPipelineGraphicsSettings
     {
         public bool enableRenderCompatibilityMode { get; set; }
     }
+#endif
 
     [ReadFrom(At.Universal17, "universal", "Runtime/UniversalRenderPipelineCore.cs")]
     public struct RenderingData

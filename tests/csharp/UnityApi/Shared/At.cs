@@ -10,5 +10,9 @@ namespace Penumbra.UnityApi
         public const string Unity6 = "6000.0.23f1";
         public const string Core17 = "17.0.4";
         public const string Universal17 = "17.0.3";
+
+        public const string Unity65 = "6000.5.2f1";
+        public const string Core175 = "17.5.0";
+        public const string Universal175 = "17.5.0";
     }
 }

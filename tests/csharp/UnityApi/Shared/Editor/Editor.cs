@@ -69,6 +69,7 @@ namespace UnityEditor
 
     [ReadFrom(At.Unity2022, "engine", "Editor/Mono/BuildPipeline.bindings.cs")]
     [ReadFrom(At.Unity6, "engine", "Editor/Mono/BuildPipeline.bindings.cs")]
+    [ReadFrom(At.Unity65, "engine", "Editor/Mono/BuildPipeline/Settings/BuildOptions.bindings.cs")]
     [Flags]
     public enum BuildOptions { None = 0, Development = 1 << 0 }
 
@@ -123,6 +124,8 @@ namespace UnityEditor
             new System.Collections.Generic.HashSet<Object>();
 
         public static void SetDirty(Object target) => Dirty.Add(target);
+
+        [ReadFrom(At.Unity65, "engine", "Editor/Mono/EditorUtility.cs")]
         public static bool DisplayDialog(string title, string message, string ok) => true;
         public static string SaveFilePanel(string title, string directory, string defaultName, string extension) => "";
     }

@@ -5,6 +5,7 @@ namespace UnityEngine
 {
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Serialization/Serialization.cs")]
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/Serialization/Serialization.cs")]
+    [AttributeUsage(AttributeTargets.Field)]
     public sealed partial class SerializeField : Attribute
     {
     }
@@ -72,6 +73,7 @@ namespace UnityEngine.Scripting
 {
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Scripting/PreserveAttribute.cs")]
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/Scripting/PreserveAttribute.cs")]
+    [ReadFrom(At.Unity65, "engine", "External/ScriptingCore/Unity.Scripting/CoreAttributes/PreserveAttribute.cs")]
     [AttributeUsage(AttributeTargets.Assembly | AttributeTargets.Class | AttributeTargets.Struct | AttributeTargets.Enum |
                     AttributeTargets.Constructor | AttributeTargets.Method | AttributeTargets.Property |
                     AttributeTargets.Field | AttributeTargets.Event | AttributeTargets.Interface |
@@ -82,6 +84,7 @@ namespace UnityEngine.Scripting
 
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Scripting/RequireDerivedAttribute.cs")]
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/Scripting/RequireDerivedAttribute.cs")]
+    [ReadFrom(At.Unity65, "engine", "External/ScriptingCore/Unity.Scripting/CoreAttributes/RequireDerivedAttribute.cs")]
     [AttributeUsage(AttributeTargets.Class)]
     public class RequireDerivedAttribute : Attribute
     {

@@ -19,6 +19,7 @@ namespace UnityEngine
 
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsComponents.bindings.cs")]
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsComponents.bindings.cs")]
+    [ReadFrom(At.Unity65, "engine", "Runtime/Export/Graphics/Light.bindings.cs")]
     public sealed partial class Light : Behaviour
     {
         [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/Light.bindings.cs")]

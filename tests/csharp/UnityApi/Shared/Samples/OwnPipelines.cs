@@ -14,7 +14,12 @@ namespace UnityEngine.Rendering
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/RenderPipeline.cs")]
     public abstract class RenderPipeline
     {
+#if UNITY_6000_1_OR_NEWER
+        [Obsolete("of 6000.1 and later")]
+        protected virtual void Render(ScriptableRenderContext context, Camera[] cameras) { }
+#else
         protected abstract void Render(ScriptableRenderContext context, Camera[] cameras);
+#endif
         protected virtual void Render(ScriptableRenderContext context, List<Camera> cameras) { }
         protected static void BeginCameraRendering(ScriptableRenderContext context, Camera camera) { }
         protected static void EndCameraRendering(ScriptableRenderContext context, Camera camera) { }
