@@ -14,7 +14,10 @@ namespace Penumbra.Editor
     internal sealed class ScreenShadowStripper : IShaderVariantStripper
     {
         private const string GBufferPass = "GBuffer";
-        private const string DeferredLighting = "Hidden/Universal Render Pipeline/StencilDeferred";
+
+        // Of Deferred, and of Deferred+.
+        private const string StencilLighting = "Hidden/Universal Render Pipeline/StencilDeferred";
+        private const string ClusterLighting = "Hidden/Universal Render Pipeline/ClusterDeferred";
 
         private static readonly ShaderKeyword Screen = new ShaderKeyword(ShadowKeywords.ScreenName);
         private static readonly ShaderKeyword Transparent = new ShaderKeyword("_SURFACE_TYPE_TRANSPARENT");
@@ -38,7 +41,7 @@ namespace Penumbra.Editor
                       !anyDeferred && IsOfDeferred(shader.name, shaderVariant.passName));
 
         internal static bool IsOfDeferred(string shader, string pass) =>
-            pass == GBufferPass || shader == DeferredLighting;
+            pass == GBufferPass || shader == StencilLighting || shader == ClusterLighting;
 
         internal static bool CanRemove(bool readsScreenTexture, bool isTransparent, bool isDrawnByNobody) =>
             !readsScreenTexture || isTransparent || isDrawnByNobody;

@@ -269,6 +269,7 @@ namespace Penumbra.Tests
         [TestCase("Universal Render Pipeline/Lit", "GBuffer", true)]
         [TestCase("Universal Render Pipeline/Lit", "ForwardLit", false)]
         [TestCase("Hidden/Universal Render Pipeline/StencilDeferred", "Deferred Directional Light (Lit)", true)]
+        [TestCase("Hidden/Universal Render Pipeline/ClusterDeferred", "Deferred Clustered Lights (Lit)", true)]
         public void WithoutADeferredRendererItsPassesGo(string shader, string pass, bool ofDeferred)
         {
             Assert.That(ScreenShadowStripper.IsOfDeferred(shader, pass), Is.EqualTo(ofDeferred));
