@@ -101,6 +101,10 @@ namespace Penumbra.Editor
                 case SkipReason.NoCasters:
                     return "nothing in view casts a shadow. Look at Cast Shadows of the renderers, and at Shadows > Max " +
                            "Distance in the URP asset.";
+                case SkipReason.InvalidCascade:
+                    return "the engine finds no view of the light for one of the cascades, and URP then draws no shadow " +
+                           "map. Look at Shadows > Cascade Count and Max Distance in the URP asset, and at Near Plane of " +
+                           "the light's shadows.";
                 case SkipReason.UnsupportedDevice:
                     return "this device has no programs for PCSS (shader model 4.5). Choose Custom, and a tent as its " +
                            "technique.";

@@ -28,6 +28,9 @@ namespace Penumbra
         /// <summary>Something casts a shadow into this camera's cascades.</summary>
         internal bool hasCasters;
 
+        /// <summary>The engine has found a view of the light for every cascade.</summary>
+        internal bool hasCascades;
+
         internal int cascadeCount;
 
         /// <summary>Of the whole atlas, in texels: the asset's shadow resolution.</summary>
@@ -49,6 +52,7 @@ namespace Penumbra
         LightWithoutShadows,
         NoShadowDistance,
         NoCasters,
+        InvalidCascade,
         MissingShader,
         CompatibilityMode,
         UnsupportedDevice,
@@ -72,7 +76,8 @@ namespace Penumbra
             if (source.mainLightIndex < 0) return SkipReason.NoMainLight;
             if (source.lightShadows == LightShadows.None) return SkipReason.LightWithoutShadows;
             if (!(source.distanceMetres > 0.0f)) return SkipReason.NoShadowDistance;
-            return source.hasCasters ? SkipReason.None : SkipReason.NoCasters;
+            if (!source.hasCasters) return SkipReason.NoCasters;
+            return source.hasCascades ? SkipReason.None : SkipReason.InvalidCascade;
         }
 
         /// <summary>

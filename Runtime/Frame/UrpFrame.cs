@@ -41,6 +41,19 @@ namespace Penumbra
             source.lightShadows = light != null ? light.shadows : LightShadows.None;
             if (source.lightShadows == LightShadows.None) return;
             source.hasCasters = data.cullResults.GetShadowCasterBounds(source.mainLightIndex, out Bounds _);
+            source.hasCascades = source.hasCasters && HasCascades(ref data, source, light.shadowNearPlane);
+        }
+
+        // What URP asks the engine for each cascade. Where one has no answer it binds an empty map instead.
+        private static bool HasCascades(ref RenderingData data, in ShadowSource source, float nearPlane)
+        {
+            int resolution = new AtlasLayout(source.mapWidth, source.cascadeCount).TileResolution;
+            for (int cascade = 0; cascade < source.cascadeCount; ++cascade)
+                if (!data.cullResults.ComputeDirectionalShadowMatricesAndCullingPrimitives(
+                        source.mainLightIndex, cascade, source.cascadeCount,
+                        data.shadowData.mainLightShadowCascadesSplit, resolution, nearPlane, out Matrix4x4 _,
+                        out Matrix4x4 _, out ShadowSplitData _)) return false;
+            return true;
         }
 
         /// <summary>What is known when the feature is asked for its passes; SetCamera adds the rest.</summary>

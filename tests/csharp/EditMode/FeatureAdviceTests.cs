@@ -78,6 +78,7 @@ namespace Penumbra.Tests
                         Does.StartWith(left).And.Contain("Shadow Type"));
             Assert.That(Skipped(SkipReason.NoShadowDistance).Single(), Does.StartWith(left).And.Contain("Max Distance"));
             Assert.That(Skipped(SkipReason.NoCasters).Single(), Does.StartWith(left).And.Contain("renderers"));
+            Assert.That(Skipped(SkipReason.InvalidCascade).Single(), Does.StartWith(left).And.Contain("Cascade Count"));
             Assert.That(Skipped(SkipReason.UnsupportedDevice).Single(), Does.StartWith(left).And.Contain("tent"));
         }
 

@@ -8,7 +8,8 @@ namespace Penumbra.Tests
         private static ShadowSource Source() => new ShadowSource
         {
             cameraType = CameraType.Game, supported = true, mainLightIndex = 0, lightShadows = LightShadows.Hard,
-            distanceMetres = 50.0f, hasCasters = true, cascadeCount = 4, mapWidth = 2048,
+            distanceMetres = 50.0f, hasCasters = true, hasCascades = true, cascadeCount = 4,
+            mapWidth = 2048,
         };
 
         private static SkipReason Reason(ShadowSource source) =>
@@ -43,6 +44,7 @@ namespace Penumbra.Tests
             Assert.That(With((ref ShadowSource s) => s.distanceMetres = float.NaN),
                         Is.EqualTo(SkipReason.NoShadowDistance));
             Assert.That(With((ref ShadowSource s) => s.hasCasters = false), Is.EqualTo(SkipReason.NoCasters));
+            Assert.That(With((ref ShadowSource s) => s.hasCascades = false), Is.EqualTo(SkipReason.InvalidCascade));
         }
 
         [TestCase(CameraType.SceneView)]

@@ -16,9 +16,15 @@ namespace Penumbra.Tests
         internal float Distance = 50.0f;
         internal bool Casters = true;
         internal int Cascades = 4;
+
+        /// <summary>The one for which the engine finds no view of the light; -1: none.</summary>
+        internal int CascadeWithoutView = -1;
         internal bool SceneLightingOff;
         internal bool DepthOnly;
         internal bool Overlay;
+
+        /// <summary>The camera draws into the back buffer, without a texture of its own. Only of Unity 6.</summary>
+        internal bool ToBackBuffer;
         internal int Views = 0;
         internal int Width = 321;
         internal int Height = 181;
@@ -27,13 +33,21 @@ namespace Penumbra.Tests
 
         /// <summary>URP draws a shadow map.</summary>
         internal bool UrpDraws => Supported && MainLight && Shadows != LightShadows.None && Distance > 0.0f &&
-                                  Casters && !SceneLightingOff;
+                                  Casters && !SceneLightingOff &&
+                                  (CascadeWithoutView < 0 || CascadeWithoutView >= Cascades);
 
         internal Camera MakeCamera()
         {
             var camera = new Camera { allowDynamicResolution = DynamicResolution };
             if (SceneLightingOff) CoreUtils.Unlit.Add(camera);
             return camera;
+        }
+
+        internal CullingResults Cull()
+        {
+            CullingResults.Missing.Clear();
+            if (CascadeWithoutView >= 0) CullingResults.Missing.Add(CascadeWithoutView);
+            return new CullingResults { HasCasters = Casters };
         }
 
         internal RenderTexture Texture() => DepthOnly ? new RenderTexture { format = RenderTextureFormat.Depth } : null;
@@ -87,13 +101,14 @@ namespace Penumbra.Tests
         {
             scene => { }, scene => scene.Supported = false, scene => scene.MainLight = false,
             scene => scene.Shadows = LightShadows.None, scene => scene.Distance = 0.0f,
-            scene => scene.Casters = false, scene => scene.SceneLightingOff = true, scene => scene.DepthOnly = true,
+            scene => scene.Casters = false, scene => scene.CascadeWithoutView = 0,
+            scene => scene.CascadeWithoutView = 2, scene => scene.SceneLightingOff = true, scene => scene.DepthOnly = true,
             scene => scene.Views = 2, scene => scene.Projection = Matrix4x4.zero,
         };
 
         public override string ToString() =>
             $"{Camera}, {Cascades} cascades, supported {Supported}, light {MainLight} {Shadows}, {Distance} m, " +
-            $"casters {Casters}, lighting off {SceneLightingOff}, depth only {DepthOnly}, views {Views}, " +
+            $"casters {Casters}, cascade without view {CascadeWithoutView}, lighting off {SceneLightingOff}, depth only {DepthOnly}, views {Views}, " +
             $"projection {Projection.m00}";
     }
 

@@ -12,7 +12,7 @@ namespace Penumbra.Tests
         internal static RenderingData Data(FakeScene scene, Camera camera)
         {
             RenderingData data = default;
-            data.cullResults.HasCasters = scene.Casters;
+            data.cullResults = scene.Cull();
             data.cameraData.camera = camera;
             data.cameraData.cameraType = scene.Camera;
             data.cameraData.renderType = scene.Overlay ? CameraRenderType.Overlay : CameraRenderType.Base;

@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using System.Linq;
 using Unity.Collections;
 using UnityEngine;
@@ -17,7 +18,7 @@ namespace Penumbra.Tests
         {
             var frame = new ContextContainer();
             frame.Items[typeof(UniversalRenderingData)] =
-                new UniversalRenderingData { cullResults = new CullingResults { HasCasters = scene.Casters } };
+                new UniversalRenderingData { cullResults = scene.Cull() };
             frame.Items[typeof(UniversalLightData)] = new UniversalLightData
             {
                 mainLightIndex = scene.MainLight ? 0 : -1,
@@ -40,7 +41,7 @@ namespace Penumbra.Tests
             frame.Items[typeof(UniversalResourceData)] = new UniversalResourceData
             {
                 cameraDepthTexture = Texture("_CameraDepthTexture"),
-                Colour = Texture("_CameraColorTexture"),
+                Colour = Texture(scene.ToBackBuffer ? "back buffer" : "_CameraColorTexture"),
                 mainShadowsTexture = Texture("_MainLightShadowmapTexture"),
             };
             return new RenderingData(frame);
@@ -56,26 +57,37 @@ namespace Penumbra.Tests
             var renderer = new FakeRenderer();
             feature?.AddRenderPasses(renderer, ref data);
             Graph = new RenderGraph();
-            bool opaquesDrawn = false;
+            TextureHandle colour = data.Frame.Get<UniversalResourceData>().activeColorTexture;
+            var own = new Queue<(string name, int before)>(OwnDraws);
             // The graph is recorded whole before any of it runs.
             foreach (ScriptableRenderPass pass in renderer.Queue.OrderBy(pass => (int)pass.renderPassEvent))
             {
-                if (!IsBeforeOpaques(pass)) AddOpaques(ref opaquesDrawn);
+                AddOwn(own, (int)pass.renderPassEvent, colour);
                 pass.RecordRenderGraph(Graph, data.Frame);
             }
-            AddOpaques(ref opaquesDrawn);
+            AddOwn(own, int.MaxValue, colour);
             foreach (RenderGraph.Pass pass in Graph.Passes.ToList())
             {
                 if (pass.Name == "opaques") DrawOpaques(keywords);
-                else Run(pass, context);
+                else if (pass.Name == "transparents") keywords.AtTransparents = Now();
+                else if (pass.Data != null) Run(pass, context);
             }
-            keywords.AtTransparents = Now();
         }
 
-        private void AddOpaques(ref bool drawn)
+        // What URP itself draws into the camera's colour, and the event whose passes come behind it.
+        private static readonly (string name, int before)[] OwnDraws =
         {
-            if (!drawn) Graph.Passes.Add(new RenderGraph.Pass { Name = "opaques" });
-            drawn = true;
+            ("occlusion mesh", (int)RenderPassEvent.BeforeRenderingGbuffer), ("opaques", 250),
+            ("transparents", (int)RenderPassEvent.AfterRenderingTransparents),
+        };
+
+        private void AddOwn(Queue<(string name, int before)> own, int next, in TextureHandle colour)
+        {
+            while (own.Count > 0 && own.Peek().before <= next)
+                Graph.Passes.Add(new RenderGraph.Pass
+                {
+                    Name = own.Dequeue().name, IsRaster = true, Attachment = colour,
+                });
         }
 
         private static void Run(RenderGraph.Pass pass, ScriptableRenderContext context)

@@ -33,6 +33,7 @@ namespace UnityEngine.Rendering.Universal
         public int mainLightShadowmapWidth;
         public int mainLightShadowmapHeight;
         public int mainLightShadowCascadesCount;
+        public Vector3 mainLightShadowCascadesSplit;
     }
 
     [ReadFrom(At.Universal14, "universal", "Runtime/UniversalRenderPipelineCore.cs")]

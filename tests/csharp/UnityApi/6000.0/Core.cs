@@ -84,6 +84,8 @@ namespace UnityEngine.Rendering
 
         public void SetGlobalVector(int nameID, Vector4 value) => Wrapped.SetGlobalVector(nameID, value);
 
+        public void SetKeyword(in GlobalKeyword keyword, bool value) => Wrapped.SetKeyword(keyword, value);
+
         public void DrawProcedural(Matrix4x4 matrix, Material material, int shaderPass, MeshTopology topology,
                                    int vertexCount, int instanceCount, MaterialPropertyBlock properties) =>
             Wrapped.DrawProcedural(matrix, material, shaderPass, topology, vertexCount, instanceCount, properties);
@@ -125,7 +127,7 @@ namespace UnityEngine.Rendering.RenderGraphModule
     }
 
     [ReadFrom(At.Core17, "core", "Runtime/RenderGraph/RenderGraph.cs")]
-    public struct RasterGraphContext
+    public partial struct RasterGraphContext
     {
         public RasterCommandBuffer cmd;
     }
@@ -174,6 +176,7 @@ namespace UnityEngine.Rendering.RenderGraphModule
             public TextureHandle Attachment;
             public List<(TextureHandle texture, AccessFlags access)> Textures =
                 new List<(TextureHandle, AccessFlags)>();
+            public bool IsRaster;
             public List<(TextureHandle texture, int property)> Globals = new List<(TextureHandle, int)>();
 
             public void UseTexture(in TextureHandle input, AccessFlags flags) => Textures.Add((input, flags));
@@ -198,7 +201,7 @@ namespace UnityEngine.Rendering.RenderGraphModule
                                                                  [CallerLineNumber] int line = 0)
             where PassData : class, new()
         {
-            return Add(passName, out passData);
+            return Add(passName, isRaster: false, out passData);
         }
 
         public IRasterRenderGraphBuilder AddRasterRenderPass<PassData>(string passName, out PassData passData,
@@ -207,13 +210,14 @@ namespace UnityEngine.Rendering.RenderGraphModule
                                                                        [CallerLineNumber] int line = 0)
             where PassData : class, new()
         {
-            return Add(passName, out passData);
+            return Add(passName, isRaster: true, out passData);
         }
 
-        private Pass Add<PassData>(string passName, out PassData passData) where PassData : class, new()
+        private Pass Add<PassData>(string passName, bool isRaster, out PassData passData)
+            where PassData : class, new()
         {
             passData = new PassData();
-            var pass = new Pass { Name = passName, Data = passData };
+            var pass = new Pass { Name = passName, Data = passData, IsRaster = isRaster };
             Passes.Add(pass);
             return pass;
         }

@@ -54,6 +54,7 @@ namespace UnityEngine.Rendering.Universal
         public ref int mainLightShadowmapWidth => ref Data.mainLightShadowmapWidth;
         public ref int mainLightShadowmapHeight => ref Data.mainLightShadowmapHeight;
         public ref int mainLightShadowCascadesCount => ref Data.mainLightShadowCascadesCount;
+        public ref Vector3 mainLightShadowCascadesSplit => ref Data.mainLightShadowCascadesSplit;
     }
 
     [ReadFrom(At.Universal17, "universal", "Runtime/UniversalRenderPipelineCore.cs")]
@@ -93,6 +94,7 @@ namespace UnityEngine.Rendering.Universal
         public int mainLightShadowmapWidth;
         public int mainLightShadowmapHeight;
         public int mainLightShadowCascadesCount;
+        public Vector3 mainLightShadowCascadesSplit;
 
         public override void Reset() { }
     }

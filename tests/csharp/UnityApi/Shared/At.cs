@@ -8,7 +8,7 @@ namespace Penumbra.UnityApi
         public const string Universal14 = "14.0.9";
 
         public const string Unity6 = "6000.0.23f1";
-        public const string Core17 = "17.0.4";
+        public const string Core17 = "17.0.3";
         public const string Universal17 = "17.0.3";
 
         public const string Unity65 = "6000.5.2f1";

@@ -50,6 +50,7 @@ namespace UnityEngine.Rendering.Universal
     [ReadFrom(At.Universal17, "universal", "Runtime/Passes/ScriptableRenderPass.cs")]
     public enum RenderPassEvent
     {
+        AfterRenderingPrePasses = 200,
         BeforeRenderingGbuffer = 210,
         AfterRenderingGbuffer = 220,
         BeforeRenderingTransparents = 450,

@@ -1,0 +1,9 @@
+using Penumbra.UnityApi;
+
+namespace UnityEngine.Rendering.Universal
+{
+    public partial class UniversalRendererData
+    {
+        public bool tileOnlyMode { get; set; }
+    }
+}
