@@ -59,7 +59,7 @@ namespace Penumbra
         {
 #if UNITY_6000_0_OR_NEWER
             shadowPass = shadowPass ?? new GraphShadowPass();
-            restorePass = restorePass ?? new GraphRestorePass();
+            restorePass = restorePass ?? new GraphRestorePass(shadowPass);
             debugPass = debugPass ?? new GraphDebugPass(shadowPass);
 #else
             shadowPass = shadowPass ?? new ClassicShadowPass();

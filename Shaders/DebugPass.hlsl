@@ -5,7 +5,8 @@
 // Source:     Screen/DebugColours.hlsl; the width: Filters/PcssAngular.hlsl, for every technique.
 // Inputs:     those of ScreenPass.hlsl and Shadows.hlsl as the frame's own passes had them; URP's
 //             _ScreenSpaceShadowmapTexture; _PenumbraMaskTexture; _PenumbraDebugParams: x 1 where there is a mask, y 1
-//             where the camera draws over another's picture.
+//             where the camera draws over another's picture, z 1 where the picture's rows run the other way than those
+//             of the frame's textures.
 // Cost:       the width: a blocker search; the others: 2 to 7 fetches.
 // Guarantees: black on the sky, or nothing over another camera's picture; alpha 1. A width below a
 //             texel is blue: a tent filter draws such a penumbra as well.
@@ -36,14 +37,22 @@ struct DebugPixel
     PenumbraMainLight shadow;
 };
 
+// The position of the same pixel in the frame's textures.
+float2 TexturePosition(float4 positionCS)
+{
+    const bool reversed = _PenumbraDebugParams.z > 0.5;
+    return float2(positionCS.x, reversed ? _PenumbraScreenSize.y - positionCS.y : positionCS.y);
+}
+
 DebugPixel ReadDebugPixel(float4 positionCS)
 {
     const ScreenView view = ViewOfThisEye();
+    const float2 position = TexturePosition(positionCS);
     DebugPixel here;
-    here.pixel = int2(positionCS.xy);
+    here.pixel = int2(position);
     here.visibility = LOAD_TEXTURE2D_X(_ScreenSpaceShadowmapTexture, here.pixel).x;
     here.surface = ReadCameraSurface(_CameraDepthTexture, view, here.pixel);
-    here.shadow = PreparePenumbraMainLight(here.surface.positionWS, here.surface.normalWS, positionCS.xy);
+    here.shadow = PreparePenumbraMainLight(here.surface.positionWS, here.surface.normalWS, position);
     return here;
 }
 

@@ -16,6 +16,9 @@ namespace Penumbra.Editor
 
         internal bool depthPriming;
         internal bool deferred;
+
+        /// <summary>The renderer keeps the picture on the GPU's tiles. Of URP 17.5.</summary>
+        internal bool tileOnly;
         internal PenumbraShadowsSettings settings;
 
         /// <summary>Why the last camera was left to URP.</summary>
@@ -49,6 +52,11 @@ namespace Penumbra.Editor
                 Say(MessageType.Error, "The render graph is switched off (Project Settings > Graphics > Compatibility " +
                                        "Mode). Penumbra records with the render graph only on Unity 6: switch " +
                                        "Compatibility Mode off. URP draws its own shadows meanwhile.");
+            if (state.tileOnly && state.depthPriming)
+                Say(MessageType.Error, "Tile-Only Mode and Depth Priming are on in this renderer. For the depth texture that " +
+                                       "this feature reads, URP then copies the primed depth, which Tile-Only Mode does not " +
+                                       "allow: the frame ends with an exception. Set Depth Priming (Renderer > Rendering) to " +
+                                       "Disabled.");
             if (!state.mainLightShadows)
                 Say(MessageType.Warning, "Cast Shadows of the main light is off in the URP asset: there is no shadow " +
                                          "map to filter. Switch it on under Lighting > Main Light.");
@@ -66,7 +74,7 @@ namespace Penumbra.Editor
                                       "upscaler averages frames; elsewhere penumbrae shimmer.");
             if (showsView && state.debugShaderFound)
                 Say(MessageType.Info, "A debug view is drawn over the picture, here and in development builds.");
-            if (!state.deferred && !state.depthPriming)
+            if (!state.deferred && !state.depthPriming && !state.tileOnly)
                 Say(MessageType.Info, "Forward rendering draws a depth prepass for this feature. Depth Priming (Renderer " +
                                       "> Rendering) lets the opaque pass use it too.");
             return found;

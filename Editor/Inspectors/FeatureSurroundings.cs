@@ -42,6 +42,9 @@ namespace Penumbra.Editor
             if (!(renderer is UniversalRendererData universal)) return;
             state.depthPriming = universal.depthPrimingMode != DepthPrimingMode.Disabled;
             state.deferred = IsDeferred(universal);
+#if UNITY_6000_5_OR_NEWER
+            state.tileOnly = universal.tileOnlyMode;
+#endif
         }
 
         /// <summary>True as well for a renderer that is not URP's own: it may be.</summary>

@@ -29,10 +29,14 @@ namespace Penumbra
             for (int i = 0; i < names.Length; ++i) passes[i] = material.FindPass(names[i]);
         }
 
-        /// <summary>`overlay`: the camera before shows where this one sees nothing.</summary>
-        internal void Draw(Commands commands, DebugView view, bool hasMask, bool overlay)
+        /// <summary>
+        /// `overlay`: the camera before shows where this one sees nothing. `upsideDown`: the target's rows run the other
+        /// way than the chain's.
+        /// </summary>
+        internal void Draw(Commands commands, DebugView view, bool hasMask, bool overlay, bool upsideDown)
         {
-            commands.SetGlobalVector(Params, new Vector4(hasMask ? 1.0f : 0.0f, overlay ? 1.0f : 0.0f, 0.0f, 0.0f));
+            commands.SetGlobalVector(Params, new Vector4(hasMask ? 1.0f : 0.0f, overlay ? 1.0f : 0.0f,
+                                                         upsideDown ? 1.0f : 0.0f, 0.0f));
             commands.DrawProcedural(Matrix4x4.identity, material, passes[(int)view], MeshTopology.Triangles, 3, 1, null);
         }
     }

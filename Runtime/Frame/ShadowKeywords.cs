@@ -1,5 +1,10 @@
 using UnityEngine;
 using UnityEngine.Rendering;
+#if UNITY_6000_0_OR_NEWER
+using RasterCommands = UnityEngine.Rendering.RasterCommandBuffer;
+#else
+using RasterCommands = UnityEngine.Rendering.CommandBuffer;
+#endif
 
 namespace Penumbra
 {
@@ -38,7 +43,7 @@ namespace Penumbra
         }
 
         /// <summary>As URP's shadow pass has left them; it uses one of the two for as many cascades.</summary>
-        internal void Restore(CommandBuffer commands, int cascadeCount)
+        internal void Restore(RasterCommands commands, int cascadeCount)
         {
             if (!IsOpen) return;
             commands.SetKeyword(screen, false);

@@ -27,7 +27,7 @@ namespace Penumbra
             if (!shadows.HasDrawn) return;
             CommandBuffer commands = CommandBufferPool.Get();
             using (new ProfilingScope(commands, profilingSampler))
-                draw.Draw(commands, shadows.Options.debugView, shadows.HasMask, shadows.IsOverlay);
+                draw.Draw(commands, shadows.Options.debugView, shadows.HasMask, shadows.IsOverlay, upsideDown: false);
             context.ExecuteCommandBuffer(commands);
             CommandBufferPool.Release(commands);
         }

@@ -14,6 +14,7 @@ namespace Penumbra
             internal DebugView view;
             internal bool hasMask;
             internal bool overlay;
+            internal TextureHandle picture;
         }
 
         private readonly GraphShadowPass shadows;
@@ -25,8 +26,11 @@ namespace Penumbra
             // Gizmos come between the transparents and post-processing.
             renderPassEvent = RenderPassEvent.AfterRenderingTransparents;
             profilingSampler = new ProfilingSampler("Penumbra Debug View");
-            // Instead of the back buffer, whose rows run the other way than the chain's textures on some devices.
+#if !UNITY_6000_5_OR_NEWER
+            // Instead of the back buffer, whose rows run the other way than the chain's textures on some devices. Later
+            // versions say which way a target's rows run, and their Tile-Only Mode has nothing but the back buffer.
             requiresIntermediateTexture = true;
+#endif
         }
 
         internal void Setup(DebugViewDraw draw) { this.draw = draw; }
@@ -42,7 +46,8 @@ namespace Penumbra
                 data.view = shadows.Options.debugView;
                 data.hasMask = shadows.Mask.IsValid();
                 data.overlay = shadows.IsOverlay;
-                builder.SetRenderAttachment(resources.activeColorTexture, 0, AccessFlags.Write);
+                data.picture = resources.activeColorTexture;
+                builder.SetRenderAttachment(data.picture, 0, AccessFlags.Write);
                 builder.UseTexture(shadows.Visibility, AccessFlags.Read);
                 if (data.hasMask) builder.UseTexture(shadows.Mask, AccessFlags.Read);
                 if (resources.cameraDepthTexture.IsValid()) builder.UseTexture(resources.cameraDepthTexture);
@@ -50,8 +55,18 @@ namespace Penumbra
                 builder.AllowGlobalStateModification(true);
                 builder.SetRenderFunc(static (PassData passData, RasterGraphContext context) =>
                                           passData.draw.Draw(context.cmd, passData.view, passData.hasMask,
-                                                             passData.overlay));
+                                                             passData.overlay, IsUpsideDown(context, passData.picture)));
             }
+        }
+
+        // The chain's textures begin with their lowest row, as all that are no back buffer.
+        private static bool IsUpsideDown(in RasterGraphContext context, in TextureHandle picture)
+        {
+#if UNITY_6000_5_OR_NEWER
+            return context.GetTextureUVOrigin(picture) == TextureUVOrigin.TopLeft;
+#else
+            return false;
+#endif
         }
     }
 }

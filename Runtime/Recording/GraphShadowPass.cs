@@ -7,8 +7,10 @@ using UnityEngine.Rendering.Universal;
 namespace Penumbra
 {
     /// <summary>
-    /// Unity 6: draws the chain in one unsafe pass and switches receivers to its texture. One event serves every
-    /// rendering path: asking for depth before the G-buffer gives all of them a depth prepass, and deferred keeps its
+    /// Unity 6: draws the chain and switches receivers to its texture. One unsafe pass, because its draws change their
+    /// targets, which a raster pass cannot. So it must not stand between two draws of the camera: it comes right behind
+    /// the depth prepass, before anything is drawn into the camera's colour, be it XR's occlusion mesh. One event serves
+    /// every rendering path: asking for depth there gives all of them a full depth prepass, and deferred keeps its
     /// G-buffer and lighting in one native pass.
     /// </summary>
     internal sealed class GraphShadowPass : ScriptableRenderPass
@@ -35,7 +37,7 @@ namespace Penumbra
 
         internal GraphShadowPass()
         {
-            renderPassEvent = RenderPassEvent.BeforeRenderingGbuffer;
+            renderPassEvent = RenderPassEvent.AfterRenderingPrePasses + 1;
             profilingSampler = new ProfilingSampler("Penumbra Shadows");
         }
 

@@ -105,12 +105,23 @@ namespace Penumbra.Tests
         }
 
         [Test]
+        public void TileOnlyModeHasNoPlaceForDepthPriming()
+        {
+            FeatureState state = Sound();
+            state.deferred = false;
+            state.tileOnly = state.depthPriming = true;
+            Assert.That(Texts(state, MessageType.Error).Single(), Does.Contain("Depth Priming").And.Contain("Disabled"));
+            state.depthPriming = false;
+            Assert.That(FeatureAdvice.For(state), Is.Empty);
+        }
+
+        [Test]
         public void TheWorstComesFirst()
         {
             FeatureState state = default;
             state.settings = new PenumbraShadowsSettings { noise = NoiseMode.PerFrame, debugView = DebugView.Cascades };
             state.lastSkip = SkipReason.NoCasters;
-            state.compatibilityMode = state.urpScreenSpaceShadows = true;
+            state.compatibilityMode = state.urpScreenSpaceShadows = state.tileOnly = state.depthPriming = true;
             Assert.That(FeatureAdvice.For(state).Select(advice => (int)advice.type), Is.Ordered.Descending);
         }
     }

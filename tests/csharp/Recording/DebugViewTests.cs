@@ -150,14 +150,17 @@ namespace Penumbra.Tests
         }
 
         [Test]
-        public void ThePictureIsATexture()
+        public void ThePictureIsATextureOrItsRowsAreAskedFor()
         {
             feature.Settings.debugView = DebugView.Visibility;
             var renderer = new RoomForPasses();
             RenderingData data = FakeUrp.Data(new FakeScene(), new Camera());
             feature.AddRenderPasses(renderer, ref data);
             ScriptableRenderPass last = renderer.Queue.OrderBy(pass => (int)pass.renderPassEvent).Last();
-#if UNITY_6000_0_OR_NEWER
+#if UNITY_6000_5_OR_NEWER
+            Assert.That(last.renderPassEvent, Is.EqualTo(RenderPassEvent.AfterRenderingTransparents));
+            Assert.That(last.requiresIntermediateTexture, Is.False, "it asks which way the rows run");
+#elif UNITY_6000_0_OR_NEWER
             Assert.That(last.renderPassEvent, Is.EqualTo(RenderPassEvent.AfterRenderingTransparents));
             Assert.That(last.requiresIntermediateTexture);
 #else

@@ -257,6 +257,11 @@ namespace Penumbra.Tests
             draw.Prepare(feature.Settings.Options());
             RTHandle[] slots = draw.Chain.Slots.Select(slot => new RTHandle()).ToArray();
             var commands = new CommandBuffer();
+#if UNITY_6000_0_OR_NEWER
+            var restoring = new RasterCommandBuffer { Wrapped = commands };
+#else
+            CommandBuffer restoring = commands;
+#endif
             CommandBuffer.Silent = true;
             void OneFrame()
             {
@@ -265,7 +270,7 @@ namespace Penumbra.Tests
                 draw.Prepare(feature.Settings.Options());
                 draw.Draw(commands, frame, slots);
                 ShadowKeywords.Global.Open(commands);
-                ShadowKeywords.Global.Restore(commands, 4);
+                ShadowKeywords.Global.Restore(restoring, 4);
             }
 
             OneFrame();

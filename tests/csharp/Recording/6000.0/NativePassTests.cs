@@ -1,0 +1,71 @@
+using System.Linq;
+using NUnit.Framework;
+using UnityEngine;
+using UnityEngine.Rendering.RenderGraphModule;
+
+namespace Penumbra.Tests
+{
+    /// <summary>
+    /// A GPU with tiles keeps the picture on the chip from the camera's first draw to its last, if every pass in between
+    /// is a raster pass on the same colour that reads no attachment as a texture. In URP's Tile-Only Mode anything else
+    /// throws while the frame is recorded.
+    /// </summary>
+    public sealed class NativePassTests
+    {
+        private PenumbraShadows feature;
+
+        [SetUp]
+        public void SetUp()
+        {
+            FakeShader.Install();
+            feature = new PenumbraShadows();
+            feature.Create();
+            feature.Settings.preset = QualityPreset.High;
+        }
+
+        [TearDown]
+        public void TearDown() => feature.Dispose();
+
+        private RenderGraph.Pass[] Recorded(FakeScene scene)
+        {
+            var urp = new FakeUrp();
+            urp.Render(scene, feature);
+            return urp.Graph.Passes.ToArray();
+        }
+
+        private static bool Draws(RenderGraph.Pass pass) =>
+            pass.IsRaster && pass.Attachment.IsValid() && pass.Attachment.Handle.What == "_CameraColorTexture";
+
+        [Test]
+        public void NothingStandsBetweenTheCamerasDraws()
+        {
+            foreach (DebugView view in System.Enum.GetValues(typeof(DebugView)))
+            {
+                feature.Settings.debugView = view;
+                foreach (FakeScene scene in FakeScene.Every())
+                {
+                    RenderGraph.Pass[] passes = Recorded(scene);
+                    RenderGraph.Pass[] between = passes.SkipWhile(pass => !Draws(pass)).ToArray();
+                    Assert.That(between.First().Name, Is.EqualTo("occlusion mesh"), scene.ToString());
+                    Assert.That(between.Where(pass => !Draws(pass)).Select(pass => pass.Name), Is.Empty,
+                                scene.ToString());
+                    Assert.That(between.SelectMany(pass => pass.Textures).Select(use => use.texture.Handle.What),
+                                Has.None.EqualTo("_CameraColorTexture"), scene.ToString());
+                }
+            }
+        }
+
+        [Test]
+        public void TheChainIsDrawnBeforeThem()
+        {
+            RenderGraph.Pass[] passes = Recorded(new FakeScene());
+            Assert.That(passes.First(pass => pass.Data != null).Name, Is.EqualTo("Penumbra Shadows"));
+            Assert.That(passes.TakeWhile(pass => !Draws(pass)).Count(), Is.EqualTo(1));
+        }
+
+        [Test]
+        public void NothingIsRestoredWhereNothingWasSwitched() =>
+            Assert.That(Recorded(new FakeScene { Projection = Matrix4x4.zero }).Select(pass => pass.Name),
+                        Is.EqualTo(new[] { "occlusion mesh", "opaques", "transparents" }));
+    }
+}
