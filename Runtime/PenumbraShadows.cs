@@ -19,7 +19,7 @@ namespace Penumbra
 #if UNITY_EDITOR
         // Keeps the variants of URP's shaders that read the screen-space texture in the player.
         [UnityEditor.ShaderKeywordFilter.SelectIf(true, keywordNames: ShadowKeywords.ScreenName)]
-        private const bool RequiresScreenSpaceShadows = true;
+        private const bool RequiresScreenSpaceShadows = !UrpFrame.MetaQuest;
 #endif
 
         [Tooltip("The passes' shader. The feature finds it by itself and keeps it here, so that players contain it.")]

@@ -113,6 +113,10 @@ namespace Penumbra.Editor
                     return "the engine finds no view of the light for one of the cascades, and URP then draws no shadow " +
                            "map. Look at Shadows > Cascade Count and Max Distance in the URP asset, and at Near Plane of " +
                            "the light's shadows.";
+                case SkipReason.MetaQuest:
+                    return "with the build profile Meta Quest, shaders of this URP version light opaque surfaces before they " +
+                           "look for this feature's shadow. In shaders of your own, PenumbraMainLightVisibility of " +
+                           "Shadows.hlsl works.";
                 case SkipReason.UnsupportedDevice:
                     return "this device has no programs for PCSS (shader model 4.5). Choose Custom, and a tent as its " +
                            "technique.";

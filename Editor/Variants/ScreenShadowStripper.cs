@@ -9,7 +9,7 @@ namespace Penumbra.Editor
     /// it go, and URP's own lets these go unless its own Screen Space Shadows feature is there: so this one objects,
     /// while a renderer of the project has the feature. Transparents never read the texture, and without a deferred
     /// renderer nobody draws a G-buffer. What URP would drop for yet another reason (a light cookie that no light has)
-    /// stays: strippers are not told the others' reasons.
+    /// stays: strippers are not told the others' reasons. For Meta Quest, where nobody draws them, it objects to nothing.
     /// </summary>
     internal sealed class ScreenShadowStripper : IShaderVariantStripper
     {
@@ -30,7 +30,7 @@ namespace Penumbra.Editor
             get
             {
                 anyDeferred = FeaturesInProject.AnyDeferred;
-                return FeaturesInProject.Any;
+                return FeaturesInProject.Any && !UrpFrame.MetaQuest;
             }
         }
 

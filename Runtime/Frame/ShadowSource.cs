@@ -16,6 +16,9 @@ namespace Penumbra
         /// <summary>Scene view with its light bulb off.</summary>
         internal bool sceneLightingOff;
 
+        /// <summary>URP's receivers do not get to the screen-space texture: see UrpFrame.MetaQuest.</summary>
+        internal bool metaQuest;
+
         /// <summary>The asset, the quality level and the device allow main light shadows.</summary>
         internal bool supported;
 
@@ -56,6 +59,7 @@ namespace Penumbra
         MissingShader,
         CompatibilityMode,
         UnsupportedDevice,
+        MetaQuest,
     }
 
     internal static class FrameGate
@@ -68,6 +72,7 @@ namespace Penumbra
         {
             if (source.cameraType == CameraType.Preview) return SkipReason.PreviewCamera;
             if (source.depthOnly) return SkipReason.DepthOnlyCamera;
+            if (source.metaQuest) return SkipReason.MetaQuest;
             if (source.cameraType == CameraType.SceneView && !settings.sceneView) return SkipReason.SceneViewOff;
             if (source.cameraType == CameraType.Reflection && !settings.reflectionProbes)
                 return SkipReason.ReflectionProbesOff;

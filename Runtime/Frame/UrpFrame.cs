@@ -14,12 +14,25 @@ namespace Penumbra
     /// <summary>Reads URP's frame into ours.</summary>
     internal static class UrpFrame
     {
+        /// <summary>
+        /// With the build profile Meta Quest, URP 17.5's MainLightRealtimeShadow (ShaderLibrary/Shadows.hlsl) returns 1
+        /// where the shadow's coordinate is not within 0 and 1, before it looks at the screen-space texture. Forward
+        /// receivers give it that texture's coordinate as yet undivided by w: almost all of them would be lit. URP 17.3
+        /// has no such line. Nobody has looked into 17.4, which counts as 17.5.
+        /// </summary>
+#if UNITY_META_QUEST && UNITY_6000_4_OR_NEWER
+        internal const bool MetaQuest = true;
+#else
+        internal const bool MetaQuest = false;
+#endif
+
         internal static ShadowSource Source(ref RenderingData data)
         {
             ShadowSource source = default;
             source.cameraType = data.cameraData.cameraType;
             RenderTexture texture = data.cameraData.targetTexture;
             source.depthOnly = texture != null && texture.format == RenderTextureFormat.Depth;
+            source.metaQuest = MetaQuest;
             source.supported = data.shadowData.supportsMainLightShadows;
             source.mainLightIndex = data.lightData.mainLightIndex;
             source.distanceMetres = data.cameraData.maxShadowDistance;

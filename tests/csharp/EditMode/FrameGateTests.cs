@@ -33,6 +33,7 @@ namespace Penumbra.Tests
             Assert.That(With((ref ShadowSource s) => s.cameraType = CameraType.Preview),
                         Is.EqualTo(SkipReason.PreviewCamera));
             Assert.That(With((ref ShadowSource s) => s.depthOnly = true), Is.EqualTo(SkipReason.DepthOnlyCamera));
+            Assert.That(With((ref ShadowSource s) => s.metaQuest = true), Is.EqualTo(SkipReason.MetaQuest));
             Assert.That(With((ref ShadowSource s) => s.sceneLightingOff = true),
                         Is.EqualTo(SkipReason.SceneLightingOff));
             Assert.That(With((ref ShadowSource s) => s.supported = false), Is.EqualTo(SkipReason.ShadowsOff));
