@@ -110,7 +110,7 @@ TEST_F(MeasureFrom, TitlesStandInTheFormsOfAReadme) {
               testing::AllOf(HasSubstr("| No filter, `hard` |"), HasSubstr("| The tent's, `tent-5` |")));
   EXPECT_THAT(readme({"--brief"}), testing::AllOf(HasSubstr("| No filter |"), HasSubstr("| The tent's |")));
   EXPECT_THAT(readme({"--line", "--rows", "tent-5"}),
-              testing::AllOf(HasSubstr("against ray tracing, 2° light"), HasSubstr(": The tent's "),
+              testing::AllOf(HasSubstr("against ray tracing; 2° light"), HasSubstr(": The tent's: "),
                              testing::Not(HasSubstr("No filter"))));
   const platform::ChildResult both =
       run({"measure", "--from", results, "--readme", "README.md", "--line", "--brief"});
