@@ -56,6 +56,28 @@ TEST_F(PreCommit, StagedIncludesAreFound) {
   EXPECT_EQ(hook("-- Assets/Good.hlsl").exit_code, 0);
 }
 
+TEST_F(PreCommit, IncludesMayLeadAnywhereInTheRepositoryAndNotOutOfIt) {
+  write("Common/Part.hlsl", "float Half(float x) { return 0.5 * x; }\n");
+  const std::string main = "float4 Main(float2 uv : TEXCOORD0) : SV_Target { return Half(uv.x); }\n";
+  write("Assets/Good.hlsl", "#include \"../Common/Part.hlsl\"\n" + main);
+  git("git add .");
+  EXPECT_EQ(hook("-- Assets/Good.hlsl").exit_code, 0);
+  write("Assets/Good.hlsl", "#include \"../../../etc/hostname\"\n" + main);
+  git("git add .");
+  const auto outside = hook("-- Assets/Good.hlsl");
+  EXPECT_EQ(outside.exit_code, 1);
+  EXPECT_THAT(outside.output, HasSubstr("outside of the project"));
+}
+
+TEST_F(PreCommit, AFilesNameIsNoOption) {
+  write("--output=taken.hlsl", read("Assets/Good.hlsl"));
+  git("git add .");
+  const auto result = hook("-- --output=taken.hlsl");
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_FALSE(std::filesystem::exists(path("taken.hlsl")));
+  EXPECT_THAT(result.output, HasSubstr("1 variant"));
+}
+
 TEST_F(PreCommit, WithoutFilesItTakesTheShadersOfTheCommit) {
   write("Assets/Old.shader", "Shader \"Old\" {}\n");
   git("git add . && git commit -q -m first");
@@ -65,7 +87,7 @@ TEST_F(PreCommit, WithoutFilesItTakesTheShadersOfTheCommit) {
   write("Assets/Good.hlsl", "// changed\n");
   git("git add 'Assets/a b.shader' Assets/Kernel.compute Assets/Good.hlsl");
   EXPECT_EQ(hook("--jobs 1", stub_program(0).string()).exit_code, 0);
-  EXPECT_EQ(read("called"), "validate\n--jobs\n1\nAssets/Kernel.compute\nAssets/a b.shader\n");
+  EXPECT_EQ(read("called"), "validate\n--jobs\n1\n--\nAssets/Kernel.compute\nAssets/a b.shader\n");
 }
 
 TEST_F(PreCommit, StopsACommitThatGitMakes) {

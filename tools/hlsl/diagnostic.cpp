@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "input/visible_text.h"
+
 namespace penumbra::hlsl {
 
 namespace {
@@ -30,15 +32,21 @@ std::string blanks_before(const std::string& line, int column) {
 }  // namespace
 
 std::string format(const Diagnostic& diagnostic) {
-  std::string text = diagnostic.file;
+  std::string text = visible(diagnostic.file);
   if (diagnostic.line > 0) text += ":" + std::to_string(diagnostic.line);
   if (diagnostic.line > 0 && diagnostic.column > 0) text += ":" + std::to_string(diagnostic.column);
   if (!text.empty()) text += ": ";
-  text += std::string(severity_name(diagnostic.severity)) + ": " + diagnostic.message;
+  text += std::string(severity_name(diagnostic.severity)) + ": " + visible(diagnostic.message);
   if (diagnostic.line == 0 || diagnostic.source_line.empty()) return text;
-  text += "\n    " + diagnostic.source_line;
-  if (diagnostic.column > 0)
-    text += "\n    " + blanks_before(diagnostic.source_line, diagnostic.column) + "^";
+  const std::string_view line = diagnostic.source_line;
+  text += "\n    " + visible_line(line);
+  if (diagnostic.column > 0) {
+    // Escapes are wider than what they stand for.
+    const std::size_t before = std::min(line.size(), static_cast<std::size_t>(diagnostic.column - 1));
+    const std::string shown = visible_line(line.substr(0, before));
+    const std::size_t beyond = static_cast<std::size_t>(diagnostic.column - 1) - before;
+    text += "\n    " + blanks_before(shown, static_cast<int>(shown.size() + beyond) + 1) + "^";
+  }
   return text;
 }
 

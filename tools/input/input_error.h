@@ -4,15 +4,19 @@
 #include <stdexcept>
 #include <string>
 
+#include "input/visible_text.h"
+
 namespace penumbra {
 
 // where: "file", "file:line" or "file:line:column", or empty when the input has no place of its own.
-// what() is "where: problem" followed, when there is one, by "\n  way out".
+// what() is "where: problem" followed, when there is one, by "\n  way out", with control characters as
+// escapes (visible_text.h): names and texts of untrusted files stand in all three. The way out may have
+// several lines.
 class InputError : public std::runtime_error {
  public:
   InputError(const std::string& where, const std::string& problem, const std::string& way_out = {})
-      : std::runtime_error((where.empty() ? problem : where + ": " + problem) +
-                           (way_out.empty() ? "" : "\n  " + way_out)) {}
+      : std::runtime_error(visible(where.empty() ? problem : where + ": " + problem) +
+                           (way_out.empty() ? "" : "\n  " + visible_lines(way_out))) {}
 };
 
 // A missing device, package root or program: exit code 3.

@@ -1,0 +1,43 @@
+#include "input/visible_text.h"
+
+#include <gtest/gtest.h>
+
+#include "input/input_error.h"
+
+namespace penumbra {
+namespace {
+
+TEST(VisibleText, PlainTextStays) {
+  EXPECT_EQ(visible("Wood \xC3\xA9t\xC3\xA9 \xE2\x80\xA6 \\ ~ \xF0\x9F\x8C\xB3"),
+            "Wood \xC3\xA9t\xC3\xA9 \xE2\x80\xA6 \\ ~ \xF0\x9F\x8C\xB3");
+  EXPECT_EQ(visible(""), "");
+  EXPECT_EQ(visible("\xC2\xA0\xFF\xE2\x80"), "\xC2\xA0\xFF\xE2\x80")
+      << "no-break space; bytes that are no UTF-8";
+}
+
+TEST(VisibleText, ControlCharactersAreEscapes) {
+  EXPECT_EQ(visible("a\n::error::b\r\t\x1B[2J\x1B]0;t\a\x7F"),
+            "a\\n::error::b\\r\\t\\x1B[2J\\x1B]0;t\\x07\\x7F");
+  EXPECT_EQ(visible(std::string_view("\0", 1)), "\\x00");
+  EXPECT_EQ(visible("\xC2\x9B"
+                    "31m\xC2\x80\xC2\x9F"),
+            "\\x9B31m\\x80\\x9F")
+      << "U+009B begins an escape sequence, too";
+  EXPECT_EQ(visible_line("\tx\n"), "\tx\\n");
+}
+
+TEST(VisibleText, TheDirectionOfReadingDoesNotTurn) {
+  EXPECT_EQ(visible("a\xE2\x80\xAE"
+                    "b\xE2\x80\xAA\xE2\x81\xA6\xE2\x81\xA9"),
+            "a\\u202Eb\\u202A\\u2066\\u2069");
+  EXPECT_EQ(visible("\xE2\x80\xA9\xE2\x80\xAF\xE2\x81\xA5\xE2\x81\xAA"),
+            "\xE2\x80\xA9\xE2\x80\xAF\xE2\x81\xA5\xE2\x81\xAA");
+}
+
+TEST(VisibleText, MessagesOfErrorsAreVisible) {
+  EXPECT_STREQ(InputError("a\nb", "name '\x1B[1m'\n::error::x", "use 'c\x1B'\n  or d").what(),
+               "a\\nb: name '\\x1B[1m'\\n::error::x\n  use 'c\\x1B'\n  or d");
+}
+
+}  // namespace
+}  // namespace penumbra
