@@ -83,6 +83,7 @@ TEST_F(IncludeSearchTest, FoldersAboveTheRootKeepTheirCase) {
 
 TEST_F(IncludeSearchTest, AssetsWithoutAProjectSayWhatIsMissing) {
   roots.project.clear();
+  roots.own = {files.path()};
   EXPECT_EQ(found("Assets/Shaders/Noise.hlsl"),
             "cannot find 'Assets/Shaders/Noise.hlsl'; tried " +
                 files.text("Assets/Shaders/Inner/Assets/Shaders/Noise.hlsl") +
@@ -136,6 +137,40 @@ TEST_F(IncludeSearchTest, CgincRootIsLookedAtLast) {
                 "is this the folder of an editor that has it?");
   files.write("Assets/Shaders/Inner/UnityCG.cginc", "");
   EXPECT_EQ(found("UnityCG.cginc"), "Assets/Shaders/Inner/UnityCG.cginc");
+}
+
+TEST_F(IncludeSearchTest, NothingOutsideOfTheRootsIsFound) {
+  const ProjectFolder elsewhere;
+  const std::string secret = elsewhere.write("Secret.hlsl", "").string();
+  const std::string climbing =
+      elsewhere.path("Secret.hlsl").lexically_relative(files.path("Assets/Shaders/Inner")).string();
+  std::filesystem::create_symlink(secret, files.path("Assets/Shaders/Inner/Link.hlsl"));
+  for (const std::string& asked : {secret, climbing, std::string("Link.hlsl"), elsewhere.text("secret.hlsl"),
+                                   elsewhere.text("Secrets.hlsl")}) {
+    const IncludeSearch search = find(asked);
+    EXPECT_FALSE(search.file) << asked;
+    EXPECT_THAT(search.problem, testing::HasSubstr("outside of the project")) << asked;
+    EXPECT_THAT(search.problem, testing::Not(testing::HasSubstr("did you mean")))
+        << "what is elsewhere is not told";
+  }
+  EXPECT_FALSE(find("link.HLSL").file) << "a name that differs only in case";
+  roots.directories.push_back(elsewhere.path());
+  EXPECT_EQ(find(secret).file, secret);
+}
+
+TEST_F(IncludeSearchTest, AnOutsidePlaceDoesNotHideALaterOne) {
+  files.write("Assets/Shaders/Inner/etc/hostname", "");
+  EXPECT_EQ(found("/etc/hostname"), "Assets/Shaders/Inner/etc/hostname");
+}
+
+TEST_F(IncludeSearchTest, WhatBelongsToTheCompiledFileIsFound) {
+  const ProjectFolder repository;
+  const auto shader = repository.write("Shaders/Main.shader", "");
+  const auto common = repository.write("Common.hlsl", "");
+  IncludeRoots own;
+  EXPECT_FALSE(find_include(own, "../Common.hlsl", shader).file);
+  own.own.push_back(repository.path());
+  EXPECT_EQ(find_include(own, "../Common.hlsl", shader).file, common);
 }
 
 }  // namespace

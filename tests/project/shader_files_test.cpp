@@ -58,6 +58,25 @@ TEST(ShaderFiles, LinksAreFollowedAndCyclesEnd) {
               ElementsAre("Assets/A/a.shader", "Assets/linked/b.shader"));
 }
 
+TEST(ShaderFiles, LinksOutOfTheProjectAreLeftOutAndNamed) {
+  const ProjectFolder files;
+  const ProjectFolder elsewhere;
+  files.write("Assets/a.shader", "");
+  elsewhere.write("b.shader", "");
+  fs::create_directory_symlink(elsewhere.path(), files.path("Assets/linked"));
+  fs::create_symlink(elsewhere.path("b.shader"), files.path("Assets/b.shader"));
+  fs::create_symlink(elsewhere.path("b.shader"), files.path("Assets/b.txt"));
+  const ShaderFiles found = find_shader_files(files.path(), {});
+  EXPECT_THAT(shown(found), ElementsAre("Assets/a.shader"));
+  EXPECT_THAT(
+      formatted(found.problems),
+      testing::UnorderedElementsAre(HasSubstr("Assets/linked: warning: is a link out of the project"),
+                                    HasSubstr("Assets/b.shader: warning: is a link out of the project")));
+  ShaderSelection selection;
+  selection.places = {elsewhere.path()};
+  EXPECT_EQ(find_shader_files(files.path(), selection).files.size(), 1u) << "named on the command line";
+}
+
 TEST(ShaderFiles, PatternsChooseAndDrop) {
   const ProjectFolder files;
   for (const char* name : {"Assets/Water/a.shader", "Assets/Water/Old/b.shader", "Assets/Fire/c.shader"})

@@ -49,6 +49,20 @@ TEST(Include, LooksBesideTheIncludingFileThenInTheIncludeFolders) {
   EXPECT_EQ(hlsl::has_errors(compile(request).diagnostics), false);
 }
 
+// Errors of an include show the line they are about.
+TEST(Include, NoLineOfAFileOutsideIsShown) {
+  const ShaderFiles files;
+  const ShaderFiles elsewhere;
+  elsewhere.write("secret.txt", "password=hunter2\n");
+  files.write("main.hlsl",
+              compute_shader("1", "#include \"" + elsewhere.path("secret.txt").string() + "\"\n"));
+  const CompileResult result = compile(files.request("main.hlsl"));
+  EXPECT_THAT(only_message(result),
+              testing::AllOf(HasSubstr("main.hlsl:"), HasSubstr("outside of the project"),
+                             testing::Not(HasSubstr("hunter2"))));
+  EXPECT_THAT(result.dependencies, testing::ElementsAre(files.path("main.hlsl")));
+}
+
 TEST(Include, DependenciesAreTheFilesRead) {
   const ShaderFiles files;
   files.write("a.hlsl", "#define A 1\n");

@@ -9,6 +9,7 @@
 #include "project/caseless_file.h"
 #include "project/editor_includes.h"
 #include "project/folder_entries.h"
+#include "project/include_bounds.h"
 
 namespace penumbra::project {
 
@@ -90,12 +91,24 @@ std::string ambiguous_message(std::string_view asked, const std::vector<fs::path
   return "cannot find '" + std::string(asked) + "'; more than one file differs from it only in case: " + list;
 }
 
+IncludeBounds bounds_of(const IncludeRoots& roots) {
+  IncludeBounds bounds;
+  for (const fs::path& folder : roots.directories) bounds.add(folder);
+  for (const PackageRoot& package : roots.packages) bounds.add(package.directory);
+  for (const fs::path& folder : roots.own) bounds.add(folder);
+  bounds.add(roots.project);
+  bounds.add(roots.cginc);
+  return bounds;
+}
+
 // Files that differ from what is asked only in case, at the first place that has one.
-bool find_other_case(const Places& places, std::string_view asked, IncludeSearch& search) {
+bool find_other_case(const Places& places, std::string_view asked, const IncludeBounds& bounds,
+                     IncludeSearch& search) {
   std::vector<Place> all = places.other_case;
   all.insert(all.end(), places.tried.begin(), places.tried.end());
   for (const Place& place : all) {
-    const std::vector<fs::path> files = files_ignoring_case(place.base, place.rest);
+    std::vector<fs::path> files = files_ignoring_case(place.base, place.rest);
+    std::erase_if(files, [&](const fs::path& file) { return !bounds.contain(file); });
     if (files.empty()) continue;
     if (files.size() > 1) {
       search.problem = ambiguous_message(asked, files);
@@ -110,9 +123,10 @@ bool find_other_case(const Places& places, std::string_view asked, IncludeSearch
 }
 
 // The name of an existing file that is closest to the one asked for, in the folders that were tried.
-std::string nearest_file(const std::vector<Place>& tried) {
+std::string nearest_file(const std::vector<Place>& tried, const IncludeBounds& bounds) {
   for (const Place& place : tried) {
     const fs::path file = place.file();
+    if (!bounds.contain(file.parent_path())) continue;
     std::vector<std::string> names;
     std::error_code error;
     for (fs::directory_iterator entry(file.parent_path().empty() ? "." : file.parent_path(), error), end;
@@ -125,7 +139,14 @@ std::string nearest_file(const std::vector<Place>& tried) {
   return {};
 }
 
-std::string missing_message(std::string_view asked, const Places& places) {
+// Says nothing of whether there is such a file.
+std::string outside_message(std::string_view asked, const fs::path& file) {
+  return "'" + std::string(asked) + "' leads to " + file.string() +
+         ", outside of the project, the packages, the include folders and the shader's own repository or "
+         "folder; if it may be read, name its folder with -I DIR";
+}
+
+std::string missing_message(std::string_view asked, const Places& places, const IncludeBounds& bounds) {
   std::string message = "cannot find '" + std::string(asked) + "'";
   std::vector<Place> tried = places.other_case;
   tried.insert(tried.end(), places.tried.begin(), places.tried.end());
@@ -137,7 +158,7 @@ std::string missing_message(std::string_view asked, const Places& places) {
     named.push_back(file);
   }
   if (!places.hint.empty()) message += "; " + places.hint;
-  const std::string nearest = nearest_file(tried);
+  const std::string nearest = nearest_file(tried, bounds);
   if (!nearest.empty()) message += "; did you mean " + nearest + "?";
   return message;
 }
@@ -157,18 +178,27 @@ IncludeSearch find_include(const IncludeRoots& roots, std::string_view asked, co
   Places places = places_of(roots, header, includer);
   const std::string_view editor_name = editor_include(header);
   if (!roots.cginc.empty()) places.tried.push_back({roots.cginc, header});
+  const IncludeBounds bounds = bounds_of(roots);
   IncludeSearch search;
+  std::optional<fs::path> outside;
   for (const Place& place : places.tried) {
-    if (is_there(place.file())) {
-      search.file = place.file();
+    const fs::path file = place.file();
+    if (!bounds.contain(file)) {
+      if (!outside) outside = file;
+      continue;
+    }
+    if (is_there(file)) {
+      search.file = file;
       return search;
     }
-    search.absent.push_back(place.file());
+    search.absent.push_back(file);
   }
-  if (find_other_case(places, asked, search)) return search;
+  if (find_other_case(places, asked, bounds, search)) return search;
   search.missing_editor_include = editor_name;
-  search.problem =
-      editor_name.empty() ? missing_message(asked, places) : missing_editor_message(editor_name, roots.cginc);
+  if (!editor_name.empty())
+    search.problem = missing_editor_message(editor_name, roots.cginc);
+  else
+    search.problem = outside ? outside_message(asked, *outside) : missing_message(asked, places, bounds);
   return search;
 }
 

@@ -3,8 +3,9 @@
 // "include and include_with_pragmas directives in HLSL").
 //
 // Unity's own forgiveness is kept: backslashes, doubled slashes, "./" and "../", a version behind a package's
-// name (Packages/NAME@1.2.3/...). Case counts; when nothing has exactly that name, one file that differs only
-// in case is taken, as disks of Windows and macOS do, with a warning that names the right spelling.
+// name (Packages/NAME@1.2.3/...). Files outside of the roots are not read (include_bounds.h). Case counts;
+// when nothing has exactly that name, one file that differs only in case is taken, as disks of Windows and
+// macOS do, with a warning that names the right spelling.
 #pragma once
 
 #include <filesystem>
@@ -22,6 +23,8 @@ struct IncludeRoots {
   std::vector<std::filesystem::path> directories;
   std::filesystem::path project;  // holds Assets/; empty when there is none
   std::filesystem::path cginc;    // the editor's CGIncludes; empty when there is none
+  std::vector<std::filesystem::path>
+      own;  // own_tree() of what is compiled: not searched, but includes may lead there
 };
 
 struct IncludeSearch {

@@ -9,6 +9,7 @@
 #include "input/input_error.h"
 #include "input/nearest_name.h"
 #include "project/ascii_case.h"
+#include "project/include_bounds.h"
 #include "project/json_diagnostic.h"
 #include "project/package_manifest.h"
 #include "project/path_pattern.h"
@@ -34,16 +35,20 @@ bool is_hidden(const fs::path& path) {
 }
 
 // Folders first as they are, links to folders after all of them, so that what a link shows twice keeps its
-// own path.
+// own path. Links that lead out of the repository or project are not followed.
 class ShaderWalk {
  public:
-  // `packages`: the project's Packages/, where only a folder with a package.json counts.
-  ShaderWalk(const fs::path& packages, std::vector<hlsl::Diagnostic>& problems) : problems_(problems) {
+  // In the project's Packages/ only a folder with a package.json counts.
+  ShaderWalk(const fs::path& project, std::vector<hlsl::Diagnostic>& problems) : problems_(problems) {
     std::error_code ignored;
-    packages_ = fs::canonical(packages, ignored);
+    packages_ = fs::canonical(project / "Packages", ignored);
+    bounds_.add(project);
   }
 
-  void add(const fs::path& folder) { folders_.push_back(folder); }
+  void add(const fs::path& folder) {
+    folders_.push_back(folder);
+    bounds_.add(own_tree(folder / "Any.shader"));
+  }
 
   std::vector<fs::path> run() {
     while (!folders_.empty() || !links_.empty()) {
@@ -65,6 +70,7 @@ class ShaderWalk {
     for (const fs::directory_iterator end; !error && entry != end; entry.increment(error)) {
       if (is_hidden(entry->path())) continue;
       std::error_code ignored;
+      if (entry->is_symlink(ignored) && leads_out(*entry)) continue;
       if (!entry->is_directory(ignored)) {
         if (is_imported_shader(entry->path()) && entry->is_regular_file(ignored))
           files_.push_back(entry->path());
@@ -77,7 +83,18 @@ class ShaderWalk {
           diagnostic_of(folder, hlsl::Severity::warning, "cannot be listed: " + error.message()));
   }
 
+  bool leads_out(const fs::directory_entry& link) {
+    std::error_code ignored;
+    const bool matters = link.is_directory(ignored) || is_imported_shader(link.path());
+    if (!matters || bounds_.contain(link.path())) return false;
+    problems_.push_back(diagnostic_of(link.path(), hlsl::Severity::warning,
+                                      "is a link out of the project and is left out; name what it leads to on"
+                                      " the command line to have it validated"));
+    return true;
+  }
+
   std::vector<hlsl::Diagnostic>& problems_;
+  IncludeBounds bounds_;
   fs::path packages_;
   std::vector<fs::path> folders_;
   std::vector<fs::path> links_;
@@ -167,7 +184,7 @@ class Filter {
 
 ShaderFiles find_shader_files(const fs::path& project, const ShaderSelection& selection) {
   ShaderFiles result;
-  ShaderWalk walk(project / "Packages", result.problems);
+  ShaderWalk walk(project, result.problems);
   std::vector<fs::path> named;
   for (const fs::path& place : selection.places) add_place(place, walk, named);
   if (selection.places.empty()) {

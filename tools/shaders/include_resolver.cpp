@@ -4,6 +4,7 @@
 #include <string_view>
 #include <utility>
 
+#include "project/include_bounds.h"
 #include "shaders/source_memory.h"
 
 namespace penumbra::shaders {
@@ -38,13 +39,23 @@ Place place_of_include(std::string_view text, std::string_view asked) {
   return {1, 0};
 }
 
+project::IncludeRoots roots_of(const CompileRequest& request) {
+  project::IncludeRoots roots{request.package_roots,
+                              request.include_directories,
+                              request.project,
+                              request.cginc_root,
+                              {project::own_tree(request.file)}};
+  for (const IncludeOverlay& overlay : request.overlays) roots.own.push_back(overlay.file);
+  return roots;
+}
+
 }  // namespace
 
 IncludeResolver::IncludeResolver(const CompileRequest& request, hlsl::SourceFiles& sources,
                                  SourceMemory& memory, const preparation::MacroArguments& arguments,
                                  std::set<std::string> undefined_by_main_file)
     : request_(request),
-      roots_{request.package_roots, request.include_directories, request.project, request.cginc_root},
+      roots_(roots_of(request)),
       roots_key_(key_of(roots_)),
       sources_(sources),
       memory_(memory),

@@ -7,6 +7,7 @@
 
 #include "hlsl/source_text.h"
 #include "input/input_error.h"
+#include "project/include_bounds.h"
 #include "shaderlab/compute.h"
 #include "shaderlab/parse.h"
 #include "shaderlab/programs.h"
@@ -24,9 +25,10 @@ std::string read(const project::ShaderFile& file) {
 }
 
 // Files that #include_with_pragmas names.
-variants::FindIncluded finder(const project::IncludeRoots& roots) {
-  return [&roots](const std::string& name,
-                  const std::string& includer) -> std::optional<variants::IncludedText> {
+variants::FindIncluded finder(project::IncludeRoots roots, const std::string& file) {
+  roots.own.push_back(project::own_tree(file));
+  return [roots = std::move(roots)](const std::string& name,
+                                    const std::string& includer) -> std::optional<variants::IncludedText> {
     const project::IncludeSearch found = project::find_include(roots, name, includer);
     if (!found.file) return std::nullopt;
     hlsl::SourceRead source = hlsl::read_source(*found.file);
@@ -212,7 +214,7 @@ void ShaderSources::add_program(const SourceProgram& program) {
     one.targets = platform.targets;
     one.vulkan = platform.vulkan;
     one.pragmas = variants::read_pragmas(
-        {one.file, one.text, variants::pragma_defines(one.platform), finder(options_.roots)});
+        {one.file, one.text, variants::pragma_defines(one.platform), finder(options_.roots, one.file)});
     const bool broken = hlsl::has_errors(one.pragmas.diagnostics);
     const bool first = !std::exchange(said, true);
     if (first) say(one.file, one.shader, one.pass, one.pragmas.diagnostics);

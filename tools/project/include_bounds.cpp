@@ -1,0 +1,71 @@
+#include "project/include_bounds.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <system_error>
+
+#include "project/folder_entries.h"
+#include "project/package_manifest.h"
+
+namespace penumbra::project {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* git_folder = ".git";
+
+fs::path without_links(const fs::path& path) {
+  std::error_code error;
+  const fs::path absolute = fs::absolute(path, error).lexically_normal();
+  fs::path real = fs::weakly_canonical(absolute, error);
+  if (error) real = absolute;
+  return real.has_filename() || real == real.root_path() ? real : real.parent_path();
+}
+
+bool is_below(const fs::path& file, const fs::path& root) {
+  return std::mismatch(root.begin(), root.end(), file.begin(), file.end()).first == root.end();
+}
+
+bool is_unity_project(const fs::path& folder) {
+  std::error_code ignored;
+  return fs::is_directory(folder / "Assets", ignored) &&
+         fs::is_directory(folder / "ProjectSettings", ignored);
+}
+
+// The nearest folder above the file for which `is_one` holds; empty without one. The disk's root never is,
+// nor is the user's home folder, which some keep in git.
+template <typename IsOne>
+fs::path nearest_above(const fs::path& file, IsOne is_one) {
+  const char* home = std::getenv("HOME");
+  for (fs::path folder = file.parent_path(); folder != folder.root_path(); folder = folder.parent_path()) {
+    if (home != nullptr && folder == fs::path(home).lexically_normal()) continue;
+    if (is_one(folder)) return folder;
+  }
+  return {};
+}
+
+}  // namespace
+
+fs::path own_tree(const fs::path& file) {
+  std::error_code error;
+  const fs::path absolute = fs::absolute(file, error).lexically_normal();
+  const auto has_git = [](const fs::path& folder) { return is_there(folder / git_folder); };
+  fs::path tree = nearest_above(absolute, has_git);
+  if (tree.empty()) tree = nearest_above(absolute, is_unity_project);
+  if (tree.empty()) tree = nearest_above(absolute, has_package_manifest);
+  return tree.empty() ? absolute.parent_path() : tree;
+}
+
+void IncludeBounds::add(const fs::path& root) {
+  if (!root.empty()) roots_.push_back(without_links(root));
+}
+
+bool IncludeBounds::contain(const fs::path& file) const {
+  const fs::path real = without_links(file);
+  if (std::find(real.begin(), real.end(), git_folder) != real.end()) return false;
+  return std::any_of(roots_.begin(), roots_.end(),
+                     [&](const fs::path& root) { return is_below(real, root); });
+}
+
+}  // namespace penumbra::project
