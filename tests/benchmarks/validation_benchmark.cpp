@@ -293,7 +293,7 @@ void urp_lighting(benchmark::State& state) {
 
 int main(int argc, char** argv) {
   using namespace penumbra::validation;  // NOLINT(google-build-using-namespace)
-  if (argc == 2 && std::string_view(argv[1]) == worker_mode) return serve_units();
+  if (argc > 1 && std::string_view(argv[1]) == worker_mode) return serve_units({argv + 2, argv + argc});
   ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);     // NOLINT(concurrency-mt-unsafe)
   if (std::getenv("PENUMBRA_URP_PACKAGES") != nullptr)  // NOLINT(concurrency-mt-unsafe)
     benchmark::RegisterBenchmark("urp_lighting", urp_lighting)

@@ -22,17 +22,17 @@
 
 #include "input/input_error.h"
 #include "platform/child_process.h"
+#include "platform/forbidden_attempts.h"
 #include "platform/interrupt.h"
 #include "platform/process_end.h"
 #include "platform/terminal.h"
+#include "platform/test_worker.h"
 
 namespace penumbra::platform {
 namespace {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-constexpr const char* worker_mode = "--misbehave-on-demand";
 
 void eat_memory() {
   constexpr std::size_t bite = std::size_t{8} << 20;
@@ -76,6 +76,8 @@ std::string misbehave(const std::string& message, WorkerLink& link) {
     for (int line = 0; line < 20'000; ++line) std::puts("m noise with every kind of frame in it: aaaa hhhh");
     std::fflush(stdout);
   }
+  if (message.starts_with("try ")) return attempt(message.substr(4));
+  if (message == "answer at length") return std::string(std::size_t{3} << 20U, 'x');
   if (message == "ask") return "answered " + link.ask("what?");
   if (message == "grow") {  // and keep it, as a leak does, but within the limit
     static std::vector<std::string> kept;
@@ -200,6 +202,19 @@ TEST(WorkerPool, AWorkerThatHasGrownIsReplacedBeforeItCountsAgainstAMessage) {
   EXPECT_LT(messages_of.size(), 20U) << "replaced for no reason";
 }
 
+TEST(WorkerPool, MemoryThatIsTakenAtOnceEndsAtTheLimitToo) {
+  WorkerPool pool = small_pool(1);
+  pool.limits.memory = std::size_t{512} << 20U;
+  EXPECT_EQ(run_one("try to allocate 64 GiB", pool).failure, "took more than 512 MiB of memory");
+}
+
+TEST(WorkerPool, AnAnswerThatIsTooLongIsAFailure) {
+  WorkerPool pool = small_pool(1);
+  pool.limits.answer = std::size_t{2} << 20U;
+  EXPECT_EQ(run_one("answer at length", pool).failure, "gave an answer of more than 2 MiB");
+  EXPECT_THAT(ask_worker(pool, "a").answer, HasSubstr("a done"));
+}
+
 TEST(WorkerPool, ADeadWorkersNoteAndLastWordsAreKept) {
   const WorkerOutcome outcome = run_one("note and crash");
   EXPECT_EQ(outcome.note, "second");
@@ -283,17 +298,21 @@ TEST_P(Stopped, ProgramLeavesNoWorker) {
 
 INSTANTIATE_TEST_SUITE_P(By, Stopped, testing::Values("INT", "TERM", "KILL"));
 
-std::string sleep_and_tell(const std::string& file, WorkerLink&) {
-  std::ofstream(file) << ::getpid() << "\n" << std::flush;
+std::string sleep_for_long(const std::string&, WorkerLink&) {
   std::this_thread::sleep_for(std::chrono::hours(1));
   return {};
+}
+
+// Told before it is confined: after that it writes no file.
+int sleep_and_tell(const std::string& file) {
+  return serve_worker(sleep_for_long, [&] { std::ofstream(file) << ::getpid() << "\n" << std::flush; });
 }
 
 int run_a_sleeper(const std::string& file) {
   watch_interrupts();
   WorkerPool pool;
-  pool.arguments = {"--sleep-and-tell"};
-  Messages source({file});
+  pool.arguments = {"--sleep-and-tell", file};
+  Messages source({"sleep"});
   try {
     run_workers(pool, source);
   } catch (const Interrupted&) {
@@ -309,7 +328,7 @@ int main(int argc, char** argv) {
   const std::string mode = argc > 1 ? argv[1] : "";
   if (mode == penumbra::platform::worker_mode)
     return penumbra::platform::serve_worker(penumbra::platform::misbehave);
-  if (mode == "--sleep-and-tell") return penumbra::platform::serve_worker(penumbra::platform::sleep_and_tell);
+  if (mode == "--sleep-and-tell") return penumbra::platform::sleep_and_tell(argv[2]);
   if (mode == "--run-a-sleeper") return penumbra::platform::run_a_sleeper(argv[2]);
   testing::InitGoogleTest(&argc, argv);
   return RUN_ALL_TESTS();

@@ -1,7 +1,10 @@
 #include "validation/engine.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
@@ -327,9 +330,15 @@ TEST_F(Isolation, AWorkerThatIsKilledEveryTimeFailsItsUnit) {
 }
 
 TEST_F(Isolation, AWorkerThatIsKilledOnceIsForgiven) {
-  const UnitResult result = run_with("kill-once:" + files_.path("killed").string() + "@msl23").results[1];
+  const std::string pipe = files_.path("once").string();
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const int descriptor = ::open(pipe.c_str(), O_RDWR | O_NONBLOCK);
+  ASSERT_EQ(::write(descriptor, "x", 1), 1);
+  const UnitResult result = run_with("kill-once:" + pipe + "@msl23").results[1];
   EXPECT_THAT(statuses(result), ElementsAre(passed, passed, passed));
-  EXPECT_TRUE(std::filesystem::exists(files_.path("killed")));
+  char byte = 0;
+  EXPECT_EQ(::read(descriptor, &byte, 1), -1) << "no worker was killed";
+  ::close(descriptor);
 }
 
 TEST_F(Isolation, UnitsOfOneTextShareItsCrash) {

@@ -57,7 +57,7 @@ UnitReply full_reply() {
   reply.compile_cached = true;
   reply.text = "text";
   reply.damaged = 3;
-  reply.written = 1'000'000'007;
+  reply.to_keep = {{EntryKind::emitted, std::string(32, 'a'), "content"}};
   return reply;
 }
 
@@ -70,6 +70,14 @@ void expect_round_trip(const std::string& bytes, const Decode& decode) {
   for (std::size_t length = 0; length < bytes.size(); ++length)
     EXPECT_FALSE(decode(std::string_view(bytes).substr(0, length)).has_value()) << length;
   EXPECT_FALSE(decode(bytes + "x").has_value());
+}
+
+TEST(UnitEncoding, AKeyThatIsNoHashIsRefused) {  // it becomes the name of a file
+  for (const char* key : {"", "../../../../home/user/.profile1234", "0123456789abcdef0123456789abcde/"}) {
+    UnitReply reply;
+    reply.to_keep = {{EntryKind::compile, key, "content"}};
+    EXPECT_FALSE(decode_reply(encode(reply))) << key;
+  }
 }
 
 TEST(UnitEncoding, GoesThereAndBack) {
@@ -98,7 +106,10 @@ TEST(UnitEncoding, KeepsEveryMember) {
   const UnitReply reply = *decode_reply(encode(full_reply()));
   EXPECT_EQ(reply.emitted->at(1).at(1).source_line, "the line");
   EXPECT_EQ(reply.emitted->at(1).at(1).rule, "rule");
-  EXPECT_EQ(reply.written, 1'000'000'007U);
+  ASSERT_EQ(reply.to_keep.size(), 1U);
+  EXPECT_EQ(reply.to_keep[0].kind, EntryKind::emitted);
+  EXPECT_EQ(reply.to_keep[0].key, std::string(32, 'a'));
+  EXPECT_EQ(reply.to_keep[0].content, "content");
 }
 
 TEST(Keys, HoldTheBuildAndTheDrivers) {

@@ -1,32 +1,38 @@
 // The test program is its own worker, as the product is. One kind of worker behaves as the product's; another
 // does on demand what compilers do at their worst, which the product cannot be told to do.
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <string>
 #include <thread>
 
 #include "validation/answer_unit.h"
 #include "validation/cache_processes.h"
+#include "validation/target_check.h"
 #include "validation/unit_message.h"
 #include "validation/validation_units.h"
 
 namespace penumbra::validation {
 namespace {
 
+// From a pipe in the file system, which holds one: a worker can write nothing down.
+bool takes_a_byte(const std::string& pipe) {
+  const int descriptor = ::open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+  char byte = 0;
+  const bool taken = ::read(descriptor, &byte, 1) == 1;
+  ::close(descriptor);
+  return taken;
+}
+
 void misbehave(const std::string& how) {
   if (how == "crash") std::abort();
   if (how == "kill") std::raise(SIGKILL);
-  // "kill-once:FILE", which is there from the first time on.
-  if (how.starts_with("kill-once:") && !std::filesystem::exists(how.substr(10))) {
-    std::ofstream(how.substr(10)) << "was here";
-    std::raise(SIGKILL);
-  }
+  if (how.starts_with("kill-once:") && takes_a_byte(how.substr(10))) std::raise(SIGKILL);
   if (how == "hang") std::this_thread::sleep_for(std::chrono::hours(1));
   while (how == "eat") {
     constexpr std::size_t bite = std::size_t{8} << 20U;
@@ -74,9 +80,11 @@ std::string answer_or_misbehave(const std::string& job, platform::WorkerLink& li
 int main(int argc, char** argv) {
   namespace validation = penumbra::validation;
   const std::string mode = argc > 1 ? argv[1] : "";
-  if (mode == validation::worker_mode) return validation::serve_units();
+  if (mode == validation::worker_mode) return validation::serve_units({argv + 2, argv + argc});
   if (mode == validation::misbehaving_mode)
-    return penumbra::platform::serve_worker(validation::answer_or_misbehave);
+    return penumbra::platform::serve_worker(validation::answer_or_misbehave, [argc, argv] {
+      validation::open_drivers({argv + 2, argv + argc});
+    });
   if (mode == validation::cache_user_mode) return validation::use_cache(argc, argv);
   testing::InitGoogleTest(&argc, argv);
   return RUN_ALL_TESTS();

@@ -11,8 +11,8 @@
 
 int main(int argc, char** argv) {
   try {
-    if (argc == 2 && std::string_view(argv[1]) == penumbra::validation::worker_mode)
-      return penumbra::validation::serve_units();
+    if (argc > 1 && std::string_view(argv[1]) == penumbra::validation::worker_mode)
+      return penumbra::validation::serve_units({argv + 2, argv + argc});
     penumbra::platform::watch_interrupts();
     return penumbra::cli::run_command_line({argv + 1, argv + argc});
   } catch (...) {

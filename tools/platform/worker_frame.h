@@ -1,8 +1,10 @@
 // How a pool and its workers talk: frames of a kind, a length and a content. Internal to this room.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,7 +15,7 @@ namespace penumbra::platform {
 inline constexpr int worker_frames_descriptor = 3;
 
 enum class FrameKind : char {
-  settings = 's',     // to the worker, first: seconds of processor time for each message
+  settings = 's',     // to the worker, first: the limits
   message = 'm',      // to the worker
   reply = 'r',        // to the worker: the answer to its question
   ready = 'h',        // from the worker, first
@@ -29,17 +31,33 @@ struct Frame {
   std::string content;
 };
 
+inline constexpr std::size_t frame_head_size = 1 + sizeof(std::uint64_t);
+
+std::array<char, frame_head_size> frame_head(FrameKind kind, std::size_t content_size);
 std::string frame_bytes(FrameKind kind, std::string_view content);
 
-// Takes bytes as they come and gives whole frames; one of no kind once they cannot be frames.
+// A failure, whichever end notices it first.
+std::string too_much_memory(std::size_t limit);
+
+// Takes bytes as they come and gives whole frames; one of no kind, and nothing after it, once the bytes
+// cannot be frames or one has more than `largest` bytes.
 class FrameReader {
  public:
-  void add(const char* bytes, std::size_t count) { pending_.append(bytes, count); }
+  explicit FrameReader(std::size_t largest) : largest_(largest) {}
+
+  void add(const char* bytes, std::size_t count);
   std::optional<Frame> next();
 
  private:
-  std::string pending_;
-  std::size_t at_ = 0;  // what stands before has been given
+  void begin();
+
+  std::size_t largest_;
+  std::array<char, frame_head_size> head_{};
+  std::size_t head_filled_ = 0;
+  std::uint64_t length_ = 0;
+  std::string content_;
+  std::deque<Frame> whole_;
+  bool broken_ = false;
 };
 
 }  // namespace penumbra::platform

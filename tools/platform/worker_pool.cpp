@@ -57,8 +57,10 @@ std::string seconds_text(std::chrono::milliseconds time) {
   return count % 1000 == 0 ? std::to_string(count / 1000) + " s" : std::to_string(count) + " ms";
 }
 
-std::string memory_text(std::size_t bytes) {
-  return std::to_string(bytes >> 20U) + " MiB of memory";
+// As serve_worker() reads it.
+std::string settings_text(const WorkerLimits& limits) {
+  return std::to_string(limits.processor_time.count()) + " " + std::to_string(limits.memory) + " " +
+         std::to_string(limits.answer);
 }
 
 // A worker and the message it works at.
@@ -99,15 +101,14 @@ class Seat {
     if (!ready_ && spent > start_limit) throw EnvironmentError("a worker process did not start in time");
     if (!busy_ || spent < watch_interval) return;
     if (spent > pool_.limits.time) return fail("took longer than " + seconds_text(pool_.limits.time));
-    if (process_->resident_bytes() > pool_.limits.memory)
-      fail("took more than " + memory_text(pool_.limits.memory));
+    if (process_->resident_bytes() > pool_.limits.memory) fail(too_much_memory(pool_.limits.memory));
   }
 
  private:
   void start() {
-    process_ = std::make_unique<WorkerProcess>(pool_.arguments);
+    process_ = std::make_unique<WorkerProcess>(pool_.arguments, pool_.limits.answer);
     ready_ = false;
-    process_->send(FrameKind::settings, std::to_string(pool_.limits.processor_time.count()));
+    process_->send(FrameKind::settings, settings_text(pool_.limits));
   }
 
   void take(Frame frame) {
@@ -202,10 +203,30 @@ void serve_seats(std::vector<Seat>& seats) {
   }
 }
 
+class OneMessage final : public WorkSource {
+ public:
+  explicit OneMessage(std::string content) : message_({0, std::move(content)}) {}
+
+  std::optional<WorkerMessage> next() override { return std::exchange(message_, std::nullopt); }
+  std::string answer_question(std::size_t, const std::string&) override { return {}; }
+  void finished(std::size_t, WorkerOutcome of_it) override { outcome = std::move(of_it); }
+
+  WorkerOutcome outcome;
+
+ private:
+  std::optional<WorkerMessage> message_;
+};
+
 }  // namespace
 
 bool worker_processes_supported() {
   return !program_path().empty();
+}
+
+WorkerOutcome ask_worker(const WorkerPool& pool, std::string message) {
+  OneMessage source(std::move(message));
+  run_workers({pool.arguments, 1, pool.limits}, source);
+  return std::move(source.outcome);
 }
 
 void run_workers(const WorkerPool& pool, WorkSource& source) {
@@ -232,6 +253,10 @@ bool worker_processes_supported() {
 }
 
 void run_workers(const WorkerPool&, WorkSource&) {
+  throw EnvironmentError("worker processes are made on POSIX systems only");
+}
+
+WorkerOutcome ask_worker(const WorkerPool&, std::string) {
   throw EnvironmentError("worker processes are made on POSIX systems only");
 }
 

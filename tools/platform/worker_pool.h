@@ -4,12 +4,12 @@
 // A worker is this same program in a hidden mode: it calls serve_worker() and nothing else. Messages go to it
 // and answers come back over a socket of their own, so that what a compiler prints disturbs neither. Every
 // message has limits: processor time (a verdict that does not depend on what else the machine does), time
-// that passes (for what waits instead of computing), and resident memory. A worker that fails is replaced.
-// Workers end with the process that started them, however that ends, and write no core files.
+// that passes (for what waits instead of computing), memory, and the size of its answer. A worker that fails
+// is replaced. Workers end with the process that started them, however that ends, and give up what their work
+// does not need (platform/confinement.h): they read files, and change none.
 //
-// The memory limit is on resident pages, which the parent watches (every 10 ms, so a worker may overshoot for
-// that long): a limit on address space would forbid the reservations of sanitizers and of LLVM. It is watched
-// where the system has /proc, that is, on Linux.
+// The memory limit is on resident pages, which the parent watches (every 10 ms) where the system has /proc,
+// that is, on Linux; what a worker takes faster than that ends at RLIMIT_DATA, a little above.
 #pragma once
 
 #include <chrono>
@@ -24,9 +24,10 @@
 namespace penumbra::platform {
 
 struct WorkerLimits {
-  std::chrono::seconds processor_time{30};    // of one message
-  std::chrono::milliseconds time{180'000};    // of one message
-  std::size_t memory = std::size_t{2} << 30;  // bytes of a worker
+  std::chrono::seconds processor_time{30};      // of one message
+  std::chrono::milliseconds time{180'000};      // of one message
+  std::size_t memory = std::size_t{2} << 30;    // bytes of a worker
+  std::size_t answer = std::size_t{256} << 20;  // bytes of one answer, question or note
 };
 
 struct WorkerMessage {
@@ -77,12 +78,17 @@ bool worker_processes_supported();  // POSIX
 // from a thread that lives until it returns.
 void run_workers(const WorkerPool& pool, WorkSource& source);
 
+// One message: what became of it. Throws as run_workers() does. `pool.workers` is 1 whatever it says.
+WorkerOutcome ask_worker(const WorkerPool& pool, std::string message);
+
 // The same work without processes: quicker to start, and at the mercy of every message. Throws what a handler
 // throws.
 void run_in_threads(unsigned threads, const WorkHandler& handler, WorkSource& source);
 
 // The worker's side: answers messages until the parent closes its end. An exception of the handler is a
-// failure of that message; an EnvironmentError ends the whole run. Returns the exit code of the process.
-int serve_worker(const WorkHandler& handler);
+// failure of that message; an EnvironmentError ends the whole run. `prepare` is called before the process is
+// confined, for what needs more than reading: opening a graphics driver. Returns the exit code of the
+// process.
+int serve_worker(const WorkHandler& handler, const std::function<void()>& prepare = {});
 
 }  // namespace penumbra::platform

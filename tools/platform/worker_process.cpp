@@ -24,6 +24,8 @@ namespace penumbra::platform {
 namespace {
 
 constexpr std::size_t last_words_kept = 2048;
+// At a time: a worker that writes without end keeps the parent from nothing.
+constexpr int most_reads = 256;
 
 #ifdef MSG_NOSIGNAL
 constexpr int no_signal = MSG_NOSIGNAL;
@@ -113,7 +115,8 @@ class WorkerSettings {
 
 }  // namespace
 
-WorkerProcess::WorkerProcess(const std::vector<std::string>& arguments) {
+WorkerProcess::WorkerProcess(const std::vector<std::string>& arguments, std::size_t largest_answer)
+    : reader_(largest_answer) {
   const std::unique_ptr<Ends> frames = socket_ends();
   const std::unique_ptr<Ends> noise = pipe_ends();
   std::vector<std::string> words{program_path().string()};
@@ -155,7 +158,7 @@ void WorkerProcess::send_more() {
 
 bool WorkerProcess::read_frames() {
   char buffer[65536];
-  for (;;) {
+  for (int reads = 0; reads < most_reads; ++reads) {
     const ssize_t count = ::read(socket_, buffer, sizeof buffer);
     if (count > 0) {
       reader_.add(buffer, static_cast<std::size_t>(count));
@@ -165,11 +168,13 @@ bool WorkerProcess::read_frames() {
       return true;
     }
   }
+  return true;
 }
 
 void WorkerProcess::read_noise() {
   char buffer[4096];
-  for (ssize_t count = 0; (count = ::read(noise_, buffer, sizeof buffer)) > 0;) {
+  ssize_t count = 0;
+  for (int reads = 0; reads < most_reads && (count = ::read(noise_, buffer, sizeof buffer)) > 0; ++reads) {
     last_words_.append(buffer, static_cast<std::size_t>(count));
     if (last_words_.size() > last_words_kept) last_words_.erase(0, last_words_.size() - last_words_kept);
   }

@@ -18,7 +18,8 @@ namespace penumbra::platform {
 class WorkerProcess {
  public:
   // Throws EnvironmentError when the system starts no process.
-  explicit WorkerProcess(const std::vector<std::string>& arguments);
+  // largest_answer: bytes of one frame that it may send.
+  WorkerProcess(const std::vector<std::string>& arguments, std::size_t largest_answer);
   ~WorkerProcess();  // ends it, with everything it started
   WorkerProcess(const WorkerProcess&) = delete;
   WorkerProcess& operator=(const WorkerProcess&) = delete;
@@ -27,7 +28,8 @@ class WorkerProcess {
   bool has_more_to_send() const { return !outbox_.empty(); }
   void send_more();
 
-  // Both read all that is there now. read_frames is false when the worker has closed its end: it has ended.
+  // Both read what is there now, at most some megabytes. read_frames is false when the worker has closed its
+  // end: it has ended.
   bool read_frames();
   void read_noise();
   std::optional<Frame> next_frame() { return reader_.next(); }

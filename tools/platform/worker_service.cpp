@@ -1,8 +1,11 @@
+#include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <limits>
 #include <new>
 
 #include "input/input_error.h"
+#include "platform/confinement.h"
 #include "platform/worker_frame.h"
 #include "platform/worker_pool.h"
 
@@ -33,14 +36,11 @@ class ParentLink final : public WorkerLink {
   void note(std::string_view text) override { write(FrameKind::note, text); }
 
   void write(FrameKind kind, std::string_view content) const {
-    const std::string bytes = frame_bytes(kind, content);
-    for (std::size_t at = 0; at < bytes.size();) {
-      const ssize_t count = ::write(worker_frames_descriptor, bytes.data() + at, bytes.size() - at);
-      if (count > 0)
-        at += static_cast<std::size_t>(count);
-      else if (errno != EINTR)
-        ::_exit(EXIT_SUCCESS);
-    }
+    constexpr std::size_t small = 65536;
+    if (content.size() <= small) return write_bytes(frame_bytes(kind, content));
+    const auto head = frame_head(kind, content.size());
+    write_bytes({head.data(), head.size()});
+    write_bytes(content);
   }
 
   Frame read() {
@@ -56,7 +56,17 @@ class ParentLink final : public WorkerLink {
   }
 
  private:
-  FrameReader reader_;
+  static void write_bytes(std::string_view bytes) {
+    for (std::size_t at = 0; at < bytes.size();) {
+      const ssize_t count = ::write(worker_frames_descriptor, bytes.data() + at, bytes.size() - at);
+      if (count > 0)
+        at += static_cast<std::size_t>(count);
+      else if (errno != EINTR)
+        ::_exit(EXIT_SUCCESS);
+    }
+  }
+
+  FrameReader reader_{std::numeric_limits<std::size_t>::max()};  // the parent is trusted
 };
 
 void bind_to_parent() {
@@ -64,8 +74,6 @@ void bind_to_parent() {
   // A parent that ended before this is noticed at the first read.
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
 #endif
-  const rlimit no_core{0, 0};
-  ::setrlimit(RLIMIT_CORE, &no_core);
   std::signal(SIGPIPE, SIG_IGN);  // NOLINT(cert-err33-c): a closed socket is noticed where it is written
 }
 
@@ -90,38 +98,73 @@ void limit_processor_time(rlim_t seconds) {
   ::setrlimit(RLIMIT_CPU, &limit);
 }
 
-void handle(const WorkHandler& handler, const std::string& message, ParentLink& link) {
+struct Settings {
+  rlim_t processor_seconds = 0;
+  std::size_t memory = 0;
+  std::size_t answer = 0;
+};
+
+// The parent's first frame.
+Settings read_settings(ParentLink& link) {
+  const Frame frame = link.read();
+  unsigned long long seconds = 0;
+  Settings settings;
+  if (frame.kind != FrameKind::settings ||
+      std::sscanf(frame.content.c_str(), "%llu %zu %zu", &seconds, &settings.memory, &settings.answer) != 3)
+    ::_exit(EXIT_FAILURE);
+  settings.processor_seconds = seconds;
+  return settings;
+}
+
+void handle(const WorkHandler& handler, const std::string& message, const Settings& settings,
+            ParentLink& link) {
   try {
-    link.write(FrameKind::answer, handler(message, link));
+    const std::string answer = handler(message, link);
+    if (answer.size() > settings.answer)
+      link.write(FrameKind::failure,
+                 "gave an answer of more than " + std::to_string(settings.answer >> 20U) + " MiB");
+    else
+      link.write(FrameKind::answer, answer);
   } catch (const EnvironmentError& error) {
     link.write(FrameKind::environment, error.what());
   } catch (const std::bad_alloc&) {
-    link.write(FrameKind::failure, "ran out of memory");
+    link.write(FrameKind::failure, too_much_memory(settings.memory));
   } catch (const std::exception& error) {
     link.write(FrameKind::failure, std::string("failed: ") + error.what());
   }
 }
 
+void serve(const WorkHandler& handler, const std::function<void()>& prepare, ParentLink& link) {
+  const Settings settings = read_settings(link);
+  try {
+    if (prepare) prepare();
+    confine_process(settings.memory);
+  } catch (const EnvironmentError& error) {
+    return link.write(FrameKind::environment, error.what());
+  }
+  link.write(FrameKind::ready, {});
+  for (;;) {
+    const Frame frame = link.read();
+    if (frame.kind != FrameKind::message) continue;
+    limit_processor_time(settings.processor_seconds);
+    handle(handler, frame.content, settings, link);
+  }
+}
+
 }  // namespace
 
-int serve_worker(const WorkHandler& handler) {
+int serve_worker(const WorkHandler& handler, const std::function<void()>& prepare) {
+  close_descriptors_from(worker_frames_descriptor + 1);
   bind_to_parent();
   keep_memory();
   ParentLink link;
-  link.write(FrameKind::ready, {});
-  rlim_t seconds = 0;
-  for (;;) {
-    const Frame frame = link.read();
-    if (frame.kind == FrameKind::settings) seconds = std::strtoul(frame.content.c_str(), nullptr, 10);
-    if (frame.kind != FrameKind::message) continue;
-    limit_processor_time(seconds);
-    handle(handler, frame.content, link);
-  }
+  serve(handler, prepare, link);
+  return EXIT_FAILURE;
 }
 
 #else
 
-int serve_worker(const WorkHandler&) {
+int serve_worker(const WorkHandler&, const std::function<void()>&) {
   throw EnvironmentError("worker processes are made on POSIX systems only");
 }
 

@@ -40,7 +40,6 @@ class UnitAtWork {
     link_.note(note_compile);
     make_text();
     reply_.damaged = cache_.damaged();
-    reply_.written = cache_.bytes_written();
     return std::move(reply_);
   }
 
@@ -72,8 +71,8 @@ class UnitAtWork {
   void answer_text() {
     reply_.text_key = text_key(job_.context, job_.unit, source_);
     if (!source_.found_by_case)  // else a record of files does not say all
-      cache_.store(EntryKind::sources, sources_key(job_.context, job_.unit),
-                   encode(source_record(source_, reply_.text_key)));
+      keep(EntryKind::sources, sources_key(job_.context, job_.unit),
+           encode(source_record(source_, reply_.text_key)));
     if (!is_mine(question_text, shared_key(job_.unit, reply_.text_key))) return;
     reply_.compile = kept_compile_answer(cache_, reply_.text_key,
                                          [this](const std::string& file) { return hash_as_read(file); });
@@ -90,7 +89,7 @@ class UnitAtWork {
     if (reply_.emitted) return;
     if (spirv_.empty()) compile();
     emit();
-    if (job_.given_up.empty()) cache_.store(EntryKind::emitted, key, encode(*reply_.emitted));
+    if (job_.given_up.empty()) keep(EntryKind::emitted, key, encode(*reply_.emitted));
   }
 
   void compile() {
@@ -113,7 +112,7 @@ class UnitAtWork {
           std::any_of(answer.diagnostics.begin(), answer.diagnostics.end(),
                       [&](const hlsl::Diagnostic& said) { return said.line > 0 && said.file == file.name; }))
         answer.quoted.emplace_back(std::move(file.name), std::move(file.hash));
-    if (!is_given_up(note_lint)) cache_.store(EntryKind::compile, reply_.text_key, encode(answer));
+    if (!is_given_up(note_lint)) keep(EntryKind::compile, reply_.text_key, encode(answer));
     reply_.compile = std::move(answer);
     reply_.compile_cached = false;
   }
@@ -142,6 +141,10 @@ class UnitAtWork {
       const bool checked = driver != job_.context.drivers.end() && !driver->second.empty();
       said = check_target(module, job_.unit.compile.stage, target, checked);
     }
+  }
+
+  void keep(EntryKind kind, std::string key, std::string content) {
+    if (!job_.context.cache.empty()) reply_.to_keep.push_back({kind, std::move(key), std::move(content)});
   }
 
   bool is_mine(char kind, const std::string& key) { return link_.ask(kind + key) == answer_mine; }

@@ -8,6 +8,7 @@
 #include "platform/terminal.h"
 #include "validation/answer_cache.h"
 #include "validation/answer_unit.h"
+#include "validation/target_check.h"
 #include "validation/unit_run.h"
 
 namespace penumbra::validation {
@@ -52,10 +53,11 @@ EngineRun run_units(const std::vector<CompileUnit>& units, const EngineOptions& 
   return run.take();
 }
 
-int serve_units() {
+int serve_units(const std::vector<std::string>& targets_with_drivers) {
   UnitService service;
   return platform::serve_worker(
-      [&](const std::string& job, platform::WorkerLink& link) { return service.answer(job, link); });
+      [&](const std::string& job, platform::WorkerLink& link) { return service.answer(job, link); },
+      [&] { open_drivers(targets_with_drivers); });
 }
 
 }  // namespace penumbra::validation

@@ -20,7 +20,8 @@
 
 namespace penumbra::validation {
 
-// How the program is started to be a worker of run_units(): it hands these arguments to serve_units().
+// How the program is started to be a worker of run_units(): this, then targets whose drivers it opens. It
+// hands the targets to serve_units().
 inline constexpr const char* worker_mode = "validation-worker";
 
 // What units of one run share; less than everything is there to be measured.
@@ -60,6 +61,7 @@ std::filesystem::path default_cache();  // "validation" in platform::cache_direc
 // EnvironmentError when a driver or the worker processes are not to be had, and platform::Interrupted.
 EngineRun run_units(const std::vector<CompileUnit>& units, const EngineOptions& options);
 
-int serve_units();  // the worker's side; the exit code of the process
+// The worker's side; the exit code of the process.
+int serve_units(const std::vector<std::string>& targets_with_drivers);
 
 }  // namespace penumbra::validation

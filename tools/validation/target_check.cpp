@@ -1,5 +1,6 @@
 #include "validation/target_check.h"
 
+#include <cstdlib>
 #include <optional>
 
 #include "shaders/gl_check.h"
@@ -20,6 +21,13 @@ std::vector<hlsl::Diagnostic> check_target(shaders::CrossCompiler& module, hlsl:
 std::string checking_driver(const std::string& target) {
   const std::optional<shaders::Target> known = shaders::find_target(target);
   return known && shaders::is_gl(*known) ? shaders::gl_driver(*known) : std::string();
+}
+
+void open_drivers(const std::vector<std::string>& targets) {
+#ifndef _WIN32
+  ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);  // NOLINT(concurrency-mt-unsafe): before any thread
+#endif
+  for (const std::string& target : targets) checking_driver(target);
 }
 
 std::string checked_by(const std::string& target) {

@@ -19,6 +19,10 @@ std::vector<hlsl::Diagnostic> check_target(shaders::CrossCompiler& module, hlsl:
 // The driver that checks the target; empty where none does. Throws EnvironmentError as above.
 std::string checking_driver(const std::string& target);
 
+// Of these targets, on this thread, so that checking them later opens no file. The driver keeps nothing on
+// disk.
+void open_drivers(const std::vector<std::string>& targets);
+
 // Who checks the target, for reports: "compiled and linked by OpenGL driver ..." and the like.
 std::string checked_by(const std::string& target);
 

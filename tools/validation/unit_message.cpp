@@ -23,6 +23,21 @@ void write_optional(ByteWriter& out, const std::optional<Value>& value) {
   if (value) out.text(encode(*value));
 }
 
+// A key becomes the name of a file.
+EntryToKeep read_entry(ByteReader& in) {
+  EntryToKeep entry;
+  const std::uint64_t kind = in.number();
+  entry.key = in.text();
+  entry.content = in.text();
+  const bool is_hash =
+      entry.key.size() == 32 && entry.key.find_first_not_of("0123456789abcdef") == std::string::npos;
+  if (kind > static_cast<std::uint64_t>(EntryKind::emitted) || !is_hash)
+    in.spoil();
+  else
+    entry.kind = static_cast<EntryKind>(kind);
+  return entry;
+}
+
 }  // namespace
 
 std::string encode(const UnitJob& job) {
@@ -70,7 +85,11 @@ std::string encode(const UnitReply& reply) {
   out.number(reply.emitted_cached ? 1 : 0);
   out.text(reply.text);
   out.number(reply.damaged);
-  out.number(reply.written);
+  out.list(reply.to_keep, [&](const EntryToKeep& entry) {
+    out.number(static_cast<std::uint64_t>(entry.kind));
+    out.text(entry.key);
+    out.text(entry.content);
+  });
   return out.take();
 }
 
@@ -85,7 +104,7 @@ std::optional<UnitReply> decode_reply(std::string_view bytes) {
   reply.emitted_cached = in.flag();
   reply.text = in.text();
   reply.damaged = in.number();
-  reply.written = in.number();
+  reply.to_keep = in.list<EntryToKeep>([&] { return read_entry(in); });
   if (!in.exhausted()) return std::nullopt;
   return reply;
 }

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "validation/answer_cache.h"
 #include "validation/kept_answers.h"
 #include "validation/unit.h"
 
@@ -25,6 +26,12 @@ struct UnitJob {
   bool text_only = false;             // only what the parser would read, for a file that reproduces a crash
 };
 
+struct EntryToKeep {
+  EntryKind kind = EntryKind::sources;
+  std::string key;
+  std::string content;
+};
+
 struct UnitReply {
   std::string text_key;                  // empty when there is no text; then `compile` says why
   std::optional<CompileAnswer> compile;  // nothing when another unit with this text has it
@@ -32,9 +39,9 @@ struct UnitReply {
   std::vector<std::filesystem::path> dependencies;
   bool compile_cached = false;
   bool emitted_cached = false;
-  std::string text;           // when that was asked for
-  std::uint64_t damaged = 0;  // cache entries that were met
-  std::uint64_t written = 0;  // bytes of the cache
+  std::string text;                  // when that was asked for
+  std::uint64_t damaged = 0;         // cache entries that were met
+  std::vector<EntryToKeep> to_keep;  // in the cache: a worker changes no file
 };
 
 std::string encode(const UnitJob& job);

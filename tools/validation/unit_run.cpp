@@ -28,6 +28,13 @@ AnswerContext context_of(const std::vector<CompileUnit>& units, const EngineOpti
   return context;
 }
 
+// As serve_units() takes them: a worker opens its drivers before it gives up what opening them needs.
+std::vector<std::string> with_drivers(std::vector<std::string> arguments, const AnswerContext& context) {
+  for (const auto& [target, driver] : context.drivers)
+    if (!driver.empty()) arguments.push_back(target);
+  return arguments;
+}
+
 // The target that tells what the compilation said.
 std::size_t speaks_for_compile(const CompileUnit& unit) {
   const auto spirv = std::find_if(unit.targets.begin(), unit.targets.end(), is_spirv_target);
@@ -41,7 +48,8 @@ UnitRun::UnitRun(const std::vector<CompileUnit>& units, const EngineOptions& opt
       options_(options),
       context_(context_of(units, options)),
       own_(units_of_shard(units, options.shard)),
-      states_(own_.size()) {}
+      states_(own_.size()),
+      cache_(options.cache) {}
 
 void UnitRun::recall() {
   Recall known(context_);
@@ -73,7 +81,7 @@ void UnitRun::work() {
         [&service](const std::string& job, platform::WorkerLink& link) { return service.answer(job, link); },
         *this);
   else
-    platform::run_workers({options_.worker_arguments, jobs, options_.limits}, *this);
+    platform::run_workers({with_drivers(options_.worker_arguments, context_), jobs, options_.limits}, *this);
 }
 
 std::optional<platform::WorkerMessage> UnitRun::next() {
@@ -109,10 +117,15 @@ void UnitRun::finished(std::size_t place, platform::WorkerOutcome outcome) {
     return crashed(place, outcome);
   }
   damaged_ += reply->damaged;
-  written_ += reply->written;
+  keep(*reply);
   share_buffers(*reply);
   state.reply = *std::move(reply);
   say_done();
+}
+
+void UnitRun::keep(UnitReply& reply) {
+  for (const EntryToKeep& entry : std::exchange(reply.to_keep, {}))
+    cache_.store(entry.kind, entry.key, entry.content);
 }
 
 // Variants have few layouts among them.

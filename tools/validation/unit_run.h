@@ -26,7 +26,7 @@ class UnitRun final : public platform::WorkSource {
   void recall();  // from the cache
   void work();    // what is left
   EngineRun take() const;
-  std::uint64_t written() const { return written_; }
+  std::uint64_t written() const { return cache_.bytes_written(); }
 
   std::optional<platform::WorkerMessage> next() override;
   std::string answer_question(std::size_t place, const std::string& question) override;
@@ -48,6 +48,7 @@ class UnitRun final : public platform::WorkSource {
   const CompileUnit& unit(std::size_t place) const { return units_[own_[place]]; }
   void send_first(std::size_t place) { waiting_.push_front(place); }
   void say_done();
+  void keep(UnitReply& reply);
   void share_buffers(UnitReply& reply);
   void crashed(std::size_t place, const platform::WorkerOutcome& outcome);
   void reproduced(std::size_t place, const platform::WorkerOutcome& outcome);
@@ -71,7 +72,7 @@ class UnitRun final : public platform::WorkSource {
   std::map<std::string, std::shared_ptr<const std::string>> buffers_;
   std::size_t done_ = 0;
   std::size_t damaged_ = 0;
-  std::uint64_t written_ = 0;
+  AnswerCache cache_;
 };
 
 }  // namespace penumbra::validation

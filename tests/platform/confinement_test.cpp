@@ -1,0 +1,100 @@
+// Workers of this test program try what a worker may not do. As root, too: nothing here is refused for want
+// of permissions of a user.
+#include "platform/confinement.h"
+
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "platform/forbidden_attempts.h"
+#include "platform/test_worker.h"
+#include "platform/worker_pool.h"
+
+namespace penumbra::platform {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+class Confinement : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::filesystem::create_directories(folder_);
+    std::ofstream(file_) << "content";
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::string tried(const std::string& what) const {
+    const WorkerOutcome outcome = ask_worker({{worker_mode}, 1, {}}, "try " + what);
+    EXPECT_EQ(outcome.failure, "");
+    return outcome.answer;
+  }
+
+  std::filesystem::path folder_ =
+      std::filesystem::path(testing::TempDir()) / ("penumbra-confined-" + std::to_string(::getpid()));
+  std::filesystem::path file_ = folder_ / "file";
+};
+
+TEST_F(Confinement, LeavesNoNetwork) {
+  for (const char* what : {"a socket", "a socket of this machine", "to connect", "to send"})
+    EXPECT_EQ(tried(what), "EPERM") << what;
+}
+
+TEST_F(Confinement, LeavesNoOtherProcess) {
+  for (const char* what :
+       {"another program", "a program in memory", "to fork", "to vfork", "to trace", "to read its parent",
+        "to signal its parent", "another priority", "to change its parent's limits"})
+    EXPECT_EQ(tried(what), "EPERM") << what;
+}
+
+TEST_F(Confinement, LeavesNoFileToBeChanged) {
+  for (const char* what :
+       {"to create", "to create for reading", "to create as before", "to create by structure"})
+    EXPECT_EQ(tried(std::string(what) + ": " + (folder_ / "new").string()), "EPERM") << what;
+  for (const char* what : {"to write", "to append", "to cut", "to truncate", "to remove", "to rename",
+                           "to link", "a folder", "to change the mode"})
+    EXPECT_EQ(tried(std::string(what) + ": " + file_.string()), "EPERM") << what;
+  EXPECT_EQ(tried("to create nameless: " + folder_.string()), "EPERM");
+  EXPECT_EQ(tried("io_uring"), "EPERM") << "it opens files past a filter";
+  std::ostringstream content;
+  content << std::ifstream(file_).rdbuf();
+  EXPECT_EQ(content.str(), "content");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1);
+}
+
+TEST_F(Confinement, LeavesWhatReadingNeeds) {
+  EXPECT_EQ(tried("to read: " + file_.string()), "done");
+  EXPECT_EQ(tried("a thread"), "done");
+  EXPECT_EQ(tried("a small file"), "done") << "memory that drivers share between their threads";
+}
+
+TEST_F(Confinement, LimitsTheSizeOfFiles) {
+  EXPECT_EQ(tried("a large file"), "EFBIG");
+}
+
+TEST_F(Confinement, IsForGood) {
+  EXPECT_EQ(tried("own status: NoNewPrivs"), "1");
+  EXPECT_EQ(tried("own status: Seccomp"), "2");
+}
+
+TEST_F(Confinement, ClosesWhatTheParentHasOpen) {
+  const int descriptor = ::open(file_.c_str(), O_RDWR);  // without O_CLOEXEC
+  EXPECT_THAT(tried("descriptors"), Not(HasSubstr(file_.string())));
+  ::close(descriptor);
+}
+
+TEST_F(Confinement, CanBeLeftWithoutTheFilter) {
+  ::setenv("PENUMBRA_UNFILTERED_WORKERS", "1", 1);
+  EXPECT_EQ(tried("a socket"), "done");
+  EXPECT_EQ(tried("own status: NoNewPrivs"), "1");
+  ::unsetenv("PENUMBRA_UNFILTERED_WORKERS");
+}
+
+}  // namespace
+}  // namespace penumbra::platform

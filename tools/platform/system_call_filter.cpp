@@ -1,0 +1,124 @@
+// A list of what is allowed, not of what is refused: what a later kernel adds is refused until it is listed.
+#include "platform/system_call_filter.h"
+
+#include <asm/ioctls.h>
+#include <fcntl.h>
+#include <sched.h>
+#include <seccomp.h>
+#include <sys/prctl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <memory>
+
+namespace penumbra::platform {
+namespace {
+
+// With any arguments. Memory, threads, time, reading, the descriptors there are, and what a graphics driver
+// that is open already does with them. Names that an architecture lacks are passed over.
+constexpr const char* kAllowed[] = {
+    // memory
+    "brk", "madvise", "membarrier", "memfd_create", "mincore", "mlock", "mmap", "mmap2", "mprotect", "mremap",
+    "munlock", "munmap",
+    // threads of this process
+    "arch_prctl", "exit", "exit_group", "futex", "futex_time64", "futex_waitv", "get_robust_list", "getcpu",
+    "getpid", "getppid", "gettid", "restart_syscall", "rseq", "sched_getaffinity", "sched_getparam",
+    "sched_getscheduler", "sched_yield", "set_robust_list", "set_tid_address",
+    // its own signals
+    "rt_sigaction", "rt_sigpending", "rt_sigprocmask", "rt_sigreturn", "rt_sigsuspend", "rt_sigtimedwait",
+    "rt_sigtimedwait_time64", "sigaltstack", "sigreturn",
+    // time
+    "clock_getres", "clock_getres_time64", "clock_gettime", "clock_gettime64", "clock_nanosleep",
+    "clock_nanosleep_time64", "gettimeofday", "nanosleep", "time", "times",
+    // reading files
+    "_llseek", "access", "faccessat", "faccessat2", "fadvise64", "fadvise64_64", "fstat", "fstat64",
+    "fstatat64", "fstatfs", "fstatfs64", "getcwd", "getdents", "getdents64", "lseek", "lstat", "lstat64",
+    "newfstatat", "pread64", "preadv", "preadv2", "read", "readlink", "readlinkat", "readv", "stat", "stat64",
+    "statfs", "statfs64", "statx",
+    // descriptors: none is open for writing but the way to the parent, pipes and memory
+    "close", "close_range", "dup", "dup2", "dup3", "epoll_create1", "epoll_ctl", "epoll_pwait", "epoll_wait",
+    "eventfd2", "fallocate", "ftruncate", "ftruncate64", "pipe", "pipe2", "poll", "ppoll", "ppoll_time64",
+    "pselect6", "pselect6_time64", "select", "write", "writev",
+    // facts
+    "getegid", "getegid32", "geteuid", "geteuid32", "getgid", "getgid32", "getrandom", "getrlimit",
+    "getrusage", "getuid", "getuid32", "setrlimit", "sysinfo", "ugetrlimit", "uname"};
+
+class Filter {
+ public:
+  Filter() : context_(seccomp_init(SCMP_ACT_ERRNO(EPERM)), seccomp_release) {
+    if (!context_) error_ = ENOMEM;
+  }
+
+  template <typename... Comparisons>
+  void rule(std::uint32_t action, const char* name, Comparisons... comparisons) {
+    const int number = seccomp_syscall_resolve_name(name);
+    if (error_ != 0 || number == __NR_SCMP_ERROR) return;  // this architecture has none of that name
+    const int result =
+        seccomp_rule_add(context_.get(), action, number, sizeof...(comparisons), comparisons...);
+    if (result != 0) error_ = -result;
+  }
+  template <typename... Comparisons>
+  void allow(const char* name, Comparisons... comparisons) {
+    rule(SCMP_ACT_ALLOW, name, comparisons...);
+  }
+
+  int load() {
+    if (error_ != 0) return error_;
+    // Threads that run already are held to it too.
+    if (const int result = seccomp_attr_set(context_.get(), SCMP_FLTATR_CTL_TSYNC, 1); result != 0)
+      return -result;
+    return -seccomp_load(context_.get());
+  }
+
+ private:
+  std::unique_ptr<void, void (*)(scmp_filter_ctx)> context_;
+  int error_ = 0;
+};
+
+void allow_reading(Filter& filter) {
+  constexpr scmp_datum_t changing = O_ACCMODE | O_CREAT | O_TRUNC | O_PATH;
+  filter.allow("open", SCMP_A1(SCMP_CMP_MASKED_EQ, changing, O_RDONLY));
+  filter.allow("openat", SCMP_A2(SCMP_CMP_MASKED_EQ, changing, O_RDONLY));
+}
+
+// No new process. A C library that tries clone3, whose arguments cannot be seen here, goes on to clone.
+void allow_threads(Filter& filter) {
+  filter.allow("clone", SCMP_A0(SCMP_CMP_MASKED_EQ, CLONE_THREAD, CLONE_THREAD));
+  filter.rule(SCMP_ACT_ERRNO(ENOSYS), "clone3");
+}
+
+void allow_for_itself(Filter& filter) {
+  const auto own = static_cast<scmp_datum_t>(::getpid());
+  filter.allow("kill", SCMP_A0(SCMP_CMP_EQ, own));
+  filter.allow("tgkill", SCMP_A0(SCMP_CMP_EQ, own));
+  filter.allow("prlimit64", SCMP_A0(SCMP_CMP_EQ, 0));
+  filter.allow("prctl", SCMP_A0(SCMP_CMP_EQ, PR_SET_NAME));
+  filter.allow("prctl", SCMP_A0(SCMP_CMP_EQ, PR_GET_NAME));
+#ifdef PR_SET_VMA
+  filter.allow("prctl", SCMP_A0(SCMP_CMP_EQ, PR_SET_VMA));  // names memory
+#endif
+}
+
+void allow_on_descriptors(Filter& filter) {
+  for (const int command : {F_DUPFD, F_DUPFD_CLOEXEC, F_GETFD, F_SETFD, F_GETFL, F_SETFL, F_ADD_SEALS})
+    for (const char* name : {"fcntl", "fcntl64"})
+      filter.allow(name, SCMP_A1(SCMP_CMP_EQ, static_cast<scmp_datum_t>(command)));
+  filter.allow("ioctl", SCMP_A1(SCMP_CMP_EQ, TCGETS));  // isatty()
+  filter.allow("ioctl", SCMP_A1(SCMP_CMP_EQ, FIONREAD));
+  for (const char driver : {'d', 'F'})  // direct rendering, and NVIDIA's own
+    filter.allow("ioctl", SCMP_A1(SCMP_CMP_MASKED_EQ, 0xFF00, static_cast<scmp_datum_t>(driver) << 8U));
+}
+
+}  // namespace
+
+int filter_system_calls() {
+  Filter filter;
+  for (const char* name : kAllowed) filter.allow(name);
+  allow_reading(filter);
+  allow_threads(filter);
+  allow_for_itself(filter);
+  allow_on_descriptors(filter);
+  return filter.load();
+}
+
+}  // namespace penumbra::platform
