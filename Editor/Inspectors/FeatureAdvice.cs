@@ -19,6 +19,9 @@ namespace Penumbra.Editor
 
         /// <summary>The renderer keeps the picture on the GPU's tiles. Of URP 17.5.</summary>
         internal bool tileOnly;
+
+        /// <summary>Opaque layers that the depth prepass leaves out: bits.</summary>
+        internal int layersWithoutDepth;
         internal PenumbraShadowsSettings settings;
 
         /// <summary>Why the last camera was left to URP.</summary>
@@ -63,6 +66,9 @@ namespace Penumbra.Editor
             if (state.urpScreenSpaceShadows)
                 Say(MessageType.Warning, "URP's Screen Space Shadows feature is active in this renderer and writes the " +
                                          "same texture. Remove it: which of the two receivers see is left to chance.");
+            if (state.layersWithoutDepth != 0)
+                Say(MessageType.Warning, PrepassLayers.Explanation(state.layersWithoutDepth) + " Add these layers to it " +
+                                         "(Renderer > Filtering), or let Window > Rendering > Penumbra Receivers do it.");
             bool showsView = state.settings.debugView != DebugView.None;
             if (showsView && !state.debugShaderFound)
                 Say(MessageType.Warning, "The shader " + DebugViewDraw.ShaderName + " is missing or does not compile for " +

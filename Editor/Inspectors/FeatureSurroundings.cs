@@ -40,6 +40,7 @@ namespace Penumbra.Editor
                 state.urpScreenSpaceShadows |= other != null && other.isActive &&
                                                other.GetType().FullName == UrpScreenSpaceShadows;
             if (!(renderer is UniversalRendererData universal)) return;
+            state.layersWithoutDepth = PrepassLayers.LeftOut(new SerializedObject(renderer));
             state.depthPriming = universal.depthPrimingMode != DepthPrimingMode.Disabled;
             state.deferred = IsDeferred(universal);
 #if UNITY_6000_5_OR_NEWER

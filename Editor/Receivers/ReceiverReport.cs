@@ -6,7 +6,7 @@ using UnityEditor;
 
 namespace Penumbra.Editor
 {
-    /// <summary>What can be done about a shader without the screen keyword.</summary>
+    /// <summary>What can be done about a shader that cannot read the screen-space texture, or reads it wrongly.</summary>
     public enum ReceiverFix
     {
         /// <summary>A text of the project: the keyword is added to its pragmas.</summary>
@@ -20,6 +20,9 @@ namespace Penumbra.Editor
 
         /// <summary>An include file in a package: shaders that include it with its pragmas need one of their own.</summary>
         EditIncluder,
+
+        /// <summary>A text of the project that draws no depth: it takes the passes of URP's lit shader.</summary>
+        AddPasses,
     }
 
     internal readonly struct ReceiverProblem
@@ -27,14 +30,31 @@ namespace Penumbra.Editor
         internal readonly string path;
         internal readonly ReceiverFix fix;
 
-        internal ReceiverProblem(string path, ReceiverFix fix)
+        /// <summary>Whether the keyword is missing; and which passes, null for none.</summary>
+        internal readonly bool lacksScreen;
+        internal readonly string passes;
+
+        internal ReceiverProblem(string path, ReceiverFix fix, bool lacksScreen = true, string passes = null)
         {
             this.path = path;
             this.fix = fix;
+            this.lacksScreen = lacksScreen;
+            this.passes = passes;
         }
 
         /// <summary>Apply does it; else the explanation says what to do by hand.</summary>
-        internal bool CanApply => fix == ReceiverFix.AddKeyword || fix == ReceiverFix.CopyToProject;
+        internal bool CanApply => fix != ReceiverFix.EditGraph && fix != ReceiverFix.EditIncluder;
+
+        private string Lacks => !lacksScreen ? NoDepth : passes == null ? NoScreen : NoScreen + " " + NoDepth;
+
+        private const string NoScreen = "A multi_compile of " + ShadowKeywords.MapName + " without " +
+                                        ShadowKeywords.ScreenName + ": surfaces lose the main light's shadow.";
+
+        private string NoDepth =>
+            "No pass " + passes + ": surfaces are not in the depth texture, and take the main light's shadow of what lies " +
+            "behind them. Those of URP's lit shader can be added by UsePass. If this shader moves vertices or cuts holes, " +
+            "write passes that do the same instead. The SRP Batcher leaves it out as long as its UnityPerMaterial is not " +
+            "Lit's.";
 
         internal string Explanation
         {
@@ -43,12 +63,12 @@ namespace Penumbra.Editor
                 switch (fix)
                 {
                     case ReceiverFix.AddKeyword:
-                        return "A multi_compile of " + ShadowKeywords.MapName + " without " +
-                               ShadowKeywords.ScreenName + ": surfaces lose the main light's shadow.";
+                        return NoScreen;
+                    case ReceiverFix.AddPasses:
+                        return NoDepth;
                     case ReceiverFix.CopyToProject:
-                        return "In a package: copy the shader into the project, where it gets " +
-                               ShadowKeywords.ScreenName + " and the prefix " + ShaderCopy.OfProject +
-                               " to its name, and choose the copy in materials.";
+                        return Lacks + " In a package: copy the shader into the project, where it gets what it lacks and the " +
+                               "prefix " + ShaderCopy.OfProject + " to its name, and choose the copy in materials.";
                     case ReceiverFix.EditGraph:
                         return "The blackboard has " + ShadowKeywords.MapName + " without " +
                                ShadowKeywords.ScreenName + ". Add a Boolean keyword with that reference, Multi Compile " +
@@ -81,7 +101,7 @@ namespace Penumbra.Editor
         /// <summary>A package's shader is one no more as soon as the project has its copy.</summary>
         internal static List<ReceiverProblem> In(IEnumerable<string> paths, Func<string, string> read)
         {
-            var lacking = new List<(string path, string name)>();
+            var lacking = new List<(ReceiverProblem problem, string name)>();
             var names = new HashSet<string>();
             foreach (string path in paths)
             {
@@ -89,11 +109,31 @@ namespace Penumbra.Editor
                 string text = read(path);
                 string name = ShaderCopy.Name(text);
                 if (name != null && IsProjects(path)) names.Add(name);
-                if (KindOf(path, text) == ReceiverKind.LacksScreen) lacking.Add((path, name));
+                foreach (ReceiverProblem problem in Of(path, text)) lacking.Add((problem, name));
             }
-            return lacking.Where(one => IsProjects(one.path) || one.name == null ||
+            return lacking.Where(one => IsProjects(one.problem.path) || one.name == null ||
                                         !names.Contains(ShaderCopy.NameOf(one.name)))
-                .Select(one => new ReceiverProblem(one.path, FixFor(one.path))).ToList();
+                .Select(one => one.problem).ToList();
+        }
+
+        // A shader of the project has a fix for each problem, one of a package is copied with all of them.
+        private static IEnumerable<ReceiverProblem> Of(string path, string text)
+        {
+            bool lacksScreen = KindOf(path, text) == ReceiverKind.LacksScreen;
+            string passes = EndsWith(path, Shaders) ? string.Join(" and ", ReceiverDepth.Lacking(text)) : "";
+            if (passes.Length == 0)
+            {
+                if (lacksScreen) yield return new ReceiverProblem(path, FixFor(path));
+            }
+            else if (!IsProjects(path))
+            {
+                yield return new ReceiverProblem(path, ReceiverFix.CopyToProject, lacksScreen, passes);
+            }
+            else
+            {
+                if (lacksScreen) yield return new ReceiverProblem(path, ReceiverFix.AddKeyword);
+                yield return new ReceiverProblem(path, ReceiverFix.AddPasses, false, passes);
+            }
         }
 
         internal static ReceiverKind KindOf(string path, string text) =>
@@ -116,7 +156,9 @@ namespace Penumbra.Editor
         internal static string Fixed(in ReceiverProblem problem, string text, Predicate<string> exists)
         {
             if (problem.fix == ReceiverFix.CopyToProject) text = ShaderCopy.TextOf(text, problem.path, exists);
-            return problem.CanApply ? ReceiverPragma.WithScreen(text) : text;
+            if (!problem.CanApply) return text;
+            if (problem.lacksScreen) text = ReceiverPragma.WithScreen(text);
+            return problem.passes != null ? ReceiverDepth.WithPasses(text) : text;
         }
 
         internal static void Apply(in ReceiverProblem problem)

@@ -1,30 +1,58 @@
 using System.Collections.Generic;
 using UnityEditor;
 using UnityEngine;
+using UnityEngine.Rendering.Universal;
 
 namespace Penumbra.Editor
 {
-    /// <summary>Window > Rendering > Penumbra Receivers: shaders that would lose their shadow, each with its fix.</summary>
+    /// <summary>
+    /// Window > Rendering > Penumbra Receivers: shaders that would lose their shadow or take another surface's, and
+    /// renderers whose prepass leaves opaque layers out, each with its fix.
+    /// </summary>
     internal sealed class ReceiverWindow : EditorWindow
     {
         private List<ReceiverProblem> problems;
+        private List<(ScriptableRendererData renderer, int layers)> renderers;
         private Vector2 scroll;
 
         [MenuItem("Window/Rendering/Penumbra Receivers")]
         private static void Open() => GetWindow<ReceiverWindow>("Penumbra Receivers");
 
+        private void Look()
+        {
+            problems = ReceiverReport.Find();
+            renderers = new List<(ScriptableRendererData, int)>();
+            foreach (ScriptableRendererData renderer in FeaturesInProject.WithFeature())
+            {
+                int layers = PrepassLayers.LeftOut(new SerializedObject(renderer));
+                if (layers != 0) renderers.Add((renderer, layers));
+            }
+        }
+
         private void OnGUI()
         {
-            if (GUILayout.Button("Look through the project") || problems == null) problems = ReceiverReport.Find();
-            EditorGUILayout.HelpBox(problems.Count == 0
-                                        ? "Every shader that takes the main light's shadow can read it from the screen."
-                                        : problems.Count + " shaders cannot read the main light's shadow from the screen.",
-                                    problems.Count == 0 ? MessageType.Info : MessageType.Warning);
+            if (GUILayout.Button("Look through the project") || problems == null) Look();
+            int count = problems.Count + renderers.Count;
+            EditorGUILayout.HelpBox(count == 0
+                                        ? "Every opaque shader that takes the main light's shadow can read its own from the " +
+                                          "screen."
+                                        : count + " problems with reading the main light's shadow from the screen.",
+                                    count == 0 ? MessageType.Info : MessageType.Warning);
             scroll = EditorGUILayout.BeginScrollView(scroll);
             bool changed = false;
+            foreach ((ScriptableRendererData renderer, int layers) in renderers) changed |= Show(renderer, layers);
             foreach (ReceiverProblem problem in problems) changed |= Show(problem);
             EditorGUILayout.EndScrollView();
-            if (changed) problems = ReceiverReport.Find();
+            if (changed) Look();
+        }
+
+        private static bool Show(ScriptableRendererData renderer, int layers)
+        {
+            EditorGUILayout.LabelField(renderer.name, EditorStyles.boldLabel);
+            EditorGUILayout.LabelField(PrepassLayers.Explanation(layers), EditorStyles.wordWrappedLabel);
+            if (!GUILayout.Button("Add them to the prepass")) return false;
+            PrepassLayers.Add(new SerializedObject(renderer));
+            return true;
         }
 
         private static bool Show(in ReceiverProblem problem)
@@ -36,7 +64,14 @@ namespace Penumbra.Editor
             return true;
         }
 
-        private static string ButtonText(ReceiverFix fix) =>
-            fix == ReceiverFix.AddKeyword ? "Add the keyword" : "Copy into the project and add the keyword";
+        private static string ButtonText(ReceiverFix fix)
+        {
+            switch (fix)
+            {
+                case ReceiverFix.AddKeyword: return "Add the keyword";
+                case ReceiverFix.AddPasses: return "Add the passes";
+                default: return "Copy into the project and add what is missing";
+            }
+        }
     }
 }

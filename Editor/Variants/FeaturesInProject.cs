@@ -23,6 +23,17 @@ namespace Penumbra.Editor
         internal static List<ScriptableRendererData> Renderers() =>
             new List<ScriptableRendererData>(Assets<ScriptableRendererData>());
 
+        /// <summary>The renderers that have an active one.</summary>
+        internal static IEnumerable<ScriptableRendererData> WithFeature()
+        {
+            foreach (ScriptableRendererData renderer in Renderers())
+                foreach (PenumbraShadows _ in Features(new[] { renderer }))
+                {
+                    yield return renderer;
+                    break;
+                }
+        }
+
         /// <summary>The active ones.</summary>
         internal static IEnumerable<PenumbraShadows> Features() => Features(Assets<ScriptableRendererData>());
 

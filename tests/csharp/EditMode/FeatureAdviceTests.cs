@@ -106,6 +106,15 @@ namespace Penumbra.Tests
         }
 
         [Test]
+        public void LayersWithoutDepthAreNamed()
+        {
+            FeatureState state = Sound();
+            state.layersWithoutDepth = 1 << 4;
+            Assert.That(Texts(state, MessageType.Warning).Single(),
+                        Does.Contain("Water").And.Contain("Prepass Layer Mask").And.Contain("Penumbra Receivers"));
+        }
+
+        [Test]
         public void TileOnlyModeHasNoPlaceForDepthPriming()
         {
             FeatureState state = Sound();

@@ -38,10 +38,14 @@ namespace Penumbra.Tests
         }
 
         [Test]
-        public void EachExplanationNamesTheKeyword()
+        public void EachExplanationNamesWhatIsMissing()
         {
             foreach (ReceiverFix fix in System.Enum.GetValues(typeof(ReceiverFix)))
-                Assert.That(new ReceiverProblem("A", fix).Explanation, Does.Contain(ShadowKeywords.ScreenName));
+            {
+                bool passes = fix == ReceiverFix.AddPasses;
+                Assert.That(new ReceiverProblem("A", fix, !passes, passes ? "DepthOnly" : null).Explanation,
+                            Does.Contain(passes ? "DepthOnly" : ShadowKeywords.ScreenName));
+            }
         }
 
         [Test]

@@ -4,6 +4,10 @@ namespace UnityEngine.Rendering.Universal
 {
     public partial class UniversalRendererData
     {
+        // Serialized.
+        private int m_PrepassLayerMask = -1;
+        private int m_OpaqueLayerMask = -1;
+
         public bool tileOnlyMode { get; set; }
     }
 }

@@ -26,6 +26,13 @@ namespace UnityEngine
         public static bool isDebugBuild { get; [OwnBehaviour] set; } = true;
     }
 
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Scripting/LayerMask.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Scripting/LayerMask.bindings.cs")]
+    public struct LayerMask
+    {
+        public static string LayerToName(int layer) => layer == 4 ? "Water" : "";
+    }
+
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Scripting/Component.bindings.cs")]
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/Scripting/Component.bindings.cs")]
     public partial class Component : Object
