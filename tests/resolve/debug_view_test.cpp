@@ -48,9 +48,9 @@ struct Views {
 
   const std::vector<float>& visibility() const { return chain.image.visibility.front(); }
 
-  Colours draw(const std::string& view) const {
+  Colours draw(const std::string& view, std::optional<RowOrder> picture = std::nullopt) const {
     return debug_view(view, frame.settings.shadows.reversed_z)
-        .draw(on_device, camera, visibility(), chain.masked_out, shadows_uniforms(technique));
+        .draw(on_device, camera, visibility(), chain.masked_out, shadows_uniforms(technique), picture);
   }
 
   bool seen(std::size_t pixel) const { return frame.receivers.position_ws[pixel].w != 0.0f; }
@@ -105,6 +105,15 @@ TEST_P(DebugViews, TheSkyIsBlack) {
       ++sky;
     }
     EXPECT_GT(sky, 100) << view;
+  }
+}
+
+TEST_P(DebugViews, APictureMayBeginWithItsOtherRow) {
+  const Views views = this->views("poles-and-fence");
+  for (const char* view : {"Visibility", "Cascades", "ShadowTexels", "PenumbraWidth", "PenumbraMask"}) {
+    const Colours colours = views.draw(view, RowOrder::top_first);
+    EXPECT_EQ(colours, views.draw(view, RowOrder::bottom_first)) << view;
+    EXPECT_NE(colours, rows_from_top(colours, views.camera.width, RowOrder::bottom_first)) << view;
   }
 }
 

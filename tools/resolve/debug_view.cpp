@@ -38,7 +38,8 @@ DebugView::DebugView(const gpu::Device& device, const shaders::PackageShader& sh
 std::vector<glm::vec3> DebugView::draw(const FrameOnDevice& frame, const CameraImage& camera,
                                        const std::vector<float>& visibility,
                                        const std::vector<std::uint8_t>& masked_out,
-                                       const UniformValues& parameters) {
+                                       const UniformValues& parameters, std::optional<RowOrder> picture) {
+  const RowOrder picture_rows = picture.value_or(camera.rows);
   gpu::Image depth(device_, gpu::Format::r32f, camera.width, camera.height);
   depth.upload(camera.depth);
   gpu::Image seen(device_, gpu::Format::r32f, camera.width, camera.height);
@@ -51,7 +52,8 @@ std::vector<glm::vec3> DebugView::draw(const FrameOnDevice& frame, const CameraI
   values.merge(parameters);
   set_screen(values, camera);
   values.set("_PenumbraTargetSize", texture_size(target));
-  values.set("_PenumbraDebugParams", glm::vec4(masked_out.empty() ? 0.0f : 1.0f, 0.0f, 0.0f, 0.0f));
+  values.set("_PenumbraDebugParams", glm::vec4(masked_out.empty() ? 0.0f : 1.0f, 0.0f,
+                                               picture_rows == camera.rows ? 0.0f : 1.0f, 0.0f));
   ScreenResources resources{frame.images(), frame.samplers()};
   resources.images["_CameraDepthTexture"] = &depth;
   resources.images["_ScreenSpaceShadowmapTexture"] = &seen;
@@ -60,7 +62,7 @@ std::vector<glm::vec3> DebugView::draw(const FrameOnDevice& frame, const CameraI
 
   std::vector<glm::vec3> colours;
   for (const glm::vec4& texel : target.download<glm::vec4>()) colours.emplace_back(texel);
-  return rows_from_top(colours, camera.width, camera.rows);
+  return rows_from_top(colours, camera.width, picture_rows);
 }
 
 }  // namespace penumbra::resolve

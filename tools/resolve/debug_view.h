@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,10 +21,12 @@ class DebugView {
             bool reversed_z);
 
   // Colours in [0, 1], rows from the top. Visibility and mask come as a chain's result holds them; an empty
-  // mask: the frame had none. `parameters`: of the technique that made the visibility.
+  // mask: the frame had none. `parameters`: of the technique that made the visibility. The picture may begin
+  // with another row than the camera's textures, as a back buffer does.
   std::vector<glm::vec3> draw(const FrameOnDevice& frame, const CameraImage& camera,
                               const std::vector<float>& visibility,
-                              const std::vector<std::uint8_t>& masked_out, const UniformValues& parameters);
+                              const std::vector<std::uint8_t>& masked_out, const UniformValues& parameters,
+                              std::optional<RowOrder> picture = std::nullopt);
 
  private:
   const gpu::Device& device_;
