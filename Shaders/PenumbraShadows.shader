@@ -1,7 +1,7 @@
 // The passes of the Penumbra renderer feature. Each binds, calls the library and returns; a preset uses a few of them.
 // Attenuation is written to the red channel, with the shadow strength and without the distance fade. Only PCSS needs a
 // gather, hence target 4.5: below graphicsShaderLevel 45 it has no program and the feature leaves the frame to URP. On
-// OpenGL ES and WebGL, where that gather is undefined, its programs compute the tent of 7 x 7.
+// OpenGL, OpenGL ES and WebGL, where that gather is undefined, its programs compute the tent of 7 x 7.
 Shader "Hidden/Penumbra/Shadows"
 {
     SubShader

@@ -22,6 +22,9 @@ namespace Penumbra.Editor
 
         /// <summary>Opaque layers that the depth prepass leaves out: bits.</summary>
         internal int layersWithoutDepth;
+
+        /// <summary>The editor draws with OpenGL or OpenGL ES.</summary>
+        internal bool openGl;
         internal PenumbraShadowsSettings settings;
 
         /// <summary>Why the last camera was left to URP.</summary>
@@ -78,6 +81,9 @@ namespace Penumbra.Editor
             if (state.settings.noise == NoiseMode.PerFrame)
                 Say(MessageType.Info, "The noise moves every frame. Use that only where temporal antialiasing or an " +
                                       "upscaler averages frames; elsewhere penumbrae shimmer.");
+            if (state.openGl && state.settings.Options().technique.TakesSamples())
+                Say(MessageType.Info, "This editor draws with OpenGL, which does not define how PCSS reads the shadow map: " +
+                                      "here PCSS is replaced by Tent 7x7. Vulkan, Direct3D and Metal have it.");
             if (showsView && state.debugShaderFound)
                 Say(MessageType.Info, "A debug view is drawn over the picture, here and in development builds.");
             if (!state.deferred && !state.depthPriming && !state.tileOnly)

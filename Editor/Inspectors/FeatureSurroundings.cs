@@ -18,6 +18,8 @@ namespace Penumbra.Editor
             state.lastSkip = feature.LastSkip;
             state.compatibilityMode = UrpFrame.InCompatibilityMode();
             state.settings = feature.Settings;
+            state.openGl = SystemInfo.graphicsDeviceType == GraphicsDeviceType.OpenGLCore ||
+                           SystemInfo.graphicsDeviceType == GraphicsDeviceType.OpenGLES3;
             var asset = GraphicsSettings.currentRenderPipeline as UniversalRenderPipelineAsset;
             state.mainLightShadows = asset == null || asset.supportsMainLightShadows;
             ReadRenderer(RendererOf(feature), ref state);

@@ -17,9 +17,9 @@
 #include "../Core/ShadowStructs.hlsl"
 #include "../Core/TechniqueParameters.hlsl"
 
-// PCSS reads depths by gather from a texture whose sampler compares. That is undefined in OpenGL ES and WebGL, and
-// before ES 3.1 there is no gather: the widest tent is used instead.
-#if defined(SHADER_API_GLES) || defined(SHADER_API_GLES3) || defined(SHADER_API_WEBGL)
+// PCSS reads depths by gather from a texture whose sampler compares. That is undefined in OpenGL, OpenGL ES and WebGL,
+// and before ES 3.1 there is no gather: the widest tent is used instead.
+#if defined(SHADER_API_GLCORE) || defined(SHADER_API_GLES) || defined(SHADER_API_GLES3) || defined(SHADER_API_WEBGL)
 #define PENUMBRA_WITHOUT_GATHER
 #endif
 

@@ -42,8 +42,8 @@ INSTANTIATE_TEST_SUITE_P(EveryKeyword, UrpInclude,
                          [](const auto& test) { return "Keyword" + test.param; });
 
 TEST_P(UrpInclude, CompilesAndBindsTheMap) {
-  for (const Defines& more :
-       {Defines{}, Defines{{"UNITY_REVERSED_Z", "1"}}, Defines{{"SHADER_API_GLES3", "1"}}}) {
+  for (const Defines& more : {Defines{}, Defines{{"UNITY_REVERSED_Z", "1"}},
+                              Defines{{"SHADER_API_GLES3", "1"}}, Defines{{"SHADER_API_GLCORE", "1"}}}) {
     Defines defines = more;
     defines.emplace_back(GetParam(), "1");
     const shaders::CompileResult result = compile_umbrella(defines);
@@ -56,11 +56,13 @@ TEST_P(UrpInclude, CompilesAndBindsTheMap) {
 TEST_P(UrpInclude, FallsBackToComparisonsWhereThereIsNoGather) {
   const bool gathers = GetParam().starts_with("_PENUMBRA_PCSS");
   EXPECT_EQ(binds(compile_umbrella({{GetParam(), "1"}}), "sampler_PenumbraPointClamp"), gathers);
-  // Also where there is one, but not of a texture that compares: OpenGL ES 3.1 and later.
-  for (const char* target : {"35", "45"}) {
-    EXPECT_FALSE(
-        binds(compile_umbrella({{GetParam(), "1"}, {"SHADER_API_GLES3", "1"}, {"SHADER_TARGET", target}}),
-              "sampler_PenumbraPointClamp"));
+  // Also where there is one, but not of a texture that compares: OpenGL ES 3.1 and later, and OpenGL.
+  for (const char* api : {"SHADER_API_GLES3", "SHADER_API_GLCORE"}) {
+    for (const char* target : {"35", "45"}) {
+      EXPECT_FALSE(binds(compile_umbrella({{GetParam(), "1"}, {api, "1"}, {"SHADER_TARGET", target}}),
+                         "sampler_PenumbraPointClamp"))
+          << api << " " << target;
+    }
   }
 }
 

@@ -16,7 +16,7 @@ Shader "Penumbra Samples/Custom Pipeline Lit"
             Tags { "LightMode" = "PenumbraSampleLit" }
 
             HLSLPROGRAM
-            // The filter gathers, and reads the shadow map's depths: undefined on OpenGL ES and WebGL.
+            // The filter gathers, and reads the shadow map's depths: undefined on OpenGL, OpenGL ES and WebGL.
             #pragma target 4.5
             #pragma vertex SunLitVertex
             #pragma fragment SunLitFragment

@@ -106,6 +106,17 @@ namespace Penumbra.Tests
         }
 
         [Test]
+        public void WhatOpenGlDrawsInsteadOfPcssIsSaid()
+        {
+            FeatureState state = Sound();
+            state.openGl = true;
+            Assert.That(Texts(state, MessageType.Info).Single(), Does.Contain("Tent 7x7").And.Contain("Vulkan"));
+            state.settings.preset = QualityPreset.Custom;
+            state.settings.custom.technique = ShadowTechnique.Tent5x5;
+            Assert.That(FeatureAdvice.For(state), Is.Empty);
+        }
+
+        [Test]
         public void LayersWithoutDepthAreNamed()
         {
             FeatureState state = Sound();

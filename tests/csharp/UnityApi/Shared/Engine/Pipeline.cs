@@ -76,6 +76,7 @@ namespace UnityEngine
     public sealed partial class SystemInfo
     {
         public static int graphicsShaderLevel { get; [OwnBehaviour] set; } = 50;
+        public static Rendering.GraphicsDeviceType graphicsDeviceType => Rendering.GraphicsDeviceType.Vulkan;
         public static bool graphicsUVStartsAtTop { get; [OwnBehaviour] set; } = true;
         public static bool usesReversedZBuffer { get; [OwnBehaviour] set; } = true;
 
