@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using UnityEditor;
 using UnityEngine;
+using UnityEngine.Rendering.Universal;
 
 namespace Penumbra.Editor
 {
@@ -20,6 +21,19 @@ namespace Penumbra.Editor
             SerializedProperty prepass = renderer.FindProperty(Prepass);
             SerializedProperty opaque = renderer.FindProperty(Opaque);
             return prepass == null || opaque == null ? 0 : opaque.intValue & ~prepass.intValue;
+        }
+
+        /// <summary>The renderers with an active feature that leave layers out, with the layers.</summary>
+        internal static List<(ScriptableRendererData renderer, int layers)> In(
+            IEnumerable<ScriptableRendererData> renderers)
+        {
+            var found = new List<(ScriptableRendererData, int)>();
+            foreach (ScriptableRendererData renderer in FeaturesInProject.WithFeature(renderers))
+            {
+                int layers = LeftOut(new SerializedObject(renderer));
+                if (layers != 0) found.Add((renderer, layers));
+            }
+            return found;
         }
 
         /// <summary>Adds them to the prepass.</summary>

@@ -1,22 +1,29 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using System.Text.RegularExpressions;
 
 namespace Penumbra.Editor
 {
     /// <summary>
     /// URP draws the depth that screen-space shadows are computed from by each shader's own pass: DepthOnly, or where
     /// another feature asks for normals DepthNormals or DepthNormalsOnly. An opaque shader without it is not in the depth
-    /// texture, and takes the shadow of what lies behind. URP's lit shader has passes to lend.
+    /// texture, and takes the shadow of what lies behind. URP's lit shaders have passes to lend.
     /// </summary>
     internal static class ReceiverDepth
     {
         internal const string DepthOnly = "DepthOnly";
         internal const string DepthNormals = "DepthNormals";
+        internal const string DepthNormalsOnly = "DepthNormalsOnly";
 
-        private const string Lender = "Universal Render Pipeline/Lit/";
         private const string Pipeline = "UniversalPipeline";
         private const int LastOpaqueQueue = 2500;
+
+        // What URP draws forward even where its renderer is deferred. A pass without the tag counts as the second.
+        private static readonly string[] ForwardOnlyModes = { "UniversalForwardOnly", "SRPDefaultUnlit", "" };
+
+        // Holes that a lent pass would fill: it cuts by Lit's own texture and threshold.
+        private static readonly Regex Cut = new Regex(@"\b(clip|AlphaDiscard|AlphaClip)\s*\(|\bdiscard\b");
 
         /// <summary>Names of the passes that a SubShader of the text lacks, each once; none where nothing is missing.</summary>
         internal static List<string> Lacking(string text)
@@ -33,7 +40,10 @@ namespace Penumbra.Editor
         private static bool IsHidden(string text) =>
             ShaderCopy.Name(text)?.StartsWith("Hidden/", StringComparison.Ordinal) == true;
 
-        /// <summary>The text with the passes taken from URP's lit shader, at the end of each SubShader that lacks them.</summary>
+        /// <summary>
+        /// The text with the passes taken from URP's lit shaders, at the end of each SubShader that lacks them. One that
+        /// cuts holes stays as it is: it needs passes that cut the same.
+        /// </summary>
         internal static string WithPasses(string text)
         {
             ShaderStructure structure = ShaderStructure.Of(text);
@@ -41,28 +51,48 @@ namespace Penumbra.Editor
             foreach (SubShaderText subShader in Enumerable.Reverse(structure.subShaders))
             {
                 List<string> passes = Lacking(subShader, structure.shared);
-                if (passes.Count == 0) continue;
+                if (passes.Count == 0 || Cuts(subShader, structure.shared)) continue;
                 int line = text.LastIndexOf('\n', subShader.end) + 1;
                 string before = text.Substring(line, subShader.end - line);
                 bool ownLine = before.Trim().Length == 0;
                 string indent = ownLine ? before : "";
-                string added = string.Concat(passes.Select(pass => indent + "    UsePass \"" + Lender + pass + "\"" + newline));
+                string added = string.Concat(passes.Select(pass => indent + "    UsePass \"" + Lent(pass) + "\"" + newline));
                 text = ownLine ? text.Insert(line, added) : text.Insert(subShader.end, newline + added);
             }
             return text;
         }
 
+        // Unity turns names of passes into upper case, and finds them by that alone.
+        private static string Lent(string pass) =>
+            "Universal Render Pipeline/" + (pass == DepthNormalsOnly ? "Complex Lit/" : "Lit/") + pass.ToUpperInvariant();
+
         private static List<string> Lacking(SubShaderText subShader, string shared)
         {
             bool isUrps = subShader.pipeline.Length == 0 ||
                           subShader.pipeline.Equals(Pipeline, StringComparison.OrdinalIgnoreCase);
-            bool receives = subShader.passes.Any(pass => ReceiverPragma.KindOf(shared + pass.code) != ReceiverKind.None);
-            if (!isUrps || !receives || subShader.queue > LastOpaqueQueue) return new List<string>();
+            List<ShaderPassText> receivers = Receivers(subShader, shared).ToList();
             var lacking = new List<string>();
+            if (!isUrps || receivers.Count == 0 || subShader.queue > LastOpaqueQueue) return lacking;
             if (!Has(subShader, DepthOnly)) lacking.Add(DepthOnly);
-            if (!Has(subShader, DepthNormals) && !Has(subShader, DepthNormals + "Only")) lacking.Add(DepthNormals);
+            bool isForwardOnly = receivers.Exists(pass => ForwardOnlyModes.Contains(pass.lightMode));
+            if (!HasNormals(subShader, isForwardOnly)) lacking.Add(isForwardOnly ? DepthNormalsOnly : DepthNormals);
             return lacking;
         }
+
+        private static IEnumerable<ShaderPassText> Receivers(SubShaderText subShader, string shared) =>
+            subShader.passes.Where(pass => ReceiverPragma.KindOf(shared + pass.code) != ReceiverKind.None);
+
+        private static bool HasNormals(SubShaderText subShader, bool isForwardOnly)
+        {
+#if !UNITY_6000_0_OR_NEWER
+            // A deferred renderer of URP 14 draws what is not in its G-buffer by this pass alone.
+            if (isForwardOnly) return Has(subShader, DepthNormalsOnly);
+#endif
+            return Has(subShader, DepthNormals) || Has(subShader, DepthNormalsOnly);
+        }
+
+        private static bool Cuts(SubShaderText subShader, string shared) =>
+            Cut.IsMatch(shared) || Receivers(subShader, shared).Any(pass => Cut.IsMatch(pass.code));
 
         // A pass that is taken is known by its name, which in URP's shaders is that of its light mode.
         private static bool Has(SubShaderText subShader, string pass) =>

@@ -21,8 +21,11 @@ namespace Penumbra.Editor
         /// <summary>An include file in a package: shaders that include it with its pragmas need one of their own.</summary>
         EditIncluder,
 
-        /// <summary>A text of the project that draws no depth: it takes the passes of URP's lit shader.</summary>
+        /// <summary>A text of the project that draws no depth: it takes the passes of URP's lit shaders.</summary>
         AddPasses,
+
+        /// <summary>The same, with holes that these passes would fill: its author writes its own.</summary>
+        WritePasses,
     }
 
     internal readonly struct ReceiverProblem
@@ -43,7 +46,8 @@ namespace Penumbra.Editor
         }
 
         /// <summary>Apply does it; else the explanation says what to do by hand.</summary>
-        internal bool CanApply => fix != ReceiverFix.EditGraph && fix != ReceiverFix.EditIncluder;
+        internal bool CanApply =>
+            fix != ReceiverFix.EditGraph && fix != ReceiverFix.EditIncluder && fix != ReceiverFix.WritePasses;
 
         private string Lacks => !lacksScreen ? NoDepth : passes == null ? NoScreen : NoScreen + " " + NoDepth;
 
@@ -51,10 +55,25 @@ namespace Penumbra.Editor
                                         ShadowKeywords.ScreenName + ": surfaces lose the main light's shadow.";
 
         private string NoDepth =>
-            "No pass " + passes + ": surfaces are not in the depth texture, and take the main light's shadow of what lies " +
-            "behind them. Those of URP's lit shader can be added by UsePass. If this shader moves vertices or cuts holes, " +
-            "write passes that do the same instead. The SRP Batcher leaves it out as long as its UnityPerMaterial is not " +
-            "Lit's.";
+            "No pass " + passes + ": " + WhereItMatters + "surfaces are not in the depth texture, and take the main light's " +
+            "shadow of what lies behind them.";
+
+        // Without DepthOnly it matters everywhere.
+        private string WhereItMatters
+        {
+            get
+            {
+                if (passes == ReceiverDepth.DepthNormals) return OtherNormals + ", ";
+                return passes == ReceiverDepth.DepthNormalsOnly ? OtherNormals + " and in Deferred, " : "";
+            }
+        }
+
+        private const string OtherNormals = "where another feature asks for normals, as Ambient Occlusion does";
+
+        private const string Lent =
+            " Those of URP's lit shaders can be added by UsePass. If this shader moves vertices or cuts holes in an include " +
+            "file, write passes that do the same instead. The SRP Batcher leaves it out as long as its UnityPerMaterial is " +
+            "not Lit's.";
 
         internal string Explanation
         {
@@ -65,7 +84,10 @@ namespace Penumbra.Editor
                     case ReceiverFix.AddKeyword:
                         return NoScreen;
                     case ReceiverFix.AddPasses:
-                        return NoDepth;
+                        return NoDepth + Lent;
+                    case ReceiverFix.WritePasses:
+                        return NoDepth + " The shader cuts holes (clip or discard), which the passes of URP's lit shaders " +
+                               "would fill: write passes that cut the same.";
                     case ReceiverFix.CopyToProject:
                         return Lacks + " In a package: copy the shader into the project, where it gets what it lacks and the " +
                                "prefix " + ShaderCopy.OfProject + " to its name, and choose the copy in materials.";
@@ -132,7 +154,8 @@ namespace Penumbra.Editor
             else
             {
                 if (lacksScreen) yield return new ReceiverProblem(path, ReceiverFix.AddKeyword);
-                yield return new ReceiverProblem(path, ReceiverFix.AddPasses, false, passes);
+                bool lends = ReceiverDepth.WithPasses(text) != text;
+                yield return new ReceiverProblem(path, lends ? ReceiverFix.AddPasses : ReceiverFix.WritePasses, false, passes);
             }
         }
 

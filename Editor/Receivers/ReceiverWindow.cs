@@ -21,12 +21,7 @@ namespace Penumbra.Editor
         private void Look()
         {
             problems = ReceiverReport.Find();
-            renderers = new List<(ScriptableRendererData, int)>();
-            foreach (ScriptableRendererData renderer in FeaturesInProject.WithFeature())
-            {
-                int layers = PrepassLayers.LeftOut(new SerializedObject(renderer));
-                if (layers != 0) renderers.Add((renderer, layers));
-            }
+            renderers = PrepassLayers.In(FeaturesInProject.Renderers());
         }
 
         private void OnGUI()

@@ -23,10 +23,10 @@ namespace Penumbra.Editor
         internal static List<ScriptableRendererData> Renderers() =>
             new List<ScriptableRendererData>(Assets<ScriptableRendererData>());
 
-        /// <summary>The renderers that have an active one.</summary>
-        internal static IEnumerable<ScriptableRendererData> WithFeature()
+        /// <summary>Those of `renderers` that have an active one.</summary>
+        internal static IEnumerable<ScriptableRendererData> WithFeature(IEnumerable<ScriptableRendererData> renderers)
         {
-            foreach (ScriptableRendererData renderer in Renderers())
+            foreach (ScriptableRendererData renderer in renderers)
                 foreach (PenumbraShadows _ in Features(new[] { renderer }))
                 {
                     yield return renderer;

@@ -64,6 +64,10 @@ TEST_P(UrpInclude, FallsBackToComparisonsWhereThereIsNoGather) {
           << api << " " << target;
     }
   }
+  // Where the documentation says that it is compiled as for Vulkan.
+  EXPECT_EQ(
+      binds(compile_umbrella({{GetParam(), "1"}, {"SHADER_API_WEBGPU", "1"}}), "sampler_PenumbraPointClamp"),
+      gathers);
 }
 
 }  // namespace

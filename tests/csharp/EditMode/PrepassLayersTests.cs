@@ -37,6 +37,33 @@ namespace Penumbra.Tests
             Assert.That(PrepassLayers.LeftOut(renderer), Is.Zero);
             Assert.That(renderer.FindProperty("m_PrepassLayerMask").intValue, Is.EqualTo(~1));
         }
+
+        private static UniversalRendererData Renderer(int prepass, bool active)
+        {
+            var renderer = ScriptableObject.CreateInstance<UniversalRendererData>();
+            var serialized = new SerializedObject(renderer);
+            serialized.FindProperty("m_PrepassLayerMask").intValue = prepass;
+            serialized.ApplyModifiedProperties();
+            for (int count = 0; count < 2; ++count)
+            {
+                var feature = ScriptableObject.CreateInstance<PenumbraShadows>();
+                feature.SetActive(active);
+                renderer.rendererFeatures.Add(feature);
+            }
+            return renderer;
+        }
+
+        [Test]
+        public void OnlyRenderersWithAnActiveFeatureCountEachOnce()
+        {
+            UniversalRendererData leavesOut = Renderer(~Water, true);
+            var renderers = new ScriptableRendererData[]
+            {
+                Renderer(-1, true), leavesOut, Renderer(~Water, false),
+                ScriptableObject.CreateInstance<UniversalRendererData>(),
+            };
+            Assert.That(PrepassLayers.In(renderers), Is.EqualTo(new[] { ((ScriptableRendererData)leavesOut, Water) }));
+        }
 #endif
     }
 }

@@ -34,6 +34,26 @@ namespace Penumbra.Tests
             Assert.That(Lacking(SubShader(Forward + Depth + Normals.Replace("Normals", "NormalsOnly"))), Is.Empty);
         }
 
+        // ForwardOnly, and no tag at all, which URP draws as SRPDefaultUnlit: in no G-buffer.
+        [TestCase("Tags { \"LightMode\" = \"UniversalForwardOnly\" }")]
+        [TestCase("Tags { \"LightMode\" = \"SRPDefaultUnlit\" }")]
+        [TestCase("")]
+        public void WhatIsForwardInDeferredTooNeedsThePassOfThat(string tags)
+        {
+            string forward = "Pass { " + tags + "\n" + Program + "}\n";
+            string only = Normals.Replace("Normals", "NormalsOnly");
+            Assert.That(Lacking(SubShader(forward)), Is.EqualTo("DepthNormalsOnly DepthOnly"));
+            Assert.That(Lacking(SubShader(forward + Depth + only)), Is.Empty);
+#if UNITY_6000_0_OR_NEWER
+            Assert.That(Lacking(SubShader(forward + Depth + Normals)), Is.Empty);
+#else
+            Assert.That(Lacking(SubShader(forward + Depth + Normals)), Is.EqualTo("DepthNormalsOnly"));
+#endif
+            string with = ReceiverDepth.WithPasses(Shader(SubShader(forward)));
+            Assert.That(with, Does.Contain("UsePass \"Universal Render Pipeline/Complex Lit/DEPTHNORMALSONLY\"\n"));
+            Assert.That(ReceiverDepth.Lacking(with), Is.Empty);
+        }
+
         [Test]
         public void ATakenPassCounts()
         {
@@ -77,7 +97,8 @@ namespace Penumbra.Tests
         [Test]
         public void BracesInProgramsStringsAndCommentsAreNoStructure()
         {
-            const string odd = "Pass { Name \"}\" // }\n/* } */ Stencil { Ref 1 Pass Replace }\n" +
+            const string odd = "Pass { Name \"}\" Tags { \"LightMode\" = \"UniversalForward\" } // }\n" +
+                               "/* } */ Stencil { Ref 1 Pass Replace }\n" +
                                "HLSLPROGRAM\n" + Pragma + "void f() { \"SubShader\"; } }\nENDHLSL\n}\n";
             Assert.That(Lacking(SubShader(odd + Depth + Normals)), Is.Empty);
             Assert.That(Lacking(SubShader(odd), SubShader(Forward + Depth)), Is.EqualTo("DepthNormals DepthOnly"));
@@ -93,9 +114,9 @@ namespace Penumbra.Tests
             Assert.That(ReceiverDepth.Lacking(with), Is.Empty);
             Assert.That(with, Is.EqualTo(Shader(
                 "    SubShader\n    {\n        LOD 100\n" + Forward +
-                "        UsePass \"Universal Render Pipeline/Lit/DepthOnly\"\n" +
-                "        UsePass \"Universal Render Pipeline/Lit/DepthNormals\"\n    }\n", whole,
-                SubShader(Forward + Depth + "    UsePass \"Universal Render Pipeline/Lit/DepthNormals\"\n"))
+                "        UsePass \"Universal Render Pipeline/Lit/DEPTHONLY\"\n" +
+                "        UsePass \"Universal Render Pipeline/Lit/DEPTHNORMALS\"\n    }\n", whole,
+                SubShader(Forward + Depth + "    UsePass \"Universal Render Pipeline/Lit/DEPTHNORMALS\"\n"))
                 .Replace("\n", "\r\n")));
             Assert.That(ReceiverDepth.WithPasses(with), Is.EqualTo(with));
         }
@@ -105,7 +126,7 @@ namespace Penumbra.Tests
         {
             string with = ReceiverDepth.WithPasses("Shader \"A\" { SubShader { " + Forward.TrimEnd() + " } }");
             Assert.That(ReceiverDepth.Lacking(with), Is.Empty);
-            Assert.That(with, Does.EndWith("DepthNormals\"\n} }"));
+            Assert.That(with, Does.EndWith("DEPTHNORMALS\"\n} }"));
         }
 
         private static ReceiverProblem[] Problems(string path, string text) =>
@@ -125,6 +146,47 @@ namespace Penumbra.Tests
             Assert.That(Problems(path, text).Single().fix, Is.EqualTo(ReceiverFix.AddPasses));
             text = ReceiverReport.Fixed(problems[1], text, one => true);
             Assert.That(Problems(path, text), Is.Empty);
+        }
+
+        [TestCase("clip(alpha - _Cutoff);")]
+        [TestCase("if (alpha < 0.5) discard;")]
+        [TestCase("AlphaDiscard (alpha, _Cutoff);")]
+        public void HolesAreNotFilledByALentPass(string cut)
+        {
+            const string path = "Assets/Leaves.shader";
+            string cutting = Shader(SubShader(Forward.Replace("ENDHLSL", cut + "\nENDHLSL")));
+            foreach (string text in new[] { cutting, Shader("HLSLINCLUDE\n" + cut + "\nENDHLSL\n", SubShader(Forward)) })
+            {
+                ReceiverProblem problem = Problems(path, text).Single();
+                Assert.That(problem.fix, Is.EqualTo(ReceiverFix.WritePasses));
+                Assert.That(problem.CanApply, Is.False);
+                Assert.That(problem.Explanation, Does.Contain("DepthNormals and DepthOnly").And.Contain("holes"));
+                Assert.That(ReceiverReport.Fixed(problem, text, one => true), Is.EqualTo(text));
+            }
+            // Beside one that does not, which is helped first.
+            string two = Shader(SubShader(Forward.Replace("ENDHLSL", cut + "\nENDHLSL")), SubShader(Forward));
+            ReceiverProblem first = Problems(path, two).Single();
+            Assert.That(first.fix, Is.EqualTo(ReceiverFix.AddPasses));
+            Assert.That(Problems(path, ReceiverReport.Fixed(first, two, one => true)).Single().fix,
+                        Is.EqualTo(ReceiverFix.WritePasses));
+        }
+
+        [Test]
+        public void WordsThatOnlyBeginAlikeCutNothing()
+        {
+            const string alike = "float4 clipPosition; Eclip(1); discarded = 1;\nENDHLSL";
+            string text = Shader(SubShader(Forward.Replace("ENDHLSL", alike)));
+            Assert.That(Problems("Assets/A.shader", text).Single().fix, Is.EqualTo(ReceiverFix.AddPasses));
+        }
+
+        [Test]
+        public void WhereAPassMattersIsSaid()
+        {
+            string Said(string inside) => Problems("Assets/A.shader", Shader(SubShader(inside))).Single().Explanation;
+            Assert.That(Said(Forward + Normals), Does.StartWith("No pass DepthOnly: surfaces"));
+            Assert.That(Said(Forward + Depth), Does.StartWith("No pass DepthNormals: where another feature asks for normals")
+                                                   .And.Not.Contain("Deferred"));
+            Assert.That(Said("Pass {\n" + Program + "}\n" + Depth), Does.Contain("and in Deferred, surfaces"));
         }
 
         [Test]

@@ -42,7 +42,7 @@ namespace Penumbra.Tests
         {
             foreach (ReceiverFix fix in System.Enum.GetValues(typeof(ReceiverFix)))
             {
-                bool passes = fix == ReceiverFix.AddPasses;
+                bool passes = fix == ReceiverFix.AddPasses || fix == ReceiverFix.WritePasses;
                 Assert.That(new ReceiverProblem("A", fix, !passes, passes ? "DepthOnly" : null).Explanation,
                             Does.Contain(passes ? "DepthOnly" : ShadowKeywords.ScreenName));
             }
