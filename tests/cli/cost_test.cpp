@@ -1,3 +1,4 @@
+#include "cli/hostile_shaders.h"
 #include "cli/program.h"
 
 namespace penumbra {
@@ -44,6 +45,45 @@ TEST_F(Cost, AUsersFileWithKeywordSetsGivesTheSameBytesTwice) {
   EXPECT_THAT(once.output, HasSubstr("Main,fragment,+DARK,"));
   EXPECT_EQ(run(command).output, once.output);
 }
+
+// What compiles beside it has its row.
+TEST_F(Cost, AShaderThatEndsTheCompilerIsNamedAndTheOthersAreMeasured) {
+  const std::string main = "float4 Main() : SV_Target";
+  const std::string crashes = write("crashes.hlsl", case_outside_switch(main)).string();
+  const std::string nests = write("nests.hlsl", deep_parentheses(main)).string();
+  const auto result = run({"cost", crashes, shader(), nests, "--family", "navi21", "--format", "csv"});
+  EXPECT_EQ(result.exit_code, 1);
+  for (const std::string& file : {crashes, nests})
+    EXPECT_THAT(result.errors,
+                HasSubstr(file + ": error: the compiler crashed with SIGSEGV; leave out parts"));
+  EXPECT_THAT(result.output, HasSubstr("tinted.hlsl,Main,fragment,"));
+}
+
+TEST_F(Cost, AShaderThatNeverEndsOrFillsTheMemoryEndsAtTheLimit) {
+  const std::string main = "float4 Main() : SV_Target";
+  const std::string bomb = write("bomb.hlsl", macro_bomb(main)).string();
+  const std::string unrolls = write("unrolls.hlsl", endless_unrolling(main)).string();
+  const auto result =
+      run({"cost", bomb, unrolls, "--family", "navi21", "--time-limit", "3", "--memory-limit", "128"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.errors,
+              HasSubstr(bomb + ": error: the compiler took more than 3 s of CPU time; simplify"));
+  EXPECT_THAT(result.errors, HasSubstr(unrolls + ": error: the compiler took more than "));
+}
+
+#ifdef PENUMBRA_FILTERS_SYSTEM_CALLS
+// It waits for its module: by then it has given up what it does not need.
+TEST_F(Cost, TheDriversProcessIsConfinedBeforeItReadsAModule) {
+  ASSERT_EQ(shell("mkfifo '" + path("module").string() + "'").exit_code, 0);
+  const auto result = shell(
+      "export RADV_FORCE_FAMILY=navi21; '" PENUMBRA_PROGRAM "' cost-worker 60 fragment Main <'" +
+      path("module").string() + "' & worker=$!; exec 9>'" + path("module").string() +
+      "'; for i in $(seq 600); do grep -q 'Seccomp:.2' /proc/$worker/status && break; sleep 0.05; done; "
+      "grep -E 'Seccomp:|NoNewPrivs' /proc/$worker/status; exec 9>&-; wait $worker");
+  EXPECT_THAT(result.output, AllOf(HasSubstr("NoNewPrivs:\t1"), HasSubstr("Seccomp:\t2"),
+                                   HasSubstr("not valid SPIR-V for Vulkan 1.1")));
+}
+#endif
 
 TEST_F(Cost, AFamilyOrTechniqueNamedTwiceIsMeasuredOnce) {
   const std::vector<std::string> once{"cost", "--technique", "hard", "--family", "navi21", "--format", "csv"};

@@ -13,6 +13,7 @@
 #include "cli/shared_options.h"
 #include "cli/subcommand.h"
 #include "cost/baseline.h"
+#include "cost/compiler_worker.h"
 #include "cost/cost_block.h"
 #include "cost/families.h"
 #include "cost/measure_cost.h"
@@ -48,7 +49,7 @@ struct CostOptions {
   std::string from;    // earlier JSON: nothing is measured
   std::string readme;  // file whose blocks of figures are updated
   int jobs = 0;        // 0: all cores
-  unsigned time_limit_seconds = 60;
+  WorkerOptions worker{.time_limit = 60};
 };
 
 std::vector<std::string> each_once(const std::vector<std::string>& names) {
@@ -91,8 +92,10 @@ cost::CostRequest make_request(const CostOptions& options) {
     request.include_directories.emplace_back(directory);
   }
   request.families = families_of(options);
+  request.compiler = worker_arguments(cost::compiler_worker_mode);
+  request.compiler_limits = worker_limits(options.worker);
   request.worker = platform::program_path();
-  request.time_limit = std::chrono::seconds(options.time_limit_seconds);
+  request.time_limit = std::chrono::seconds(options.worker.time_limit);
   request.jobs = worker_count(options.jobs);
   return request;
 }
@@ -223,11 +226,14 @@ void add_comparison(CLI::App& command, CostOptions& options) {
 // The process of one shader, which `cost` starts: not for people, and not in --help.
 void add_worker(CLI::App& app) {
   CLI::App* worker = app.add_subcommand("cost-worker", "")->group("");
+  auto seconds = std::make_shared<unsigned>(60);
   auto stage = std::make_shared<std::string>();
   auto entry = std::make_shared<std::string>();
+  worker->add_option("seconds", *seconds);
   worker->add_option("stage", *stage);
   worker->add_option("entry", *entry);
-  worker->callback([stage, entry] { cost::run_radv_worker(*stage, *entry, std::cin, std::cout); });
+  worker->callback(
+      [seconds, stage, entry] { cost::run_radv_worker(*seconds, *stage, *entry, std::cin, std::cout); });
 }
 
 }  // namespace
@@ -248,9 +254,7 @@ void add_cost(CLI::App& app, Context& context) {
       ->type_name("FILE")
       ->default_str("none");
   add_jobs(*command, options->jobs);
-  command->add_option("--time-limit", options->time_limit_seconds, "Time limit for one shader")
-      ->type_name("SECONDS")
-      ->check(within(1, 3600));
+  add_worker_limits(*command, options->worker, "one shader");
   end_help(*command,
            "The exit code is 1 if a shader fails or a figure is worse than the baseline's, and 3 if RADV is "
            "missing or the\nbaseline is from other compiler versions. The figures are static: they include "

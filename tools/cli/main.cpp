@@ -6,6 +6,7 @@
 
 #include "cli/command_line.h"
 #include "cli/failure.h"
+#include "cost/compiler_worker.h"
 #include "platform/interrupt.h"
 #include "validation/engine.h"
 
@@ -13,6 +14,8 @@ int main(int argc, char** argv) {
   try {
     if (argc > 1 && std::string_view(argv[1]) == penumbra::validation::worker_mode)
       return penumbra::validation::serve_units({argv + 2, argv + argc});
+    if (argc == 2 && std::string_view(argv[1]) == penumbra::cost::compiler_worker_mode)
+      return penumbra::cost::serve_compiler();
     penumbra::platform::watch_interrupts();
     return penumbra::cli::run_command_line({argv + 1, argv + argc});
   } catch (...) {

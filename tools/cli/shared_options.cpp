@@ -32,6 +32,29 @@ unsigned worker_count(int jobs) {
   return jobs > 0 ? static_cast<unsigned>(jobs) : std::max(1U, std::thread::hardware_concurrency());
 }
 
+void add_worker_limits(CLI::App& command, WorkerOptions& options, const std::string& of_what) {
+  command.add_option("--time-limit", options.time_limit, "CPU time limit for " + of_what)
+      ->type_name("SECONDS")
+      ->check(within(1, 3600));
+  command.add_option("--memory-limit", options.memory_limit, "Memory limit of one worker process")
+      ->type_name("MIB")
+      ->check(within(64, 65536));
+}
+
+platform::WorkerLimits worker_limits(const WorkerOptions& options) {
+  platform::WorkerLimits limits;
+  limits.processor_time = std::chrono::seconds(options.time_limit);
+  // Beside other work a second of processor time takes several.
+  limits.time = std::max<std::chrono::milliseconds>(limits.time, 6 * limits.processor_time);
+  limits.memory = std::size_t{options.memory_limit} << 20;
+  return limits;
+}
+
+std::vector<std::string> worker_arguments(const std::string& mode) {
+  if (!platform::worker_processes_supported()) return {};
+  return {mode};
+}
+
 CLI::Option* add_technique_option(CLI::App& command, std::vector<std::string>& techniques,
                                   const std::string& without) {
   CLI::Option* option = as_list(

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "platform/worker_pool.h"
+
 namespace penumbra::cli {
 
 CLI::Option* add_output_file(CLI::App& command, std::string& file);
@@ -13,6 +15,16 @@ CLI::Option* add_format(CLI::App& command, std::string& format, std::vector<std:
 
 CLI::Option* add_jobs(CLI::App& command, int& jobs);
 unsigned worker_count(int jobs);  // 0: as many as the machine has cores
+
+// Of the processes in which untrusted files are compiled and read.
+struct WorkerOptions {
+  unsigned time_limit = 30;      // seconds of processor time
+  unsigned memory_limit = 2048;  // MiB
+};
+void add_worker_limits(CLI::App& command, WorkerOptions& options, const std::string& of_what);
+platform::WorkerLimits worker_limits(const WorkerOptions& options);
+// The arguments that start this program as a worker; none where there are no worker processes.
+std::vector<std::string> worker_arguments(const std::string& mode);
 
 CLI::Option* add_technique_option(CLI::App& command, std::vector<std::string>& techniques,
                                   const std::string& without);

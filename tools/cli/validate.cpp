@@ -73,12 +73,11 @@ validation::EngineOptions engine_options(const ValidateOptions& options) {
   validation::EngineOptions engine;
   engine.jobs = worker_count(options.jobs);
   engine.shard = chosen_shard(options.shard);
-  engine.worker_arguments = {validation::worker_mode};
+  engine.worker_arguments = worker_arguments(validation::worker_mode);
   if (!options.no_cache)
     engine.cache = options.cache.empty() ? validation::default_cache() : fs::path(options.cache);
   engine.keep = options.keep;
-  engine.limits.processor_time = std::chrono::seconds(options.time_limit);
-  engine.limits.memory = std::size_t{options.memory_limit} << 20;
+  engine.limits = worker_limits(options.worker);
   return engine;
 }
 

@@ -122,12 +122,7 @@ void add_how(CLI::App& command, ValidateOptions& options) {
   command.add_option("--keep", options.keep, "Folder for sources that crash or hang a compiler")
       ->type_name("FOLDER")
       ->default_str("below the cache");
-  command.add_option("--time-limit", options.time_limit, "CPU time limit for one variant")
-      ->type_name("SECONDS")
-      ->check(within(1, 3600));
-  command.add_option("--memory-limit", options.memory_limit, "Memory limit of one worker process")
-      ->type_name("MIB")
-      ->check(within(64, 65536));
+  add_worker_limits(command, options.worker, "one variant");
 }
 
 void add_written(CLI::App& command, ValidateOptions& options) {

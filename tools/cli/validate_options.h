@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/report_output.h"
+#include "cli/shared_options.h"
 
 namespace CLI {
 class App;
@@ -51,8 +52,7 @@ struct ValidateOptions {
   std::string cache;
   bool no_cache = false;
   std::string keep;
-  unsigned time_limit = 30;
-  unsigned memory_limit = 2048;
+  WorkerOptions worker;
   ReportOptions report;
   std::string emit_parameters;
   std::string emit_presets;

@@ -4,7 +4,7 @@
 #include <map>
 #include <tuple>
 
-#include "cost/worker_threads.h"
+#include "cost/module_compiler.h"
 #include "input/input_error.h"
 #include "validation/source_variants.h"
 
@@ -63,9 +63,10 @@ void add_new(std::vector<hlsl::Diagnostic>& said, const std::vector<hlsl::Diagno
 
 CostModules compile_modules(const CostRequest& request) {
   const std::vector<Source> sources = sources_of(request);
-  std::vector<shaders::CompileResult> compiled(sources.size());
-  run_all(sources.size(), request.jobs,
-          [&](std::size_t i) { compiled[i] = shaders::compile(sources[i].compile); });
+  std::vector<shaders::CompileRequest> requests;
+  for (const Source& source : sources) requests.push_back(source.compile);
+  const std::vector<CompiledModule> compiled =
+      compile_all(requests, {request.compiler, request.jobs, request.compiler_limits});
 
   CostModules made;
   std::map<std::tuple<std::string, hlsl::Stage, std::string, std::vector<std::uint32_t>>, std::size_t> places;
@@ -78,7 +79,7 @@ CostModules compile_modules(const CostRequest& request) {
     }
     const auto [place, is_new] =
         places.try_emplace({file, compile.stage, compile.entry, spirv}, made.modules.size());
-    if (is_new) made.modules.push_back({file, compile.entry, compile.stage, {}, spirv});
+    if (is_new) made.modules.push_back({file, compile.entry, compile.stage, {}, spirv, compiled[i].counts});
     made.modules[place->second].variants.push_back(variant);
   }
   return made;

@@ -13,6 +13,7 @@ struct CostModule {
   hlsl::Stage stage = hlsl::Stage::fragment;
   std::vector<CostVariant> variants;
   std::vector<std::uint32_t> spirv;
+  SpirvCounts counts;
 };
 
 struct CostModules {

@@ -18,7 +18,7 @@ std::vector<CostRow> empty_rows(const CostRequest& request, const std::vector<Co
                       module.entry,
                       hlsl::stage_name(module.stage),
                       module.variants,
-                      count_spirv(module.spirv),
+                      module.counts,
                       {}});
   return rows;
 }

@@ -10,6 +10,7 @@
 
 #include "cost/cost_report.h"
 #include "hlsl/diagnostic.h"
+#include "platform/worker_pool.h"
 #include "shaders/compile.h"
 #include "shaders/technique_list.h"
 
@@ -31,6 +32,8 @@ struct CostRequest {
   std::vector<shaders::PackageRoot> package_roots;
   std::vector<std::filesystem::path> include_directories;
   std::vector<std::string> families;
+  std::vector<std::string> compiler;  // arguments that start this program as serve_compiler(); none: threads
+  platform::WorkerLimits compiler_limits;        // of one source
   std::filesystem::path worker;                  // as in NullRadv
   std::chrono::milliseconds time_limit{60'000};  // of one shader
   unsigned jobs = 1;

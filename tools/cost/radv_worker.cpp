@@ -13,7 +13,9 @@
 #include "hlsl/diagnostic.h"
 #include "hlsl/stage.h"
 #include "input/input_error.h"
+#include "platform/confinement.h"
 #include "shaders/compile.h"
+#include "shaders/spirv_module.h"
 
 namespace penumbra::cost {
 namespace {
@@ -70,6 +72,8 @@ Json answer_of(const gpu::PipelineExecutable& executable) {
   return {{"subgroup_size", executable.subgroup_size}, {"statistics", statistics}};
 }
 
+constexpr std::size_t kMemory = std::size_t{2} << 30;  // bytes
+
 Json measure_here(const std::string& stage, const std::string& entry, std::istream& input) {
   // The one device RADV_FORCE_FAMILY leaves of this driver; all its devices have RADV in their names.
   const gpu::StatisticsDevice device("RADV");
@@ -77,8 +81,15 @@ Json measure_here(const std::string& stage, const std::string& entry, std::istre
   if (stage.empty()) return answer;
   const std::optional<hlsl::Stage> known = hlsl::find_stage(stage);
   if (!known) throw std::invalid_argument("there is no stage '" + stage + "'");
+  platform::confine_process(kMemory);
   try {
-    answer["measured"] = answer_of(measured_executable(device, *known, {read_words(input), entry}));
+    const std::vector<std::uint32_t> words = read_words(input);
+    // Drivers may do anything with a module that is not valid.
+    const std::vector<std::string> problems =
+        shaders::validation_problems(words, shaders::VulkanVersion::v1_1, false);
+    if (!problems.empty())
+      throw std::invalid_argument("not valid SPIR-V for Vulkan 1.1: " + problems.front());
+    answer["measured"] = answer_of(measured_executable(device, *known, {words, entry}));
   } catch (const std::exception& error) {
     answer["failure"] = error.what();
   }
@@ -87,8 +98,10 @@ Json measure_here(const std::string& stage, const std::string& entry, std::istre
 
 }  // namespace
 
-void run_radv_worker(const std::string& stage, const std::string& entry, std::istream& input,
-                     std::ostream& output) {
+void run_radv_worker(unsigned seconds, const std::string& stage, const std::string& entry,
+                     std::istream& input, std::ostream& output) {
+  platform::close_descriptors_from(3);
+  platform::limit_processor_time(seconds);
   Json answer;
   try {
     answer = measure_here(stage, entry, input);

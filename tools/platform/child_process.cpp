@@ -25,6 +25,8 @@ extern char** environ;  // NOLINT(readability-redundant-declaration): not every 
 namespace penumbra::platform {
 
 #ifndef _WIN32
+const int signal_of_processor_time = SIGXCPU;
+
 namespace {
 
 // The three streams are nameless temporary files, not pipes: no pipe can fill up and block either side, and
@@ -174,6 +176,8 @@ ChildResult run_child(const ChildCommand& command) {
 }
 
 #else
+
+const int signal_of_processor_time = 0;
 
 ChildResult run_child(const ChildCommand& command) {
   throw EnvironmentError("'" + command.program +

@@ -20,6 +20,9 @@ struct ChildCommand {
   std::vector<std::pair<std::string, std::string>> environment{};  // added to ours, or in place of ours
 };
 
+// What ends a child at its own limit of processor time; 0 where there is no such signal.
+extern const int signal_of_processor_time;
+
 struct ChildResult {
   int exit_code = 0;        // 128 + signal when a signal ended it
   bool timed_out = false;   // killed, with everything it started, at the timeout

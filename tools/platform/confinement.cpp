@@ -55,6 +55,16 @@ void close_descriptors_from(int first) {
   for (int descriptor = first; descriptor < end; ++descriptor) ::close(descriptor);
 }
 
+void limit_processor_time(unsigned long long seconds) {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  rlimit limit{};
+  ::getrlimit(RLIMIT_CPU, &limit);
+  const auto used = static_cast<rlim_t>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec);
+  limit.rlim_cur = std::min<rlim_t>(limit.rlim_max, used + seconds + 1);
+  ::setrlimit(RLIMIT_CPU, &limit);
+}
+
 void confine_process([[maybe_unused]] std::size_t memory) {
   lower_limit(RLIMIT_CORE, 0);
   lower_limit(RLIMIT_FSIZE, kLargestConfinedFile);
@@ -75,6 +85,8 @@ void confine_process([[maybe_unused]] std::size_t memory) {
 #else
 
 void close_descriptors_from(int) {}
+
+void limit_processor_time(unsigned long long) {}
 
 void confine_process(std::size_t) {}
 

@@ -15,6 +15,9 @@ inline constexpr std::size_t kLargestConfinedFile = std::size_t{64} << 20;  // b
 // Closes what was inherited, from this descriptor on: a parent's files are not all closed at exec.
 void close_descriptors_from(int first);
 
+// The system ends this process with SIGXCPU after so many seconds of processor time from now.
+void limit_processor_time(unsigned long long seconds);
+
 // `memory`: bytes that may be allocated, and some for libraries; builds with sanitizers have no such limit.
 // Call it before anything untrusted is read; what needs more, a graphics driver for example, is opened
 // before. Threads that run already are confined too. Throws EnvironmentError where the kernel refuses the

@@ -10,7 +10,6 @@
 #include "platform/worker_pool.h"
 
 #ifndef _WIN32
-#include <sys/resource.h>
 #include <sys/socket.h>
 #include <unistd.h>
 #ifdef __linux__
@@ -87,19 +86,8 @@ void keep_memory() {
 #endif
 }
 
-// The system ends us with SIGXCPU once this message has had its share.
-void limit_processor_time(rlim_t seconds) {
-  rusage usage{};
-  ::getrusage(RUSAGE_SELF, &usage);
-  rlimit limit{};
-  ::getrlimit(RLIMIT_CPU, &limit);
-  const auto used = static_cast<rlim_t>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec);
-  limit.rlim_cur = std::min(limit.rlim_max, used + seconds + 1);
-  ::setrlimit(RLIMIT_CPU, &limit);
-}
-
 struct Settings {
-  rlim_t processor_seconds = 0;
+  unsigned long long processor_seconds = 0;
   std::size_t memory = 0;
   std::size_t answer = 0;
 };
@@ -107,12 +95,11 @@ struct Settings {
 // The parent's first frame.
 Settings read_settings(ParentLink& link) {
   const Frame frame = link.read();
-  unsigned long long seconds = 0;
   Settings settings;
   if (frame.kind != FrameKind::settings ||
-      std::sscanf(frame.content.c_str(), "%llu %zu %zu", &seconds, &settings.memory, &settings.answer) != 3)
+      std::sscanf(frame.content.c_str(), "%llu %zu %zu", &settings.processor_seconds, &settings.memory,
+                  &settings.answer) != 3)
     ::_exit(EXIT_FAILURE);
-  settings.processor_seconds = seconds;
   return settings;
 }
 

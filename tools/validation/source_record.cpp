@@ -4,10 +4,13 @@
 #include <system_error>
 
 #include "hlsl/source_text.h"
+#include "platform/byte_stream.h"
 #include "platform/content_hash.h"
-#include "validation/byte_stream.h"
 
 namespace penumbra::validation {
+
+using platform::ByteReader;
+using platform::ByteWriter;
 
 namespace fs = std::filesystem;
 

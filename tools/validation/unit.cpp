@@ -2,13 +2,18 @@
 
 #include <algorithm>
 
-#include "validation/byte_stream.h"
+#include "platform/byte_stream.h"
+#include "shaders/compile_message.h"
 
 namespace penumbra::validation {
+
+using platform::ByteReader;
+using platform::ByteWriter;
 
 namespace {
 
 using hlsl::Diagnostic;
+using shaders::write;
 using Pair = std::pair<std::string, std::string>;
 
 void write(ByteWriter& out, const std::vector<std::string>& texts) {
@@ -22,61 +27,11 @@ void write(ByteWriter& out, const std::vector<Pair>& pairs) {
   });
 }
 
-// The members by name and all of them: one more in the struct, and this does not compile until it is written.
-void write(ByteWriter& out, const shaders::CompileRequest& request) {
-  const auto& [file, text, entry, stage, defines, roots, directories, project, cginc_root, overlays, prepare,
-               optimise, debug_lines, keep_unoptimised, vulkan] = request;
-  out.text(file.string());
-  out.number(text ? 1 : 0);
-  out.text(text.value_or(""));
-  out.text(entry);
-  out.number(static_cast<std::uint64_t>(stage));
-  write(out, defines);
-  out.list(roots, [&](const shaders::PackageRoot& root) {
-    out.text(root.name);
-    out.text(root.directory.string());
-  });
-  out.list(directories, [&](const std::filesystem::path& directory) { out.text(directory.string()); });
-  out.text(project.string());
-  out.text(cginc_root.string());
-  out.list(overlays, [&](const shaders::IncludeOverlay& overlay) {
-    out.text(overlay.suffix);
-    out.text(overlay.file.string());
-  });
-  out.number(prepare ? 1 : 0);
-  out.number(optimise ? 1 : 0);
-  out.number(debug_lines ? 1 : 0);
-  out.number(keep_unoptimised ? 1 : 0);
-  out.number(static_cast<std::uint64_t>(vulkan));
-}
-
 void write(ByteWriter& out, const LintOrder& order) {
   const auto& [wanted, shader_target, left_out] = order;
   out.number(wanted ? 1 : 0);
   out.number(static_cast<std::uint64_t>(std::max(shader_target, 0)));
   write(out, left_out);
-}
-
-void write(ByteWriter& out, const Diagnostic& diagnostic) {
-  const auto& [file, line, column, severity, message, source_line, rule] = diagnostic;
-  out.text(file);
-  out.number(static_cast<std::uint64_t>(std::max(line, 0)));
-  out.number(static_cast<std::uint64_t>(std::max(column, 0)));
-  out.number(static_cast<std::uint64_t>(severity));
-  out.text(message);
-  out.text(source_line);
-  out.text(rule);
-}
-
-void write(ByteWriter& out, const std::vector<Diagnostic>& diagnostics) {
-  out.list(diagnostics, [&](const Diagnostic& diagnostic) { write(out, diagnostic); });
-}
-
-template <typename Enumeration>
-Enumeration read_enumerator(ByteReader& in, Enumeration last) {
-  const std::uint64_t value = in.number();
-  if (value > static_cast<std::uint64_t>(last)) in.spoil();
-  return value > static_cast<std::uint64_t>(last) ? last : static_cast<Enumeration>(value);
 }
 
 int read_place(ByteReader& in) {
@@ -96,42 +51,6 @@ Pair read_pair(ByteReader& in) {
 
 std::vector<Pair> read_pairs(ByteReader& in) {
   return in.list<Pair>([&] { return read_pair(in); });
-}
-
-shaders::CompileRequest read_request(ByteReader& in) {
-  shaders::CompileRequest request;
-  request.file = in.text();
-  const bool has_text = in.flag();
-  std::string text = in.text();
-  if (has_text) request.text = std::move(text);
-  request.entry = in.text();
-  request.stage = read_enumerator(in, hlsl::Stage::compute);
-  request.defines = read_pairs(in);
-  for (auto& [name, directory] : read_pairs(in)) request.package_roots.push_back({name, directory});
-  for (std::string& directory : read_texts(in)) request.include_directories.emplace_back(directory);
-  request.project = in.text();
-  request.cginc_root = in.text();
-  for (auto& [suffix, file] : read_pairs(in)) request.overlays.push_back({suffix, file});
-  request.prepare = in.flag();
-  request.optimise = in.flag();
-  request.debug_lines = in.flag();
-  request.keep_unoptimised = in.flag();
-  request.vulkan = read_enumerator(in, shaders::VulkanVersion::v1_2);
-  return request;
-}
-
-std::vector<Diagnostic> read_diagnostics(ByteReader& in) {
-  return in.list<Diagnostic>([&] {
-    Diagnostic diagnostic;
-    diagnostic.file = in.text();
-    diagnostic.line = read_place(in);
-    diagnostic.column = read_place(in);
-    diagnostic.severity = read_enumerator(in, hlsl::Severity::error);
-    diagnostic.message = in.text();
-    diagnostic.source_line = in.text();
-    diagnostic.rule = in.text();
-    return diagnostic;
-  });
 }
 
 }  // namespace
@@ -171,7 +90,7 @@ std::optional<CompileUnit> decode_unit(std::string_view bytes) {
   for (std::string* text : {&unit.technique, &unit.file, &unit.shader, &unit.pass}) *text = in.text();
   unit.sub_shader = read_place(in);
   unit.keywords = read_texts(in);
-  unit.compile = read_request(in);
+  unit.compile = shaders::read_compile_request(in);
   unit.targets = read_texts(in);
   unit.lint.wanted = in.flag();
   unit.lint.shader_target = read_place(in);
@@ -194,7 +113,7 @@ std::string encode(const CompileAnswer& answer) {
 std::optional<CompileAnswer> decode_compile_answer(std::string_view bytes) {
   ByteReader in(bytes);
   CompileAnswer answer;
-  answer.diagnostics = read_diagnostics(in);
+  answer.diagnostics = shaders::read_diagnostics(in);
   answer.module_key = in.text();
   answer.missing_editor_include = in.text();
   answer.quoted = read_pairs(in);
@@ -213,7 +132,7 @@ std::string encode(const EmittedAnswer& answer) {
 
 std::optional<EmittedAnswer> decode_emitted_answer(std::string_view bytes) {
   ByteReader in(bytes);
-  EmittedAnswer answer = in.list<std::vector<Diagnostic>>([&] { return read_diagnostics(in); });
+  EmittedAnswer answer = in.list<std::vector<Diagnostic>>([&] { return shaders::read_diagnostics(in); });
   if (!in.exhausted()) return std::nullopt;
   return answer;
 }

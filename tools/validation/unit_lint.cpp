@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "lint/module_rules.h"
-#include "validation/byte_stream.h"
+#include "platform/byte_stream.h"
 
 namespace penumbra::validation {
 

@@ -2,9 +2,12 @@
 
 #include <utility>
 
-#include "validation/byte_stream.h"
+#include "platform/byte_stream.h"
 
 namespace penumbra::validation {
+
+using platform::ByteReader;
+using platform::ByteWriter;
 
 namespace {
 

@@ -1,6 +1,6 @@
-#include "validation/byte_stream.h"
+#include "platform/byte_stream.h"
 
-namespace penumbra::validation {
+namespace penumbra::platform {
 
 // Seven bits a byte, the lowest first; all but the last byte have the eighth bit set.
 void ByteWriter::number(std::uint64_t value) {
@@ -42,4 +42,4 @@ std::string ByteReader::text() {
   return value;
 }
 
-}  // namespace penumbra::validation
+}  // namespace penumbra::platform

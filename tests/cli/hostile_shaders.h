@@ -1,0 +1,35 @@
+// Small texts on which compilers crash, or that cost them more time and memory than there is.
+#pragma once
+
+#include <string>
+
+namespace penumbra {
+
+// `function`: its head; the body ends in what is returned. glslang takes a `case` outside of a switch for one
+// inside of it.
+inline std::string case_outside_switch(const std::string& function) {
+  return function + "\n{\n    case 1:\n    return 0;\n}\n";
+}
+
+// 2^39 expansions.
+inline std::string macro_bomb(const std::string& function) {
+  std::string text = "#define M0 1 +\n";
+  for (int i = 1; i < 40; ++i) {
+    const std::string before = "M" + std::to_string(i - 1);
+    text += "#define M" + std::to_string(i) + " " + before + " " + before + "\n";
+  }
+  return text + function + "\n{\n    return M39 0;\n}\n";
+}
+
+inline std::string endless_unrolling(const std::string& function) {
+  return "float step;\n" + function +
+         "\n{\n    float sum = 0;\n    [unroll] for (int i = 0; i < 1000000000; ++i) sum += step;\n"
+         "    return sum;\n}\n";
+}
+
+inline std::string deep_parentheses(const std::string& function) {
+  return function + "\n{\n    return " + std::string(300'000, '(') + "1" + std::string(300'000, ')') +
+         ";\n}\n";
+}
+
+}  // namespace penumbra

@@ -1,0 +1,31 @@
+// Compiles sources in worker processes, and looks at the modules there. Internal to this room, but for the
+// worker's side.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "cost/spirv_counts.h"
+#include "hlsl/diagnostic.h"
+#include "platform/worker_pool.h"
+#include "shaders/compile.h"
+
+namespace penumbra::cost {
+
+struct CompiledModule {
+  std::vector<std::uint32_t> spirv;  // empty when a diagnostic is an error
+  SpirvCounts counts;
+  std::vector<hlsl::Diagnostic> diagnostics;
+};
+
+// One of each request, in their order. A request that ends its worker has a diagnostic that says so. Without
+// arguments in `pool` threads do the work. Throws InputError for a file that cannot be read,
+// EnvironmentError, platform::Interrupted.
+std::vector<CompiledModule> compile_all(const std::vector<shaders::CompileRequest>& requests,
+                                        const platform::WorkerPool& pool);
+
+std::string encode(const CompiledModule& module);
+CompiledModule decode_module(const std::string& bytes);  // throws std::invalid_argument for damaged bytes
+
+}  // namespace penumbra::cost

@@ -1,0 +1,36 @@
+#include "platform/worker_answer.h"
+
+#include <stdexcept>
+
+#include "input/input_error.h"
+
+namespace penumbra::platform {
+namespace {
+
+constexpr char kAnswer = 'a';
+constexpr char kInputError = 'i';
+constexpr const char* kWayOut = "\n  ";  // between the two texts of an InputError
+
+}  // namespace
+
+std::string answer_or_input_error(const std::function<std::string()>& work) {
+  try {
+    std::string answer = work();
+    answer.push_back(kAnswer);  // at the end: a large answer is not moved
+    return answer;
+  } catch (const InputError& error) {
+    return std::string(error.what()) + kInputError;
+  }
+}
+
+std::string taken_answer(std::string bytes) {
+  const char kind = bytes.empty() ? '\0' : bytes.back();
+  if (!bytes.empty()) bytes.pop_back();
+  if (kind == kAnswer) return bytes;
+  if (kind != kInputError) throw std::invalid_argument("a worker gave an answer that cannot be read");
+  const std::size_t way_out = bytes.find(kWayOut);
+  if (way_out == std::string::npos) throw InputError("", bytes);
+  throw InputError("", bytes.substr(0, way_out), bytes.substr(way_out + std::string_view(kWayOut).size()));
+}
+
+}  // namespace penumbra::platform

@@ -1,0 +1,119 @@
+#include "shaders/compile_message.h"
+
+#include <utility>
+
+namespace penumbra::shaders {
+
+using hlsl::Diagnostic;
+using platform::ByteReader;
+using platform::ByteWriter;
+
+namespace {
+
+using Pair = std::pair<std::string, std::string>;
+
+void write(ByteWriter& out, const std::vector<Pair>& pairs) {
+  out.list(pairs, [&](const Pair& pair) {
+    out.text(pair.first);
+    out.text(pair.second);
+  });
+}
+
+Pair read_pair(ByteReader& in) {
+  std::string first = in.text();
+  return {std::move(first), in.text()};
+}
+
+std::vector<Pair> read_pairs(ByteReader& in) {
+  return in.list<Pair>([&] { return read_pair(in); });
+}
+
+void write(ByteWriter& out, const Diagnostic& diagnostic) {
+  const auto& [file, line, column, severity, message, source_line, rule] = diagnostic;
+  out.text(file);
+  out.number(static_cast<std::uint64_t>(std::max(line, 0)));
+  out.number(static_cast<std::uint64_t>(std::max(column, 0)));
+  out.number(static_cast<std::uint64_t>(severity));
+  out.text(message);
+  out.text(source_line);
+  out.text(rule);
+}
+
+int read_place(ByteReader& in) {
+  const std::uint64_t value = in.number();
+  if (value > 0x7FFFFFFF) in.spoil();
+  return value > 0x7FFFFFFF ? 0 : static_cast<int>(value);
+}
+
+}  // namespace
+
+// The members by name and all of them: one more in the struct, and this does not compile until it is written.
+void write(ByteWriter& out, const shaders::CompileRequest& request) {
+  const auto& [file, text, entry, stage, defines, roots, directories, project, cginc_root, overlays, prepare,
+               optimise, debug_lines, keep_unoptimised, vulkan] = request;
+  out.text(file.string());
+  out.number(text ? 1 : 0);
+  out.text(text.value_or(""));
+  out.text(entry);
+  out.number(static_cast<std::uint64_t>(stage));
+  write(out, defines);
+  out.list(roots, [&](const shaders::PackageRoot& root) {
+    out.text(root.name);
+    out.text(root.directory.string());
+  });
+  out.list(directories, [&](const std::filesystem::path& directory) { out.text(directory.string()); });
+  out.text(project.string());
+  out.text(cginc_root.string());
+  out.list(overlays, [&](const shaders::IncludeOverlay& overlay) {
+    out.text(overlay.suffix);
+    out.text(overlay.file.string());
+  });
+  out.number(prepare ? 1 : 0);
+  out.number(optimise ? 1 : 0);
+  out.number(debug_lines ? 1 : 0);
+  out.number(keep_unoptimised ? 1 : 0);
+  out.number(static_cast<std::uint64_t>(vulkan));
+}
+
+void write(ByteWriter& out, const std::vector<Diagnostic>& diagnostics) {
+  out.list(diagnostics, [&](const Diagnostic& diagnostic) { write(out, diagnostic); });
+}
+
+CompileRequest read_compile_request(ByteReader& in) {
+  CompileRequest request;
+  request.file = in.text();
+  const bool has_text = in.flag();
+  std::string text = in.text();
+  if (has_text) request.text = std::move(text);
+  request.entry = in.text();
+  request.stage = in.enumerator(hlsl::Stage::compute);
+  request.defines = read_pairs(in);
+  for (auto& [name, directory] : read_pairs(in)) request.package_roots.push_back({name, directory});
+  request.include_directories =
+      in.list<std::filesystem::path>([&] { return std::filesystem::path(in.text()); });
+  request.project = in.text();
+  request.cginc_root = in.text();
+  for (auto& [suffix, file] : read_pairs(in)) request.overlays.push_back({suffix, file});
+  request.prepare = in.flag();
+  request.optimise = in.flag();
+  request.debug_lines = in.flag();
+  request.keep_unoptimised = in.flag();
+  request.vulkan = in.enumerator(VulkanVersion::v1_2);
+  return request;
+}
+
+std::vector<Diagnostic> read_diagnostics(ByteReader& in) {
+  return in.list<Diagnostic>([&] {
+    Diagnostic diagnostic;
+    diagnostic.file = in.text();
+    diagnostic.line = read_place(in);
+    diagnostic.column = read_place(in);
+    diagnostic.severity = in.enumerator(hlsl::Severity::error);
+    diagnostic.message = in.text();
+    diagnostic.source_line = in.text();
+    diagnostic.rule = in.text();
+    return diagnostic;
+  });
+}
+
+}  // namespace penumbra::shaders

@@ -1,0 +1,19 @@
+// Requests and messages as bytes, for workers that compile and for entries of caches.
+#pragma once
+
+#include <vector>
+
+#include "hlsl/diagnostic.h"
+#include "platform/byte_stream.h"
+#include "shaders/compile.h"
+
+namespace penumbra::shaders {
+
+void write(platform::ByteWriter& out, const CompileRequest& request);
+void write(platform::ByteWriter& out, const std::vector<hlsl::Diagnostic>& diagnostics);
+
+// What is damaged spoils the reader.
+CompileRequest read_compile_request(platform::ByteReader& in);
+std::vector<hlsl::Diagnostic> read_diagnostics(platform::ByteReader& in);
+
+}  // namespace penumbra::shaders

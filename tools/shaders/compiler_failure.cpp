@@ -1,0 +1,16 @@
+#include "shaders/compiler_failure.h"
+
+namespace penumbra::shaders {
+
+CompilerFailure compiler_failure(const platform::WorkerOutcome& outcome) {
+  CompilerFailure failure{"the compiler " + outcome.failure, {}};
+  if (!outcome.last_words.empty()) failure.problem += "; it said: " + outcome.last_words;
+  const bool limited = outcome.failure.starts_with("took ");
+  failure.way_out = limited
+                        ? "simplify the shader, or raise --time-limit and --memory-limit"
+                        : "leave out parts of the shader until it compiles; `penumbra validate` keeps the "
+                          "text that the compiler fails on";
+  return failure;
+}
+
+}  // namespace penumbra::shaders
