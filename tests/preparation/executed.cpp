@@ -6,6 +6,7 @@
 #include "gpu/compute_pass.h"
 #include "gpu/device.h"
 #include "gpu/resources.h"
+#include "preparation/emitted.h"
 #include "shaders/compile.h"
 #include "shaders/reflect.h"
 
@@ -29,18 +30,27 @@ std::vector<std::uint32_t> compiled(const Execution& execution, bool prepare) {
   throw std::runtime_error(messages);
 }
 
-std::vector<float> run(const Execution& execution, bool prepare) {
-  const std::vector<std::uint32_t> spirv = compiled(execution, prepare);
+// GLSL puts "_1" behind the name of a buffer that is its block's as well.
+std::string plain_name(const std::string& name) {
+  return name.size() > 2 && name.ends_with("_1") ? name.substr(0, name.size() - 2) : name;
+}
+
+std::vector<float> run(const Execution& execution, const std::vector<std::uint32_t>& spirv,
+                       const std::string& entry) {
   const gpu::Buffer in(device(), std::span<const float>(execution.in));
   const gpu::Buffer out(device(), execution.outputs * sizeof(float));
-  gpu::ComputePass pass(device(), {.spirv = spirv});
+  gpu::ComputePass pass(device(), {.spirv = spirv, .entry = entry});
   for (const shaders::Resource& resource : shaders::reflect(spirv).resources) {
     const gpu::Slot slot{resource.set, resource.binding};
-    const auto uniform = execution.uniforms.find(resource.name);
-    if (resource.name == "In") {
+    const std::string name = plain_name(resource.name);
+    const auto uniform = execution.uniforms.find(name);
+    if (name == "In") {
       pass.bindings().storage_buffer(slot, in);
-    } else if (resource.name == "Out") {
+    } else if (name == "Out") {
       pass.bindings().storage_buffer(slot, out);
+    } else if (uniform != execution.uniforms.end() &&
+               resource.kind == shaders::ResourceKind::storage_buffer) {
+      pass.bindings().storage_buffer(slot, gpu::Buffer(device(), std::span<const float>(uniform->second)));
     } else if (uniform != execution.uniforms.end()) {
       pass.bindings().uniform_bytes(slot, std::as_bytes(std::span<const float>(uniform->second)));
     } else if (resource.kind == shaders::ResourceKind::storage_image) {
@@ -57,11 +67,15 @@ std::vector<float> run(const Execution& execution, bool prepare) {
 }  // namespace
 
 std::vector<float> run_prepared(const Execution& execution) {
-  return run(execution, true);
+  return run(execution, compiled(execution, true), "Main");
 }
 
 std::vector<float> run_unprepared(const Execution& execution) {
-  return run(execution, false);
+  return run(execution, compiled(execution, false), "Main");
+}
+
+std::vector<float> run_through(const Execution& execution, shaders::Target target) {
+  return run(execution, through_target(compiled(execution, true), target), "main");
 }
 
 }  // namespace penumbra::preparation

@@ -5,10 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "shaders/cross_compile.h"
+
 namespace penumbra::preparation {
 
 // `body` stands after `StructuredBuffer<float> In; RWStructuredBuffer<float> Out;` and defines Main(), which
-// runs once. `uniforms`: the floats of each constant buffer, by its name. Throws with the messages when it
+// runs once. `uniforms`: the floats of each other buffer, by its name. Throws with the messages when it
 // does not compile or the device complains.
 struct Execution {
   std::string body;
@@ -19,5 +21,8 @@ struct Execution {
 
 std::vector<float> run_prepared(const Execution& execution);
 std::vector<float> run_unprepared(const Execution& execution);
+
+// Prepared, then by way of the target's text (emitted.h).
+std::vector<float> run_through(const Execution& execution, shaders::Target target);
 
 }  // namespace penumbra::preparation

@@ -10,6 +10,7 @@
 #include "shaders/precision_copies.h"
 #include "shaders/spirv_cross_session.h"
 #include "shaders/vertex_layer.h"
+#include "shaders/word_blocks.h"
 
 namespace penumbra::shaders {
 
@@ -132,6 +133,12 @@ std::string emit_module(const SpirvCrossModule& module, Target target) {
   return layer.completed(text);
 }
 
+std::string emit_copies_in_scope(const SpirvCrossModule& module, const SpirvModule& spirv, Target target) {
+  std::string text = emit_module(module, target);
+  if (target_language(target) != TargetLanguage::essl || !reads_lost_copy(text)) return text;
+  return emit_module(SpirvCrossModule(without_relaxed_precision(spirv)), target);
+}
+
 }  // namespace
 
 const char* target_name(Target target) {
@@ -165,9 +172,13 @@ CrossCompileResult CrossCompiler::to(Target target) {
 
 std::string CrossCompiler::emit(Target target) {
   if (!module_) module_ = std::make_unique<SpirvCrossModule>(spirv_);
-  std::string text = emit_module(*module_, target);
-  if (target_language(target) != TargetLanguage::essl || !reads_lost_copy(text)) return text;
-  return emit_module(SpirvCrossModule(without_relaxed_precision(spirv_)), target);
+  try {
+    return emit_copies_in_scope(*module_, spirv_, target);
+  } catch (const std::invalid_argument&) {
+    const std::optional<SpirvModule> words = with_word_blocks(spirv_);
+    if (!words) throw;
+    return emit_copies_in_scope(SpirvCrossModule(*words), *words, target);
+  }
 }
 
 CrossCompileResult cross_compile(const std::vector<std::uint32_t>& spirv, Target target) {

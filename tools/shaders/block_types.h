@@ -1,0 +1,66 @@
+// The types of a module's uniform and storage blocks, with the places of their members. Internal to this
+// room.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "shaders/spirv_words.h"
+
+namespace penumbra::shaders {
+
+// Bytes, as the module decorates them.
+struct BlockMember {
+  std::uint32_t type = 0;
+  std::uint32_t offset = 0;
+  std::uint32_t matrix_stride = 0;  // 0 when it is no matrix
+  bool row_major = false;
+};
+
+struct BlockType {
+  spv::Op op = spv::OpNop;
+  std::uint32_t element = 0;       // type of a component, a column or an element
+  std::uint32_t count = 0;         // components, columns, elements, or bits of a number; 0: runtime array
+  std::uint32_t array_stride = 0;  // bytes
+  std::vector<BlockMember> members;
+};
+
+// GL's two rules for where a member lies (OpenGL 4.5 specification, 7.6.2.2).
+enum class BlockRule { std140, std430 };
+
+class BlockTypes {
+ public:
+  explicit BlockTypes(const SpirvModule& module);
+
+  // Null for what is no type that a block holds.
+  const BlockType* find(std::uint32_t id) const;
+  // The value of a 32-bit integer constant.
+  std::optional<std::uint32_t> constant(std::uint32_t id) const;
+  // Whether every member lies exactly where the rule puts it.
+  bool fits(std::uint32_t structure, BlockRule rule) const;
+  // Of four words each, that a uniform block takes.
+  std::uint32_t registers(std::uint32_t structure) const;
+
+ private:
+  struct Extent {
+    std::uint32_t alignment = 1;
+    std::uint32_t size = 0;
+    bool fits = true;
+  };
+
+  void read(SpirvWords instruction);
+  void decorate_member(SpirvWords instruction);
+  Extent extent(const BlockMember& member, BlockRule rule) const;
+  Extent vectors(const BlockMember& member, std::uint32_t components, std::uint32_t count,
+                 BlockRule rule) const;
+  Extent structure(std::uint32_t id, BlockRule rule) const;
+
+  std::unordered_map<std::uint32_t, BlockType> types_;
+  std::unordered_map<std::uint32_t, std::uint32_t> constants_;
+  std::unordered_map<std::uint32_t, std::uint32_t> array_strides_;
+  std::unordered_map<std::uint32_t, std::vector<BlockMember>> places_;  // of structs, before they are defined
+};
+
+}  // namespace penumbra::shaders

@@ -1,0 +1,106 @@
+#include "shaders/module_rewrite.h"
+
+namespace penumbra::shaders {
+
+namespace {
+
+void append(SpirvModule& to, SpirvWords words) {
+  to.insert(to.end(), words.begin(), words.end());
+}
+
+void append(SpirvModule& to, spv::Op op, const ModuleRewrite::Words& operands) {
+  to.push_back(static_cast<std::uint32_t>((operands.size() + 1) << 16U) | op);
+  append(to, operands);
+}
+
+bool is_annotation(spv::Op op) {
+  return op == spv::OpDecorate || op == spv::OpMemberDecorate || op == spv::OpDecorateString ||
+         op == spv::OpMemberDecorateString || op == spv::OpDecorateId;
+}
+
+bool is_type(spv::Op op) {
+  return op >= spv::OpTypeVoid && op <= spv::OpTypeForwardPointer;
+}
+
+}  // namespace
+
+ModuleRewrite::ModuleRewrite(const SpirvModule& module) : module_(module), next_(module[3]) {
+  for_each_instruction(module, [this](SpirvWords one) {
+    const spv::Op op = opcode(one);
+    if (op != spv::OpTypeInt && op != spv::OpTypeVector && op != spv::OpTypePointer) return;
+    Words key{static_cast<std::uint32_t>(op)};
+    key.insert(key.end(), one.begin() + 2, one.end());
+    types_.emplace(std::move(key), one[1]);
+  });
+}
+
+void ModuleRewrite::keep(SpirvWords instruction) {
+  const spv::Op op = opcode(instruction);
+  types_begun_ = types_begun_ || is_type(op);
+  functions_begun_ = functions_begun_ || op == spv::OpFunction;
+  if (functions_begun_) return append(functions_, instruction);
+  if (types_begun_) return append(globals_, instruction);
+  append(is_annotation(op) ? annotations_ : head_, instruction);
+}
+
+std::uint32_t ModuleRewrite::result(spv::Op op, std::uint32_t type, const Words& operands,
+                                    std::uint32_t wanted) {
+  Words all{type, wanted != 0 ? wanted : next_++};
+  append(all, operands);
+  append(functions_, op, all);
+  return all[1];
+}
+
+void ModuleRewrite::code(spv::Op op, const Words& operands) {
+  append(functions_, op, operands);
+}
+
+std::uint32_t ModuleRewrite::type(spv::Op op, const Words& operands) {
+  Words key{static_cast<std::uint32_t>(op)};
+  append(key, operands);
+  const auto known = types_.find(key);
+  if (known != types_.end()) return known->second;
+  return types_[key] = new_type(op, operands);
+}
+
+std::uint32_t ModuleRewrite::new_type(spv::Op op, const Words& operands) {
+  Words all{next_++};
+  append(all, operands);
+  append(globals_, op, all);
+  return all[0];
+}
+
+std::uint32_t ModuleRewrite::uint_type() {
+  return type(spv::OpTypeInt, {32, 0});
+}
+
+std::uint32_t ModuleRewrite::uint_constant(std::uint32_t value) {
+  const auto known = constants_.find(value);
+  if (known != constants_.end()) return known->second;
+  const std::uint32_t type = uint_type();
+  const std::uint32_t id = next_++;
+  global(spv::OpConstant, {type, id, value});
+  return constants_[value] = id;
+}
+
+void ModuleRewrite::global(spv::Op op, const Words& operands) {
+  append(globals_, op, operands);
+}
+
+void ModuleRewrite::decoration(spv::Op op, const Words& operands) {
+  append(decorations_, op, operands);
+}
+
+void ModuleRewrite::name(spv::Op op, const Words& operands) {
+  append(names_, op, operands);
+}
+
+SpirvModule ModuleRewrite::finished() const {
+  SpirvModule all(module_.begin(), module_.begin() + header_words);
+  all[3] = next_;
+  for (const SpirvModule* part : {&head_, &names_, &annotations_, &decorations_, &globals_, &functions_})
+    append(all, *part);
+  return all;
+}
+
+}  // namespace penumbra::shaders
