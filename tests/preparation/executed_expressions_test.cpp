@@ -145,11 +145,14 @@ TEST(ExecutedPartialTexelWrites, OtherComponentsStay) {
     Image[at] = float4(1, 2, 3, 4);
     Image[at].yw = float2(In[0], In[0] + 1);
     if (In[0] > 0) Image[at].z *= 10;
+    int i = 0;
+    Image[uint2(i++, 2)][1] = 50; Image[int2(i, 2)].x++;
+    Out[4] = i; Out[5] = Image[uint2(0, 2)].y;
     Out[0] = Image[at].x; Out[1] = Image[at].y; Out[2] = Image[at].z; Out[3] = Image[at].w; })",
                             {7.0F},
                             {},
-                            4};
-  EXPECT_THAT(run_prepared(execution), ElementsAre(1.0F, 7.0F, 30.0F, 8.0F));
+                            6};
+  EXPECT_THAT(run_prepared(execution), ElementsAre(2.0F, 7.0F, 30.0F, 8.0F, 1.0F, 50.0F));
 }
 
 TEST(ExecutedFlatInitialisers, FillInOrder) {

@@ -276,5 +276,18 @@ float4 Main(float4 p : SV_Position) : SV_Target { return a + b; })",
                        });
 }
 
+// The four texels around the middle hold (4y + x) / 16; those of a gather are counted from the lower left,
+// against the clock. An offset of one texel to the right moves to those beside.
+TEST(ExecutedResources, GatherCmpComparesFourTexels) {
+  const Drawing drawing{
+      "Texture2D<float> Depth; SamplerComparisonState Compare;\n"
+      "float4 Main(float4 p : SV_Position) : SV_Target { return p.x < 2 ? Depth.GatherCmp(Compare, 0.5, 5.5 "
+      "/ 16)\n"
+      "  : Depth.GatherCmp(Compare, 0.5, 9.5 / 16, int2(1, 0)); }",
+      {},
+      {}};
+  expect_both(drawing, [](int x, int) { return x < 2 ? Pixel{1, 1, 1, 0} : Pixel{1, 1, 0, 0}; });
+}
+
 }  // namespace
 }  // namespace penumbra::preparation

@@ -192,12 +192,6 @@ TEST(Compile, WarningsAreKeptOnce) {
   EXPECT_THAT(first_message(result), HasSubstr("shader.hlsl:3: warning: unrecognized attribute 'odd'"));
 }
 
-TEST(Compile, CompareGatherIsRefused) {
-  const std::string text = compute_shader("_A.GatherCmp(sampler_A, float2(0, 0), 0.5).x",
-                                          "Texture2D<float> _A;\nSamplerComparisonState sampler_A;\n");
-  EXPECT_TRUE(hlsl::has_errors(compile_text(text).diagnostics));
-}
-
 TEST(Compile, SameBytesFromFourThreadsAsFromOne) {
   std::vector<std::string> texts;
   texts.reserve(8);

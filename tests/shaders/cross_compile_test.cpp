@@ -138,6 +138,27 @@ TEST(CrossCompile, RegistersCountFromZeroPerKind) {
   EXPECT_THAT(text, HasSubstr("register(t17)"));
 }
 
+// Among reads of one texel, whose text is the same but for the name.
+TEST(CrossCompile, HlslGathersComparisons) {
+  const std::string text =
+      "Texture2D<float> T; TextureCube<float> C; SamplerComparisonState S;\n"
+      "float4 Main(float3 u : TEXCOORD0) : SV_Target { return T.GatherCmp(S, u.xy, u.z)\n"
+      "  + T.GatherCmp(S, u.xy, 0.5, int2(-3, 2)) + T.SampleCmpLevelZero(S, u.xy, 0.5, int2(1, 0))\n"
+      "  + C.GatherCmp(S, u, 0.25); }";
+  const CrossCompileResult result = cross_compile(module_of(text, hlsl::Stage::fragment), Target::hlsl50);
+  ASSERT_TRUE(result.diagnostics.empty()) << format(result.diagnostics.front());
+  EXPECT_THAT(result.text, HasSubstr("0.5f, int2(-3, 2))"));
+  EXPECT_THAT(result.text, HasSubstr("C.GatherCmp(S, u, 0.25f)"));
+  EXPECT_THAT(result.text, HasSubstr("T.SampleCmpLevelZero("));
+  EXPECT_THAT(result.text, HasSubstr("0.5f, int2(1, 0))"));
+  CompileRequest again;
+  again.file = "again.hlsl";
+  again.text = result.text;
+  again.entry = "main";
+  again.stage = hlsl::Stage::fragment;
+  EXPECT_FALSE(compile(again).spirv.empty()) << result.text;
+}
+
 TEST(CrossCompile, NamesAndTargetsAreOneToOne) {
   for (const Target target : all_targets) EXPECT_EQ(find_target(target_name(target)), target);
   EXPECT_EQ(find_target("essl320"), std::nullopt);

@@ -36,6 +36,14 @@ TEST(Include, ALeadingSlashMeansBesideTheIncludingFile) {
   EXPECT_FALSE(hlsl::has_errors(compile(files.request("main.hlsl")).diagnostics));
 }
 
+TEST(Include, TheLastLineNeedsNoNewline) {
+  const ShaderFiles files;
+  files.write("a.hlsl", "#include \"b.hlsl\"");
+  files.write("b.hlsl", "static const float b = 1;");
+  files.write("main.hlsl", compute_shader("1") + "#include \"a.hlsl\"");
+  EXPECT_FALSE(hlsl::has_errors(compile(files.request("main.hlsl")).diagnostics));
+}
+
 TEST(Include, LooksBesideTheIncludingFileThenInTheIncludeFolders) {
   const ShaderFiles files;
   files.write("lib/a.hlsl", "#include \"inner/b.hlsl\"\n#include \"c.hlsl\"\n");

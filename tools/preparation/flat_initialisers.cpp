@@ -5,19 +5,11 @@
 #include <vector>
 
 #include "preparation/declarators.h"
+#include "preparation/value_shape.h"
 
 namespace penumbra::preparation {
 
 namespace {
-
-// 3 of float3, 16 of float4x4, 1 of float.
-std::size_t components(std::string_view type) {
-  const auto size = [](char c) { return static_cast<std::size_t>(c - '0'); };
-  const std::size_t digits = type.find_last_not_of("1234x") + 1;
-  const std::string_view shape = type.substr(digits);
-  if (shape.size() == 1) return size(shape[0]);
-  return shape.size() == 3 ? size(shape[0]) * size(shape[2]) : 1;
-}
 
 // [2][3]; empty when a size is no plain number. `at`: the first '['; moves behind the last ']'.
 std::vector<std::size_t> sizes(const TokenText& text, std::size_t& at) {

@@ -34,7 +34,12 @@ bool names_one(const TokenText& text, const hlsl::Declaration& declaration) {
   return false;
 }
 
-using Texels = std::map<std::string_view, std::string>;
+struct Texel {
+  std::string type;
+  std::string texture;  // its type
+};
+
+using Texels = std::map<std::string_view, Texel>;
 
 Texels writable_textures(const TokenText& text, const std::vector<hlsl::Declaration>& declarations) {
   Texels texels;
@@ -42,24 +47,49 @@ Texels writable_textures(const TokenText& text, const std::vector<hlsl::Declarat
     if (declaration.kind != hlsl::Declaration::Kind::variable || !names_one(text, declaration)) continue;
     for (const Declarator& declarator : declarators(text, declaration.type, declaration.last)) {
       const std::string type = texel_type(declarator.type);
-      if (!type.empty() && declarator.dimension_count == 0) texels[text[declarator.name].spelling] = type;
+      if (!type.empty() && declarator.dimension_count == 0)
+        texels[text[declarator.name].spelling] = {type, declarator.type};
     }
   }
   return texels;
 }
 
-void rewrite(TokenText& text, std::size_t name, const std::string& type) {
+// One past `.xy` or `[1]` after a texel; the place itself where there is neither.
+std::size_t part_end(const TokenText& text, std::size_t at) {
+  if (text.is(at, ".") && text.is_word(at + 1) && is_vector_swizzle(text[at + 1].spelling)) return at + 2;
+  return text.is(at, "[") && text.partner(at) != npos ? text.partner(at) + 1 : at;
+}
+
+// What an index of the texture is.
+const char* place_type(const std::string& texture) {
+  if (texture.starts_with("RWTexture3D") || texture.starts_with("RWTexture2DArray")) return "int3";
+  return texture.starts_with("RWTexture2D") || texture.starts_with("RWTexture1DArray") ? "int2" : "int";
+}
+
+// One past `+= value`, or `++`; npos where nothing is written.
+std::size_t write_end(const TokenText& text, std::size_t operation) {
+  const bool step = (text.is(operation, "+") || text.is(operation, "-")) &&
+                    text.is(operation + 1, text[operation].spelling);
+  const std::size_t length = step ? 2 : assignment_length(text, operation);
+  const std::size_t end = length == 0 ? npos : expression_end(text, operation + length);
+  return end != npos && text.is(end, ";") ? end : npos;
+}
+
+void rewrite(TokenText& text, std::size_t name, const Texel& texel) {
   const std::size_t close = text.partner(name + 1);
-  const std::size_t dot = close + 1;
-  if (!text.is(dot, ".") || !text.is_word(dot + 1) || !is_vector_swizzle(text[dot + 1].spelling)) return;
-  const std::size_t operation = dot + 2;
-  const std::size_t length = assignment_length(text, operation);
-  const std::size_t end = expression_end(text, operation + length);
-  if (length == 0 || end == npos || !text.is(end, ";") || !begins_statement(text, name)) return;
-  if (!may_be_repeated(text, name + 2, close)) return;
-  const std::string texel = text.spelled(name, close - name + 1);
-  text.replace(name, dot - name, "{ " + type + " penumbra_texel = " + texel + "; penumbra_texel");
-  text.replace(end, 1, "; " + texel + " = penumbra_texel; }");
+  const std::size_t operation = part_end(text, close + 1);
+  const std::size_t end = operation == close + 1 ? npos : write_end(text, operation);
+  if (end == npos || !begins_statement(text, name)) return;
+  std::string place = text.spelled(name + 2, close - name - 2);
+  std::string before;
+  if (!may_be_repeated(text, name + 2, close)) {
+    before = std::string(place_type(texel.texture)) + " penumbra_place = " + place + "; ";
+    place = "penumbra_place";
+  }
+  const std::string whole = text.spelled(name, 2) + place + "]";
+  text.replace(name, close + 1 - name,
+               "{ " + before + texel.type + " penumbra_texel = " + whole + "; penumbra_texel");
+  text.replace(end, 1, "; " + whole + " = penumbra_texel; }");
 }
 
 }  // namespace

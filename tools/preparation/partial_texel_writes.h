@@ -1,7 +1,8 @@
-// Writes to some components of a texel, `_Result[id].xy += v;`: glslang stops at "unimplemented: partial
-// image updates". The statement becomes a block that reads the texel, changes it and writes it back, which is
-// what the hardware does as well. The index is repeated, so it must not hold a call, ++ or --: such a
-// statement stays, and glslang says so. Textures and buffers of the file scope only.
+// Writes to some components of a texel, `_Result[id].xy += v;` or `_Result[uint2(x, y)][1] = v;`: glslang
+// stops at "unimplemented: partial image updates". The statement becomes a block that reads the texel,
+// changes it and writes it back, which is what the hardware does as well. An index with a call, ++ or -- is
+// worked out once, into a variable. Textures and buffers of the file scope only; a component that is an
+// argument for an out parameter stays an error.
 #pragma once
 
 #include "preparation/token_text.h"

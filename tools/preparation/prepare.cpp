@@ -3,6 +3,8 @@
 #include <array>
 
 #include "preparation/array_casts.h"
+#include "preparation/base_members.h"
+#include "preparation/bool_signs.h"
 #include "preparation/buffer_aliases.h"
 #include "preparation/cbuffer_resources.h"
 #include "preparation/constructor_statements.h"
@@ -10,6 +12,7 @@
 #include "preparation/flat_initialisers.h"
 #include "preparation/framebuffer_fetch.h"
 #include "preparation/intrinsic_calls.h"
+#include "preparation/loop_variables.h"
 #include "preparation/matrix_casts.h"
 #include "preparation/matrix_operators.h"
 #include "preparation/matrix_swizzles.h"
@@ -19,11 +22,15 @@
 #include "preparation/partial_texel_writes.h"
 #include "preparation/precision_matrices.h"
 #include "preparation/precision_twins.h"
+#include "preparation/prototypes.h"
 #include "preparation/register_annotations.h"
 #include "preparation/resource_arrays.h"
+#include "preparation/row_matrices.h"
 #include "preparation/static_initialisers.h"
+#include "preparation/storage_order.h"
 #include "preparation/stray_semicolons.h"
 #include "preparation/struct_casts.h"
+#include "preparation/struct_initialisers.h"
 #include "preparation/swizzle_arguments.h"
 #include "preparation/texture_precision.h"
 #include "preparation/texture_reads.h"
@@ -34,9 +41,14 @@
 namespace penumbra::preparation {
 
 std::span<const Pass> passes() {
-  static constexpr std::array<Pass, 28> all{{{"texture-precision", drop_texture_precision},
+  static constexpr std::array<Pass, 35> all{{{"texture-precision", drop_texture_precision},
                                              {"precision-matrices", name_precision_matrices},
                                              {"namespace-structs", write_out_namespaces},
+                                             {"storage-order", put_static_first},
+                                             {"base-members", write_out_base_members},
+                                             {"prototypes", match_prototypes},
+                                             {"loop-variables", outlive_loops},
+                                             {"row-matrices", make_row_matrices_vectors},
                                              {"plain-registers", plain_registers},
                                              {"framebuffer-fetch", read_framebuffer},
                                              {"uniform-structs", take_apart_uniform_structs},
@@ -52,6 +64,7 @@ std::span<const Pass> passes() {
                                              {"missing-returns", return_from_empty_functions},
                                              {"precision-twins", merge_precision_twins},
                                              {"stray-semicolons", drop_stray_semicolons},
+                                             {"struct-initialisers", match_struct_initialisers},
                                              {"flat-initialisers", group_flat_initialisers},
                                              {"partial-texel-writes", write_whole_texels},
                                              {"matrix-casts", widen_matrix_casts},
@@ -61,6 +74,7 @@ std::span<const Pass> passes() {
                                              {"static-initialisers", work_out_static_initialisers},
                                              {"constructor-statements", wrap_constructor_statements},
                                              {"uniform-writes", copy_written_uniforms},
+                                             {"bool-signs", multiply_bool_signs},
                                              {"intrinsic-calls", write_out_intrinsic_calls}}};
   return all;
 }

@@ -1,6 +1,7 @@
 #include "preparation/source_directives.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cstddef>
 #include <string_view>
 
@@ -45,6 +46,8 @@ class SourceScan {
   void token(char c) {
     if (c == '"') {
       text();
+    } else if (c == '\'') {
+      character();
     } else if (is_digit(c) || (c == '.' && is_digit(peek(1)))) {
       number();
     } else if (is_word(c)) {
@@ -58,6 +61,38 @@ class SourceScan {
     for (++at_; at_ < text_.size() && peek() != '"' && peek() != '\n'; ++at_)
       if (peek() == '\\' && peek(1) != '\n') ++at_;
     if (peek() == '"') ++at_;
+  }
+
+  // 'N' becomes 78, with blanks for the rest: three characters at least, and a number below 256.
+  void character() {
+    const std::size_t begin = at_++;
+    const bool escape = peek() == '\\';
+    if (peek() == '\0' || peek() == '\n') return;
+    const int value = escape ? escaped() : static_cast<unsigned char>(text_[at_++]);
+    if (peek() != '\'' || value < 0 || (!escape && at_ != begin + 2)) {
+      at_ = begin + 1;  // an apostrophe
+      return;
+    }
+    std::string number = std::to_string(value);
+    number.resize(std::max(number.size(), ++at_ - begin), ' ');
+    text_.replace(begin, at_ - begin, number);
+  }
+
+  // After a backslash; -1 for what a byte does not hold.
+  int escaped() {
+    constexpr std::string_view letters = "abfnrtv";
+    constexpr std::string_view meant = "\a\b\f\n\r\t\v";
+    const char c = peek(1);
+    at_ += 2;
+    if (const std::size_t letter = letters.find(c); letter != std::string_view::npos) return meant[letter];
+    const bool hexadecimal = c == 'x';
+    if (!hexadecimal && (c < '0' || c > '7')) return c == '\n' || c == '\0' ? -1 : c;
+    if (!hexadecimal) --at_;
+    int value = 0;
+    const auto read =
+        std::from_chars(text_.data() + at_, text_.data() + text_.size(), value, hexadecimal ? 16 : 8);
+    at_ = static_cast<std::size_t>(read.ptr - text_.data());
+    return read.ec == std::errc() && value < 256 ? value : -1;
   }
 
   // The suffix h of 1.0h, and 1.#INF.

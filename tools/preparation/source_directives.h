@@ -8,6 +8,9 @@
 // - The half literal `1.0h` becomes `1.0f`: the precision of half is float here. `1.#INF` becomes `1e9999`,
 // which
 //   is infinite too, and survives the preprocessor.
+// - The character literals 'N' and '\n' become the numbers that they stand for
+//   (learn.microsoft.com/windows/win32/direct3dhlsl/dx-graphics-hlsl-appendix-grammar): glslang's
+//   preprocessor loses their quotes.
 //
 // Guarantees: the length, every newline and every column stay. Comments and texts in quotes are left alone.
 #pragma once

@@ -11,6 +11,7 @@
 #include "hlsl/outline.h"
 #include "preparation/declarators.h"
 #include "preparation/postfix_expression.h"
+#include "preparation/value_types.h"
 
 namespace penumbra::preparation {
 
@@ -26,7 +27,10 @@ struct Uniform {
 class WrittenUniforms {
  public:
   explicit WrittenUniforms(TokenText& text)
-      : text_(text), declarations_(text.outline()), uniform_words_(text.word_numbers(), false) {}
+      : text_(text),
+        types_(text.types()),
+        declarations_(text.outline()),
+        uniform_words_(text.word_numbers(), false) {}
 
   void run() {
     find_uniforms();
@@ -44,12 +48,15 @@ class WrittenUniforms {
   void add_uniforms(std::size_t first, std::size_t last, std::size_t insert_before) {
     for (Declarator& declarator : declarators(text_, first, last)) {
       const bool uniform = !declarator.is_static && !declarator.is_groupshared && !declarator.is_const;
-      if (!uniform || !is_number_type(declarator.type)) continue;
+      if (!uniform || !(is_number_type(declarator.type) || is_struct(declarator.type))) continue;
       const std::string_view name = text_[declarator.name].spelling;
       uniform_words_[text_.word_number(declarator.name)] = true;
       uniforms_[name] = {std::move(declarator), insert_before};
     }
   }
+
+  // Structs with resources have been taken apart (uniform_structs.h).
+  bool is_struct(const std::string& type) const { return types_.structs().count(type) != 0; }
 
   void find_uniforms() {
     for (const hlsl::Declaration& declaration : declarations_) {
@@ -180,6 +187,7 @@ class WrittenUniforms {
   }
 
   TokenText& text_;
+  const ValueTypes& types_;
   const std::vector<hlsl::Declaration>& declarations_;
   std::vector<bool> uniform_words_;  // by a word's number: whether a uniform has that name
   std::unordered_map<std::string_view, Uniform> uniforms_;

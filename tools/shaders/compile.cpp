@@ -14,6 +14,7 @@
 #include "preparation/prepare.h"
 #include "shaders/comparison_reads.h"
 #include "shaders/flat_inputs.h"
+#include "shaders/gather_comparisons.h"
 #include "shaders/lost_resources.h"
 #include "shaders/macro_expansion.h"
 #include "shaders/misread_textures.h"
@@ -89,6 +90,7 @@ std::vector<std::uint32_t> words_of(const glslang::TIntermediate& tree, bool deb
   SpirvModule module(words.begin(), words.end());
   copy_scalar_conditions(module);
   flatten_integer_inputs(module);
+  drop_gather_bias(module);
   return module;
 }
 
@@ -208,7 +210,8 @@ PreprocessedSource expand(const CompileRequest& request, SourceMemory& memory) {
   const std::string text = source_text(request, memory);
   PreprocessedSource out;
   out.sources.add(name, text);
-  const std::string to_expand = request.prepare ? prepared_source(text).text : text;
+  std::string to_expand = request.prepare ? prepared_source(text).text : text;
+  if (!to_expand.ends_with('\n')) to_expand += '\n';  // glslang wants one behind an #include
   expand_macros({request, name, to_expand, preamble(request)}, memory, out);
   if (std::optional<hlsl::Diagnostic> nul = nul_byte(out.sources)) {
     out.diagnostics = {*std::move(nul)};

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "shaders/compared_gathers.h"
 #include "shaders/precision_copies.h"
 #include "shaders/spirv_cross_session.h"
 #include "shaders/vertex_layer.h"
@@ -133,7 +134,11 @@ std::string emit_module(const SpirvCrossModule& module, Target target) {
   return layer.completed(text);
 }
 
-std::string emit_copies_in_scope(const SpirvCrossModule& module, const SpirvModule& spirv, Target target) {
+// What SPIRV-Cross itself makes of a module would be wrong or nothing.
+std::string emit_amended(const SpirvCrossModule& module, const SpirvModule& spirv, Target target) {
+  if (target_language(target) == TargetLanguage::hlsl)
+    if (const std::optional<SpirvModule> gathers = with_marked_gathers(spirv))
+      return with_named_gathers(emit_module(SpirvCrossModule(*gathers), target));
   std::string text = emit_module(module, target);
   if (target_language(target) != TargetLanguage::essl || !reads_lost_copy(text)) return text;
   return emit_module(SpirvCrossModule(without_relaxed_precision(spirv)), target);
@@ -173,11 +178,11 @@ CrossCompileResult CrossCompiler::to(Target target) {
 std::string CrossCompiler::emit(Target target) {
   if (!module_) module_ = std::make_unique<SpirvCrossModule>(spirv_);
   try {
-    return emit_copies_in_scope(*module_, spirv_, target);
+    return emit_amended(*module_, spirv_, target);
   } catch (const std::invalid_argument&) {
     const std::optional<SpirvModule> words = with_word_blocks(spirv_);
     if (!words) throw;
-    return emit_copies_in_scope(SpirvCrossModule(*words), *words, target);
+    return emit_amended(SpirvCrossModule(*words), *words, target);
   }
 }
 

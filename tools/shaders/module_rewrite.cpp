@@ -27,7 +27,9 @@ bool is_type(spv::Op op) {
 ModuleRewrite::ModuleRewrite(const SpirvModule& module) : module_(module), next_(module[3]) {
   for_each_instruction(module, [this](SpirvWords one) {
     const spv::Op op = opcode(one);
-    if (op != spv::OpTypeInt && op != spv::OpTypeVector && op != spv::OpTypePointer) return;
+    const bool once =
+        op == spv::OpTypeInt || op == spv::OpTypeFloat || op == spv::OpTypeVector || op == spv::OpTypePointer;
+    if (!once) return;
     Words key{static_cast<std::uint32_t>(op)};
     key.insert(key.end(), one.begin() + 2, one.end());
     types_.emplace(std::move(key), one[1]);
@@ -77,10 +79,14 @@ std::uint32_t ModuleRewrite::uint_type() {
 std::uint32_t ModuleRewrite::uint_constant(std::uint32_t value) {
   const auto known = constants_.find(value);
   if (known != constants_.end()) return known->second;
-  const std::uint32_t type = uint_type();
-  const std::uint32_t id = next_++;
-  global(spv::OpConstant, {type, id, value});
-  return constants_[value] = id;
+  return constants_[value] = constant(spv::OpConstant, uint_type(), {value});
+}
+
+std::uint32_t ModuleRewrite::constant(spv::Op op, std::uint32_t type, const Words& operands) {
+  Words all{type, next_++};
+  append(all, operands);
+  append(globals_, op, all);
+  return all[1];
 }
 
 void ModuleRewrite::global(spv::Op op, const Words& operands) {

@@ -30,6 +30,7 @@ class ModuleRewrite {
   std::uint32_t new_type(spv::Op op, const Words& operands);
   std::uint32_t uint_type();
   std::uint32_t uint_constant(std::uint32_t value);
+  std::uint32_t constant(spv::Op op, std::uint32_t type, const Words& operands);  // a new one
 
   void global(spv::Op op, const Words& operands);
   void decoration(spv::Op op, const Words& operands);

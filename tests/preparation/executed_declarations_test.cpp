@@ -1,0 +1,201 @@
+// Declarations, initialisers and expressions that Unity's compilers take and glslang does not, run on the
+// device, and by way of what is emitted for other APIs, against answers worked out here by HLSL's rules.
+#include <gmock/gmock.h>
+
+#include "preparation/executed.h"
+
+namespace penumbra::preparation {
+namespace {
+
+using shaders::Target;
+using testing::ElementsAreArray;
+
+const std::string kMain = "[numthreads(1, 1, 1)] void Main() ";
+
+void expect_prepared(const Execution& execution, const std::vector<float>& answer) {
+  EXPECT_THAT(run_prepared(execution), ElementsAreArray(answer));
+  for (const Target target : {Target::essl310, Target::glsl450, Target::hlsl50})
+    EXPECT_THAT(run_through(execution, target), ElementsAreArray(answer)) << shaders::target_name(target);
+}
+
+// Refused without the stage, right with it.
+void expect_only_prepared(const Execution& execution, const std::vector<float>& answer) {
+  EXPECT_THROW(run_unprepared(execution), std::runtime_error);
+  expect_prepared(execution, answer);
+}
+
+TEST(ExecutedPrototypes, MayDifferFromTheirDefinitionByConst) {
+  expect_only_prepared({"float F(const float a);\n"
+                        "float G(float b) { return F(b) + 1; }\n"
+                        "float F(float a) { a += 2; return a; }\n" +
+                            kMain + "{ Out[0] = G(In[0]); }",
+                        {3},
+                        {},
+                        1},
+                       {6});
+}
+
+// glslang ends the process at this one.
+TEST(ExecutedPrototypes, OfSeveralOverloadsEachFollowsItsDefinition) {
+  expect_prepared({"float F(const float a, float b); float F(float a, float2 b); float G(in float a);\n"
+                   "float H(float x) { return F(x, 1) + F(x, float2(10, 20)) + G(x); }\n"
+                   "float F(float a, const float b) { a = -a; return a + b; }\n"
+                   "float F(const float a, const float2 b) { return a * b.y; }\n"
+                   "float G(const float a) { return a + 1; }\n" +
+                       kMain + "{ Out[0] = H(In[0]); }",
+                   {2},
+                   {},
+                   1},
+                  {42});
+}
+
+TEST(ExecutedPrototypes, OfTheEntryPointAreLeftOut) {
+  expect_only_prepared({"void Main(uint3 id : SV_DispatchThreadID);\n"
+                        "[numthreads(1, 1, 1)] void Main(uint3 id : SV_DispatchThreadID) { Out[id.x] = 5; }",
+                        {0},
+                        {},
+                        1},
+                       {5});
+}
+
+TEST(ExecutedCharacters, AreTheirCodes) {
+  expect_only_prepared({R"(#define LAST(c) (c)
+static const uint text[] = { 'N', 'o', '\n', '\'', '\\', '"', ' ', '\x41', '\101', '\0' };
+)" + kMain + "{ for (int i = 0; i < 10; ++i) Out[i] = text[i + int(In[0])]; Out[10] = LAST('c') - 'a'; }",
+                        {0},
+                        {},
+                        11},
+                       {78, 111, 10, 39, 92, 34, 32, 65, 65, 0, 2});
+}
+
+TEST(ExecutedBoolSigns, AreThoseOfTheInt) {
+  expect_only_prepared({"bool Above(float x) { return x > 1; }\nstruct S { bool b; };\n" + kMain +
+                            R"({
+    bool b = In[0] > 1;
+    S s; s.b = In[0] > 5;
+    Out[0] = -(b); Out[1] = -b * 3; Out[2] = 2 - (In[0] > 1); Out[3] = 7 / -(In[0] > 1 && b) + 1;
+    int3 v = -(In[0] > float3(1, 2, 3));
+    Out[4] = v.x; Out[5] = v.z; Out[6] = -!b; Out[7] = -Above(In[0]); Out[8] = -s.b; Out[9] = -true;
+    Out[10] = -(In[0] > 1 ? 4 : 5); Out[11] = -bool2(b, !b).x; Out[12] = -(In[0]); Out[13] = -(int(In[0]) >> 1);
+})",
+                        {3},
+                        {},
+                        14},
+                       {-1, -3, 1, -6, -1, 0, 0, -1, 0, -1, -4, -1, -3, -1});
+}
+
+TEST(ExecutedStorageOrder, ConstStaticIsStaticConst) {
+  expect_only_prepared(
+      {"const static uint N = 4;\nstatic const uint M = N * 2;\nstatic float table[N];\n"
+       "groupshared float scratch[M];\n" +
+           kMain +
+           "{ float local[N]; local[3] = In[0]; table[2] = local[3]; scratch[7] = table[2] + N;\n"
+           "  Out[0] = scratch[7]; Out[1] = M; }",
+       {3},
+       {},
+       2},
+      {7, 8});
+}
+
+TEST(ExecutedLoopVariables, LiveOnBehindTheirLoop) {
+  expect_only_prepared({kMain + R"({
+    float s = 0;
+    for (int i = 0; i < 4; ++i) { if (In[i] > 2) break; s += In[i]; }
+    Out[0] = i;
+    [unroll] for (int j = 0, k = 5; j < 2; ++j) s += j;
+    Out[1] = j + k;
+    for (i = 7; i < 9; ++i) s += 1;
+    Out[2] = i;
+    for (int i = 0; i < 3; i++) { for (int i = 0; i < 2; ++i) s += 1; }
+    Out[3] = i; Out[4] = s;
+    { for (int i = 0; i < 6; ++i) s += 1; Out[5] = i; }
+    Out[6] = i;
+    int n = 40;
+    for (int n = 0; n < 3; ++n) s += 1;
+    Out[7] = n; })",
+                        {1, 2, 3, 4},
+                        {},
+                        8},
+                       {2, 7, 9, 3, 12, 6, 3, 3});
+}
+
+TEST(ExecutedStructInitialisers, FillTheNumbersInTheirOrder) {
+  expect_only_prepared({R"(struct A { float3 p; float q; };
+struct B { A a; float r[2]; };
+struct C { float2 u; float2x2 m; int n; };
+static const A g[2] = { 1, 2, 3, 4, { float3(5, 6, 7), 8 } };
+A Zero() { A a = { 0, 0, 0, 9 }; return a; }
+)" + kMain + R"({
+    A a = { In[0], 2, 3, 4 };
+    B b = { a, 5, 6 };
+    A c = { In[0].xxx, 1 };
+    B d = { { float3(1, 2, 3), 4 }, { 5, 6 } };
+    float4 v = float4(10, 11, 12, In[0]);
+    A e = { v };
+    C f = { v, 13, 14, -15 };
+    A h[2] = { { a.p.xy, a.p.z, 7 }, v };
+    Out[0] = a.p.x; Out[1] = b.r[1]; Out[2] = b.a.q; Out[3] = c.p.z; Out[4] = d.r[0]; Out[5] = e.q;
+    Out[6] = f.m[0][1]; Out[7] = f.m[1][0]; Out[8] = f.n; Out[9] = h[0].p.z; Out[10] = h[1].p.y;
+    Out[11] = g[1].p.z; Out[12] = g[0].q; Out[13] = Zero().q; })",
+                        {21},
+                        {},
+                        14},
+                       {21, 6, 4, 21, 5, 21, 21, 13, -15, 3, 11, 7, 4, 9});
+}
+
+TEST(ExecutedRowMatrices, AreVectors) {
+  expect_only_prepared({R"(float1x3 Row(float x) { return float1x3(1, 2, x); }
+)" + kMain + R"({
+    float1x3 m = Row(In[0]);
+    float3x1 n = float3x1(In[0], 2, 3);
+    float4x1 c = { 1, 2, 3, 4 };
+    float3x3 t = float3x3(1, 2, 3, 4, 5, 6, 7, 8, 9);
+    float1x1 o = float1x1(In[0]);
+    m[0][1] += 10;
+    c._m20 = 8;
+    Out[0] = m[0].z; Out[1] = m._m02; Out[2] = n[1][0]; Out[3] = mul(m, n); Out[4] = o[0][0];
+    Out[5] = c._31; float1x3 p = mul(m, t); Out[6] = p._m01; n = mul(t, n); Out[7] = n._21; Out[8] = Row(4)[0][2]; Out[9] = n[2]; })",
+                        {5},
+                        {},
+                        10},
+                       {5, 5, 2, 44, 5, 8, 102, 48, 4, 78});
+}
+
+TEST(ExecutedBaseMembers, AreInherited) {
+  expect_only_prepared(
+      {R"(struct A { float x; float3 y; float F() { return x * 2; } float Name() { return 1; } };
+struct B : A { float z; float G() { return x + z + F(); } float Name() { return 2; } };
+struct C : B { float w; };
+B Make(float v) { B b; b.x = v; b.y = v + 1; b.z = 3; return b; }
+float Use(A a, float k) { return a.y.z * k; }
+)" + kMain +
+           R"({
+    B b = Make(In[0]);
+    C c = (C)0;
+    c.x = 1; c.w = 4; c.z = 6;
+    A a = b;
+    A d = (A)c;
+    d = b;
+    Out[0] = b.x + b.y.z + b.z + c.x; Out[1] = b.G(); Out[2] = b.F(); Out[3] = Use((A)b, 2); Out[4] = Use(b, 3);
+    Out[5] = b.Name(); Out[6] = a.Name(); Out[7] = c.G() + c.w; Out[8] = a.y.x; Out[9] = d.x; })",
+       {5},
+       {},
+       10},
+      {15, 18, 10, 12, 18, 2, 1, 13, 6, 5});
+}
+
+TEST(ExecutedUniformWrites, ReachMembersOfStructs) {
+  expect_only_prepared({R"(struct S { float3 p; float q; };
+cbuffer K { S s; S t[2]; float4 u; };
+void Set(out float x) { x = 50; }
+)" + kMain + R"({
+    s.q = In[0]; t[1].p.x += 2; t[0].p.y = 1; u.x = 5; Set(s.p.z);
+    Out[0] = s.q + s.p.x; Out[1] = t[1].p.x + t[1].p.y; Out[2] = u.x + u.y; Out[3] = s.p.z; })",
+                        {9},
+                        {{"K", {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16}}},
+                        4},
+                       {10, 21, 19, 50});
+}
+
+}  // namespace
+}  // namespace penumbra::preparation

@@ -1,0 +1,174 @@
+#include "preparation/base_members.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "preparation/postfix_expression.h"
+#include "preparation/value_types.h"
+
+namespace penumbra::preparation {
+
+namespace {
+
+constexpr int deepest = 16;  // bases one above the other; a text may have made a circle of them
+
+class BaseMembers {
+ public:
+  explicit BaseMembers(TokenText& text) : text_(text), types_(text.types()) {}
+
+  void run() {
+    const auto& structs = types_.structs();
+    if (std::none_of(structs.begin(), structs.end(),
+                     [](const auto& type) { return !type.second.base.empty(); }))
+      return;
+    for (const auto& [name, type] : structs)
+      if (!type.base.empty()) write_out(type);
+    for (std::size_t at = 1; at + 1 < text_.size(); ++at) convert(at);
+    for (const auto& [types, function] : functions_) define(types.first, types.second, function);
+    text_.apply();
+  }
+
+ private:
+  const StructType* find(std::string_view type) const {
+    const auto known = types_.structs().find(type);
+    return known == types_.structs().end() ? nullptr : &known->second;
+  }
+
+  const hlsl::Declaration& declaration(const StructType& type) const {
+    return types_.outline()[type.declaration];
+  }
+
+  void write_out(const StructType& type) {
+    const hlsl::Declaration& own = declaration(type);
+    std::vector<const StructType*> line{&type};  // the heir, its base, the base of that
+    std::string inherited;
+    for (int depth = 0; depth < deepest && find(line.back()->base) != nullptr; ++depth) {
+      const StructType* base = find(line.back()->base);
+      inherited.insert(0, members(*base, line));
+      line.push_back(base);
+    }
+    text_.erase(own.name + 1, own.open - own.name - 1);
+    text_.insert(own.open + 1, inherited);
+  }
+
+  // What stands between the braces, but for functions that an heir has itself.
+  std::string members(const StructType& base, const std::vector<const StructType*>& heirs) const {
+    const hlsl::Declaration& from = declaration(base);
+    std::string copied;
+    std::size_t at = from.open + 1;
+    for (const hlsl::Declaration& function : base.functions) {
+      const bool hidden = std::any_of(heirs.begin(), heirs.end(), [&](const StructType* heir) {
+        return has_function(*heir, text_[function.name].spelling);
+      });
+      if (!hidden) continue;
+      copied += text_.spelled(at, function.first - at) + " ";
+      at = function.last + 1;
+    }
+    return copied + text_.spelled(at, from.close - at) + " ";
+  }
+
+  bool has_function(const StructType& type, std::string_view name) const {
+    return std::any_of(type.functions.begin(), type.functions.end(), [&](const hlsl::Declaration& function) {
+      return text_[function.name].spelling == name;
+    });
+  }
+
+  bool inherits(std::string_view heir, std::string_view base) const {
+    for (int depth = 0; depth < deepest; ++depth) {
+      const StructType* type = find(heir);
+      if (type == nullptr || type->base.empty()) return false;
+      heir = type->base;
+      if (heir == base) return true;
+    }
+    return false;
+  }
+
+  // (A)b, A a = b, a = b and f(b), seen from the '(', the '=' or the name.
+  void convert(std::size_t at) {
+    const bool cast = text_.is(at, "(") && text_.is(at + 2, ")") && find(text_[at + 1].spelling) != nullptr;
+    if (cast && !text_.is_word(at - 1)) return convert_cast(at);
+    if (text_.is(at, "=") && assignment_length(text_, at) == 1)
+      return convert_value(assigned(at - 1), at + 1);
+    if (text_.is_word(at) && text_.is(at + 1, "(") && text_.partner(at + 1) != npos) convert_arguments(at);
+  }
+
+  // What stands before a '=', declared there or earlier.
+  const ValueType& assigned(std::size_t at) const {
+    const std::size_t index = types_.named(at);
+    const bool declared_here = index != npos && types_.declared()[index].name == at;
+    return declared_here ? types_.declared()[index].type : types_.at(at);
+  }
+
+  void convert_cast(std::size_t at) {
+    const std::size_t end = postfix_end(text_, at + 3);
+    const ValueType& from = types_.at(end - 1);
+    if (!text_.is_word(at + 3) || types_.begin(end - 1) != at + 3 || from.dimensions > 0) return;
+    if (!inherits(from.name, text_[at + 1].spelling)) return;
+    text_.replace(at, 3, function_name(text_[at + 1].spelling, from.name) + "(");
+    text_.insert(end, ")");
+  }
+
+  void convert_value(const ValueType& wanted, std::size_t first) {
+    if (!text_.is_word(first) || find(wanted.name) == nullptr || wanted.dimensions > 0) return;
+    const std::size_t end = postfix_end(text_, first);
+    const ValueType& from = types_.at(end - 1);
+    const bool whole = text_.is(end, ";") || text_.is(end, ",") || text_.is(end, ")");
+    if (!whole || types_.begin(end - 1) != first || from.dimensions > 0) return;
+    if (!inherits(from.name, wanted.name)) return;
+    text_.insert(first, function_name(wanted.name, from.name) + "(");
+    text_.insert(end, ")");
+  }
+
+  // Of functions that are not overloaded.
+  void convert_arguments(std::size_t name) {
+    const FunctionType* called = nullptr;
+    for (const FunctionType& function : types_.functions()) {
+      if (text_.word_number(function.name) != text_.word_number(name)) continue;
+      if (function.name == name || (called != nullptr && function.body != npos && called->body != npos))
+        return;
+      called = &function;
+    }
+    if (called == nullptr) return;
+    std::size_t first = name + 2;
+    for (const std::size_t parameter : called->parameters) {
+      convert_value(types_.declared()[parameter].type, first);
+      while (first < text_.partner(name + 1) && !text_.is(first, ",")) first = after_brackets(text_, first);
+      ++first;
+    }
+  }
+
+  const std::string& function_name(std::string_view to, std::string_view from) {
+    std::string& name = functions_[{to, from}];
+    if (name.empty()) name = text_.free_name(std::string(to) + "_of_" + std::string(from));
+    return name;
+  }
+
+  void define(std::string_view to, std::string_view from, const std::string& name) {
+    std::string copies;
+    for (std::string_view type = to; find(type) != nullptr; type = find(type)->base)
+      for (const std::size_t member : find(type)->members) {
+        const std::string own(text_[types_.declared()[member].name].spelling);
+        copies.append("to.").append(own).append(" = from.").append(own).append("; ");
+      }
+    const std::string type(to);
+    const std::size_t behind = std::max(declaration(*find(to)).last, declaration(*find(from)).last);
+    text_.insert(behind + 1, type + " " + name + "(" + std::string(from) + " from) { " + type + " to; " +
+                                 copies + "return to; } ");
+  }
+
+  TokenText& text_;
+  const ValueTypes& types_;
+  std::map<std::pair<std::string_view, std::string_view>, std::string> functions_;  // by to, from
+};
+
+}  // namespace
+
+void write_out_base_members(TokenText& text) {
+  BaseMembers(text).run();
+}
+
+}  // namespace penumbra::preparation

@@ -1,0 +1,219 @@
+#include "preparation/struct_initialisers.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "preparation/declarators.h"
+#include "preparation/postfix_expression.h"
+#include "preparation/value_shape.h"
+#include "preparation/value_types.h"
+
+namespace penumbra::preparation {
+
+namespace {
+
+// One expression of the list, whatever braces stand around it: the tokens [first, end).
+struct Element {
+  std::size_t first;
+  std::size_t end;
+  std::size_t numbers = 0;  // 0: not known
+};
+
+// The elements of the list whose '{' is at `open`: [first, end) of each.
+std::vector<Element> elements_of(const TokenText& text, std::size_t open) {
+  std::vector<Element> elements;
+  const std::size_t close = text.partner(open);
+  std::size_t first = open + 1;
+  for (std::size_t at = first; at <= close; ++at) {
+    if (at == close || text.is(at, ",")) {
+      if (at > first) elements.push_back({first, at});
+      first = at + 1;
+    } else if (text.partner(at) != npos && text.partner(at) > at) {
+      at = text.partner(at);
+    }
+  }
+  return elements;
+}
+
+class List {
+ public:
+  List(const TokenText& text, const ValueShape& shape, std::size_t open)
+      : text_(text), shape_(shape), open_(open) {}
+
+  // The list as glslang takes it; nothing where it is so already, or cannot be.
+  std::optional<std::string> matched() {
+    if (matches(shape_, open_)) return std::nullopt;
+    flatten(open_);
+    if (!count_numbers()) return std::nullopt;
+    std::string written = write(shape_, true);
+    return failed_ || at_ != elements_.size() ? std::nullopt : std::optional(written);
+  }
+
+ private:
+  bool is_list(const Element& element) const { return text_.is(element.first, "{"); }
+
+  bool matches(const ValueShape& shape, std::size_t open) const {
+    const std::vector<Element> elements = elements_of(text_, open);
+    if (shape.parts.empty()) return true;
+    if (elements.size() != shape.parts.size()) return false;
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      const ValueShape& part = shape.parts[i];
+      if (is_list(elements[i])) {
+        if (!matches(part, elements[i].first)) return false;
+        continue;
+      }
+      const std::size_t numbers = numbers_of(elements[i]);
+      const bool spread = numbers == 1 && part.parts.empty();  // a number for all components
+      if (numbers != 0 && numbers != part.numbers && !spread) return false;
+    }
+    return true;
+  }
+
+  void flatten(std::size_t open) {
+    for (Element element : elements_of(text_, open)) {
+      if (is_list(element)) {
+        flatten(element.first);
+        continue;
+      }
+      element.numbers = numbers_of(element);
+      elements_.push_back(element);
+    }
+  }
+
+  // Whether the elements have as many numbers as the value; of one that is not known, it has the rest.
+  bool count_numbers() {
+    std::size_t known = 0;
+    std::size_t unknown = 0;
+    for (const Element& element : elements_) {
+      known += element.numbers;
+      unknown += element.numbers == 0 ? 1 : 0;
+    }
+    if (unknown == 0) return known == shape_.numbers;
+    const bool all_single = known + unknown == shape_.numbers;
+    if (!all_single && (unknown > 1 || known >= shape_.numbers)) return false;
+    for (Element& element : elements_)
+      if (element.numbers == 0) element.numbers = all_single ? 1 : shape_.numbers - known;
+    return true;
+  }
+
+  std::size_t numbers_of(const Element& element) const {
+    std::size_t first = element.first;
+    while (text_.is(first, "-") || text_.is(first, "+")) ++first;
+    if (first + 1 == element.end && text_[first].kind == hlsl::Token::Kind::number) return 1;
+    if (!text_.is_word(first)) return 0;
+    const std::string_view word = text_[first].spelling;
+    if (is_number_type(word) && text_.is(first + 1, "("))
+      return text_.partner(first + 1) == element.end - 1 ? components(word) : 0;
+    const std::size_t last = element.end - 1;
+    if (postfix_end(text_, first) != element.end) return 0;
+    if (text_.types().begin(last) == first && !text_.types().at(last).name.empty()) return numbers_in(last);
+    return is_swizzle(first, last) ? text_[last].spelling.size() : 0;
+  }
+
+  // Of the chain that ends here.
+  std::size_t numbers_in(std::size_t last) const {
+    const ValueType& type = text_.types().at(last);
+    if (type.dimensions > 0) return 0;
+    if (is_number_type(type.name)) return components(type.name);
+    const std::size_t index = text_.types().named(last);
+    if (index == npos || text_.types().structs().count(type.name) == 0) return 0;
+    const std::optional<ValueShape> shape = shape_of(text_, text_.types().declared()[index]);
+    return shape ? shape->numbers : 0;
+  }
+
+  // `.xyz` of a vector.
+  bool is_swizzle(std::size_t first, std::size_t last) const {
+    if (last < first + 2 || !text_.is(last - 1, ".")) return false;
+    const bool letters = text_[last].spelling.size() <= 4 &&
+                         text_[last].spelling.find_first_not_of("xyzwrgba") == std::string_view::npos;
+    const ValueType& of = text_.types().at(last - 2);
+    return letters && text_.types().begin(last - 2) == first && of.dimensions == 0 &&
+           is_number_type(of.name) && of.name.find('x') == std::string_view::npos;
+  }
+
+  std::string spelled(const Element& element) const {
+    return text_.spelled(element.first, element.end - element.first);
+  }
+
+  // One struct member or array element, from the next elements.
+  std::string write(const ValueShape& shape, bool outermost) {
+    if (failed_ || at_ >= elements_.size()) {
+      failed_ = true;
+      return {};
+    }
+    const bool whole = used_ == 0 && elements_[at_].numbers == shape.numbers && !outermost;
+    if (whole && (shape.parts.empty() || is_of_type(elements_[at_], shape.type)))
+      return spelled(elements_[at_++]);
+    if (shape.parts.empty()) return write_numbers(shape);
+    std::string list = "{ ";
+    for (const ValueShape& part : shape.parts) list += write(part, false) + ", ";
+    list.replace(list.size() - 2, 1, " }");
+    return list;
+  }
+
+  bool is_of_type(const Element& element, std::string_view type) const {
+    const std::size_t last = element.end - 1;
+    return text_.types().begin(last) == element.first && text_.types().at(last).is(type);
+  }
+
+  std::string write_numbers(const ValueShape& shape) {
+    std::string list = std::string(shape.type) + "(";
+    for (std::size_t left = shape.numbers; left > 0 && !failed_;) {
+      if (at_ >= elements_.size()) failed_ = true;
+      if (failed_) break;
+      const Element& element = elements_[at_];
+      const std::size_t taken = std::min(left, element.numbers - used_);
+      list += part_of(element, taken) + (taken == left ? ")" : ", ");
+      used_ += taken;
+      left -= taken;
+      if (used_ == element.numbers) {
+        used_ = 0;
+        ++at_;
+      }
+    }
+    return list;
+  }
+
+  std::string part_of(const Element& element, std::size_t taken) {
+    if (taken == element.numbers) return spelled(element);
+    const bool can_be_split = element.numbers <= 4 && may_be_repeated(text_, element.first, element.end);
+    if (!can_be_split) failed_ = true;
+    if (failed_) return {};
+    return "(" + spelled(element) + ")." + std::string("xyzw").substr(used_, taken);
+  }
+
+  const TokenText& text_;
+  const ValueShape& shape_;
+  const std::size_t open_;
+  std::vector<Element> elements_;
+  std::size_t at_ = 0;    // in elements_
+  std::size_t used_ = 0;  // numbers of that element
+  bool failed_ = false;
+};
+
+bool holds_structs(const ValueShape& shape) {
+  if (!shape.type.empty()) return !shape.parts.empty();
+  return !shape.parts.empty() && holds_structs(shape.parts.front());
+}
+
+}  // namespace
+
+void match_struct_initialisers(TokenText& text) {
+  const ValueTypes& types = text.types();
+  if (types.structs().empty()) return;
+  for (const DeclaredValue& value : types.declared()) {
+    const std::size_t open = value.end == npos ? npos : value.end + 1;
+    if (value.name == npos || types.structs().count(value.type.name) == 0) continue;
+    if (!text.is(value.end, "=") || !text.is(open, "{") || text.partner(open) == npos) continue;
+    const std::optional<ValueShape> shape = shape_of(text, value);
+    if (!shape || !holds_structs(*shape)) continue;
+    if (const std::optional<std::string> list = List(text, *shape, open).matched())
+      text.replace(open, text.partner(open) - open + 1, *list);
+  }
+  text.apply();
+}
+
+}  // namespace penumbra::preparation
