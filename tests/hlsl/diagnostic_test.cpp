@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <string>
+
 namespace penumbra::hlsl {
 namespace {
 
@@ -23,6 +26,27 @@ TEST(Diagnostic, LeavesOutWhatIsUnknown) {
 
 TEST(Diagnostic, ACaretPastTheEndOfTheLineStaysInPlace) {
   EXPECT_EQ(format({"a", 1, 4, Severity::error, "m", "x"}), "a:1:4: error: m\n    x\n       ^");
+}
+
+TEST(Diagnostic, AnyColumnIsHarmless) {
+  const int far = std::numeric_limits<int>::max();
+  EXPECT_EQ(format({"a", 1, far, Severity::error, "m", "x"}),
+            "a:1:2147483647: error: m\n    x\n    " + std::string(401, ' ') + "^");
+  EXPECT_EQ(format({"a", 1, -5, Severity::error, "m", "x"}), "a:1: error: m\n    x");
+}
+
+TEST(Diagnostic, OfALongLineTheSurroundingsOfTheColumnAreShown) {
+  const std::string line = std::string(1'000'000, 'a') + "here" + std::string(1'000'000, 'b');
+  EXPECT_EQ(format({"a", 1, 1'000'001, Severity::error, "m", line}),
+            "a:1:1000001: error: m\n    ..." + std::string(200, 'a') + "here" + std::string(196, 'b') +
+                "...\n    " + std::string(203, ' ') + "^");
+  EXPECT_EQ(format({"a", 1, 2, Severity::error, "m", line}),
+            "a:1:2: error: m\n    " + std::string(400, 'a') + "...\n     ^");
+}
+
+TEST(Diagnostic, ControlCharactersAreShownAsEscapes) {
+  EXPECT_EQ(format({"a\n::error::b", 1, 3, Severity::error, "no '\x1B[2J'", "\x1B]x"}),
+            "a\\n::error::b:1:3: error: no '\\x1B[2J'\n    \\x1B]x\n         ^");
 }
 
 TEST(Diagnostic, OnlyErrorsAreErrors) {

@@ -38,5 +38,18 @@ TEST(NearestName, WayOutNamesTheNearestOrAll) {
   for (const std::string& key : kKeys) EXPECT_THAT(unknown_name_way_out("banana", kKeys), HasSubstr(key));
 }
 
+TEST(NearestName, NothingIsNearAWordOfMegabytes) {
+  const std::string word(2'000'000, 'a');
+  EXPECT_EQ(nearest_name(word, {"a", word + "b", std::string(1'999'999, 'a')}), "");
+  EXPECT_EQ(nearest_name("fov", {word, "fog"}), "fog");
+}
+
+TEST(NearestName, TheListOfKnownNamesIsBounded) {
+  std::vector<std::string> known;
+  for (int i = 0; i < 100000; ++i) known.push_back("name" + std::to_string(i));
+  const std::string way_out = unknown_name_way_out("zzzzzzzzzz", known);
+  EXPECT_TRUE(way_out.ends_with(" name59 and 99940 more")) << way_out;
+}
+
 }  // namespace
 }  // namespace penumbra

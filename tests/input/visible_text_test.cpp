@@ -34,6 +34,20 @@ TEST(VisibleText, TheDirectionOfReadingDoesNotTurn) {
             "\xE2\x80\xA9\xE2\x80\xAF\xE2\x81\xA5\xE2\x81\xAA");
 }
 
+TEST(VisibleText, LongTextsLoseTheirMiddle) {
+  const std::string longest(4000, 'x');
+  EXPECT_EQ(visible(longest), longest);
+  const std::string shown = visible("begin " + std::string(10'000'000, 'x') + " end");
+  EXPECT_LT(shown.size(), 4100u);
+  EXPECT_TRUE(shown.starts_with("begin x") && shown.ends_with("x end"));
+  EXPECT_NE(shown.find("x ... (9996010 bytes left out) ... x"), std::string::npos);
+  std::string accents;
+  for (int i = 0; i < 3000; ++i) accents += i == 0 ? "x" : "\xC3\xA9";
+  const std::string cut = visible(accents);
+  EXPECT_EQ(cut[cut.find(" ... (") - 1], '\xA9') << "no character is cut in two";
+  EXPECT_EQ(cut[cut.find(") ... ") + 6], '\xC3');
+}
+
 TEST(VisibleText, MessagesOfErrorsAreVisible) {
   EXPECT_STREQ(InputError("a\nb", "name '\x1B[1m'\n::error::x", "use 'c\x1B'\n  or d").what(),
                "a\\nb: name '\\x1B[1m'\\n::error::x\n  use 'c\\x1B'\n  or d");

@@ -1,4 +1,5 @@
 // Texts that want to crash, hang or multiply: an answer comes, and soon.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <random>
@@ -6,10 +7,13 @@
 #include "input/input_error.h"
 #include "processor_time.h"
 #include "variants/keyword_space.h"
+#include "variants/plan.h"
 #include "variants/program_text.h"
 
 namespace penumbra::variants {
 namespace {
+
+using hlsl::Stage;
 
 const std::string healthy =
     "#ifndef GUARD\n#define GUARD\n#pragma vertex V\n#pragma fragment F /* stages */\n#pragma target 4.5 K\n"
@@ -161,6 +165,38 @@ TEST(Hostile, IncludesThatFanOutAreBounded) {
   EXPECT_EQ(pragmas.diagnostics[0].message,
             "too many files are included; the pragmas of the rest are ignored");
   use(pragmas);
+}
+
+std::string keywords_named(int first, int last) {
+  std::string text;
+  for (int i = first; i < last; ++i) text += " _K" + std::to_string(i);
+  return text;
+}
+
+// Unity's limit for a shader.
+TEST(ManyKeywords, MoreThan65534AreRefusedAtTheFirstBeyond) {
+  const std::string most = "#pragma vertex V\n#pragma multi_compile _" + keywords_named(0, 65534) + "\n";
+  EXPECT_TRUE(pragmas_of(most + "#pragma multi_compile _ _K7\n").diagnostics.empty());
+  const Pragmas pragmas = pragmas_of(most + "#pragma multi_compile _ _L0 _L1\n#pragma dynamic_branch _L2\n");
+  EXPECT_THAT(
+      messages_of(pragmas),
+      testing::ElementsAre("a.shader:3:25: error: '_L0' is one keyword too many; Unity allows a shader "
+                           "65534"));
+}
+
+TEST(ManyKeywords, CostTimeInProportionToTheirNumber) {
+  const std::string in_one_set =
+      "#pragma vertex V\n#pragma multi_compile _" + keywords_named(0, 60000) + "\n";
+  std::string one_each = "#pragma vertex V\n";
+  for (int i = 0; i < 60000; ++i) one_each += "#pragma multi_compile _ _K" + std::to_string(i) + "\n";
+  const double seconds = processor_seconds([&] {
+    for (const std::string& text : {in_one_set, one_each}) {
+      const KeywordSpace space(pragmas_of(text));
+      const std::string refused = refusal({{"P", &space, {Stage::vertex}}}, 10);
+      EXPECT_THAT(refused, testing::HasSubstr("--keywords '-_K0"));
+    }
+  });
+  EXPECT_LT(seconds, 20.0) << "what grows with the square takes minutes";
 }
 
 }  // namespace

@@ -279,7 +279,10 @@ void add_sources(const ValidateOptions& options, validation::ValidationRequest& 
                    counted(files.files.size(), "file"));
   if (options.list) return list(options, sources, plan, context);
   const std::string refusal = options.sample == 0 ? sources.refusal(options.limit) : std::string();
-  if (!refusal.empty()) throw InputError("--limit", refusal);
+  if (!refusal.empty()) {
+    const std::size_t end = refusal.find('\n');
+    throw InputError("--limit", refusal.substr(0, end), refusal.substr(std::min(end, refusal.size() - 1) + 1));
+  }
   request.units = sources.units();
   request.records = sources.records();
   request.programs = sources.to_lint();

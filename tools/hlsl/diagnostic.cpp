@@ -1,6 +1,8 @@
 #include "hlsl/diagnostic.h"
 
 #include <algorithm>
+#include <string_view>
+#include <utility>
 
 #include "input/visible_text.h"
 
@@ -20,13 +22,33 @@ const char* severity_name(Severity severity) {
   return "error";
 }
 
-// Blanks up to the column, tabs kept, so that the caret stands under its character at any tab width.
-std::string blanks_before(const std::string& line, int column) {
-  std::string blanks;
-  for (int i = 0; i + 1 < column; ++i)
-    blanks +=
-        static_cast<std::size_t>(i) < line.size() && line[static_cast<std::size_t>(i)] == '\t' ? '\t' : ' ';
-  return blanks;
+// Blanks in place of the text before a caret; tabs stay, so that it stands under its character at any tab
+// width.
+std::string blanks_for(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c != '\t'; }, ' ');
+  return text;
+}
+
+constexpr std::size_t kLongestShown = 400;
+
+struct Excerpt {
+  std::string line;
+  std::string before_caret;
+};
+
+// Of a line too long for a message, what is around the column.
+Excerpt excerpt_of(std::string_view line, int column) {
+  const auto asked = static_cast<std::size_t>(std::max(column, 1) - 1);
+  const std::size_t at = std::min(line.size(), asked);
+  const bool whole = line.size() <= kLongestShown;
+  const std::size_t begin = whole || at < kLongestShown / 2 ? 0 : at - kLongestShown / 2;
+  const std::size_t end = whole ? line.size() : std::min(line.size(), begin + kLongestShown);
+  std::string before = (begin > 0 ? "..." : "") + visible_line(line.substr(begin, at - begin));
+  std::string shown = before + visible_line(line.substr(at, end - at)) + (end < line.size() ? "..." : "");
+  // What is missing may be behind the line's end; a report that was made elsewhere may name any column.
+  before.append(std::min(asked - at, kLongestShown), ' ');
+  return {std::move(shown), std::move(before)};
 }
 
 }  // namespace
@@ -38,15 +60,9 @@ std::string format(const Diagnostic& diagnostic) {
   if (!text.empty()) text += ": ";
   text += std::string(severity_name(diagnostic.severity)) + ": " + visible(diagnostic.message);
   if (diagnostic.line == 0 || diagnostic.source_line.empty()) return text;
-  const std::string_view line = diagnostic.source_line;
-  text += "\n    " + visible_line(line);
-  if (diagnostic.column > 0) {
-    // Escapes are wider than what they stand for.
-    const std::size_t before = std::min(line.size(), static_cast<std::size_t>(diagnostic.column - 1));
-    const std::string shown = visible_line(line.substr(0, before));
-    const std::size_t beyond = static_cast<std::size_t>(diagnostic.column - 1) - before;
-    text += "\n    " + blanks_before(shown, static_cast<int>(shown.size() + beyond) + 1) + "^";
-  }
+  const Excerpt excerpt = excerpt_of(diagnostic.source_line, diagnostic.column);
+  text += "\n    " + excerpt.line;
+  if (diagnostic.column > 0) text += "\n    " + blanks_for(excerpt.before_caret) + "^";
   return text;
 }
 

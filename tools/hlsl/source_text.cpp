@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -23,13 +24,31 @@ std::string normalise_source(std::string_view bytes) {
   return text;
 }
 
+namespace {
+
+constexpr std::uintmax_t kLargestSource = std::uintmax_t{64} << 20U;  // bytes
+
+// #line directives and messages name a file between quotation marks on one line.
+bool has_printable_name(const std::filesystem::path& file) {
+  const std::string name = file.string();
+  return std::none_of(name.begin(), name.end(),
+                      [](char c) { return c == '"' || static_cast<unsigned char>(c) < 0x20 || c == 0x7F; });
+}
+
+}  // namespace
+
 SourceRead read_source(const std::filesystem::path& file) {
+  if (!has_printable_name(file))
+    return {{},
+            "its path holds a quotation mark or a control character, which #line cannot express; rename it"};
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(file, error);
   if (status.type() == std::filesystem::file_type::not_found) return {{}, "no such file"};
   if (error) return {{}, error.message()};
   if (std::filesystem::is_directory(status)) return {{}, "it is a folder, not a file"};
   if (!std::filesystem::is_regular_file(status)) return {{}, "it is not a regular file"};
+  if (std::filesystem::file_size(file, error) > kLargestSource && !error)
+    return {{}, "it has more than " + std::to_string(kLargestSource) + " bytes, the limit of a source file"};
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return {{}, std::strerror(errno)};
   const std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};

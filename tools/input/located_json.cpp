@@ -1,11 +1,10 @@
 #include "input/located_json.h"
 
-#include <fstream>
+#include <algorithm>
 #include <iterator>
-#include <sstream>
-#include <system_error>
 
 #include "input/input_error.h"
+#include "input/text_file.h"
 
 namespace penumbra {
 namespace {
@@ -13,7 +12,7 @@ namespace {
 using nlohmann::json;
 
 // How far the parser has read, shared by every copy of the iterator it reads through.
-struct Place {
+struct ReadSoFar {
   int line = 1;
   int column = 0;
 
@@ -30,7 +29,7 @@ class CountingIterator {
   using pointer = const char*;
   using reference = const char&;
 
-  CountingIterator(const char* at, Place* place) : at_(at), place_(place) {}
+  CountingIterator(const char* at, ReadSoFar* place) : at_(at), place_(place) {}
 
   reference operator*() const { return *at_; }
   CountingIterator& operator++() {
@@ -53,16 +52,17 @@ class CountingIterator {
 
  private:
   const char* at_;
-  Place* place_;
+  ReadSoFar* place_;
 };
 
 // Builds the document and notes, for every value, where it (or its key) ends.
 class LocatingParser : public json::json_sax_t {
  public:
-  LocatingParser(const std::string& name, const Place& place) : name_(name), place_(place) {}
+  LocatingParser(const std::string& name, const ReadSoFar& place) : name_(name), place_(place) {}
 
   json document;
-  std::map<std::string, std::pair<int, int>> places;
+  LocatedJson::Place root;
+  LocatedJson::Places places;
 
   bool null() override { return value(nullptr); }
   bool boolean(bool v) override { return value(v); }
@@ -80,9 +80,9 @@ class LocatingParser : public json::json_sax_t {
   bool key(string_t& name) override {
     key_ = name;
     key_place_ = {place_.line, std::max(1, place_.column - static_cast<int>(name.size()) - 1)};
-    if (levels_.back()->contains(name)) {
+    if (levels_.back().container->contains(name)) {
       throw InputError(
-          name_ + ":" + std::to_string(key_place_.first) + ":" + std::to_string(key_place_.second),
+          name_ + ":" + std::to_string(key_place_.line) + ":" + std::to_string(key_place_.column),
           "the key '" + name + "' appears twice in one object", "remove one of them");
     }
     return true;
@@ -113,58 +113,63 @@ class LocatingParser : public json::json_sax_t {
   }
 
   bool open(json empty) {
-    levels_.push_back(insert(std::move(empty)));
+    json* stored = insert(std::move(empty));
+    levels_.push_back({stored, last_number_});
     if (levels_.size() > 200) throw InputError(place_.after(name_), "nested deeper than 200 levels");
     return true;
   }
 
   bool close() {
     levels_.pop_back();
-    paths_.pop_back();
     return true;
   }
 
   json* insert(json v) {
-    const bool container = v.is_structured();
-    json* stored = nullptr;
-    json::json_pointer path;
-    std::pair<int, int> place{place_.line, std::max(1, place_.column)};
+    const Location here{place_.line, std::max(1, place_.column)};
     if (levels_.empty()) {
       document = std::move(v);
-      stored = &document;
-    } else if (levels_.back()->is_object()) {
-      stored = &((*levels_.back())[key_] = std::move(v));
-      path = paths_.back() / key_;
-      place = key_place_;
-    } else {
-      levels_.back()->push_back(std::move(v));
-      stored = &levels_.back()->back();
-      path = paths_.back() / (levels_.back()->size() - 1);
+      root = {here.line, here.column, 0};
+      return &document;
     }
-    places[path.to_string()] = place;
-    if (container) paths_.push_back(path);
-    return stored;
+    const Level level = levels_.back();
+    if (level.container->is_object()) {
+      note(level, key_, key_place_);
+      return &((*level.container)[key_] = std::move(v));
+    }
+    note(level, std::to_string(level.container->size()), here);
+    level.container->push_back(std::move(v));
+    return &level.container->back();
+  }
+
+  struct Location {
+    int line = 1;
+    int column = 1;
+  };
+  struct Level {
+    json* container = nullptr;
+    std::uint32_t number = 0;
+  };
+
+  void note(const Level& level, const std::string& token, const Location& place) {
+    places[{level.number, token}] = {place.line, place.column, ++last_number_};
   }
 
   std::string name_;
-  const Place& place_;
-  std::vector<json*> levels_;
-  std::vector<json::json_pointer> paths_;
+  const ReadSoFar& place_;
+  std::vector<Level> levels_;
+  std::uint32_t last_number_ = 0;
   std::string key_;
-  std::pair<int, int> key_place_;
+  Location key_place_;
 };
 
 }  // namespace
 
 LocatedJson LocatedJson::read(const std::filesystem::path& file) {
-  std::error_code error;
-  if (std::filesystem::is_directory(file, error)) throw InputError(file.string(), "is a folder, not a file");
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw InputError(file.string(), "cannot be opened", "check the path and its permissions");
-  std::ostringstream text;
-  text << stream.rdbuf();
-  if (stream.bad()) throw InputError(file.string(), "cannot be read");
-  return parse(text.str(), file.string());
+  return parse(read_text_file(file), file.string());
+}
+
+LocatedJson LocatedJson::read_found(const std::filesystem::path& file) {
+  return parse(read_found_text_file(file), file.string());
 }
 
 LocatedJson LocatedJson::parse(std::string_view text, const std::string& name) {
@@ -172,21 +177,29 @@ LocatedJson LocatedJson::parse(std::string_view text, const std::string& name) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
     throw InputError(name, "is empty", "the smallest valid content is {}");
   }
-  Place place;
+  ReadSoFar place;
   LocatingParser parser(name, place);
   json::sax_parse(CountingIterator(text.data(), &place), CountingIterator(text.data() + text.size(), &place),
                   &parser);
   LocatedJson result;
   result.value_ = std::move(parser.document);
   result.name_ = name;
+  result.root_ = parser.root;
   result.places_ = std::move(parser.places);
   return result;
 }
 
+std::optional<LocatedJson::Place> LocatedJson::place_of(const Pointer& pointer) const {
+  if (pointer.empty()) return root_;
+  const std::optional<Place> container = place_of(pointer.parent_pointer());
+  if (!container) return std::nullopt;
+  const auto found = places_.find({container->number, pointer.back()});
+  return found == places_.end() ? std::nullopt : std::optional(found->second);
+}
+
 std::string LocatedJson::where(const Pointer& pointer) const {
-  const auto found = places_.find(pointer.to_string());
-  if (found == places_.end()) return name_;
-  return name_ + ":" + std::to_string(found->second.first) + ":" + std::to_string(found->second.second);
+  const std::optional<Place> place = place_of(pointer);
+  return place ? name_ + ":" + std::to_string(place->line) + ":" + std::to_string(place->column) : name_;
 }
 
 }  // namespace penumbra

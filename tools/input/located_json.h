@@ -1,11 +1,14 @@
 // JSON whose values know the line and column they were read from, so that "unknown key" points at the key.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace penumbra {
@@ -14,8 +17,20 @@ class LocatedJson {
  public:
   using Pointer = nlohmann::json::json_pointer;
 
-  // Throws InputError: unreadable, empty, not JSON (with line and column), duplicate key.
+  // Where a value (in objects: its key) was read; `number` counts values in the order of the text.
+  struct Place {
+    int line = 1;
+    int column = 1;
+    std::uint32_t number = 0;
+  };
+  // By the number of the container and the key or the index in it, so that a place takes the space of its own
+  // key, however deep it is.
+  using Places = std::map<std::pair<std::uint32_t, std::string>, Place>;
+
+  // Throws InputError: unreadable, longer than read_text_file() reads, empty, not JSON (with line and
+  // column), duplicate key, nested deeper than 200 levels.
   static LocatedJson read(const std::filesystem::path& file);
+  static LocatedJson read_found(const std::filesystem::path& file);  // as read_found_text_file()
   static LocatedJson parse(std::string_view text, const std::string& name);
 
   const nlohmann::json& value() const { return value_; }
@@ -23,9 +38,12 @@ class LocatedJson {
   std::string where(const Pointer& pointer) const;  // "name:line:column" of the value (of its key in objects)
 
  private:
+  std::optional<Place> place_of(const Pointer& pointer) const;
+
   nlohmann::json value_;
   std::string name_;
-  std::map<std::string, std::pair<int, int>> places_;  // JSON pointer text -> line, column
+  Place root_;
+  Places places_;
 };
 
 // One object of a LocatedJson, read field by field. Every accessor throws InputError at the value's own place

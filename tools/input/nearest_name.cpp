@@ -7,6 +7,9 @@
 namespace penumbra {
 namespace {
 
+constexpr std::size_t kLongestName = 200;  // a longer one is not a slip of the keyboard
+constexpr std::size_t kMostListed = 60;
+
 std::string lower(std::string_view text) {
   std::string result(text);
   for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -63,10 +66,12 @@ std::string longer_name(const std::string& given, const std::vector<std::string>
 }  // namespace
 
 std::string nearest_name(std::string_view given, const std::vector<std::string>& known) {
+  if (given.size() > kLongestName) return {};
   const std::string wanted = lower(given);
   std::size_t best = std::max<std::size_t>(2, given.size() / 3) + 1;
   std::string nearest;
   for (const std::string& name : known) {
+    if (name.size() >= wanted.size() + best || wanted.size() >= name.size() + best) continue;
     const std::size_t distance = edit_distance(wanted, lower(name));
     if (distance < best) {
       best = distance;
@@ -82,7 +87,8 @@ std::string unknown_name_way_out(std::string_view given, const std::vector<std::
   const std::string nearest = nearest_name(given, known);
   if (!nearest.empty()) return "did you mean '" + nearest + "'?";
   std::string list = "known are:";
-  for (const std::string& name : known) list += " " + name;
+  for (std::size_t i = 0; i < std::min(known.size(), kMostListed); ++i) list += " " + known[i];
+  if (known.size() > kMostListed) list += " and " + std::to_string(known.size() - kMostListed) + " more";
   return list;
 }
 

@@ -1,16 +1,38 @@
 #include "input/text_file.h"
 
+#include <algorithm>
+#include <array>
 #include <fstream>
-#include <iterator>
+#include <system_error>
 
 #include "input/input_error.h"
 
 namespace penumbra {
 
-std::string read_text_file(const std::filesystem::path& file) {
+namespace fs = std::filesystem;
+
+std::string read_text_file(const fs::path& file, std::size_t largest) {
+  std::error_code ignored;
+  if (fs::is_directory(file, ignored)) throw InputError(file.string(), "is a folder, not a file");
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw InputError(file.string(), "cannot be opened");
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  if (!stream) throw InputError(file.string(), "cannot be opened", "check the path and its permissions");
+  std::string text;
+  for (std::array<char, 65536> part{}; stream.read(part.data(), part.size()), stream.gcount() > 0;) {
+    text.append(part.data(), static_cast<std::size_t>(stream.gcount()));
+    if (text.size() > largest)
+      throw InputError(file.string(),
+                       "has more than " + std::to_string(largest) + " bytes, the limit of such a file");
+  }
+  if (stream.bad()) throw InputError(file.string(), "cannot be read");
+  return text;
+}
+
+std::string read_found_text_file(const fs::path& file, std::size_t largest) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(file, ignored);
+  if (fs::exists(status) && !fs::is_directory(status) && !fs::is_regular_file(status))
+    throw InputError(file.string(), "is a device or a pipe, not a regular file");
+  return read_text_file(file, largest);
 }
 
 }  // namespace penumbra

@@ -1,12 +1,21 @@
-// A whole file as a text.
+// A whole file as a text, of bounded size: what a user names or a project holds may be a device, a pipe that
+// nobody writes to, or endless.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 
 namespace penumbra {
 
-// Throws InputError, naming the file, when it cannot be opened.
-std::string read_text_file(const std::filesystem::path& file);
+constexpr std::size_t kLargestTextFile = std::size_t{512}
+                                         << 20U;  // bytes; reports of 10^5 variants have 10^8
+
+// A file that the user named, which may be a pipe. Throws InputError, naming the file: it cannot be opened or
+// read, is a folder, or has more bytes than `largest`.
+std::string read_text_file(const std::filesystem::path& file, std::size_t largest = kLargestTextFile);
+
+// A file that was found in a project or folder. What is not a regular file is refused besides.
+std::string read_found_text_file(const std::filesystem::path& file, std::size_t largest = kLargestTextFile);
 
 }  // namespace penumbra

@@ -20,7 +20,7 @@ bool has_package_manifest(const fs::path& package) {
 }
 
 PackageManifest read_package_manifest(const fs::path& package) {
-  const LocatedJson document = LocatedJson::read(package / file_name);
+  const LocatedJson document = LocatedJson::read_found(package / file_name);
   JsonObject object(document);
   PackageManifest manifest;
   manifest.name = object.text("name", "");

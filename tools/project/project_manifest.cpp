@@ -12,7 +12,7 @@ ProjectManifest read_project_manifest(const fs::path& packages) {
   manifest.file = packages / "manifest.json";
   if (is_there(manifest.file)) {
     manifest.found = true;
-    const LocatedJson document = LocatedJson::read(manifest.file);
+    const LocatedJson document = LocatedJson::read_found(manifest.file);
     JsonObject dependencies = JsonObject(document).object("dependencies");
     for (const std::string& name : dependencies.keys())
       manifest.requested[name] = {dependencies.text(name, ""), dependencies.where(name)};
@@ -20,7 +20,7 @@ ProjectManifest read_project_manifest(const fs::path& packages) {
   const fs::path lock = packages / "packages-lock.json";
   if (is_there(lock)) {
     manifest.found = true;
-    const LocatedJson document = LocatedJson::read(lock);
+    const LocatedJson document = LocatedJson::read_found(lock);
     JsonObject dependencies = JsonObject(document).object("dependencies");
     for (const std::string& name : dependencies.keys()) {
       JsonObject package = dependencies.object(name);

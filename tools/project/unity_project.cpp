@@ -1,11 +1,12 @@
 #include "project/unity_project.h"
 
-#include <fstream>
 #include <map>
+#include <sstream>
 #include <system_error>
 #include <utility>
 
 #include "input/input_error.h"
+#include "input/text_file.h"
 #include "project/folder_entries.h"
 #include "project/json_diagnostic.h"
 #include "project/package_cache.h"
@@ -36,7 +37,9 @@ void check_is_project(const fs::path& directory) {
 std::optional<EditorVersion> read_editor_version(const fs::path& file,
                                                  std::vector<hlsl::Diagnostic>& problems) {
   constexpr std::string_view key = "m_EditorVersion:";
-  std::ifstream stream(file, std::ios::binary);
+  constexpr std::size_t largest = std::size_t{1} << 20U;
+  std::error_code ignored;
+  std::istringstream stream(fs::exists(file, ignored) ? read_found_text_file(file, largest) : "");
   int number = 0;
   for (std::string line; std::getline(stream, line);) {
     ++number;

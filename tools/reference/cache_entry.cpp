@@ -31,6 +31,8 @@ void CacheEntryWriter::write(const std::filesystem::path& file) {
 
 std::optional<CacheEntryReader> CacheEntryReader::open(const std::filesystem::path& file,
                                                        std::string_view title, const std::string& key) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) return std::nullopt;
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return std::nullopt;
   const std::string content((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());

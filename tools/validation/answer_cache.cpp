@@ -37,7 +37,10 @@ std::string hash_of(std::string_view content) {
   return platform::ContentHash().update(content).hex();
 }
 
+// A folder or a pipe in an entry's place is no answer.
 std::optional<std::string> read_file(const fs::path& file) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(file, ignored)) return std::nullopt;
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return std::nullopt;
   stream.seekg(0, std::ios::end);

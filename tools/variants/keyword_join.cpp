@@ -70,8 +70,8 @@ std::vector<Choice> combinations(const std::vector<const JoinedSet*>& members) {
         if (++work <= most_work && next.size() <= most_choices) continue;
         throw InputError(members.front()->place,
                          "keyword sets that depend on each other span more than " +
-                             std::to_string(most_choices) + " combinations:" + places_of(members),
-                         "pin or exclude some of their keywords");
+                             std::to_string(most_choices) + " combinations",
+                         "pin or exclude some of their keywords; they are declared at" + places_of(members));
       }
     }
     choices = std::move(next);

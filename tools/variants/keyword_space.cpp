@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 #include "variants/built_in_sets.h"
@@ -189,6 +190,20 @@ std::vector<std::vector<Choice>> seen_by(hlsl::Stage stage, const std::vector<st
 
 }  // namespace
 
+VariantList::VariantList(std::vector<std::vector<Choice>> axes, std::shared_ptr<const Keywords> names)
+    : axes_(std::move(axes)), others_(axes_.size(), VariantCount(1)), names_(std::move(names)) {
+  VariantCount before(1);
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    others_[i] *= before;
+    before *= VariantCount(axes_[i].size());
+  }
+  VariantCount behind(1);
+  for (std::size_t i = axes_.size(); i-- > 0;) {
+    others_[i] *= behind;
+    behind *= VariantCount(axes_[i].size());
+  }
+}
+
 VariantCount VariantList::count() const {
   VariantCount count(1);
   for (const std::vector<Choice>& choices : axes_) count *= VariantCount(choices.size());
@@ -259,14 +274,9 @@ KeywordSpace::KeywordSpace(const Pragmas& pragmas, const Narrowing& narrowing)
   if (emptied_by_.empty()) emptied_by_ = axes.emptied_by;
   for (const std::size_t of_set : joined_of_set) axis_of_set_.push_back(axes.axis_of_set[of_set]);
   const auto names = std::make_shared<const Keywords>(numbering.names());
-  for (const hlsl::Stage stage : hlsl::all_stages) {
-    VariantList list;
-    list.axes_ = seen_by(stage, axes.choices, stages_of);
-    list.names_ = names;
-    of_stage_.push_back(std::move(list));
-  }
-  whole_.axes_ = std::move(axes.choices);
-  whole_.names_ = names;
+  for (const hlsl::Stage stage : hlsl::all_stages)
+    of_stage_.push_back(VariantList(seen_by(stage, axes.choices, stages_of), names));
+  whole_ = VariantList(std::move(axes.choices), names);
 }
 
 const VariantList& KeywordSpace::variants(hlsl::Stage stage) const {
@@ -280,17 +290,18 @@ VariantCount KeywordSpace::count_without(std::size_t set, std::optional<hlsl::St
   const KeywordSet& still = sets_.at(set);
   if (still.alternatives.empty()) return list.count();
   const Keywords kept = can_be_off(still) ? Keywords{} : still.alternatives.front();
-  const Keywords keywords = keywords_of(still);
+  const Keywords declared = keywords_of(still);
+  const std::set<std::string_view> keywords(declared.begin(), declared.end());
   const auto stands = [&](const Choice& choice) {
     return std::all_of(choice.begin(), choice.end(), [&](int number) {
       const std::string& name = (*list.names_)[static_cast<std::size_t>(number)];
-      return !contains(keywords, name) || contains(kept, name);
+      return !keywords.contains(name) || contains(kept, name);
     });
   };
-  VariantList narrowed = list;
-  std::vector<Choice>& choices = narrowed.axes_[axis_of_set_[set]];
-  std::erase_if(choices, [&](const Choice& choice) { return !stands(choice); });
-  return choices.empty() ? list.count() : narrowed.count();
+  const std::size_t axis = axis_of_set_[set];
+  const std::vector<Choice>& choices = list.axes_[axis];
+  const auto standing = static_cast<std::uint64_t>(std::count_if(choices.begin(), choices.end(), stands));
+  return standing == 0 ? list.count() : list.others_[axis] * VariantCount(standing);
 }
 
 }  // namespace penumbra::variants

@@ -84,7 +84,11 @@ class VariantList {
 
  private:
   friend class KeywordSpace;
+  VariantList() = default;
+  VariantList(std::vector<std::vector<Choice>> axes, std::shared_ptr<const Keywords> names);
+
   std::vector<std::vector<Choice>> axes_;
+  std::vector<VariantCount> others_;  // for each axis, the product of the other axes' sizes
   std::shared_ptr<const Keywords> names_;
 };
 

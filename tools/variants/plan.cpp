@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
+#include <utility>
 
 namespace penumbra::variants {
 namespace {
@@ -28,29 +28,50 @@ std::string pin_of(const KeywordSet& set) {
   return pin;
 }
 
-VariantCount total_without(const PlannedProgram& program, const std::string& label) {
+// The first set of each label.
+std::map<std::string, std::size_t> sets_by_label(const PlannedProgram& program) {
+  std::map<std::string, std::size_t> places;
   const std::vector<KeywordSet>& sets = program.space->sets();
-  const auto set = std::find_if(sets.begin(), sets.end(),
-                                [&](const KeywordSet& candidate) { return label_of(candidate) == label; });
+  for (std::size_t i = 0; i < sets.size(); ++i) places.try_emplace(label_of(sets[i]), i);
+  return places;
+}
+
+VariantCount total_of(const PlannedProgram& program) {
   VariantCount total;
-  for (const hlsl::Stage stage : program.stages) {
-    total += set == sets.end()
-                 ? program.space->variants(stage).count()
-                 : program.space->count_without(static_cast<std::size_t>(set - sets.begin()), stage);
-  }
+  for (const hlsl::Stage stage : program.stages) total += program.space->variants(stage).count();
+  return total;
+}
+
+VariantCount total_without(const PlannedProgram& program, std::size_t set) {
+  VariantCount total;
+  for (const hlsl::Stage stage : program.stages) total += program.space->count_without(set, stage);
   return total;
 }
 
 std::vector<Saving> savings(const std::vector<PlannedProgram>& programs, VariantCount total) {
-  std::map<std::string, std::string> pins;  // by label
-  for (const PlannedProgram& program : programs) {
-    for (const KeywordSet& set : program.space->sets())
-      if (set.alternatives.size() > 1) pins.try_emplace(label_of(set), pin_of(set));
+  struct Candidate {
+    std::string pin;
+    std::map<std::size_t, VariantCount> left;  // by program that has the set
+  };
+  std::map<std::string, Candidate> candidates;  // by label
+  for (std::size_t i = 0; i < programs.size(); ++i) {
+    for (const auto& [label, set] : sets_by_label(programs[i])) {
+      const KeywordSet& declared = programs[i].space->sets()[set];
+      if (declared.alternatives.size() < 2) continue;
+      Candidate& candidate = candidates[label];
+      if (candidate.pin.empty()) candidate.pin = pin_of(declared);
+      candidate.left[i] = total_without(programs[i], set);
+    }
   }
+  std::vector<VariantCount> totals;
+  for (const PlannedProgram& program : programs) totals.push_back(total_of(program));
   std::vector<Saving> result;
-  for (const auto& [label, pin] : pins) {
-    Saving saving{label, pin, {}};
-    for (const PlannedProgram& program : programs) saving.left += total_without(program, label);
+  for (const auto& [label, candidate] : candidates) {
+    Saving saving{label, candidate.pin, {}};
+    for (std::size_t i = 0; i < programs.size(); ++i) {
+      const auto own = candidate.left.find(i);
+      saving.left += own == candidate.left.end() ? totals[i] : own->second;
+    }
     if (saving.left < total || total.saturated()) result.push_back(std::move(saving));
   }
   std::stable_sort(result.begin(), result.end(),

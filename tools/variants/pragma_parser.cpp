@@ -107,8 +107,19 @@ bool PragmaParser::read_keywords(const Line& line) {
   return true;
 }
 
+// Unity Manual, "Shader keyword limits".
+constexpr std::size_t kMostKeywords = 65534;
+
 bool PragmaParser::is_keyword(const Word& word, const Line& line) {
-  if (hlsl::is_identifier(word.text)) return true;
+  if (is_empty_keyword(word.text)) return true;
+  if (hlsl::is_identifier(word.text)) {
+    if (keywords_.contains(word.text)) return true;
+    if (keywords_.size() < kMostKeywords) return keywords_.insert(word.text).second;
+    if (!std::exchange(said_too_many_, true))
+      error(place_of(line, word), "'" + word.text + "' is one keyword too many; Unity allows a shader " +
+                                      std::to_string(kMostKeywords));
+    return false;
+  }
   const bool comma = word.text.find(',') != std::string::npos;
   error(place_of(line, word), "'" + word.text + "' is not a keyword" +
                                   (comma ? "; keywords are separated by spaces, without commas"

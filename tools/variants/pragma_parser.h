@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <set>
 #include <string>
 
 #include "hlsl/diagnostic.h"
@@ -52,6 +53,8 @@ class PragmaParser {
 
   Pragmas& pragmas_;
   Say say_;
+  std::set<std::string> keywords_;
+  bool said_too_many_ = false;
 };
 
 }  // namespace penumbra::variants
