@@ -6,12 +6,14 @@
 #include <set>
 
 #include "ci/project_folder.h"
+#include "input/text_file.h"
 
 namespace penumbra::ci {
 namespace {
 
 using testing::AllOf;
 using testing::ElementsAre;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
@@ -44,6 +46,22 @@ TEST(GithubAction, StepsNameOnlyStepsThatAreThere) {
   for (const auto& step : action()["runs"]["steps"])
     if (step["id"]) ids.insert(step["id"].as<std::string>());
   EXPECT_THAT(names_of("steps", YAML::Dump(action())), UnorderedElementsAreArray(ids));
+}
+
+// A tag can be moved to other code, a commit cannot.
+TEST(GithubAction, OtherActionsAreNamedByTheirCommit) {
+  const std::regex commit("[^@]+@[0-9a-f]{40}");
+  int used = 0;
+  for (const auto& step : action()["runs"]["steps"]) {
+    if (!step["uses"]) continue;
+    EXPECT_TRUE(std::regex_match(step["uses"].as<std::string>(), commit)) << step["uses"];
+    ++used;
+  }
+  EXPECT_GT(used, 0);
+  const std::string page = read_text_file(repository + "/Documentation~/ci.md");
+  const std::regex uses("uses: (\\S+)");
+  for (std::sregex_iterator it(page.begin(), page.end(), uses), end; it != end; ++it)
+    EXPECT_TRUE((*it)[1] == "OWNER/penumbra@TAG" || std::regex_match((*it)[1].str(), commit)) << (*it)[1];
 }
 
 TEST(GithubAction, EveryScriptHasAShellAndNoExpression) {
@@ -90,10 +108,22 @@ TEST_F(GithubRun, AMistakeIsAnAnnotationASarifResultAndAFailedTest) {
   EXPECT_EQ(read_json("penumbra-reports/penumbra.sarif").at("runs").at(0).at("results").size(), 1u);
   // Each target is made from a source of its own: the mistake is in both.
   EXPECT_THAT(read("penumbra-reports/penumbra.xml"), HasSubstr("failures=\"2\""));
-  EXPECT_THAT(read("summary.md"), AllOf(HasSubstr("Broken.hlsl:3:22: error:"), HasSubstr("``````````\n")));
+  EXPECT_THAT(read("summary.md"),
+              AllOf(HasSubstr("Broken.hlsl:3:22: error:"), HasSubstr("```text\n"), EndsWith("\n```\n")));
   EXPECT_EQ(read("output"),
             "json=penumbra-reports/penumbra.json\nsarif=penumbra-reports/penumbra.sarif\n"
             "junit=penumbra-reports/penumbra.xml\n");
+}
+
+// A line of a shader that closes a fence and goes on in Markdown.
+TEST_F(GithubRun, TheSummarysFenceIsLongerThanAnyInTheText) {
+  const std::string backticks(12, '`');
+  write("Assets/Broken.hlsl", "float4 Main() : SV_Target {\n" + backticks + "\n# Passed\n}\n");
+  run_step({{"program", PENUMBRA_PROGRAM}, {"arguments", "Assets/Broken.hlsl --target spirv"}});
+  const std::string summary = read("summary.md");
+  EXPECT_THAT(summary, HasSubstr(backticks + "\n"));
+  EXPECT_THAT(summary, HasSubstr("\n" + backticks + "`text\n"));
+  EXPECT_THAT(summary, EndsWith("\n" + backticks + "`\n"));
 }
 
 TEST_F(GithubRun, GoodShadersAreSuccess) {

@@ -21,9 +21,8 @@ extern char** environ;  // NOLINT(readability-redundant-declaration): not every 
 namespace penumbra::validation {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr int units_of_a_salt = 4;
+constexpr std::size_t most_of_a_salt = 12;  // entries in the cache
 constexpr const char* shader =
     "float4 Main(float2 u : TEXCOORD0) : SV_Target\n{\n#if PLACE % 2\n    return missing_SALT;\n#endif\n"
     "    return u.xyxy * SALT + PLACE;\n}\n";
@@ -79,23 +78,40 @@ pid_t start_cache_user(const std::filesystem::path& cache, const std::filesystem
   return process;
 }
 
+std::size_t files_in(const std::filesystem::path& folder) {
+  std::size_t count = 0;
+  std::error_code error;
+  for (std::filesystem::recursive_directory_iterator it(folder, error), end; !error && it != end;
+       it.increment(error))
+    ++count;
+  return count;
+}
+
+// Until that many files are in the folder. By what is done and not by time: how long work takes depends on
+// what else the machine does.
+void wait_for_files(const std::filesystem::path& folder, std::size_t count) {
+  const auto hang = std::chrono::steady_clock::now() + std::chrono::minutes(5);
+  while (files_in(folder) < count) {
+    ASSERT_LT(std::chrono::steady_clock::now(), hang) << "nobody writes to the cache";
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
+  }
+}
+
 TEST(CacheProcesses, OneOfTwoKilledAHundredTimesNoAnswerIsWrong) {
   const shaders::ShaderFiles files;
   const std::filesystem::path file = files.write("f.hlsl", shader);
   const std::filesystem::path cache = files.path("cache");
   std::mt19937 random(20240);
-  const auto start = Clock::now();
   run_units(salted_units(file, 0, 0), keeping(cache));
-  const auto typical = std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - start);
   for (int salt = 1; salt < 101; ++salt) {
     // The victim writes this salt's entries while we do, and reads those that the last victim left; then it
     // goes on with entries of its own until it is killed.
     const int first = salt - 1;
     const pid_t victim = start_cache_user(cache, file, first, salt);
-    std::this_thread::sleep_for(typical * (random() % 1000) / 1000);
+    ASSERT_NO_FATAL_FAILURE(wait_for_files(cache, files_in(cache) + random() % most_of_a_salt));
     EngineRun beside;
     std::thread we([&] { beside = run_units(salted_units(file, first, salt), keeping(cache)); });
-    std::this_thread::sleep_for(typical * (random() % 1000) / 2000);
+    wait_for_files(cache, files_in(cache) + random() % most_of_a_salt);
     ::kill(victim, SIGKILL);
     we.join();
     expect_right(beside, first);

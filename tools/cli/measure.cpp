@@ -22,6 +22,7 @@
 #include "platform/data_directory.h"
 #include "platform/processor.h"
 #include "platform/source_commit.h"
+#include "platform/terminal.h"
 #include "reference/trace_visibility.h"
 #include "shaders/preset_emit.h"
 #include "study/picture_sheet.h"
@@ -218,9 +219,9 @@ void rewrite_readme(const MeasureOptions& options, const study::Results& results
                                   study::replace_result_block(text, block, options.readme, options.block));
 }
 
-void check_outputs(const MeasureOptions& options) {
+void check_outputs(const MeasureOptions& options, const Context& context) {
   if (options.output != "-") check_output_folder(options.output);
-  check_output_folder(options.cache);
+  check_cache_folder(options.cache, platform::cache_directory(), context);
   check_output_file(options.presets);
   check_output_file(options.readme);
   if (!options.readme.empty())  // a page without the markers, before the measuring and not after it
@@ -228,7 +229,7 @@ void check_outputs(const MeasureOptions& options) {
 }
 
 void run(const MeasureOptions& options, Context& context) {
-  check_outputs(options);
+  check_outputs(options, context);
   Measured measured;
   if (options.from.empty()) {
     measured = measure(options, context);

@@ -9,6 +9,19 @@
 #include "platform/atomic_file.h"
 
 namespace penumbra::cli {
+namespace {
+
+// The folder itself, or the nearest above it that is there. Throws InputError where that is a file.
+std::filesystem::path nearest_folder(const std::filesystem::path& folder) {
+  std::error_code status;
+  std::filesystem::path there = std::filesystem::absolute(folder).lexically_normal();
+  while (!std::filesystem::exists(there, status) && there != there.parent_path()) there = there.parent_path();
+  if (!std::filesystem::is_directory(there, status))
+    throw InputError(folder.string(), "'" + there.string() + "' is a file, not a folder");
+  return there;
+}
+
+}  // namespace
 
 void write_output(const std::string& file, std::string_view content) {
   if (!file.empty() && file != "-") {
@@ -26,14 +39,22 @@ void check_output_file(const std::string& file) {
 }
 
 void check_output_folder(const std::string& folder) {
-  if (folder.empty()) return;
-  std::error_code status;
-  std::filesystem::path there = std::filesystem::absolute(folder).lexically_normal();
-  while (!std::filesystem::exists(there, status) && there != there.parent_path()) there = there.parent_path();
-  if (!std::filesystem::is_directory(there, status)) {
-    throw InputError(folder, "'" + there.string() + "' is a file, not a folder");
+  if (!folder.empty()) platform::check_file_can_be_written(nearest_folder(folder) / "penumbra-output");
+}
+
+void check_cache_folder(const std::string& given, const std::filesystem::path& standard,
+                        const Context& context) {
+  if (!given.empty()) (void)nearest_folder(given);
+  try {
+    platform::check_file_can_be_written(
+        nearest_folder(given.empty() ? standard : std::filesystem::path(given)) / "penumbra-output");
+  } catch (const InputError& error) {
+    if (context.quiet) return;
+    std::fprintf(stderr,
+                 "note: nothing is kept for the next run, because the cache cannot be written: %s\n"
+                 "  choose another folder with --cache FOLDER or the environment variable PENUMBRA_CACHE\n",
+                 error.what());
   }
-  platform::check_file_can_be_written(there / "penumbra-output");
 }
 
 }  // namespace penumbra::cli

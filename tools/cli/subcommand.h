@@ -1,6 +1,7 @@
 // What every subcommand file offers main.cpp: a function that adds it to the program's command line.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -40,6 +41,11 @@ void write_output(const std::string& file, std::string_view content);
 // or that nothing may be written to. Called before work begins; they leave nothing behind.
 void check_output_file(const std::string& file);      // "" and "-", standard output, pass
 void check_output_folder(const std::string& folder);  // which need not be there yet; "" passes
+
+// A cache that cannot be written to is a note: all else works. `given` by --cache, else `standard`. Throws
+// InputError where a file is in the place of the folder that was given.
+void check_cache_folder(const std::string& given, const std::filesystem::path& standard,
+                        const Context& context);
 
 void add_constants(CLI::App& app, Context& context);
 void add_tables(CLI::App& app, Context& context);

@@ -281,7 +281,8 @@ void add_sources(const ValidateOptions& options, validation::ValidationRequest& 
   const std::string refusal = options.sample == 0 ? sources.refusal(options.limit) : std::string();
   if (!refusal.empty()) {
     const std::size_t end = refusal.find('\n');
-    throw InputError("--limit", refusal.substr(0, end), refusal.substr(std::min(end, refusal.size() - 1) + 1));
+    throw InputError("--limit", refusal.substr(0, end),
+                     refusal.substr(std::min(end, refusal.size() - 1) + 1));
   }
   request.units = sources.units();
   request.records = sources.records();
@@ -295,17 +296,17 @@ void check_list(const ValidateOptions& options, bool sources_given) {
                      "use text or json");
 }
 
-void check_outputs(const ValidateOptions& options) {
+void check_outputs(const ValidateOptions& options, const Context& context) {
   for (const std::string& file : {options.report.output, options.emit_parameters, options.emit_presets,
                                   options.emit_looks, options.emit_programs})
     check_output_file(file);
-  check_output_folder(options.cache);
+  if (!options.no_cache) check_cache_folder(options.cache, validation::default_cache(), context);
   check_output_folder(options.keep);
 }
 
 void run_validate(const ValidateOptions& options, Context& context) {
   const bool sources_given = !options.places.empty() || !options.project.empty();
-  check_outputs(options);
+  check_outputs(options, context);
   validation::ValidationRequest request;
   request.targets = chosen_targets(options.targets);
   request.engine = engine_options(options);

@@ -60,6 +60,12 @@ std::filesystem::path program_directory() {
   return program.empty() ? std::filesystem::current_path() : program.parent_path();
 }
 
+std::filesystem::path temporary_directory() {
+  std::error_code error;
+  std::filesystem::path folder = std::filesystem::temp_directory_path(error);
+  return error ? std::filesystem::path("/tmp") : folder;
+}
+
 std::filesystem::path cache_directory() {
   if (const std::string given = environment("PENUMBRA_CACHE"); !given.empty()) return given;
   if (const std::string xdg = environment("XDG_CACHE_HOME"); !xdg.empty()) {
@@ -70,7 +76,7 @@ std::filesystem::path cache_directory() {
 #else
   const std::string home = environment("HOME");
 #endif
-  if (home.empty()) return std::filesystem::temp_directory_path() / "penumbra-cache";
+  if (home.empty()) return temporary_directory() / "penumbra-cache";
   return std::filesystem::path(home) / ".cache" / "penumbra";
 }
 

@@ -7,10 +7,11 @@ namespace penumbra::platform {
 
 bool stderr_is_terminal();
 bool stdout_is_terminal();
-bool colour_wanted();                       // stderr is a terminal, and NO_COLOR unset or empty
-bool colour_wanted_on_stdout();             // the same of standard output
-std::filesystem::path program_path();       // the running executable
-std::filesystem::path program_directory();  // its folder
-std::filesystem::path cache_directory();    // $PENUMBRA_CACHE, else $XDG_CACHE_HOME or ~/.cache, /penumbra
+bool colour_wanted();                         // stderr is a terminal, and NO_COLOR unset or empty
+bool colour_wanted_on_stdout();               // the same of standard output
+std::filesystem::path program_path();         // the running executable
+std::filesystem::path program_directory();    // its folder
+std::filesystem::path temporary_directory();  // $TMPDIR, or /tmp where that is not a folder
+std::filesystem::path cache_directory();      // $PENUMBRA_CACHE, else $XDG_CACHE_HOME or ~/.cache, /penumbra
 
 }  // namespace penumbra::platform

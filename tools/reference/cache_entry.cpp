@@ -18,15 +18,17 @@ std::string hash_of(std::string_view content) {
 
 }  // namespace
 
-void CacheEntryWriter::write(const std::filesystem::path& file) {
+bool CacheEntryWriter::write(const std::filesystem::path& file) {
   std::error_code error;
   std::filesystem::create_directories(file.parent_path(), error);
-  if (error) {
-    throw InputError(file.parent_path().string(), "the cache folder cannot be created: " + error.message(),
-                     "choose another with the environment variable PENUMBRA_CACHE");
-  }
+  if (error) return false;
   content_ += hash_of(content_);
-  platform::write_file_atomically(file, content_);
+  try {
+    platform::write_file_atomically(file, content_);
+  } catch (const InputError&) {
+    return false;
+  }
+  return true;
 }
 
 std::optional<CacheEntryReader> CacheEntryReader::open(const std::filesystem::path& file,

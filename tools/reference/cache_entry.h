@@ -33,8 +33,9 @@ class CacheEntryWriter {
     append(std::span<const Value>(&value, 1));
   }
 
-  // Makes the folder. Throws InputError when that or the file fails (full disk, permissions).
-  void write(const std::filesystem::path& file);
+  // Makes the folder. False when that or the file fails (full disk, permissions): nothing partial is left,
+  // and what a cache does not keep is computed again.
+  bool write(const std::filesystem::path& file);
 
  private:
   std::string content_;

@@ -43,7 +43,7 @@ std::optional<VisibilityImage> ReferenceCache::find(const std::string& key) cons
   return image;
 }
 
-void ReferenceCache::store(const std::string& key, const VisibilityImage& image) const {
+bool ReferenceCache::store(const std::string& key, const VisibilityImage& image) const {
   CacheEntryWriter entry(image_title, key);
   entry.append(static_cast<std::int32_t>(image.width));
   entry.append(static_cast<std::int32_t>(image.height));
@@ -51,7 +51,7 @@ void ReferenceCache::store(const std::string& key, const VisibilityImage& image)
   entry.append(image.noise_floor);
   entry.append(std::span<const float>(image.visibility));
   entry.append(std::span<const std::uint8_t>(image.valid));
-  entry.write(image_file(key));
+  return entry.write(image_file(key));
 }
 
 std::vector<HalfCounts> ReferenceCache::find_beginning(const std::string& key) const {
@@ -60,10 +60,10 @@ std::vector<HalfCounts> ReferenceCache::find_beginning(const std::string& key) c
   return entry->take<HalfCounts>(entry->bytes_left() / sizeof(HalfCounts));
 }
 
-void ReferenceCache::store_beginning(const std::string& key, std::span<const HalfCounts> counts) const {
+bool ReferenceCache::store_beginning(const std::string& key, std::span<const HalfCounts> counts) const {
   CacheEntryWriter entry(beginning_title, key);
   entry.append(counts);
-  entry.write(beginning_file(key));
+  return entry.write(beginning_file(key));
 }
 
 void ReferenceCache::drop_beginning(const std::string& key) const noexcept {

@@ -25,12 +25,12 @@ class ReferenceCache {
   // key: letters and digits, such as platform::ContentHash::hex(). The caller puts everything into it that
   // the image depends on, the version of its algorithm included.
   std::optional<VisibilityImage> find(const std::string& key) const;
-  // Throws InputError when the file cannot be written (full disk, permissions); nothing partial is left.
-  void store(const std::string& key, const VisibilityImage& image) const;
+  // False when the file cannot be written (full disk, permissions); nothing partial is left.
+  bool store(const std::string& key, const VisibilityImage& image) const;
 
   // The beginning of an unfinished answer: the pixels of its first rows.
   std::vector<HalfCounts> find_beginning(const std::string& key) const;  // empty when there is none
-  void store_beginning(const std::string& key, std::span<const HalfCounts> counts) const;
+  bool store_beginning(const std::string& key, std::span<const HalfCounts> counts) const;
   void drop_beginning(const std::string& key) const noexcept;
 
   std::filesystem::path image_file(const std::string& key) const;

@@ -17,12 +17,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void make_cache_folder(const fs::path& folder) {
+// Without a folder nothing is kept.
+EngineOptions with_cache_folder(EngineOptions options) {
   std::error_code error;
-  fs::create_directories(folder, error);
-  if (error)
-    throw InputError(folder.string(), "the cache folder cannot be created: " + error.message(),
-                     "choose another with the environment variable PENUMBRA_CACHE, or use none");
+  if (!options.cache.empty()) fs::create_directories(options.cache, error);
+  if (error) options.cache.clear();
+  return options;
 }
 
 // Looking at every entry takes time that a small run should not pay: it is done when this run alone has
@@ -44,8 +44,8 @@ fs::path default_cache() {
   return platform::cache_directory() / "validation";
 }
 
-EngineRun run_units(const std::vector<CompileUnit>& units, const EngineOptions& options) {
-  if (!options.cache.empty()) make_cache_folder(options.cache);
+EngineRun run_units(const std::vector<CompileUnit>& units, const EngineOptions& given) {
+  const EngineOptions options = with_cache_folder(given);
   UnitRun run(units, options);
   run.recall();
   run.work();

@@ -6,6 +6,7 @@
 
 #include "platform/build_identity.h"
 #include "platform/interrupt.h"
+#include "platform/terminal.h"
 #include "validation/answer_unit.h"
 #include "validation/recall.h"
 #include "validation/spirv_target.h"
@@ -166,7 +167,7 @@ void UnitRun::reproduced(std::size_t place, const platform::WorkerOutcome& outco
 fs::path UnitRun::keep_folder() const {
   if (!options_.keep.empty()) return options_.keep;
   if (!options_.cache.empty()) return options_.cache / "failures";
-  return fs::temp_directory_path() / "penumbra-failures";
+  return platform::temporary_directory() / "penumbra-failures";
 }
 
 const UnitRun::State& UnitRun::with_text_of(std::size_t place) const {

@@ -1,0 +1,118 @@
+// Projects and names made to mislead or to hang: what is printed stays one message, and an end comes.
+#include <sys/stat.h>
+
+#include "cli/program.h"
+
+namespace penumbra {
+namespace {
+
+using testing::AllOf;
+
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr const char* kShader = "float4 Main() : SV_Target { return 1; }\n";
+
+class UntrustedProject : public ProgramTest {
+ protected:
+  void SetUp() override {
+    ProgramTest::SetUp();
+    write("P/Assets/Main.hlsl", kShader);
+    write("P/Assets/Main.shader",
+          "Shader \"Main\" { SubShader { Pass { HLSLPROGRAM\n#pragma vertex V\n#pragma fragment F\n"
+          "float4 V(float4 p : POSITION) : SV_Position { return p; }\n"
+          "float4 F() : SV_Target { return 1; }\nENDHLSL } } }\n");
+  }
+  platform::ChildResult validate(const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> all{"validate",   "--project", path("P").string(),
+                                 "--no-cache", "--target",  "spirv"};
+    all.insert(all.end(), more.begin(), more.end());
+    return run(all);
+  }
+};
+
+TEST_F(UntrustedProject, NamesOfAManifestAreNoCommandsOfGitHub) {
+  write("P/Packages/manifest.json",
+        "{\"dependencies\": {\"com.a\\n::error file=x::taken\": \"1.0.0\", \"com.b\": "
+        "\"file:..\\n::error::taken\"}}");
+  for (const char* form : {"text", "github"}) {
+    const auto result = validate({"--format", form});
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    EXPECT_THAT(result.errors, HasSubstr("com.a\\n::error file=x::taken"));
+    EXPECT_THAT("\n" + result.errors + result.output, Not(HasSubstr("\n::error")));
+  }
+}
+
+TEST_F(UntrustedProject, TextOfAShaderDoesNotMoveTheTerminal) {
+  write("P/Assets/Main.hlsl", "float4 Main() : SV_Target { return \x1B]0;taken\x07\x1B[2J; }\n");
+  const auto result = validate({path("P/Assets/Main.hlsl").string()});
+  EXPECT_EQ(result.exit_code, 1) << result.errors;
+  EXPECT_THAT(result.output, AllOf(HasSubstr("Main.hlsl:1:"), HasSubstr("\\x1B]0;taken\\x07\\x1B[2J"),
+                                   Not(HasSubstr("\x1B"))));
+}
+
+TEST_F(UntrustedProject, AManifestThatIsAPipeOrEndlessIsRefused) {
+  std::filesystem::create_directories(path("P/Packages"));
+  ASSERT_EQ(::mkfifo(path("P/Packages/manifest.json").c_str(), 0600), 0);
+  const auto pipe = validate();
+  EXPECT_EQ(pipe.exit_code, 2);
+  EXPECT_THAT(pipe.errors, HasSubstr("manifest.json: is a device or a pipe"));
+  std::filesystem::remove(path("P/Packages/manifest.json"));
+  std::filesystem::create_symlink("/dev/zero", path("P/Packages/manifest.json"));
+  EXPECT_EQ(validate().exit_code, 2);
+}
+
+TEST_F(UntrustedProject, APathThatNoLineDirectiveCanNameIsRefused) {
+  for (const std::string name : {"P/Assets/a\"b.hlsl", "P/Assets/a\n::error::b.hlsl"}) {
+    const std::string file = write(name, kShader).string();
+    const auto result = validate({file});
+    EXPECT_NE(result.exit_code, 0);
+    EXPECT_THAT(result.errors + result.output, HasSubstr("rename it"));
+    EXPECT_THAT("\n" + result.errors + result.output, Not(HasSubstr("\n::error")));
+    write("P/Assets/Main.hlsl",
+          "#include \"" + std::filesystem::path(file).filename().string() + "\"\n" + kShader);
+    EXPECT_EQ(validate({path("P/Assets/Main.hlsl").string()}).exit_code, 1);
+  }
+}
+
+TEST_F(UntrustedProject, AKeyOfMegabytesIsNotEchoed) {
+  const auto config = write("c.json", "{\"" + std::string(10'000'000, 'k') + "\": 1}");
+  const auto result = run({"constants", "--config", config.string()});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.errors, AllOf(HasSubstr("c.json:1:2: unknown key 'kkk"), HasSubstr("bytes left out")));
+  EXPECT_LT(result.errors.size(), 6000u);
+}
+
+// /proc takes no new files, from root neither.
+TEST_F(UntrustedProject, WithoutAFolderForTheCacheTheRestWorks) {
+  const std::string command =
+      std::string(PENUMBRA_PROGRAM) + " validate " + path("P/Assets/Main.hlsl").string() + " --target spirv";
+  for (const std::string& variables :
+       {std::string("-u PENUMBRA_CACHE -u XDG_CACHE_HOME HOME=/proc/none"),
+        std::string("PENUMBRA_CACHE=/proc/none"),
+        "-u PENUMBRA_CACHE -u XDG_CACHE_HOME HOME=" + write("file", "").string()}) {
+    const auto result = shell("env " + variables + " " + command);
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    EXPECT_THAT(result.errors,
+                AllOf(HasSubstr("note: nothing is kept for the next run"), HasSubstr("PENUMBRA_CACHE")));
+    EXPECT_THAT(shell("env " + variables + " " + command + " --quiet").errors, "");
+  }
+  const auto without_temporary =
+      shell("env -u HOME -u PENUMBRA_CACHE -u XDG_CACHE_HOME TMPDIR=/proc/none " + command);
+  EXPECT_EQ(without_temporary.exit_code, 0) << without_temporary.errors;
+  const auto taken = run({"validate", path("P/Assets/Main.hlsl").string(), "--cache", path("file").string()});
+  EXPECT_EQ(taken.exit_code, 2) << "the user has named a file";
+}
+
+TEST_F(UntrustedProject, MeasuringWorksWithoutAFolderForTheCache) {
+  const auto result = shell("env PENUMBRA_CACHE=/proc/none " + std::string(PENUMBRA_PROGRAM) +
+                            " measure --scene contact-boxes --technique hard --light 2 --size 32x18 "
+                            "--reference-samples 32 --seeds 1 -o " +
+                            path("out").string());
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(result.errors, HasSubstr("note: nothing is kept for the next run"));
+  EXPECT_TRUE(std::filesystem::exists(path("out/results.json")));
+}
+
+}  // namespace
+}  // namespace penumbra
