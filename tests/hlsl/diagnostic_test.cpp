@@ -31,17 +31,17 @@ TEST(Diagnostic, ACaretPastTheEndOfTheLineStaysInPlace) {
 TEST(Diagnostic, AnyColumnIsHarmless) {
   const int far = std::numeric_limits<int>::max();
   EXPECT_EQ(format({"a", 1, far, Severity::error, "m", "x"}),
-            "a:1:2147483647: error: m\n    x\n    " + std::string(401, ' ') + "^");
+            "a:1:2147483647: error: m\n    x\n    " + std::string(161, ' ') + "^");
   EXPECT_EQ(format({"a", 1, -5, Severity::error, "m", "x"}), "a:1: error: m\n    x");
 }
 
 TEST(Diagnostic, OfALongLineTheSurroundingsOfTheColumnAreShown) {
   const std::string line = std::string(1'000'000, 'a') + "here" + std::string(1'000'000, 'b');
   EXPECT_EQ(format({"a", 1, 1'000'001, Severity::error, "m", line}),
-            "a:1:1000001: error: m\n    ..." + std::string(200, 'a') + "here" + std::string(196, 'b') +
-                "...\n    " + std::string(203, ' ') + "^");
+            "a:1:1000001: error: m\n    ..." + std::string(80, 'a') + "here" + std::string(76, 'b') +
+                "...\n    " + std::string(83, ' ') + "^");
   EXPECT_EQ(format({"a", 1, 2, Severity::error, "m", line}),
-            "a:1:2: error: m\n    " + std::string(400, 'a') + "...\n     ^");
+            "a:1:2: error: m\n    " + std::string(160, 'a') + "...\n     ^");
 }
 
 TEST(Diagnostic, ControlCharactersAreShownAsEscapes) {

@@ -222,10 +222,12 @@ TEST_F(Engine, AFileThatCannotBeReadIsBadInput) {
   EXPECT_THROW(run(with_processes()), InputError);
 }
 
-TEST_F(Engine, ACacheFolderThatCannotBeIsBadInput) {
+TEST_F(Engine, WithoutAFolderForTheCacheNothingIsKept) {
   EngineOptions options;
   options.cache = files_.write("a-file", "x") / "cache";
-  EXPECT_THROW(run(options), InputError);
+  const EngineRun first = run(options);
+  EXPECT_EQ(told(first), told(run({})));
+  EXPECT_EQ(cached_count(run(options)), 0U);
 }
 
 TEST_F(Engine, ProgressReachesTheTotalColdAndWarm) {

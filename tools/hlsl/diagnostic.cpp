@@ -30,20 +30,30 @@ std::string blanks_for(std::string text) {
   return text;
 }
 
-constexpr std::size_t kLongestShown = 400;
+constexpr std::size_t kLongestShown = 160;
 
 struct Excerpt {
   std::string line;
   std::string before_caret;
 };
 
-// Of a line too long for a message, what is around the column.
+// Of a line too long for a message (one of generated code may be a megabyte), what is around the column. Cut
+// between the characters of UTF-8.
 Excerpt excerpt_of(std::string_view line, int column) {
+  const auto inside_character = [&](std::size_t at) {
+    return at < line.size() && (static_cast<unsigned char>(line[at]) & 0xC0U) == 0x80U;
+  };
   const auto asked = static_cast<std::size_t>(std::max(column, 1) - 1);
   const std::size_t at = std::min(line.size(), asked);
-  const bool whole = line.size() <= kLongestShown;
-  const std::size_t begin = whole || at < kLongestShown / 2 ? 0 : at - kLongestShown / 2;
-  const std::size_t end = whole ? line.size() : std::min(line.size(), begin + kLongestShown);
+  std::size_t begin = 0;
+  std::size_t end = line.size();
+  if (line.size() > kLongestShown) {
+    begin = std::min(at < kLongestShown / 2 ? 0 : at - kLongestShown / 2, line.size() - kLongestShown);
+    while (inside_character(begin)) ++begin;
+    end = begin + kLongestShown;
+    while (inside_character(end)) ++end;
+    end = std::min(end, line.size());
+  }
   std::string before = (begin > 0 ? "..." : "") + visible_line(line.substr(begin, at - begin));
   std::string shown = before + visible_line(line.substr(at, end - at)) + (end < line.size() ? "..." : "");
   // What is missing may be behind the line's end; a report that was made elsewhere may name any column.

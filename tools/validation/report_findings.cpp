@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "input/visible_text.h"
 #include "validation/spirv_target.h"
 
 namespace penumbra::validation {
@@ -194,8 +195,9 @@ std::string program_title(const VariantRecord& record) {
   std::string text = record.technique.empty() ? "" : "technique " + record.technique + ", ";
   if (!record.pass.empty()) text += "pass " + record.pass + (record.shader.empty() ? ", " : " of ");
   if (!record.shader.empty()) text += record.shader + ", ";
-  if (!record.entry.empty()) return text + hlsl::stage_name(record.stage) + " entry " + record.entry;
-  return text.empty() ? record.file : text.substr(0, text.size() - 2);  // of a file or pass as a whole
+  if (!record.entry.empty()) return visible(text + hlsl::stage_name(record.stage) + " entry " + record.entry);
+  return visible(text.empty() ? record.file
+                              : text.substr(0, text.size() - 2));  // of a file or pass as a whole
 }
 
 std::string fold_sentence(const KeywordFold& fold) {

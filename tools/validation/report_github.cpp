@@ -6,6 +6,7 @@
 // Escaped as the toolkit's command.ts does: % CR LF in messages, and : , in properties besides.
 #include <algorithm>
 
+#include "input/visible_text.h"
 #include "validation/report_findings.h"
 #include "validation/report_place.h"
 
@@ -49,7 +50,8 @@ std::string annotation(const Finding& finding, const ValidationReport& report, c
   if (diagnostic.line > 0 && diagnostic.column > 0)
     text += ",col=" + std::to_string(column_in_characters(diagnostic.source_line, diagnostic.column));
   text += ",title=" + property("penumbra: " + finding.rule) + "::";
-  std::string message = diagnostic.message + "\n" + program_title(report.records[finding.records.front()]);
+  std::string message =
+      visible(diagnostic.message) + "\n" + program_title(report.records[finding.records.front()]);
   if (const std::string sentence = fold_sentence(fold_keywords(finding, variants)); !sentence.empty())
     message += ", " + sentence;
   message += ", for " + joined(targets_of(finding, report), ", ");

@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "input/visible_text.h"
 #include "validation/report_findings.h"
 
 namespace penumbra::validation {
@@ -23,24 +24,10 @@ std::string painted(const std::string& text, const char* colour, const ReportSty
   return style.colour ? colour + text + plain : text;
 }
 
-// A line of generated code may be a megabyte: what is near the column is shown. Cut between characters.
+// The source line and its caret.
 std::string excerpt(const hlsl::Diagnostic& diagnostic) {
-  constexpr std::size_t widest = 160;
-  hlsl::Diagnostic shown{{}, 1, diagnostic.column, hlsl::Severity::note, {}, diagnostic.source_line};
-  std::string& line = shown.source_line;
-  if (line.size() > widest) {
-    const auto inside_character = [&](std::size_t at) {
-      return at < line.size() && (static_cast<unsigned char>(line[at]) & 0xC0U) == 0x80U;
-    };
-    const auto column = static_cast<std::size_t>(std::max(diagnostic.column, 1));
-    std::size_t start = std::min(column > widest / 2 ? column - widest / 2 : 0, line.size() - widest);
-    while (inside_character(start)) ++start;
-    std::size_t end = start + widest;
-    while (inside_character(end)) ++end;
-    line = (start == 0 ? "" : "...") + line.substr(start, end - start) + (end < line.size() ? "..." : "");
-    if (shown.column > 0) shown.column = shown.column - static_cast<int>(start) + (start == 0 ? 0 : 3);
-  }
-  const std::string text = format(shown);
+  const std::string text =
+      hlsl::format({{}, 1, diagnostic.column, hlsl::Severity::note, {}, diagnostic.source_line, {}});
   const std::size_t end_of_headline = text.find('\n');
   return end_of_headline == std::string::npos ? "" : text.substr(end_of_headline);
 }
@@ -54,7 +41,7 @@ std::string headline(const hlsl::Diagnostic& diagnostic, const ReportStyle& styl
   const std::size_t severity = text.rfind(' ', text.size() - 2) + 1;
   text = painted(text.substr(0, severity), bold, style) +
          painted(text.substr(severity), colour_of(diagnostic.severity), style) +
-         painted(diagnostic.message, bold, style);
+         painted(visible(diagnostic.message), bold, style);
   return diagnostic.rule.empty() ? text : text + " [" + diagnostic.rule + "]";
 }
 
@@ -157,8 +144,8 @@ class TextReport {
   std::string absences() const {
     return by_reason(VariantStatus::absent,
                      [](const std::string& owner, const std::string& reason, const Reason& who) {
-                       return "absent: " + owner + ", " + joined(who.targets, ", ") + ": " + reason + " (" +
-                              counted(who.variants.size(), "variant") + ")";
+                       return "absent: " + visible(owner) + ", " + joined(who.targets, ", ") + ": " + reason +
+                              " (" + counted(who.variants.size(), "variant") + ")";
                      });
   }
 
