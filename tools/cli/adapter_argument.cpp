@@ -33,7 +33,8 @@ std::optional<std::vector<double>> numbers_of(const std::string& text) {
   return numbers;
 }
 
-void add_value(resolve::Adapter& adapter, const std::string& name, const std::string& value) {
+void add_value(resolve::Adapter& adapter, const std::string& name, const std::string& value,
+               const scene::ReadingProcess& process) {
   const bool known_texture =
       std::any_of(adapter.textures.begin(), adapter.textures.end(),
                   [&](const resolve::AdapterTexture& texture) { return texture.name == name; });
@@ -43,7 +44,7 @@ void add_value(resolve::Adapter& adapter, const std::string& name, const std::st
   if (std::optional<std::vector<double>> numbers = numbers_of(value)) {
     adapter.uniforms.emplace(name, *std::move(numbers));
   } else {
-    adapter.textures.push_back(resolve::adapter_texture(name, value));
+    adapter.textures.push_back(resolve::adapter_texture(name, value, process));
   }
 }
 
@@ -74,7 +75,7 @@ void set_adapter_setting(resolve::Adapter& adapter, const std::string& name, con
 
 }  // namespace
 
-resolve::Adapter parse_adapter(const std::string& text) {
+resolve::Adapter parse_adapter(const std::string& text, const scene::ReadingProcess& process) {
   const std::vector<std::string> parts = split(text, ';');
   if (parts.empty()) throw InputError("--adapter", "is empty", kForm);
   resolve::Adapter adapter;
@@ -92,7 +93,7 @@ resolve::Adapter parse_adapter(const std::string& text) {
     if (name.starts_with("@"))
       set_adapter_setting(adapter, name, value);
     else
-      add_value(adapter, name, value);
+      add_value(adapter, name, value, process);
   }
   return adapter;
 }

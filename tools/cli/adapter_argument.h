@@ -10,7 +10,7 @@ namespace penumbra::cli {
 // "NAME=FILE[;KEYWORD][;UNIFORM=a,b,...][;TEXTURE=picture.png][;@SETTING=value]": what follows a name and '='
 // is a uniform where it is numbers, else a texture. Settings are @depth-bias, @normal-bias, @soft-quality and
 // @light-scale. Package roots and project are not among it. Throws InputError for another form, for a picture
-// that cannot be read and for what is given twice.
-resolve::Adapter parse_adapter(const std::string& text);
+// that cannot be read, in that process, and for what is given twice.
+resolve::Adapter parse_adapter(const std::string& text, const scene::ReadingProcess& process);
 
 }  // namespace penumbra::cli

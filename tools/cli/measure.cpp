@@ -110,6 +110,7 @@ study::StudySettings study_settings(const MeasureOptions& options) {
   settings.light_degrees = options.lights;
   drop_repetitions(settings.light_degrees);
   settings.frame = frame_settings(options);
+  settings.compiler = compiling_process(options);
   settings.penumbra_pixels = options.penumbra_pixels;
   reference::check_samples(options.reference_samples);
   settings.reference_samples = options.reference_samples;

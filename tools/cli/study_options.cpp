@@ -23,9 +23,19 @@
 #include "project/package_manifest.h"
 #include "project/unity_project.h"
 #include "reference/trace_visibility.h"
+#include "resolve/module_order.h"
 
 namespace penumbra::cli {
 namespace {
+
+scene::ReadingProcess reading_process(const StudyOptions& options) {
+  scene::ReadingProcess process;
+  const std::size_t answer = process.limits.answer;
+  process.arguments = worker_arguments(scene::reading_mode);
+  process.limits = worker_limits(options.worker);
+  process.limits.answer = answer;
+  return process;
+}
 
 scene::DepthFormat depth_format(const std::string& text) {
   if (text == "d16") return scene::DepthFormat::d16;
@@ -139,6 +149,8 @@ void add_study_options(CLI::App& command, StudyOptions& options, const std::stri
       ->check(within(reference::fewest_samples, reference::most_samples));
   add("--seed", options.seed, "N", "Seed of the reference's random numbers");
   add_jobs(command, options.jobs)->group("Study");
+  add_worker_limits(command, options.worker, "one model, picture or shader");
+  for (const char* limit : {"--time-limit", "--memory-limit"}) command.get_option(limit)->group("Study");
   add("--cache", options.cache, "FOLDER", "Folder in which references are cached between runs")
       ->default_str("the user's cache");
   add("--device", options.device, "DEVICE", "Vulkan device: part of its name, or its number")
@@ -176,7 +188,9 @@ std::vector<scene::Scene> chosen_scenes(const StudyOptions& options,
   for (const std::string& name : options.scenes.empty() ? fallback : names_or_files(options.scenes)) {
     if (!seen.insert(name).second) continue;  // what is asked for twice is there once
     require_plain_name("--scene", std::filesystem::path(name).filename().string());
-    scene::Scene scene = scene::load(name, options.import);
+    scene::ImportOptions import = options.import;
+    import.process = reading_process(options);
+    scene::Scene scene = scene::load(name, import);
     if (!options.sun.empty()) scene.light_direction = scene::sunlight(options.sun[0], options.sun[1]);
     if (!options.camera.empty()) look_as_told(options.camera, scene.camera);
     if (!options.origin.empty()) {
@@ -195,6 +209,10 @@ void tell_notes(const std::vector<scene::Scene>& scenes, const Context& context)
   for (const scene::Scene& scene : scenes) {
     for (const std::string& note : scene.notes) fmt::print(stderr, "note: {}\n", note);
   }
+}
+
+platform::WorkerPool compiling_process(const StudyOptions& options) {
+  return {worker_arguments(resolve::modules_mode), 1, worker_limits(options.worker)};
 }
 
 scene::FrameSettings frame_settings(const StudyOptions& options) {
@@ -236,7 +254,7 @@ std::vector<resolve::Adapter> chosen_adapters(const StudyOptions& options) {
   const std::vector<shaders::PackageRoot> roots = package_roots(options);
   std::vector<resolve::Adapter> adapters;
   for (const std::string& text : options.adapters) {
-    adapters.push_back(parse_adapter(text));
+    adapters.push_back(parse_adapter(text, reading_process(options)));
     adapters.back().package_roots = roots;
     adapters.back().project = options.project;
     adapters.back().cginc_root = options.cginc_root;

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/shared_options.h"
 #include "cli/subcommand.h"
 #include "gpu/device.h"
 #include "resolve/shadow_shader.h"
@@ -47,6 +48,7 @@ struct StudyOptions {
   int noise_seeds = 16;
   std::uint64_t seed = 0;
   int jobs = 0;  // 0: all cores
+  WorkerOptions worker{.time_limit = 60};
   std::string cache;
   std::string output;
 };
@@ -60,6 +62,7 @@ std::vector<scene::Scene> chosen_scenes(const StudyOptions& options,
                                         const std::vector<std::string>& fallback);
 // What imports left out, on stderr unless --quiet.
 void tell_notes(const std::vector<scene::Scene>& scenes, const Context& context);
+platform::WorkerPool compiling_process(const StudyOptions& options);
 scene::FrameSettings frame_settings(const StudyOptions& options);
 std::vector<resolve::Adapter> chosen_adapters(const StudyOptions& options);
 

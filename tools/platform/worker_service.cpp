@@ -10,6 +10,7 @@
 #include "platform/worker_pool.h"
 
 #ifndef _WIN32
+#include <dlfcn.h>
 #include <sys/socket.h>
 #include <unistd.h>
 #ifdef __linux__
@@ -54,7 +55,6 @@ class ParentLink final : public WorkerLink {
     }
   }
 
- private:
   static void write_bytes(std::string_view bytes) {
     for (std::size_t at = 0; at < bytes.size();) {
       const ssize_t count = ::write(worker_frames_descriptor, bytes.data() + at, bytes.size() - at);
@@ -65,6 +65,7 @@ class ParentLink final : public WorkerLink {
     }
   }
 
+ private:
   FrameReader reader_{std::numeric_limits<std::size_t>::max()};  // the parent is trusted
 };
 
@@ -103,6 +104,28 @@ Settings read_settings(ParentLink& link) {
   return settings;
 }
 
+// Said by a worker that the system gives no more memory. Allocators that are written in C end the process,
+// others throw what a library's destructors may not survive: neither is waited for.
+std::string out_of_memory;  // the frame, made while there is memory
+
+void end_without_memory() {
+  ParentLink::write_bytes(out_of_memory);
+  ::_exit(EXIT_FAILURE);
+}
+
+void end_when_out_of_memory() {
+  std::set_new_handler(end_without_memory);
+  // mimalloc, where the program runs on it (PenumbraTarget.cmake), calls no new handler but one of its own.
+  using OnError = void(int error, void* argument);
+  using Register = void(OnError * handler, void* argument);
+  if (void* found = ::dlsym(RTLD_DEFAULT, "mi_register_error"))
+    reinterpret_cast<Register*>(found)(
+        [](int error, void*) {
+          if (error == ENOMEM || error == EOVERFLOW) end_without_memory();
+        },
+        nullptr);
+}
+
 void handle(const WorkHandler& handler, const std::string& message, const Settings& settings,
             ParentLink& link) {
   try {
@@ -123,6 +146,8 @@ void handle(const WorkHandler& handler, const std::string& message, const Settin
 
 void serve(const WorkHandler& handler, const std::function<void()>& prepare, ParentLink& link) {
   const Settings settings = read_settings(link);
+  out_of_memory = frame_bytes(FrameKind::failure, too_much_memory(settings.memory));
+  end_when_out_of_memory();
   try {
     if (prepare) prepare();
     confine_process(settings.memory);

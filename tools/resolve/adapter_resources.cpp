@@ -39,7 +39,8 @@ glm::vec4 texel_size(const scene::Texture& picture) {
 
 }  // namespace
 
-AdapterTexture adapter_texture(const std::string& name, const std::string& file_or_default) {
+AdapterTexture adapter_texture(const std::string& name, const std::string& file_or_default,
+                               const scene::ReadingProcess& process) {
   const auto found = kDefaultTextures.find(file_or_default);
   if (found != kDefaultTextures.end()) {
     const Colour& colour = found->second;
@@ -53,7 +54,7 @@ AdapterTexture adapter_texture(const std::string& name, const std::string& file_
         "or one of Unity's default textures: " +
             default_names());
   }
-  return {name, scene::read_image(file_or_default)};
+  return {name, scene::read_image_apart(file_or_default, process)};
 }
 
 std::optional<gpu::SamplerKind> inline_sampler(const std::string& name) {

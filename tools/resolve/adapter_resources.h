@@ -10,6 +10,7 @@
 #include "gpu/resources.h"
 #include "resolve/uniform_values.h"
 #include "scene/material.h"
+#include "scene/reading_process.h"
 
 namespace penumbra::resolve {
 
@@ -19,9 +20,10 @@ struct AdapterTexture {
 };
 
 // A picture's file, or one of Unity's default textures: white, black, gray, grey, red, bump. Throws
-// InputError as scene::read_image() does, and for a file that is not there, with the names of the default
-// textures.
-AdapterTexture adapter_texture(const std::string& name, const std::string& file_or_default);
+// InputError as scene::read_image_apart() does, and for a file that is not there, with the names of the
+// default textures.
+AdapterTexture adapter_texture(const std::string& name, const std::string& file_or_default,
+                               const scene::ReadingProcess& process = {});
 
 // Filter and addressing that Unity reads out of a sampler's name: Point, Linear or Trilinear, and Clamp or
 // Repeat, in any case and order (Unity manual, "Using sampler states", inline sampler states). Empty for

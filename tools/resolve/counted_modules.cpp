@@ -46,10 +46,12 @@ std::vector<std::uint32_t> compile_or_throw(const shaders::CompileRequest& reque
   if (!hlsl::has_errors(result.diagnostics)) return std::move(result.spirv);
   std::string messages;
   for (const hlsl::Diagnostic& diagnostic : result.diagnostics) {
-    if (diagnostic.severity == hlsl::Severity::error) messages += "\n" + hlsl::format(diagnostic);
+    if (diagnostic.severity == hlsl::Severity::error)
+      messages += (messages.empty() ? "" : "\n") + hlsl::format(diagnostic);
   }
-  throw InputError(request.file.string(), "does not compile:" + messages,
-                   needed == nullptr ? "" : way_out_of(messages, *needed));
+  const std::string way_out = needed == nullptr ? "" : way_out_of(messages, *needed);
+  throw InputError(request.file.string(), "does not compile:",
+                   messages + (way_out.empty() ? "" : "\n  " + way_out));  // lines stay lines there alone
 }
 
 // The module that shows which function reads keeps its functions.

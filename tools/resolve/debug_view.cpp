@@ -32,8 +32,9 @@ gpu::Image mask_texture(const gpu::Device& device, const CameraImage& camera,
 }  // namespace
 
 DebugView::DebugView(const gpu::Device& device, const shaders::PackageShader& shader, const std::string& view,
-                     bool reversed_z)
-    : device_(device), pass_(device, compile(shader, view, {}, reversed_z), ScreenPass::Module::in_colour) {}
+                     bool reversed_z, const platform::WorkerPool& process)
+    : device_(device),
+      pass_(device, compile(shader, view, {}, reversed_z, process), ScreenPass::Module::in_colour) {}
 
 std::vector<glm::vec3> DebugView::draw(const FrameOnDevice& frame, const CameraImage& camera,
                                        const std::vector<float>& visibility,

@@ -74,13 +74,15 @@ struct ScreenChain::Targets {
 };
 
 ScreenChain::ScreenChain(const gpu::Device& device, const shaders::PackageShader& shader,
-                         ScreenChainDescription description, bool reversed_z)
+                         ScreenChainDescription description, bool reversed_z,
+                         const platform::WorkerPool& process)
     : device_(device), description_(std::move(description)) {
   if (description_.steps.empty() || description_.steps.back().scale != 1) {
     throw std::invalid_argument("a chain ends in a step at full resolution");
   }
   for (const ScreenStep& step : description_.steps) {
-    const CompiledScreenPass compiled = compile(shader, step.pass, description_.keywords, reversed_z);
+    const CompiledScreenPass compiled =
+        compile(shader, step.pass, description_.keywords, reversed_z, process);
     plain_.emplace_back(device, compiled, ScreenPass::Module::as_shipped);
     counting_.emplace_back(device, compiled, ScreenPass::Module::counting);
   }

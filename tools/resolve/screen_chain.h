@@ -40,8 +40,9 @@ struct ScreenChainResult {
 
 class ScreenChain {
  public:
+  // Its passes are compiled in `process`, as compile() of screen_shader.h says.
   ScreenChain(const gpu::Device& device, const shaders::PackageShader& shader,
-              ScreenChainDescription description, bool reversed_z);
+              ScreenChainDescription description, bool reversed_z, const platform::WorkerPool& process = {});
 
   ScreenChainResult run(const FrameOnDevice& frame, const CameraImage& camera,
                         const ResolveOptions& options = {});

@@ -1,6 +1,7 @@
 #include "resolve/screen_shader.h"
 
 #include "resolve/counted_modules.h"
+#include "resolve/module_order.h"
 
 namespace penumbra::resolve {
 namespace {
@@ -15,21 +16,25 @@ std::string counting_function(const std::string& entry) {
 }  // namespace
 
 CompiledScreenPass compile(const shaders::PackageShader& shader, const std::string& pass,
-                           const std::vector<std::string>& keywords, bool reversed_z) {
-  const shaders::CompileRequest vertex = shader.request(pass, hlsl::Stage::vertex, keywords, reversed_z);
-  const shaders::CompileRequest fragment = shader.request(pass, hlsl::Stage::fragment, keywords, reversed_z);
+                           const std::vector<std::string>& keywords, bool reversed_z,
+                           const platform::WorkerPool& process) {
+  ModuleOrder order;
+  order.vertex = shader.request(pass, hlsl::Stage::vertex, keywords, reversed_z);
+  order.plain = shader.request(pass, hlsl::Stage::fragment, keywords, reversed_z);
+  order.file = order.plain.file.string();
+  order.name = order.file + ": " + pass;
+  order.counting = order.plain;
+  order.counting.entry = CompiledScreenPass::counting_entry;
+  *order.counting.text += counting_function(order.plain.entry);
+  count_fetches(order.counting);
+  CompiledModules modules = compile_modules(order, process);
   CompiledScreenPass compiled;
   compiled.name = pass;
-  compiled.vertex_entry = vertex.entry;
-  compiled.fragment_entry = fragment.entry;
-  compiled.vertex = compile_or_throw(vertex);
-  compiled.fragment = compile_or_throw(fragment);
-  shaders::CompileRequest counting = fragment;
-  counting.entry = CompiledScreenPass::counting_entry;
-  *counting.text += counting_function(fragment.entry);
-  count_fetches(counting);
-  refuse_uncounted_fetches(counting, fragment.file.string() + ": " + pass);
-  compiled.counting = compile_or_throw(counting);
+  compiled.vertex_entry = order.vertex->entry;
+  compiled.fragment_entry = order.plain.entry;
+  compiled.vertex = std::move(modules.vertex);
+  compiled.fragment = std::move(modules.plain);
+  compiled.counting = std::move(modules.counting);
   return compiled;
 }
 

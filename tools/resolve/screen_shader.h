@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "platform/worker_pool.h"
 #include "shaders/package_shader.h"
 
 namespace penumbra::resolve {
@@ -21,9 +22,10 @@ struct CompiledScreenPass {
   static constexpr const char* counting_entry = "PenumbraCountFetches";
 };
 
-// Throws InputError for a pass that is not there, for the compiler's errors, and for a pass that reads a
-// texture past the counting macros.
+// In `process` as a shadow shader is (shadow_shader.h). Throws InputError for a pass that is not there, for
+// the compiler's errors, and for a pass that reads a texture past the counting macros.
 CompiledScreenPass compile(const shaders::PackageShader& shader, const std::string& pass,
-                           const std::vector<std::string>& keywords, bool reversed_z);
+                           const std::vector<std::string>& keywords, bool reversed_z,
+                           const platform::WorkerPool& process = {});
 
 }  // namespace penumbra::resolve

@@ -1,14 +1,12 @@
 #include "resolve/shadow_shader.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "input/input_error.h"
 #include "platform/data_directory.h"
-#include "resolve/adapter_checks.h"
 #include "resolve/counted_modules.h"
-#include "shaders/reflect.h"
+#include "resolve/module_order.h"
 
 namespace penumbra::resolve {
 namespace {
@@ -96,54 +94,6 @@ shaders::CompileRequest triangle_request() {
   return request;
 }
 
-bool is_name_character(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
-// The first line of any text that has the name as a word; 0: none.
-int line_of_name(const std::string& text, const std::string& name) {
-  for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
-    const std::size_t end = at + name.size();
-    const bool whole = (at == 0 || !is_name_character(text[at - 1])) &&
-                       (end == text.size() || !is_name_character(text[end]));
-    if (whole)
-      return static_cast<int>(
-                 std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n')) +
-             1;
-  }
-  return 0;
-}
-
-const MissingName kAdapterFunction{
-    "ShadowVisibility",
-    "an adapter defines: float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)"};
-
-// Of the first file that was read and has the name; the user's own is read before those that it includes.
-std::string place_of_name(const hlsl::SourceFiles& sources, const std::string& name) {
-  for (const std::string& file : sources.names()) {
-    const int line = line_of_name(sources.text(file), name);
-    if (line != 0) return file + ":" + std::to_string(line);
-  }
-  return "";
-}
-
-std::map<std::string, std::string> named_at(const std::vector<std::uint32_t>& spirv,
-                                            const hlsl::SourceFiles& sources) {
-  std::map<std::string, std::string> places;
-  const auto add = [&](const std::string& name) {
-    const std::string place = place_of_name(sources, name);
-    if (!place.empty()) places[name] = place;
-  };
-  add(kAdapterFunction.name);
-  for (const shaders::Resource& resource : shaders::reflect(spirv).resources) {
-    add(resource.name);
-    for (const shaders::UniformMember& member : resource.members) {
-      if (member.read) add(member.name);
-    }
-  }
-  return places;
-}
-
 }  // namespace
 
 ShadowShader technique_shader(const shaders::TechniqueList& list, const shaders::Technique& technique,
@@ -167,6 +117,7 @@ ShadowShader adapter_shader(const Adapter& adapter, bool reversed_z) {
   }
   ShadowShader shader;
   shader.name = adapter.name;
+  shader.file = adapter.file;
   shader.body = "#define PENUMBRA_ADAPTER 1\n#include \"" +
                 std::filesystem::absolute(adapter.file).generic_string() + "\"\n";
   shader.defines = depth_defines(reversed_z);
@@ -183,22 +134,25 @@ ShadowShader adapter_shader(const Adapter& adapter, bool reversed_z) {
   return shader;
 }
 
-CompiledShadowShader compile(const ShadowShader& shader) {
-  CompiledShadowShader compiled;
-  compiled.source = shader;
-  shaders::CompileRequest plain = request(shader, false);
+CompiledShadowShader compile(const ShadowShader& shader, const platform::WorkerPool& process) {
+  ModuleOrder order;
+  order.name = shader.name;
+  order.file = shader.file.empty() ? shader.name : shader.file.string();
+  order.plain = request(shader, false);
+  order.counting = request(shader, true);
+  order.names_places = true;
   if (shader.fragment) {
-    compiled.vertex = compile_or_throw(triangle_request());
-    plain.keep_unoptimised = true;
+    order.vertex = triangle_request();
+    order.plain.keep_unoptimised = true;
+    order.is_adapter = true;
   }
-  hlsl::SourceFiles sources;
-  std::vector<std::uint32_t> unoptimised;
-  compiled.plain = compile_or_throw(plain, &compiled.notes, &kAdapterFunction, &sources, &unoptimised);
-  compiled.named_at = named_at(compiled.plain, sources);
-  if (shader.fragment) check_adapter(unoptimised, shader.name, compiled.named_at);
-  refuse_uncounted_fetches(request(shader, true), shader.name);
-  compiled.counting = compile_or_throw(request(shader, true));
-  return compiled;
+  CompiledModules modules = compile_modules(order, process);
+  return {shader,
+          std::move(modules.vertex),
+          std::move(modules.plain),
+          std::move(modules.counting),
+          std::move(modules.notes),
+          std::move(modules.named_at)};
 }
 
 }  // namespace penumbra::resolve

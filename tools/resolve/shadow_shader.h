@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "parameters/cascades.h"
+#include "platform/worker_pool.h"
 #include "resolve/adapter_resources.h"
 #include "resolve/uniform_numbers.h"
 #include "resolve/uniform_values.h"
@@ -22,7 +23,8 @@ namespace penumbra::resolve {
 
 struct ShadowShader {
   std::string name;
-  std::string body;  // what stands before Resolve.hlsl, its platform macros included
+  std::filesystem::path file{};  // of a user; empty: a technique
+  std::string body;              // what stands before Resolve.hlsl, its platform macros included
   std::vector<std::pair<std::string, std::string>> defines;
   std::vector<shaders::PackageRoot> package_roots;
   std::vector<std::filesystem::path> include_directories;
@@ -74,9 +76,11 @@ struct CompiledShadowShader {
   std::map<std::string, std::string> named_at;
 };
 
-// Throws InputError with the compiler's messages when the shader does not compile, and when it reaches a
-// texture past the counting macros (a raw .Sample would count as nothing). Of a user's function also when it
-// compares through a sampler that does not, or reads through one that does.
-CompiledShadowShader compile(const ShadowShader& shader);
+// In `process`, whose arguments start this program as serve_modules(); here, where it has none. Throws
+// InputError with the compiler's messages when the shader does not compile, and when it reaches a texture
+// past the counting macros (a raw .Sample would count as nothing). Of a user's function also when it compares
+// through a sampler that does not, or reads through one that does. A compiler that dies, hangs or takes more
+// than the limits is an InputError that names the user's file.
+CompiledShadowShader compile(const ShadowShader& shader, const platform::WorkerPool& process = {});
 
 }  // namespace penumbra::resolve

@@ -54,7 +54,7 @@ Scene package_model(std::string_view name, const ImportOptions& options, const s
       options.height_metres > 0.0 || options.metres_per_unit != ImportOptions{}.metres_per_unit;
   if (!own_scale) scaled.height_metres = found->height_metres;
   scaled.minus_z_up = found->minus_z_up && !options.z_up;
-  Scene scene = import(file, scaled);
+  Scene scene = import_apart(file, scaled);
   scene.name = found->name;
   scene.description = found->description + ", from the Debian package " + found->debian_package;
   return scene;
@@ -73,7 +73,7 @@ Scene load(std::string_view name_or_file, const ImportOptions& options) {
   if (name_or_file.starts_with(kPackagePrefix)) {
     return package_model(name_or_file.substr(kPackagePrefix.size()), options);
   }
-  if (looks_like_a_file(name_or_file)) return import(std::filesystem::path(name_or_file), options);
+  if (looks_like_a_file(name_or_file)) return import_apart(std::filesystem::path(name_or_file), options);
   throw InputError("", "'" + std::string(name_or_file) + "' is neither a known scene nor a file",
                    unknown_name_way_out(name_or_file, scene_names()));
 }

@@ -11,6 +11,7 @@
 
 #include "parameters/cascades.h"
 #include "scene/material.h"
+#include "scene/reading_process.h"
 
 namespace penumbra::scene {
 
@@ -68,6 +69,7 @@ struct ImportOptions {
   double height_metres = 0.0;  // when > 0, scale so that the model is this tall
   bool ground = true;          // put a ground plane under the model
   std::size_t triangle_limit = 20'000'000;
+  ReadingProcess process{};  // of load() and package_model(); import() reads in this process
 };
 
 // Reads glTF, GLB, OBJ, 3DS, PLY, STL, Collada and FBX. Throws InputError naming the file and the

@@ -34,12 +34,12 @@ PreparedSubject::PreparedSubject(const gpu::Device& device, const Subject& subje
                                  const std::function<const shaders::PackageShader&()>& package)
     : subject_(&subject) {
   if (subject.screen) {
-    chain_.emplace(device, package(), *subject.screen, settings.frame.shadows.reversed_z);
+    chain_.emplace(device, package(), *subject.screen, settings.frame.shadows.reversed_z, settings.compiler);
   } else {
-    resolver_.emplace(device, resolve::compile(subject.shader));
+    resolver_.emplace(device, resolve::compile(subject.shader, settings.compiler));
   }
   if (settings.split_error && subject.unlimited) {
-    unlimited_ = resolve::compile(*subject.unlimited);
+    unlimited_ = resolve::compile(*subject.unlimited, settings.compiler);
     unlimited_resolver_.emplace(device, *unlimited_);
   }
 }

@@ -63,7 +63,8 @@ class Study {
     if (settings_.debug_views.empty()) return;
     const shaders::PackageShader views(shaders::debug_shader_file());
     for (const std::string& view : settings_.debug_views) {
-      debug_views_.try_emplace(view, device_, views, view, settings_.frame.shadows.reversed_z);
+      debug_views_.try_emplace(view, device_, views, view, settings_.frame.shadows.reversed_z,
+                               settings_.compiler);
     }
   }
 

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "gpu/device.h"
+#include "platform/worker_pool.h"
 #include "reference/visibility_image.h"
 #include "resolve/screen_chain.h"
 #include "resolve/shadow_shader.h"
@@ -79,6 +80,8 @@ struct StudySettings {
   // Called with every answer, in the order of the outcome's records; may be empty.
   std::function<void(const SubjectAnswer&)> answered{};
   int jobs = 0;
+  platform::WorkerPool
+      compiler{};               // the process of each shader (resolve/module_order.h); no arguments: this one
   std::filesystem::path cache;  // empty: the user's cache folder
 };
 

@@ -1,0 +1,125 @@
+#include "resolve/module_order.h"
+
+#include <stdexcept>
+
+#include "input/input_error.h"
+#include "platform/byte_stream.h"
+#include "platform/worker_answer.h"
+#include "resolve/adapter_checks.h"
+#include "resolve/counted_modules.h"
+#include "resolve/named_places.h"
+#include "shaders/compile_message.h"
+#include "shaders/compiler_failure.h"
+#include "shaders/spirv_module.h"
+
+namespace penumbra::resolve {
+
+using platform::ByteReader;
+using platform::ByteWriter;
+
+namespace {
+
+const MissingName kAdapterFunction{
+    "ShadowVisibility",
+    "an adapter defines: float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)"};
+
+CompiledModules compile_here(const ModuleOrder& order) {
+  CompiledModules made;
+  if (order.vertex) made.vertex = compile_or_throw(*order.vertex);
+  hlsl::SourceFiles sources;
+  std::vector<std::uint32_t> unoptimised;
+  made.plain = compile_or_throw(order.plain, &made.notes, &kAdapterFunction, &sources, &unoptimised);
+  if (order.names_places) made.named_at = named_places(made.plain, sources, kAdapterFunction.name);
+  if (order.is_adapter) check_adapter(std::move(unoptimised), order.name, made.named_at);
+  refuse_uncounted_fetches(order.counting, order.name);
+  made.counting = compile_or_throw(order.counting);
+  return made;
+}
+
+std::string encode(const ModuleOrder& order) {
+  const auto& [name, file, vertex, plain, counting, names_places, is_adapter] = order;
+  ByteWriter out;
+  out.text(name);
+  out.text(file);
+  out.number(vertex ? 1 : 0);
+  if (vertex) shaders::write(out, *vertex);
+  shaders::write(out, plain);
+  shaders::write(out, counting);
+  out.number(names_places ? 1 : 0);
+  out.number(is_adapter ? 1 : 0);
+  return out.take();
+}
+
+ModuleOrder decode_order(const std::string& bytes) {
+  ByteReader in(bytes);
+  ModuleOrder order;
+  order.name = in.text();
+  order.file = in.text();
+  if (in.flag()) order.vertex = shaders::read_compile_request(in);
+  order.plain = shaders::read_compile_request(in);
+  order.counting = shaders::read_compile_request(in);
+  order.names_places = in.flag();
+  order.is_adapter = in.flag();
+  if (!in.exhausted()) throw std::logic_error("an order that cannot be read");
+  return order;
+}
+
+std::string encode(const CompiledModules& made) {
+  ByteWriter out;
+  for (const auto* module : {&made.vertex, &made.plain, &made.counting}) out.values(*module);
+  out.list(made.notes, [&](const std::string& note) { out.text(note); });
+  out.list(made.named_at, [&](const auto& place) {
+    out.text(place.first);
+    out.text(place.second);
+  });
+  return out.take();
+}
+
+CompiledModules decode_modules(const std::string& bytes) {
+  ByteReader in(bytes);
+  CompiledModules made;
+  for (auto* module : {&made.vertex, &made.plain, &made.counting}) *module = in.values<std::uint32_t>();
+  made.notes = in.list<std::string>([&] { return in.text(); });
+  for (auto& place : in.list<std::pair<std::string, std::string>>([&] {
+         std::string name = in.text();
+         return std::pair(std::move(name), in.text());
+       }))
+    made.named_at.insert(std::move(place));
+  if (!in.exhausted()) throw std::invalid_argument("modules that cannot be read");
+  return made;
+}
+
+// SPIRV-Cross and the driver of this process read them next, and believe them.
+void require_valid(const CompiledModules& made, const ModuleOrder& order) {
+  for (const auto* module : {&made.vertex, &made.plain, &made.counting}) {
+    if (module == &made.vertex && !order.vertex) continue;
+    const std::vector<std::string> problems =
+        shaders::validation_problems(*module, shaders::VulkanVersion::v1_1, false);
+    if (!problems.empty())
+      throw InputError(order.file, "the compiler gave a module that is not valid: " + problems.front());
+  }
+}
+
+std::string compile_message(const std::string& message, platform::WorkerLink&) {
+  return platform::answer_or_input_error([&] { return encode(compile_here(decode_order(message))); });
+}
+
+}  // namespace
+
+CompiledModules compile_modules(const ModuleOrder& order, const platform::WorkerPool& process) {
+  if (process.arguments.empty()) return compile_here(order);
+  platform::WorkerOutcome outcome = platform::ask_worker(process, encode(order));
+  if (!outcome.failure.empty()) {
+    const shaders::CompilerFailure failure = shaders::compiler_failure(outcome);
+    throw InputError(order.file, failure.problem, failure.way_out);
+  }
+  CompiledModules made = decode_modules(platform::taken_answer(std::move(outcome.answer)));
+  require_valid(made, order);
+  return made;
+}
+
+int serve_modules() {
+  return platform::serve_worker(compile_message);
+}
+
+}  // namespace penumbra::resolve

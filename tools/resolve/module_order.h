@@ -1,0 +1,42 @@
+// The modules of one shadow shader, compiled and checked in a process of its own. Internal to this room, but
+// for that process.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "platform/worker_pool.h"
+#include "shaders/compile.h"
+
+namespace penumbra::resolve {
+
+struct ModuleOrder {
+  std::string name;  // what messages call it
+  std::string file;  // what the message calls it when the compiler dies
+  std::optional<shaders::CompileRequest> vertex;
+  shaders::CompileRequest plain;     // as it ships
+  shaders::CompileRequest counting;  // the same, counting its fetches
+  bool names_places = false;         // CompiledModules::named_at
+  bool is_adapter = false;           // then adapter_checks.h; plain keeps the unoptimised module
+};
+
+struct CompiledModules {
+  std::vector<std::uint32_t> vertex;  // empty without a request
+  std::vector<std::uint32_t> plain;
+  std::vector<std::uint32_t> counting;
+  std::vector<std::string> notes;               // of `plain`
+  std::map<std::string, std::string> named_at;  // "file:line" where a resource is first named
+};
+
+// Without arguments in `process` in this one. Throws InputError as CompiledShadowShader compile() does.
+// Modules that come from another process have passed SPIR-V validation in this one.
+CompiledModules compile_modules(const ModuleOrder& order, const platform::WorkerPool& process);
+
+// How the program is started to be that process; it hands over to serve_modules().
+inline constexpr const char* modules_mode = "shader-compiler";
+int serve_modules();
+
+}  // namespace penumbra::resolve

@@ -1,0 +1,35 @@
+// Models and pictures read in a process of their own, which gives up what reading does not need
+// (platform/confinement.h): libraries that read dozens of formats crash, hang and take all memory on files
+// that are made for it.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "platform/worker_pool.h"
+#include "scene/material.h"
+
+namespace penumbra::scene {
+
+struct Scene;
+struct ImportOptions;
+
+inline constexpr const char* reading_mode = "scene-reader";
+
+struct ReadingProcess {
+  // That start this program as serve_readings(), {reading_mode} for one whose main() knows it. Without any,
+  // the file is read in this process, and what it does to a library it does to the program.
+  std::vector<std::string> arguments;
+  platform::WorkerLimits limits{.answer = std::size_t{4} << 30};
+};
+
+// As import() and read_image() of this process, or by way of the other. That throw InputError naming the file
+// as well when the other process dies, hangs, or takes more than it may.
+Scene import_apart(const std::filesystem::path& file, const ImportOptions& options);
+Texture read_image_apart(const std::filesystem::path& file, const ReadingProcess& process);
+
+int serve_readings();  // the other process: its exit code
+
+}  // namespace penumbra::scene

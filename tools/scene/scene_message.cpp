@@ -1,0 +1,201 @@
+#include "scene/scene_message.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "scene/image_file.h"
+
+namespace penumbra::scene {
+
+using platform::ByteReader;
+using platform::ByteWriter;
+
+namespace {
+
+void require(bool holds, const char* problem) {
+  if (!holds) throw std::invalid_argument(problem);
+}
+
+template <typename Vector>
+bool all_finite(const std::vector<Vector>& list) {
+  return std::all_of(list.begin(), list.end(), [](const Vector& vector) {
+    for (int i = 0; i < Vector::length(); ++i)
+      if (!std::isfinite(vector[i])) return false;
+    return true;
+  });
+}
+
+bool is_finite(const glm::dvec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+// The members by name and all of them, here and below: one more in the struct, and this does not compile
+// until it is written.
+void write(ByteWriter& out, const Texture& texture) {
+  const auto& [width, height, rgba] = texture;
+  out.value(width);
+  out.value(height);
+  out.values(rgba);
+}
+
+Texture read_texture(ByteReader& in) {
+  Texture texture;
+  texture.width = in.value<int>();
+  texture.height = in.value<int>();
+  texture.rgba = in.values<std::uint8_t>();
+  const auto fits = [](int side) { return side > 0 && side <= kLargestImageSide; };
+  require(fits(texture.width) && fits(texture.height), "a texture of no size");
+  require(texture.rgba.size() == std::size_t{4} * static_cast<std::size_t>(texture.width) *
+                                     static_cast<std::size_t>(texture.height),
+          "a texture without all of its pixels");
+  return texture;
+}
+
+void write(ByteWriter& out, const Material& material) {
+  const auto& [name, base_colour, roughness, base_colour_texture, normal_texture, translucency] = material;
+  out.text(name);
+  out.value(base_colour);
+  out.value(roughness);
+  out.value(base_colour_texture);
+  out.value(normal_texture);
+  out.value(translucency);
+}
+
+Material read_material(ByteReader& in) {
+  Material material;
+  material.name = in.text();
+  material.base_colour = in.value<glm::vec3>();
+  material.roughness = in.value<float>();
+  material.base_colour_texture = in.value<int>();
+  material.normal_texture = in.value<int>();
+  material.translucency = in.value<float>();
+  require(is_finite(material.base_colour) && std::isfinite(material.roughness) &&
+              std::isfinite(material.translucency),
+          "a material with a number that is not finite");
+  return material;
+}
+
+void write(ByteWriter& out, const Mesh& mesh) {
+  const auto& [positions, normals, indices, uvs, triangle_materials] = mesh;
+  out.values(positions);
+  out.values(normals);
+  out.values(indices);
+  out.values(uvs);
+  out.values(triangle_materials);
+}
+
+Mesh read_mesh(ByteReader& in) {
+  Mesh mesh;
+  mesh.positions = in.values<glm::vec3>();
+  mesh.normals = in.values<glm::vec3>();
+  mesh.indices = in.values<std::uint32_t>();
+  mesh.uvs = in.values<glm::vec2>();
+  mesh.triangle_materials = in.values<std::uint16_t>();
+  return mesh;
+}
+
+void check(const Mesh& mesh, std::size_t materials) {
+  const std::size_t vertices = mesh.positions.size();
+  require(mesh.normals.size() == vertices && (mesh.uvs.empty() || mesh.uvs.size() == vertices) &&
+              mesh.indices.size() % 3 == 0 &&
+              (mesh.triangle_materials.empty() || mesh.triangle_materials.size() == mesh.triangle_count()),
+          "a mesh whose parts do not fit together");
+  require(all_finite(mesh.positions) && all_finite(mesh.normals) && all_finite(mesh.uvs),
+          "a vertex that is not finite");
+  require(std::all_of(mesh.indices.begin(), mesh.indices.end(),
+                      [vertices](std::uint32_t index) { return index < vertices; }),
+          "a triangle of vertices that are not there");
+  require(std::all_of(mesh.triangle_materials.begin(), mesh.triangle_materials.end(),
+                      [materials](std::uint16_t material) { return material < materials; }),
+          "a triangle of a material that is not there");
+}
+
+void check(const Scene& scene) {
+  require(!scene.materials.empty(), "a scene without materials");
+  check(scene.mesh, scene.materials.size());
+  const auto textures = static_cast<int>(scene.textures.size());
+  for (const Material& material : scene.materials)
+    for (const int texture : {material.base_colour_texture, material.normal_texture})
+      require(texture >= -1 && texture < textures, "a material of a texture that is not there");
+  const parameters::Camera& camera = scene.camera;
+  for (const glm::dvec3& v :
+       {scene.origin, camera.position, camera.forward, camera.up, scene.light_direction})
+    require(is_finite(v), "a place that is not finite");
+  for (const double number : {camera.fov_y_degrees, camera.aspect, camera.near_plane, camera.far_plane,
+                              scene.shadow_distance_metres})
+    require(std::isfinite(number) && number > 0.0, "a camera that sees nothing");
+}
+
+}  // namespace
+
+void write(ByteWriter& out, const ImportOptions& options) {
+  const auto& [metres_per_unit, z_up, minus_z_up, height_metres, ground, triangle_limit, process] = options;
+  out.value(metres_per_unit);
+  out.number(z_up ? 1 : 0);
+  out.number(minus_z_up ? 1 : 0);
+  out.value(height_metres);
+  out.number(ground ? 1 : 0);
+  out.number(triangle_limit);
+}
+
+ImportOptions read_import_options(ByteReader& in) {
+  ImportOptions options;
+  options.metres_per_unit = in.value<double>();
+  options.z_up = in.flag();
+  options.minus_z_up = in.flag();
+  options.height_metres = in.value<double>();
+  options.ground = in.flag();
+  options.triangle_limit = in.number();
+  return options;
+}
+
+std::string encode(const Texture& texture) {
+  ByteWriter out;
+  write(out, texture);
+  return out.take();
+}
+
+std::string encode(const Scene& scene) {
+  const auto& [name, description, notes, mesh, materials, textures, origin, camera, light_direction,
+               shadow_distance_metres] = scene;
+  ByteWriter out;
+  out.text(name);
+  out.text(description);
+  out.list(notes, [&](const std::string& note) { out.text(note); });
+  write(out, mesh);
+  out.list(materials, [&](const Material& material) { write(out, material); });
+  out.list(textures, [&](const Texture& texture) { write(out, texture); });
+  out.value(origin);
+  out.value(camera);
+  out.value(light_direction);
+  out.value(shadow_distance_metres);
+  return out.take();
+}
+
+Texture decode_texture(std::string_view bytes) {
+  ByteReader in(bytes);
+  Texture texture = read_texture(in);
+  require(in.exhausted(), "a damaged answer");
+  return texture;
+}
+
+Scene decode_scene(std::string_view bytes) {
+  ByteReader in(bytes);
+  Scene scene;
+  scene.name = in.text();
+  scene.description = in.text();
+  scene.notes = in.list<std::string>([&] { return in.text(); });
+  scene.mesh = read_mesh(in);
+  scene.materials = in.list<Material>([&] { return read_material(in); });
+  scene.textures = in.list<Texture>([&] { return read_texture(in); });
+  scene.origin = in.value<glm::dvec3>();
+  scene.camera = in.value<parameters::Camera>();
+  scene.light_direction = in.value<glm::dvec3>();
+  scene.shadow_distance_metres = in.value<double>();
+  require(in.exhausted(), "a damaged answer");
+  check(scene);
+  return scene;
+}
+
+}  // namespace penumbra::scene
