@@ -105,7 +105,7 @@ TEST(MatrixOperators, ProductsAreCalls) {
   EXPECT_EQ(statement("R * Q"), "penumbra_times( R , Q )");
   EXPECT_EQ(statement("R * Q * R"), "penumbra_times( penumbra_times( R , Q ) , R )");
   EXPECT_EQ(statement("x / R * Q"), "penumbra_times( x / R , Q )");
-  EXPECT_EQ(statement("x + -R * N[0][1] * Q"), "x + - penumbra_times( penumbra_times( R , N[0][1] ) , Q )");
+  EXPECT_EQ(statement("x + -R * N[0] * Q"), "x + penumbra_times( penumbra_times( -R , (float3x3) N[0] ) , Q )");
   EXPECT_EQ(statement("transpose(R) * float3x3(v, v, v)"),
             "penumbra_times( transpose(R) , float3x3(v, v, v) )");
   EXPECT_EQ(statement("mul(v, R * Q)"), "mul(v, penumbra_times( R , Q ) )");
@@ -115,7 +115,9 @@ TEST(MatrixOperators, ProductsAreCalls) {
 
 TEST(MatrixOperators, OverloadsFindWhatIsNotKnown) {
   EXPECT_EQ(statement("mul(R, Q) * R"), "penumbra_times( mul(R, Q) , R )");
-  EXPECT_EQ(statement("R * sin(x)"), "penumbra_times( R , sin(x) )");
+  EXPECT_EQ(statement("R * Unknown(x)"), "penumbra_times( R , Unknown(x) )");
+  EXPECT_EQ(statement("R * abs(Q)"), "penumbra_times( R , abs(Q) )");
+  EXPECT_EQ(statement("R * 2 * Q"), "penumbra_times( R * 2 , Q )");
   EXPECT_EQ(statement("mul(R, Q) * (x * R)"), "penumbra_times( mul(R, Q) , (x * R) )");
   EXPECT_EQ(statement("(R + Q) * (float3x3)(M + M)"), "penumbra_times( (R + Q) , (float3x3)(M + M) )");
 }
@@ -144,7 +146,7 @@ TEST(MatrixOperators, TheLargerMatrixIsCast) {
 TEST(MatrixOperators, OthersStay) {
   for (const char* text :
        {"R * 2", "2.0 * R", "R * x", "x * (float)R", "S + T", "mul(M, R)", "M[0] * R[0]", "M[0].xyz - x",
-        "-R", "R *= 2", "R *= x", "v *= v", "sin(x) * cos(x)", "I * I", "mul(v, R) * mul(R, v)",
+        "-R", "R *= 2", "R *= x", "v *= v", "sin(x) * cos(x)", "R * sin(x)", "mul(v, R) * mul(R, v)",
         "(x + R[0][0]) * (v.x + 1)", "(float3)x * M[0].xyz", "R + Q", "N[0][0] * x"})
     EXPECT_EQ(statement(text), text);
 }

@@ -7,11 +7,13 @@
 #include "preparation/bool_signs.h"
 #include "preparation/buffer_aliases.h"
 #include "preparation/cbuffer_resources.h"
+#include "preparation/constant_operands.h"
 #include "preparation/constructor_statements.h"
 #include "preparation/dx9_samplers.h"
 #include "preparation/flat_initialisers.h"
 #include "preparation/framebuffer_fetch.h"
 #include "preparation/intrinsic_calls.h"
+#include "preparation/intrinsic_definitions.h"
 #include "preparation/loop_variables.h"
 #include "preparation/matrix_casts.h"
 #include "preparation/matrix_operators.h"
@@ -41,7 +43,7 @@
 namespace penumbra::preparation {
 
 std::span<const Pass> passes() {
-  static constexpr std::array<Pass, 35> all{{{"texture-precision", drop_texture_precision},
+  static constexpr std::array<Pass, 37> all{{{"texture-precision", drop_texture_precision},
                                              {"precision-matrices", name_precision_matrices},
                                              {"namespace-structs", write_out_namespaces},
                                              {"storage-order", put_static_first},
@@ -71,6 +73,8 @@ std::span<const Pass> passes() {
                                              {"swizzle-arguments", pass_swizzles_in_variables},
                                              {"matrix-swizzles", write_out_matrix_swizzles},
                                              {"matrix-operators", write_out_matrix_operators},
+                                             {"intrinsic-definitions", define_intrinsics},
+                                             {"constant-operands", hide_constant_operands},
                                              {"static-initialisers", work_out_static_initialisers},
                                              {"constructor-statements", wrap_constructor_statements},
                                              {"uniform-writes", copy_written_uniforms},

@@ -17,13 +17,18 @@
 #include "shaders/gather_comparisons.h"
 #include "shaders/lost_resources.h"
 #include "shaders/macro_expansion.h"
+#include "shaders/matrix_operations.h"
 #include "shaders/misread_textures.h"
+#include "shaders/operation_meanings.h"
 #include "shaders/parse_failure.h"
 #include "shaders/parse_log.h"
+#include "shaders/remainders.h"
 #include "shaders/scalar_conditions.h"
 #include "shaders/source_memory.h"
 #include "shaders/source_shader.h"
 #include "shaders/spirv_module.h"
+#include "shaders/whole_matrices.h"
+#include "shaders/zeroed_statics.h"
 
 namespace penumbra::shaders {
 
@@ -89,6 +94,9 @@ std::vector<std::uint32_t> words_of(const glslang::TIntermediate& tree, bool deb
   glslang::GlslangToSpv(tree, words, &logger, &options);
   SpirvModule module(words.begin(), words.end());
   copy_scalar_conditions(module);
+  truncate_remainders(module);
+  make_whole_matrices_arrays(module);
+  zero_statics(module);
   flatten_integer_inputs(module);
   drop_gather_bias(module);
   return module;
@@ -142,6 +150,16 @@ bool only_compares(const Source& source, const hlsl::SourceFiles& sources, const
   return reads.empty();
 }
 
+// Where the tree means something else than HLSL does.
+bool put_right(const Source& source, const hlsl::SourceFiles& sources, glslang::TIntermediate& tree,
+               CompileResult& result) {
+  put_operations_right(tree);
+  const std::vector<TreeProblem> problems = write_out_matrix_operations(tree);
+  for (const TreeProblem& problem : problems)
+    result.diagnostics.push_back(at_place(source, problem.place, sources, problem.message));
+  return problems.empty();
+}
+
 bool finish_module(const Source& source, const hlsl::SourceFiles& sources, const glslang::TIntermediate& tree,
                    CompileResult& result) {
   std::vector<std::string> problems;
@@ -170,8 +188,9 @@ bool build(const Source& source, const hlsl::SourceFiles& sources, CompileResult
   glslang::TProgram program;
   program.addShader(&shader.get());
   if (!link(source, sources, program, result)) return false;
-  const glslang::TIntermediate& tree = *program.getIntermediate(language(source.request.stage));
-  if (!only_compares(source, sources, tree, result)) return false;
+  glslang::TIntermediate& tree = *program.getIntermediate(language(source.request.stage));
+  if (!only_compares(source, sources, tree, result) || !put_right(source, sources, tree, result))
+    return false;
   if (!generate(source, tree, result) || !finish_module(source, sources, tree, result)) return false;
   if (!source.request.keep_unoptimised) return true;
   spv::SpvBuildLogger said_before;

@@ -1,0 +1,229 @@
+#include "preparation/constant_operands.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hlsl/outline.h"
+#include "hlsl/word_set.h"
+#include "preparation/declarators.h"
+#include "preparation/value_types.h"
+
+namespace penumbra::preparation {
+
+namespace {
+
+constexpr std::string_view kIdentity = "penumbra_value";
+
+// What the tokens of an operand are made of.
+struct Operand {
+  std::size_t first = npos;
+  std::size_t end = npos;
+  bool constant = false;
+  bool fractional = false;  // a float is in it
+  bool vector = false;      // or a matrix
+  bool matrix = false;
+};
+
+bool is_matrix_type(std::string_view type) {
+  return type.size() > 3 && type[type.size() - 2] == 'x';
+}
+
+bool is_vector_type(std::string_view type) {
+  return type.back() >= '1' && type.back() <= '4';
+}
+
+bool is_float_type(std::string_view type) {
+  return type[0] == 'f' || type[0] == 'h' || type[0] == 'd' || type.substr(0, 8) == "min16flo" ||
+         type.substr(0, 5) == "min10";
+}
+
+class ConstantOperands {
+ public:
+  explicit ConstantOperands(TokenText& text)
+      : text_(text), types_(text.types()), functions_(text.word_numbers(), false) {
+    for (const FunctionType& function : types_.functions())
+      if (function.name != npos && text_.is_word(function.name))
+        functions_[text_.word_number(function.name)] = true;
+  }
+
+  void run() {
+    for (std::size_t at = 1; at + 1 < text_.size(); ++at) {
+      if (text_.is(at, "%")) {
+        remainder(at);
+      } else if (is_comparison(at)) {
+        comparison(at);
+      } else if (text_.is_word(at) && text_.is(at + 1, "(") && !text_.is(at - 1, ".")) {
+        call(at);
+      }
+    }
+    if (used_) text_.insert(0, definitions());
+    text_.apply();
+  }
+
+ private:
+  std::string_view word(std::size_t at) const { return text_[at].spelling; }
+
+  bool adjacent(std::size_t left) const {
+    return left + 1 < text_.size() && word(left).data() + 1 == word(left + 1).data();
+  }
+
+  bool is_shift(std::size_t at) const {
+    const auto twice = [&](std::size_t first) {
+      return (text_.is(first, "<") || text_.is(first, ">")) && text_.lead(first) == text_.lead(first + 1) &&
+             adjacent(first);
+    };
+    return twice(at) || (at > 0 && twice(at - 1));
+  }
+
+  bool is_comparison(std::size_t at) const {
+    const char mark = text_.lead(at);
+    if (mark == '<' || mark == '>') return !is_shift(at);
+    return (mark == '=' || mark == '!') && text_.is(at + 1, "=") && adjacent(at);
+  }
+
+  // Where an operand of a comparison or, with `factors`, of a % ends to the left of it.
+  bool ends_leftwards(std::size_t at, bool factors) const {
+    const char mark = text_.lead(at);
+    if (std::string_view("([{,;?:&|^=").find(mark) != std::string_view::npos) return true;
+    if (mark == '<' || mark == '>') return factors || !is_shift(at);
+    const bool binary = at > 0 && (text_.is_word(at - 1) || text_[at - 1].kind == hlsl::Token::Kind::number ||
+                                   text_.is(at - 1, ")") || text_.is(at - 1, "]"));
+    return (factors && binary && (mark == '+' || mark == '-')) || is_keyword(at);
+  }
+
+  bool ends_rightwards(std::size_t at, bool factors) const {
+    const char mark = text_.lead(at);
+    if (std::string_view(")]},;?:&|^=").find(mark) != std::string_view::npos) return true;
+    if (mark == '<' || mark == '>') return factors || !is_shift(at);
+    if (mark == '!' && text_.is(at + 1, "=")) return true;
+    return factors && std::string_view("+-*/%").find(mark) != std::string_view::npos;
+  }
+
+  bool is_keyword(std::size_t at) const {
+    static constexpr hlsl::WordSet keywords("return", "case", "else", "do");
+    return text_.is_word(at) && keywords.contains(word(at));
+  }
+
+  Operand left_of(std::size_t at, bool factors) const {
+    std::size_t first = at;
+    while (first > 0 && !ends_leftwards(first - 1, factors)) {
+      --first;
+      if (text_.is(first, ")") || text_.is(first, "]")) {
+        if (text_.partner(first) == npos) return {};
+        first = text_.partner(first);
+      } else if (!may_be_constant(first)) {
+        return {};  // it reaches further, which does not matter
+      }
+    }
+    return described(first, at);
+  }
+
+  Operand right_of(std::size_t at, bool factors) const {
+    std::size_t end = at;
+    while (end < text_.size() && (end == at || !ends_rightwards(end, factors))) {
+      if (!may_be_constant(end)) return {};
+      const bool opens = text_.is(end, "(") || text_.is(end, "[");
+      if (opens && text_.partner(end) == npos) return {};
+      end = opens ? text_.partner(end) + 1 : end + 1;
+    }
+    return described(at, end);
+  }
+
+  Operand described(std::size_t first, std::size_t end) const {
+    Operand operand{first, end, end > first};
+    for (std::size_t at = first; at < end && operand.constant; ++at) {
+      operand.constant = may_be_constant(at);
+      describe(at, operand);
+    }
+    return operand;
+  }
+
+  // Numbers, constants, numeric types, functions that are not the text's, and what follows a '.'.
+  bool may_be_constant(std::size_t at) const {
+    if (!text_.is_word(at)) return !text_.is(at, "{");
+    if (text_.is(at - 1, ".") || is_number_type(word(at)) || word(at) == "true" || word(at) == "false")
+      return true;
+    if (text_.is(at + 1, "(")) return !functions_[text_.word_number(at)];
+    return types_.named(at) != npos && types_.declared()[types_.named(at)].type.constant;
+  }
+
+  void describe(std::size_t at, Operand& operand) const {
+    if (text_[at].kind == hlsl::Token::Kind::number) {
+      const std::string_view number = word(at);
+      const bool hexadecimal = number.size() > 1 && (number[1] == 'x' || number[1] == 'X');
+      operand.fractional =
+          operand.fractional || (!hexadecimal && number.find_first_of(".eEfFhH") != std::string_view::npos);
+    }
+    if (!text_.is_word(at)) return;
+    const std::size_t named = types_.named(at);
+    const std::string_view type = is_number_type(word(at)) ? word(at)
+                                  : named != npos          ? types_.declared()[named].type.name
+                                                           : std::string_view{};
+    if (type.empty() || !is_number_type(type)) return;
+    operand.fractional = operand.fractional || is_float_type(type);
+    operand.matrix = operand.matrix || is_matrix_type(type);
+    operand.vector = operand.vector || is_vector_type(type);
+  }
+
+  void remainder(std::size_t at) {
+    if (text_.is(at + 1, "=")) return;
+    const Operand left = left_of(at, true);
+    const Operand right = right_of(at + 1, true);
+    if (left.constant && right.constant && (left.fractional || right.fractional)) hide(left);
+  }
+
+  void comparison(std::size_t at) {
+    const std::size_t marks = text_.is(at + 1, "=") && adjacent(at) ? 2 : 1;
+    const bool equality = text_.is(at, "=") || text_.is(at, "!");
+    const Operand left = left_of(at, false);
+    if (!left.constant) return;
+    const Operand right = right_of(at + marks, false);
+    const bool wrong = left.matrix || right.matrix || (!equality && (left.vector || right.vector));
+    if (right.constant && wrong) hide(left);
+  }
+
+  void call(std::size_t name) {
+    static constexpr hlsl::WordSet always("fmod", "dot", "any", "all");
+    if (is_number_type(word(name)) || is_keyword(name) || functions_[text_.word_number(name)]) return;
+    const std::size_t close = text_.partner(name + 1);
+    if (close == npos || close == name + 2) return;
+    const Operand all = described(name + 2, close);
+    if (!all.constant || !(all.matrix || always.contains(word(name)))) return;
+    std::size_t end = name + 2;
+    while (end < close && !text_.is(end, ","))
+      end = text_.partner(end) != npos && text_.partner(end) > end ? text_.partner(end) + 1 : end + 1;
+    hide({name + 2, end});
+  }
+
+  void hide(const Operand& operand) {
+    text_.insert(operand.first, std::string(kIdentity) + "(");
+    text_.insert(operand.end, ")");
+    used_ = true;
+  }
+
+  static std::string definitions() {
+    std::string all;
+    const auto define = [&](const std::string& type) {
+      all += type + " " + std::string(kIdentity) + "(" + type + " x) { return x; } ";
+    };
+    for (const char* base : {"float", "int", "uint", "bool"})
+      for (const char* size : {"", "2", "3", "4"}) define(std::string(base) + size);
+    for (const char* shape : {"2x2", "2x3", "2x4", "3x2", "3x3", "3x4", "4x2", "4x3", "4x4"})
+      define(std::string("float") + shape);
+    return all + "\n";
+  }
+
+  TokenText& text_;
+  const ValueTypes& types_;
+  std::vector<bool> functions_;  // by a word's number: whether a function of the text has that name
+  bool used_ = false;
+};
+
+}  // namespace
+
+void hide_constant_operands(TokenText& text) {
+  ConstantOperands(text).run();
+}
+
+}  // namespace penumbra::preparation

@@ -1,0 +1,66 @@
+// Reads the expressions of a text with the shape of every part, by HLSL's rules: what value_types.h says of
+// names and chains, and from there through operators, swizzles, casts, constructors and intrinsic functions.
+// Says nothing of a shape rather than guess. Internal to this room.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "preparation/number_shape.h"
+#include "preparation/value_types.h"
+
+namespace penumbra::preparation {
+
+// The tokens [first, end).
+struct ReadOperand {
+  std::size_t first = npos;
+  std::size_t end = npos;
+  NumberShape shape{};
+  bool is_term = false;  // binds as much as a cast: no operator between two operands outside of parentheses
+};
+
+// Linear time. What stands more than a few hundred parentheses deep is left unread.
+class ExpressionReader {
+ public:
+  explicit ExpressionReader(const TokenText& text);  // good until its apply()
+  virtual ~ExpressionReader() = default;
+  void read_all();
+
+ protected:
+  // For each operator between two operands, inner ones first; the operator's first token. Assignments of "="
+  // alone are none.
+  virtual void read_binary(const ReadOperand& left, std::size_t op, const ReadOperand& right) = 0;
+  virtual void read_assignment(const ReadOperand& /*left*/, std::size_t /*op*/,
+                               const ReadOperand& /*right*/) {}
+
+ private:
+  struct Operator {
+    std::size_t tokens = 0;  // 0: none
+    int precedence = 0;
+  };
+  Operator operator_at(std::size_t at) const;
+  bool begins_operand(std::size_t at) const;
+  bool adjacent(std::size_t left) const;
+  ReadOperand assignment();
+  ReadOperand choice();
+  ReadOperand binary(int least);
+  ReadOperand term();
+  ReadOperand postfix();
+  NumberShape primary();
+  NumberShape name_or_call();
+  std::vector<NumberShape> list(
+      std::size_t open);  // of what stands in parentheses; fails where that is no list
+  NumberShape function_shape(std::size_t name, const std::vector<NumberShape>& arguments) const;
+  NumberShape operator_shape(std::size_t op, const NumberShape& left, const NumberShape& right) const;
+  NumberShape after_dot(std::size_t member, const NumberShape& of) const;
+  NumberShape known_shape(std::size_t last) const;
+
+  const TokenText& text_;
+  const ValueTypes& types_;
+  std::vector<bool> functions_;  // by a word's number: whether a function of the text has that name
+  std::size_t at_ = 0;
+  int depth_ = 0;
+  bool failed_ = false;  // no expression stands at at_
+};
+
+}  // namespace penumbra::preparation

@@ -1,0 +1,50 @@
+#include "preparation/number_shape.h"
+
+#include <algorithm>
+
+#include "preparation/declarators.h"
+
+namespace penumbra::preparation {
+
+namespace {
+
+using Base = NumberShape::Base;
+
+Base base_of(std::string_view scalar) {
+  if (scalar == "bool") return Base::boolean;
+  if (scalar == "uint" || scalar == "min16uint" || scalar == "dword") return Base::natural;
+  return scalar == "int" || scalar == "min16int" || scalar == "min12int" ? Base::integer : Base::real;
+}
+
+}  // namespace
+
+NumberShape shape_of_type(std::string_view type) {
+  if (!is_number_type(type)) return {};
+  const auto digit = [&](std::size_t from_end) { return type[type.size() - from_end] - '0'; };
+  const bool sized = type.back() >= '1' && type.back() <= '4';
+  if (!sized) return {base_of(type)};
+  const bool matrix = type.size() > 3 && type[type.size() - 2] == 'x';
+  const Base base = base_of(type.substr(0, type.size() - (matrix ? 3 : 1)));
+  return matrix ? NumberShape{base, digit(3), digit(1)} : NumberShape{base, 0, digit(1)};
+}
+
+std::string type_of_shape(const NumberShape& shape) {
+  std::string type = shape.base == Base::boolean   ? "bool"
+                     : shape.base == Base::integer ? "int"
+                     : shape.base == Base::natural ? "uint"
+                                                   : "float";
+  if (shape.rows > 0) type += std::to_string(shape.rows) + "x";
+  if (shape.columns > 0) type += std::to_string(shape.columns);
+  return type;
+}
+
+NumberShape combined_shape(const NumberShape& a, const NumberShape& b) {
+  if (!a.known() || !b.known()) return {};
+  const Base base = std::max({a.base, b.base, Base::integer});
+  if (a.is_scalar()) return b.of_base(base);
+  if (b.is_scalar()) return a.of_base(base);
+  if (a.is_matrix() != b.is_matrix()) return {};
+  return {base, std::min(a.rows, b.rows), std::min(a.columns, b.columns)};
+}
+
+}  // namespace penumbra::preparation

@@ -1,0 +1,32 @@
+// The shape of a number - scalar, vector or matrix, and of what - and what HLSL's operators make of shapes.
+// Internal to this room.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace penumbra::preparation {
+
+struct NumberShape {
+  enum class Base { unknown, boolean, integer, natural, real };  // in the order of promotion
+  Base base = Base::unknown;
+  int rows = 0;     // of a matrix; 0: none
+  int columns = 0;  // of a matrix or vector; 0: a scalar
+
+  bool known() const { return base != Base::unknown; }
+  bool is_matrix() const { return known() && rows > 0; }
+  bool is_vector() const { return known() && rows == 0 && columns > 0; }
+  bool is_scalar() const { return known() && columns == 0; }
+  bool operator==(const NumberShape&) const = default;
+
+  NumberShape of_base(Base other) const { return {known() ? other : base, rows, columns}; }
+};
+
+NumberShape shape_of_type(std::string_view type);     // of "half3x4", ...; unknown for other words
+std::string type_of_shape(const NumberShape& shape);  // of a known one; half is float
+
+// Of an arithmetic operator's result: the higher base, the smaller shape, where a scalar counts as any.
+// Unknown where one is unknown, and for a vector with a matrix, which HLSL does not combine.
+NumberShape combined_shape(const NumberShape& a, const NumberShape& b);
+
+}  // namespace penumbra::preparation

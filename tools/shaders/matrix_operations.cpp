@@ -1,0 +1,419 @@
+#include "shaders/matrix_operations.h"
+
+#include <glslang/MachineIndependent/localintermediate.h>
+
+#include <array>
+#include <utility>
+
+namespace penumbra::shaders {
+namespace {
+
+using glslang::TIntermAggregate;
+using glslang::TIntermBinary;
+using glslang::TIntermTyped;
+using glslang::TIntermUnary;
+using glslang::TOperator;
+using glslang::TType;
+
+// A row of HLSL's matrix is a column of glslang's.
+int rows(const TType& matrix) {
+  return matrix.getMatrixCols();
+}
+
+TType row_type(const TType& matrix, glslang::TBasicType base) {
+  return TType(base, glslang::EvqTemporary, matrix.getMatrixRows());
+}
+
+bool is_matrix(const TIntermNode* node) {
+  return node != nullptr && node->getAsTyped() != nullptr && node->getAsTyped()->isMatrix() &&
+         !node->getAsTyped()->isArray();
+}
+
+bool is_float(const TType& type) {
+  return type.getBasicType() == glslang::EbtFloat || type.getBasicType() == glslang::EbtDouble ||
+         type.getBasicType() == glslang::EbtFloat16;
+}
+
+bool is_comparison(TOperator op) {
+  switch (op) {
+    case glslang::EOpEqual:
+    case glslang::EOpNotEqual:
+    case glslang::EOpVectorEqual:
+    case glslang::EOpVectorNotEqual:
+    case glslang::EOpLessThan:
+    case glslang::EOpGreaterThan:
+    case glslang::EOpLessThanEqual:
+    case glslang::EOpGreaterThanEqual:
+      return true;
+    default:
+      return false;
+  }
+}
+
+// Of a binary node, componentwise; the back end does + - * of float matrices itself, and m / s as m * (1 /
+// s).
+bool is_componentwise(TOperator op, const TType& result) {
+  switch (op) {
+    case glslang::EOpDiv:
+    case glslang::EOpMul:
+      return true;
+    case glslang::EOpAdd:
+    case glslang::EOpSub:
+    case glslang::EOpMod:
+    case glslang::EOpMatrixTimesScalar:
+    case glslang::EOpAnd:
+    case glslang::EOpInclusiveOr:
+    case glslang::EOpExclusiveOr:
+    case glslang::EOpLeftShift:
+    case glslang::EOpRightShift:
+      return !is_float(result);
+    default:
+      return false;
+  }
+}
+
+TOperator plain_operator(TOperator assignment) {
+  switch (assignment) {
+    case glslang::EOpAddAssign:
+      return glslang::EOpAdd;
+    case glslang::EOpSubAssign:
+      return glslang::EOpSub;
+    case glslang::EOpMatrixTimesScalarAssign:
+      return glslang::EOpMatrixTimesScalar;
+    case glslang::EOpDivAssign:
+      return glslang::EOpDiv;
+    case glslang::EOpModAssign:
+      return glslang::EOpMod;
+    case glslang::EOpAndAssign:
+      return glslang::EOpAnd;
+    case glslang::EOpInclusiveOrAssign:
+      return glslang::EOpInclusiveOr;
+    case glslang::EOpExclusiveOrAssign:
+      return glslang::EOpExclusiveOr;
+    case glslang::EOpLeftShiftAssign:
+      return glslang::EOpLeftShift;
+    case glslang::EOpRightShiftAssign:
+      return glslang::EOpRightShift;
+    default:
+      return glslang::EOpNull;
+  }
+}
+
+TOperator by_rows_operator(TOperator op) {
+  return op == glslang::EOpMatrixTimesScalar ? glslang::EOpMul : op;
+}
+
+bool is_step(TOperator op) {
+  return op == glslang::EOpPreIncrement || op == glslang::EOpPreDecrement ||
+         op == glslang::EOpPostIncrement || op == glslang::EOpPostDecrement;
+}
+
+// Of one argument, on the matrix as a whole.
+bool takes_whole(TOperator op) {
+  return op == glslang::EOpTranspose || op == glslang::EOpDeterminant || op == glslang::EOpMatrixInverse ||
+         op == glslang::EOpArrayLength;
+}
+
+// Of several arguments, on each component.
+bool is_componentwise_function(TOperator op) {
+  switch (op) {
+    case glslang::EOpMin:
+    case glslang::EOpMax:
+    case glslang::EOpClamp:
+    case glslang::EOpMix:
+    case glslang::EOpStep:
+    case glslang::EOpSmoothStep:
+    case glslang::EOpPow:
+    case glslang::EOpAtan:
+    case glslang::EOpMod:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool writes_an_argument(TOperator op) {
+  return op == glslang::EOpModf || op == glslang::EOpFrexp;
+}
+
+TOperator constructor(const TType& matrix) {
+  static constexpr std::array<std::array<TOperator, 3>, 3> of_floats{
+      {{glslang::EOpConstructMat2x2, glslang::EOpConstructMat2x3, glslang::EOpConstructMat2x4},
+       {glslang::EOpConstructMat3x2, glslang::EOpConstructMat3x3, glslang::EOpConstructMat3x4},
+       {glslang::EOpConstructMat4x2, glslang::EOpConstructMat4x3, glslang::EOpConstructMat4x4}}};
+  static constexpr std::array<std::array<TOperator, 3>, 3> of_ints{
+      {{glslang::EOpConstructIMat2x2, glslang::EOpConstructIMat2x3, glslang::EOpConstructIMat2x4},
+       {glslang::EOpConstructIMat3x2, glslang::EOpConstructIMat3x3, glslang::EOpConstructIMat3x4},
+       {glslang::EOpConstructIMat4x2, glslang::EOpConstructIMat4x3, glslang::EOpConstructIMat4x4}}};
+  static constexpr std::array<std::array<TOperator, 3>, 3> of_uints{
+      {{glslang::EOpConstructUMat2x2, glslang::EOpConstructUMat2x3, glslang::EOpConstructUMat2x4},
+       {glslang::EOpConstructUMat3x2, glslang::EOpConstructUMat3x3, glslang::EOpConstructUMat3x4},
+       {glslang::EOpConstructUMat4x2, glslang::EOpConstructUMat4x3, glslang::EOpConstructUMat4x4}}};
+  static constexpr std::array<std::array<TOperator, 3>, 3> of_bools{
+      {{glslang::EOpConstructBMat2x2, glslang::EOpConstructBMat2x3, glslang::EOpConstructBMat2x4},
+       {glslang::EOpConstructBMat3x2, glslang::EOpConstructBMat3x3, glslang::EOpConstructBMat3x4},
+       {glslang::EOpConstructBMat4x2, glslang::EOpConstructBMat4x3, glslang::EOpConstructBMat4x4}}};
+  const auto& all = matrix.getBasicType() == glslang::EbtInt    ? of_ints
+                    : matrix.getBasicType() == glslang::EbtUint ? of_uints
+                    : matrix.getBasicType() == glslang::EbtBool ? of_bools
+                                                                : of_floats;
+  return all.at(static_cast<std::size_t>(matrix.getMatrixCols() - 2))
+      .at(static_cast<std::size_t>(matrix.getMatrixRows() - 2));
+}
+
+// Rows of one column are no matrices to SPIR-V.
+bool has_rows(const TType& matrix) {
+  return matrix.getMatrixCols() > 1 && matrix.getMatrixRows() > 1;
+}
+
+class MatrixOperations final : public TreeRewrite {
+ public:
+  std::vector<TreeProblem> problems;
+
+ private:
+  // What an operand is made of before its rows are combined.
+  struct Rows {
+    std::vector<TIntermTyped*> rows;         // one for each row, or one scalar for all
+    std::vector<TIntermTyped*> assignments;  // that come first
+  };
+
+  TIntermTyped* of_aggregate(TIntermAggregate& node) override {
+    bool takes_matrix = false;
+    for (const TIntermNode* child : node.getSequence()) takes_matrix = takes_matrix || is_matrix(child);
+    const TOperator op = node.getOp();
+    if (!takes_matrix) return &node;
+    if (is_comparison(op)) return refuse_comparison(node);
+    if (writes_an_argument(op))
+      return refuse(node, "modf() and frexp() of a matrix; use its rows, as in modf(m[0], whole)");
+    if (!is_componentwise_function(op) || !node.isMatrix() || !has_rows(node.getType())) return &node;
+    std::vector<TIntermTyped*> operands;
+    for (TIntermNode* child : node.getSequence()) operands.push_back(child->getAsTyped());
+    return by_rows(node, operands,
+                   [&](const std::vector<TIntermTyped*>& of_row, const TType& type) -> TIntermTyped* {
+                     auto* made = new TIntermAggregate(op);
+                     for (TIntermTyped* operand : of_row) made->getSequence().push_back(operand);
+                     made->setType(type);
+                     made->setLoc(node.getLoc());
+                     return made;
+                   });
+  }
+
+  TIntermTyped* of_binary(TIntermBinary& node) override {
+    if (!is_matrix(node.getLeft()) && !is_matrix(node.getRight())) return &node;
+    const TOperator op = node.getOp();
+    if (is_comparison(op)) return refuse_comparison(node);
+    const TOperator plain = plain_operator(op);
+    if (plain != glslang::EOpNull && is_componentwise(plain, node.getType()) && is_matrix(node.getLeft()))
+      return of_assignment(node, plain);
+    if (!node.isMatrix() || !has_rows(node.getType()) || !is_componentwise(op, node.getType())) return &node;
+    return combined(node, by_rows_operator(op), node.getLeft(), node.getRight());
+  }
+
+  TIntermTyped* combined(TIntermTyped& node, TOperator op, TIntermTyped* left, TIntermTyped* right) {
+    return by_rows(node, {left, right},
+                   [&](const std::vector<TIntermTyped*>& of_row, const TType& type) -> TIntermTyped* {
+                     return binary_node(node, op, of_row[0], of_row[1], type);
+                   });
+  }
+
+  // m /= s  ->  m = m / s
+  TIntermTyped* of_assignment(TIntermBinary& node, TOperator plain) {
+    if (!may_be_repeated(node.getLeft()))
+      return refuse(
+          node,
+          "assigning with an operator to a matrix that an expression with effects selects; name it first");
+    TIntermTyped* value = combined(node, by_rows_operator(plain), node.getLeft(), node.getRight());
+    return binary_node(node, glslang::EOpAssign, node.getLeft(), value, node.getType());
+  }
+
+  TIntermTyped* of_unary(TIntermUnary& node) override {
+    TIntermTyped* operand = node.getOperand();
+    const TOperator op = node.getOp();
+    if (!is_matrix(operand) || takes_whole(op) || !has_rows(operand->getType())) return &node;
+    if (op == glslang::EOpAny || op == glslang::EOpAll) return of_condition(node);
+    if (is_step(op))
+      return is_float(operand->getType())
+                 ? &node
+                 : refuse(node, "++ and -- of a matrix of whole numbers; write m += 1");
+    if (!node.isMatrix() || node.isArray() || node.isConstructor()) return &node;
+    return by_rows(
+        node, {operand}, [&](const std::vector<TIntermTyped*>& of_row, const TType& type) -> TIntermTyped* {
+          const TOperator vector_op = op == glslang::EOpLogicalNot ? glslang::EOpVectorLogicalNot : op;
+          return unary_node(node, vector_op, of_row[0], type);
+        });
+  }
+
+  // any(m)  ->  any(m[0]) || any(m[1])
+  TIntermTyped* of_condition(TIntermUnary& node) {
+    Rows of = rows_of(node.getOperand(), false);
+    TIntermTyped* all = nullptr;
+    for (TIntermTyped* row : of.rows) {
+      TIntermTyped* one = unary_node(node, node.getOp(), row, node.getType());
+      if (all != nullptr) {
+        const TOperator both =
+            node.getOp() == glslang::EOpAny ? glslang::EOpLogicalOr : glslang::EOpLogicalAnd;
+        one = binary_node(node, both, all, one, node.getType());
+      }
+      all = one;
+    }
+    return after(of.assignments, all);
+  }
+
+  template <typename Combine>
+  TIntermTyped* by_rows(TIntermTyped& node, const std::vector<TIntermTyped*>& operands, Combine combine) {
+    std::vector<Rows> of;
+    std::vector<TIntermTyped*> assignments;
+    for (TIntermTyped* operand : operands) {
+      of.push_back(rows_of(operand, operands.size() > 1));
+      assignments.insert(assignments.end(), of.back().assignments.begin(), of.back().assignments.end());
+    }
+    auto* made = new TIntermAggregate(constructor(node.getType()));
+    for (int row = 0; row < rows(node.getType()); ++row) {
+      std::vector<TIntermTyped*> of_row;
+      for (const Rows& operand : of)
+        of_row.push_back(operand.rows.size() == 1 ? operand.rows[0]
+                                                  : operand.rows.at(static_cast<std::size_t>(row)));
+      TType type = row_type(node.getType(), node.getBasicType());
+      type.getQualifier().noContraction = node.getQualifier().noContraction;  // it is precise
+      made->getSequence().push_back(combine(of_row, type));
+    }
+    TType type;
+    type.shallowCopy(node.getType());
+    type.getQualifier().makeTemporary();
+    made->setType(type);
+    made->setLoc(node.getLoc());
+    return after(assignments, made);
+  }
+
+  static TIntermTyped* after(const std::vector<TIntermTyped*>& assignments, TIntermTyped* value) {
+    if (assignments.empty()) return value;
+    auto* made = new TIntermAggregate(glslang::EOpComma);
+    for (TIntermTyped* assignment : assignments) made->getSequence().push_back(assignment);
+    made->getSequence().push_back(value);
+    made->setType(value->getType());
+    made->setLoc(value->getLoc());
+    return made;
+  }
+
+  // `beside_others`: whether evaluating another operand might change what this one names.
+  Rows rows_of(TIntermTyped* operand, bool beside_others) {
+    Rows of;
+    if (const glslang::TIntermConstantUnion* constant = operand->getAsConstantUnion()) {
+      of.rows = rows_of_constant(*constant);
+      return of;
+    }
+    TIntermAggregate* made = operand->getAsAggregate();
+    if (made != nullptr && made->getOp() == glslang::EOpComma &&
+        is_made_of_rows(made->getSequence().back())) {
+      for (std::size_t i = 0; i + 1 < made->getSequence().size(); ++i)
+        of.assignments.push_back(made->getSequence()[i]->getAsTyped());
+      made = made->getSequence().back()->getAsAggregate();
+    }
+    if (!beside_others && made != nullptr && is_made_of_rows(made)) {
+      for (TIntermNode* row : made->getSequence()) of.rows.push_back(row->getAsTyped());
+      return of;
+    }
+    TIntermTyped* named = made != nullptr ? made : operand;
+    if (beside_others || named->getAsSymbolNode() == nullptr) named = in_variable(named, of.assignments);
+    if (!named->isMatrix()) {
+      of.rows.push_back(named);
+      return of;
+    }
+    for (int row = 0; row < rows(operand->getType()); ++row) of.rows.push_back(row_of(named, row));
+    return of;
+  }
+
+  static bool is_made_of_rows(const TIntermNode* node) {
+    const TIntermAggregate* made = node->getAsAggregate();
+    if (made == nullptr || !made->isMatrix() || made->isArray() || !made->isConstructor()) return false;
+    if (static_cast<int>(made->getSequence().size()) != rows(made->getType())) return false;
+    for (const TIntermNode* row : made->getSequence()) {
+      const TType& type = row->getAsTyped()->getType();
+      if (!type.isVector() || type.getVectorSize() != made->getType().getMatrixRows() ||
+          type.getBasicType() != made->getBasicType())
+        return false;
+    }
+    return true;
+  }
+
+  static std::vector<TIntermTyped*> rows_of_constant(const glslang::TIntermConstantUnion& constant) {
+    const TType& type = constant.getType();
+    std::vector<TIntermTyped*> all;
+    const int size = type.isMatrix() ? type.getMatrixRows() : std::max(type.getVectorSize(), 1);
+    for (int row = 0; row < (type.isMatrix() ? rows(type) : 1); ++row) {
+      glslang::TConstUnionArray values(size);
+      for (int i = 0; i < size; ++i) values[i] = constant.getConstArray()[row * size + i];
+      all.push_back(
+          new glslang::TIntermConstantUnion(values, TType(type.getBasicType(), glslang::EvqConst, size)));
+      all.back()->setLoc(constant.getLoc());
+    }
+    return all;
+  }
+
+  // The operand's value in a variable of its own, assigned first.
+  TIntermTyped* in_variable(TIntermTyped* value, std::vector<TIntermTyped*>& assignments) {
+    TType type;
+    type.shallowCopy(value->getType());
+    type.getQualifier().makeTemporary();
+    const long long id = next_variable_++;
+    auto* variable = new glslang::TIntermSymbol(id, "penumbra_matrix", type);
+    assignments.push_back(binary_node(*value, glslang::EOpAssign, variable, value, type));
+    return new glslang::TIntermSymbol(id, "penumbra_matrix", type);
+  }
+
+  static TIntermTyped* row_of(TIntermTyped* matrix, int row) {
+    glslang::TConstUnionArray number(1);
+    number[0].setIConst(row);
+    auto* index = new glslang::TIntermConstantUnion(number, TType(glslang::EbtInt, glslang::EvqConst));
+    return binary_node(*matrix, glslang::EOpIndexDirect, matrix, index,
+                       row_type(matrix->getType(), matrix->getBasicType()));
+  }
+
+  static bool may_be_repeated(const TIntermTyped* place) {
+    if (place->getAsSymbolNode() != nullptr || place->getAsConstantUnion() != nullptr) return true;
+    const TIntermBinary* part = place->getAsBinaryNode();
+    const bool selects = part != nullptr && (part->getOp() == glslang::EOpIndexDirect ||
+                                             part->getOp() == glslang::EOpIndexDirectStruct ||
+                                             part->getOp() == glslang::EOpIndexIndirect);
+    return selects && may_be_repeated(part->getLeft()) && may_be_repeated(part->getRight());
+  }
+
+  TIntermTyped* refuse(TIntermTyped& node, const std::string& what) {
+    problems.push_back({"not supported here: " + what, place_of_node(node)});
+    return &node;
+  }
+
+  TIntermTyped* refuse_comparison(TIntermTyped& node) {
+    return refuse(
+        node,
+        "comparing matrices, which gives a matrix of bools in HLSL; compare their rows, as in a[0] == b[0]");
+  }
+
+  long long next_variable_ =
+      100LL << 56;  // above those of the front end, which begin with the depth of their block
+};
+
+// A matrix of bools that is not taken apart again ends glslang's back end.
+class BoolMatrices final : public glslang::TIntermTraverser {
+ public:
+  bool visitAggregate(glslang::TVisit /*when*/, TIntermAggregate* node) override {
+    if (node->isConstructor() && node->isMatrix() && node->getBasicType() == glslang::EbtBool)
+      problems.push_back({"not supported here: a matrix of bools; use a vector of bools for each row",
+                          place_of_node(*node)});
+    return true;
+  }
+
+  std::vector<TreeProblem> problems;
+};
+
+}  // namespace
+
+std::vector<TreeProblem> write_out_matrix_operations(glslang::TIntermediate& tree) {
+  MatrixOperations operations;
+  operations.run(tree);
+  BoolMatrices bools;
+  if (operations.problems.empty() && tree.getTreeRoot() != nullptr) tree.getTreeRoot()->traverse(&bools);
+  return operations.problems.empty() ? std::move(bools.problems) : std::move(operations.problems);
+}
+
+}  // namespace penumbra::shaders
