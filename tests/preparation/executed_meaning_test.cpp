@@ -224,6 +224,23 @@ TEST(ExecutedMatrices, OperandsWithEffectsAreEvaluatedOnce) {
   EXPECT_THAT(outputs(statements, {1, 2, 3, 4}, 3, before), ElementsAre(0.75F, 3, 8));
 }
 
+// Get() returns two types, so that its calls have none before the compiler has chosen one.
+TEST(ExecutedMatrices, ProductsOfUnknownTypesAreFoundInTheTree) {
+  const std::string before =
+      "float2x2 Get(float2x2 m) { return m; } float3x3 Get(float3x3 m) { return m; } float2 Get(float2 v) { "
+      "return v; }\n";
+  const std::string matrix = "float2x2 m = float2x2(In[0], In[1], In[2], In[3]);\n";
+  EXPECT_THAT(outputs(matrix + "Out[0] = (Get(m) * Get(m))[0][1]; Out[1] = mul(Get(m), Get(m))[0][1]; "
+                               "float2x2 n = m; n *= Get(m); Out[2] = n[1][0];",
+                      {1, 2, 3, 4}, 3, before),
+              ElementsAre(4, 10, 9));
+  EXPECT_THAT(
+      [&] {
+        outputs(matrix + "Out[0] = (Get(float2(1, 2)) * Get(m)).x;", {1, 2, 3, 4}, 1, before);
+      },
+      ThrowsMessage<std::runtime_error>(HasSubstr("'*' of a vector and a matrix")));
+}
+
 TEST(ExecutedMatrices, WhatIsNotSupportedIsAnError) {
   const auto refusal = [](const std::string& statement) {
     return [statement] { outputs("float2x2 m = float2x2(In[0], In[1], 0, 1);\n" + statement, {1, 2}, 1); };

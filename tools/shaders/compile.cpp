@@ -154,7 +154,7 @@ bool only_compares(const Source& source, const hlsl::SourceFiles& sources, const
 bool put_right(const Source& source, const hlsl::SourceFiles& sources, glslang::TIntermediate& tree,
                CompileResult& result) {
   put_operations_right(tree);
-  const std::vector<TreeProblem> problems = write_out_matrix_operations(tree);
+  const std::vector<TreeProblem> problems = write_out_matrix_operations(tree, {source.text, source.name});
   for (const TreeProblem& problem : problems)
     result.diagnostics.push_back(at_place(source, problem.place, sources, problem.message));
   return problems.empty();

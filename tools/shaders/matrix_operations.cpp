@@ -2,8 +2,9 @@
 
 #include <glslang/MachineIndependent/localintermediate.h>
 
-#include <array>
 #include <utility>
+
+#include "shaders/matrix_operators.h"
 
 namespace penumbra::shaders {
 namespace {
@@ -29,138 +30,6 @@ bool is_matrix(const TIntermNode* node) {
          !node->getAsTyped()->isArray();
 }
 
-bool is_float(const TType& type) {
-  return type.getBasicType() == glslang::EbtFloat || type.getBasicType() == glslang::EbtDouble ||
-         type.getBasicType() == glslang::EbtFloat16;
-}
-
-bool is_comparison(TOperator op) {
-  switch (op) {
-    case glslang::EOpEqual:
-    case glslang::EOpNotEqual:
-    case glslang::EOpVectorEqual:
-    case glslang::EOpVectorNotEqual:
-    case glslang::EOpLessThan:
-    case glslang::EOpGreaterThan:
-    case glslang::EOpLessThanEqual:
-    case glslang::EOpGreaterThanEqual:
-      return true;
-    default:
-      return false;
-  }
-}
-
-// Of a binary node, componentwise; the back end does + - * of float matrices itself, and m / s as m * (1 /
-// s).
-bool is_componentwise(TOperator op, const TType& result) {
-  switch (op) {
-    case glslang::EOpDiv:
-    case glslang::EOpMul:
-      return true;
-    case glslang::EOpAdd:
-    case glslang::EOpSub:
-    case glslang::EOpMod:
-    case glslang::EOpMatrixTimesScalar:
-    case glslang::EOpAnd:
-    case glslang::EOpInclusiveOr:
-    case glslang::EOpExclusiveOr:
-    case glslang::EOpLeftShift:
-    case glslang::EOpRightShift:
-      return !is_float(result);
-    default:
-      return false;
-  }
-}
-
-TOperator plain_operator(TOperator assignment) {
-  switch (assignment) {
-    case glslang::EOpAddAssign:
-      return glslang::EOpAdd;
-    case glslang::EOpSubAssign:
-      return glslang::EOpSub;
-    case glslang::EOpMatrixTimesScalarAssign:
-      return glslang::EOpMatrixTimesScalar;
-    case glslang::EOpDivAssign:
-      return glslang::EOpDiv;
-    case glslang::EOpModAssign:
-      return glslang::EOpMod;
-    case glslang::EOpAndAssign:
-      return glslang::EOpAnd;
-    case glslang::EOpInclusiveOrAssign:
-      return glslang::EOpInclusiveOr;
-    case glslang::EOpExclusiveOrAssign:
-      return glslang::EOpExclusiveOr;
-    case glslang::EOpLeftShiftAssign:
-      return glslang::EOpLeftShift;
-    case glslang::EOpRightShiftAssign:
-      return glslang::EOpRightShift;
-    default:
-      return glslang::EOpNull;
-  }
-}
-
-TOperator by_rows_operator(TOperator op) {
-  return op == glslang::EOpMatrixTimesScalar ? glslang::EOpMul : op;
-}
-
-bool is_step(TOperator op) {
-  return op == glslang::EOpPreIncrement || op == glslang::EOpPreDecrement ||
-         op == glslang::EOpPostIncrement || op == glslang::EOpPostDecrement;
-}
-
-// Of one argument, on the matrix as a whole.
-bool takes_whole(TOperator op) {
-  return op == glslang::EOpTranspose || op == glslang::EOpDeterminant || op == glslang::EOpMatrixInverse ||
-         op == glslang::EOpArrayLength;
-}
-
-// Of several arguments, on each component.
-bool is_componentwise_function(TOperator op) {
-  switch (op) {
-    case glslang::EOpMin:
-    case glslang::EOpMax:
-    case glslang::EOpClamp:
-    case glslang::EOpMix:
-    case glslang::EOpStep:
-    case glslang::EOpSmoothStep:
-    case glslang::EOpPow:
-    case glslang::EOpAtan:
-    case glslang::EOpMod:
-      return true;
-    default:
-      return false;
-  }
-}
-
-bool writes_an_argument(TOperator op) {
-  return op == glslang::EOpModf || op == glslang::EOpFrexp;
-}
-
-TOperator constructor(const TType& matrix) {
-  static constexpr std::array<std::array<TOperator, 3>, 3> of_floats{
-      {{glslang::EOpConstructMat2x2, glslang::EOpConstructMat2x3, glslang::EOpConstructMat2x4},
-       {glslang::EOpConstructMat3x2, glslang::EOpConstructMat3x3, glslang::EOpConstructMat3x4},
-       {glslang::EOpConstructMat4x2, glslang::EOpConstructMat4x3, glslang::EOpConstructMat4x4}}};
-  static constexpr std::array<std::array<TOperator, 3>, 3> of_ints{
-      {{glslang::EOpConstructIMat2x2, glslang::EOpConstructIMat2x3, glslang::EOpConstructIMat2x4},
-       {glslang::EOpConstructIMat3x2, glslang::EOpConstructIMat3x3, glslang::EOpConstructIMat3x4},
-       {glslang::EOpConstructIMat4x2, glslang::EOpConstructIMat4x3, glslang::EOpConstructIMat4x4}}};
-  static constexpr std::array<std::array<TOperator, 3>, 3> of_uints{
-      {{glslang::EOpConstructUMat2x2, glslang::EOpConstructUMat2x3, glslang::EOpConstructUMat2x4},
-       {glslang::EOpConstructUMat3x2, glslang::EOpConstructUMat3x3, glslang::EOpConstructUMat3x4},
-       {glslang::EOpConstructUMat4x2, glslang::EOpConstructUMat4x3, glslang::EOpConstructUMat4x4}}};
-  static constexpr std::array<std::array<TOperator, 3>, 3> of_bools{
-      {{glslang::EOpConstructBMat2x2, glslang::EOpConstructBMat2x3, glslang::EOpConstructBMat2x4},
-       {glslang::EOpConstructBMat3x2, glslang::EOpConstructBMat3x3, glslang::EOpConstructBMat3x4},
-       {glslang::EOpConstructBMat4x2, glslang::EOpConstructBMat4x3, glslang::EOpConstructBMat4x4}}};
-  const auto& all = matrix.getBasicType() == glslang::EbtInt    ? of_ints
-                    : matrix.getBasicType() == glslang::EbtUint ? of_uints
-                    : matrix.getBasicType() == glslang::EbtBool ? of_bools
-                                                                : of_floats;
-  return all.at(static_cast<std::size_t>(matrix.getMatrixCols() - 2))
-      .at(static_cast<std::size_t>(matrix.getMatrixRows() - 2));
-}
-
 // Rows of one column are no matrices to SPIR-V.
 bool has_rows(const TType& matrix) {
   return matrix.getMatrixCols() > 1 && matrix.getMatrixRows() > 1;
@@ -168,6 +37,8 @@ bool has_rows(const TType& matrix) {
 
 class MatrixOperations final : public TreeRewrite {
  public:
+  explicit MatrixOperations(ProductMarks marks) : marks_(std::move(marks)) {}
+
   std::vector<TreeProblem> problems;
 
  private:
@@ -202,11 +73,26 @@ class MatrixOperations final : public TreeRewrite {
     if (!is_matrix(node.getLeft()) && !is_matrix(node.getRight())) return &node;
     const TOperator op = node.getOp();
     if (is_comparison(op)) return refuse_comparison(node);
+    if (is_product(op) && marks_.stands_at(node.getLoc())) return of_product(node);
     const TOperator plain = plain_operator(op);
     if (plain != glslang::EOpNull && is_componentwise(plain, node.getType()) && is_matrix(node.getLeft()))
       return of_assignment(node, plain);
     if (!node.isMatrix() || !has_rows(node.getType()) || !is_componentwise(op, node.getType())) return &node;
     return combined(node, by_rows_operator(op), node.getLeft(), node.getRight());
+  }
+
+  // m * n, whose operands' types the preparation did not know.
+  TIntermTyped* of_product(TIntermBinary& node) {
+    const TType& left = node.getLeft()->getType();
+    const TType& right = node.getRight()->getType();
+    const bool alike = left.isMatrix() && right.isMatrix() && left.getMatrixCols() == right.getMatrixCols() &&
+                       left.getMatrixRows() == right.getMatrixRows() && has_rows(left);
+    if (!alike)
+      return refuse(node,
+                    "'*' of a vector and a matrix, or of matrices of two sizes; mul() is the product of "
+                    "linear algebra");
+    if (node.getOp() == glslang::EOpMatrixTimesMatrixAssign) return of_assignment(node, glslang::EOpMul);
+    return combined(node, glslang::EOpMul, node.getLeft(), node.getRight());
   }
 
   TIntermTyped* combined(TIntermTyped& node, TOperator op, TIntermTyped* left, TIntermTyped* right) {
@@ -389,6 +275,7 @@ class MatrixOperations final : public TreeRewrite {
         "comparing matrices, which gives a matrix of bools in HLSL; compare their rows, as in a[0] == b[0]");
   }
 
+  ProductMarks marks_;
   long long next_variable_ =
       100LL << 56;  // above those of the front end, which begin with the depth of their block
 };
@@ -408,8 +295,8 @@ class BoolMatrices final : public glslang::TIntermTraverser {
 
 }  // namespace
 
-std::vector<TreeProblem> write_out_matrix_operations(glslang::TIntermediate& tree) {
-  MatrixOperations operations;
+std::vector<TreeProblem> write_out_matrix_operations(glslang::TIntermediate& tree, ProductMarks marks) {
+  MatrixOperations operations(std::move(marks));
   operations.run(tree);
   BoolMatrices bools;
   if (operations.problems.empty() && tree.getTreeRoot() != nullptr) tree.getTreeRoot()->traverse(&bools);

@@ -13,11 +13,12 @@
 
 #include <vector>
 
+#include "shaders/product_marks.h"
 #include "shaders/tree_rewrite.h"
 
 namespace penumbra::shaders {
 
 // What it cannot write out, in order.
-std::vector<TreeProblem> write_out_matrix_operations(glslang::TIntermediate& tree);
+std::vector<TreeProblem> write_out_matrix_operations(glslang::TIntermediate& tree, ProductMarks marks);
 
 }  // namespace penumbra::shaders

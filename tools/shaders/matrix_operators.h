@@ -1,0 +1,26 @@
+// What the operators of glslang's tree do to matrices. Internal to this room.
+#pragma once
+
+#include <glslang/Include/intermediate.h>
+
+namespace penumbra::shaders {
+
+bool is_float(const glslang::TType& type);
+bool is_comparison(glslang::TOperator op);
+bool is_product(glslang::TOperator op);  // of linear algebra
+bool is_step(glslang::TOperator op);     // ++ or --
+
+// Of a binary node with that result, to be done element by element. The back end does + - * % of float
+// matrices itself, and m / s as m * (1 / s).
+bool is_componentwise(glslang::TOperator op, const glslang::TType& result);
+
+glslang::TOperator plain_operator(glslang::TOperator assignment);  // + of +=; EOpNull of others
+glslang::TOperator by_rows_operator(glslang::TOperator op);        // for the rows of matrices
+
+bool takes_whole(glslang::TOperator op);                // of one argument, on the matrix as a whole
+bool is_componentwise_function(glslang::TOperator op);  // of several arguments
+bool writes_an_argument(glslang::TOperator op);
+
+glslang::TOperator constructor(const glslang::TType& matrix);  // of 2 to 4 rows and columns
+
+}  // namespace penumbra::shaders
