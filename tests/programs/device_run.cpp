@@ -1,0 +1,46 @@
+#include "programs/device_run.h"
+
+#include <span>
+
+#include "gpu/compute_pass.h"
+#include "gpu/device.h"
+#include "gpu/resources.h"
+#include "programs/program_text.h"
+#include "shaders/compile.h"
+#include "shaders/reflect.h"
+
+namespace penumbra::programs {
+
+namespace {
+
+gpu::Device& device() {
+  static gpu::Device shared({.name = "", .validation = true});
+  return shared;
+}
+
+}  // namespace
+
+DeviceRun run_on_device(const std::vector<const Program*>& programs,
+                        const std::vector<std::uint32_t>& inputs) {
+  const std::size_t sets = inputs.size() / kInputs;
+  shaders::CompileRequest request;
+  request.file = "programs.hlsl";
+  request.text = shader_text(programs);
+  request.prepare = true;
+  const shaders::CompileResult compiled = shaders::compile(request);
+  DeviceRun result;
+  for (const hlsl::Diagnostic& diagnostic : compiled.diagnostics)
+    if (diagnostic.severity == hlsl::Severity::error) result.error += format(diagnostic) + "\n";
+  if (!result.error.empty()) return result;
+  const gpu::Buffer in(device(), std::span<const std::uint32_t>(inputs));
+  const gpu::Buffer out(device(), programs.size() * sets * kOutputs * sizeof(std::uint32_t));
+  gpu::ComputePass pass(device(), {.spirv = compiled.spirv});
+  for (const shaders::Resource& resource : shaders::reflect(compiled.spirv).resources)
+    pass.bindings().storage_buffer({resource.set, resource.binding}, resource.name == "In" ? in : out);
+  pass.dispatch({static_cast<std::uint32_t>(sets), 1, 1});
+  for (const std::string& message : device().validation_log()->messages()) result.error += message + "\n";
+  result.words = out.download<std::uint32_t>();
+  return result;
+}
+
+}  // namespace penumbra::programs

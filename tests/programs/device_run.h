@@ -1,0 +1,21 @@
+// Programs on the device, through the preparation and the compiler as any shader goes.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "programs/program.h"
+
+namespace penumbra::programs {
+
+struct DeviceRun {
+  std::string error;                 // of the compiler or the device; empty: none
+  std::vector<std::uint32_t> words;  // kOutputs for each program, for each set of inputs, sets first
+};
+
+// `inputs`: kInputs words for each of the sets.
+DeviceRun run_on_device(const std::vector<const Program*>& programs,
+                        const std::vector<std::uint32_t>& inputs);
+
+}  // namespace penumbra::programs
