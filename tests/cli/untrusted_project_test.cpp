@@ -83,6 +83,20 @@ TEST_F(UntrustedProject, AKeyOfMegabytesIsNotEchoed) {
   EXPECT_LT(result.errors.size(), 6000u);
 }
 
+// Four bytes of a file become a hundred of memory.
+TEST_F(UntrustedProject, OutOfMemoryIsAnAnswer) {
+  std::string text = "[";
+  for (int i = 0; i < 2'000'000; ++i) text += "10,";
+  const std::string command =
+      std::string(PENUMBRA_PROGRAM) + " constants --config " + write("c.json", text + "1]").string();
+  for (const char* kilobytes : {"170000", "200000", "230000"}) {
+    const auto result = shell("ulimit -v " + std::string(kilobytes) + "; " + command);
+    EXPECT_EQ(result.exit_code, 3) << kilobytes;
+    EXPECT_THAT(result.errors, HasSubstr("penumbra: out of memory")) << kilobytes;
+  }
+  EXPECT_EQ(shell(command).exit_code, 2) << "with memory enough: not what is expected";
+}
+
 // /proc takes no new files, from root neither.
 TEST_F(UntrustedProject, WithoutAFolderForTheCacheTheRestWorks) {
   const std::string command =

@@ -15,9 +15,7 @@ Failure mistake_of_ours(const std::string& what) {
                               ", not in your input; please report it with the command line"};
 }
 
-}  // namespace
-
-Failure failure_of(const std::exception_ptr& thrown) {
+Failure described(const std::exception_ptr& thrown) {
   try {
     std::rethrow_exception(thrown);
   } catch (const platform::Interrupted&) {
@@ -30,11 +28,21 @@ Failure failure_of(const std::exception_ptr& thrown) {
   } catch (const std::filesystem::filesystem_error& error) {
     return {bad_input, error.what()};
   } catch (const std::bad_alloc&) {
-    return {bad_environment, "out of memory; use a smaller picture, map or scene"};
+    return {bad_environment, "out of memory; use a smaller picture, map, scene or file, or fewer --jobs"};
   } catch (const std::exception& error) {
     return mistake_of_ours(error.what());
   } catch (...) {
     return mistake_of_ours("of unknown kind");
+  }
+}
+
+}  // namespace
+
+Failure failure_of(const std::exception_ptr& thrown) {
+  try {
+    return described(thrown);
+  } catch (const std::bad_alloc&) {
+    return {bad_environment, "out of memory"};  // short enough to need none
   }
 }
 

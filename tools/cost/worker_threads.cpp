@@ -4,10 +4,9 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
-#include <thread>
-#include <vector>
 
 #include "platform/interrupt.h"
+#include "platform/thread_group.h"
 
 namespace penumbra::cost {
 
@@ -27,10 +26,7 @@ void run_all(std::size_t count, unsigned jobs, const std::function<void(std::siz
       if (!failure) failure = std::current_exception();
     }
   };
-  std::vector<std::thread> threads;
-  for (std::size_t i = 1; i < std::min<std::size_t>(jobs, count); ++i) threads.emplace_back(work);
-  work();
-  for (std::thread& thread : threads) thread.join();
+  platform::run_on_threads(static_cast<unsigned>(std::min<std::size_t>(jobs, count)), work);
   if (failure) std::rethrow_exception(failure);
 }
 

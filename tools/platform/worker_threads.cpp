@@ -1,10 +1,10 @@
 #include <condition_variable>
 #include <exception>
 #include <mutex>
-#include <thread>
 #include <utility>
 
 #include "platform/interrupt.h"
+#include "platform/thread_group.h"
 #include "platform/worker_pool.h"
 
 namespace penumbra::platform {
@@ -80,10 +80,7 @@ class ThreadsRun {
 
 void run_in_threads(unsigned threads, const WorkHandler& handler, WorkSource& source) {
   ThreadsRun run(handler, source);
-  std::vector<std::thread> others;
-  for (unsigned i = 1; i < threads; ++i) others.emplace_back([&run] { run.work(); });
-  run.work();
-  for (std::thread& other : others) other.join();
+  run_on_threads(threads, [&run] { run.work(); });
   run.rethrow();
 }
 
