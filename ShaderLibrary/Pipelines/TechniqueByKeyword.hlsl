@@ -18,8 +18,10 @@
 #include "../Core/TechniqueParameters.hlsl"
 
 // PCSS reads depths by gather from a texture whose sampler compares. That is undefined in OpenGL, OpenGL ES and WebGL,
-// and before ES 3.1 there is no gather: the widest tent is used instead.
-#if defined(SHADER_API_GLCORE) || defined(SHADER_API_GLES) || defined(SHADER_API_GLES3) || defined(SHADER_API_WEBGL)
+// and before ES 3.1 there is no gather: the widest tent is used instead. Who binds the map without a comparison there
+// defines PENUMBRA_RAW_DEPTH_READS.
+#if !defined(PENUMBRA_RAW_DEPTH_READS) && \
+    (defined(SHADER_API_GLCORE) || defined(SHADER_API_GLES) || defined(SHADER_API_GLES3) || defined(SHADER_API_WEBGL))
 #define PENUMBRA_WITHOUT_GATHER
 #endif
 

@@ -55,12 +55,27 @@ class CountingIterator {
   ReadSoFar* place_;
 };
 
+// Without memory of its own: the library's destructor allocates, and ends the program where that fails.
+void release(json& value) noexcept {
+  for (json& element : value) {
+    if (element.is_structured()) release(element);
+  }
+  if (value.is_structured()) value.clear();
+}
+
+std::shared_ptr<json> empty_document() {
+  return {new json, [](json* document) {
+            release(*document);
+            delete document;
+          }};
+}
+
 // Builds the document and notes, for every value, where it (or its key) ends.
 class LocatingParser : public json::json_sax_t {
  public:
   LocatingParser(const std::string& name, const ReadSoFar& place) : name_(name), place_(place) {}
 
-  json document;
+  std::shared_ptr<json> document = empty_document();
   LocatedJson::Place root;
   LocatedJson::Places places;
 
@@ -127,9 +142,9 @@ class LocatingParser : public json::json_sax_t {
   json* insert(json v) {
     const Location here{place_.line, std::max(1, place_.column)};
     if (levels_.empty()) {
-      document = std::move(v);
+      *document = std::move(v);
       root = {here.line, here.column, 0};
-      return &document;
+      return document.get();
     }
     const Level level = levels_.back();
     if (level.container->is_object()) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -33,14 +34,14 @@ class LocatedJson {
   static LocatedJson read_found(const std::filesystem::path& file);  // as read_found_text_file()
   static LocatedJson parse(std::string_view text, const std::string& name);
 
-  const nlohmann::json& value() const { return value_; }
-  const nlohmann::json& at(const Pointer& pointer) const { return value_.at(pointer); }
+  const nlohmann::json& value() const { return *value_; }
+  const nlohmann::json& at(const Pointer& pointer) const { return value_->at(pointer); }
   std::string where(const Pointer& pointer) const;  // "name:line:column" of the value (of its key in objects)
 
  private:
   std::optional<Place> place_of(const Pointer& pointer) const;
 
-  nlohmann::json value_;
+  std::shared_ptr<const nlohmann::json> value_;
   std::string name_;
   Place root_;
   Places places_;

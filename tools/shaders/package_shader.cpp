@@ -108,6 +108,10 @@ CompileRequest PackageShader::request(const std::string& pass, hlsl::Stage stage
     compile.defines.emplace_back(name, value);
   }
   for (const std::string& keyword : on) compile.defines.emplace_back(keyword, "1");
+  // Of Unity's APIs only OpenGL has depth from near to far. What it leaves undefined, Vulkan, which runs
+  // these programs with both directions of depth, defines.
+  if (platform.api == variants::GraphicsApi::glcore)
+    compile.defines.emplace_back("PENUMBRA_RAW_DEPTH_READS", "1");
   compile.package_roots = package_roots_;
   compile.prepare = prepare_;
   return compile;
