@@ -67,7 +67,7 @@ TEST(GithubAnnotations, NoTextBreaksOutOfItsPlace) {
   ASSERT_EQ(all.size(), 1u) << text;
   EXPECT_EQ(all[0].properties.at("line"), "1");
   EXPECT_EQ(all[0].properties.at("file"), hostile);
-  EXPECT_THAT(all[0].message, StartsWith(hostile));
+  EXPECT_THAT(all[0].message, StartsWith("a,line=9::b\\r\\n::error::c %0A"));
 }
 
 TEST(GithubAnnotations, ErrorsComeFirstAndNotesAboutLinesNotAtAll) {
