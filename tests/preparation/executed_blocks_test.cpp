@@ -124,7 +124,8 @@ TEST(ExecutedBlocks, TheDriverTakesWhatIsEmitted) {
   }
   for (const Target target : shaders::all_targets)
     EXPECT_FALSE(cross_compile(spirv, target).text.empty()) << shaders::target_name(target);
-  const std::optional<shaders::SpirvModule> words = shaders::with_word_blocks(spirv);
+  const std::optional<shaders::SpirvModule> words =
+      shaders::with_word_blocks(spirv, shaders::BlocksAsWords::not_for_gl);
   ASSERT_TRUE(words.has_value());
   EXPECT_THAT(shaders::validation_problems(*words, shaders::VulkanVersion::v1_1, false), IsEmpty());
 }
@@ -135,7 +136,8 @@ TEST(ExecutedBlocks, WhatFitsStaysAndAtomicsOnMembersAreRefused) {
         module_of("struct S { " + members +
                       " };\nRWStructuredBuffer<S> B;\n"
                       "[numthreads(1, 1, 1)] void Main() { InterlockedAdd(B[0].n, 1); B[1].n = 2; }",
-                  hlsl::Stage::compute));
+                  hlsl::Stage::compute),
+        shaders::BlocksAsWords::not_for_gl);
   };
   EXPECT_FALSE(words_of("int n; int a;").has_value());
   EXPECT_FALSE(words_of("int n; int3 a;").has_value());

@@ -258,5 +258,61 @@ TEST(ExecutedMatrices, WhatIsNotSupportedIsAnError) {
               ThrowsMessage<std::runtime_error>(HasSubstr("'*' does not combine a vector with a matrix")));
 }
 
+// A global constant without static is a uniform, and holds what its buffer does.
+TEST(ExecutedConstants, WithoutStaticAreUniforms) {
+  const Execution execution{
+      "const float k = 5; const int n = 2; [numthreads(1, 1, 1)] void Main() { float a[n]; a[0] = k; a[1] = "
+      "7; "
+      "Out[0] = a[0]; Out[1] = a[1]; Out[2] = asfloat(n); }",
+      {0},
+      {{"$Global", {11, 13}}},
+      3};
+  EXPECT_THAT(run_prepared(execution), ElementsAre(11, 7, 13));
+}
+
+TEST(ExecutedConstants, OfWhatIsWrittenLaterAreAnError) {
+  const std::string before =
+      "cbuffer C { float u; }; float Twice(float x) { return 2 * x; }\n"
+      "static const float s = Twice(u); float Other() { return s; }\n";
+  const auto run = [&](const std::string& statements) {
+    return run_prepared(
+        {before + "[numthreads(1, 1, 1)] void Main() {" + statements + "}", {0}, {{"C", {3}}}, 1});
+  };
+  EXPECT_THAT(run("Out[0] = Other();"), ElementsAre(6));
+  EXPECT_THAT([&] { run("u = 100; Out[0] = Other();"); },
+              ThrowsMessage<std::runtime_error>(
+                  HasSubstr(":3: error: not supported here: 's' is initialised from 'u'")));
+  EXPECT_THAT(
+      [] {
+        outputs("Set(g); Out[0] = s;", {0}, 1,
+                "static float g = 3; float F() { return g; } static const float s = F(); void Set(out float "
+                "x) { x = 4; }\n");
+      },
+      ThrowsMessage<std::runtime_error>(
+          HasSubstr("'s' is initialised from 'g', which the shader writes to")));
+  // One that needs no function is worked out when the shader starts.
+  EXPECT_THAT(
+      run_prepared(
+          {"cbuffer C { float u; }; static const float s = u * 2; [numthreads(1, 1, 1)] void Main() { "
+           "u = 100; Out[0] = s; Out[1] = u; }",
+           {0},
+           {{"C", {3}}},
+           2}),
+      ElementsAre(6, 100));
+}
+
+// Of functions that differ in half and float alone, the one that the arguments choose.
+TEST(ExecutedTwins, TheOneThatIsCalledIsKept) {
+  const std::string twins =
+      "float f(half x) { return 1; } float f(float x) { return 2; } struct V { half2 c; };\n";
+  const auto run = [&](const std::string& statements) { return outputs(statements, {4}, 1, twins); };
+  EXPECT_THAT(run("half h = In[0]; Out[0] = f(h);"), ElementsAre(1));
+  EXPECT_THAT(run("V v; v.c = In[0]; Out[0] = f(v.c.x * 2);"), ElementsAre(1));
+  EXPECT_THAT(run("Out[0] = f((half)In[0]);"), ElementsAre(1));
+  EXPECT_THAT(run("Out[0] = f(In[0]);"), ElementsAre(2));
+  EXPECT_THAT(run("half h = 1; Out[0] = f(h * In[0]);"), ElementsAre(2));
+  EXPECT_THAT(run("half h = In[0]; Out[0] = f(h) + f(In[0]);"), ElementsAre(4));  // with a warning
+}
+
 }  // namespace
 }  // namespace penumbra::preparation

@@ -88,6 +88,20 @@ TEST(PrecisionTwins, SaysWhichBodyWentAndWhichIsKept) {
               AllOf(HasSubstr("'f(half, int)'"), HasSubstr("'f(float, int)'"), HasSubstr("lib/wide.hlsl:8")));
 }
 
+// The names of parameters make no difference; anything else does.
+TEST(PrecisionTwins, DifferentBodiesAreAWarning) {
+  EXPECT_EQ(
+      merge("half f(half a, half b) { return a; } float f(float b, float a) { return b; }").notes[0].severity,
+      hlsl::Severity::note);
+  for (const char* text : {"half f(half a, half b) { return a; } float f(float a, float b) { return b; }",
+                           "half f(half a) { return a * 2; } float f(float a) { return a * 3; }"}) {
+    const MergedTwins merged = merge(text);
+    ASSERT_THAT(merged.notes, SizeIs(1));
+    EXPECT_EQ(merged.notes[0].severity, hlsl::Severity::warning);
+    EXPECT_THAT(merged.notes[0].message, HasSubstr("the two bodies differ in more than their types"));
+  }
+}
+
 TEST(PrecisionTwins, DifferentFunctionsStay) {
   expect_untouched("float f(half x) {} float g(float x) {}");                  // names
   expect_untouched("float f(half2 x) {} float f(float3 x) {}");                // shapes

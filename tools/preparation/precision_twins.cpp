@@ -9,6 +9,7 @@
 
 #include "hlsl/outline.h"
 #include "hlsl/tokens.h"
+#include "preparation/argument_precision.h"
 
 namespace penumbra::preparation {
 
@@ -119,11 +120,35 @@ std::string_view without_suffix(std::string_view number) {
   return number;
 }
 
+// The parameters' names by their number, from 1 on.
+std::unordered_map<std::string_view, int> parameter_numbers(const TokenText& text,
+                                                            const hlsl::Declaration& function) {
+  std::unordered_map<std::string_view, int> numbers;
+  int number = 1;
+  for (std::size_t at = function.parameters_open + 1; at < function.parameters_close; ++at) {
+    if (text.is(at, ",")) ++number;
+    const bool ends =
+        text.is(at + 1, ",") || text.is(at + 1, ")") || text.is(at + 1, "[") || text.is(at + 1, ":");
+    if (ends && text.is_word(at)) numbers.emplace(text[at].spelling, number);
+  }
+  return numbers;
+}
+
 bool same_bodies(const TokenText& text, const hlsl::Declaration& a, const hlsl::Declaration& b) {
   if (a.close - a.open != b.close - b.open) return false;
+  const auto of_a = parameter_numbers(text, a);
+  const auto of_b = parameter_numbers(text, b);
   for (std::size_t i = 0; i <= a.close - a.open; ++i) {
     const hlsl::Token& left = text[a.open + i];
     const hlsl::Token& right = text[b.open + i];
+    const auto left_number = of_a.find(left.spelling);
+    const auto right_number = of_b.find(right.spelling);
+    if (left_number != of_a.end() || right_number != of_b.end()) {
+      if (left_number == of_a.end() || right_number == of_b.end() ||
+          left_number->second != right_number->second)
+        return false;
+      continue;
+    }
     const bool number = left.kind == hlsl::Token::Kind::number && right.kind == left.kind;
     if (left.spelling == right.spelling) continue;
     const bool same = number ? without_suffix(left.spelling) == without_suffix(right.spelling)
@@ -136,7 +161,7 @@ bool same_bodies(const TokenText& text, const hlsl::Declaration& a, const hlsl::
 void drop(TokenText& text, const TwinnedFunction& gone, const TwinnedFunction& kept) {
   const std::size_t kept_at = kept.declaration->name;
   const bool same = same_bodies(text, *gone.declaration, *kept.declaration);
-  text.note(gone.declaration->name, hlsl::Severity::note,
+  text.note(gone.declaration->name, same ? hlsl::Severity::note : hlsl::Severity::warning,
             "'" + gone.name + list(gone.parameters) + "' differs from '" + kept.name + list(kept.parameters) +
                 "' only in precision, which is ignored here; the body at " + text.file_of(kept_at) + ":" +
                 std::to_string(text[kept_at].line) + " is used for both" +
@@ -144,21 +169,77 @@ void drop(TokenText& text, const TwinnedFunction& gone, const TwinnedFunction& k
   text.replace(gone.declaration->open, gone.declaration->close - gone.declaration->open + 1, ";");
 }
 
+using Twins = std::vector<const TwinnedFunction*>;  // that agree but for precision, in their order
+
+bool bodies_differ(const TokenText& text, const Twins& twins) {
+  return std::any_of(twins.begin(), twins.end(), [&](const TwinnedFunction* twin) {
+    return !same_bodies(text, *twin->declaration, *twins[0]->declaration);
+  });
+}
+
+bool is_in_one(const Twins& twins, std::size_t at) {
+  return std::any_of(twins.begin(), twins.end(), [&](const TwinnedFunction* twin) {
+    return at >= twin->declaration->first && at <= twin->declaration->last;
+  });
+}
+
+// The twin with the most parameters as narrow as the arguments.
+const TwinnedFunction* chosen_by(const std::vector<Precision>& arguments, const Twins& twins) {
+  const TwinnedFunction* best = nullptr;
+  int most = -1;
+  for (const TwinnedFunction* twin : twins) {
+    if (twin->parameters.size() != arguments.size()) return nullptr;
+    int matches = 0;
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+      const bool narrow = twin->parameters[i] != twin->widened_parameters[i];
+      matches += narrow == (arguments[i] == Precision::narrow) ? 1 : 0;
+    }
+    if (matches > most) best = twin;
+    most = std::max(most, matches);
+  }
+  return best;
+}
+
+// The twin that all calls outside of the twins choose; null where they choose several, or there is none.
+const TwinnedFunction* called_twin(const TokenText& text, const Twins& twins) {
+  const std::string_view name = text[twins[0]->declaration->name].spelling;
+  const TwinnedFunction* called = nullptr;
+  for (std::size_t at = 1; at + 1 < text.size(); ++at) {
+    const bool call =
+        text.is(at, name) && text.is(at + 1, "(") && text.partner(at + 1) != npos && !text.is(at - 1, ".");
+    if (!call || is_in_one(twins, at)) continue;
+    const TwinnedFunction* chosen = chosen_by(argument_precisions(text, at + 1), twins);
+    if (chosen == nullptr || chosen == called) continue;
+    if (called != nullptr) return nullptr;
+    called = chosen;
+  }
+  return called;
+}
+
+// Which of them keeps its body.
+const TwinnedFunction* kept_twin(const TokenText& text, const Twins& twins) {
+  const TwinnedFunction* best = twins[0];
+  for (const TwinnedFunction* twin : twins)
+    if (better(text, *twin, *best)) best = twin;
+  const bool hands_on =
+      std::any_of(twins.begin(), twins.end(), [&](const auto* twin) { return calls_its_name(text, *twin); });
+  if (twins.size() == 1 || hands_on || !bodies_differ(text, twins)) return best;
+  const TwinnedFunction* called = called_twin(text, twins);
+  return called != nullptr ? called : best;
+}
+
 }  // namespace
 
 void merge_precision_twins(TokenText& text) {
   const std::vector<TwinnedFunction> functions = overloaded_functions(text);
+  std::unordered_map<std::string, Twins> groups;
+  for (const TwinnedFunction& function : functions) groups[widened_signature(function)].push_back(&function);
   std::unordered_map<std::string, const TwinnedFunction*> kept;
-  std::vector<const TwinnedFunction**> kept_of;  // of each function: where the one that its kind keeps is
   for (const TwinnedFunction& function : functions) {
     const TwinnedFunction*& best = kept[widened_signature(function)];
-    if (best == nullptr || better(text, function, *best)) best = &function;
-    kept_of.push_back(&best);
-  }
-  for (std::size_t i = 0; i < functions.size(); ++i) {
-    const TwinnedFunction& best = **kept_of[i];
-    if (functions[i].parameters == best.parameters) continue;  // itself, or a definition spelled alike
-    drop(text, functions[i], best);
+    if (best == nullptr) best = kept_twin(text, groups[widened_signature(function)]);
+    if (function.parameters == best->parameters) continue;  // itself, or a definition spelled alike
+    drop(text, function, *best);
   }
   text.apply();
 }

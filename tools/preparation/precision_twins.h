@@ -5,9 +5,10 @@
 // half, min16float and min10float are read as float (min16int and min12int as int, min16uint as uint) the one
 // with the most full-precision parameters keeps its body, the first of equals; but one that calls its own
 // name, and so hands on to a twin, only if all do. The others become declarations. Each body that goes is a
-// note, which says so where the two bodies differ in more than the spelling of types: then it matters which
-// one is kept (HALF_EPS against FLT_EPS). Definitions spelled alike stay: they are an error in every
-// compiler. Names are never looked at beyond being the same.
+// note. Where the two bodies differ in more than the spelling of types (HALF_EPS against FLT_EPS) it matters
+// which one is kept: that is the one which the arguments of the calls choose, the note is a warning, and
+// calls of both are an error. Definitions spelled alike stay: they are an error in every compiler. Names are
+// never looked at beyond being the same.
 #pragma once
 
 #include "preparation/token_text.h"

@@ -6,8 +6,10 @@
 #include "preparation/base_members.h"
 #include "preparation/bool_signs.h"
 #include "preparation/buffer_aliases.h"
+#include "preparation/cbuffer_offsets.h"
 #include "preparation/cbuffer_resources.h"
 #include "preparation/constant_operands.h"
+#include "preparation/constant_uniforms.h"
 #include "preparation/constructor_statements.h"
 #include "preparation/dx9_samplers.h"
 #include "preparation/flat_initialisers.h"
@@ -17,6 +19,7 @@
 #include "preparation/loop_variables.h"
 #include "preparation/matrix_casts.h"
 #include "preparation/matrix_operators.h"
+#include "preparation/matrix_packing.h"
 #include "preparation/matrix_swizzles.h"
 #include "preparation/member_calls.h"
 #include "preparation/missing_returns.h"
@@ -43,7 +46,9 @@
 namespace penumbra::preparation {
 
 std::span<const Pass> passes() {
-  static constexpr std::array<Pass, 37> all{{{"texture-precision", drop_texture_precision},
+  static constexpr std::array<Pass, 40> all{{{"matrix-packing", pack_matrices},
+                                             {"constant-uniforms", make_constants_uniforms},
+                                             {"texture-precision", drop_texture_precision},
                                              {"precision-matrices", name_precision_matrices},
                                              {"namespace-structs", write_out_namespaces},
                                              {"storage-order", put_static_first},
@@ -55,6 +60,7 @@ std::span<const Pass> passes() {
                                              {"framebuffer-fetch", read_framebuffer},
                                              {"uniform-structs", take_apart_uniform_structs},
                                              {"cbuffer-resources", hoist_cbuffer_resources},
+                                             {"cbuffer-offsets", place_cbuffer_members},
                                              {"dx9-samplers", separate_dx9_samplers},
                                              {"member-calls", call_members_on_variables},
                                              {"buffer-aliases", resolve_buffer_aliases},

@@ -143,11 +143,26 @@ class SourceScan {
       const std::size_t end = end_of_directive();
       const std::string_view rest = std::string_view(text_).substr(word_end, end - word_end);
       once_ = once_ || (name == "pragma" && first_word(rest) == "once");
+      const std::string marker = name == "pragma" ? packing_marker(rest) : std::string();
+      const std::size_t begin = at_;
       for (; at_ < end; ++at_)
         if (text_[at_] != '\n') text_[at_] = ' ';
+      text_.replace(begin, marker.size(), marker);
     } else {
       at_ = word_end;
     }
+  }
+
+  // What stands for `#pragma pack_matrix(row_major)` until matrix_packing.h reads it; shorter than the
+  // directive.
+  static std::string packing_marker(std::string_view pragma) {
+    if (first_word(pragma) != "pack_matrix") return {};
+    std::string order;
+    pragma = pragma.substr(0, pragma.find("//"));
+    for (const char c : pragma.substr(pragma.find("pack_matrix") + 11))
+      if (!is_blank(c) && c != '\r') order += static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+    if (order == "(row_major)") return std::string(kPackedByRows) + ";";
+    return std::string(order == "(column_major)" ? kPackedByColumns : kPackedOtherwise) + ";";
   }
 
   static std::string_view first_word(std::string_view text) {

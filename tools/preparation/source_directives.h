@@ -4,6 +4,7 @@
 //   `#include`: its pragmas are read by the variants room.
 // - `#pragma` lines are blanked, for the same reason; `#pragma once` is reported, for the one who opens
 // files.
+// - `#pragma pack_matrix(...)` becomes a word that matrix_packing.h reads after the preprocessor.
 // - `#warning` is blanked: it is no error in Unity, and glslang knows no such directive.
 // - The half literal `1.0h` becomes `1.0f`: the precision of half is float here. `1.#INF` becomes `1e9999`,
 // which
@@ -16,8 +17,14 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace penumbra::preparation {
+
+// What stands for #pragma pack_matrix, with a ';'.
+inline constexpr std::string_view kPackedByRows = "penumbra_by_rows";
+inline constexpr std::string_view kPackedByColumns = "penumbra_by_columns";
+inline constexpr std::string_view kPackedOtherwise = "penumbra_packed";
 
 struct PreparedSource {
   std::string text;

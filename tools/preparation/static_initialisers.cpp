@@ -1,6 +1,7 @@
 #include "preparation/static_initialisers.h"
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -9,6 +10,7 @@
 #include "hlsl/outline.h"
 #include "preparation/declarators.h"
 #include "preparation/value_types.h"
+#include "preparation/written_values.h"
 
 namespace penumbra::preparation {
 
@@ -44,6 +46,7 @@ class StaticInitialisers {
     const Declarator& constant = all[0];
     const std::size_t index = types_.named(constant.name);
     if (index == npos || !must_move(constant) || !sizes_are_written(constant)) return;
+    refuse_if_written_later(constant);
     const std::string name(word(constant.name));
     const std::string sizes = text_.spelled(constant.dimensions, constant.dimension_count);
     const std::string function = text_.free_name("set_" + name);
@@ -55,6 +58,50 @@ class StaticInitialisers {
         declaration.first, constant.name - declaration.first,
         "void " + function + "(out " + declared + to + sizes + ") { " + before + "const " + declared);
     text_.insert(declaration.last + 1, to + " = " + name + "; }");
+  }
+
+  // The value is worked out again in every function, which is the same only while what it is made of stays.
+  void refuse_if_written_later(const Declarator& constant) {
+    std::set<std::string_view> functions;
+    const std::size_t written = written_in(constant.initialiser, constant.end, functions);
+    if (written == npos) return;
+    text_.note(constant.name, hlsl::Severity::error,
+               "not supported here: '" + std::string(word(constant.name)) + "' is initialised from '" +
+                   std::string(word(written)) +
+                   "', which the shader writes to; initialise a local variable from it");
+  }
+
+  // The first use in the tokens, or in the functions they call, of a variable at file scope that is written
+  // to.
+  std::size_t written_in(std::size_t first, std::size_t end, std::set<std::string_view>& functions) {
+    for (std::size_t at = first; at < end; ++at) {
+      if (!text_.is_word(at)) continue;
+      if (types_.named(at) != npos && written_globals().count(types_.named(at)) != 0) return at;
+      if (!text_.is(at + 1, "(") || !functions_[text_.word_number(at)] || !functions.insert(word(at)).second)
+        continue;
+      for (const FunctionType& function : types_.functions()) {
+        if (function.body == npos || word(function.name) != word(at)) continue;
+        const std::size_t found = written_in(function.body, text_.partner(function.body), functions);
+        if (found != npos) return found;
+      }
+    }
+    return npos;
+  }
+
+  const std::set<std::size_t>& written_globals() {
+    if (written_) return *written_;
+    written_.emplace();
+    const WrittenValues writes(text_);
+    for (const FunctionType& function : types_.functions()) {
+      if (function.body == npos) continue;
+      for (std::size_t at = function.body; at < text_.partner(function.body); ++at) {
+        const std::size_t named = text_.is_word(at) && !text_.is(at - 1, ".") ? types_.named(at) : npos;
+        if (named != npos && types_.declared()[named].place == DeclaredValue::Place::global &&
+            writes.writes(at))
+          written_->insert(named);
+      }
+    }
+    return *written_;
   }
 
   // It calls a function of the text, or reads what is moved.
@@ -85,7 +132,8 @@ class StaticInitialisers {
 
   TokenText& text_;
   const ValueTypes& types_;
-  std::vector<bool> functions_;  // by a word's number: whether a function has that name
+  std::vector<bool> functions_;                   // by a word's number: whether a function has that name
+  std::optional<std::set<std::size_t>> written_;  // variables at file scope, indices into types_.declared()
   // `float weights[2]; set_weights(weights);` by the constant's index into types_.declared().
   std::map<std::size_t, std::string> moved_;
 };

@@ -1,7 +1,6 @@
 #include "preparation/uniform_writes.h"
 
 #include <algorithm>
-#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -10,8 +9,8 @@
 
 #include "hlsl/outline.h"
 #include "preparation/declarators.h"
-#include "preparation/postfix_expression.h"
 #include "preparation/value_types.h"
+#include "preparation/written_values.h"
 
 namespace penumbra::preparation {
 
@@ -30,11 +29,11 @@ class WrittenUniforms {
       : text_(text),
         types_(text.types()),
         declarations_(text.outline()),
+        writes_(text),
         uniform_words_(text.word_numbers(), false) {}
 
   void run() {
     find_uniforms();
-    find_out_parameters();
     for (const hlsl::Declaration& declaration : declarations_)
       if (declaration.kind == Kind::function) find_writes(declaration);
     if (written_.empty()) return;
@@ -72,23 +71,6 @@ class WrittenUniforms {
     }
   }
 
-  void find_out_parameters() {
-    for (const hlsl::Declaration& declaration : declarations_) {
-      if (declaration.kind != Kind::function && declaration.kind != Kind::prototype) continue;
-      if (!writes_a_parameter(declaration)) continue;
-      const std::vector<std::string> types = hlsl::parameter_types(text_.tokens(), declaration);
-      for (std::size_t i = 0; i < types.size(); ++i)
-        if (types[i].rfind("out ", 0) == 0 || types[i].rfind("inout ", 0) == 0)
-          out_parameters_[text_[declaration.name].spelling].insert(i);
-    }
-  }
-
-  bool writes_a_parameter(const hlsl::Declaration& function) const {
-    for (std::size_t at = function.parameters_open; at < function.parameters_close; ++at)
-      if (text_.is(at, "out") || text_.is(at, "inout")) return true;
-    return false;
-  }
-
   // `vector<float, 3> a`: whether the '>' at this token ends a type.
   bool ends_type(std::size_t at) const {
     if (!text_.is(at, ">")) return false;
@@ -123,51 +105,9 @@ class WrittenUniforms {
     }
   }
 
-  // Its elements and members; not a call.
-  std::size_t end_of_value(std::size_t at) const {
-    std::size_t end = at + 1;
-    while ((text_.is(end, "[") && text_.partner(end) != npos) ||
-           (text_.is(end, ".") && text_.is_word(end + 1)))
-      end = text_.is(end, "[") ? text_.partner(end) + 1 : end + 2;
-    return end;
-  }
-
-  bool stepped(std::size_t begin, std::size_t end) const {
-    const auto twice = [&](std::size_t at, std::string_view mark) {
-      return text_.is(at, mark) && text_.is(at + 1, mark);
-    };
-    return twice(end, "+") || twice(end, "-") ||
-           (begin >= 2 && (twice(begin - 2, "+") || twice(begin - 2, "-")));
-  }
-
-  bool passed_out(std::size_t begin, std::size_t end) const {
-    const bool whole_argument =
-        (text_.is(begin - 1, "(") || text_.is(begin - 1, ",")) && (text_.is(end, ")") || text_.is(end, ","));
-    if (!whole_argument) return false;
-    std::size_t index = 0;
-    std::size_t at = begin;
-    while (at-- > 0) {
-      if (text_.is(at, ",")) {
-        ++index;
-      } else if (text_.is(at, ")") || text_.is(at, "]") || text_.is(at, "}")) {
-        if (text_.partner(at) == npos) return false;
-        at = text_.partner(at);
-      } else if (text_.is(at, "(")) {
-        break;
-      } else if (text_.is(at, ";") || text_.is(at, "{")) {
-        return false;
-      }
-    }
-    const auto function = at > 0 && text_.is_word(at - 1) ? out_parameters_.find(text_[at - 1].spelling)
-                                                          : out_parameters_.end();
-    return function != out_parameters_.end() && function->second.count(index) != 0;
-  }
-
   void find_writes(const hlsl::Declaration& function) {
     for_each_use(function, [&](std::size_t at) {
-      const std::size_t end = end_of_value(at);
-      if (assignment_length(text_, end) != 0 || stepped(at, end) || passed_out(at, end))
-        written_.insert(text_[at].spelling);
+      if (writes_.writes(at)) written_.insert(text_[at].spelling);
     });
   }
 
@@ -189,9 +129,9 @@ class WrittenUniforms {
   TokenText& text_;
   const ValueTypes& types_;
   const std::vector<hlsl::Declaration>& declarations_;
+  WrittenValues writes_;
   std::vector<bool> uniform_words_;  // by a word's number: whether a uniform has that name
   std::unordered_map<std::string_view, Uniform> uniforms_;
-  std::map<std::string_view, std::set<std::size_t>> out_parameters_;  // function -> which of its parameters
   std::set<std::string_view> written_;
 };
 

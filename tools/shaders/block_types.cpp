@@ -89,6 +89,18 @@ bool BlockTypes::fits(std::uint32_t id, BlockRule rule) const {
   return structure(id, rule).fits;
 }
 
+bool BlockTypes::fills_tails(std::uint32_t id) const {
+  std::uint32_t end = 0;  // of the last array or struct, with what it leaves free
+  for (const BlockMember& member : find(id)->members) {
+    if (member.offset < end) return true;
+    const BlockType* type = find(member.type);
+    const bool has_tail = type != nullptr && (type->op == spv::OpTypeArray || type->op == spv::OpTypeStruct ||
+                                              (type->op == spv::OpTypeMatrix && !member.row_major));
+    if (has_tail) end = member.offset + extent(member, BlockRule::std140).size;
+  }
+  return false;
+}
+
 std::uint32_t BlockTypes::registers(std::uint32_t id) const {
   return structure(id, BlockRule::std140).size / vec4_size;
 }

@@ -40,6 +40,9 @@ class BlockTypes {
   std::optional<std::uint32_t> constant(std::uint32_t id) const;
   // Whether every member lies exactly where the rule puts it.
   bool fits(std::uint32_t structure, BlockRule rule) const;
+  // Whether a member begins in what an array or struct before it leaves free of its last element, as in
+  // HLSL's cbuffers; Vulkan has that only for matrices (specification, "Offset and Stride Assignment").
+  bool fills_tails(std::uint32_t structure) const;
   // Of four words each, that a uniform block takes.
   std::uint32_t registers(std::uint32_t structure) const;
 

@@ -28,6 +28,7 @@
 #include "shaders/source_shader.h"
 #include "shaders/spirv_module.h"
 #include "shaders/whole_matrices.h"
+#include "shaders/word_blocks.h"
 #include "shaders/zeroed_statics.h"
 
 namespace penumbra::shaders {
@@ -165,6 +166,9 @@ bool finish_module(const Source& source, const hlsl::SourceFiles& sources, const
   std::vector<std::string> problems;
   const bool optimised = !source.request.optimise || optimise(result.spirv, source.request.vulkan, problems);
   number_bindings(result.spirv);  // after the unused ones are gone
+  if (optimised && source.request.optimise)
+    if (std::optional<SpirvModule> words = with_word_blocks(result.spirv, BlocksAsWords::not_for_vulkan))
+      result.spirv = *std::move(words);
   if (optimised && source.request.optimise) {
     for (const std::string& lost : lost_resources(result.spirv))
       result.diagnostics.push_back(whole_file(source, hlsl::Severity::error, lost));

@@ -180,7 +180,7 @@ std::string CrossCompiler::emit(Target target) {
   try {
     return emit_amended(*module_, spirv_, target);
   } catch (const std::invalid_argument&) {
-    const std::optional<SpirvModule> words = with_word_blocks(spirv_);
+    const std::optional<SpirvModule> words = with_word_blocks(spirv_, BlocksAsWords::not_for_gl);
     if (!words) throw;
     return emit_amended(SpirvCrossModule(*words), *words, target);
   }

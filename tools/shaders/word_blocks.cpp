@@ -44,7 +44,8 @@ struct Block {
 
 class WordBlocks {
  public:
-  explicit WordBlocks(const SpirvModule& module) : module_(module), types_(module), to_(module) {}
+  WordBlocks(const SpirvModule& module, BlocksAsWords which)
+      : module_(module), which_(which), types_(module), to_(module) {}
 
   std::optional<SpirvModule> run() {
     for_each_instruction(module_, [this](SpirvWords one) { find_block(one); });
@@ -76,7 +77,10 @@ class WordBlocks {
     const BlockType* type = types_.find(structure);
     if (type == nullptr || type->op != spv::OpTypeStruct) return;
     if (!buffer && block_types_.count(structure) == 0) return;
-    if (types_.fits(structure, buffer ? BlockRule::std430 : BlockRule::std140)) return;
+    const bool fits = which_ == BlocksAsWords::not_for_vulkan
+                          ? buffer || !types_.fills_tails(structure)
+                          : types_.fits(structure, buffer ? BlockRule::std430 : BlockRule::std140);
+    if (fits) return;
     const std::uint32_t id = operand(variable, 2);
     blocks_[id] = {structure, storage, !buffer};
     places_[id] = {id, {structure, 0, 0, false}, 0, 1, {}};
@@ -261,6 +265,7 @@ class WordBlocks {
   }
 
   const SpirvModule& module_;
+  BlocksAsWords which_;
   const BlockTypes types_;
   ModuleRewrite to_;
   bool refused_ = false;
@@ -274,9 +279,9 @@ class WordBlocks {
 
 }  // namespace
 
-std::optional<SpirvModule> with_word_blocks(const SpirvModule& module) {
+std::optional<SpirvModule> with_word_blocks(const SpirvModule& module, BlocksAsWords which) {
   if (module.size() < header_words) return std::nullopt;
-  return WordBlocks(module).run();
+  return WordBlocks(module, which).run();
 }
 
 }  // namespace penumbra::shaders

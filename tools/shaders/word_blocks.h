@@ -14,9 +14,13 @@
 
 namespace penumbra::shaders {
 
-// The module with all blocks that are neither std140 nor, of storage buffers, std430 as words. Nothing where
+// not_for_gl: that are neither std140 nor, of storage buffers, std430. not_for_vulkan: uniform blocks with a
+// member in what an array or struct before it leaves free, which is valid for no SPIR-V.
+enum class BlocksAsWords { not_for_gl, not_for_vulkan };
+
+// The module with those blocks as words. Nothing where
 // there is none, or where one is used in a way that words do not serve: atomics on a member, numbers that are
 // not of 32 bits. The module must be legalised.
-std::optional<SpirvModule> with_word_blocks(const SpirvModule& module);
+std::optional<SpirvModule> with_word_blocks(const SpirvModule& module, BlocksAsWords which);
 
 }  // namespace penumbra::shaders

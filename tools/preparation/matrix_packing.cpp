@@ -1,0 +1,101 @@
+#include "preparation/matrix_packing.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hlsl/outline.h"
+#include "preparation/declared_values.h"
+#include "preparation/number_shape.h"
+#include "preparation/source_directives.h"
+
+namespace penumbra::preparation {
+
+namespace {
+
+using Kind = hlsl::Declaration::Kind;
+
+class MatrixPacking {
+ public:
+  explicit MatrixPacking(TokenText& text) : text_(text) {}
+
+  void run() {
+    if (!take_markers_out()) return;
+    for (const hlsl::Declaration& declaration : text_.outline()) {
+      if (declaration.kind == Kind::variable) declare(declaration.first, declaration.last);
+      if (declaration.kind == Kind::alias) declare(declaration.first, declaration.last);
+      if (declaration.kind == Kind::buffer || declaration.kind == Kind::structure)
+        members(declaration.open, declaration.close);
+    }
+    text_.apply();
+  }
+
+ private:
+  bool is_marker(std::size_t at) const {
+    return text_.is(at, kPackedByRows) || text_.is(at, kPackedByColumns) || text_.is(at, kPackedOtherwise);
+  }
+
+  // Whether there were any. Of each token that stays is remembered what the last one before it said.
+  bool take_markers_out() {
+    bool rows = false;
+    bool found = false;
+    for (std::size_t at = 0; at < text_.size(); ++at) {
+      if (!is_marker(at)) {
+        by_rows_.push_back(rows);
+        continue;
+      }
+      found = true;
+      if (text_.is(at, kPackedOtherwise))
+        text_.note(at, hlsl::Severity::error,
+                   "unknown '#pragma pack_matrix'; it takes (row_major) or (column_major)");
+      rows = text_.is(at, kPackedByRows);
+      text_.erase(at, text_.is(at + 1, ";") ? 2 : 1);
+      if (text_.is(at + 1, ";")) ++at;
+    }
+    text_.apply();
+    return found;
+  }
+
+  void members(std::size_t open, std::size_t close) {
+    std::size_t first = open + 1;
+    for (std::size_t at = first; at < close; ++at) {
+      if (text_.is(at, "{") && text_.partner(at) != npos) {
+        const bool structure = text_.is(at - 1, "struct") || text_.is(at - 2, "struct");
+        if (structure) members(at, text_.partner(at));
+        at = text_.partner(at);
+        first = at + 1;
+      } else if (text_.is(at, ";")) {
+        declare(first, at);
+        first = at + 1;
+      }
+    }
+  }
+
+  void declare(std::size_t first, std::size_t last) {
+    if (!by_rows_[first]) return;
+    std::size_t type = first;
+    if (text_.is(type, "typedef")) ++type;
+    for (; type < last && is_modifier(text_[type].spelling); ++type)
+      if (text_.is(type, "row_major") || text_.is(type, "column_major") || text_.is(type, "static")) return;
+    const bool function = text_.is_word(type + 1) && text_.is(type + 2, "(");
+    if (function || !text_.is_word(type)) return;
+    if (shape_of_type(text_[type].spelling).is_matrix()) {
+      text_.insert(type, "row_major");
+    } else if (text_.is(type + 1, "<") && shape_of_type(text_[type + 2].spelling).is_matrix()) {
+      text_.note(type, hlsl::Severity::error,
+                 "not supported here: '" + std::string(text_[type].spelling) +
+                     "' of matrices after '#pragma pack_matrix(row_major)'; put the matrix into a struct");
+    }
+  }
+
+  TokenText& text_;
+  std::vector<bool> by_rows_;  // by token: whether the last pragma before it says row_major
+};
+
+}  // namespace
+
+void pack_matrices(TokenText& text) {
+  MatrixPacking(text).run();
+}
+
+}  // namespace penumbra::preparation

@@ -1,0 +1,30 @@
+// Where the value that a name stands for is written to: by an assignment, by ++ or --, or as the argument for
+// an out or inout parameter of a function of the text. Internal to this room.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <set>
+#include <string_view>
+
+#include "preparation/token_text.h"
+
+namespace penumbra::preparation {
+
+class WrittenValues {
+ public:
+  explicit WrittenValues(const TokenText& text);  // good until its apply()
+
+  // Whether what begins with the name at this token, its elements and members included, is written there.
+  bool writes(std::size_t at) const;
+
+ private:
+  std::size_t end_of_value(std::size_t at) const;
+  bool stepped(std::size_t begin, std::size_t end) const;
+  bool passed_out(std::size_t begin, std::size_t end) const;
+
+  const TokenText& text_;
+  std::map<std::string_view, std::set<std::size_t>> out_parameters_;  // function -> which of its parameters
+};
+
+}  // namespace penumbra::preparation
