@@ -168,6 +168,39 @@ TEST(Validate, AbsentTargetsAreReportedAndTriedAllTheSame) {
   EXPECT_THAT(report_text(fails), HasSubstr("absent: f, spirv: never compiles (2 variants)"));
 }
 
+// No error of the shader's; a mistake in it is one all the same.
+TEST(Validate, StagesThatATargetDoesNotHaveAreAbsentWithTheReason) {
+  const ShaderFiles files;
+  files.write(
+      "g.hlsl",
+      "struct V { float4 p : SV_Position; };\n"
+      "[maxvertexcount(3)] void Geometry(triangle V v[3], inout TriangleStream<V> s) { s.Append(v[0]); }\n"
+      "struct T { float edges[3] : SV_TessFactor; float inside : SV_InsideTessFactor; };\n"
+      "[domain(\"tri\")] V Domain(T t, float3 l : SV_DomainLocation, OutputPatch<V, 3> p)\n"
+      "{ V v; v.p = p[0].p * l.x; return v; }\n");
+  files.write(
+      "w.hlsl",
+      "struct V { float4 p : SV_Position; };\n"
+      "[maxvertexcount(3)] void Wrong(triangle V v[3], inout TriangleStream<V> s) { s.Append(w[0]); }\n");
+  ValidationRequest request;
+  request.targets = {"spirv", "glsl450", "msl23", "hlsl50"};
+  request.files = {{files.path("g.hlsl"), "Geometry", hlsl::Stage::geometry, {{}}},
+                   {files.path("g.hlsl"), "Domain", hlsl::Stage::domain, {{}}},
+                   {files.path("w.hlsl"), "Wrong", hlsl::Stage::geometry, {{}}}};
+  const ValidationReport report = validate(request);
+  std::vector<std::string> said;
+  for (const VariantRecord& record : report.records)
+    if (record.status != VariantStatus::passed)
+      said.push_back(record.entry + " " + record.target + " " + status_name(record.status));
+  EXPECT_THAT(said,
+              testing::ElementsAre("Geometry msl23 absent", "Geometry hlsl50 absent", "Domain hlsl50 absent",
+                                   "Wrong spirv failed", "Wrong glsl450 unreached", "Wrong msl23 unreached",
+                                   "Wrong hlsl50 unreached"));
+  EXPECT_THAT(report_text(report), HasSubstr("msl23: Metal has no geometry stage (1 variant)"));
+  EXPECT_THAT(report_text(report),
+              HasSubstr("hlsl50: SPIRV-Cross writes no hull, domain and geometry stages"));
+}
+
 TEST(Validate, JsonHasTheDesignsMembers) {
   const ShaderFiles files;
   files.write("f.hlsl", "#error no\n");

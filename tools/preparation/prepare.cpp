@@ -24,6 +24,7 @@
 #include "preparation/member_calls.h"
 #include "preparation/missing_returns.h"
 #include "preparation/namespace_structs.h"
+#include "preparation/narrower_parameters.h"
 #include "preparation/partial_texel_writes.h"
 #include "preparation/precision_matrices.h"
 #include "preparation/precision_twins.h"
@@ -39,6 +40,7 @@
 #include "preparation/swizzle_arguments.h"
 #include "preparation/texture_precision.h"
 #include "preparation/texture_reads.h"
+#include "preparation/type_semantics.h"
 #include "preparation/uniform_structs.h"
 #include "preparation/uniform_writes.h"
 #include "preparation/zeroed_resource_structs.h"
@@ -46,12 +48,13 @@
 namespace penumbra::preparation {
 
 std::span<const Pass> passes() {
-  static constexpr std::array<Pass, 40> all{{{"matrix-packing", pack_matrices},
+  static constexpr std::array<Pass, 42> all{{{"matrix-packing", pack_matrices},
                                              {"constant-uniforms", make_constants_uniforms},
                                              {"texture-precision", drop_texture_precision},
                                              {"precision-matrices", name_precision_matrices},
                                              {"namespace-structs", write_out_namespaces},
                                              {"storage-order", put_static_first},
+                                             {"type-semantics", rename_type_semantics},
                                              {"base-members", write_out_base_members},
                                              {"prototypes", match_prototypes},
                                              {"loop-variables", outlive_loops},
@@ -71,6 +74,7 @@ std::span<const Pass> passes() {
                                              {"texture-reads", separate_texture_reads},
                                              {"missing-returns", return_from_empty_functions},
                                              {"precision-twins", merge_precision_twins},
+                                             {"narrower-parameters", narrow_arguments},
                                              {"stray-semicolons", drop_stray_semicolons},
                                              {"struct-initialisers", match_struct_initialisers},
                                              {"flat-initialisers", group_flat_initialisers},

@@ -14,9 +14,10 @@
 
 namespace penumbra::validation {
 
-// absent: techniques.json says the target does without this technique, and it does fail there. unreached:
-// there was no SPIR-V to make the target from; its failure is reported once, under "spirv". unchecked: it
-// could not be tried here, for a reason that is not the shader's (a file that only the Unity editor has).
+// absent: the target has no such stage, or nothing that writes it; or techniques.json says the target does
+// without this technique, and it does fail there. unreached: there was no SPIR-V to make the target from; its
+// failure is reported once, under "spirv". unchecked: it could not be tried here, for a reason that is not
+// the shader's (a file that only the Unity editor has).
 enum class VariantStatus { passed, failed, absent, unreached, unchecked };
 
 // The target of what is said of a file or a pass as a whole: no variant was compiled for it.

@@ -8,10 +8,22 @@
 
 namespace penumbra::validation {
 
+std::string why_absent(hlsl::Stage stage, const std::string& target) {
+  const std::optional<shaders::Target> known = shaders::find_target(target);
+  if (!known) return {};
+  const shaders::TargetLanguage language = shaders::target_language(*known);
+  const bool geometry = stage == hlsl::Stage::geometry;
+  const bool tessellates = stage == hlsl::Stage::hull || stage == hlsl::Stage::domain;
+  if (language == shaders::TargetLanguage::msl && geometry) return "Metal has no geometry stage";
+  if (language == shaders::TargetLanguage::hlsl && (geometry || tessellates))
+    return "SPIRV-Cross writes no hull, domain and geometry stages in HLSL";
+  return {};
+}
+
 std::vector<hlsl::Diagnostic> check_target(shaders::CrossCompiler& module, hlsl::Stage stage,
                                            const std::string& target, bool with_driver) {
   const std::optional<shaders::Target> known = shaders::find_target(target);
-  if (!known) return {};
+  if (!known || !why_absent(stage, target).empty()) return {};
   shaders::CrossCompileResult emitted = module.to(*known);
   if (!with_driver || hlsl::has_errors(emitted.diagnostics) || !shaders::is_gl(*known))
     return emitted.diagnostics;

@@ -11,8 +11,11 @@
 
 namespace penumbra::validation {
 
-// Nothing for "spirv": a module that is there has passed. Throws EnvironmentError when GL is needed and not
-// there.
+// Why no shader of this stage is made for the target; empty where one is.
+std::string why_absent(hlsl::Stage stage, const std::string& target);
+
+// Nothing for "spirv": a module that is there has passed; nothing for a stage that is absent. Throws
+// EnvironmentError when GL is needed and not there.
 std::vector<hlsl::Diagnostic> check_target(shaders::CrossCompiler& module, hlsl::Stage stage,
                                            const std::string& target, bool with_driver);
 

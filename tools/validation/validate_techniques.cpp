@@ -53,6 +53,10 @@ void add_records(const SourceVariant& variant, const UnitResult& result, std::si
     if (!result.missing_editor_include.empty())
       record.reason = "'" + result.missing_editor_include +
                       "' ships only with the Unity editor; name its CGIncludes folder with --cginc-root DIR";
+    if (record.status == VariantStatus::passed && record.diagnostics.empty()) {
+      record.reason = why_absent(record.stage, record.target);
+      if (!record.reason.empty()) record.status = VariantStatus::absent;
+    }
     judge(record, variant.technique);
     report.records.push_back(std::move(record));
   }

@@ -1,0 +1,113 @@
+#include "preparation/narrower_parameters.h"
+
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "hlsl/word_set.h"
+#include "preparation/declarators.h"
+#include "preparation/postfix_expression.h"
+#include "preparation/value_shape.h"
+#include "preparation/value_types.h"
+
+namespace penumbra::preparation {
+
+namespace {
+
+bool is_matrix(std::string_view number_type) {
+  return number_type.size() > 3 && number_type[number_type.size() - 2] == 'x';
+}
+
+class NarrowArguments {
+ public:
+  explicit NarrowArguments(TokenText& text) : text_(text), types_(text.types()) {}
+
+  void run() {
+    for (const FunctionType& function : types_.functions())
+      functions_[text_.word_number(function.name)].push_back(&function);
+    for (std::size_t at = 1; at + 1 < text_.size(); ++at) {
+      if (!text_.is_word(at) || !text_.is(at + 1, "(") || text_.is(at - 1, ".")) continue;
+      const auto named = functions_.find(text_.word_number(at));
+      if (named != functions_.end() && text_.partner(at + 1) != npos) call(at, named->second);
+    }
+    text_.apply();
+  }
+
+ private:
+  struct Argument {
+    std::size_t first;
+    std::size_t end;
+  };
+
+  std::vector<Argument> arguments(std::size_t open) const {
+    std::vector<Argument> list;
+    const std::size_t close = text_.partner(open);
+    for (std::size_t first = open + 1; first < close;) {
+      std::size_t end = first;
+      while (end < close && !text_.is(end, ",")) end = after_brackets(text_, end);
+      list.push_back({first, end});
+      first = end + 1;
+    }
+    return list;
+  }
+
+  void call(std::size_t name, const std::vector<const FunctionType*>& named) {
+    const std::vector<Argument> given = arguments(name + 1);
+    const FunctionType* called = nullptr;
+    for (const FunctionType* function : named) {
+      if (function->name == name) return;  // its own declaration
+      if (function->parameters.size() != given.size()) continue;
+      if (called != nullptr && function->body != npos && called->body != npos) return;
+      called = function;
+    }
+    for (std::size_t i = 0; called != nullptr && i < given.size(); ++i)
+      narrow(types_.declared()[called->parameters[i]], given[i]);
+  }
+
+  void narrow(const DeclaredValue& parameter, const Argument& argument) {
+    if (!is_number_type(parameter.type.name) || parameter.type.dimensions > 0 || is_written(parameter))
+      return;
+    if (is_matrix(parameter.type.name) || !is_wider(argument, components(parameter.type.name))) return;
+    text_.insert(argument.first, "(" + std::string(parameter.type.name) + ")(");
+    text_.insert(argument.end, ")");
+  }
+
+  bool is_written(const DeclaredValue& parameter) const {
+    for (std::size_t at = parameter.first; at < parameter.type_at; ++at)
+      if (text_.is(at, "out") || text_.is(at, "inout")) return true;
+    return false;
+  }
+
+  bool is_wider(const Argument& argument, std::size_t wanted) const {
+    if (!text_.is_word(argument.first) || postfix_end(text_, argument.first) != argument.end) return false;
+    const std::size_t last = argument.end - 1;
+    const ValueType& type = types_.at(last);
+    if (types_.begin(last) == argument.first && is_number_type(type.name))
+      return type.dimensions == 0 && !is_matrix(type.name) && components(type.name) > wanted;
+    return wanted < 4 && gives_a_vector(argument);
+  }
+
+  // map.Sample(...) or mul(...), whole.
+  bool gives_a_vector(const Argument& argument) const {
+    static constexpr hlsl::WordSet reads("Sample", "SampleLevel", "SampleBias", "SampleGrad", "Load",
+                                         "Gather", "GatherRed", "GatherGreen", "GatherBlue", "GatherAlpha");
+    const std::size_t last = argument.end - 1;
+    const std::size_t open = text_.is(last, ")") ? text_.partner(last) : npos;
+    if (open == npos || open <= argument.first || !text_.is_word(open - 1)) return false;
+    const bool product = open == argument.first + 1 && text_.is(argument.first, "mul");
+    return product || (text_.is(open - 2, ".") && reads.contains(text_[open - 1].spelling));
+  }
+
+  TokenText& text_;
+  const ValueTypes& types_;
+  std::unordered_map<std::uint32_t, std::vector<const FunctionType*>> functions_;  // by a word's number
+};
+
+}  // namespace
+
+void narrow_arguments(TokenText& text) {
+  NarrowArguments(text).run();
+}
+
+}  // namespace penumbra::preparation
