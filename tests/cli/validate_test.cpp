@@ -328,6 +328,29 @@ TEST_F(Validate, LintSpeaksUnlessItIsToldNotTo) {
   EXPECT_THAT(unknown.errors, AllOf(HasSubstr("unknown rule 'negative-power'"), HasSubstr("negative-pow")));
 }
 
+TEST_F(Validate, UseDxcAllowsWhatFxcRefuses) {
+  const std::string falling =
+      "float4 Main(int k : TEXCOORD0) : SV_Target { float v = 0; switch (k) { case 0: v = 1; case 1: v += 1; "
+      "break; } "
+      "return v; }\n";
+  EXPECT_THAT(run({"validate", write("Fxc.hlsl", falling).string(), "--no-cache", "--no-lint"}).output,
+              HasSubstr("Fxc.hlsl:1:72: error: this case has code and ends without break or return"));
+  EXPECT_THAT(
+      run({"validate", write("Dxc.hlsl", "#pragma use_dxc\n" + falling).string(), "--no-cache"}).output,
+      Not(HasSubstr("this case has code")));
+}
+
+TEST_F(Validate, ErrorsOfSourceAndModuleAreReportedTogether) {
+  const std::string file = write("Both.hlsl",
+                                 "Texture2D _Map; SamplerState sampler_Map;\n"
+                                 "float4 Main(float2 uv) : SV_Target\n{\n"
+                                 "    return _Map.Sample(sampler_Map, uv, int2(9, 0));\n}\n")
+                               .string();
+  EXPECT_THAT(run({"validate", file, "--no-cache", "--target", "spirv"}).output,
+              AllOf(HasSubstr("Both.hlsl:2:20: error: 'uv' has no semantic"),
+                    HasSubstr("Both.hlsl:4: error: the offset of a texture read is 9 texels")));
+}
+
 TEST_F(Validate, UnknownTargetsAndFoldersSayTheWayOut) {
   EXPECT_THAT(run(command({"--target", "essl301"})).errors, HasSubstr("essl300"));
   EXPECT_EQ(run({"validate", path("nowhere").string()}).exit_code, 2);

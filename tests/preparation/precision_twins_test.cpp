@@ -18,7 +18,7 @@ using testing::SizeIs;
 
 struct MergedTwins {
   std::string text;
-  std::vector<hlsl::Diagnostic> notes;
+  std::vector<Note> notes;
 };
 
 MergedTwins merge(const std::string& text) {

@@ -28,7 +28,7 @@ using testing::SizeIs;
 
 struct Passed {
   std::string text;  // the tokens with one blank between them
-  std::vector<hlsl::Diagnostic> notes;
+  std::vector<Note> notes;
 };
 
 std::string spaced(const std::string& hlsl) {

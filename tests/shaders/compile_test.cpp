@@ -79,16 +79,17 @@ TEST(Compile, AVersionOfVulkanTakesWhatItHas) {
               testing::Contains("SPIR-V validation for Vulkan 1.0: there is no capability GroupNonUniform"));
 }
 
-// Offsets of a load are constants in Vulkan; the front end takes others, and the validator refuses.
+// The four offsets of a gather are constants in Vulkan; the front end takes others, and the validator
+// refuses.
 TEST(Compile, WhatTheValidatorRefusesIsShownAtItsLine) {
-  const std::string before =
-      "Texture2D<float> _Map;\nStructuredBuffer<int> _Input;\nfloat Read(int by)\n{\n    int2 texel = "
-      "int2(1, 1);\n"
-      "    return _Map.Load(int3(texel, 0), int2(by, by));\n}\n";
-  const CompileResult result = compile_text(compute_shader("Read(_Input[0])", before));
+  const CompileResult result = compile_text(
+      "Texture2D _Map; SamplerState sampler_Map; int2 _By;\nfloat4 Read(float2 uv)\n{\n    uv *= 2;\n"
+      "    return _Map.GatherRed(sampler_Map, uv, _By, _By, _By, _By);\n}\n"
+      "float4 Main(float4 p : SV_Position) : SV_Target\n{\n    return Read(p.xy);\n}\n",
+      hlsl::Stage::fragment);
   EXPECT_TRUE(result.spirv.empty());
-  EXPECT_THAT(first_message(result),
-              AllOf(HasSubstr("shader.hlsl:6: error: SPIR-V validation"), HasSubstr("return _Map.Load")));
+  EXPECT_THAT(first_message(result), AllOf(HasSubstr("shader.hlsl:5: error: SPIR-V validation"),
+                                           HasSubstr("return _Map.GatherRed")));
 }
 
 // The second word of a module is its version of SPIR-V.

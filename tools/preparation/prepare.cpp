@@ -93,8 +93,14 @@ std::span<const Pass> passes() {
   return all;
 }
 
-PreparedShader prepare(std::string preprocessed, const std::string& main_file) {
+PreparedShader prepare(std::string preprocessed, const std::string& main_file,
+                       const std::optional<EntryPoint>& entry) {
   TokenText text(std::move(preprocessed), main_file);
+  if (entry) {
+    check_entry_semantics(text, *entry);
+    if (!entry->dxc) check_switch_cases(text);
+    check_constant_divisions(text);
+  }
   for (const Pass& pass : passes()) pass.run(text);
   return {text.print(), text.notes()};
 }

@@ -6,11 +6,13 @@
 // Documentation~/preparation.md has one line for each.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "hlsl/diagnostic.h"
+#include "preparation/source_checks.h"
 #include "preparation/token_text.h"
 
 namespace penumbra::preparation {
@@ -25,10 +27,12 @@ std::span<const Pass> passes();
 
 struct PreparedShader {
   std::string text;  // with #line directives
-  std::vector<hlsl::Diagnostic> notes;
+  std::vector<Note> notes;
 };
 
 // `preprocessed`: no comments, no macros, #line directives. Lines before the first #line are in `main_file`.
-PreparedShader prepare(std::string preprocessed, const std::string& main_file);
+// With an entry point the source is checked as well (source_checks.h).
+PreparedShader prepare(std::string preprocessed, const std::string& main_file,
+                       const std::optional<EntryPoint>& entry = std::nullopt);
 
 }  // namespace penumbra::preparation

@@ -152,6 +152,7 @@ void TokenText::append_made(const Edit& edit) {
 
 void TokenText::apply() {
   if (edits_.empty()) return;
+  is_edited_ = true;
   std::stable_sort(edits_.begin(), edits_.end(), [](const Edit& a, const Edit& b) {
     return a.first != b.first ? a.first < b.first
                               : a.count == 0 && b.count > 0;  // what goes before comes first
@@ -182,9 +183,23 @@ std::string TokenText::file_of(std::size_t at) const {
   return at < tokens_.size() ? std::string(tokens_[at].file) : main_file_;
 }
 
+bool TokenText::same_line(std::size_t a, std::size_t b) const {
+  return tokens_[a].line == tokens_[b].line && same_file(tokens_[a].file, tokens_[b].file);
+}
+
 void TokenText::note(std::size_t at, hlsl::Severity severity, std::string message) {
-  const int line = at < tokens_.size() ? tokens_[at].line : 0;
-  notes_.push_back({file_of(at), line, 0, severity, std::move(message), {}});
+  const bool is_there = at < tokens_.size();
+  Note note{{file_of(at), is_there ? tokens_[at].line : 0, 0, severity, std::move(message), {}}};
+  if (is_there && !is_edited_) {
+    note.spelling = tokens_[at].spelling;
+    const auto counted = [&](std::size_t other) { return tokens_[other].spelling == note.spelling; };
+    for (std::size_t before = at; before > 0 && same_line(before - 1, at); --before)
+      note.rank += counted(before - 1) ? 1 : 0;
+    note.count = note.rank + 1;
+    for (std::size_t after = at + 1; after < tokens_.size() && same_line(after, at); ++after)
+      note.count += counted(after) ? 1 : 0;
+  }
+  notes_.push_back(std::move(note));
 }
 
 std::string TokenText::print() const {

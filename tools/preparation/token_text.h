@@ -26,6 +26,14 @@ inline constexpr std::size_t npos = static_cast<std::size_t>(-1);
 
 class ValueTypes;
 
+// A message at a token. The preprocessor keeps no columns: `rank` and `count` say which of the line's tokens
+// of that spelling it is (hlsl::column_in); a count of 0, after an edit, that nobody knows.
+struct Note : hlsl::Diagnostic {
+  std::string spelling{};
+  std::size_t rank = 0;
+  std::size_t count = 0;
+};
+
 class TokenText {
  public:
   // `preprocessed`: no comments, no macros, #line directives for places. Lines before the first #line that
@@ -74,7 +82,7 @@ class TokenText {
 
   // A message at a token's place.
   void note(std::size_t at, hlsl::Severity severity, std::string message);
-  const std::vector<hlsl::Diagnostic>& notes() const { return notes_; }
+  const std::vector<Note>& notes() const { return notes_; }
 
   std::string file_of(std::size_t at) const;  // main_file where no #line has named one
   std::string print() const;
@@ -88,6 +96,7 @@ class TokenText {
   };
 
   void find_partners();
+  bool same_line(std::size_t a, std::size_t b) const;
   void append_kept(std::size_t first, std::size_t end);
   void append_made(const Edit& edit);
   std::uint32_t number_of(const hlsl::Token& token);
@@ -105,7 +114,8 @@ class TokenText {
   std::vector<std::uint32_t> partners_;
   std::vector<Edit> edits_;
   std::deque<std::string> made_;  // the spellings that edits put in
-  std::vector<hlsl::Diagnostic> notes_;
+  std::vector<Note> notes_;
+  bool is_edited_ = false;
   // Made when asked for, until apply().
   mutable std::optional<std::vector<hlsl::Declaration>> outline_;
   mutable std::shared_ptr<const ValueTypes> types_;

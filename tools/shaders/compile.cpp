@@ -13,22 +13,20 @@
 #include "input/input_error.h"
 #include "preparation/prepare.h"
 #include "shaders/comparison_reads.h"
-#include "shaders/flat_inputs.h"
-#include "shaders/gather_comparisons.h"
-#include "shaders/lost_resources.h"
+#include "shaders/error_recovery.h"
+#include "shaders/generated_words.h"
+#include "shaders/hlsl_problems.h"
 #include "shaders/macro_expansion.h"
 #include "shaders/matrix_operations.h"
-#include "shaders/misread_textures.h"
 #include "shaders/operation_meanings.h"
 #include "shaders/parse_failure.h"
 #include "shaders/parse_log.h"
-#include "shaders/remainders.h"
-#include "shaders/scalar_conditions.h"
 #include "shaders/source_memory.h"
 #include "shaders/source_shader.h"
 #include "shaders/spirv_module.h"
 #include "shaders/whole_matrices.h"
 #include "shaders/word_blocks.h"
+#include "shaders/zero_divisions.h"
 #include "shaders/zeroed_statics.h"
 
 namespace penumbra::shaders {
@@ -72,7 +70,8 @@ bool parse(const Source& source, glslang::TShader& shader, const hlsl::SourceFil
   const std::string log = shader.getInfoLog();
   for (hlsl::Diagnostic& warning : warnings(log, sources)) result.diagnostics.push_back(std::move(warning));
   if (parsed && !tells_an_error(log, sources)) return true;
-  result.diagnostics.push_back(first_error(failure_of(source, log, source.text), sources));
+  for (hlsl::Diagnostic& error : errors_of(source, log, sources))
+    result.diagnostics.push_back(std::move(error));
   return false;
 }
 
@@ -81,32 +80,15 @@ bool link(const Source& source, const hlsl::SourceFiles& sources, glslang::TProg
   const bool linked = program.link(shader_messages) && program.mapIO();
   const std::string log = program.getInfoLog();
   if (linked && !tells_an_error(log, sources)) return true;
-  result.diagnostics.push_back(
-      link_error(failure_of(source, log, source.text), source.request.entry, sources));
+  result.diagnostics.push_back(link_error(failure_of(source, log, source.text),
+                                          {source.request.entry, source.request.entry_place}, sources));
   return false;
-}
-
-std::vector<std::uint32_t> words_of(const glslang::TIntermediate& tree, bool debug_lines,
-                                    spv::SpvBuildLogger& logger) {
-  glslang::SpvOptions options;
-  options.disableOptimizer = true;  // SPIRV-Tools is called by ourselves
-  options.generateDebugInfo = debug_lines;
-  std::vector<unsigned int> words;
-  glslang::GlslangToSpv(tree, words, &logger, &options);
-  SpirvModule module(words.begin(), words.end());
-  copy_scalar_conditions(module);
-  truncate_remainders(module);
-  make_whole_matrices_arrays(module);
-  zero_statics(module);
-  flatten_integer_inputs(module);
-  drop_gather_bias(module);
-  return module;
 }
 
 // What the SPIR-V back end says: anything it leaves out is an error, or the module would quietly lack it.
 bool generate(const Source& source, const glslang::TIntermediate& tree, CompileResult& result) {
   spv::SpvBuildLogger logger;
-  result.spirv = words_of(tree, source.request.debug_lines, logger);
+  result.spirv = generated_words(tree, source.request.debug_lines, logger);
   std::istringstream lines(logger.getAllMessages());
   bool complete = true;
   for (std::string line; std::getline(lines, line);) {
@@ -116,16 +98,6 @@ bool generate(const Source& source, const glslang::TIntermediate& tree, CompileR
     complete = complete && note;
   }
   return complete;
-}
-
-// Where in the source the validator's first problem lies: the same module, made once more with its lines.
-SourcePlace place_of_problem(const Source& source, const glslang::TIntermediate& tree) {
-  spv::SpvBuildLogger said_before;
-  SpirvModule module = words_of(tree, true, said_before);
-  std::vector<std::string> problems;
-  if (source.request.optimise && !optimise(module, source.request.vulkan, problems)) return {};
-  number_bindings(module);
-  return problem_place(module, source.request.vulkan);
 }
 
 hlsl::Diagnostic at_place(const Source& source, const SourcePlace& place, const hlsl::SourceFiles& sources,
@@ -164,23 +136,24 @@ bool put_right(const Source& source, const hlsl::SourceFiles& sources, glslang::
 bool finish_module(const Source& source, const hlsl::SourceFiles& sources, const glslang::TIntermediate& tree,
                    CompileResult& result) {
   std::vector<std::string> problems;
-  const bool optimised = !source.request.optimise || optimise(result.spirv, source.request.vulkan, problems);
+  const bool wanted = source.request.optimise;
+  const bool divides = divides_by_zero(result.spirv);  // the optimiser takes the result for 0
+  const bool optimised = !wanted || optimise(result.spirv, source.request.vulkan, problems);
   number_bindings(result.spirv);  // after the unused ones are gone
-  if (optimised && source.request.optimise)
+  if (optimised && wanted)
     if (std::optional<SpirvModule> words = with_word_blocks(result.spirv, BlocksAsWords::not_for_vulkan))
       result.spirv = *std::move(words);
-  if (optimised && source.request.optimise) {
-    for (const std::string& lost : lost_resources(result.spirv))
-      result.diagnostics.push_back(whole_file(source, hlsl::Severity::error, lost));
-    for (const std::string& misread : misread_textures(result.spirv))
-      result.diagnostics.push_back(whole_file(source, hlsl::Severity::error, misread));
-    if (hlsl::has_errors(result.diagnostics)) return false;
-  }
-  if (optimised)
-    problems = validation_problems(result.spirv, source.request.vulkan, !source.request.optimise);
+  if (optimised && wanted)
+    for (ModuleProblem& problem : hlsl_problems(source.request, tree, result.spirv, divides))
+      result.diagnostics.push_back(at_place(source, problem.place, sources, std::move(problem.message)));
+  if (hlsl::has_errors(result.diagnostics)) return false;
+  if (optimised) problems = validation_problems(result.spirv, source.request.vulkan, !wanted);
   const std::string validation =
       std::string("SPIR-V validation for Vulkan ") + vulkan_version_name(source.request.vulkan) + ": ";
-  const SourcePlace place = problems.empty() ? SourcePlace{} : place_of_problem(source, tree);
+  const SourcePlace place =
+      problems.empty()
+          ? SourcePlace{}
+          : problem_place(words_with_lines(tree, wanted, source.request.vulkan), source.request.vulkan);
   for (const std::string& problem : problems)
     result.diagnostics.push_back(at_place(source, place, sources, validation + problem));
   return optimised && problems.empty();
@@ -198,9 +171,23 @@ bool build(const Source& source, const hlsl::SourceFiles& sources, CompileResult
   if (!generate(source, tree, result) || !finish_module(source, sources, tree, result)) return false;
   if (!source.request.keep_unoptimised) return true;
   spv::SpvBuildLogger said_before;
-  result.unoptimised = words_of(tree, true, said_before);
+  result.unoptimised = generated_words(tree, true, said_before);
   number_bindings(result.unoptimised);
   return true;
+}
+
+// Of a source that has errors already: what else is wrong with it, on other lines. The validator's messages
+// are of a module that the program's author never asked for.
+void add_further_errors(const Source& source, const hlsl::SourceFiles& sources, CompileResult& result) {
+  CompileResult built;
+  build(source, sources, built);
+  for (hlsl::Diagnostic& said : built.diagnostics) {
+    if (said.message.starts_with("SPIR-V ")) continue;
+    const bool known = std::any_of(
+        result.diagnostics.begin(), result.diagnostics.end(),
+        [&](const hlsl::Diagnostic& other) { return other.file == said.file && other.line == said.line; });
+    if (!known) result.diagnostics.push_back(std::move(said));
+  }
 }
 
 // glslang stops reading at a NUL byte without a word.
@@ -248,10 +235,12 @@ PreprocessedSource expand(const CompileRequest& request, SourceMemory& memory) {
 void prepare(const CompileRequest& request, PreprocessedSource& expanded) {
   if (!request.prepare || expanded.text.empty()) return;
   preparation::PreparedShader prepared =
-      preparation::prepare(std::move(expanded.text), request.file.string());
+      preparation::prepare(std::move(expanded.text), request.file.string(),
+                           preparation::EntryPoint{request.entry, request.stage, request.dxc});
   expanded.text = std::move(prepared.text);
-  for (hlsl::Diagnostic& note : prepared.notes) {
+  for (preparation::Note& note : prepared.notes) {
     note.source_line = expanded.sources.line(note.file, note.line);
+    if (note.count > 0) note.column = hlsl::column_in(note.source_line, note.spelling, note.rank, note.count);
     expanded.diagnostics.push_back(std::move(note));
   }
 }
@@ -269,9 +258,12 @@ CompileResult compile(const CompileRequest& request, PreprocessedSource source) 
   result.diagnostics = std::move(source.diagnostics);
   result.dependencies = std::move(source.dependencies);
   result.missing_editor_include = std::move(source.missing_editor_include);
-  if (!hlsl::has_errors(result.diagnostics) &&
-      !build({request, request.file.string(), source.text, {}}, source.sources, result))
+  if (hlsl::has_errors(result.diagnostics)) {
+    if (!source.text.empty())
+      add_further_errors({request, request.file.string(), source.text, {}}, source.sources, result);
+  } else if (!build({request, request.file.string(), source.text, {}}, source.sources, result)) {
     result.spirv.clear();
+  }
   result.sources = std::move(source.sources);
   return result;
 }

@@ -11,6 +11,7 @@
 #include "hlsl/diagnostic.h"
 #include "hlsl/source_text.h"
 #include "hlsl/stage.h"
+#include "hlsl/token_place.h"
 #include "project/package_root.h"
 #include "shaders/vulkan_version.h"
 
@@ -43,6 +44,8 @@ struct CompileRequest {
   bool debug_lines = false;  // OpLine with file and line before the instructions of each statement
   bool keep_unoptimised = false;               // CompileResult::unoptimised
   VulkanVersion vulkan = VulkanVersion::v1_1;  // that the module is for
+  hlsl::TokenPlace entry_place{};              // of the #pragma that names the entry point; no line: of none
+  bool dxc = false;  // #pragma use_dxc: what Unity's other compiler (FXC) refuses and DXC takes is taken
 };
 
 // A source after includes and macros, and where it is wanted after preparation.

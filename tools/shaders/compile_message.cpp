@@ -50,7 +50,7 @@ int read_place(ByteReader& in) {
 // The members by name and all of them: one more in the struct, and this does not compile until it is written.
 void write(ByteWriter& out, const shaders::CompileRequest& request) {
   const auto& [file, text, entry, stage, defines, roots, directories, project, cginc_root, overlays, prepare,
-               optimise, debug_lines, keep_unoptimised, vulkan] = request;
+               optimise, debug_lines, keep_unoptimised, vulkan, entry_place, dxc] = request;
   out.text(file.string());
   out.number(text ? 1 : 0);
   out.text(text.value_or(""));
@@ -73,6 +73,10 @@ void write(ByteWriter& out, const shaders::CompileRequest& request) {
   out.number(debug_lines ? 1 : 0);
   out.number(keep_unoptimised ? 1 : 0);
   out.number(static_cast<std::uint64_t>(vulkan));
+  out.text(entry_place.file);
+  out.number(static_cast<std::uint64_t>(std::max(entry_place.line, 0)));
+  out.number(static_cast<std::uint64_t>(std::max(entry_place.column, 0)));
+  out.number(dxc ? 1 : 0);
 }
 
 void write(ByteWriter& out, const std::vector<Diagnostic>& diagnostics) {
@@ -99,6 +103,10 @@ CompileRequest read_compile_request(ByteReader& in) {
   request.debug_lines = in.flag();
   request.keep_unoptimised = in.flag();
   request.vulkan = in.enumerator(VulkanVersion::v1_2);
+  request.entry_place.file = in.text();
+  request.entry_place.line = read_place(in);
+  request.entry_place.column = read_place(in);
+  request.dxc = in.flag();
   return request;
 }
 

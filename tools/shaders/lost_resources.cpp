@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
-#include <set>
 
+#include "shaders/debug_lines.h"
 #include "shaders/spirv_words.h"
 
 namespace penumbra::shaders {
@@ -25,9 +25,12 @@ class LostSearch {
  public:
   explicit LostSearch(const SpirvModule& module) : module_(module) {}
 
-  std::vector<std::string> run() {
-    for_each_instruction(module_, [this](SpirvWords instruction) { visit(instruction); });
-    return {sentences_.begin(), sentences_.end()};
+  std::vector<ModuleProblem> run() {
+    for_each_instruction(module_, [this](SpirvWords instruction) {
+      place_ = lines_.visit(instruction);
+      visit(instruction);
+    });
+    return std::move(problems_);
   }
 
  private:
@@ -47,10 +50,9 @@ class LostSearch {
       case spv::OpPhi:
       case spv::OpSelect:
         if (of_resource(instruction))
-          sentences_.insert(
-              "a " + kinds_[instruction[1]] +
-              " is chosen at run time, which HLSL does not allow; read both and choose between the "
-              "results");
+          report("a " + kinds_[instruction[1]] +
+                 " is chosen at run time, which HLSL does not allow; read both and choose between the "
+                 "results");
         break;
       default:
         for (const std::uint32_t id : handles(instruction)) read(id);
@@ -64,21 +66,29 @@ class LostSearch {
   void read(std::uint32_t id) {
     const auto found = undefined_.find(id);
     if (found == undefined_.end()) return;
-    sentences_.insert("a " + found->second +
-                      " that was never set is read; if every path does set it, one function reads it both "
-                      "with a comparison sampler and with another sampler, which glslang miscompiles: use a "
-                      "separate function for each");
+    report("a " + found->second +
+           " that was never set is read; if every path does set it, one function reads it both "
+           "with a comparison sampler and with another sampler, which glslang miscompiles: use a "
+           "separate function for each");
+  }
+
+  void report(std::string message) {
+    ModuleProblem problem{place_, std::move(message)};
+    if (std::find(problems_.begin(), problems_.end(), problem) == problems_.end())
+      problems_.push_back(std::move(problem));
   }
 
   const SpirvModule& module_;
+  DebugLines lines_;
+  SourcePlace place_;
   std::map<std::uint32_t, std::string> kinds_;      // of types
   std::map<std::uint32_t, std::string> undefined_;  // values
-  std::set<std::string> sentences_;
+  std::vector<ModuleProblem> problems_;
 };
 
 }  // namespace
 
-std::vector<std::string> lost_resources(const SpirvModule& module) {
+std::vector<ModuleProblem> lost_resources(const SpirvModule& module) {
   return LostSearch(module).run();
 }
 

@@ -7,15 +7,14 @@
 // allow.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "shaders/spirv_module.h"
 
 namespace penumbra::shaders {
 
-// One sentence for each, once; empty when every texture and sampler that is read is known. For modules after
-// legalisation: before it resources are still passed by value. Reads words of any kind without harm.
-std::vector<std::string> lost_resources(const SpirvModule& module);
+// Each once; empty when every texture and sampler that is read is known. For modules after legalisation:
+// before it resources are still passed by value. Reads words of any kind without harm.
+std::vector<ModuleProblem> lost_resources(const SpirvModule& module);
 
 }  // namespace penumbra::shaders

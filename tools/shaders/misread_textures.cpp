@@ -1,9 +1,10 @@
 #include "shaders/misread_textures.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
-#include <set>
 
+#include "shaders/debug_lines.h"
 #include "shaders/spirv_words.h"
 
 namespace penumbra::shaders {
@@ -33,9 +34,12 @@ class MisreadSearch {
  public:
   explicit MisreadSearch(const SpirvModule& module) : module_(module) {}
 
-  std::vector<std::string> run() {
-    for_each_instruction(module_, [this](SpirvWords instruction) { visit(instruction); });
-    return {sentences_.begin(), sentences_.end()};
+  std::vector<ModuleProblem> run() {
+    for_each_instruction(module_, [this](SpirvWords instruction) {
+      place_ = lines_.visit(instruction);
+      visit(instruction);
+    });
+    return std::move(problems_);
   }
 
  private:
@@ -77,24 +81,32 @@ class MisreadSearch {
     const auto needed = textures_.find(type);
     if (needed == textures_.end() || given->second <= needed->second) return;
     while (sources_.count(image) != 0) image = sources_[image];
-    sentences_.insert("'" + names_[image] + "' is read with " + std::to_string(given->second) +
-                      " coordinates and has " + std::to_string(needed->second) +
-                      ": a texture is passed to a function that takes another kind (an array, where both "
-                      "eyes are drawn at once); declare it as that kind (TEXTURE2D_X)");
+    report("'" + names_[image] + "' is read with " + std::to_string(given->second) + " coordinates and has " +
+           std::to_string(needed->second) +
+           ": a texture is passed to a function that takes another kind (an array, where both "
+           "eyes are drawn at once); declare it as that kind (TEXTURE2D_X)");
+  }
+
+  void report(std::string message) {
+    ModuleProblem problem{place_, std::move(message)};
+    if (std::find(problems_.begin(), problems_.end(), problem) == problems_.end())
+      problems_.push_back(std::move(problem));
   }
 
   const SpirvModule& module_;
+  DebugLines lines_;
+  SourcePlace place_;
   std::map<std::uint32_t, std::string> names_;
   std::map<std::uint32_t, std::uint32_t> textures_;  // coordinates of each image type
   std::map<std::uint32_t, std::uint32_t> vectors_;   // components of each vector type
   std::map<std::uint32_t, std::uint32_t> types_;     // of values
   std::map<std::uint32_t, std::uint32_t> sources_;   // values to what they were made from
-  std::set<std::string> sentences_;
+  std::vector<ModuleProblem> problems_;
 };
 
 }  // namespace
 
-std::vector<std::string> misread_textures(const SpirvModule& module) {
+std::vector<ModuleProblem> misread_textures(const SpirvModule& module) {
   return MisreadSearch(module).run();
 }
 

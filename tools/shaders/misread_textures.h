@@ -4,15 +4,14 @@
 // (specification, OpImageFetch and its kin), so that every layer would be the first.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "shaders/spirv_module.h"
 
 namespace penumbra::shaders {
 
-// One sentence for each, once, by the texture's name where the module has names. For modules after
-// legalisation. Reads words of any kind without harm.
-std::vector<std::string> misread_textures(const SpirvModule& module);
+// Each once, by the texture's name where the module has names. For modules after legalisation. Reads words of
+// any kind without harm.
+std::vector<ModuleProblem> misread_textures(const SpirvModule& module);
 
 }  // namespace penumbra::shaders

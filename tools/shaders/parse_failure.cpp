@@ -238,32 +238,37 @@ std::string recursion(const std::string& caller, const std::string& callee) {
 
 }  // namespace
 
-hlsl::Diagnostic first_error(const ParseFailure& failure, const hlsl::SourceFiles& sources) {
+PlacedError placed_error(const ParseFailure& failure, const hlsl::SourceFiles& sources) {
   const std::vector<LogLine> lines = parse_log(failure.log, sources);
   const LogLine* error = first_error_line(lines);
   if (error != nullptr && failure.include_failure)
-    return of_include(*error, *failure.include_failure, sources);
+    return {of_include(*error, *failure.include_failure, sources), {}};
   // Before anything the parser says about it: a bracket or condition that a file leaves open.
   if (const std::optional<hlsl::OpenPlace> open = hlsl::open_condition(sources))
-    return of_open_place(*open, sources);
+    return {of_open_place(*open, sources), {}};
   const bool placed = error != nullptr && error->line > 0;
   if (!placed || error->message == "Expected" || past_the_end(*error, sources)) {
     const auto code = hlsl::expanded_lines(failure.preprocessed, failure.main_file);
     if (const std::optional<hlsl::OpenPlace> open = hlsl::unbalanced_bracket(code, sources))
-      return of_open_place(*open, sources);
+      return {of_open_place(*open, sources), {}};
   }
   if (!placed)
-    return at_place({failure.main_file, 0, 0}, "the HLSL front end gave up: " + std::string(failure.log),
-                    sources);
+    return {at_place({failure.main_file, 0, 0}, "the HLSL front end gave up: " + std::string(failure.log),
+                     sources),
+            {}};
   if (!of_preprocessor(*error)) {
     const hlsl::TokenPlaces places(failure.preprocessed, failure.main_file);
     if (const std::optional<std::size_t> at = find_token(failure, *error, places, sources))
-      return at_token(*error, *at, places, sources);
+      return {at_token(*error, *at, places, sources), at};
   }
-  return at_line(*error, sources);
+  return {at_line(*error, sources), {}};
 }
 
-hlsl::Diagnostic link_error(const ParseFailure& failure, const std::string& entry,
+hlsl::Diagnostic first_error(const ParseFailure& failure, const hlsl::SourceFiles& sources) {
+  return placed_error(failure, sources).diagnostic;
+}
+
+hlsl::Diagnostic link_error(const ParseFailure& failure, const NamedEntry& entry,
                             const hlsl::SourceFiles& sources) {
   const hlsl::TokenPlaces places(failure.preprocessed, failure.main_file);
   const auto at_function = [&](const std::string& name, const std::string& message) {
@@ -272,9 +277,10 @@ hlsl::Diagnostic link_error(const ParseFailure& failure, const std::string& entr
     return at_place(places.at(at, sources), message, sources);
   };
   if (failure.log.find("Entry point not found") != std::string_view::npos)
-    return at_place({failure.main_file, 0, 0},
-                    "the entry point '" + entry + "' is not defined" + nearest_function(entry, places),
-                    sources);
+    return at_place(
+        entry.place.line > 0 ? entry.place : hlsl::TokenPlace{failure.main_file, 0, 0},
+        "the entry point '" + entry.name + "' is not defined" + nearest_function(entry.name, places),
+        sources);
   std::istringstream lines{std::string(failure.log)};
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line);

@@ -29,6 +29,16 @@ struct SourcePlace {
   int line = 0;  // 1-based; 0: nowhere
 };
 
+// Something in a module that HLSL does not allow.
+struct ModuleProblem {
+  SourcePlace place;  // of modules that keep their debug lines
+  std::string message;
+
+  bool operator==(const ModuleProblem& other) const {
+    return message == other.message && place.line == other.place.line && place.file == other.place.file;
+  }
+};
+
 // Where the first problem of an invalid module lies, of a module that kept its debug lines.
 SourcePlace problem_place(const SpirvModule& module, VulkanVersion vulkan);
 

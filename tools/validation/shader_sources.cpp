@@ -116,6 +116,18 @@ std::string uniforms_of(const std::vector<variants::DynamicKeyword>& keywords) {
   return text;
 }
 
+// Where a message about the entry point as such belongs.
+hlsl::TokenPlace place_of_entry(const variants::Pragmas& pragmas, const std::string& entry,
+                                hlsl::Stage stage) {
+  for (const variants::EntryPoint& found : pragmas.entry_points)
+    if (found.function == entry && found.stage == stage)
+      return {found.place.file, found.place.line, found.place.column};
+  for (const variants::Kernel& kernel : pragmas.kernels)
+    if (kernel.function == entry && stage == hlsl::Stage::compute)
+      return {kernel.place.file, kernel.place.line, kernel.place.column};
+  return {};
+}
+
 }  // namespace
 
 void ShaderSources::add(const project::ShaderFile& file) {
@@ -291,6 +303,9 @@ CompileUnit ShaderSources::unit(const SourceProgram& program, const std::string&
   unit.compile.text = uniforms_of(program.space->dynamic_keywords()) + program.text;
   unit.compile.entry = entry;
   unit.compile.stage = stage;
+  unit.compile.entry_place = place_of_entry(program.pragmas, entry, stage);
+  unit.compile.dxc =
+      variants::compiles_with_dxc(program.pragmas, variants::renderer_name(program.platform.api));
   unit.compile.prepare = true;
   unit.compile.vulkan = program.vulkan;
   const int target = variants::shader_target(program.pragmas, keywords);

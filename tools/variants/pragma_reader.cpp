@@ -260,6 +260,13 @@ bool compiles_for(const Pragmas& pragmas, const std::string& renderer) {
   return pragmas.only_renderers.empty() || contains(pragmas.only_renderers, renderer);
 }
 
+bool compiles_with_dxc(const Pragmas& pragmas, const std::string& renderer) {
+  return std::any_of(pragmas.options.begin(), pragmas.options.end(), [&](const PragmaOption& option) {
+    const bool named = option.arguments.empty() || contains(option.arguments, renderer);
+    return named && (option.name == "use_dxc" || option.name == "require_dxc");
+  });
+}
+
 int shader_target(const Pragmas& pragmas, const Keywords& variant) {
   int model = 25;
   if (has_stage(pragmas, hlsl::Stage::geometry)) model = 40;

@@ -113,6 +113,9 @@ Pragmas read_pragmas(const ProgramText& program);
 // Whether the program is meant for a graphics API, by its name in only_renderers: "vulkan", "d3d11", "gles3".
 bool compiles_for(const Pragmas& pragmas, const std::string& renderer);
 
+// Whether a #pragma use_dxc asks for Unity's other compiler on that graphics API.
+bool compiles_with_dxc(const Pragmas& pragmas, const std::string& renderer);
+
 // SHADER_TARGET of a variant: the highest model that applies, at least 25 (the default), 40 with a geometry
 // and 46 with a tessellation stage (Unity Manual, "Targeting shader models and GPU features",
 // SL-ShaderCompileTargets).

@@ -1,0 +1,192 @@
+// What Unity's compilers refuse in a source is said at its place, and nothing that they take.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "hlsl/token_place.h"
+#include "preparation/prepare.h"
+
+namespace penumbra::preparation {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::vector<std::string> said(const std::string& text, const EntryPoint& entry = {"Frag"}) {
+  std::vector<std::string> all;
+  for (const hlsl::Diagnostic& note : prepare(text, "a", entry).notes)
+    all.push_back(std::to_string(note.line) + ":" +
+                  (note.severity == hlsl::Severity::error ? " error: " : " warning: ") + note.message);
+  return all;
+}
+
+std::string fragment(const std::string& body) {
+  return "int n;\nfloat4 Frag(float4 p : SV_Position) : SV_Target {\n" + body + "\nreturn 1; }\n";
+}
+
+std::vector<std::string> said_of_cases(const std::string& cases) {
+  return said(fragment("float v = 0; switch (n) {\n" + cases + "\n}"));
+}
+
+TEST(SourceChecks, SayWhichOfTheLinesTokensIsMeant) {
+  const std::string line =
+      "int n; int Two() { switch (n) { case 0: case 1: n = 1; case 2: break; } return 2; }";
+  const std::vector<Note> notes = prepare(line, "a", EntryPoint{"Frag"}).notes;
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_EQ(notes[0].spelling, "case");
+  EXPECT_EQ(notes[0].rank, 1U);
+  EXPECT_EQ(notes[0].count, 3U);
+  EXPECT_EQ(hlsl::column_in(line, notes[0].spelling, notes[0].rank, notes[0].count), 41);
+}
+
+TEST(SwitchCases, WithCodeEndInBreakOrReturn) {
+  EXPECT_THAT(
+      said_of_cases("case 0: v = 1;\ncase 1: v += 2; break;"),
+      ElementsAre("4: error: this case has code and ends without break or return, and HLSL does not fall "
+                  "through: end it with break, or repeat the code of the next one"));
+  EXPECT_THAT(said_of_cases("case 0: break;\ncase 1: v = 1;"), ElementsAre(HasSubstr("5: error: this case")));
+  EXPECT_THAT(said_of_cases("case 0: break;\ndefault: discard;"),
+              ElementsAre(HasSubstr("5: error: this case")));
+  EXPECT_THAT(said_of_cases("case 0: if (n > 2) break;\ndefault: break;"),
+              ElementsAre(HasSubstr("4: error: this case")));
+  EXPECT_THAT(said_of_cases("case n ? 1 : 2: { v = 1; }\ncase 3: break;"),
+              ElementsAre(HasSubstr("4: error: this case")));
+}
+
+TEST(SwitchCases, MayShareCodeAndEndInManyWays) {
+  EXPECT_THAT(said_of_cases("case 0: case 1: v = 1; break; default: case 3: break;"), IsEmpty());
+  EXPECT_THAT(said_of_cases("case 0: { v = 1; break; } case 1: { v = 2; } break; case A::b: return 2;"),
+              IsEmpty());
+  EXPECT_THAT(
+      said_of_cases("case 0: if (n) { return 1; } else if (v) return 2; else { break; } case 1: break;"),
+      IsEmpty());
+  EXPECT_THAT(said_of_cases("case 0: v = 1; if (true) break; v = 9; case 1: if (false) break; v = 2; break;"),
+              IsEmpty());
+  EXPECT_THAT(said_of_cases(
+                  "case 0: [branch] if (n) { v = 1; } ; [unroll] for (int i = 0; i < 2; ++i) v += i; break;"),
+              IsEmpty());
+  EXPECT_THAT(said_of_cases("case 0: switch (n) { case 1: return 1; default: return 2; } case 1: break;"),
+              IsEmpty());
+}
+
+TEST(SwitchCases, EndInAStatementAndContinueNoLoopAround) {
+  EXPECT_THAT(said_of_cases("case 0: return 1;\ndefault:"),
+              ElementsAre("5: error: the last case of a switch is empty: write break"));
+  EXPECT_THAT(said_of_cases("case 0: return 1;\ndefault: ;"), IsEmpty());
+  const std::string loop = "for (int i = 0; i < n; ++i) {\n";
+  EXPECT_THAT(
+      said(fragment(loop + "switch (n) {\ncase 0: if (i > 2) { continue; } break; } }")),
+      ElementsAre("5: error: HLSL has no continue in a switch: set a variable, and continue after the "
+                  "switch"));
+  EXPECT_THAT(said(fragment(loop + "switch (n) { case 0: " + loop +
+                            "if (i > 2) continue; }\ndo { if (n) continue; "
+                            "} while (n > 8); break; }\nif (n > 3) continue; }")),
+              IsEmpty());
+}
+
+TEST(SwitchCases, FallThroughForDxc) {
+  const std::string text = fragment("float v = 0; switch (n) { case 0: v = 1; case 1: break; }");
+  EXPECT_THAT(said(text, {"Frag", hlsl::Stage::fragment, true}), IsEmpty());
+}
+
+TEST(SwitchCases, OfAnyDepthAreReadWithoutHarm) {
+  std::string deep;
+  for (int i = 0; i < 5000; ++i) deep += "if (n) ";
+  EXPECT_THAT(said_of_cases("case 0: " + deep + "break;"), ElementsAre(HasSubstr("4: error: this case")));
+}
+
+TEST(EntrySemantics, AreThereOnEveryInputAndOutput) {
+  EXPECT_THAT(said("float4 Frag(float4 p : SV_Position,\nfloat2 uv) : SV_Target { return 1; }"),
+              ElementsAre("2: error: 'uv' has no semantic, and is an input of the fragment program"));
+  EXPECT_THAT(
+      said("float4 Frag(float4 p : SV_Position)\n{ return 1; }"),
+      ElementsAre("1: error: what 'Frag' returns has no semantic, and is an output of the fragment program"));
+  EXPECT_THAT(
+      said("struct I { float4 p : SV_Position;\nfloat2 uv, st : TEXCOORD1; };\nfloat4 Frag(I i) : SV_Target "
+           "{ return 1; }"),
+      ElementsAre("2: error: 'uv' has no semantic, and is an input of the fragment program"));
+  EXPECT_THAT(
+      said("struct A {\nhalf3 n[2]; };\nstruct B : A { float4 c : SV_Target; };\nvoid Frag(out B b) { }"),
+      ElementsAre("2: error: 'n' has no semantic, and is an output of the fragment program"));
+  EXPECT_THAT(
+      said(
+          "struct V { float4 p : SV_Position;\nfloat2 uv; };\n[maxvertexcount(3)] void Frag(triangle V v[3], "
+          "inout TriangleStream<V> s) { }",
+          {"Frag", hlsl::Stage::geometry}),
+      ElementsAre("2: error: 'uv' has no semantic, and is an input of the geometry program"));
+}
+
+TEST(EntrySemantics, AreTheStagesOwn) {
+  EXPECT_THAT(said("float4 Frag(float4 p : SV_Positon) :\nSV_Traget { return 1; }"),
+              testing::UnorderedElementsAre(
+                  "1: error: 'SV_Positon' is not a system value of HLSL; did you mean 'SV_Position'?",
+                  "2: error: 'SV_Traget' is not a system value of HLSL; did you mean 'SV_Target'?"));
+  EXPECT_THAT(said("float4 Frag() : TEXCOORD0 { return 1; }"),
+              ElementsAre("1: error: 'TEXCOORD0' is not an output of a fragment program"));
+  EXPECT_THAT(said("[numthreads(1,1,1)] void Frag(uint3 id : TEXCOORD0) { }", {"Frag", hlsl::Stage::compute}),
+              ElementsAre(HasSubstr("1: error: 'TEXCOORD0' is not an input of a compute program")));
+  EXPECT_THAT(
+      said("float4 Frag(float4 p : POSITON) : SV_Position { return p; }", {"Frag", hlsl::Stage::vertex}),
+      ElementsAre("1: warning: 'POSITON' is nothing that Unity's meshes have; did you mean 'POSITION'?"));
+}
+
+TEST(EntrySemantics, OfSystemValuesAreThoseOfTheStage) {
+  EXPECT_THAT(said("float4 Frag(uint v : SV_VertexID) : SV_Target { return v; }"),
+              ElementsAre("1: error: 'SV_VertexID' is not an input of a fragment program"));
+  EXPECT_THAT(
+      said("float4 Frag(float4 p : SV_Target) : SV_Position { return p; }", {"Frag", hlsl::Stage::vertex}),
+      ElementsAre("1: error: 'SV_Target' is not an input of a vertex program"));
+  EXPECT_THAT(said("float4 Frag(out uint v : SV_VertexID) : SV_Position { v = 0; return 1; }",
+                   {"Frag", hlsl::Stage::vertex}),
+              ElementsAre("1: error: 'SV_VertexID' is not an output of a vertex program"));
+  EXPECT_THAT(
+      said("struct V { float4 p : SV_POSITION; uint i : SV_InstanceID; uint l : SV_RenderTargetArrayIndex; "
+           "float c[2] : SV_ClipDistance0; };\nV Frag(float4 p : SV_Position, uint v : SV_VertexID, uint i : "
+           "SV_InstanceID) { V o; return o; }",
+           {"Frag", hlsl::Stage::vertex}),
+      IsEmpty());
+  EXPECT_THAT(
+      said("float4 Frag(float4 p : SV_Position, bool f : SV_IsFrontFace, uint s : SV_SampleIndex, uint c : "
+           "SV_Coverage, uint k : SV_PrimitiveID, uint i : SV_InstanceID, float x : MYSEM0) : SV_Target7 { "
+           "return f; }"),
+      IsEmpty());
+}
+
+TEST(EntrySemantics, MayComeFromAroundAndInOldWords) {
+  EXPECT_THAT(said("void Frag(inout half4 c : SV_Target) { }"), IsEmpty()) << "framebuffer fetch";
+  EXPECT_THAT(said("float4 Frag(float2 uv : ) : SV_Target { return 1; }"), IsEmpty())
+      << "the parser's to report";
+  EXPECT_THAT(
+      said("struct In { struct { float2 uv : TEXCOORD0; } m; };\nstruct A { float a; float2 b; static const "
+           "int c = 1; float Sum() { return a; } float d(int x); };\nstruct Out { half4 a : SV_TARGET0; "
+           "float d : sv_depth; };\nOut Frag(In i, A a : CASCADE, uniform float k, Texture2D t, bool f : "
+           "SV_IsFrontFace, float face : VFACE) { Out o; return o; }"),
+      IsEmpty());
+  EXPECT_THAT(said("float4 Frag() : COLOR { return 1; }"), IsEmpty());
+  EXPECT_THAT(said("float4 Frag(float t : A) : bogus : SV_Target { return 1; }"), IsEmpty());
+  EXPECT_THAT(said("void Frag(float4 p : SV_Position, out float4 c : SV_Target, out float d : SV_Depth) { }"),
+              IsEmpty());
+  EXPECT_THAT(said("struct V { precise nointerpolation min16float3 n : NORMAL; real_t r; };\nvoid Frag(const "
+                   "V v) { }"),
+              IsEmpty());
+  EXPECT_THAT(said("struct C { float3 p : INTERNALTESSPOS; };\nC Frag(InputPatch<C, 3> patch, uint id : "
+                   "SV_OutputControlPointID) { return patch[id]; }",
+                   {"Frag", hlsl::Stage::hull}),
+              IsEmpty());
+  EXPECT_THAT(said("float4 Vert() { return 1; }"), IsEmpty()) << "no entry point";
+}
+
+TEST(ConstantDivisions, OfIntegersByZeroAreRefused) {
+  EXPECT_THAT(said(fragment("int a = 1 / 0;")), ElementsAre("3: error: an integer is divided by zero"));
+  EXPECT_THAT(said("static const int N = 0;\n" + fragment("int a = 8u % N;")),
+              ElementsAre("4: error: an integer is divided by zero"));
+  EXPECT_THAT(said("static const uint A = 3;\n" + fragment("int a = A / 0x0;")),
+              ElementsAre("4: error: an integer is divided by zero"));
+  EXPECT_THAT(
+      said("static const int N = 0;\n" +
+           fragment("float a = 1.0 / 0; float b = 1 / 0.0; int c = N > 0 ? 8 / N : 0; int d = 8 / n;")),
+      IsEmpty());
+}
+
+}  // namespace
+}  // namespace penumbra::preparation

@@ -1,0 +1,97 @@
+#include <algorithm>
+#include <set>
+#include <string_view>
+
+#include "preparation/source_checks.h"
+
+namespace penumbra::preparation {
+
+namespace {
+
+bool is_integer(std::string_view number) {
+  const bool hexadecimal = number.starts_with("0x") || number.starts_with("0X");
+  if (hexadecimal) number.remove_prefix(2);
+  while (!number.empty() && std::string_view("uUlL").find(number.back()) != std::string_view::npos)
+    number.remove_suffix(1);
+  return !number.empty() && std::all_of(number.begin(), number.end(), [&](char c) {
+    return (c >= '0' && c <= '9') || (hexadecimal && ((c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F')));
+  });
+}
+
+bool is_zero_literal(std::string_view number) {
+  return is_integer(number) && number.find_first_of("123456789abcdefABCDEF") == std::string_view::npos;
+}
+
+class ConstantDivisions {
+ public:
+  explicit ConstantDivisions(TokenText& text) : text_(text) {}
+
+  void run() {
+    for (std::size_t at = 1; at + 1 < text_.size(); ++at)
+      if (text_.is(at, "/") || text_.is(at, "%")) divide(at);
+  }
+
+ private:
+  void divide(std::size_t at) {
+    const std::size_t divisor = at + 1;
+    if (text_[divisor].kind == hlsl::Token::Kind::number) {
+      if (!is_zero_literal(text_[divisor].spelling)) return;
+    } else if (!text_.is_word(divisor) || constants().zeros.count(text_[divisor].spelling) == 0) {
+      return;
+    }
+    const bool is_first = at < 2 || !(text_.is(at - 2, ".") || text_.is(at - 2, "-"));
+    const bool by_number =
+        text_[at - 1].kind == hlsl::Token::Kind::number && is_integer(text_[at - 1].spelling);
+    const bool by_name =
+        text_.is_word(at - 1) && is_first && constants().all.count(text_[at - 1].spelling) != 0;
+    if ((by_number || by_name) && !text_.is(divisor + 1, ".") && !is_conditional(at))
+      text_.note(at, hlsl::Severity::error, "an integer is divided by zero");
+  }
+
+  // What a compiler does with the way that is not taken is not known: those are left alone.
+  bool is_conditional(std::size_t at) const {
+    for (; at > 0 && !text_.is(at, ";") && !text_.is(at, "{") && !text_.is(at, "}"); --at)
+      if (text_.is(at, "?") || text_.is(at, "if")) return true;
+    return false;
+  }
+
+  struct Constants {
+    std::set<std::string_view> all;    // integers at file scope, static and const, of one literal
+    std::set<std::string_view> zeros;  // of these
+  };
+
+  const Constants& constants() {
+    if (read_) return constants_;
+    read_ = true;
+    for (const hlsl::Declaration& declaration : text_.outline()) {
+      if (declaration.kind != hlsl::Declaration::Kind::variable || declaration.name == npos) continue;
+      bool is_static = false;
+      bool is_const = false;
+      bool is_int = false;
+      for (std::size_t at = declaration.type; at < declaration.name; ++at) {
+        is_static = is_static || text_.is(at, "static");
+        is_const = is_const || text_.is(at, "const");
+        is_int = is_int || text_.is(at, "int") || text_.is(at, "uint");
+      }
+      const std::size_t value = declaration.name + 2;
+      if (!is_static || !is_const || !is_int || !text_.is(declaration.name + 1, "=") ||
+          value + 1 != declaration.last || !is_integer(text_[value].spelling))
+        continue;
+      constants_.all.insert(text_[declaration.name].spelling);
+      if (is_zero_literal(text_[value].spelling)) constants_.zeros.insert(text_[declaration.name].spelling);
+    }
+    return constants_;
+  }
+
+  TokenText& text_;
+  bool read_ = false;
+  Constants constants_;
+};
+
+}  // namespace
+
+void check_constant_divisions(TokenText& text) {
+  ConstantDivisions(text).run();
+}
+
+}  // namespace penumbra::preparation

@@ -1,0 +1,274 @@
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "hlsl/word_set.h"
+#include "input/nearest_name.h"
+#include "preparation/semantic_names.h"
+#include "preparation/source_checks.h"
+
+namespace penumbra::preparation {
+
+namespace {
+
+constexpr int deepest_struct = 16;  // structs in structs
+
+struct Direction {
+  bool in = false;
+  bool out = false;
+};
+
+// `float2 uv[2] : TEXCOORD0`, of a parameter, a member or a return value.
+struct Value {
+  std::size_t type = npos;      // its type's first token
+  std::size_t name = npos;      // where a message about it belongs
+  std::size_t semantic = npos;  // the word; npos without one
+  Direction direction;
+  bool exempt = false;  // uniform, static, with a ':' that no semantic follows
+};
+
+bool is_type_modifier(std::string_view word) {
+  static constexpr hlsl::WordSet modifiers(
+      "const", "precise", "inline", "linear", "centroid", "nointerpolation", "noperspective", "sample",
+      "row_major", "column_major", "snorm", "unorm", "volatile", "point", "line", "triangle", "lineadj",
+      "triangleadj", "export", "struct", "globallycoherent");
+  return modifiers.contains(word);
+}
+
+// Types whose values are inputs and outputs; of others (textures, aliases) nothing is said.
+bool is_numeric(std::string_view type) {
+  const std::size_t digit = type.find_first_of("0123456789");
+  static constexpr hlsl::WordSet scalars("bool", "int", "uint", "dword", "half", "float", "double", "fixed",
+                                         "vector", "matrix");
+  if (type.starts_with("min") || type.starts_with("float16") || type.starts_with("int16") ||
+      type.starts_with("uint16"))
+    return type.find("_t") != std::string_view::npos || type.starts_with("min1");
+  return scalars.contains(type.substr(0, digit)) &&
+         (digit == std::string_view::npos || type.substr(digit).size() == 1 ||
+          (type.substr(digit).size() == 3 && type[digit + 1] == 'x'));
+}
+
+// Types that hold several of what stands between their < and >.
+bool holds_elements(std::string_view type) {
+  static constexpr hlsl::WordSet types("InputPatch", "OutputPatch", "PointStream", "LineStream",
+                                       "TriangleStream");
+  return types.contains(type);
+}
+
+class EntrySemantics {
+ public:
+  EntrySemantics(TokenText& text, const EntryPoint& entry) : text_(text), entry_(entry) {}
+
+  void run() {
+    const hlsl::Declaration* function = the_function();
+    if (function == nullptr || function->parameters_close == npos) return;
+    check(returned(*function), 0);
+    for (std::size_t at = function->parameters_open + 1; at < function->parameters_close;) {
+      const std::size_t end = element_end(at, function->parameters_close, ",");
+      check(value(at, end), 0);
+      at = end + 1;
+    }
+  }
+
+ private:
+  std::string_view word(std::size_t at) const { return text_[at].spelling; }
+
+  const hlsl::Declaration* the_function() const {
+    const hlsl::Declaration* found = nullptr;
+    for (const hlsl::Declaration& declaration : text_.outline()) {
+      if (declaration.kind != hlsl::Declaration::Kind::function || word(declaration.name) != entry_.name)
+        continue;
+      if (found != nullptr) return nullptr;
+      found = &declaration;
+    }
+    return found;
+  }
+
+  const hlsl::Declaration* structure(std::string_view name) const {
+    for (const hlsl::Declaration& declaration : text_.outline())
+      if (declaration.kind == hlsl::Declaration::Kind::structure && declaration.name != npos &&
+          declaration.open != npos && declaration.scope.empty() && word(declaration.name) == name)
+        return &declaration;
+    return nullptr;
+  }
+
+  // The next of these marks outside of brackets and angles; `end` without one.
+  std::size_t element_end(std::size_t at, std::size_t end, std::string_view mark) const {
+    for (int angles = 0; at < end; ++at) {
+      if ((text_.is(at, "(") || text_.is(at, "[") || text_.is(at, "{")) && text_.partner(at) != npos) {
+        at = text_.partner(at);
+        continue;
+      }
+      angles += text_.is(at, "<") ? 1 : text_.is(at, ">") ? -1 : 0;
+      if (angles == 0 && text_.is(at, mark)) return at;
+    }
+    return end;
+  }
+
+  // The last of `: A : B`.
+  void read_semantic(std::size_t first, std::size_t end, Value& value) const {
+    value.semantic = npos;
+    bool has_other = false;  // a register, or nothing, which the parser reports
+    for (std::size_t at = first; at < end && !text_.is(at, "="); ++at) {
+      if (!text_.is(at, ":")) continue;
+      const bool is_semantic = at + 1 < end && text_.is_word(at + 1) && !text_.is(at + 2, "(");
+      if (is_semantic) value.semantic = at + 1;
+      has_other = has_other || !is_semantic;
+    }
+    value.exempt = value.exempt || (has_other && value.semantic == npos);
+  }
+
+  std::size_t behind_type(std::size_t type, std::size_t end) const {
+    std::size_t at = type + 1;
+    if (!text_.is(at, "<")) return at;
+    for (int depth = 0; at < end; ++at) {
+      depth += text_.is(at, "<") ? 1 : text_.is(at, ">") ? -1 : 0;
+      if (depth == 0) return at + 1;
+    }
+    return end;
+  }
+
+  std::optional<Value> value(std::size_t first, std::size_t end) const {
+    Value value;
+    value.direction.in = true;
+    std::size_t at = first;
+    for (; at < end; ++at) {
+      if (text_.is(at, "[") && text_.partner(at) != npos) {  // an attribute
+        at = text_.partner(at);
+      } else if (text_.is(at, "uniform") || text_.is(at, "static")) {
+        value.exempt = true;
+      } else if (text_.is(at, "out")) {
+        value.direction = {false, true};
+      } else if (text_.is(at, "inout")) {
+        value.direction = {true, true};
+      } else if (!text_.is(at, "in") && !is_type_modifier(word(at))) {
+        break;
+      }
+    }
+    if (at >= end || !text_.is_word(at)) return std::nullopt;
+    value.type = at;
+    value.name = behind_type(at, end);
+    if (value.name >= end || !text_.is_word(value.name)) return std::nullopt;
+    read_semantic(value.name + 1, end, value);
+    return value;
+  }
+
+  std::optional<Value> returned(const hlsl::Declaration& function) const {
+    Value value;
+    value.direction.out = true;
+    value.type = function.type;
+    while (value.type < function.name && (is_type_modifier(word(value.type)) ||
+                                          text_.is(value.type, "static") || !text_.is_word(value.type)))
+      ++value.type;
+    if (value.type >= function.name) return std::nullopt;
+    value.name = function.name;
+    read_semantic(function.parameters_close + 1, function.open, value);
+    return value;
+  }
+
+  void check(const std::optional<Value>& value, int depth) {
+    if (!value || value->exempt || depth > deepest_struct || text_.is(value->type, "void")) return;
+    if (value->semantic != npos) return judge(*value);
+    std::string_view type = word(value->type);
+    Direction direction = value->direction;
+    if (holds_elements(type)) {
+      if (!text_.is(value->type + 1, "<")) return;
+      direction = type.ends_with("Stream") ? Direction{false, true} : Direction{true, false};
+      type = word(value->type + 2);
+    }
+    if (const hlsl::Declaration* members = structure(type)) {
+      check_members(*members, direction, depth + 1);
+    } else if (is_numeric(type)) {
+      report(value->name, missing(*value));
+    }
+  }
+
+  std::string missing(const Value& value) const {
+    const bool result = word(value.name) == entry_.name;
+    const std::string what =
+        result ? "what '" + entry_.name + "' returns" : "'" + std::string(word(value.name)) + "'";
+    return what + " has no semantic, and is an " + (value.direction.in ? "input" : "output") + " of the " +
+           hlsl::stage_name(entry_.stage) + " program";
+  }
+
+  void check_members(const hlsl::Declaration& of, Direction direction, int depth) {
+    if (depth > deepest_struct || !checked_.insert({&of, direction.out}).second) return;
+    for (std::size_t at = of.name + 1; at < of.open; ++at)  // its bases
+      if (text_.is_word(at))
+        if (const hlsl::Declaration* base = structure(word(at)))
+          if (base != &of) check_members(*base, direction, depth + 1);
+    for (std::size_t at = of.open + 1; at < of.close;) {
+      const std::size_t semicolon = element_end(at, of.close, ";");
+      if (const std::size_t behind = behind_function(at, semicolon); behind != npos) {
+        at = behind;
+        continue;
+      }
+      check_declarators(at, semicolon, direction, depth);
+      at = semicolon + 1;
+    }
+  }
+
+  // One past a member function that stands here; npos for other members.
+  std::size_t behind_function(std::size_t first, std::size_t end) const {
+    for (std::size_t at = first; at < end; ++at) {
+      if (text_.is(at, ":") || text_.is(at, "=")) return npos;
+      if (text_.is(at, "[") && text_.partner(at) != npos) at = text_.partner(at);
+      if (!text_.is(at, "(") || text_.partner(at) == npos) continue;
+      for (std::size_t body = text_.partner(at) + 1; body < end; ++body)
+        if (text_.is(body, "{") && text_.partner(body) != npos) return text_.partner(body) + 1;
+      return end + 1;
+    }
+    return npos;
+  }
+
+  // `float a : A, b : B;`
+  void check_declarators(std::size_t first, std::size_t end, Direction direction, int depth) {
+    std::size_t at = element_end(first, end, ",");
+    std::optional<Value> member = value(first, at);
+    if (!member || text_.is(member->type + 1, "{")) return;
+    while (true) {
+      member->direction = direction;
+      check(member, depth);
+      if (at >= end) return;
+      const std::size_t next = element_end(at + 1, end, ",");
+      if (!text_.is_word(at + 1)) return;
+      member->name = at + 1;
+      read_semantic(at + 2, next, *member);
+      at = next;
+    }
+  }
+
+  void judge(const Value& value) {
+    const std::string semantic(word(value.semantic));
+    // `inout half4 c : SV_Target` reads the pixel that is there (#pragma require framebufferfetch).
+    const bool fetches = value.direction.in && value.direction.out && entry_.stage == hlsl::Stage::fragment;
+    if (value.direction.in && !fetches)
+      judge(value.semantic, semantic, semantic_problem(semantic, entry_.stage, true));
+    if (value.direction.out) judge(value.semantic, semantic, semantic_problem(semantic, entry_.stage, false));
+  }
+
+  void judge(std::size_t at, const std::string& semantic, const SemanticProblem& problem) {
+    if (problem.words.empty()) return;
+    if (!reported_.insert(at).second) return;
+    text_.note(at, problem.severity, "'" + semantic + "' " + problem.words);
+  }
+
+  void report(std::size_t at, std::string message) {
+    if (reported_.insert(at).second) text_.note(at, hlsl::Severity::error, std::move(message));
+  }
+
+  TokenText& text_;
+  const EntryPoint& entry_;
+  std::set<std::pair<const hlsl::Declaration*, bool>> checked_;
+  std::set<std::size_t> reported_;
+};
+
+}  // namespace
+
+void check_entry_semantics(TokenText& text, const EntryPoint& entry) {
+  EntrySemantics(text, entry).run();
+}
+
+}  // namespace penumbra::preparation

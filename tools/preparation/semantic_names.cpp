@@ -1,0 +1,149 @@
+#include "preparation/semantic_names.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "input/nearest_name.h"
+
+namespace penumbra::preparation {
+
+namespace {
+
+using Names = std::vector<std::string>;
+
+const Names& system_values() {
+  static const Names names{"SV_Barycentrics",
+                           "SV_ClipDistance",
+                           "SV_Coverage",
+                           "SV_CullDistance",
+                           "SV_CullPrimitive",
+                           "SV_Depth",
+                           "SV_DepthGreaterEqual",
+                           "SV_DepthLessEqual",
+                           "SV_DispatchThreadID",
+                           "SV_DomainLocation",
+                           "SV_GroupID",
+                           "SV_GroupIndex",
+                           "SV_GroupThreadID",
+                           "SV_GSInstanceID",
+                           "SV_InnerCoverage",
+                           "SV_InsideTessFactor",
+                           "SV_InstanceID",
+                           "SV_IsFrontFace",
+                           "SV_OutputControlPointID",
+                           "SV_Position",
+                           "SV_PrimitiveID",
+                           "SV_RenderTargetArrayIndex",
+                           "SV_SampleIndex",
+                           "SV_ShadingRate",
+                           "SV_StartInstanceLocation",
+                           "SV_StartVertexLocation",
+                           "SV_StencilRef",
+                           "SV_Target",
+                           "SV_TessFactor",
+                           "SV_VertexID",
+                           "SV_ViewID",
+                           "SV_ViewportArrayIndex"};
+  return names;
+}
+
+// Those of Direct3D 9 that Unity's compilers still take are among them.
+const Names& fragment_outputs() {
+  static const Names names{
+      "SV_Target", "SV_Depth", "SV_DepthGreaterEqual", "SV_DepthLessEqual", "SV_Coverage", "SV_StencilRef",
+      "COLOR",     "DEPTH"};
+  return names;
+}
+
+const Names& compute_inputs() {
+  static const Names names{"SV_DispatchThreadID", "SV_GroupID", "SV_GroupIndex", "SV_GroupThreadID"};
+  return names;
+}
+
+// Of the system values alone; the table of Microsoft's compiler (docs/DXIL.rst of DirectXShaderCompiler,
+// "Signature points"), in which some are taken there for names of one's own. Empty: not judged.
+const Names& stage_values(hlsl::Stage stage, bool input) {
+  static const Names none;
+  static const Names vertex_inputs{
+      "SV_VertexID",     "SV_InstanceID",   "SV_StartInstanceLocation",  "SV_StartVertexLocation",
+      "SV_ViewID",       "SV_Position",     "SV_RenderTargetArrayIndex", "SV_ViewportArrayIndex",
+      "SV_ClipDistance", "SV_CullDistance", "SV_CullPrimitive",          "SV_ShadingRate"};
+  static const Names vertex_outputs{
+      "SV_Position",     "SV_RenderTargetArrayIndex", "SV_ViewportArrayIndex", "SV_ClipDistance",
+      "SV_CullDistance", "SV_CullPrimitive",          "SV_InstanceID",         "SV_ShadingRate"};
+  static const Names fragment_inputs{"SV_Position",
+                                     "SV_RenderTargetArrayIndex",
+                                     "SV_ViewportArrayIndex",
+                                     "SV_ClipDistance",
+                                     "SV_CullDistance",
+                                     "SV_CullPrimitive",
+                                     "SV_InstanceID",
+                                     "SV_ShadingRate",
+                                     "SV_PrimitiveID",
+                                     "SV_IsFrontFace",
+                                     "SV_SampleIndex",
+                                     "SV_Coverage",
+                                     "SV_InnerCoverage",
+                                     "SV_Barycentrics",
+                                     "SV_ViewID"};
+  if (stage == hlsl::Stage::vertex) return input ? vertex_inputs : vertex_outputs;
+  return stage == hlsl::Stage::fragment && input ? fragment_inputs : none;
+}
+
+const Names& vertex_inputs() {
+  static const Names names{"POSITION", "NORMAL",       "TANGENT",     "TEXCOORD",
+                           "COLOR",    "BLENDWEIGHTS", "BLENDWEIGHT", "BLENDINDICES"};
+  return names;
+}
+
+std::string upper(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+  return text;
+}
+
+std::string without_index(const std::string& semantic) {
+  const std::size_t last = semantic.find_last_not_of("0123456789");
+  return last == std::string::npos ? std::string() : semantic.substr(0, last + 1);
+}
+
+bool is_one_of(const std::string& name, const Names& names) {
+  return std::any_of(names.begin(), names.end(),
+                     [&](const std::string& one) { return upper(one) == upper(name); });
+}
+
+std::string hint(const std::string& name, const Names& names) {
+  const std::string nearest = name.size() > 40 ? std::string() : nearest_name(name, names);
+  return nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
+}
+
+std::string listed(const Names& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+}  // namespace
+
+SemanticProblem semantic_problem(const std::string& semantic, hlsl::Stage stage, bool input) {
+  const std::string name = without_index(semantic);
+  if (name.empty()) return {};
+  if (upper(name).starts_with("SV_") && !is_one_of(name, system_values()))
+    return {"is not a system value of HLSL" + hint(name, system_values())};
+  if (stage == hlsl::Stage::fragment && !input && !is_one_of(name, fragment_outputs()))
+    return {"is not an output of a fragment program" + hint(name, fragment_outputs())};
+  if (stage == hlsl::Stage::compute && input && !is_one_of(name, compute_inputs()))
+    return {"is not an input of a compute program, which has " + listed(compute_inputs())};
+  const bool own = !upper(name).starts_with("SV_");
+  const Names& values = stage_values(stage, input);
+  if (!own && !values.empty() && !is_one_of(name, values))
+    return {std::string("is not an ") + (input ? "input" : "output") + " of a " + hlsl::stage_name(stage) +
+            " program"};
+  if (stage == hlsl::Stage::vertex && input && own && !is_one_of(name, vertex_inputs())) {
+    const std::string meant = hint(name, vertex_inputs());
+    if (!meant.empty()) return {"is nothing that Unity's meshes have" + meant, hlsl::Severity::warning};
+  }
+  return {};
+}
+
+}  // namespace penumbra::preparation

@@ -1,0 +1,116 @@
+#include "shaders/derivative_reads.h"
+
+#include <glslang/MachineIndependent/localintermediate.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "shaders/debug_lines.h"
+
+namespace penumbra::shaders {
+
+namespace {
+
+// What HLSL calls the operation; nullptr for one that needs no derivatives.
+const char* name_of(glslang::TOperator op) {
+  switch (op) {
+    case glslang::EOpTexture:
+    case glslang::EOpTextureOffset:
+    case glslang::EOpTextureProj:
+    case glslang::EOpTextureProjOffset:
+    case glslang::EOpTextureClamp:
+    case glslang::EOpTextureOffsetClamp:
+      return "Sample";
+    case glslang::EOpTextureQueryLod:
+      return "CalculateLevelOfDetail";
+    case glslang::EOpDPdx:
+    case glslang::EOpDPdxFine:
+    case glslang::EOpDPdxCoarse:
+      return "ddx";
+    case glslang::EOpDPdy:
+    case glslang::EOpDPdyFine:
+    case glslang::EOpDPdyCoarse:
+      return "ddy";
+    case glslang::EOpFwidth:
+    case glslang::EOpFwidthFine:
+    case glslang::EOpFwidthCoarse:
+      return "fwidth";
+    default:
+      return nullptr;
+  }
+}
+
+class Search final : public glslang::TIntermTraverser {
+ public:
+  explicit Search(std::string stage) : stage_(std::move(stage)) {}
+
+  bool visitAggregate(glslang::TVisit /*when*/, glslang::TIntermAggregate* node) override {
+    add(node->getOp(), *node);
+    return true;
+  }
+  bool visitUnary(glslang::TVisit /*when*/, glslang::TIntermUnary* node) override {
+    add(node->getOp(), *node);
+    return true;
+  }
+
+  std::vector<ModuleProblem> found;
+
+ private:
+  void add(glslang::TOperator op, const TIntermNode& node) {
+    const char* name = name_of(op);
+    if (name == nullptr) return;
+    const bool samples = op != glslang::EOpTextureQueryLod && name == std::string_view("Sample");
+    // Some nodes that the front end makes up have no place: it is their parent's.
+    const bool has_place = node.getLoc().line > 0 || getParentNode() == nullptr;
+    const glslang::TSourceLoc& at = has_place ? node.getLoc() : getParentNode()->getLoc();
+    found.push_back({{at.getFilename() == nullptr ? "" : at.getFilename(), at.line},
+                     std::string(samples ? "a texture is sampled with" : name) +
+                         (samples ? " derivatives" : " needs derivatives") + ", which a " + stage_ +
+                         " program does not have" + (samples ? ": use SampleLevel or SampleGrad" : "")});
+  }
+
+  std::string stage_;
+};
+
+bool is_such_instruction(spv::Op op) {
+  switch (op) {
+    case spv::OpImageSampleImplicitLod:
+    case spv::OpImageSampleExplicitLod:
+    case spv::OpImageSampleDrefImplicitLod:
+    case spv::OpImageSampleDrefExplicitLod:
+    case spv::OpImageSampleProjImplicitLod:
+    case spv::OpImageSampleProjExplicitLod:
+    case spv::OpImageSampleProjDrefImplicitLod:
+    case spv::OpImageSampleProjDrefExplicitLod:
+    case spv::OpImageQueryLod:
+      return true;
+    default:
+      return op >= spv::OpDPdx && op <= spv::OpFwidthCoarse;
+  }
+}
+
+}  // namespace
+
+std::vector<ModuleProblem> derivative_reads(const glslang::TIntermediate& tree, const std::string& stage) {
+  Search search(stage);
+  if (tree.getTreeRoot() != nullptr) tree.getTreeRoot()->traverse(&search);
+  return std::move(search.found);
+}
+
+std::vector<ModuleProblem> remaining(std::vector<ModuleProblem> written, const SpirvModule& module) {
+  std::set<std::pair<std::string, int>> lines;
+  DebugLines debug_lines;
+  for_each_instruction(module, [&](SpirvWords instruction) {
+    const SourcePlace& place = debug_lines.visit(instruction);
+    if (is_such_instruction(opcode(instruction))) lines.emplace(place.file, place.line);
+  });
+  std::vector<ModuleProblem> kept;
+  for (ModuleProblem& problem : written)
+    if (lines.count({problem.place.file, problem.place.line}) != 0 &&
+        std::find(kept.begin(), kept.end(), problem) == kept.end())
+      kept.push_back(std::move(problem));
+  return kept;
+}
+
+}  // namespace penumbra::shaders

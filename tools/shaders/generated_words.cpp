@@ -1,0 +1,38 @@
+#include "shaders/generated_words.h"
+
+#include "shaders/flat_inputs.h"
+#include "shaders/gather_comparisons.h"
+#include "shaders/remainders.h"
+#include "shaders/scalar_conditions.h"
+#include "shaders/whole_matrices.h"
+#include "shaders/zeroed_statics.h"
+
+namespace penumbra::shaders {
+
+SpirvModule generated_words(const glslang::TIntermediate& tree, bool debug_lines,
+                            spv::SpvBuildLogger& logger) {
+  glslang::SpvOptions options;
+  options.disableOptimizer = true;  // SPIRV-Tools is called by ourselves
+  options.generateDebugInfo = debug_lines;
+  std::vector<unsigned int> words;
+  glslang::GlslangToSpv(tree, words, &logger, &options);
+  SpirvModule module(words.begin(), words.end());
+  copy_scalar_conditions(module);
+  truncate_remainders(module);
+  make_whole_matrices_arrays(module);
+  zero_statics(module);
+  flatten_integer_inputs(module);
+  drop_gather_bias(module);
+  return module;
+}
+
+SpirvModule words_with_lines(const glslang::TIntermediate& tree, bool optimised, VulkanVersion vulkan) {
+  spv::SpvBuildLogger said_before;
+  SpirvModule module = generated_words(tree, true, said_before);
+  std::vector<std::string> problems;
+  if (optimised && !optimise(module, vulkan, problems)) return {};
+  number_bindings(module);
+  return module;
+}
+
+}  // namespace penumbra::shaders

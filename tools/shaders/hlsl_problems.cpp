@@ -1,0 +1,60 @@
+#include "shaders/hlsl_problems.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "shaders/derivative_reads.h"
+#include "shaders/generated_words.h"
+#include "shaders/lost_resources.h"
+#include "shaders/misread_textures.h"
+#include "shaders/texel_offsets.h"
+#include "shaders/zero_divisions.h"
+
+namespace penumbra::shaders {
+
+namespace {
+
+void append(std::vector<ModuleProblem>& all, std::vector<ModuleProblem> more) {
+  for (ModuleProblem& problem : more) all.push_back(std::move(problem));
+}
+
+std::vector<ModuleProblem> shown_by(const SpirvModule& module) {
+  std::vector<ModuleProblem> problems = lost_resources(module);
+  append(problems, misread_textures(module));
+  append(problems, refused_offsets(module));
+  return problems;
+}
+
+// Divisions by a constant zero that are made; x / x in the source is one of its own.
+std::vector<ModuleProblem> divisions_by_zero(const glslang::TIntermediate& tree, VulkanVersion vulkan) {
+  spv::SpvBuildLogger said_before;
+  SpirvModule marked = generated_words(tree, true, said_before);
+  SpirvModule plain = marked;
+  mark_zero_divisions(marked);
+  std::vector<std::string> ignored;
+  if (!optimise(marked, vulkan, ignored) || !optimise(plain, vulkan, ignored)) return {};
+  std::vector<ModuleProblem> found = marked_divisions(marked);
+  const std::vector<ModuleProblem> own = marked_divisions(plain);
+  std::erase_if(found, [&](const ModuleProblem& problem) {
+    return std::find(own.begin(), own.end(), problem) != own.end();
+  });
+  return found;
+}
+
+}  // namespace
+
+std::vector<ModuleProblem> hlsl_problems(const CompileRequest& request, const glslang::TIntermediate& tree,
+                                         const SpirvModule& optimised, bool divides) {
+  std::vector<ModuleProblem> problems = shown_by(optimised);
+  std::vector<ModuleProblem> derivatives;
+  if (request.stage != hlsl::Stage::fragment)
+    derivatives = derivative_reads(tree, hlsl::stage_name(request.stage));
+  if (problems.empty() && derivatives.empty() && !divides) return {};
+  const SpirvModule lined = words_with_lines(tree, true, request.vulkan);
+  if (std::vector<ModuleProblem> placed = shown_by(lined); !placed.empty()) problems = std::move(placed);
+  append(problems, remaining(std::move(derivatives), lined));
+  if (divides) append(problems, divisions_by_zero(tree, request.vulkan));
+  return problems;
+}
+
+}  // namespace penumbra::shaders

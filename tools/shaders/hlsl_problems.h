@@ -1,0 +1,18 @@
+// What is valid SPIR-V and no valid HLSL, all of it together. Internal to this room.
+#pragma once
+
+#include <glslang/Include/intermediate.h>
+
+#include <vector>
+
+#include "shaders/compile.h"
+#include "shaders/spirv_module.h"
+
+namespace penumbra::shaders {
+
+// `optimised`: the module of that tree; `divides`: it divides by zero before it is optimised
+// (zero_divisions.h). The module is made again, with its lines, only when something may be wrong.
+std::vector<ModuleProblem> hlsl_problems(const CompileRequest& request, const glslang::TIntermediate& tree,
+                                         const SpirvModule& optimised, bool divides);
+
+}  // namespace penumbra::shaders

@@ -1,0 +1,110 @@
+#include "shaders/texel_offsets.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <map>
+
+#include "shaders/debug_lines.h"
+
+namespace penumbra::shaders {
+
+namespace {
+
+constexpr std::int32_t lowest_offset = -8;
+constexpr std::int32_t highest_offset = 7;
+
+// The word that holds the image operands of an instruction that takes an offset in texels; 0: none.
+std::size_t image_operands(spv::Op op) {
+  switch (op) {
+    case spv::OpImageSampleImplicitLod:
+    case spv::OpImageSampleExplicitLod:
+    case spv::OpImageSampleProjImplicitLod:
+    case spv::OpImageSampleProjExplicitLod:
+    case spv::OpImageFetch:
+      return 5;
+    case spv::OpImageSampleDrefImplicitLod:
+    case spv::OpImageSampleDrefExplicitLod:
+    case spv::OpImageSampleProjDrefImplicitLod:
+    case spv::OpImageSampleProjDrefExplicitLod:
+      return 6;
+    default:
+      return 0;
+  }
+}
+
+class OffsetSearch {
+ public:
+  explicit OffsetSearch(const SpirvModule& module) : module_(module) {}
+
+  std::vector<ModuleProblem> run() {
+    for_each_instruction(module_, [this](SpirvWords instruction) {
+      place_ = lines_.visit(instruction);
+      visit(instruction);
+    });
+    return std::move(problems_);
+  }
+
+ private:
+  void visit(SpirvWords instruction) {
+    const spv::Op op = opcode(instruction);
+    if (op == spv::OpConstant && instruction.size() == 4) {
+      constants_[instruction[2]] = {instruction[3]};
+    } else if (op == spv::OpConstantNull && instruction.size() == 3) {
+      constants_[instruction[2]] = {0};
+    } else if (op == spv::OpConstantComposite && instruction.size() > 3) {
+      std::vector<std::uint32_t>& parts = constants_[instruction[2]];
+      for (const std::uint32_t id : instruction.subspan(3))
+        if (const auto part = constants_.find(id); part != constants_.end())
+          parts.insert(parts.end(), part->second.begin(), part->second.end());
+    } else if (const std::size_t operands = image_operands(op);
+               operands != 0 && instruction.size() > operands) {
+      offset(instruction.subspan(operands));
+    }
+  }
+
+  // `operands`: the mask, then what its bits stand for from the lowest up; a gradient is two.
+  void offset(SpirvWords operands) {
+    const std::uint32_t mask = operands[0];
+    const std::uint32_t wanted = spv::ImageOperandsConstOffsetMask | spv::ImageOperandsOffsetMask;
+    if ((mask & wanted) == 0) return;
+    const bool constant = (mask & spv::ImageOperandsConstOffsetMask) != 0;
+    const std::uint32_t before =
+        mask & (spv::ImageOperandsBiasMask | spv::ImageOperandsLodMask | spv::ImageOperandsGradMask);
+    std::size_t at = 1U + static_cast<std::size_t>(std::popcount(before));
+    if ((mask & spv::ImageOperandsGradMask) != 0) ++at;
+    if (at >= operands.size()) return;
+    const auto known = constants_.find(operands[at]);
+    if (!constant && known == constants_.end())
+      return report(
+          "the offset of a texture read must be a constant from -8 to 7; if a loop counts it, write [unroll] "
+          "before the loop");
+    if (known == constants_.end()) return;
+    for (const std::uint32_t word : known->second) {
+      const auto texels = std::bit_cast<std::int32_t>(word);
+      if (texels < lowest_offset || texels > highest_offset)
+        return report("the offset of a texture read is " + std::to_string(texels) +
+                      " texels, and must be from -8 to 7");
+    }
+  }
+
+  void report(std::string message) {
+    ModuleProblem problem{place_, std::move(message)};
+    if (std::find(problems_.begin(), problems_.end(), problem) == problems_.end())
+      problems_.push_back(std::move(problem));
+  }
+
+  const SpirvModule& module_;
+  DebugLines lines_;
+  SourcePlace place_;
+  std::map<std::uint32_t, std::vector<std::uint32_t>> constants_;  // the words of all their components
+  std::vector<ModuleProblem> problems_;
+};
+
+}  // namespace
+
+std::vector<ModuleProblem> refused_offsets(const SpirvModule& module) {
+  return OffsetSearch(module).run();
+}
+
+}  // namespace penumbra::shaders
