@@ -1,4 +1,5 @@
 // penumbra validate on shader files: what is compiled, counted, refused, parted and joined.
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -53,7 +54,9 @@ class Validate : public ProgramTest {
   }
 
   std::vector<std::string> command(const std::vector<std::string>& more) const {
-    std::vector<std::string> all{"validate", path("Two.shader").string(), "--cache", path("cache").string()};
+    std::vector<std::string> all{"validate", path("Two.shader").string()};
+    if (std::find(more.begin(), more.end(), "--no-cache") == more.end())
+      all.insert(all.end(), {"--cache", path("cache").string()});
     all.insert(all.end(), more.begin(), more.end());
     return all;
   }
@@ -328,6 +331,42 @@ TEST_F(Validate, LintSpeaksUnlessItIsToldNotTo) {
   EXPECT_THAT(unknown.errors, AllOf(HasSubstr("unknown rule 'negative-power'"), HasSubstr("negative-pow")));
 }
 
+TEST_F(Validate, APassLacksNoStageAndItsEntryPointsAreThere) {
+  const std::string begin =
+      "Shader \"S\" { SubShader { Pass { Name \"P\"\nHLSLPROGRAM\n#pragma vertex Vert\n";
+  const std::string end =
+      "float4 Vert(float4 p : POSITION) : SV_Position { return p; }\nfloat4 Frag() : SV_Target { return 1; "
+      "}\n"
+      "ENDHLSL } } }\n";
+  const auto lacking = run({"validate", write("Lacking.shader", begin + end).string(), "--no-cache"});
+  EXPECT_EQ(lacking.exit_code, 1);
+  EXPECT_THAT(lacking.output,
+              HasSubstr("Lacking.shader:2:1: error: this program has no fragment stage, and Unity "
+                        "leaves such a pass out: add #pragma fragment NAME"));
+  const auto elsewhere =
+      run({"validate", write("Metal.shader", begin + "#pragma only_renderers metal\n" + end).string(),
+           "--no-cache"});
+  EXPECT_THAT(elsewhere.output, HasSubstr("Metal.shader:2:1: error: this program has no fragment stage"));
+  const auto misspelt =
+      run({"validate", write("Misspelt.shader", begin + "#pragma fragment Fragg\n" + end).string(),
+           "--no-cache"});
+  EXPECT_EQ(misspelt.exit_code, 1);
+  EXPECT_THAT(misspelt.output,
+              HasSubstr("Misspelt.shader:4:1: error: the entry point 'Fragg' is not defined; did you "
+                        "mean 'Frag'?\n    #pragma fragment Fragg\n"));
+}
+
+TEST_F(Validate, AnErrorOfRenderStateDoesNotHideThoseOfPrograms) {
+  std::string shader = kShader;
+  shader.replace(shader.find("HLSLPROGRAM"), 0, "Cull Bak\n");
+  write("Two.shader", shader);
+  set_factor("undefined_factor");
+  const auto result = run(command({"--target", "spirv"}));
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.output, AllOf(HasSubstr("error: 'Bak' is not a value of Cull: did you mean 'Back'?"),
+                                   HasSubstr("undefined_factor")));
+}
+
 TEST_F(Validate, UseDxcAllowsWhatFxcRefuses) {
   const std::string falling =
       "float4 Main(int k : TEXCOORD0) : SV_Target { float v = 0; switch (k) { case 0: v = 1; case 1: v += 1; "
@@ -338,6 +377,43 @@ TEST_F(Validate, UseDxcAllowsWhatFxcRefuses) {
   EXPECT_THAT(
       run({"validate", write("Dxc.hlsl", "#pragma use_dxc\n" + falling).string(), "--no-cache"}).output,
       Not(HasSubstr("this case has code")));
+}
+
+TEST_F(Validate, OptionsWithoutEffectAreRefused) {
+  const std::vector<std::vector<std::string>> lists{
+      {"validate", "--only", "Assets/**"},
+      {"validate", "--keywords", "+A"},
+      command({"--count", "--minimize"}),
+      command({"--explain", "Frag", "--minimize"}),
+      {"validate", "--emit-presets", "-", "--target", "spirv"},
+      command({"--format", "json", "--verbose"}),
+      command({"--root", path("").string()}),
+      command({"--no-lint", "--disable-rule", "nan-check"}),
+      command({"--no-cache", "--cache", path("cache").string()})};
+  for (const std::vector<std::string>& list : lists) {
+    const auto refused = run(list);
+    EXPECT_EQ(refused.exit_code, 2) << list.back();
+    EXPECT_THAT(refused.errors, HasSubstr(" has no effect with"));
+  }
+  const auto warned = run(command({"--target", "spirv", "--entry", "Frag"}));
+  EXPECT_EQ(warned.exit_code, 0);
+  EXPECT_THAT(warned.errors, HasSubstr("warning: --entry has no effect: no .hlsl file is given"));
+}
+
+TEST_F(Validate, AKeywordThatNobodyDeclaresIsRefusedBesideOtherErrorsToo) {
+  EXPECT_THAT(run(command({"--count", "--keywords", "+BRIHGT"})).errors,
+              HasSubstr("--keywords +BRIHGT: no program declares 'BRIHGT'; did you mean 'BRIGHT'?"));
+  std::string shader = kShader;
+  shader.replace(shader.find("HLSLPROGRAM"), 0, "Cull Bak\n");
+  write("Two.shader", shader);
+  EXPECT_EQ(run(command({"--count", "--keywords", "+BRIHGT"})).exit_code, 2);
+  write("Two.shader", shader.substr(0, shader.rfind('}')));
+  const auto warned = run({"validate", path("Two.shader").string(), write("One.shader", kShader).string(),
+                           "--count", "--keywords", "+BRIHGT"});
+  EXPECT_EQ(warned.exit_code, 0);
+  EXPECT_THAT(warned.errors,
+              HasSubstr("warning: --keywords +BRIHGT: no program declares 'BRIHGT'; did you mean "
+                        "'BRIGHT'?; not every program was understood"));
 }
 
 TEST_F(Validate, ErrorsOfSourceAndModuleAreReportedTogether) {

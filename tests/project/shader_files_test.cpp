@@ -46,6 +46,29 @@ TEST(ShaderFiles, WhatUnityPassesOverIsPassedOver) {
   EXPECT_THAT(shown(find_shader_files(files.path(), {})), ElementsAre("Assets/Tilde~x/a.shader"));
 }
 
+TEST(ShaderFiles, ShaderGraphsAreNamedWithWhatToDo) {
+  const ProjectFolder files;
+  files.write("Assets/b.shadergraph", "{}");
+  files.write("Assets/a.ShaderSubGraph", "{}");
+  expect_input_error([&] { find_shader_files(files.path(), {}); },
+                     HasSubstr("there are Shader Graphs: in Unity select the graph, press View Generated "
+                               "Shader"));
+  files.write("Assets/c.shader", "");
+  const ShaderFiles found = find_shader_files(files.path(), {});
+  EXPECT_THAT(shown(found), ElementsAre("Assets/c.shader"));
+  EXPECT_THAT(
+      formatted(found.problems),
+      ElementsAre(HasSubstr("a.ShaderSubGraph: warning: is a Shader Graph and is not validated and 1 more; "
+                            "in Unity select the graph")));
+  EXPECT_THAT(find_shader_files(files.path(), {{}, {"Assets/c.*"}, {}}).problems, IsEmpty());
+  expect_input_error(
+      [&] {
+        find_shader_files({}, {{files.path("Assets/b.shadergraph")}, {}, {}});
+      },
+      HasSubstr("b.shadergraph: is a Shader Graph, from which the Unity editor writes the "
+                "shader\n  in Unity select the graph"));
+}
+
 TEST(ShaderFiles, LinksAreFollowedAndCyclesEnd) {
   const ProjectFolder files;
   files.write("Assets/A/a.shader", "");
@@ -92,6 +115,8 @@ TEST(ShaderFiles, PatternsChooseAndDrop) {
   EXPECT_THAT(shown(found), ElementsAre("Assets/Fire/c.shader"));
   EXPECT_THAT(formatted(found.problems),
               ElementsAre("warning: --only 'Assets/Wtaer/**' matches no shader file"));
+  EXPECT_THAT(formatted(find_shader_files(files.path(), {{}, {}, {"**/Old/**", "Odl/**"}}).problems),
+              ElementsAre("warning: --skip 'Odl/**' matches no shader file"));
 }
 
 TEST(ShaderFiles, PatternsThatMatchNothingAreRefusedWithTheNearestName) {
@@ -116,7 +141,8 @@ TEST(ShaderFiles, PatternsThatMatchNothingAreRefusedWithTheNearestName) {
 TEST(ShaderFiles, AProjectWithoutShadersIsRefused) {
   const ProjectFolder files;
   files.write("Assets/a.cs", "");
-  expect_input_error([&] { find_shader_files(files.path(), {}); }, HasSubstr("has no shader file to validate"));
+  expect_input_error([&] { find_shader_files(files.path(), {}); },
+                     HasSubstr("has no shader file to validate"));
 }
 
 TEST(ShaderFiles, NamedPlacesStandForThemselves) {

@@ -43,6 +43,26 @@ TEST(UnityProject, CachedPackagesAreFoundByManifest) {
   EXPECT_THAT(project.problems, IsEmpty());
 }
 
+TEST(UnityProject, AGivenFolderOfAnotherVersionIsAWarningAtTheManifest) {
+  const ProjectFolder files;
+  files.manifest({R"("com.x.core": "14.0.9")", R"("com.x.other": "1.0.0")"});
+  files.package("given", "com.x.core", "17.0.3");
+  files.package("other", "com.x.other", "1.0.0");
+  const std::vector<PackageRoot> given{{"com.x.core", files.path("given")},
+                                       {"com.x.other", files.path("other")}};
+  EXPECT_THAT(
+      formatted(read_project(files.path(), given).problems),
+      testing::Contains(files.text("Packages/manifest.json") +
+                        ":3:5: warning: the project uses com.x.core 14.0.9, but --package-root gives " +
+                        files.text("given") +
+                        " with version 17.0.3: a shader that compiles with one may fail with the other; "
+                        "give the folder of 14.0.9"));
+  files.lock({R"("com.x.core": {"version": "17.0.3", "source": "builtin"})"});
+  EXPECT_THAT(formatted(read_project(files.path(), given).problems),
+              testing::Each(testing::Not(HasSubstr("the project uses"))))
+      << "the lock file has settled on it";
+}
+
 TEST(UnityProject, HashNamedFoldersTellNameAndVersionInside) {
   const ProjectFolder files;
   files.manifest({R"("com.x.core": "17.0.3")"});
@@ -74,7 +94,8 @@ TEST(UnityProject, RootGivenByHandComesBeforeAll) {
   EXPECT_THAT(roots(project, files),
               ElementsAre("com.x.core 9.0.0 mine", "com.x.deep 1.0.0 " + cached("com.x.deep@1.0.0"),
                           "com.x.gone  ."));
-  EXPECT_THAT(warnings_of(project.problems), IsEmpty());
+  EXPECT_THAT(warnings_of(project.problems),
+              ElementsAre(HasSubstr("the project uses com.x.core 1.0.0, but")));
 }
 
 TEST(UnityProject, LocalPathsMayBeAbsoluteOrHaveBackslashes) {

@@ -11,6 +11,7 @@ namespace {
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::Field;
+using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
@@ -193,15 +194,72 @@ TEST(Commands, BlocksHoldTheirOwnCommands) {
                                 "constantColor ( 1 , 1 , 1 , .5 )"));
 }
 
-TEST(Commands, AnUnknownOneIsAWarningAndTheRestIsRead) {
+TEST(Commands, AnUnknownOneIsAnErrorAndTheRestIsRead) {
   EXPECT_THAT(messages(in_pass("Culll Off\nZWrite Off")),
-              ElementsAre("a:2:1: warning: 'Culll' is not a command of ShaderLab: did you mean 'Cull'?"));
+              ElementsAre("a:2:1: error: 'Culll' is not a command of ShaderLab: did you mean 'Cull'?"));
   EXPECT_THAT(messages(in_pass("Zippity 1, 2 { Any { thing } } ZWrite Off")),
-              ElementsAre("a:2:1: warning: 'Zippity' is not a command of ShaderLab"));
+              ElementsAre("a:2:1: error: 'Zippity' is not a command of ShaderLab"));
   EXPECT_THAT(messages(in_pass("Stencil { Reff 2 Comp Always }")),
-              ElementsAre("a:2:11: warning: 'Reff' is not a command of Stencil: did you mean 'Ref'?"));
+              ElementsAre("a:2:11: error: 'Reff' is not a command of Stencil: did you mean 'Ref'?"));
   const ParsedShader result = parse_shader(in_pass("Culll Off\nZWrite Off"), "a");
   EXPECT_THAT(result.shader.sub_shaders.at(0).passes.at(0).settings.commands, SizeIs(1));
+}
+
+TEST(Commands, TakeTheirOwnValuesAlone) {
+  EXPECT_THAT(messages(in_pass("Cull Bak")),
+              ElementsAre("a:2:6: error: 'Bak' is not a value of Cull: did you mean 'Back'?"));
+  EXPECT_THAT(messages(in_pass("Cull \"Back\"")),
+              ElementsAre("a:2:6: error: 'Back' is not a value of Cull: did you mean 'Back'?"));
+  EXPECT_THAT(
+      messages(in_pass("Blend SrcAlpha MinusSrc, One Zero")),
+      ElementsAre(HasSubstr("a:2:16: error: 'MinusSrc' is not a value of Blend: it takes One, Zero, ")));
+  EXPECT_THAT(messages(in_pass("ZTest LessEqual ZWrite Yes BlendOp Plus ColorMask RGX\nAlphaToMask Maybe")),
+              ElementsAre(HasSubstr("a:2:7: error: 'LessEqual' is not a value of ZTest"),
+                          HasSubstr("a:2:24: error: 'Yes' is not a value of ZWrite: it takes On, Off"),
+                          HasSubstr("a:2:36: error: 'Plus' is not a value of BlendOp"),
+                          "a:2:51: error: 'RGX' is not a value of ColorMask: it takes 0 or letters of RGBA",
+                          HasSubstr("a:3:13: error: 'Maybe' is not a value of AlphaToMask")));
+  EXPECT_THAT(messages(in_pass("Stencil { Ref 1 Comp Alway Pass Replac ZFailBack Keep }")),
+              ElementsAre("a:2:22: error: 'Alway' is not a value of Comp: did you mean 'Always'?",
+                          "a:2:33: error: 'Replac' is not a value of Pass: did you mean 'Replace'?"));
+}
+
+TEST(Commands, WhatUnityReadsAndNoReferenceHasIsAWarning) {
+  EXPECT_THAT(
+      messages(in_pass("ZTest On")),
+      ElementsAre("a:2:7: warning: 'On' is no comparison, although Unity reads it: it takes Never, Less, "
+                  "Equal, LEqual, Greater, NotEqual, GEqual, Always, Off, False, Disabled"));
+  const std::string named = "Shader \"x\" { SubShader {\nName \"Face\" Tags { } Pass { Name \"Mine\" } } }";
+  EXPECT_THAT(messages(named), ElementsAre("a:2:1: warning: this Name is in no Pass and names nothing"));
+  EXPECT_EQ(parse_shader(named, "a").shader.sub_shaders.at(0).passes.at(0).name.text, "Mine");
+}
+
+TEST(Commands, ValuesAreReadInAnyCaseAndPropertiesAreNotJudged) {
+  EXPECT_THAT(
+      messages(in_pass("cull OFF ztest lequal ZTest Off ZClip false Blend 1 one [_D] BlendOp 0 Add, RevSub "
+                       "ColorMask rgb 2 ColorMask 0 ColorMask [_M] Cull [_Cull] Conservative True\n"
+                       "Stencil { Comp [_C] Pass incrsat Fail DecrWrap } Fog { Mode Exp2 }")),
+      ElementsAre());
+}
+
+TEST(Warnings, NameTagsWhoseValueDoesNothing) {
+  const auto tagged = [](const std::string& tag) {
+    return messages("Shader \"x\" { SubShader { Tags {\n" + tag + " } } }");
+  };
+  EXPECT_THAT(
+      tagged("\"Queue\" = \"Transparant+10\""),
+      ElementsAre("a:2:11: warning: 'Transparant' is not a known value of the tag Queue: did you mean "
+                  "'Transparent'?"));
+  EXPECT_THAT(
+      tagged("\"RenderPipeline\" = \"UniversalPipline\""),
+      ElementsAre("a:2:20: warning: 'UniversalPipline' is not a known value of the tag RenderPipeline: "
+                  "did you mean 'UniversalPipeline'?"));
+  EXPECT_THAT(tagged("\"DisableBatching\" = \"Yes\""),
+              ElementsAre("a:2:21: warning: 'Yes' is not a known value of the tag DisableBatching"));
+  EXPECT_THAT(tagged("\"Queue\" = \"geometry - 5\" \"RenderPipeline\" = \"MyOwn\" "
+                     "\"RenderPipeline\" = \"UniversalRenderPipeline\" \"RenderType\" = \"Grass\" "
+                     "\"LightMode\" = \"MyPass\" \"IgnoreProjector\"=\"true\""),
+              ElementsAre());
 }
 
 TEST(Warnings, SayWhatIsOdd) {
@@ -223,7 +281,7 @@ TEST(Warnings, AreNotRepeatedWithoutEnd) {
   for (int i = 0; i < 150; ++i) commands += "Zippity Off\n";
   const std::vector<std::string> said = messages(in_pass(commands));
   ASSERT_THAT(said, SizeIs(101));
-  EXPECT_EQ(said.back(), "a: note: 50 further warnings are left out");
+  EXPECT_EQ(said.back(), "a: error: 50 further messages are left out");
 }
 
 TEST(Blocks, EndAtTheWordOutsideCommentsAndStrings) {

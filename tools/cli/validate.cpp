@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "cli/help.h"
+#include "cli/idle_options.h"
 #include "cli/report_output.h"
 #include "cli/shader_arguments.h"
 #include "cli/shared_options.h"
@@ -222,16 +223,18 @@ void list(const ValidateOptions& options, const validation::ShaderSources& sourc
                                           : variants::text_of(plan));
 }
 
-// A keyword that nobody declares is a slip of the pen, and would narrow nothing. What a program that was not
-// understood declares is unknown.
-void refuse_unknown_keywords(const ValidateOptions& options, const validation::ShaderSources& sources) {
+// A keyword that nobody declares is a slip of the pen, and would narrow nothing. Where a program was not
+// understood, it may declare the keyword.
+void refuse_unknown_keywords(const ValidateOptions& options, const validation::ShaderSources& sources,
+                             const Context& context) {
   std::vector<const variants::Pragmas*> declared;
   for (const validation::SourceProgram& program : sources.programs()) declared.push_back(&program.pragmas);
-  if (declared.empty() || !sources.records().empty()) return;
   for (const std::string& expression : options.keywords) {
-    const std::vector<std::string> unknown =
-        variants::unknown_keywords(variants::parse_keyword_expression(expression), declared);
-    if (!unknown.empty()) throw InputError("", unknown.front());
+    for (const std::string& unknown :
+         variants::unknown_keywords(variants::parse_keyword_expression(expression), declared)) {
+      if (sources.knows_keywords()) throw InputError("", unknown);
+      say(context, "warning: " + unknown + "; not every program was understood");
+    }
   }
 }
 
@@ -245,7 +248,8 @@ void refuse_inputs_as_output(const std::string& output, const project::ShaderFil
   }
 }
 
-void add_sources(const ValidateOptions& options, validation::ValidationRequest& request, Context& context) {
+void add_sources(const CLI::App& command, const ValidateOptions& options,
+                 validation::ValidationRequest& request, Context& context) {
   Found found = look_around(options);
   project::ShaderSelection selection;
   selection.places.assign(options.places.begin(), options.places.end());
@@ -254,6 +258,7 @@ void add_sources(const ValidateOptions& options, validation::ValidationRequest& 
   const project::ShaderFiles files = project::find_shader_files(options.project, selection);
   for (const hlsl::Diagnostic& problem : files.problems) found.said.push_back(problem);
   refuse_inputs_as_output(options.report.output, files);
+  for (const std::string& warning : idle_option_warnings(command, files)) say(context, warning);
 
   validation::SourceOptions source;
   source.platforms = platforms(options, request.targets, found.unity_version);
@@ -268,7 +273,7 @@ void add_sources(const ValidateOptions& options, validation::ValidationRequest& 
   for (const project::ShaderFile& file : files.files) sources.add(file);
 
   for (const hlsl::Diagnostic& problem : found.said) say(context, hlsl::format(problem));
-  refuse_unknown_keywords(options, sources);
+  refuse_unknown_keywords(options, sources, context);
   if (options.explain) return explain(options, sources, request.engine, context);
   const variants::Plan plan = sources.plan();
   const auto counted = [](std::size_t count, const std::string& thing) {
@@ -304,9 +309,10 @@ void check_outputs(const ValidateOptions& options, const Context& context) {
   check_output_folder(options.keep);
 }
 
-void run_validate(const ValidateOptions& options, Context& context) {
+void run_validate(const CLI::App& command, const ValidateOptions& options, Context& context) {
   const bool sources_given = !options.places.empty() || !options.project.empty();
   check_outputs(options, context);
+  refuse_idle_options(command, options);
   validation::ValidationRequest request;
   request.targets = chosen_targets(options.targets);
   request.engine = engine_options(options);
@@ -340,7 +346,7 @@ void run_validate(const ValidateOptions& options, Context& context) {
   }
   if (options.explain && !sources_given) throw InputError("--explain", "needs a shader file");
   if (options.list) check_list(options, sources_given);
-  if (sources_given) add_sources(options, request, context);
+  if (sources_given) add_sources(command, options, request, context);
   if (options.list || options.explain) return;
   validation::ValidationReport report;
   {
@@ -375,7 +381,7 @@ void add_validate(CLI::App& app, Context& context) {
              "the smallest set of keywords that causes each failure"},
             {"penumbra validate --project MyGame --shard 1/4 --format json -o shard-1.json",
              "on one of four machines"}});
-  command->callback([options, &context] { run_validate(*options, context); });
+  command->callback([command, options, &context] { run_validate(*command, *options, context); });
 }
 
 }  // namespace penumbra::cli

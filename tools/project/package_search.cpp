@@ -10,6 +10,7 @@
 #include "input/input_error.h"
 #include "project/json_diagnostic.h"
 #include "project/package_manifest.h"
+#include "project/package_version.h"
 
 namespace penumbra::project {
 
@@ -80,10 +81,31 @@ class PackageSearch {
     try {
       const PackageManifest manifest = read_package_manifest(root.directory);
       if (root.version.empty()) root.version = manifest.version;
+      if (root.origin == PackageOrigin::given) compare_with_project(root, manifest.version);
       for (const PackageDependency& dependency : manifest.dependencies) want(dependency.name);
     } catch (const InputError&) {
       // said where the folder was found; a root given by hand is read again by version_problems()
     }
+  }
+
+  // The version that the lock file settled on, else the one that manifest.json asks for.
+  void compare_with_project(const PackageRoot& root, const std::string& version) {
+    const auto requested = sources_.manifest.requested.find(root.name);
+    const auto locked = sources_.manifest.locked.find(root.name);
+    std::string wanted;
+    if (requested != sources_.manifest.requested.end()) wanted = requested->second.version;
+    if (locked != sources_.manifest.locked.end() && parse_package_version(locked->second.version))
+      wanted = locked->second.version;
+    const std::optional<PackageVersion> want = parse_package_version(wanted);
+    const std::optional<PackageVersion> have = parse_package_version(version);
+    if (!want || !have || *want == *have) return;
+    const std::string where = requested != sources_.manifest.requested.end()
+                                  ? requested->second.where
+                                  : sources_.manifest.file.string();
+    say(where, hlsl::Severity::warning,
+        "the project uses " + root.name + " " + wanted + ", but --package-root gives " +
+            root.directory.string() + " with version " + version +
+            ": a shader that compiles with one may fail with the other; give the folder of " + wanted);
   }
 
   std::optional<PackageRoot> find(const std::string& name) {

@@ -28,6 +28,23 @@ bool is_imported_shader(const fs::path& file) {
   return has_extension(file, ".shader") || has_extension(file, ".compute");
 }
 
+// Files from which the Unity editor writes shaders.
+bool is_graph(const fs::path& file) {
+  return has_extension(file, ".shadergraph") || has_extension(file, ".shadersubgraph");
+}
+
+constexpr const char* kGraphWayOut =
+    "in Unity select the graph, press View Generated Shader in the Inspector, save that text as a .shader "
+    "file "
+    "in the project and validate that";
+
+hlsl::Diagnostic about_graphs(std::vector<fs::path> graphs) {
+  std::sort(graphs.begin(), graphs.end());
+  const std::string others = graphs.size() == 1 ? "" : " and " + std::to_string(graphs.size() - 1) + " more";
+  return diagnostic_of(graphs.front(), hlsl::Severity::warning,
+                       "is a Shader Graph and is not validated" + others + "; " + kGraphWayOut);
+}
+
 bool is_hidden(const fs::path& path) {
   const std::string name = path.filename().string();
   return name.empty() || name.front() == '.' || name.back() == '~' || equal_ignoring_case(name, "cvs") ||
@@ -60,6 +77,8 @@ class ShaderWalk {
     return std::move(files_);
   }
 
+  const std::vector<fs::path>& graphs() const { return graphs_; }  // after run()
+
  private:
   void enter(const fs::path& folder) {
     std::error_code error;
@@ -74,6 +93,7 @@ class ShaderWalk {
       if (!entry->is_directory(ignored)) {
         if (is_imported_shader(entry->path()) && entry->is_regular_file(ignored))
           files_.push_back(entry->path());
+        if (is_graph(entry->path())) graphs_.push_back(entry->path());
       } else if (!packages || has_package_manifest(entry->path())) {
         (entry->is_symlink(ignored) ? links_ : folders_).push_back(entry->path());
       }
@@ -100,6 +120,7 @@ class ShaderWalk {
   std::vector<fs::path> links_;
   std::set<fs::path> entered_;
   std::vector<fs::path> files_;
+  std::vector<fs::path> graphs_;
 };
 
 std::string shown_name(const fs::path& file, const fs::path& project) {
@@ -113,24 +134,26 @@ void add_place(const fs::path& place, ShaderWalk& walk, std::vector<fs::path>& n
   std::error_code ignored;
   if (fs::is_directory(place, ignored)) return walk.add(place);
   if (!fs::exists(place, ignored)) throw InputError(place.string(), "no such file or folder");
-  if (!is_imported_shader(place) && !has_extension(place, ".hlsl"))
-    throw InputError(place.string(), "is not a shader file",
-                     "name a folder, or a .shader, .compute or .hlsl file");
+  require_shader_file(place);
   named.push_back(place);
 }
 
 class Filter {
  public:
   explicit Filter(const ShaderSelection& selection)
-      : selection_(selection), used_(selection.include.size(), false) {}
+      : selection_(selection),
+        used_(selection.include.size(), false),
+        used_to_skip_(selection.exclude.size(), false) {}
 
   bool lets_pass(const std::string& shown) {
     seen_.push_back(shown);
     bool included = selection_.include.empty();
     for (std::size_t i = 0; i < selection_.include.size(); ++i)
       if (path_matches(selection_.include[i], shown)) included = used_[i] = true;
-    return included && std::none_of(selection_.exclude.begin(), selection_.exclude.end(),
-                                    [&](const std::string& pattern) { return path_matches(pattern, shown); });
+    bool excluded = false;
+    for (std::size_t i = 0; i < selection_.exclude.size(); ++i)
+      if (path_matches(selection_.exclude[i], shown)) excluded = used_to_skip_[i] = true;
+    return included && !excluded;
   }
 
   // What a person may have meant by a pattern that matches nothing.
@@ -141,14 +164,14 @@ class Filter {
   }
 
   void report_unused(std::vector<hlsl::Diagnostic>& problems) const {
+    const auto report = [&](const std::string& option, const std::string& pattern) {
+      problems.push_back(
+          {{}, 0, 0, hlsl::Severity::warning, option + " '" + pattern + "' matches no shader file", {}});
+    };
     for (std::size_t i = 0; i < selection_.include.size(); ++i)
-      if (!used_[i])
-        problems.push_back({{},
-                            0,
-                            0,
-                            hlsl::Severity::warning,
-                            "--only '" + selection_.include[i] + "' matches no shader file",
-                            {}});
+      if (!used_[i]) report("--only", selection_.include[i]);
+    for (std::size_t i = 0; i < selection_.exclude.size(); ++i)
+      if (!used_to_skip_[i]) report("--skip", selection_.exclude[i]);
   }
 
  private:
@@ -176,11 +199,21 @@ class Filter {
   }
 
   const ShaderSelection& selection_;
-  std::vector<bool> used_;
-  std::vector<std::string> seen_;  // every file that was asked about
+  std::vector<bool> used_;          // by place in `include`
+  std::vector<bool> used_to_skip_;  // likewise in `exclude`
+  std::vector<std::string> seen_;   // every file that was asked about
 };
 
 }  // namespace
+
+void require_shader_file(const fs::path& file) {
+  if (is_graph(file))
+    throw InputError(file.string(), "is a Shader Graph, from which the Unity editor writes the shader",
+                     kGraphWayOut);
+  if (!is_imported_shader(file) && !has_extension(file, ".hlsl"))
+    throw InputError(file.string(), "is not a shader file",
+                     "name a folder, or a .shader, .compute or .hlsl file");
+}
 
 ShaderFiles find_shader_files(const fs::path& project, const ShaderSelection& selection) {
   ShaderFiles result;
@@ -199,11 +232,17 @@ ShaderFiles find_shader_files(const fs::path& project, const ShaderSelection& se
     std::string shown = shown_name(file, project);
     if (filter.lets_pass(shown)) result.files.push_back({file, std::move(shown)});
   }
+  std::vector<fs::path> graphs;
+  for (const fs::path& graph : walk.graphs())
+    if (filter.lets_pass(shown_name(graph, project))) graphs.push_back(graph);
   if (named.empty()) filter.require_a_match();
   filter.report_unused(result.problems);
   if (result.files.empty())
     throw InputError(project.string(), "has no shader file to validate",
-                     "name the folder that holds Assets/ with --project, or files and folders");
+                     !graphs.empty()
+                         ? std::string("there are Shader Graphs: ") + kGraphWayOut
+                         : "name the folder that holds Assets/ with --project, or files and folders");
+  if (!graphs.empty()) result.problems.push_back(about_graphs(std::move(graphs)));
   std::sort(result.files.begin(), result.files.end(),
             [](const ShaderFile& a, const ShaderFile& b) { return a.shown < b.shown; });
   const auto same = [](const ShaderFile& a, const ShaderFile& b) { return a.shown == b.shown; };

@@ -32,8 +32,12 @@ struct ShaderFile {
 struct ShaderFiles {
   std::vector<ShaderFile> files;  // by `shown`
   std::vector<hlsl::Diagnostic>
-      problems;  // warnings: a folder that cannot be listed, a pattern without a match, no file at all
+      problems;  // warnings: a folder that cannot be listed, a pattern without a match, Shader Graphs
 };
+
+// Throws InputError unless the file is one that find_shader_files() takes; a Shader Graph is named with what
+// to do about it.
+void require_shader_file(const std::filesystem::path& file);
 
 // `project` may be empty when `places` are given. Throws InputError for a place that is missing or is a file
 // of another kind, and, with the nearest name, where no pattern of `include` matches any file and no place is

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "shaderlab/characters.h"
+#include "shaderlab/command_values.h"
 
 namespace penumbra::shaderlab {
 
@@ -29,48 +30,49 @@ struct Shape {
   const char* name;
   Scope scope;
   Operands operands;
-  std::optional<Scope> block;  // the scope of its braces
+  std::optional<Scope> block;        // the scope of its braces
+  Values values = Values::anything;  // of its words
 };
 
 constexpr std::array kShapes{
-    Shape{"AlphaTest", Scope::pass, Operands::test, {}},
-    Shape{"AlphaToMask", Scope::pass, Operands::one, {}},
+    Shape{"AlphaTest", Scope::pass, Operands::test, {}, Values::comparison},
+    Shape{"AlphaToMask", Scope::pass, Operands::one, {}, Values::toggle},
     Shape{"BindChannels", Scope::pass, Operands::none, Scope::channels},
-    Shape{"Blend", Scope::pass, Operands::blend, {}},
-    Shape{"BlendOp", Scope::pass, Operands::blend_op, {}},
+    Shape{"Blend", Scope::pass, Operands::blend, {}, Values::blend_factor},
+    Shape{"BlendOp", Scope::pass, Operands::blend_op, {}, Values::blend_operation},
     Shape{"Color", Scope::pass, Operands::colour, {}},
-    Shape{"ColorMask", Scope::pass, Operands::color_mask, {}},
-    Shape{"ColorMaterial", Scope::pass, Operands::one, {}},
-    Shape{"Conservative", Scope::pass, Operands::one, {}},
-    Shape{"Cull", Scope::pass, Operands::one, {}},
+    Shape{"ColorMask", Scope::pass, Operands::color_mask, {}, Values::color_mask},
+    Shape{"ColorMaterial", Scope::pass, Operands::one, {}, Values::color_material},
+    Shape{"Conservative", Scope::pass, Operands::one, {}, Values::toggle},
+    Shape{"Cull", Scope::pass, Operands::one, {}, Values::cull},
     Shape{"Fog", Scope::pass, Operands::none, Scope::fog},
-    Shape{"Lighting", Scope::pass, Operands::one, {}},
+    Shape{"Lighting", Scope::pass, Operands::one, {}, Values::toggle},
     Shape{"Material", Scope::pass, Operands::none, Scope::material},
     Shape{"Offset", Scope::pass, Operands::pair, {}},
-    Shape{"SeparateSpecular", Scope::pass, Operands::one, {}},
+    Shape{"SeparateSpecular", Scope::pass, Operands::one, {}, Values::toggle},
     Shape{"SetTexture", Scope::pass, Operands::one, Scope::texture},
     Shape{"Stencil", Scope::pass, Operands::none, Scope::stencil},
-    Shape{"ZClip", Scope::pass, Operands::one, {}},
-    Shape{"ZTest", Scope::pass, Operands::one, {}},
-    Shape{"ZWrite", Scope::pass, Operands::one, {}},
-    Shape{"Comp", Scope::stencil, Operands::one, {}},
-    Shape{"CompBack", Scope::stencil, Operands::one, {}},
-    Shape{"CompFront", Scope::stencil, Operands::one, {}},
-    Shape{"Fail", Scope::stencil, Operands::one, {}},
-    Shape{"FailBack", Scope::stencil, Operands::one, {}},
-    Shape{"FailFront", Scope::stencil, Operands::one, {}},
-    Shape{"Pass", Scope::stencil, Operands::one, {}},
-    Shape{"PassBack", Scope::stencil, Operands::one, {}},
-    Shape{"PassFront", Scope::stencil, Operands::one, {}},
+    Shape{"ZClip", Scope::pass, Operands::one, {}, Values::toggle},
+    Shape{"ZTest", Scope::pass, Operands::one, {}, Values::comparison},
+    Shape{"ZWrite", Scope::pass, Operands::one, {}, Values::toggle},
+    Shape{"Comp", Scope::stencil, Operands::one, {}, Values::comparison},
+    Shape{"CompBack", Scope::stencil, Operands::one, {}, Values::comparison},
+    Shape{"CompFront", Scope::stencil, Operands::one, {}, Values::comparison},
+    Shape{"Fail", Scope::stencil, Operands::one, {}, Values::stencil_operation},
+    Shape{"FailBack", Scope::stencil, Operands::one, {}, Values::stencil_operation},
+    Shape{"FailFront", Scope::stencil, Operands::one, {}, Values::stencil_operation},
+    Shape{"Pass", Scope::stencil, Operands::one, {}, Values::stencil_operation},
+    Shape{"PassBack", Scope::stencil, Operands::one, {}, Values::stencil_operation},
+    Shape{"PassFront", Scope::stencil, Operands::one, {}, Values::stencil_operation},
     Shape{"ReadMask", Scope::stencil, Operands::one, {}},
     Shape{"Ref", Scope::stencil, Operands::one, {}},
     Shape{"WriteMask", Scope::stencil, Operands::one, {}},
-    Shape{"ZFail", Scope::stencil, Operands::one, {}},
-    Shape{"ZFailBack", Scope::stencil, Operands::one, {}},
-    Shape{"ZFailFront", Scope::stencil, Operands::one, {}},
+    Shape{"ZFail", Scope::stencil, Operands::one, {}, Values::stencil_operation},
+    Shape{"ZFailBack", Scope::stencil, Operands::one, {}, Values::stencil_operation},
+    Shape{"ZFailFront", Scope::stencil, Operands::one, {}, Values::stencil_operation},
     Shape{"Color", Scope::fog, Operands::colour, {}},
     Shape{"Density", Scope::fog, Operands::one, {}},
-    Shape{"Mode", Scope::fog, Operands::one, {}},
+    Shape{"Mode", Scope::fog, Operands::one, {}, Values::fog_mode},
     Shape{"Range", Scope::fog, Operands::pair, {}},
     Shape{"Ambient", Scope::material, Operands::colour, {}},
     Shape{"Diffuse", Scope::material, Operands::colour, {}},
@@ -126,6 +128,7 @@ class CommandParser {
 
   Command parse(const Shape& shape) {
     command_.name = name_of(cursor_.take());
+    values_ = shape.values;
     operands(shape.operands);
     if (shape.block) block(*shape.block);
     return std::move(command_);
@@ -142,6 +145,9 @@ class CommandParser {
     if (!at_value(cursor_) || find_shape(cursor_, scope_) != nullptr)
       cursor_.fail("a value for " + command_.name.text);
     take_value();
+    const Command::Value& taken = command_.values.back();
+    const ValueProblem problem = value_problem(command_.name.text, values_, taken);
+    if (!problem.message.empty()) cursor_.say(taken.place, problem.severity, problem.message);
   }
 
   bool take_comma() {
@@ -253,14 +259,15 @@ class CommandParser {
   void skip(Scope scope) {
     const Token word = cursor_.take();
     const std::string hint = cursor_.warns() ? near_name_hint(word.spelling, names_of(scope)) : "";
-    cursor_.warn(word.place, "'" + std::string(word.spelling) + "' is not a command of " +
-                                 command_.name.text + (hint.empty() ? "" : ": " + hint));
+    cursor_.error(word.place, "'" + std::string(word.spelling) + "' is not a command of " +
+                                  command_.name.text + (hint.empty() ? "" : ": " + hint));
     while ((at_value(cursor_) || cursor_.at_mark(',')) && cursor_.peek().place.line == word.place.line)
       cursor_.take();
   }
 
   Cursor& cursor_;
   Scope scope_;
+  Values values_ = Values::anything;
   Command command_;
 };
 
@@ -305,10 +312,10 @@ void skip_unknown_command(Cursor& cursor, const std::vector<std::string>& struct
          (at_value(cursor) || cursor.at_mark(',') || cursor.at_mark('=')))
     cursor.take();
   const bool loses_program = cursor.at_mark('{') && skip_block(cursor, word);
-  if (!loses_program && !cursor.warns()) return cursor.warn(word.place, {});
+  if (!loses_program && !cursor.warns()) return cursor.error(word.place, {});
   const std::string message = unknown_command_message(word, structure);
   if (loses_program) cursor.fail_at(word.place, message + " (and its block holds a program)");
-  cursor.warn(word.place, message);
+  cursor.error(word.place, message);
 }
 
 }  // namespace penumbra::shaderlab

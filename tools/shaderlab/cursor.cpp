@@ -11,7 +11,7 @@ namespace penumbra::shaderlab {
 
 namespace {
 
-constexpr std::size_t kMostWarnings = 100;
+constexpr std::size_t kMostMessages = 100;
 constexpr std::size_t kLongestShown = 40;
 
 std::string shown(const Token& token) {
@@ -99,15 +99,24 @@ void Cursor::fail_at(const Place& place, const std::string& message) const {
 }
 
 void Cursor::warn(const Place& place, const std::string& message) {
+  say(place, hlsl::Severity::warning, message);
+}
+
+void Cursor::error(const Place& place, const std::string& message) {
+  say(place, hlsl::Severity::error, message);
+}
+
+void Cursor::say(const Place& place, hlsl::Severity severity, const std::string& message) {
   if (warns()) {
-    diagnostics_.push_back(diagnostic(place, hlsl::Severity::warning, message));
+    diagnostics_.push_back(diagnostic(place, severity, message));
   } else {
-    ++warnings_left_out_;
+    ++left_out_;
+    left_out_errors_ |= severity == hlsl::Severity::error;
   }
 }
 
 bool Cursor::warns() const {
-  return diagnostics_.size() < kMostWarnings;
+  return diagnostics_.size() < kMostMessages;
 }
 
 hlsl::Diagnostic Cursor::diagnostic(const Place& place, hlsl::Severity severity,
@@ -116,14 +125,15 @@ hlsl::Diagnostic Cursor::diagnostic(const Place& place, hlsl::Severity severity,
 }
 
 std::vector<hlsl::Diagnostic> Cursor::take_diagnostics() {
-  if (warnings_left_out_ > 0) {
+  if (left_out_ > 0) {
+    // A file whose only errors were left out must fail all the same.
     diagnostics_.push_back({file_,
                             0,
                             0,
-                            hlsl::Severity::note,
-                            std::to_string(warnings_left_out_) + " further warnings are left out",
+                            left_out_errors_ ? hlsl::Severity::error : hlsl::Severity::note,
+                            std::to_string(left_out_) + " further messages are left out",
                             {}});
-    warnings_left_out_ = 0;
+    left_out_ = 0;
   }
   return std::move(diagnostics_);
 }

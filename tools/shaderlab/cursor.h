@@ -40,8 +40,11 @@ class Cursor {
   // The message at the token that stands next: "expected <what>, found <token>".
   [[noreturn]] void fail(std::string_view what) const;
   [[noreturn]] void fail_at(const Place& place, const std::string& message) const;
+  // These three note a message, and the parse goes on.
   void warn(const Place& place, const std::string& message);
-  bool warns() const;  // false once there are so many warnings that further ones are only counted
+  void error(const Place& place, const std::string& message);
+  void say(const Place& place, hlsl::Severity severity, const std::string& message);
+  bool warns() const;  // false once there are so many messages that further ones are only counted
 
   hlsl::Diagnostic diagnostic(const Place& place, hlsl::Severity severity, const std::string& message) const;
   std::vector<hlsl::Diagnostic> take_diagnostics();
@@ -51,7 +54,8 @@ class Cursor {
   std::string_view text_;
   const Lexed& lexed_;
   std::size_t at_ = 0;
-  std::size_t warnings_left_out_ = 0;
+  std::size_t left_out_ = 0;
+  bool left_out_errors_ = false;
   std::vector<hlsl::Diagnostic> diagnostics_;
 };
 

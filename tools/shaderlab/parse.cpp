@@ -59,12 +59,17 @@ ParsedShader parse_shader(std::string_view bytes, const std::string& file) {
     warn_of_idle_includes(cursor, lexed);
   } catch (const SyntaxError& error) {
     end = error.place;
+    parsed.complete = false;
     parsed.diagnostics.push_back(cursor.diagnostic(error.place, hlsl::Severity::error, error.message));
   }
   for (const Remark& warning : lexed.warnings)
     if (warning.place.offset < end.offset) cursor.warn(warning.place, warning.message);
-  for (hlsl::Diagnostic& warning : cursor.take_diagnostics())
-    parsed.diagnostics.push_back(std::move(warning));
+  for (hlsl::Diagnostic& message : cursor.take_diagnostics()) {
+    // What ended the parse is often one mistake with the unknown words before it: one error for one mistake.
+    if (!parsed.complete && message.severity == hlsl::Severity::error)
+      message.severity = hlsl::Severity::warning;
+    parsed.diagnostics.push_back(std::move(message));
+  }
   std::stable_sort(parsed.diagnostics.begin(), parsed.diagnostics.end(), stands_before);
   shader.includes = std::move(lexed.includes);
   return parsed;

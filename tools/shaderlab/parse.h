@@ -1,12 +1,12 @@
 // Reads a .shader file.
 //
 // What Unity's ShaderLab reference describes (https://docs.unity3d.com/Manual/SL-Reference.html, the legacy
-// fixed-function commands included) becomes a tree. Keywords are read without regard to case. Commands are
-// read in their general shape; what their values mean is not checked.
+// fixed-function commands included) becomes a tree. Keywords are read without regard to case.
 //
-// Guarantees: any bytes are read in linear time with bounded nesting. There is at most one error, at the
-// first place that cannot be read, and the tree then holds what stands before it. What is merely odd (an
-// unknown command, a property declared twice) is a warning. Diagnostics are in the order of the file.
+// Guarantees: any bytes are read in linear time with bounded nesting. A place that cannot be read ends the
+// parse with an error, and the tree then holds what stands before it. An unknown command and an unknown value
+// are errors over which it goes on (warnings where the parse ends later). What is merely odd (a property
+// declared twice, a tag's unknown value) is a warning. Diagnostics are in the order of the file.
 #pragma once
 
 #include <string>
@@ -20,6 +20,7 @@ namespace penumbra::shaderlab {
 
 struct ParsedShader {
   Shader shader;
+  bool complete = true;  // false: `shader` ends at an error
   std::vector<hlsl::Diagnostic> diagnostics;
 };
 

@@ -5,6 +5,7 @@
 #include "shaderlab/characters.h"
 #include "shaderlab/commands.h"
 #include "shaderlab/properties.h"
+#include "shaderlab/tag_values.h"
 
 namespace penumbra::shaderlab {
 
@@ -170,6 +171,9 @@ class StructureParser {
       settings.lod = cursor_.expect_number("a number for LOD");
     } else if (cursor_.take_word("PackageRequirements")) {
       requirements(settings.requirements);
+    } else if (cursor_.at_word("Name")) {  // Unity reads one here, too: shaders of TextMesh Pro have it
+      cursor_.warn(cursor_.take().place, "this Name is in no Pass and names nothing");
+      cursor_.expect_text("the name");
     } else if (at_command(cursor_)) {
       settings.commands.push_back(parse_command(cursor_));
     } else {
@@ -189,6 +193,8 @@ class StructureParser {
       Tag tag{name_of(cursor_.take()), {}};
       cursor_.expect_mark('=', "after the tag \"" + tag.key.text + "\"");
       tag.value = cursor_.expect_text("the value of \"" + tag.key.text + "\"");
+      if (const std::string problem = tag_problem(tag); !problem.empty())
+        cursor_.warn(tag.value.place, problem);
       tags.push_back(std::move(tag));
     }
   }

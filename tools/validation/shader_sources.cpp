@@ -59,6 +59,24 @@ hlsl::Diagnostic no_entry_point(const SourceProgram& program) {
           {}};
 }
 
+// "Both vertex and fragment programs must be present in a shader snippet": Unity leaves the pass out.
+std::optional<hlsl::Diagnostic> missing_stage(const SourceProgram& program) {
+  const auto has = [&](hlsl::Stage stage) {
+    return std::any_of(program.entries.begin(), program.entries.end(),
+                       [stage](const auto& entry) { return entry.second == stage; });
+  };
+  if (!program.is_pass || (has(hlsl::Stage::vertex) && has(hlsl::Stage::fragment))) return std::nullopt;
+  const std::string stage =
+      hlsl::stage_name(has(hlsl::Stage::vertex) ? hlsl::Stage::fragment : hlsl::Stage::vertex);
+  return hlsl::Diagnostic{program.file,
+                          program.line,
+                          program.column,
+                          hlsl::Severity::error,
+                          "this program has no " + stage +
+                              " stage, and Unity leaves such a pass out: add #pragma " + stage + " NAME",
+                          {}};
+}
+
 bool is_stripped(const shaderlab::Program& program, const std::vector<std::string>& passes) {
   const std::string* light_mode = shaderlab::effective_tag(program, "LightMode");
   return std::any_of(passes.begin(), passes.end(), [&](const std::string& pass) {
@@ -165,16 +183,20 @@ void ShaderSources::leave_unchecked(const SourceProgram& program, const std::str
   record.status = VariantStatus::unchecked;
   record.reason = reason;
   records_.push_back(std::move(record));
+  knows_keywords_ = false;
 }
 
 void ShaderSources::add_shader(const project::ShaderFile& file, const std::string& text) {
   shaderlab::ParsedShader parsed = shaderlab::parse_shader(text, file.path.string());
   const shaderlab::Shader& shader = parsed.shader;
-  const bool broken = hlsl::has_errors(parsed.diagnostics);
   say(file.path.string(), shader.name.text, {}, std::move(parsed.diagnostics));
-  if (broken) return;
+  knows_keywords_ &= parsed.complete;
+  if (!parsed.complete) return;
   for (const shaderlab::Program& found : shaderlab::programs(shader)) {
-    if (is_stripped(found, options_.narrowing.unused_passes)) continue;
+    if (is_stripped(found, options_.narrowing.unused_passes)) {
+      knows_keywords_ = false;
+      continue;
+    }
     SourceProgram program;
     program.file = file.path.string();
     program.shader = shader.name.text;
@@ -182,6 +204,7 @@ void ShaderSources::add_shader(const project::ShaderFile& file, const std::strin
     program.sub_shader = found.sub_shader_index;
     program.line = found.place.line;
     program.column = found.place.column;
+    program.is_pass = true;
     program.scriptable_pipeline = shaderlab::effective_tag(found, "RenderPipeline") != nullptr;
     program.properties = numbers_of(shader);
     program.text = found.implicit_includes ? with_implicit_includes(found.text, program.file) : found.text;
@@ -201,6 +224,7 @@ void ShaderSources::add_compute(const project::ShaderFile& file, const std::stri
   shaderlab::ComputeKernels kernels = shaderlab::compute_kernels(text, file.path.string());
   const bool broken = hlsl::has_errors(kernels.diagnostics);
   say(file.path.string(), {}, {}, std::move(kernels.diagnostics));
+  knows_keywords_ &= !broken;
   if (broken) return;
   SourceProgram program;
   program.file = file.path.string();
@@ -219,6 +243,7 @@ void ShaderSources::add_hlsl(const project::ShaderFile& file, const std::string&
 
 void ShaderSources::add_program(const SourceProgram& program) {
   bool said = false;
+  bool lacks_stage = false;
   bool is_for_another_api = true;
   for (const PlatformTargets& platform : options_.platforms) {
     SourceProgram one = program;
@@ -230,6 +255,7 @@ void ShaderSources::add_program(const SourceProgram& program) {
     const bool broken = hlsl::has_errors(one.pragmas.diagnostics);
     const bool first = !std::exchange(said, true);
     if (first) say(one.file, one.shader, one.pass, one.pragmas.diagnostics);
+    knows_keywords_ &= one.pragmas.diagnostics.empty();
     const bool skipped = !variants::compiles_for(one.pragmas, variants::renderer_name(one.platform.api));
     is_for_another_api = is_for_another_api && !broken && skipped;
     if (broken || skipped) continue;
@@ -241,6 +267,8 @@ void ShaderSources::add_program(const SourceProgram& program) {
       if (first) say(one.file, one.shader, one.pass, {no_entry_point(one)});
       continue;
     }
+    if (const std::optional<hlsl::Diagnostic> missing = missing_stage(one))
+      if (!std::exchange(lacks_stage, true)) say(one.file, one.shader, one.pass, {*missing});
     one.space = std::make_shared<variants::KeywordSpace>(
         one.pragmas, variants::on_api(options_.narrowing, one.platform.api));
     programs_.push_back(std::move(one));

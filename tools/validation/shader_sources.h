@@ -52,6 +52,7 @@ struct SourceProgram {
   int sub_shader = 0;
   int line = 0;  // of HLSLPROGRAM; 0 where the file is one program
   int column = 0;
+  bool is_pass = false;                      // of a .shader: it must have a vertex and a fragment stage
   bool scriptable_pipeline = false;          // as in ProgramToLint
   std::vector<lint::NamedPlace> properties;  // likewise
   std::string text;                          // lines and columns are the file's own
@@ -75,6 +76,9 @@ class ShaderSources {
   const std::vector<SourceProgram>& programs() const { return programs_; }
   // Files, programs and passes that are not compiled, and why: a syntax error, a surface shader, GLSL.
   const std::vector<VariantRecord>& records() const { return records_; }
+  // Whether programs() declare every keyword of the files: not where a file or its pragmas were not
+  // understood.
+  bool knows_keywords() const { return knows_keywords_; }
 
   variants::Plan plan() const;
   // Of the same programs, with these clauses beside the narrowing.
@@ -103,6 +107,7 @@ class ShaderSources {
   SourceOptions options_;
   std::vector<SourceProgram> programs_;
   std::vector<VariantRecord> records_;
+  bool knows_keywords_ = true;
 };
 
 }  // namespace penumbra::validation
