@@ -46,6 +46,50 @@ TEST_F(Cost, AUsersFileWithKeywordSetsGivesTheSameBytesTwice) {
   EXPECT_EQ(run(command).output, once.output);
 }
 
+TEST_F(Cost, EveryPassOfAShaderHasItsRows) {
+  const std::string file =
+      write(
+          "Two.shader",
+          "Shader \"Two\" { SubShader {\nPass { Name \"One\"\nHLSLPROGRAM\n#pragma vertex Vert\n#pragma "
+          "fragment "
+          "Frag\n#pragma multi_compile _ DARK\nfloat4 tint;\n#ifdef SHADER_API_VULKAN\nfloat4 Vert(float4 p "
+          ": "
+          "POSITION) : SV_Position { return p; }\n#endif\nfloat4 Frag() : SV_Target {\n#ifdef DARK\n    "
+          "return "
+          "sqrt(tint);\n#endif\n    return tint; }\nENDHLSL }\nPass {\nHLSLPROGRAM\n#pragma vertex "
+          "Vert\n#pragma "
+          "fragment Frag\nfloat4 Vert(float4 p : POSITION) : SV_Position { return p.yxzw; }\nfloat4 Frag() : "
+          "SV_Target { return 1; }\nENDHLSL }\n} }\n")
+          .string();
+  const auto result = run({"cost", file, "--family", "navi21", "--format", "csv"});
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  for (const char* row :
+       {": One,Vert,vertex,", ": One,Frag,fragment,", ": 0.1,Vert,vertex,", ": 0.1,Frag,fragment,"})
+    EXPECT_THAT(result.output, HasSubstr(file + row));
+  const auto dark = run({"cost", file, "--family", "navi21", "--format", "csv", "--keyword-set", "DARK"});
+  EXPECT_THAT(dark.output, HasSubstr(": One,Frag,fragment,+DARK,"));
+}
+
+TEST_F(Cost, AUsersFileSeesTheMacrosThatUnityDefines) {
+  const std::string file = write("Own.hlsl",
+                                 "#if !defined(SHADER_API_VULKAN) || !defined(UNITY_VERSION) || "
+                                 "!defined(SHADER_STAGE_FRAGMENT)\n#error no macros\n#endif\n"
+                                 "float4 Main() : SV_Target { return 1; }\n")
+                               .string();
+  const auto result = run({"cost", file, "--family", "navi21", "--format", "csv"});
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(result.output, HasSubstr(file + ",Main,fragment,"));
+}
+
+TEST_F(Cost, WhatHasNoEffectOrIsNoShaderIsRefused) {
+  EXPECT_THAT(run({"cost", "--technique", "tent-5", "--entry", "Main"}).errors,
+              HasSubstr("--entry has no effect without a file"));
+  EXPECT_THAT(run({"cost", shader(), "--tolerance", "5"}).errors,
+              HasSubstr("--tolerance has no effect without --baseline"));
+  EXPECT_THAT(run({"cost", write("a.shadergraph", "{}").string()}).errors,
+              HasSubstr("View Generated Shader"));
+}
+
 // What compiles beside it has its row.
 TEST_F(Cost, AShaderThatEndsTheCompilerIsNamedAndTheOthersAreMeasured) {
   const std::string main = "float4 Main() : SV_Target";

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "cli/help.h"
+#include "cli/idle_options.h"
 #include "cli/known_names.h"
 #include "cli/option_text.h"
 #include "cli/option_values.h"
@@ -23,6 +24,7 @@
 #include "platform/atomic_file.h"
 #include "platform/data_directory.h"
 #include "platform/terminal.h"
+#include "project/shader_files.h"
 #include "shaders/compiler_version.h"
 
 namespace penumbra::cli {
@@ -78,9 +80,9 @@ cost::CostRequest make_request(const CostOptions& options) {
   const fs::path library = platform::data_directory();
   add_techniques(options, library, request);
   for (const std::string& file : options.files) {
+    project::require_shader_file(file);
     cost::ShaderFile shader{file, options.entry, *hlsl::find_stage(options.stage), {}};
     for (const std::string& set : options.keywords) shader.keyword_sets.push_back(parse_keyword_set(set));
-    if (shader.keyword_sets.empty()) shader.keyword_sets.emplace_back();
     request.files.push_back(std::move(shader));
   }
   for (const std::string& define : options.defines) request.defines.push_back(parse_define(define));
@@ -188,18 +190,18 @@ void run_cost(const CostOptions& options, Context& context) {
 }
 
 void add_what(CLI::App& command, CostOptions& options) {
-  command.add_option("files", options.files, "Your own HLSL files")
+  command.add_option("files", options.files, "Your own .shader, .compute and .hlsl files")
       ->type_name("FILE")
       ->default_str("the library's techniques");
   add_technique_option(command, options.techniques, "all, without files");
-  command.add_option("--entry", options.entry, "Entry point of the files")->type_name("NAME");
-  command.add_option("--stage", options.stage, "Stage of the files")
+  command.add_option("--entry", options.entry, "Entry point of .hlsl files")->type_name("NAME");
+  command.add_option("--stage", options.stage, "Stage of .hlsl files")
       ->type_name("STAGE")
       ->check(one_of({"vertex", "fragment", "compute"}));
   one_each(command.add_option("--keyword-set", options.keywords,
                               "One keyword set of the files, as a comma-separated list"))
       ->type_name("KEYWORD[,...]")
-      ->default_str("the empty set");
+      ->default_str("the first that the pragmas make");
   add_package_roots(command, options.package_roots);
   add_source_options(command, options.include_directories, options.defines);
   CLI::Option* family =
@@ -267,6 +269,8 @@ void add_cost(CLI::App& app, Context& context) {
   command->callback([command, options, &context] {
     refuse_beside_from(*command, {"files", "--technique", "--family", "--format", "--output", "--baseline",
                                   "--tolerance", "--any-driver", "--readme"});
+    refuse_idle(*command, {"--entry", "--stage", "--keyword-set"}, options->files.empty(), "without a file");
+    refuse_idle(*command, {"--tolerance", "--any-driver"}, options->baseline.empty(), "without --baseline");
     run_cost(*options, context);
   });
   add_worker(app);

@@ -6,7 +6,9 @@
 
 #include "cost/module_compiler.h"
 #include "input/input_error.h"
+#include "validation/shader_sources.h"
 #include "validation/source_variants.h"
+#include "validation/spirv_target.h"
 
 namespace penumbra::cost {
 namespace {
@@ -17,8 +19,6 @@ validation::ValidationRequest as_validated(const CostRequest& request) {
   validated.defines = request.defines;
   validated.package_roots = request.package_roots;
   validated.include_directories = request.include_directories;
-  for (const ShaderFile& shader : request.files)
-    validated.files.push_back({shader.file, shader.entry, shader.stage, shader.keyword_sets});
   return validated;
 }
 
@@ -38,16 +38,52 @@ std::vector<Source> sources_of(const CostRequest& request) {
   const validation::ValidationRequest validated = as_validated(request);
   std::vector<Source> sources;
   for (validation::SourceVariant& variant : validation::source_variants(validated)) {
-    const shaders::Technique* technique = variant.technique;
     validation::CompileUnit& unit = variant.unit;
-    if (technique == nullptr) unit.compile.prepare = true;
-    if (technique != nullptr && unit.compile.stage != hlsl::Stage::fragment) continue;
-    std::string file = technique == nullptr ? unit.file : file_in_package(*technique);
+    if (unit.compile.stage != hlsl::Stage::fragment) continue;
     sources.push_back({std::move(unit.compile),
-                       std::move(file),
-                       {technique == nullptr ? "" : technique->name, std::move(unit.keywords)}});
+                       file_in_package(*variant.technique),
+                       {variant.technique->name, std::move(unit.keywords)}});
   }
   return sources;
+}
+
+// A pass of a .shader is a file of its own: passes may have entry points of one name.
+std::string file_and_pass(const validation::SourceProgram& program) {
+  return program.pass.empty() ? program.file : program.file + ": " + program.pass;
+}
+
+bool is_measured(hlsl::Stage stage) {
+  return stage == hlsl::Stage::vertex || stage == hlsl::Stage::fragment || stage == hlsl::Stage::compute;
+}
+
+// As `penumbra validate` compiles the file for Vulkan: with its pragmas and Unity's macros. Without keyword
+// sets a program of a .shader or .compute is its first variant, the one with the fewest keywords.
+void add_file(const CostRequest& request, const ShaderFile& shader, std::vector<Source>& sources,
+              std::vector<hlsl::Diagnostic>& said) {
+  validation::SourceOptions options;
+  options.platforms = {{{}, {std::string(validation::spirv_targets().front())}}};
+  options.roots.packages = request.package_roots;
+  options.roots.directories = request.include_directories;
+  options.defines = request.defines;
+  options.entries = {{shader.entry, shader.stage}};
+  validation::ShaderSources file(std::move(options));
+  file.add({shader.file, shader.file.string()});
+  for (const validation::VariantRecord& record : file.records()) {
+    said.insert(said.end(), record.diagnostics.begin(), record.diagnostics.end());
+    if (!record.reason.empty())
+      said.push_back({record.file, 0, 0, hlsl::Severity::error, "not measured: " + record.reason, {}});
+  }
+  for (const validation::SourceProgram& program : file.programs()) {
+    for (std::size_t i = 0; i < program.entries.size() + program.kernels.size(); ++i) {
+      const hlsl::Stage stage = i < program.entries.size() ? program.entries[i].second : hlsl::Stage::compute;
+      if (!is_measured(stage)) continue;
+      std::vector<variants::Keywords> sets = shader.keyword_sets;
+      if (sets.empty()) sets.push_back(program.space->variants(stage).at(0));
+      for (const variants::Keywords& keywords : sets)
+        sources.push_back(
+            {file.entry_unit(program, i, keywords).compile, file_and_pass(program), {"", keywords}});
+    }
+  }
 }
 
 void add_new(std::vector<hlsl::Diagnostic>& said, const std::vector<hlsl::Diagnostic>& more) {
@@ -62,13 +98,16 @@ void add_new(std::vector<hlsl::Diagnostic>& said, const std::vector<hlsl::Diagno
 }  // namespace
 
 CostModules compile_modules(const CostRequest& request) {
-  const std::vector<Source> sources = sources_of(request);
+  CostModules made;
+  std::vector<Source> sources = sources_of(request);
+  std::vector<hlsl::Diagnostic> said;
+  for (const ShaderFile& shader : request.files) add_file(request, shader, sources, said);
+  add_new(made.diagnostics, said);
   std::vector<shaders::CompileRequest> requests;
   for (const Source& source : sources) requests.push_back(source.compile);
   const std::vector<CompiledModule> compiled =
       compile_all(requests, {request.compiler, request.jobs, request.compiler_limits});
 
-  CostModules made;
   std::map<std::tuple<std::string, hlsl::Stage, std::string, std::vector<std::uint32_t>>, std::size_t> places;
   for (std::size_t i = 0; i < sources.size(); ++i) {
     const auto& [compile, file, variant] = sources[i];

@@ -16,11 +16,13 @@
 
 namespace penumbra::cost {
 
+// An .hlsl file, of which entry point and stage are given, or a .shader or .compute, whose pragmas name them.
 struct ShaderFile {
   std::filesystem::path file;
   std::string entry = "Main";
   hlsl::Stage stage = hlsl::Stage::fragment;
-  std::vector<std::vector<std::string>> keyword_sets{{}};
+  // Without one: the first variant that the file's pragmas make.
+  std::vector<std::vector<std::string>> keyword_sets{};
 };
 
 struct CostRequest {
