@@ -58,7 +58,8 @@ TEST(Outline, WhatIsNeverClosedIsLeftOut) {
 }
 
 TEST(Outline, EveryTokenBelongsToOneDeclarationAtMost) {
-  const std::vector<Token> tokens = lex("a; } b(c){d} namespace N { e f; } ] ) struct {x} y; = ; <>;");
+  const std::string text = "a; } b(c){d} namespace N { e f; } ] ) struct {x} y; = ; <>;";
+  const std::vector<Token> tokens = lex(text);
   std::size_t next = 0;
   for (const Declaration& declaration : outline(tokens)) {
     EXPECT_GE(declaration.first, next);

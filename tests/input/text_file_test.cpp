@@ -52,5 +52,14 @@ TEST_F(TextFile, WhatIsFoundMustBeARegularFile) {
   expect_input_error([&] { read_found_text_file(folder_ / "none"); }, HasSubstr("cannot be opened"));
 }
 
+#ifdef __linux__
+// Reading the first page of a process's memory gives EIO, as a broken disk does.
+TEST_F(TextFile, OneThatCannotBeReadToItsEndIsAnError) {
+  expect_input_error([] { read_text_file("/proc/self/mem"); }, HasSubstr("cannot be read"));
+  std::ifstream memory("/proc/self/mem");
+  EXPECT_EQ(rest_of(memory), std::nullopt);
+}
+#endif
+
 }  // namespace
 }  // namespace penumbra

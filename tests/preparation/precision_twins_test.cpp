@@ -128,7 +128,8 @@ TEST(PrecisionTwins, DeclarationsAndValuesAreNoDefinitions) {
 TEST(PrecisionTwins, WhatFollowsABodyThatWentKeepsItsPlace) {
   const std::string text =
       "half f(half x)\n{\n    return x;\n#line 40 \"b.hlsl\"\n}\nfloat f(float x) { return x; }\n";
-  const std::vector<hlsl::Token> tokens = hlsl::lex(merge(text).text);
+  const std::string merged = merge(text).text;
+  const std::vector<hlsl::Token> tokens = hlsl::lex(merged);
   EXPECT_THAT(tokens, testing::Contains(AllOf(testing::Field(&hlsl::Token::spelling, Eq("float")),
                                               testing::Field(&hlsl::Token::file, Eq("b.hlsl")),
                                               testing::Field(&hlsl::Token::line, Eq(41)))));

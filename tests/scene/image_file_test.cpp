@@ -74,5 +74,11 @@ TEST(ImageFile, APictureBeyondTheLimitIsRefusedBeforeItIsRead) {
       HasSubstr("wide.tga"));
 }
 
+#ifdef __linux__
+TEST(ImageFile, OneThatCannotBeReadToItsEndIsRefused) {
+  expect_input_error([] { read_image("/proc/self/mem"); }, HasSubstr("cannot be read"));
+}
+#endif
+
 }  // namespace
 }  // namespace penumbra::scene

@@ -5,9 +5,11 @@
 #include <cstdint>
 #include <cstring>
 #include <fstream>
-#include <iterator>
+#include <optional>
 #include <system_error>
 #include <utility>
+
+#include "input/text_file.h"
 
 namespace penumbra::hlsl {
 
@@ -51,9 +53,9 @@ SourceRead read_source(const std::filesystem::path& file) {
     return {{}, "it has more than " + std::to_string(kLargestSource) + " bytes, the limit of a source file"};
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return {{}, std::strerror(errno)};
-  const std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  if (stream.bad()) return {{}, "reading it failed"};
-  return {normalise_source(bytes), {}};
+  const std::optional<std::string> bytes = rest_of(stream);
+  if (!bytes) return {{}, "reading it failed"};
+  return {normalise_source(*bytes), {}};
 }
 
 void SourceFiles::add(const std::string& name, std::string text) {

@@ -37,5 +37,6 @@ struct Token {
 
 // The views live as long as `preprocessed` does. Never fails: what is no word, number or text is a mark.
 std::vector<Token> lex(const std::string& preprocessed);
+std::vector<Token> lex(std::string&&) = delete;  // what the views point into would be gone
 
 }  // namespace penumbra::hlsl

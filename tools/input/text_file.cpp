@@ -35,4 +35,12 @@ std::string read_found_text_file(const fs::path& file, std::size_t largest) {
   return read_text_file(file, largest);
 }
 
+std::optional<std::string> rest_of(std::istream& stream) {
+  std::string text;
+  for (std::array<char, 65536> part{}; stream.read(part.data(), part.size()), stream.gcount() > 0;)
+    text.append(part.data(), static_cast<std::size_t>(stream.gcount()));
+  if (stream.bad()) return std::nullopt;
+  return text;
+}
+
 }  // namespace penumbra

@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <iosfwd>
+#include <optional>
 #include <string>
 
 namespace penumbra {
@@ -17,5 +19,8 @@ std::string read_text_file(const std::filesystem::path& file, std::size_t larges
 
 // A file that was found in a project or folder. What is not a regular file is refused besides.
 std::string read_found_text_file(const std::filesystem::path& file, std::size_t largest = kLargestTextFile);
+
+// What is left of a stream; nothing when reading it fails, where std::istreambuf_iterator throws.
+std::optional<std::string> rest_of(std::istream& stream);
 
 }  // namespace penumbra

@@ -1,9 +1,9 @@
 #include "reference/cache_entry.h"
 
 #include <fstream>
-#include <iterator>
 
 #include "input/input_error.h"
+#include "input/text_file.h"
 #include "platform/atomic_file.h"
 #include "platform/content_hash.h"
 
@@ -37,7 +37,9 @@ std::optional<CacheEntryReader> CacheEntryReader::open(const std::filesystem::pa
   if (!std::filesystem::is_regular_file(file, ignored)) return std::nullopt;
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return std::nullopt;
-  const std::string content((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+  const std::optional<std::string> read = rest_of(stream);
+  if (!read) return std::nullopt;
+  const std::string& content = *read;
   const std::string head = std::string(title) + key;
   if (content.size() < head.size() + hash_size || !content.starts_with(head)) return std::nullopt;
   const std::string_view hashed(content.data(), content.size() - hash_size);

@@ -56,7 +56,7 @@ class CacheEntryReader {
       return {};
     }
     std::vector<Element> elements(count);
-    std::memcpy(elements.data(), payload_.data() + taken_, count * sizeof(Element));
+    if (count != 0) std::memcpy(elements.data(), payload_.data() + taken_, count * sizeof(Element));
     taken_ += count * sizeof(Element);
     return elements;
   }

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <fstream>
-#include <iterator>
 #include <limits>
 #include <memory>
 #include <vector>
 
 #include "input/input_error.h"
+#include "input/text_file.h"
 
 // The library is a header; its own warnings are not ours.
 #pragma GCC diagnostic push
@@ -68,8 +68,9 @@ Texture decode_image(std::span<const std::byte> bytes, const std::string& name) 
 Texture read_image(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream || std::filesystem::is_directory(file)) throw InputError(file.string(), "cannot be opened");
-  const std::vector<char> bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  return decode_image(std::as_bytes(std::span<const char>(bytes)), file.string());
+  const std::optional<std::string> bytes = rest_of(stream);
+  if (!bytes) throw InputError(file.string(), "cannot be read");
+  return decode_image(std::as_bytes(std::span<const char>(*bytes)), file.string());
 }
 
 }  // namespace penumbra::scene
