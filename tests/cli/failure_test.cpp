@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <csignal>
 #include <filesystem>
 #include <new>
 #include <stdexcept>
@@ -40,6 +41,22 @@ TEST(Failure, EverythingElseIsOurMistakeAndAsksForAReport) {
               AllOf(HasSubstr("a raster pass without a target"), HasSubstr("please report it")));
   EXPECT_EQ(failure_after(3).code, 70);
   EXPECT_THAT(failure_after(InputError("", "is wrong")).message, Not(HasSubstr("report")));
+}
+
+template <typename Exception>
+[[noreturn]] void throws(const Exception& exception) {
+  throw exception;
+}
+
+template <typename Exception>
+void end_with(const Exception& exception) noexcept {
+  answer_uncaught_exceptions();
+  throws(exception);
+}
+
+TEST(FailureDeathTest, MemoryThatRunsOutWhereNothingMayThrowIsAnswered) {
+  EXPECT_EXIT(end_with(std::bad_alloc()), testing::ExitedWithCode(3), "^penumbra: out of memory");
+  EXPECT_EXIT(end_with(std::logic_error("a mistake")), testing::KilledBySignal(SIGABRT), "");
 }
 
 }  // namespace

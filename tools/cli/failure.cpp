@@ -1,5 +1,8 @@
 #include "cli/failure.h"
 
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
 #include <filesystem>
 #include <new>
 
@@ -8,6 +11,9 @@
 
 namespace penumbra::cli {
 namespace {
+
+constexpr const char* out_of_memory =
+    "out of memory; use a smaller picture, map, scene or file, or fewer --jobs";
 
 Failure mistake_of_ours(const std::string& what) {
   return {internal_error, "internal error: " + what +
@@ -28,7 +34,7 @@ Failure described(const std::exception_ptr& thrown) {
   } catch (const std::filesystem::filesystem_error& error) {
     return {bad_input, error.what()};
   } catch (const std::bad_alloc&) {
-    return {bad_environment, "out of memory; use a smaller picture, map, scene or file, or fewer --jobs"};
+    return {bad_environment, out_of_memory};
   } catch (const std::exception& error) {
     return mistake_of_ours(error.what());
   } catch (...) {
@@ -36,7 +42,23 @@ Failure described(const std::exception_ptr& thrown) {
   }
 }
 
+// Allocates nothing.
+[[noreturn]] void end_uncaught() {
+  try {
+    if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "penumbra: %s\n", out_of_memory);
+    std::_Exit(bad_environment);
+  } catch (...) {
+  }
+  std::abort();
+}
+
 }  // namespace
+
+void answer_uncaught_exceptions() {
+  std::set_terminate(end_uncaught);
+}
 
 Failure failure_of(const std::exception_ptr& thrown) {
   try {

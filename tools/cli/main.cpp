@@ -32,6 +32,7 @@ std::optional<int> serve_as_worker(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     if (const std::optional<int> code = serve_as_worker(argc, argv)) return *code;
+    penumbra::cli::answer_uncaught_exceptions();
     penumbra::platform::watch_interrupts();
     return penumbra::cli::run_command_line({argv + 1, argv + argc});
   } catch (...) {

@@ -66,7 +66,7 @@ bool ReferenceCache::store_beginning(const std::string& key, std::span<const Hal
   return entry.write(beginning_file(key));
 }
 
-void ReferenceCache::drop_beginning(const std::string& key) const noexcept {
+void ReferenceCache::drop_beginning(const std::string& key) const {
   std::error_code ignored;
   std::filesystem::remove(beginning_file(key), ignored);
 }

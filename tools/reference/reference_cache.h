@@ -31,7 +31,7 @@ class ReferenceCache {
   // The beginning of an unfinished answer: the pixels of its first rows.
   std::vector<HalfCounts> find_beginning(const std::string& key) const;  // empty when there is none
   bool store_beginning(const std::string& key, std::span<const HalfCounts> counts) const;
-  void drop_beginning(const std::string& key) const noexcept;
+  void drop_beginning(const std::string& key) const;
 
   std::filesystem::path image_file(const std::string& key) const;
   std::filesystem::path beginning_file(const std::string& key) const;

@@ -61,20 +61,41 @@ std::string part_name() {
   return "." + std::to_string(process) + "-" + std::to_string(count++) + std::string(part_extension);
 }
 
+// A file that is half-written until it is renamed, and gone if it never is: also where memory runs out.
+class PartFile {
+ public:
+  explicit PartFile(const fs::path& folder) : path_(folder / part_name()) {}
+  ~PartFile() {
+    std::error_code ignored;
+    if (!renamed_) fs::remove(path_, ignored);
+  }
+  PartFile(const PartFile&) = delete;
+  PartFile& operator=(const PartFile&) = delete;
+
+  const fs::path& path() const { return path_; }
+  bool rename(const fs::path& file) {
+    std::error_code error;
+    fs::rename(path_, file, error);
+    renamed_ = !error;
+    return renamed_;
+  }
+
+ private:
+  fs::path path_;
+  bool renamed_ = false;
+};
+
 bool write_file(const fs::path& file, std::string_view content) {
-  std::error_code error;
-  const fs::path part = file.parent_path() / part_name();
-  std::ofstream stream(part, std::ios::binary);
+  PartFile part(file.parent_path());
+  std::ofstream stream(part.path(), std::ios::binary);
   if (!stream) {
+    std::error_code error;
     fs::create_directories(file.parent_path(), error);
-    stream.open(part, std::ios::binary);
+    stream.open(part.path(), std::ios::binary);
   }
   stream.write(content.data(), static_cast<std::streamsize>(content.size()));
   stream.close();
-  if (stream) fs::rename(part, file, error);
-  if (stream && !error) return true;
-  fs::remove(part, error);
-  return false;
+  return stream && part.rename(file);
 }
 
 void mark_used(const fs::path& file) {
