@@ -122,18 +122,6 @@ SourcePlace place_of_instruction(const SpirvModule& module, std::size_t wanted) 
 
 }  // namespace
 
-const char* vulkan_version_name(VulkanVersion version) {
-  switch (version) {
-    case VulkanVersion::v1_0:
-      return "1.0";
-    case VulkanVersion::v1_1:
-      break;
-    case VulkanVersion::v1_2:
-      return "1.2";
-  }
-  return "1.1";
-}
-
 void number_bindings(SpirvModule& module) {
   std::uint32_t next = 0;
   for (std::size_t at = header_words; at < module.size();) {

@@ -1,0 +1,44 @@
+// The #pragma lines of a program, and the variants they declare.
+#include <set>
+#include "fuzz/fuzz_input.h"
+#include "variants/plan.h"
+#include "variants/pragmas.h"
+
+namespace {
+
+using namespace penumbra;
+
+// A space that spans too much throws InputError; every other one counts what it lists.
+void list_variants(const variants::Pragmas& pragmas) {
+  const variants::KeywordSpace space(pragmas);
+  const variants::VariantList& whole = space.whole_program();
+  const std::uint64_t count = whole.count().value();
+  std::set<variants::Keywords> seen;
+  for (std::uint64_t i = 0; i < count && i < 64; ++i) {
+    const variants::Keywords variant = whole.at(i);
+    fuzz::require(seen.insert(variant).second, "no variant is listed twice");
+    variants::shader_target(pragmas, variant);
+  }
+  if (count > 0) whole.at(count - 1);
+  const std::vector<variants::PlannedProgram> programs{
+      {"a", &space, {hlsl::Stage::vertex, hlsl::Stage::fragment}}};
+  variants::text_of(variants::plan(programs));
+  variants::refusal(programs, 4);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string text(fuzz::text_of(data, size));
+  const std::string other = text.substr(text.size() / 2);
+  const variants::FindIncluded find = [&](const std::string& name, const std::string&) {
+    return name.empty() ? std::nullopt : std::optional(variants::IncludedText{"b.hlsl", other});
+  };
+  const variants::Pragmas pragmas =
+      variants::read_pragmas({"a.shader", text, {{"UNITY_VERSION", "202230"}}, find});
+  fuzz::require(pragmas.diagnostics.size() <= 201, "at most 200 messages, and that there are more");
+  for (const hlsl::Diagnostic& message : pragmas.diagnostics) fuzz::require_harmless(hlsl::format(message));
+  for (const char* renderer : {"vulkan", "gles3"}) variants::compiles_for(pragmas, renderer);
+  fuzz::read([&] { list_variants(pragmas); });
+  return 0;
+}

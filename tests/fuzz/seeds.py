@@ -1,0 +1,157 @@
+#!/usr/bin/env python3
+"""Makes the seed corpus of every fuzz target, and its dictionary, from the tests and the library's own files.
+
+    tests/fuzz/seeds.py FOLDER FUZZ_SEEDS     writes FOLDER/TARGET/* and FOLDER/TARGET.dictionary
+
+Texts that stand in the tests as raw strings are seeds as they are. FUZZ_SEEDS is the program of seeds_main.cpp, whose
+messages of workers and reports are the program's own.
+"""
+
+import collections
+import hashlib
+import json
+import pathlib
+import re
+import shutil
+import struct
+import subprocess
+import sys
+import zlib
+
+root = pathlib.Path(__file__).resolve().parents[2]
+tests = root / 'tests'
+LONGEST = 16384
+
+
+def raw_strings(*patterns):
+    """The raw strings of C++ sources, and what stands between quotes on a line of its own."""
+    for pattern in patterns:
+        for source in sorted(tests.glob(pattern)):
+            for match in re.finditer(r'R"([^()\\\s]{0,16})\((.*?)\)\1"', source.read_text(), re.DOTALL):
+                yield match[2].encode()
+
+
+def quoted(*patterns):
+    for pattern in patterns:
+        for source in sorted(tests.glob(pattern)):
+            for match in re.finditer(r'"((?:[^"\\\n]|\\.)+)"', source.read_text()):
+                yield match[1].encode().decode('unicode_escape').encode('latin-1', 'replace')
+
+
+def files(*patterns):
+    for pattern in patterns:
+        for file in sorted(root.glob(pattern)):
+            if file.is_file():
+                yield file.read_bytes()
+
+
+def first_bytes(first, contents):
+    for content in contents:
+        yield bytes([first]) + content
+
+
+def cut(text, lists):
+    """A JSON document whose long lists keep two elements."""
+    document = json.loads(text)
+    for name in lists:
+        document[name] = document[name][:2]
+    return json.dumps(document, indent=1).encode()
+
+
+def results():
+    for file in sorted(root.glob('Documentation~/results/*/results.json')):
+        yield cut(file.read_text(), ['frames', 'records'])
+    yield cut((root / 'Documentation~/results/cost.json').read_text(), ['families', 'rows'])
+
+
+def pictures():
+    """Two by two pixels, in forms that are written in a few lines."""
+    for colour, channels in ((0, 1), (2, 3), (4, 2), (6, 4)):
+        rows = b''.join(b'\0' + bytes(range(2 * channels)) for _ in range(2))
+        chunks = ((b'IHDR', struct.pack('>IIBBBBB', 2, 2, 8, colour, 0, 0, 0)), (b'IDAT', zlib.compress(rows)), (b'IEND', b''))
+        yield b'\x89PNG\r\n\x1a\n' + b''.join(
+            struct.pack('>I', len(data)) + kind + data + struct.pack('>I', zlib.crc32(kind + data)) for kind, data in chunks)
+    yield b'BM' + struct.pack('<IHHIIiiHHIIiiII', 70, 0, 0, 54, 40, 2, 2, 1, 24, 0, 16, 0, 0, 0, 0) + bytes(16)
+    for kind in (2, 10):
+        yield struct.pack('<BBBHHBHHHHBB', 0, 0, kind, 0, 0, 0, 0, 0, 2, 2, 24, 0) + bytes(range(16))
+
+
+def models():
+    """A square as two triangles of an STL file, and as numbers of vertices and faces."""
+    corners = [(0, 0, 0), (1, 0, 0), (1, 0, 1), (0, 0, 1)]
+    triangles = [(corners[0], corners[1], corners[2]), (corners[0], corners[2], corners[3])]
+    yield b'\x04' + b''.join(
+        struct.pack('<12fH', 0, 1, 0, *(x for corner in triangle for x in corner), 0) for triangle in triangles)
+    vertices = b''.join(struct.pack('<9f', *corner, 0, 1, 0, corner[0], corner[2], 0) for corner in corners + corners)
+    yield b'\x05' + vertices + bytes([0, 1, 2, 0, 0, 0, 2, 3, 0, 1]) + bytes([0, 1, 2, 3, 64])
+
+
+def technique_list():
+    text = (root / 'ShaderLibrary/techniques.json').read_text()
+    document = json.loads(text)
+    used = document['techniques'][:2]
+    names = {step.get('parameters') for technique in used for step in technique['chain']}
+    document['techniques'] = used
+    document['structs'] = [struct for struct in document['structs'] if struct['name'] in names]
+    document['looks'] = document['looks'][:1]
+    yield json.dumps(document, indent=1).encode()
+
+
+SHADERS = ['tests/cli/seeds/*', 'tests/validation/broken/**/*.hlsl', 'ShaderLibrary/**/*.hlsl']
+HLSL = ['preparation/*_test.cpp', 'hlsl/*_test.cpp', 'lint/*_test.cpp', 'shaders/*_test.cpp']
+
+
+def target_seeds():
+    shader_texts = list(files(*SHADERS))
+    hlsl_texts = list(raw_strings(*HLSL)) + shader_texts
+    shaderlab = list(raw_strings('shaderlab/*', 'variants/*', 'validation/*.cpp')) + list(
+        files('tests/**/*.shader', 'tests/**/*.compute', 'Shaders/*.shader', 'Samples~/**/*.shader'))
+    json_texts = list(raw_strings('parameters/*_input_test.cpp', 'input/*.cpp', 'cli/*_test.cpp'))
+    yield 'cache_entries', [b'penumbra validation 1\n0123456789abcdef0123456789abcdefanswer', bytes(64)]
+    yield 'expanded_text', hlsl_texts
+    yield 'figures', results()
+    yield 'messages', [*files('Documentation~/presets.md'), *quoted('input/markdown_test.cpp', 'input/visible_text_test.cpp')]
+    yield 'model', models()
+    yield 'option_values', [*quoted('variants/keyword_expression_test.cpp', 'project/*_test.cpp'),
+                            *raw_strings('project/*_test.cpp')]
+    yield 'picture', [*pictures(), *files('tests/golden/*.png')]
+    yield 'pragmas', [*raw_strings('variants/*'), *quoted('variants/pragmas_test.cpp', 'variants/keyword_space_test.cpp')]
+    yield 'preparation', [*first_bytes(255, hlsl_texts), *first_bytes(60, shader_texts[:8])]
+    yield 'project_files', [
+        *(bytes([kind]) + text for kind in range(4) for text in raw_strings('project/project_mutation_test.cpp')),
+        *first_bytes(4, [b'm_EditorVersion: 2022.3.20f1\nm_EditorVersionWithRevision: 2022.3.20f1 (61c2feb0970d)\n']),
+        *first_bytes(2, files('package.json'))]
+    yield 'report', []
+    yield 'settings', [*json_texts, *files('tests/golden/exported_shadow_state.json')]
+    yield 'shaderlab', shaderlab
+    yield 'source_text', [*hlsl_texts, *raw_strings('variants/*')]
+    yield 'stripping', [*raw_strings('variants/stripping_test.cpp', 'variants/urp_settings_test.cpp'),
+                        *files('tests/**/*.asset')]
+    yield 'technique_list', technique_list()
+    yield 'worker_messages', []
+
+
+def dictionary(contents):
+    """The words that most seeds hold, for libFuzzer to put where they do not belong."""
+    words = collections.Counter()
+    for content in contents:
+        words.update(set(re.findall(rb'[A-Za-z_#][A-Za-z0-9_]{2,40}', content)))
+    chosen = sorted(word for word, _ in sorted(words.items(), key=lambda item: (-item[1], item[0]))[:400])
+    return ''.join(f'"{word.decode()}"\n' for word in chosen)
+
+
+def main(folder, program):
+    chosen = dict(target_seeds())
+    for target, seeds in chosen.items():
+        place = folder / target
+        shutil.rmtree(place, ignore_errors=True)
+        place.mkdir(parents=True)
+        for content in {seed[:LONGEST] for seed in seeds if seed}:
+            (place / hashlib.sha1(content).hexdigest()).write_bytes(content)
+    subprocess.run([program, folder], check=True)
+    for target in chosen:
+        contents = [file.read_bytes() for file in (folder / target).iterdir()]
+        (folder / f'{target}.dictionary').write_text(dictionary(contents))
+
+
+main(pathlib.Path(sys.argv[1]), sys.argv[2])
