@@ -28,7 +28,7 @@ End end_of(const std::function<void()>& work, std::string& message) {
 
 }  // namespace
 
-void with_every_fault(Kind kind, Extent extent, const Trial& trial) {
+std::size_t with_every_fault(Kind kind, Extent extent, const Trial& trial) {
   for (std::size_t number = 0; number < most; ++number) {
     SCOPED_TRACE(name_of(kind, extent, number));
     trial.prepare();
@@ -48,11 +48,12 @@ void with_every_fault(Kind kind, Extent extent, const Trial& trial) {
     if (!failed) {
       EXPECT_EQ(end, End::done) << message;
       EXPECT_GT(number, 0U) << "nothing was made to fail";
-      return;
+      return number;
     }
-    if (testing::Test::HasFailure()) return;
+    if (testing::Test::HasFailure()) return number;
   }
   ADD_FAILURE() << "still failing after " << most << " calls";
+  return most;
 }
 
 void with_every_fault(const Trial& trial) {

@@ -24,7 +24,9 @@ struct Trial {
   std::function<void()> work;
   std::function<void(End, bool failed)> check;
 };
-void with_every_fault(Kind kind, Extent extent, const Trial& trial);
+
+// How many calls were made to fail, one after the other.
+std::size_t with_every_fault(Kind kind, Extent extent, const Trial& trial);
 
 // With memory and both kinds of file errors, once and lasting.
 void with_every_fault(const Trial& trial);

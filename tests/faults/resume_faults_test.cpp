@@ -78,6 +78,17 @@ TEST(ResumeFaults, AKeptImageIsOldOrNewWhole) {
                     [&](End, bool) { expect_right(cache.find("faulty"), true); }});
 }
 
+TEST(ResumeFaults, AnImageThatIsNotKeptIsSaid) {
+  const ScratchFolder scratch;
+  const ReferenceCache cache(scratch.path());
+  const VisibilityImage right = run_rows(job(), options(), nullptr);
+  bool stored = false;
+  for (const Extent extent : {Extent::once, Extent::from_there})
+    with_every_fault(Kind::full, extent,
+                     {[] {}, [&] { stored = cache.store("faulty", right); },
+                      [&](End, bool failed) { EXPECT_EQ(stored, !failed); }});
+}
+
 TEST(ResumeFaults, ReadingGivesTheImageOrNone) {
   const ScratchFolder scratch;
   const ReferenceCache cache(scratch.path());

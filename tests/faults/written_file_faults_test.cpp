@@ -18,6 +18,15 @@ TEST(WrittenFileFaults, TheOldFileStaysUntilTheNewOneIsWhole) {
        [&](End end, bool) { EXPECT_EQ(content_of(file), end == End::done ? new_text : "old"); }});
 }
 
+TEST(WrittenFileFaults, NoStepThatFailsGoesUnnoticed) {
+  const reference::ScratchFolder scratch;
+  const fs::path file = scratch.path() / "report.json";
+  for (const Extent extent : {Extent::once, Extent::from_there})
+    with_every_fault(Kind::full, extent,
+                     {[] {}, [&] { platform::write_file_atomically(file, new_text); },
+                      [&](End end, bool failed) { EXPECT_EQ(end, failed ? End::refused : End::done); }});
+}
+
 TEST(WrittenFileFaults, OneFaultLeavesNothingBehind) {
   const reference::ScratchFolder scratch;
   const fs::path file = scratch.path() / "report.json";
