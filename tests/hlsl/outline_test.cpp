@@ -57,8 +57,14 @@ TEST(Outline, WhatIsNeverClosedIsLeftOut) {
   EXPECT_THAT(outlined("float a = (1; float b;"), IsEmpty());
 }
 
+TEST(Outline, WhatFollowsABracketThatClosesNothingIsLeftOut) {
+  EXPECT_THAT(outlined("float a; ) float f() { return 1; }"), ElementsAre("variable a"));
+  EXPECT_THAT(outlined("float f() { return a); } float g() { return 1; }"), IsEmpty());
+  EXPECT_THAT(outlined("float a[2}; float f() { return 1; }"), IsEmpty());
+}
+
 TEST(Outline, EveryTokenBelongsToOneDeclarationAtMost) {
-  const std::string text = "a; } b(c){d} namespace N { e f; } ] ) struct {x} y; = ; <>;";
+  const std::string text = "a; b(c){d} namespace N { e f; } struct {x} y; = ; <>; } ] ) g(h){i}";
   const std::vector<Token> tokens = lex(text);
   std::size_t next = 0;
   for (const Declaration& declaration : outline(tokens)) {

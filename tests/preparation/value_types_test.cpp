@@ -63,6 +63,12 @@ TEST(ValueTypes, OfWhatIsNotKnownNothingIsSaid) {
             (Types{"?", "?", "?", "?", "?", "?", "float"}));
 }
 
+TEST(ValueTypes, AFunctionsBodyHasBothItsBraces) {
+  const TokenText text(") float f() { return 1; } struct S { float g() { return 2; } };", "a");
+  for (const FunctionType& function : text.types().functions())
+    EXPECT_TRUE(function.body == npos || text.partner(function.body) != npos);
+}
+
 TEST(ValueTypes, EndlessInheritanceEnds) {
   EXPECT_EQ(
       types_before_marks("struct A : B { int a; }; struct B : A { int b; }; void f(A a) { a.c@; a.b@; }"),

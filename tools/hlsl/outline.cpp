@@ -26,15 +26,21 @@ bool closes(const Token& token) {
   const char lead = token.spelling[0];
   return lead == ')' || lead == ']' || lead == '}';
 }
+bool match(const Token& open, const Token& close) {
+  const char lead = open.spelling[0];
+  return close.spelling[0] == (lead == '(' ? ')' : lead == '[' ? ']' : '}');
+}
 
-// For every opening bracket the index of the one that closes it; 0 where none does.
+// For every opening bracket the index of the one that closes it; 0 where none does, and for all behind one
+// that closes nothing.
 std::vector<std::uint32_t> closing_brackets(Tokens tokens) {
   std::vector<std::uint32_t> closing(tokens.size(), 0);
   std::vector<std::uint32_t> open;
   for (std::uint32_t at = 0; at < tokens.size(); ++at) {
     if (opens(tokens[at])) {
       open.push_back(at);
-    } else if (closes(tokens[at]) && !open.empty()) {
+    } else if (closes(tokens[at])) {
+      if (open.empty() || !match(tokens[open.back()], tokens[at])) break;
       closing[open.back()] = at;
       open.pop_back();
     }

@@ -27,8 +27,9 @@ std::string taken_answer(std::string bytes) {
   const char kind = bytes.empty() ? '\0' : bytes.back();
   if (!bytes.empty()) bytes.pop_back();
   if (kind == kAnswer) return bytes;
-  if (kind != kInputError) throw std::invalid_argument("a worker gave an answer that cannot be read");
   const std::size_t way_out = bytes.find(kWayOut);
+  if (kind != kInputError || bytes.empty() || way_out == 0)
+    throw std::invalid_argument("a worker gave an answer that cannot be read");
   if (way_out == std::string::npos) throw InputError("", bytes);
   throw InputError("", bytes.substr(0, way_out), bytes.substr(way_out + std::string_view(kWayOut).size()));
 }

@@ -125,7 +125,6 @@ class FramebufferFetch {
   }
 
   void function(const hlsl::Declaration& function) {
-    if (text_.partner(function.open) != function.close) return;
     for (std::size_t at = function.parameters_open + 1; at < function.parameters_close; ++at)
       if (text_.is(at, "inout") && parameter(function, at)) at = function.parameters_close;
   }

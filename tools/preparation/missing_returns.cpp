@@ -40,7 +40,6 @@ void drop_unused(TokenText& text, const hlsl::Declaration& function) {
 void return_from_empty_functions(TokenText& text) {
   for (const hlsl::Declaration& declaration : text.outline()) {
     if (declaration.kind != hlsl::Declaration::Kind::function) continue;
-    if (text.partner(declaration.open) != declaration.close) continue;  // brackets that do not match
     std::size_t type = declaration.type;
     while (is_storage(text, type)) ++type;
     if (text.is(type, "void") || returns(text, declaration)) continue;
