@@ -37,7 +37,7 @@ function(penumbra_precompiled_tests target)
     penumbra_precompiled_owner(penumbra_precompiled_googletest <gmock/gmock.h> <gtest/gtest.h>)
     target_link_libraries(penumbra_precompiled_googletest PRIVATE GTest::gtest GTest::gmock)
     if(PENUMBRA_FUZZ)
-      target_compile_options(penumbra_precompiled_googletest PRIVATE -O0)  # as penumbra_test() does
+      target_compile_options(penumbra_precompiled_googletest PRIVATE -O0)  # as penumbra_sanitized_test() does
     endif()
   endif()
   target_precompile_headers(${target} REUSE_FROM penumbra_precompiled_googletest)

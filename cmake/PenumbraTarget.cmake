@@ -65,6 +65,26 @@ function(penumbra_allocator target)
   target_link_libraries(${target} PRIVATE mimalloc)
 endfunction()
 
+# penumbra_sanitized_test(SOURCES ... LIBRARIES ...): cases of the one program, and the one test, that runs the readers'
+# unit tests under the sanitizers. Linking a program for each room and starting one for each case takes longer.
+function(penumbra_sanitized_test)
+  cmake_parse_arguments(TEST "" "" "SOURCES;LIBRARIES" ${ARGN})
+  set(name penumbra_reader_tests)
+  if(NOT TARGET ${name})
+    add_executable(${name})
+    penumbra_warnings(${name})
+    penumbra_precompiled_tests(${name})
+    target_link_libraries(${name} PRIVATE GTest::gtest GTest::gmock GTest::gtest_main)
+    target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+    target_compile_definitions(${name} PRIVATE PENUMBRA_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    target_compile_options(${name} PRIVATE -O0)  # compiles twice as fast; what is tested is optimised
+    add_test(NAME sanitize.${name} COMMAND ${name} --gtest_brief=1)
+    set_tests_properties(sanitize.${name} PROPERTIES LABELS sanitize COST 100)
+  endif()
+  target_sources(${name} PRIVATE ${TEST_SOURCES})
+  target_link_libraries(${name} PRIVATE ${TEST_LIBRARIES})
+endfunction()
+
 # penumbra_test(NAME SOURCES ... LIBRARIES ... [LABELS ...] [COST n] [GROUPED])
 #
 # One GoogleTest program whose cases CTest lists one by one; with GROUPED in groups, for suites whose cases share a
@@ -73,6 +93,10 @@ endfunction()
 # takes says nothing of what it tests. Drivers keep what they compile in the build tree, so that tests share it.
 function(penumbra_test name)
   cmake_parse_arguments(TEST "GROUPED" "COST" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+  if(PENUMBRA_FUZZ)
+    penumbra_sanitized_test(SOURCES ${TEST_SOURCES} LIBRARIES ${TEST_LIBRARIES})
+    return()
+  endif()
   if(NOT TEST_COST)
     set(TEST_COST 0)
   endif()
@@ -83,14 +107,6 @@ function(penumbra_test name)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(${name} PRIVATE PENUMBRA_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   set(properties COST ${TEST_COST} ENVIRONMENT MESA_SHADER_CACHE_DIR=${PROJECT_BINARY_DIR}/mesa-shader-cache)
-  if(PENUMBRA_FUZZ)
-    target_compile_options(${name} PRIVATE -O0)  # compiles twice as fast; what is tested is optimised
-    # One process: one for each case takes longer. Random inputs are the fuzz targets', and time means nothing here.
-    add_test(NAME sanitize.${name} COMMAND ${name} --gtest_brief=1
-             "--gtest_filter=-*Mutat*:*Mutant*:*EveryPrefix*:RandomSpaces.*:ManyKeywords.*:*Linear*:*Time*:*FanOut*")
-    set_tests_properties(sanitize.${name} PROPERTIES LABELS sanitize)
-    return()
-  endif()
   if(TEST_LABELS)
     list(APPEND properties LABELS "${TEST_LABELS}")
   endif()

@@ -1,6 +1,7 @@
-# Sources of a room that are compiled together, with PENUMBRA_UNITY_BUILD; the release preset sets it. Headers are then
-# parsed and templates instantiated once for eight sources (PENUMBRA_UNITY_BATCH). The other presets compile each source by itself, so that one
-# that includes too little is found there. Names without linkage must differ within a room.
+# Sources of a room that are compiled together, with PENUMBRA_UNITY_BUILD; the release and fuzz presets set it. Headers
+# are then parsed and templates instantiated once for eight sources (PENUMBRA_UNITY_BATCH). The other presets compile
+# each source by itself, so that one that includes too little is found there. Names without linkage must differ within
+# a room.
 option(PENUMBRA_UNITY_BUILD "Compile several sources of a room together" OFF)
 set(PENUMBRA_UNITY_BATCH 8 CACHE STRING "How many sources of a room are compiled together")
 

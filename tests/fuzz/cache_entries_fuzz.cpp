@@ -1,19 +1,20 @@
 // Entries of the caches: files of any content, and whole entries of any payload.
 #include "fuzz/fuzz_input.h"
+#include "fuzz/targets.h"
 #include "reference/cache_entry.h"
 #include "reference/reference_cache.h"
 #include "validation/answer_cache.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace penumbra;
-  static const fuzz::ScratchFolder folder;
+namespace penumbra::fuzz {
+
+void targets::cache_entries(std::string_view bytes) {
+  static const ScratchFolder folder;
   static const std::string key = "0123456789abcdef0123456789abcdef";
-  const std::string_view bytes = fuzz::text_of(data, size);
 
   validation::AnswerCache answers(folder.path() / "answers");
   folder.write("answers/01/23456789abcdef0123456789abcdef.compile", bytes);
   const bool found = answers.find(validation::EntryKind::compile, key).has_value();
-  fuzz::require(found || answers.damaged() == 1, "an entry is whole, or it is counted");
+  require(found || answers.damaged() == 1, "an entry is whole, or it is counted");
 
   const reference::ReferenceCache references(folder.path() / "references");
   for (const std::filesystem::path& file : {references.image_file(key), references.beginning_file(key)}) {
@@ -28,9 +29,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   image.write(references.image_file(key));
   rows.write(references.beginning_file(key));
   if (const auto read = references.find(key)) {
-    fuzz::require(read->visibility.size() == read->valid.size(), "an image has both of each pixel");
+    require(read->visibility.size() == read->valid.size(), "an image has both of each pixel");
   }
-  fuzz::require(references.find_beginning(key).size() * sizeof(reference::HalfCounts) <= size,
-                "rows of the file");
-  return 0;
+  require(references.find_beginning(key).size() * sizeof(reference::HalfCounts) <= bytes.size(),
+          "rows of the file");
 }
+
+}  // namespace penumbra::fuzz

@@ -1,24 +1,27 @@
-// Expanded HLSL: declarations, what an entry point reaches, brackets left open, a compiler's log about it.
+// Expanded HLSL: declarations, what an entry point reaches, brackets left open, a compiler's log about it and
+// what is taken out around its errors.
 #include <algorithm>
 #include <numeric>
 #include "fuzz/fuzz_input.h"
+#include "fuzz/targets.h"
 #include "hlsl/expanded_text.h"
 #include "hlsl/outline.h"
 #include "hlsl/reach.h"
 #include "hlsl/token_place.h"
 #include "shaders/bad_character.h"
+#include "shaders/error_removal.h"
+#include "shaders/parse_failure.h"
 #include "shaders/parse_log.h"
 #include "shaders/parse_message.h"
 
-namespace {
+namespace penumbra::fuzz {
 
-using namespace penumbra;
+namespace {
 
 void outline(const std::string& text) {
   const std::vector<hlsl::Token> tokens = hlsl::lex(text);
   for (const hlsl::Declaration& declaration : hlsl::outline(tokens)) {
-    fuzz::require(declaration.first <= declaration.last && declaration.last < tokens.size(),
-                  "tokens of the text");
+    require(declaration.first <= declaration.last && declaration.last < tokens.size(), "tokens of the text");
     if (declaration.parameters_open != hlsl::Declaration::none) hlsl::parameter_types(tokens, declaration);
   }
 }
@@ -28,11 +31,11 @@ void reach(const std::string& text) {
   std::vector<std::size_t> all(reached.unreached().size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   const auto lines = [](const std::string& t) { return std::count(t.begin(), t.end(), '\n'); };
-  fuzz::require(lines(reached.text_with({})) == lines(text), "what is left out leaves its lines");
-  fuzz::require(reached.text_with(all) == text, "with all of it nothing is left out");
+  require(lines(reached.text_with({})) == lines(text), "what is left out leaves its lines");
+  require(reached.text_with(all) == text, "with all of it nothing is left out");
 }
 
-void messages(const std::string& text, const hlsl::SourceFiles& sources) {
+void read_log(const std::string& text, const hlsl::SourceFiles& sources) {
   const hlsl::TokenPlaces places(text, "main.hlsl");
   places.one_a_line();
   for (const shaders::LogLine& line : shaders::parse_log(text, sources)) {
@@ -47,17 +50,46 @@ void messages(const std::string& text, const hlsl::SourceFiles& sources) {
   }
 }
 
+// The text as a compiler's log of itself: its lines that begin like errors are errors of its tokens.
+void place_errors(const std::string& text, const hlsl::SourceFiles& sources) {
+  const auto log_of = [&](const std::string&) { return text; };
+  const shaders::ParseFailure failure{text, "main.hlsl", std::nullopt, text, log_of};
+  require_harmless(hlsl::format(shaders::placed_error(failure, sources).diagnostic));
+  const std::string entry = "Main";
+  const hlsl::TokenPlace nowhere{"main.hlsl", 0, 0};
+  require_harmless(hlsl::format(shaders::link_error(failure, {entry, nowhere}, sources)));
+  for (const hlsl::Diagnostic& warning : shaders::warnings(text, sources))
+    require_harmless(hlsl::format(warning));
+}
+
+void remove_errors(const std::string& text) {
+  const std::size_t tokens = hlsl::lex(text).size();
+  shaders::ErrorRemoval removal(text);
+  for (std::size_t token = 0; token < tokens; token += 1 + tokens / 8) {
+    const std::string before = removal.text();
+    const bool part = removal.remove_part(token, token % 2 == 1);
+    const std::string& after = removal.text();
+    require(part || after == before, "what cannot be taken out is left alone");
+    require(std::count(after.begin(), after.end(), '\n') == std::count(before.begin(), before.end(), '\n'),
+            "what is taken out leaves its lines");
+    if (part) removal.remove_body(token);
+  }
+}
+
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const std::string text(fuzz::text_of(data, size));
+void targets::expanded_text(std::string_view bytes) {
+  const std::string text(bytes);
   hlsl::SourceFiles sources;
   sources.add("main.hlsl", text);
   outline(text);
   reach(text);
-  messages(text, sources);
+  read_log(text, sources);
+  place_errors(text, sources);
+  remove_errors(text);
   hlsl::unbalanced_bracket(hlsl::expanded_lines(text, "main.hlsl"), sources);
   hlsl::open_condition(sources);
   shaders::bad_character(text, "main.hlsl", sources);
-  return 0;
 }
+
+}  // namespace penumbra::fuzz

@@ -16,8 +16,12 @@
 
 namespace penumbra::fuzz {
 
-inline std::string_view text_of(const std::uint8_t* data, std::size_t size) {
-  return {reinterpret_cast<const char*>(data), size};
+// The first byte, which goes; 0 when there is none.
+inline std::uint8_t take_byte(std::string_view& bytes) {
+  if (bytes.empty()) return 0;
+  const auto first = static_cast<std::uint8_t>(bytes.front());
+  bytes.remove_prefix(1);
+  return first;
 }
 
 // A finding when it does not hold; `claim` says what should have.

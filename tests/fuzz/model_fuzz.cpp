@@ -4,17 +4,13 @@
 #include <cstring>
 
 #include "fuzz/fuzz_input.h"
+#include "fuzz/targets.h"
 #include "scene/scene.h"
 #include "scene/scene_message.h"
 
-// Memory that the importer forgets is not ours.
-extern "C" int __lsan_is_turned_off() {
-  return 1;
-}
+namespace penumbra::fuzz {
 
 namespace {
-
-using namespace penumbra;
 
 // Triangles of any bits: a normal, three corners and two bytes each.
 std::string stl(std::string_view bytes) {
@@ -55,27 +51,27 @@ std::string obj(std::string_view bytes) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  if (size == 0) return 0;
-  static const fuzz::ScratchFolder folder;
+void targets::model(std::string_view bytes) {
+  static const ScratchFolder folder;
   static const bool written = [] {
     folder.write("model.mtl", "newmtl m0\nKd 1 0.5 0\nmap_Kd none.png\nnewmtl m1\nKd nan -1 1e30\nNs 1e9\n");
     return true;
   }();
   (void)written;
-  const std::string_view bytes = fuzz::text_of(data + 1, size - 1);
-  const bool text = (data[0] & 1) != 0;
+  const std::uint8_t kind = take_byte(bytes);
+  const bool text = (kind & 1) != 0;
   const std::filesystem::path file =
       folder.write(text ? "model.obj" : "model.stl", text ? obj(bytes) : stl(bytes));
   scene::ImportOptions options;
-  options.z_up = (data[0] & 2) != 0;
-  options.ground = (data[0] & 4) != 0;
-  options.height_metres = (data[0] & 8) != 0 ? 2.0 : 0.0;
+  options.z_up = (kind & 2) != 0;
+  options.ground = (kind & 4) != 0;
+  options.height_metres = (kind & 8) != 0 ? 2.0 : 0.0;
   options.triangle_limit = 1000;
-  fuzz::read([&] {
+  read([&] {
     const scene::Scene scene = scene::import(file, options);
     const std::string message = scene::encode(scene);
-    fuzz::require(scene::encode(scene::decode_scene(message)) == message, "what is imported may be sent");
+    require(scene::encode(scene::decode_scene(message)) == message, "what is imported may be sent");
   });
-  return 0;
 }
+
+}  // namespace penumbra::fuzz

@@ -7,32 +7,33 @@
 #include "project/path_pattern.h"
 
 #include "fuzz/fuzz_input.h"
+#include "fuzz/targets.h"
 #include "variants/keyword_expression.h"
+
+namespace penumbra::fuzz {
 
 namespace {
 
-using namespace penumbra;
-
 void read_options(const std::string& text) {
-  fuzz::read([&] { variants::unknown_keywords(variants::parse_keyword_expression(text), {}); });
-  fuzz::read([&] { cli::name_and_value("--option", text); });
-  fuzz::read([&] { cli::number("--option", text); });
-  fuzz::read([&] { cli::require_plain_name("--option", text); });
+  read([&] { variants::unknown_keywords(variants::parse_keyword_expression(text), {}); });
+  read([&] { cli::name_and_value("--option", text); });
+  read([&] { cli::number("--option", text); });
+  read([&] { cli::require_plain_name("--option", text); });
   cli::split(text, ',');
   cli::shell_word(text);
 }
 
 void read_versions(const std::string& text) {
   if (const auto version = project::parse_package_version(text))
-    fuzz::require(*version == *version, "a version equals itself");
+    require(*version == *version, "a version equals itself");
   if (const auto version = project::parse_editor_version(text)) project::unity_version_number(*version);
 }
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const fuzz::ScratchFolder folder;
-  const std::string text(fuzz::text_of(data, size));
+void targets::option_values(std::string_view bytes) {
+  static const ScratchFolder folder;
+  const std::string text(bytes);
   read_options(text);
   read_versions(text);
   const std::size_t end = text.find('\n');
@@ -41,9 +42,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::filesystem::path includer = folder.write("Assets/a.hlsl", "");
   const project::IncludeSearch search =
       project::find_include({{}, {}, folder.path(), {}, {}}, text, includer);
-  fuzz::require(search.file.has_value() != !search.problem.empty(), "an include has a file or a problem");
+  require(search.file.has_value() != !search.problem.empty(), "an include has a file or a problem");
   if (search.file)
-    fuzz::require(search.file->string().starts_with(folder.path().string()),
-                  "no include leads out of the project");
-  return 0;
+    require(search.file->string().starts_with(folder.path().string()), "no include leads out of the project");
 }
+
+}  // namespace penumbra::fuzz

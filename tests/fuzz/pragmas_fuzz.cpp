@@ -1,12 +1,13 @@
 // The #pragma lines of a program, and the variants they declare.
 #include <set>
 #include "fuzz/fuzz_input.h"
+#include "fuzz/targets.h"
 #include "variants/plan.h"
 #include "variants/pragmas.h"
 
-namespace {
+namespace penumbra::fuzz {
 
-using namespace penumbra;
+namespace {
 
 // A space that spans too much throws InputError; every other one counts what it lists.
 void list_variants(const variants::Pragmas& pragmas) {
@@ -16,7 +17,7 @@ void list_variants(const variants::Pragmas& pragmas) {
   std::set<variants::Keywords> seen;
   for (std::uint64_t i = 0; i < count && i < 64; ++i) {
     const variants::Keywords variant = whole.at(i);
-    fuzz::require(seen.insert(variant).second, "no variant is listed twice");
+    require(seen.insert(variant).second, "no variant is listed twice");
     variants::shader_target(pragmas, variant);
   }
   if (count > 0) whole.at(count - 1);
@@ -28,17 +29,18 @@ void list_variants(const variants::Pragmas& pragmas) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const std::string text(fuzz::text_of(data, size));
+void targets::pragmas(std::string_view bytes) {
+  const std::string text(bytes);
   const std::string other = text.substr(text.size() / 2);
   const variants::FindIncluded find = [&](const std::string& name, const std::string&) {
     return name.empty() ? std::nullopt : std::optional(variants::IncludedText{"b.hlsl", other});
   };
   const variants::Pragmas pragmas =
       variants::read_pragmas({"a.shader", text, {{"UNITY_VERSION", "202230"}}, find});
-  fuzz::require(pragmas.diagnostics.size() <= 201, "at most 200 messages, and that there are more");
-  for (const hlsl::Diagnostic& message : pragmas.diagnostics) fuzz::require_harmless(hlsl::format(message));
+  require(pragmas.diagnostics.size() <= 201, "at most 200 messages, and that there are more");
+  for (const hlsl::Diagnostic& message : pragmas.diagnostics) require_harmless(hlsl::format(message));
   for (const char* renderer : {"vulkan", "gles3"}) variants::compiles_for(pragmas, renderer);
-  fuzz::read([&] { list_variants(pragmas); });
-  return 0;
+  read([&] { list_variants(pragmas); });
 }
+
+}  // namespace penumbra::fuzz

@@ -1,7 +1,10 @@
 // The JSON files of a Unity project, and its editor's version. The first byte says which file the rest is.
 #include "fuzz/fuzz_input.h"
+#include "fuzz/targets.h"
 #include "project/package_versions.h"
 #include "project/unity_project.h"
+
+namespace penumbra::fuzz {
 
 namespace {
 
@@ -18,25 +21,24 @@ const char* const healthy[] = {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace penumbra;
-  if (size == 0) return 0;
-  static const fuzz::ScratchFolder folder;
+void targets::project_files(std::string_view bytes) {
+  static const ScratchFolder folder;
   static std::size_t written = 0;  // the file that is not healthy
   static bool first = true;
   if (first)
     for (std::size_t i = 0; i < std::size(files); ++i) folder.write(files[i], healthy[i]);
   first = false;
   folder.write(files[written], healthy[written]);
-  written = data[0] % std::size(files);
-  folder.write(files[written], fuzz::text_of(data + 1, size - 1));
-  fuzz::read([&] {
+  written = take_byte(bytes) % std::size(files);
+  folder.write(files[written], bytes);
+  read([&] {
     const project::UnityProject project = project::read_project(folder.path());
     for (const project::PackageRoot& root : project.packages)
-      fuzz::require(!root.directory.empty(), "a package has a folder");
-    for (const hlsl::Diagnostic& problem : project.problems) fuzz::require_harmless(hlsl::format(problem));
+      require(!root.directory.empty(), "a package has a folder");
+    for (const hlsl::Diagnostic& problem : project.problems) require_harmless(hlsl::format(problem));
     for (const hlsl::Diagnostic& problem : project::version_problems(project.packages))
-      fuzz::require_harmless(hlsl::format(problem));
+      require_harmless(hlsl::format(problem));
   });
-  return 0;
 }
+
+}  // namespace penumbra::fuzz

@@ -38,6 +38,15 @@ def quoted(*patterns):
                 yield match[1].encode().decode('unicode_escape').encode('latin-1', 'replace')
 
 
+def literals(*patterns):
+    """The texts of C++ sources, each of the literals that stand side by side."""
+    for pattern in patterns:
+        for source in sorted(tests.glob(pattern)):
+            for match in re.finditer(r'(?:"(?:[^"\\\n]|\\.)*"\s*)+', re.sub(r'(?m)^#include.*$', '', source.read_text())):
+                pieces = re.findall(r'"((?:[^"\\\n]|\\.)*)"', match[0])
+                yield ''.join(pieces).encode().decode('unicode_escape').encode('latin-1', 'replace')
+
+
 def files(*patterns):
     for pattern in patterns:
         for file in sorted(root.glob(pattern)):
@@ -98,17 +107,47 @@ def technique_list():
 
 
 SHADERS = ['tests/cli/seeds/*', 'tests/validation/broken/**/*.hlsl', 'ShaderLibrary/**/*.hlsl']
+ERRORS = ['unknown variable', 'no matching overloaded function found', 'Expected', 'array index out of range',
+          'Entry point not found']
 HLSL = ['preparation/*_test.cpp', 'hlsl/*_test.cpp', 'lint/*_test.cpp', 'shaders/*_test.cpp']
+
+
+def in_function(text):
+    cases = re.match(rb'(case|default)\b', text)
+    body = b'float v = 0; switch (n) {\n' + text + b'\n}' if cases else text
+    return b'int n;\nfloat4 Frag(float4 p : SV_Position) : SV_Target {\n' + body + b'\nreturn 1; }\n'
+
+
+def statements(*patterns):
+    """The tests' pieces of HLSL: as they are, and those that declare no function as the body of an entry point."""
+    pieces = [text for text in literals(*patterns) if re.search(rb'[;{}]', text)]
+    return pieces + [in_function(text) for text in pieces if not re.match(rb'\w+ \w+\(', text)]
+
+
+def logged(texts):
+    """Behind lines of a compiler's log about them."""
+    for number, text in enumerate(texts):
+        yield f"ERROR: main.hlsl:{2 + number % 9}: 'one' : {ERRORS[number % len(ERRORS)]} \n".encode() + text
+
+
+def in_shaders(texts):
+    """As they are, as the commands of a pass, and as the tags of a sub-shader."""
+    for text in texts:
+        yield text
+        if b'Shader' not in text:
+            yield b'Shader "x" { SubShader { Pass {\n' + text + b'\n} } }'
+            yield b'Shader "x" { SubShader { Tags {\n' + text + b'\n} Pass { } } }'
 
 
 def target_seeds():
     shader_texts = list(files(*SHADERS))
     hlsl_texts = list(raw_strings(*HLSL)) + shader_texts
+    checked = statements('preparation/source_checks_test.cpp')
     shaderlab = list(raw_strings('shaderlab/*', 'variants/*', 'validation/*.cpp')) + list(
         files('tests/**/*.shader', 'tests/**/*.compute', 'Shaders/*.shader', 'Samples~/**/*.shader'))
     json_texts = list(raw_strings('parameters/*_input_test.cpp', 'input/*.cpp', 'cli/*_test.cpp'))
     yield 'cache_entries', [b'penumbra validation 1\n0123456789abcdef0123456789abcdefanswer', bytes(64)]
-    yield 'expanded_text', hlsl_texts
+    yield 'expanded_text', [*hlsl_texts, *logged(statements('shaders/error_recovery_test.cpp'))]
     yield 'figures', results()
     yield 'messages', [*files('Documentation~/presets.md'), *quoted('input/markdown_test.cpp', 'input/visible_text_test.cpp')]
     yield 'model', models()
@@ -116,14 +155,16 @@ def target_seeds():
                             *raw_strings('project/*_test.cpp')]
     yield 'picture', [*pictures(), *files('tests/golden/*.png')]
     yield 'pragmas', [*raw_strings('variants/*'), *quoted('variants/pragmas_test.cpp', 'variants/keyword_space_test.cpp')]
-    yield 'preparation', [*first_bytes(255, hlsl_texts), *first_bytes(60, shader_texts[:8])]
+    yield 'preparation', [
+        *first_bytes(0, hlsl_texts + statements('preparation/*_test.cpp')),
+        *(bytes([entry]) + text for text in checked for entry in (*range(1, 7), 11))]
     yield 'project_files', [
         *(bytes([kind]) + text for kind in range(4) for text in raw_strings('project/project_mutation_test.cpp')),
         *first_bytes(4, [b'm_EditorVersion: 2022.3.20f1\nm_EditorVersionWithRevision: 2022.3.20f1 (61c2feb0970d)\n']),
         *first_bytes(2, files('package.json'))]
     yield 'report', []
     yield 'settings', [*json_texts, *files('tests/golden/exported_shadow_state.json')]
-    yield 'shaderlab', shaderlab
+    yield 'shaderlab', [*shaderlab, *in_shaders(literals('shaderlab/parse_test.cpp', 'shaderlab/broken_shaders_test.cpp'))]
     yield 'source_text', [*hlsl_texts, *raw_strings('variants/*')]
     yield 'stripping', [*raw_strings('variants/stripping_test.cpp', 'variants/urp_settings_test.cpp'),
                         *files('tests/**/*.asset')]
@@ -132,12 +173,12 @@ def target_seeds():
 
 
 def dictionary(contents):
-    """The words that most seeds hold, for libFuzzer to put where they do not belong."""
+    """The words that most seeds hold, for libFuzzer to put where they do not belong. It refuses an empty file."""
     words = collections.Counter()
     for content in contents:
         words.update(set(re.findall(rb'[A-Za-z_#][A-Za-z0-9_]{2,40}', content)))
     chosen = sorted(word for word, _ in sorted(words.items(), key=lambda item: (-item[1], item[0]))[:400])
-    return ''.join(f'"{word.decode()}"\n' for word in chosen)
+    return '# words of the seeds\n' + ''.join(f'"{word.decode()}"\n' for word in chosen)
 
 
 def main(folder, program):

@@ -2,15 +2,16 @@
 #include <algorithm>
 #include <stdexcept>
 #include "fuzz/fuzz_input.h"
+#include "fuzz/targets.h"
 #include "platform/worker_answer.h"
 #include "platform/worker_frame.h"
 #include "scene/scene_message.h"
 #include "validation/source_record.h"
 #include "validation/unit_message.h"
 
-namespace {
+namespace penumbra::fuzz {
 
-using namespace penumbra;
+namespace {
 using validation::encode;  // of a list of lists of messages, too
 
 constexpr std::size_t largest = 1 << 16;
@@ -23,7 +24,7 @@ std::string frames_of(std::string_view bytes, std::size_t piece) {
     reader.add(bytes.data(), count);
     bytes.remove_prefix(count);
     while (const std::optional<platform::Frame> frame = reader.next()) {
-      fuzz::require(frame->content.size() <= largest, "no frame is larger than it may be");
+      require(frame->content.size() <= largest, "no frame is larger than it may be");
       all += platform::frame_bytes(frame->kind, frame->content);
     }
   }
@@ -37,13 +38,13 @@ void decode(std::string_view bytes, const Decode& decodes) {
   if (!value) return;
   const std::string written = encode(*value);
   const auto again = decodes(written);
-  fuzz::require(again.has_value() && encode(*again) == written, "a message reads as it was written");
+  require(again.has_value() && encode(*again) == written, "a message reads as it was written");
 }
 
 // Bytes that are no answer at all are std::invalid_argument.
 template <typename Reads>
-void read(const Reads& reads) {
-  fuzz::read([&] {
+void read_answer(const Reads& reads) {
+  read([&] {
     try {
       reads();
     } catch (const std::invalid_argument&) {
@@ -52,36 +53,33 @@ void read(const Reads& reads) {
 }
 
 void require_whole(const scene::Texture& texture) {
-  fuzz::require(texture.rgba.size() == std::size_t{4} * texture.width * texture.height,
-                "every pixel is there");
+  require(texture.rgba.size() == std::size_t{4} * texture.width * texture.height, "every pixel is there");
 }
 
 void require_whole(const scene::Scene& scene) {
   for (const scene::Texture& texture : scene.textures) require_whole(texture);
   for (const std::uint32_t index : scene.mesh.indices)
-    fuzz::require(index < scene.mesh.positions.size(), "a triangle has its vertices");
+    require(index < scene.mesh.positions.size(), "a triangle has its vertices");
   for (std::size_t i = 0; i < scene.mesh.triangle_count(); ++i)
-    fuzz::require(scene.mesh.material_of(i) < scene.materials.size(), "a triangle has its material");
-  fuzz::require(scene::encode(scene::decode_scene(scene::encode(scene))) == scene::encode(scene),
-                "a scene reads as it was written");
+    require(scene.mesh.material_of(i) < scene.materials.size(), "a triangle has its material");
+  require(scene::encode(scene::decode_scene(scene::encode(scene))) == scene::encode(scene),
+          "a scene reads as it was written");
 }
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  if (size == 0) return 0;
-  const std::string_view bytes = fuzz::text_of(data + 1, size - 1);
-  const std::size_t piece = 1 + data[0];
-  fuzz::require(frames_of(bytes, piece) == frames_of(bytes, largest),
-                "frames do not depend on how they arrive");
+void targets::worker_messages(std::string_view bytes) {
+  const std::size_t piece = std::size_t{1} + take_byte(bytes);
+  require(frames_of(bytes, piece) == frames_of(bytes, largest), "frames do not depend on how they arrive");
   decode(bytes, validation::decode_job);
   decode(bytes, validation::decode_reply);
   decode(bytes, validation::decode_unit);
   decode(bytes, validation::decode_compile_answer);
   decode(bytes, validation::decode_emitted_answer);
   decode(bytes, validation::decode_source_record);
-  read([&] { platform::taken_answer(std::string(bytes)); });
-  read([&] { require_whole(scene::decode_texture(bytes)); });
-  read([&] { require_whole(scene::decode_scene(bytes)); });
-  return 0;
+  read_answer([&] { platform::taken_answer(std::string(bytes)); });
+  read_answer([&] { require_whole(scene::decode_texture(bytes)); });
+  read_answer([&] { require_whole(scene::decode_scene(bytes)); });
 }
+
+}  // namespace penumbra::fuzz

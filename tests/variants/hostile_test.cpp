@@ -6,6 +6,7 @@
 
 #include "input/input_error.h"
 #include "processor_time.h"
+#include "sanitized.h"
 #include "variants/keyword_space.h"
 #include "variants/plan.h"
 #include "variants/program_text.h"
@@ -80,7 +81,7 @@ void use(const Pragmas& pragmas) {
 }
 
 TEST(Hostile, MutatedProgramsGiveAnAnswer) {
-  for (unsigned seed = 0; seed < 10000; ++seed) {
+  for (unsigned seed = 0; seed < 10000 / sanitizer_reduction; ++seed) {
     Mutation mutation(seed);
     const std::string other = mutation.of(healthy);
     const Pragmas pragmas = pragmas_of(mutation.of(healthy), {{"other.hlsl", other}});
@@ -106,41 +107,44 @@ std::string numbered(const std::string& before, const std::string& after, int ti
   return text;
 }
 
+constexpr int kilo = 1000 / sanitizer_reduction;
+constexpr int doublings = sanitizer_reduction == 1 ? 60 : 8;  // of a macro that grows
+
 struct Attack {
   const char* name;
   std::string text;
 };
 
-// About half a megabyte each; what is quadratic in it would need minutes.
+// About half a megabyte each without the sanitizer; what is quadratic in it would need minutes.
 std::vector<Attack> attacks() {
   return {
-      {"open comments", repeated("/*", 250000)},
-      {"joined lines", "#pragma multi_compile " + repeated("A\\\n", 150000)},
-      {"one long set", "#pragma multi_compile" + numbered(" K", "", 60000)},
-      {"one long set, all skipped", "#pragma multi_compile" + numbered(" K", "", 30000) +
-                                        "\n#pragma skip_variants" + numbered(" K", "", 30000)},
-      {"many sets", numbered("#pragma multi_compile _ K", "\n", 15000)},
-      {"one set many times", repeated("#pragma multi_compile _ A B\n", 15000)},
-      {"a keyword in many sets", numbered("#pragma multi_compile _ A K", "\n", 15000)},
-      {"many dynamic keywords", "#pragma dynamic_branch" + numbered(" K", "", 30000) +
-                                    "\n#pragma multi_compile _" + numbered(" K", "", 30000)},
-      {"deep conditions", repeated("#if 1\n", 80000) + "#pragma vertex V\n"},
-      {"conditions on many names", repeated("#if", 1) + numbered(" K", " ||", 3000) + " 1\n" +
-                                       repeated("#pragma warning x\n#if A\n#endif\n", 15000)},
-      {"long conditions", repeated("#if " + repeated("1+", 1500) + "1\n#endif\n", 150)},
+      {"open comments", repeated("/*", 250 * kilo)},
+      {"joined lines", "#pragma multi_compile " + repeated("A\\\n", 150 * kilo)},
+      {"one long set", "#pragma multi_compile" + numbered(" K", "", 60 * kilo)},
+      {"one long set, all skipped", "#pragma multi_compile" + numbered(" K", "", 30 * kilo) +
+                                        "\n#pragma skip_variants" + numbered(" K", "", 30 * kilo)},
+      {"many sets", numbered("#pragma multi_compile _ K", "\n", 15 * kilo)},
+      {"one set many times", repeated("#pragma multi_compile _ A B\n", 15 * kilo)},
+      {"a keyword in many sets", numbered("#pragma multi_compile _ A K", "\n", 15 * kilo)},
+      {"many dynamic keywords", "#pragma dynamic_branch" + numbered(" K", "", 30 * kilo) +
+                                    "\n#pragma multi_compile _" + numbered(" K", "", 30 * kilo)},
+      {"deep conditions", repeated("#if 1\n", 80 * kilo) + "#pragma vertex V\n"},
+      {"conditions on many names", repeated("#if", 1) + numbered(" K", " ||", 3 * kilo) + " 1\n" +
+                                       repeated("#pragma warning x\n#if A\n#endif\n", 15 * kilo)},
+      {"long conditions", repeated("#if " + repeated("1+", 3 * kilo / 2) + "1\n#endif\n", 150)},
       {"macros that grow", "#define M0 1\n" +
                                [] {
                                  std::string text;
-                                 for (int i = 1; i < 60; ++i) {
+                                 for (int i = 1; i <= doublings; ++i) {
                                    const std::string inner = "M" + std::to_string(i - 1);
                                    text +=
                                        "#define M" + std::to_string(i) + " " + inner + " + " + inner + "\n";
                                  }
                                  return text;
                                }() +
-                               repeated("#if M59\n#endif\n", 20000)},
-      {"many messages", repeated("#pragma target x\n", 30000)},
-      {"unknown pragmas", numbered("#pragma x", "\n", 3000)},
+                               repeated("#if M" + std::to_string(doublings) + "\n#endif\n", 20 * kilo)},
+      {"many messages", repeated("#pragma target x\n", 30 * kilo)},
+      {"unknown pragmas", numbered("#pragma x", "\n", 3 * kilo)},
   };
 }
 
@@ -186,9 +190,9 @@ TEST(ManyKeywords, MoreThan65534AreRefusedAtTheFirstBeyond) {
 
 TEST(ManyKeywords, CostTimeInProportionToTheirNumber) {
   const std::string in_one_set =
-      "#pragma vertex V\n#pragma multi_compile _" + keywords_named(0, 60000) + "\n";
+      "#pragma vertex V\n#pragma multi_compile _" + keywords_named(0, 60 * kilo) + "\n";
   std::string one_each = "#pragma vertex V\n";
-  for (int i = 0; i < 60000; ++i) one_each += "#pragma multi_compile _ _K" + std::to_string(i) + "\n";
+  for (int i = 0; i < 60 * kilo; ++i) one_each += "#pragma multi_compile _ _K" + std::to_string(i) + "\n";
   const double seconds = processor_seconds([&] {
     for (const std::string& text : {in_one_set, one_each}) {
       const KeywordSpace space(pragmas_of(text));

@@ -4,6 +4,7 @@
 #include <random>
 #include <set>
 
+#include "sanitized.h"
 #include "variants/keyword_space.h"
 
 namespace penumbra::variants {
@@ -144,7 +145,7 @@ void expect_same(const VariantList& list, const std::set<Variant>& expected, uns
 }
 
 TEST(RandomSpaces, AreCountedAndListedExactly) {
-  for (unsigned seed = 0; seed < 4000; ++seed) {
+  for (unsigned seed = 0; seed < 4000 / sanitizer_reduction; ++seed) {
     RandomSpaces random(seed);
     const Pragmas pragmas = random.pragmas();
     const std::vector<Clause> clauses = random.clauses();
@@ -158,7 +159,7 @@ TEST(RandomSpaces, AreCountedAndListedExactly) {
 }
 
 TEST(RandomSpaces, ClausesThatAPragmaBringsWorkAlike) {
-  for (unsigned seed = 0; seed < 500; ++seed) {
+  for (unsigned seed = 0; seed < 500 / sanitizer_reduction; ++seed) {
     RandomSpaces random(seed);
     Pragmas pragmas = random.pragmas();
     pragmas.clauses = random.clauses();

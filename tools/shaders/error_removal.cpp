@@ -1,0 +1,152 @@
+#include "shaders/error_removal.h"
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "hlsl/outline.h"
+#include "hlsl/tokens.h"
+#include "hlsl/word_set.h"
+
+namespace penumbra::shaders {
+
+namespace {
+
+struct Range {  // of tokens, both included
+  std::size_t first;
+  std::size_t last;
+};
+
+// Blanks keep the lines and directives, so that every other token keeps its place.
+void blank(std::string& text, std::size_t begin, std::size_t end) {
+  bool directive = false;
+  bool line_start = begin == 0 || text[begin - 1] == '\n';
+  for (std::size_t i = begin; i < end; ++i) {
+    if (text[i] == '\n') {
+      line_start = true;
+      directive = false;
+      continue;
+    }
+    if (line_start && text[i] == '#') directive = true;
+    line_start = line_start && (text[i] == ' ' || text[i] == '\t');
+    if (!directive) text[i] = ' ';
+  }
+}
+
+// One text and what can be taken out around a token of it.
+class Remedy {
+ public:
+  explicit Remedy(std::string& text) : text_(text), tokens_(hlsl::lex(text)) {}
+
+  // False when the token is in no function's body, or its function was emptied before. `lacks_semicolon`: the
+  // token is the first of what follows the statement.
+  bool apply(std::size_t token, bool lacks_semicolon, std::set<std::string>& emptied) {
+    const std::optional<hlsl::Declaration> function = function_around(token);
+    if (!function) return false;
+    if (const std::optional<Range> range = part_around(*function, token, lacks_semicolon)) {
+      const std::size_t end = offset(range->last) + tokens_[range->last].spelling.size();
+      blank(text_, offset(range->first), end);
+      if (lacks_semicolon) text_[end - 1] = ';';
+      return true;
+    }
+    return empty_around(token, emptied);
+  }
+
+  // The same with the whole body of its function.
+  bool empty_around(std::size_t token, std::set<std::string>& emptied) {
+    const std::optional<hlsl::Declaration> function = function_around(token);
+    if (!function) return false;
+    const std::string name =
+        std::string(tokens_[function->name].spelling) + " " + std::to_string(offset(function->open));
+    return emptied.insert(name).second && empty(*function);
+  }
+
+ private:
+  bool is(std::size_t at, std::string_view spelling) const { return tokens_[at].spelling == spelling; }
+
+  std::size_t offset(std::size_t token) const {
+    return static_cast<std::size_t>(tokens_[token].spelling.data() - text_.data());
+  }
+
+  std::optional<hlsl::Declaration> function_around(std::size_t token) const {
+    for (const hlsl::Declaration& declaration : hlsl::outline(tokens_))
+      if (declaration.kind == hlsl::Declaration::Kind::function && declaration.open < token &&
+          token <= declaration.close)
+        return declaration;
+    return std::nullopt;
+  }
+
+  // The statement of that token without its ';', or of a declaration from its '=' on; nothing where that
+  // would leave no HLSL.
+  std::optional<Range> part_around(const hlsl::Declaration& function, std::size_t token,
+                                   bool lacks_semicolon) const {
+    const std::optional<Range> statement = statement_around(function, token);
+    if (!statement || statement->first == statement->last) return std::nullopt;
+    const std::size_t first = statement->first;
+    const std::size_t last = lacks_semicolon ? token : statement->last;
+    if (first == last) return std::nullopt;
+    static constexpr hlsl::WordSet structure("if", "else", "for", "while", "do", "switch", "case", "default",
+                                             "return", "break", "continue", "discard", "const", "static",
+                                             "struct");
+    if (structure.contains(tokens_[first].spelling) || is(first, "[")) return std::nullopt;
+    const bool declares =
+        tokens_[first].kind == hlsl::Token::Kind::word && tokens_[first + 1].kind == hlsl::Token::Kind::word;
+    if (!declares) return Range{first, last - 1};
+    std::size_t equals = first;
+    while (equals < last && !is(equals, "=")) ++equals;
+    for (std::size_t i = first, depth = 0; i < last; ++i) {
+      if (is(i, "(") || is(i, "[") || is(i, "{")) ++depth;
+      if ((is(i, ")") || is(i, "]") || is(i, "}")) && depth > 0) --depth;
+      if (depth == 0 && is(i, ",")) return std::nullopt;  // the other names would be unknown
+    }
+    if (equals == last || token < equals) return std::nullopt;
+    return Range{equals, last - 1};
+  }
+
+  // From behind the ';' or brace before the token to its own ';'.
+  std::optional<Range> statement_around(const hlsl::Declaration& function, std::size_t token) const {
+    std::size_t first = function.open + 1;
+    std::size_t depth = 0;  // of ( and [
+    for (std::size_t i = first; i < function.close; ++i) {
+      if (is(i, "(") || is(i, "[")) ++depth;
+      if ((is(i, ")") || is(i, "]")) && depth > 0) --depth;
+      if (depth > 0) continue;
+      const bool ends = is(i, ";");
+      if (ends && token >= first && token <= i) return Range{first, i};
+      if (!ends && !is(i, "}") && (!is(i, "{") || is(i - 1, "="))) continue;
+      if (i > token) return std::nullopt;
+      first = i + 1;
+    }
+    return std::nullopt;
+  }
+
+  bool empty(const hlsl::Declaration& function) {
+    static constexpr hlsl::WordSet modifiers("static", "inline", "precise", "export", "const");
+    std::string type;
+    for (std::size_t i = function.type; i < function.name; ++i)
+      if (!modifiers.contains(tokens_[i].spelling)) type += std::string(tokens_[i].spelling) + " ";
+    const std::size_t open = offset(function.open);
+    const std::size_t close = offset(function.close);
+    blank(text_, open + 1, close);
+    // On the line of the '}': a value of any type, or the missing return would be an error.
+    if (type != "void ") text_.insert(close, type + "penumbra_unset; return penumbra_unset; ");
+    return true;
+  }
+
+  std::string& text_;
+  std::vector<hlsl::Token> tokens_;
+};
+
+}  // namespace
+
+ErrorRemoval::ErrorRemoval(std::string text) : text_(std::move(text)) {}
+
+bool ErrorRemoval::remove_part(std::size_t token, bool lacks_semicolon) {
+  return Remedy(text_).apply(token, lacks_semicolon, emptied_);
+}
+
+bool ErrorRemoval::remove_body(std::size_t token) {
+  return Remedy(text_).empty_around(token, emptied_);
+}
+
+}  // namespace penumbra::shaders
