@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,11 +28,19 @@ inline shaders::CompileResult compiled(const std::string& text, hlsl::Stage stag
   return result;
 }
 
-inline std::vector<Finding> lint(const std::string& text, hlsl::Stage stage = hlsl::Stage::fragment,
-                                 int shader_target = 0) {
-  shaders::CompileResult result = compiled(text, stage);
-  if (result.spirv.empty()) return {};
-  return lint_module({std::move(result.spirv), stage, "Test.hlsl", std::move(result.sources), shader_target});
+// What is found with the legalised module of the compiler, as `penumbra validate` has it; nothing where the
+// module cannot be optimised.
+inline std::optional<std::vector<Finding>> lint_as_compiled(const std::string& text, hlsl::Stage stage,
+                                                            int shader_target) {
+  shaders::CompileRequest request;
+  request.file = "Test.hlsl";
+  request.text = text;
+  request.stage = stage;
+  request.keep_unoptimised = true;
+  shaders::CompileResult result = shaders::compile(request);
+  if (result.spirv.empty()) return std::nullopt;
+  return lint_module({std::move(result.unoptimised), stage, "Test.hlsl", std::move(result.sources),
+                      shader_target, std::move(result.legalised)});
 }
 
 // "3:5 error rule: message", or "3 ..." where the column is unknown.
@@ -42,6 +51,24 @@ inline std::string told(const Finding& finding) {
                                                                   : " note ";
   return std::to_string(at.line) + (at.column == 0 ? "" : ":" + std::to_string(at.column)) + severity +
          finding.rule + ": " + at.message;
+}
+
+inline std::vector<std::string> told(const std::vector<Finding>& findings) {
+  std::vector<std::string> all;
+  for (const Finding& finding : findings) all.push_back(told(finding));
+  return all;
+}
+
+inline std::vector<Finding> lint(const std::string& text, hlsl::Stage stage = hlsl::Stage::fragment,
+                                 int shader_target = 0) {
+  shaders::CompileResult result = compiled(text, stage);
+  if (result.spirv.empty()) return {};
+  std::vector<Finding> findings =
+      lint_module({std::move(result.spirv), stage, "Test.hlsl", std::move(result.sources), shader_target});
+  if (const auto as_compiled = lint_as_compiled(text, stage, shader_target)) {
+    EXPECT_EQ(told(*as_compiled), told(findings)) << text;
+  }
+  return findings;
 }
 
 // Every finding of the rule, in order.

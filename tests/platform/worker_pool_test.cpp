@@ -16,6 +16,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -90,7 +91,7 @@ class Messages : public WorkSource {
  public:
   explicit Messages(std::vector<std::string> contents) : contents_(std::move(contents)) {}
 
-  std::optional<WorkerMessage> next() override {
+  std::optional<WorkerMessage> next(unsigned) override {
     if (next_ == contents_.size()) return std::nullopt;
     const std::size_t number = next_++;
     return WorkerMessage{number, contents_[number]};
@@ -237,11 +238,36 @@ TEST(WorkerPool, AProgramThatIsNoWorkerIsSaidAtOnce) {
   EXPECT_THROW(run_workers(pool, source), EnvironmentError);
 }
 
+// What a worker has done before helps it: the number it is asked for by stands for one process.
+TEST(WorkerPool, AWorkerIsAskedForByItsOwnNumber) {
+  class Numbered final : public Messages {
+   public:
+    Numbered() : Messages(std::vector<std::string>(40, "link")) {}
+    std::optional<WorkerMessage> next(unsigned worker) override {
+      std::optional<WorkerMessage> message = Messages::next(worker);
+      if (message) workers[message->number] = worker;
+      return message;
+    }
+    std::map<std::size_t, unsigned> workers;
+  };
+  Numbered source;
+  run_workers(small_pool(3), source);
+  std::map<unsigned, std::set<std::string>> answers;  // each with the process that gave it
+  std::set<std::string> all;
+  for (const auto& [number, worker] : source.workers) {
+    EXPECT_LT(worker, 3U);
+    answers[worker].insert(source.outcomes.at(number).answer);
+    all.insert(source.outcomes.at(number).answer);
+  }
+  for (const auto& [worker, of_it] : answers) EXPECT_EQ(of_it.size(), 1U) << worker;
+  EXPECT_EQ(all.size(), answers.size());
+}
+
 TEST(WorkerPool, MessagesMayComeWhileOthersAreAtWork) {
   class Chain final : public Messages {
    public:
     Chain() : Messages({}) {}
-    std::optional<WorkerMessage> next() override {
+    std::optional<WorkerMessage> next(unsigned) override {
       if (at_work_ || made_ == 20) return std::nullopt;
       at_work_ = true;
       return WorkerMessage{made_++, "link"};

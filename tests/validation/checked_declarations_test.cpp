@@ -91,6 +91,36 @@ TEST(CheckedDeclarations, TheModuleDoesNotDependOnWhatCameBefore) {
   EXPECT_EQ(compiled(other, text).spirv, first.spirv);
 }
 
+// What differs is not reached: the module and what is said of it are the same, files and other notes are not.
+TEST(CheckedDeclarations, EqualReachedTextsAreCompiledOnce) {
+  const std::string twins = "half f(half x) { return x; }\nfloat f(float x) { return x; }\n";
+  const std::string main = "float4 Main(float4 p : TEXCOORD0) : SV_Target { return p * f(p.x); }\n";
+  CheckedDeclarations declarations;
+  const shaders::CompileResult first = compiled(declarations, "float a() { return 1; }\n" + twins + main);
+  const shaders::CompileResult second = compiled(declarations, "float a() { return 2; }\n" + twins + main);
+  ASSERT_FALSE(first.spirv.empty());
+  EXPECT_EQ(second.spirv, first.spirv);
+  EXPECT_THAT(told(first), SizeIs(1)) << "which of the two is kept";
+  EXPECT_EQ(told(second), told(first));
+  EXPECT_THAT(second.sources.text("shader.hlsl"), HasSubstr("return 2;"));
+  const shaders::CompileResult moved = compiled(declarations, "\n\nfloat a() { return 1; }\n" + twins + main);
+  EXPECT_NE(told(moved), told(first)) << "lines are part of the text";
+}
+
+TEST(CheckedDeclarations, EntryPointsOfOneTextAreApart) {
+  const std::string text =
+      "float4 One() : SV_Target { return 1; }\nfloat4 Two() : SV_Target { return 2; }\nfloat c;\n";
+  CheckedDeclarations declarations;
+  shaders::SourceMemory memory;
+  std::set<std::vector<std::uint32_t>> modules;
+  for (const char* entry : {"One", "Two", "One"}) {
+    shaders::CompileRequest request = request_for(text);
+    request.entry = entry;
+    modules.insert(declarations.compile(request, shaders::expand(request, memory)).spirv);
+  }
+  EXPECT_THAT(modules, SizeIs(2));
+}
+
 // Texts of functions that call and overload each other; something is wrong with many. All are made of few
 // parts, so that most parts have been met before, elsewhere and in other company.
 class RandomTexts {
@@ -144,12 +174,16 @@ TEST(CheckedDeclarations, SayWhatIsSaidOfTheTextAlone) {
   RandomTexts texts(11);
   int good = 0;
   int bad = 0;
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < 1500; ++i) {
     const std::string text = texts.next();
     const shaders::CompileResult alone = whole(text);
     const shaders::CompileResult after_others = compiled(declarations, text);
     ASSERT_EQ(told(after_others), told(alone)) << text;
     ASSERT_EQ(after_others.spirv.empty(), alone.spirv.empty()) << text;
+    CheckedDeclarations fresh;
+    if (i % 8 == 0) {
+      ASSERT_EQ(after_others.spirv, compiled(fresh, text).spirv) << text;
+    }
     ++(alone.spirv.empty() ? bad : good);
   }
   EXPECT_GT(good, 200);

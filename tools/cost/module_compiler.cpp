@@ -26,7 +26,7 @@ class Requests final : public platform::WorkSource {
   explicit Requests(const std::vector<shaders::CompileRequest>& requests)
       : modules(requests.size()), requests_(requests) {}
 
-  std::optional<platform::WorkerMessage> next() override {
+  std::optional<platform::WorkerMessage> next(unsigned) override {
     if (next_ == requests_.size()) return std::nullopt;
     platform::ByteWriter out;
     shaders::write(out, requests_[next_]);

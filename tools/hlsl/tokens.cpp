@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
+
+#include "hlsl/line_directive.h"
 
 namespace penumbra::hlsl {
 
@@ -100,14 +101,10 @@ class Lexer {
     const std::size_t end = std::min(text_.find('\n', at_), text_.size());
     const std::string_view line = text_.substr(at_, end - at_);
     at_ = end;
-    if (line.substr(0, 6) != "#line ") return;
-    int number = 0;
-    const char* last = line.data() + line.size();
-    if (std::from_chars(line.data() + 6, last, number).ec != std::errc()) return;
-    line_ = number - 1;  // the end of this line counts one
-    const std::size_t open = line.find('"');
-    const std::size_t close = line.rfind('"');
-    if (open != std::string_view::npos && close > open) file_ = line.substr(open + 1, close - open - 1);
+    LinePlace behind{file_, line_};
+    if (!take_line_directive(line, behind)) return;
+    file_ = behind.file;
+    line_ = behind.line - 1;  // the end of this line counts one
   }
 
   std::string_view text_;

@@ -14,4 +14,7 @@ namespace penumbra::lint {
 // Nothing when SPIRV-Tools cannot do it.
 std::optional<std::vector<std::uint32_t>> legalised(const std::vector<std::uint32_t>& spirv);
 
+// Of a module that the compiler has legalised: what is left to do.
+std::optional<std::vector<std::uint32_t>> simplified(const std::vector<std::uint32_t>& legalised);
+
 }  // namespace penumbra::lint

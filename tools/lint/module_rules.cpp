@@ -1,6 +1,9 @@
 #include "lint/module_rules.h"
 
+#include <glslang/SPIRV/spirv.hpp>
+
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
 #include <optional>
 #include <tuple>
@@ -36,7 +39,8 @@ bool is_small(const SpirvCode& code) {
 
 std::vector<Finding> legalised_findings(const ModuleToLint& module) {
   std::vector<Finding> findings;
-  std::optional<std::vector<std::uint32_t>> words = legalised(module.spirv);
+  std::optional<std::vector<std::uint32_t>> words =
+      module.legalised.empty() ? legalised(module.spirv) : simplified(module.legalised);
   if (!words) return findings;
   const SpirvCode code(std::move(*words));
   const LintedCode linted{code, module.sources, module.file};
@@ -57,9 +61,25 @@ void sort_and_unify(std::vector<Finding>& findings) {
   findings.erase(last, findings.end());
 }
 
-}  // namespace
+// The module without OpLine and OpNoLine.
+std::vector<std::uint32_t> without_lines(const std::vector<std::uint32_t>& spirv) {
+  constexpr std::size_t header = 5;
+  if (spirv.size() < header) return spirv;
+  std::vector<std::uint32_t> words(spirv.begin(), spirv.begin() + header);
+  words.reserve(spirv.size());
+  for (std::size_t at = header; at < spirv.size();) {
+    const std::size_t length = spirv[at] >> 16U;
+    const std::uint32_t op = spirv[at] & 0xFFFFU;
+    if (length == 0 || length > spirv.size() - at) return spirv;  // SpirvCode says what is wrong
+    if (op != spv::OpLine && op != spv::OpNoLine)
+      words.insert(words.end(), spirv.begin() + static_cast<std::ptrdiff_t>(at),
+                   spirv.begin() + static_cast<std::ptrdiff_t>(at + length));
+    at += length;
+  }
+  return words;
+}
 
-std::vector<Finding> lint_module(const ModuleToLint& module) {
+std::vector<Finding> all_findings(const ModuleToLint& module) {
   std::vector<Finding> findings;
   const SpirvCode written(module.spirv);
   const LintedCode linted{written, module.sources, module.file};
@@ -68,9 +88,29 @@ std::vector<Finding> lint_module(const ModuleToLint& module) {
                                      : std::vector{finding_at(
                                            linted, "not-checked", {}, {},
                                            "the shader is too large for the rules that need it inlined")});
-  append(findings, unknown_suppressions(module.sources));
+  return findings;
+}
+
+}  // namespace
+
+// Most modules have no finding, and lines, which only say where one is, double the time of legalisation.
+std::vector<Finding> module_findings(const ModuleToLint& module) {
+  ModuleToLint bare = module;
+  bare.spirv = without_lines(module.spirv);
+  if (all_findings(bare).empty()) return {};
+  ModuleToLint lined = module;
+  lined.legalised.clear();
+  return all_findings(lined);
+}
+
+std::vector<Finding> with_suppressions(std::vector<Finding> findings, const hlsl::SourceFiles& sources) {
+  append(findings, unknown_suppressions(sources));
   sort_and_unify(findings);
-  return without_suppressed(std::move(findings), module.sources);
+  return without_suppressed(std::move(findings), sources);
+}
+
+std::vector<Finding> lint_module(const ModuleToLint& module) {
+  return with_suppressions(module_findings(module), module.sources);
 }
 
 }  // namespace penumbra::lint

@@ -25,8 +25,16 @@ struct ModuleToLint {
   hlsl::SourceFiles sources;  // as CompileResult has them
   // Ten times `#pragma target` (25, 30, 35, 45, 50); 0: none was given.
   int shader_target = 0;
+  // The SPIR-V legalised, where the compiler has it at hand: whether there is anything to report is then told
+  // sooner. Empty: not at hand.
+  std::vector<std::uint32_t> legalised{};
 };
 
 std::vector<Finding> lint_module(const ModuleToLint& module);
+
+// The two halves of it: what the module shows, of which equal modules show the same, and what the comments of
+// the texts make of that.
+std::vector<Finding> module_findings(const ModuleToLint& module);
+std::vector<Finding> with_suppressions(std::vector<Finding> findings, const hlsl::SourceFiles& sources);
 
 }  // namespace penumbra::lint

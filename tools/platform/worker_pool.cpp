@@ -207,7 +207,7 @@ class OneMessage final : public WorkSource {
  public:
   explicit OneMessage(std::string content) : message_({0, std::move(content)}) {}
 
-  std::optional<WorkerMessage> next() override { return std::exchange(message_, std::nullopt); }
+  std::optional<WorkerMessage> next(unsigned) override { return std::exchange(message_, std::nullopt); }
   std::string answer_question(std::size_t, const std::string&) override { return {}; }
   void finished(std::size_t, WorkerOutcome of_it) override { outcome = std::move(of_it); }
 
@@ -236,10 +236,11 @@ void run_workers(const WorkerPool& pool, WorkSource& source) {
   for (;;) {
     throw_if_interrupted();
     bool busy = false;
-    for (Seat& seat : seats) {
-      if (!seat.busy())
-        if (std::optional<WorkerMessage> message = source.next()) seat.hand_out(*std::move(message));
-      busy = busy || seat.busy();
+    for (std::size_t i = 0; i < seats.size(); ++i) {
+      if (!seats[i].busy())
+        if (std::optional<WorkerMessage> message = source.next(static_cast<unsigned>(i)))
+          seats[i].hand_out(*std::move(message));
+      busy = busy || seats[i].busy();
     }
     if (!busy) return;
     serve_seats(seats);

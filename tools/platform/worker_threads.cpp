@@ -1,3 +1,4 @@
+#include <atomic>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
@@ -16,8 +17,9 @@ class ThreadsRun {
   ThreadsRun(const WorkHandler& handler, WorkSource& source) : handler_(handler), source_(source) {}
 
   void work() {
+    const unsigned worker = workers_++;
     try {
-      while (const std::optional<WorkerMessage> message = next()) {
+      while (const std::optional<WorkerMessage> message = next(worker)) {
         throw_if_interrupted();
         Link link(*this, message->number);
         WorkerOutcome outcome;
@@ -55,11 +57,11 @@ class ThreadsRun {
   };
 
   // Waits while another thread's message may still bring more.
-  std::optional<WorkerMessage> next() {
+  std::optional<WorkerMessage> next(unsigned worker) {
     std::unique_lock<std::mutex> lock(mutex_);
     for (;;) {
       if (failure_) return std::nullopt;
-      if (std::optional<WorkerMessage> message = source_.next()) {
+      if (std::optional<WorkerMessage> message = source_.next(worker)) {
         ++at_work_;
         return message;
       }
@@ -72,6 +74,7 @@ class ThreadsRun {
   WorkSource& source_;
   std::mutex mutex_;
   std::condition_variable changed_;
+  std::atomic<unsigned> workers_{0};
   unsigned at_work_ = 0;
   std::exception_ptr failure_;
 };

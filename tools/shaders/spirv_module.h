@@ -17,7 +17,8 @@ using SpirvModule = std::vector<std::uint32_t>;
 void number_bindings(SpirvModule& module);
 
 // Legalises HLSL's resource parameters, inlines and optimises. False with the reasons when it failed.
-bool optimise(SpirvModule& module, VulkanVersion vulkan, std::vector<std::string>& problems);
+bool optimise(SpirvModule& module, VulkanVersion vulkan, std::vector<std::string>& problems,
+              SpirvModule* legalised = nullptr);
 
 // The problems SPIRV-Tools finds for that version; empty when valid. Before legalisation resources may still
 // be passed by value, which is then not held against the module.

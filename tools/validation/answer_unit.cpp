@@ -20,6 +20,7 @@ namespace penumbra::validation {
 struct UnitService::Memory {
   shaders::SourceMemory sources;
   CheckedDeclarations declarations;
+  LintedModules linted;
 };
 
 namespace {
@@ -33,8 +34,13 @@ struct SourceState {
 class UnitAtWork {
  public:
   UnitAtWork(const UnitJob& job, platform::WorkerLink& link, shaders::SourceMemory& sources,
-             CheckedDeclarations& declarations)
-      : job_(job), link_(link), memory_(sources), declarations_(declarations), cache_(job.context.cache) {}
+             CheckedDeclarations& declarations, LintedModules& linted)
+      : job_(job),
+        link_(link),
+        memory_(sources),
+        declarations_(declarations),
+        linted_(linted),
+        cache_(job.context.cache) {}
 
   UnitReply answer() {
     link_.note(note_compile);
@@ -100,8 +106,9 @@ class UnitAtWork {
     }
     shaders::CompileRequest request = job_.unit.compile;
     request.keep_unoptimised = job_.unit.lint.wanted;
-    shaders::CompileResult result = job_.share ? declarations_.compile(request, std::move(source_))
-                                               : compile_whole(request, std::move(source_));
+    shaders::CompileResult result = job_.sharing == Sharing::nothing
+                                        ? compile_whole(request, std::move(source_))
+                                        : declarations_.compile(request, std::move(source_), job_.sharing);
     spirv_ = std::move(result.spirv);
     CompileAnswer answer;
     answer.diagnostics = std::move(result.diagnostics);
@@ -119,7 +126,7 @@ class UnitAtWork {
 
   void lint(const shaders::CompileResult& result, CompileAnswer& answer) {
     link_.note(note_lint);
-    for (hlsl::Diagnostic& message : lint_messages(job_.unit, result.unoptimised, result.sources))
+    for (hlsl::Diagnostic& message : linted_.messages(job_.unit, result))
       answer.diagnostics.push_back(std::move(message));
     answer.buffers = std::make_shared<const std::string>(encode(lint::constant_buffers(result.unoptimised)));
     link_.note(note_compile);
@@ -158,6 +165,7 @@ class UnitAtWork {
   platform::WorkerLink& link_;
   shaders::SourceMemory& memory_;
   CheckedDeclarations& declarations_;
+  LintedModules& linted_;
   AnswerCache cache_;
   shaders::PreprocessedSource source_;
   std::vector<std::uint32_t> spirv_;
@@ -181,7 +189,8 @@ std::string UnitService::answer(const std::string& job, platform::WorkerLink& li
     }
   }
   if (!memory) memory = std::make_unique<Memory>();
-  const UnitReply reply = UnitAtWork(*decoded, link, memory->sources, memory->declarations).answer();
+  const UnitReply reply =
+      UnitAtWork(*decoded, link, memory->sources, memory->declarations, memory->linted).answer();
   const std::lock_guard<std::mutex> lock(mutex_);
   free_.push_back(std::move(memory));
   return encode(reply);

@@ -4,6 +4,9 @@
 #include <tuple>
 #include <utility>
 
+#include "hlsl/dense_lines.h"
+#include "platform/content_hash.h"
+
 namespace penumbra::validation {
 
 namespace {
@@ -14,6 +17,19 @@ using hlsl::Diagnostic;
 std::string circumstances_of(const shaders::CompileRequest& request) {
   return std::to_string(static_cast<int>(request.stage)) + " " +
          shaders::vulkan_version_name(request.vulkan) + (request.prepare ? " prepared " : " as it is ");
+}
+
+// And what decides which module is made of it.
+std::string module_circumstances_of(const shaders::CompileRequest& request) {
+  std::string text = circumstances_of(request) + request.file.string() + "\n" + request.entry + "\n";
+  for (const bool flag : {request.optimise, request.debug_lines, request.keep_unoptimised, request.dxc})
+    text += flag ? '1' : '0';
+  return text;
+}
+
+std::string key_of(const shaders::CompileRequest& request, const std::string& text) {
+  platform::ContentHash hash;
+  return hash.update(module_circumstances_of(request)).update(text).hex();
 }
 
 bool is_before(const Diagnostic& a, const Diagnostic& b) {
@@ -53,8 +69,51 @@ void CheckedDeclarations::learn(const hlsl::Reach& reach, const std::string& cir
         known_[circumstances + reach.unreached()[i]].push_back(message);
 }
 
+// Without files, which are each request's own.
+shaders::CompileResult CheckedDeclarations::compile_prepared(const shaders::CompileRequest& request,
+                                                             shaders::PreprocessedSource prepared) {
+  const std::string key = key_of(request, prepared.text);
+  const std::vector<Diagnostic> notes = std::exchange(prepared.diagnostics, {});
+  std::shared_ptr<const shaders::CompileResult> known = prepared_.find(key);
+  if (!known) {
+    shaders::CompileResult made = shaders::compile(request, std::move(prepared));
+    made.sources = {};
+    made.dependencies.clear();
+    known = prepared_.keep(key, std::move(made));
+  }
+  shaders::CompileResult result = *known;
+  result.diagnostics.insert(result.diagnostics.begin(), notes.begin(), notes.end());
+  return result;
+}
+
+shaders::CompileResult CheckedDeclarations::compile_reached(const shaders::CompileRequest& request,
+                                                            shaders::PreprocessedSource reached,
+                                                            Sharing sharing) {
+  if (sharing != Sharing::everything) {
+    shaders::prepare(request, reached);
+    return shaders::compile(request, std::move(reached));
+  }
+  reached.text = hlsl::dense_lines(reached.text);
+  const std::string key = key_of(request, reached.text);
+  const std::vector<Diagnostic> said = std::exchange(reached.diagnostics, {});
+  std::vector<std::filesystem::path> dependencies = std::move(reached.dependencies);
+  hlsl::SourceFiles sources = reached.sources;
+  std::shared_ptr<const shaders::CompileResult> known = reached_.find(key);
+  if (!known) {
+    shaders::prepare(request, reached);
+    const bool wrong = hlsl::has_errors(reached.diagnostics);
+    known = reached_.keep(key, wrong ? shaders::compile(request, std::move(reached))
+                                     : compile_prepared(request, std::move(reached)));
+  }
+  shaders::CompileResult result = *known;
+  result.diagnostics.insert(result.diagnostics.begin(), said.begin(), said.end());
+  result.dependencies = std::move(dependencies);
+  result.sources = std::move(sources);
+  return result;
+}
+
 shaders::CompileResult CheckedDeclarations::compile(const shaders::CompileRequest& request,
-                                                    shaders::PreprocessedSource expanded) {
+                                                    shaders::PreprocessedSource expanded, Sharing sharing) {
   const std::string text = std::move(expanded.text);
   const std::vector<Diagnostic> before = expanded.diagnostics;
   const hlsl::Reach reach(text, request.file.string(), request.entry);
@@ -75,8 +134,7 @@ shaders::CompileResult CheckedDeclarations::compile(const shaders::CompileReques
 
   expanded.text = reach.text_with({});
   expanded.diagnostics = before;
-  shaders::prepare(request, expanded);
-  shaders::CompileResult result = shaders::compile(request, std::move(expanded));
+  shaders::CompileResult result = compile_reached(request, std::move(expanded), sharing);
   if (hlsl::has_errors(result.diagnostics)) {
     shaders::PreprocessedSource again;
     again.text = text;

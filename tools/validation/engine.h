@@ -16,6 +16,7 @@
 
 #include "platform/worker_pool.h"
 #include "validation/shard.h"
+#include "validation/sharing.h"
 #include "validation/unit.h"
 
 namespace penumbra::validation {
@@ -23,13 +24,6 @@ namespace penumbra::validation {
 // How the program is started to be a worker of run_units(): this, then targets whose drivers it opens. It
 // hands the targets to serve_units().
 inline constexpr const char* worker_mode = "validation-worker";
-
-// What units of one run share; less than everything is there to be measured.
-enum class Sharing {
-  nothing,       // every unit pays for itself
-  declarations,  // what a unit does not reach is looked at once (checked_declarations.h)
-  everything,    // each text and each module once
-};
 
 struct EngineOptions {
   unsigned jobs = 1;

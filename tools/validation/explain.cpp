@@ -22,7 +22,9 @@ class TextOfUnit final : public platform::WorkSource {
     message_ = {0, encode(job)};
   }
 
-  std::optional<platform::WorkerMessage> next() override { return std::exchange(message_, std::nullopt); }
+  std::optional<platform::WorkerMessage> next(unsigned) override {
+    return std::exchange(message_, std::nullopt);
+  }
   std::string answer_question(std::size_t, const std::string&) override { return std::string(answer_mine); }
   void finished(std::size_t, platform::WorkerOutcome outcome) override {
     std::optional<UnitReply> reply = outcome.failure.empty() ? decode_reply(outcome.answer) : std::nullopt;

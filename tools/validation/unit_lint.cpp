@@ -5,6 +5,7 @@
 
 #include "lint/module_rules.h"
 #include "platform/byte_stream.h"
+#include "platform/content_hash.h"
 
 namespace penumbra::validation {
 
@@ -15,12 +16,20 @@ std::optional<hlsl::Diagnostic> message_of(lint::Finding finding, const LintOrde
   return std::move(finding.diagnostic);
 }
 
-std::vector<hlsl::Diagnostic> lint_messages(const CompileUnit& unit,
-                                            const std::vector<std::uint32_t>& unoptimised,
-                                            const hlsl::SourceFiles& sources) {
+std::vector<hlsl::Diagnostic> LintedModules::messages(const CompileUnit& unit,
+                                                      const shaders::CompileResult& compiled) {
+  const std::string file = unit.compile.file.string();
+  platform::ContentHash hash;
+  hash.update(std::span<const std::uint32_t>(compiled.unoptimised)).update(file);
+  hash.update(static_cast<int>(unit.compile.stage)).update(unit.lint.shader_target);
+  const std::string key = hash.hex();
+  std::shared_ptr<const std::vector<lint::Finding>> known = findings_.find(key);
+  if (!known)
+    known = findings_.keep(
+        key, lint::module_findings({compiled.unoptimised, unit.compile.stage, file, compiled.sources,
+                                    unit.lint.shader_target, compiled.legalised}));
   std::vector<hlsl::Diagnostic> messages;
-  for (lint::Finding& finding : lint::lint_module(
-           {unoptimised, unit.compile.stage, unit.compile.file.string(), sources, unit.lint.shader_target}))
+  for (lint::Finding& finding : lint::with_suppressions(*known, compiled.sources))
     if (std::optional<hlsl::Diagnostic> message = message_of(std::move(finding), unit.lint))
       messages.push_back(*std::move(message));
   return messages;

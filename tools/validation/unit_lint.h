@@ -10,14 +10,21 @@
 
 #include "hlsl/source_text.h"
 #include "lint/program_rules.h"
+#include "lint/rule.h"
+#include "validation/recent_results.h"
 #include "validation/unit.h"
 
 namespace penumbra::validation {
 
-// `unoptimised` as shaders::CompileResult has it. Findings of rules that are left out are not among them.
-std::vector<hlsl::Diagnostic> lint_messages(const CompileUnit& unit,
-                                            const std::vector<std::uint32_t>& unoptimised,
-                                            const hlsl::SourceFiles& sources);
+// Equal modules are looked at once. Not for several threads at once.
+class LintedModules {
+ public:
+  // `compiled` with its unoptimised module. Findings of rules that are left out are not among the messages.
+  std::vector<hlsl::Diagnostic> messages(const CompileUnit& unit, const shaders::CompileResult& compiled);
+
+ private:
+  RecentResults<std::vector<lint::Finding>> findings_{256};
+};
 
 bool holds_suppression(std::string_view source);  // a comment that silences a rule, or seems to
 

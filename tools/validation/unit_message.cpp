@@ -53,7 +53,7 @@ std::string encode(const UnitJob& job) {
     out.text(driver.second);
   });
   out.list(job.given_up, [&](const std::string& target) { out.text(target); });
-  out.number(job.share ? 1 : 0);
+  out.number(static_cast<std::uint64_t>(job.sharing));
   out.number(job.text_only ? 1 : 0);
   return out.take();
 }
@@ -72,7 +72,9 @@ std::optional<UnitJob> decode_job(std::string_view bytes) {
        }))
     job.context.drivers.insert(std::move(driver));
   job.given_up = in.list<std::string>([&] { return in.text(); });
-  job.share = in.flag();
+  const std::uint64_t sharing = in.number();
+  if (sharing > static_cast<std::uint64_t>(Sharing::everything)) return std::nullopt;
+  job.sharing = static_cast<Sharing>(sharing);
   job.text_only = in.flag();
   if (!in.exhausted()) return std::nullopt;
   return job;

@@ -14,6 +14,7 @@
 
 #include "validation/answer_cache.h"
 #include "validation/kept_answers.h"
+#include "validation/sharing.h"
 #include "validation/unit.h"
 
 namespace penumbra::validation {
@@ -21,9 +22,9 @@ namespace penumbra::validation {
 struct UnitJob {
   CompileUnit unit;
   AnswerContext context;
-  std::vector<std::string> given_up;  // targets in which it has crashed or hung before
-  bool share = true;                  // with what this worker has compiled before
-  bool text_only = false;             // only what the parser would read, for a file that reproduces a crash
+  std::vector<std::string> given_up;      // targets in which it has crashed or hung before
+  Sharing sharing = Sharing::everything;  // with what this worker has compiled before
+  bool text_only = false;  // only what the parser would read, for a file that reproduces a crash
 };
 
 struct EntryToKeep {

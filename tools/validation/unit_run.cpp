@@ -58,7 +58,7 @@ void UnitRun::recall() {
     platform::throw_if_interrupted();
     std::optional<UnitReply> reply = known.reply_to(unit(place));
     if (!reply) {
-      waiting_.push_back(place);
+      waiting_.add(variant_of(unit(place)), place);
       continue;
     }
     texts_.emplace(shared_key(unit(place), reply->text_key), place);
@@ -72,7 +72,7 @@ void UnitRun::recall() {
 }
 
 void UnitRun::work() {
-  if (waiting_.empty()) return;
+  if (waiting_.size() == 0) return;
   const auto jobs =
       static_cast<unsigned>(std::min<std::size_t>(std::max(1U, options_.jobs), waiting_.size()));
   UnitService service;
@@ -85,15 +85,11 @@ void UnitRun::work() {
     platform::run_workers({with_drivers(options_.worker_arguments, context_), jobs, options_.limits}, *this);
 }
 
-std::optional<platform::WorkerMessage> UnitRun::next() {
-  if (waiting_.empty()) return std::nullopt;
-  const std::size_t place = waiting_.front();
-  waiting_.pop_front();
-  UnitJob job{unit(place),
-              context_,
-              {},
-              options_.sharing != Sharing::nothing,
-              states_[place].reproducing.has_value()};
+std::optional<platform::WorkerMessage> UnitRun::next(unsigned worker) {
+  const std::optional<std::size_t> next = waiting_.next(worker);
+  if (!next) return std::nullopt;
+  const std::size_t place = *next;
+  UnitJob job{unit(place), context_, {}, options_.sharing, states_[place].reproducing.has_value()};
   for (const auto& [target, failure] : states_[place].failures) job.given_up.push_back(target);
   return platform::WorkerMessage{place, encode(job)};
 }

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <map>
 #include <memory>
 #include <optional>
@@ -15,6 +14,7 @@
 #include "validation/engine.h"
 #include "validation/reproduction.h"
 #include "validation/unit_message.h"
+#include "validation/waiting_units.h"
 
 namespace penumbra::validation {
 
@@ -28,7 +28,7 @@ class UnitRun final : public platform::WorkSource {
   EngineRun take() const;
   std::uint64_t written() const { return cache_.bytes_written(); }
 
-  std::optional<platform::WorkerMessage> next() override;
+  std::optional<platform::WorkerMessage> next(unsigned worker) override;
   std::string answer_question(std::size_t place, const std::string& question) override;
   void finished(std::size_t place, platform::WorkerOutcome outcome) override;
 
@@ -46,7 +46,7 @@ class UnitRun final : public platform::WorkSource {
   };
 
   const CompileUnit& unit(std::size_t place) const { return units_[own_[place]]; }
-  void send_first(std::size_t place) { waiting_.push_front(place); }
+  void send_first(std::size_t place) { waiting_.put_first(place); }
   void say_done();
   void keep(UnitReply& reply);
   void share_buffers(UnitReply& reply);
@@ -66,7 +66,7 @@ class UnitRun final : public platform::WorkSource {
   AnswerContext context_;
   std::vector<std::size_t> own_;  // the shard's; a place is an index of this
   std::vector<State> states_;
-  std::deque<std::size_t> waiting_;
+  WaitingUnits waiting_;
   std::map<std::string, std::size_t> texts_;    // shared_key() -> the place whose answer it is
   std::map<std::string, std::size_t> modules_;  // emitted key -> likewise
   std::map<std::string, std::shared_ptr<const std::string>> buffers_;

@@ -1,0 +1,28 @@
+// `#line N "file"`, as a preprocessor leaves it. Internal to this room.
+#pragma once
+
+#include <charconv>
+#include <string_view>
+#include <system_error>
+
+namespace penumbra::hlsl {
+
+struct LinePlace {
+  std::string_view file;  // as its directive spells it; empty before the first that names one
+  int line = 1;
+};
+
+// The place of the line behind the directive; a directive without a file changes the number alone. False for
+// every other line.
+inline bool take_line_directive(std::string_view line, LinePlace& next) {
+  if (!line.starts_with("#line ")) return false;
+  int number = 0;
+  if (std::from_chars(line.data() + 6, line.data() + line.size(), number).ec != std::errc()) return false;
+  next.line = number;
+  const std::size_t open = line.find('"');
+  const std::size_t close = line.rfind('"');
+  if (open != std::string_view::npos && close > open) next.file = line.substr(open + 1, close - open - 1);
+  return true;
+}
+
+}  // namespace penumbra::hlsl

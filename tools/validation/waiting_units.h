@@ -1,0 +1,42 @@
+// The order in which units are handed out to workers.
+//
+// One worker gets all units of a variant, one after another: for most graphics APIs they come to the same
+// reached text, which it then compiles once (checked_declarations.h). When no whole variant is left, a worker
+// takes over what another has not begun.
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "validation/unit.h"
+
+namespace penumbra::validation {
+
+// Equal for the units that differ in the graphics API alone.
+std::string variant_of(const CompileUnit& unit);
+
+class WaitingUnits {
+ public:
+  void add(const std::string& variant, std::size_t unit);
+  void put_first(std::size_t unit) { first_.push_front(unit); }  // for whoever asks next
+
+  std::size_t size() const;  // of what has not been handed out
+  std::optional<std::size_t> next(unsigned worker);
+
+ private:
+  using Group = std::deque<std::size_t>;
+
+  Group* group_for(unsigned worker);
+
+  std::deque<std::size_t> first_;
+  std::vector<Group> groups_;  // in the order of their first units
+  std::unordered_map<std::string, std::size_t> group_of_;
+  std::size_t begun_ = 0;             // groups that a worker has been given
+  std::vector<std::size_t> current_;  // of each worker, its group's index plus one; 0: none
+};
+
+}  // namespace penumbra::validation
