@@ -4,6 +4,7 @@
 #include <numeric>
 #include "fuzz/fuzz_input.h"
 #include "fuzz/targets.h"
+#include "hlsl/dense_lines.h"
 #include "hlsl/expanded_text.h"
 #include "hlsl/outline.h"
 #include "hlsl/reach.h"
@@ -33,6 +34,8 @@ void reach(const std::string& text) {
   const auto lines = [](const std::string& t) { return std::count(t.begin(), t.end(), '\n'); };
   require(lines(reached.text_with({})) == lines(text), "what is left out leaves its lines");
   require(reached.text_with(all) == text, "with all of it nothing is left out");
+  const std::string dense = hlsl::dense_lines(reached.text_with({}));
+  require(hlsl::dense_lines(dense) == dense, "dense lines have nothing more to lose");
 }
 
 void read_log(const std::string& text, const hlsl::SourceFiles& sources) {

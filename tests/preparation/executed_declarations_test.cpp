@@ -209,11 +209,11 @@ void Set(float2 v, out float3 w) { w = v.xyx; }
     float3 w;
     Set(v, w);
     Out[0] = One(v); Out[1] = Two(v, v); Out[2] = Wide(v); Out[3] = w.z; Out[4] = One(mul(m, float4(1, 0, 0, 1)));
-    Out[5] = One(v.w); })",
+    Out[5] = One(v.w); Out[6] = Two(saturate(v), abs(exp2(v))); })",
                         {7},
                         {},
-                        6},
-                       {2, 312, 7, 1, 16, 14});
+                        7},
+                       {2, 312, 7, 1, 16, 14, 811});
 }
 
 TEST(ExecutedTypeSemantics, MayBeCalledLikeATypeInHlsl) {

@@ -1,5 +1,6 @@
 #include "preparation/narrower_parameters.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -85,7 +86,21 @@ class NarrowArguments {
     const ValueType& type = types_.at(last);
     if (types_.begin(last) == argument.first && is_number_type(type.name))
       return type.dimensions == 0 && !is_matrix(type.name) && components(type.name) > wanted;
+    if (const std::optional<Argument> inner = of_each_component(argument)) return is_wider(*inner, wanted);
     return wanted < 4 && gives_a_vector(argument);
+  }
+
+  // What stands in ddx(...) and the like, whole: its result has as many components.
+  std::optional<Argument> of_each_component(const Argument& argument) const {
+    static constexpr hlsl::WordSet functions(
+        "abs", "acos", "asin", "atan", "ceil", "cos", "ddx", "ddx_coarse", "ddx_fine", "ddy", "ddy_coarse",
+        "ddy_fine", "degrees", "exp", "exp2", "floor", "frac", "fwidth", "log", "log10", "log2", "normalize",
+        "radians", "rcp", "round", "rsqrt", "saturate", "sign", "sin", "sqrt", "tan", "trunc");
+    const std::size_t open = argument.first + 1;
+    if (!functions.contains(text_[argument.first].spelling) || !text_.is(open, "(")) return std::nullopt;
+    const std::vector<Argument> inner = arguments(open);
+    if (text_.partner(open) != argument.end - 1 || inner.size() != 1) return std::nullopt;
+    return inner.front();
   }
 
   // map.Sample(...) or mul(...), whole.
