@@ -20,6 +20,10 @@ gpu::Device& device() {
 
 }  // namespace
 
+std::string device_name() {
+  return device().info().name + ", " + device().info().driver;
+}
+
 DeviceRun run_on_device(const std::vector<const Program*>& programs,
                         const std::vector<std::uint32_t>& inputs) {
   const std::size_t sets = inputs.size() / kInputs;

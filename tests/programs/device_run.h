@@ -18,4 +18,6 @@ struct DeviceRun {
 DeviceRun run_on_device(const std::vector<const Program*>& programs,
                         const std::vector<std::uint32_t>& inputs);
 
+std::string device_name();  // with its driver
+
 }  // namespace penumbra::programs

@@ -8,6 +8,7 @@
 #include "programs/arithmetic.h"
 #include "programs/batch.h"
 #include "programs/build.h"
+#include "programs/device_run.h"
 #include "programs/interpreter.h"
 #include "programs/program_text.h"
 #include "programs/random_program.h"
@@ -25,7 +26,7 @@ int number(const char* variable, int otherwise) {
 }
 
 // Two halves, for two processors. PENUMBRA_RANDOM_PROGRAMS=10000 runs more of them, PENUMBRA_FIRST_SEED
-// others.
+// others; tests/programs/page publishes what the line at the end says.
 class RandomProgramsHalf : public testing::TestWithParam<int> {};
 
 TEST_P(RandomProgramsHalf, MeansOnTheDeviceWhatTheLanguageSays) {
@@ -36,7 +37,8 @@ TEST_P(RandomProgramsHalf, MeansOnTheDeviceWhatTheLanguageSays) {
   EXPECT_THAT(result.differences, IsEmpty());
   std::cout << result.programs << " programs on " << kSets << " sets of inputs each, seeds from " << first
             << " on, " << result.unfit << " more not run; differences: " << result.differences.size()
-            << ", largest distance of two floats: " << result.most_ulps << " ULP\n";
+            << ", largest distance of two floats: " << result.most_ulps << " ULP; device: " << device_name()
+            << "\n";
 }
 
 INSTANTIATE_TEST_SUITE_P(Both, RandomProgramsHalf, testing::Values(0, 1));
