@@ -9,8 +9,10 @@
 //   cold      the same steps; what variants do not reach is looked at once
 //   shared    besides, equal texts and equal modules once
 //   driver    besides, the emitted GLSL and ESSL compiled and linked by this machine's GL driver
-//   lint      besides, the rules of `penumbra validate`: all that the command does
-//   warm      that once more, everything kept
+//   lint      besides, the rules of `penumbra validate`: all that the command does with `--api vulkan`
+//   default   the command without it: one source for each target's graphics API, that is, five for each
+//             variant, where the pipeline still has one. URP's lighting alone; the techniques have one source
+//   warm      that (of the techniques: lint) once more, everything kept
 // Counters: X_ms milliseconds of time that passes, per variant; X_ratio shell_ms over it; X_cpu_ratio the
 // same by processor time, which holds on a machine that does other work too; texts and modules: different
 // ones among the variants. Runs alternate, so that a change of the machine's load meets all. Mesa's own cache
@@ -35,6 +37,7 @@
 #include "shaders/technique_list.h"
 #include "validation/engine.h"
 #include "validation/source_variants.h"
+#include "variants/platform_defines.h"
 
 namespace penumbra::validation {
 namespace {
@@ -43,6 +46,7 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr unsigned jobs = 2;
+constexpr int shader_target = 45;
 
 const char* const targets[] = {"spirv", "essl310", "glsl450", "msl23", "hlsl50"};
 
@@ -110,7 +114,6 @@ std::vector<CompileUnit> lighting_units(const fs::path& packages) {
   unit.compile.text = lit_shader;
   unit.compile.stage = hlsl::Stage::fragment;
   unit.compile.prepare = true;
-  unit.compile.defines = {{"SHADER_API_VULKAN", "1"}, {"UNITY_COMPILER_HLSL", "1"}};
   for (const char* name : {"com.unity.render-pipelines.core", "com.unity.render-pipelines.universal",
                            "com.unity.render-pipelines.universal-config"})
     unit.compile.package_roots.push_back({name, packages / name});
@@ -135,6 +138,37 @@ std::vector<CompileUnit> lighting_units(const fs::path& packages) {
     units = std::move(more);
   }
   return units;
+}
+
+CompileUnit for_platform(CompileUnit unit, const variants::Platform& platform) {
+  std::map<std::string, std::string> defines =
+      variants::platform_defines(platform, unit.compile.stage, shader_target);
+  unit.compile.defines.insert(unit.compile.defines.begin(), defines.begin(), defines.end());
+  return unit;
+}
+
+std::vector<CompileUnit> for_vulkan(const std::vector<CompileUnit>& units) {
+  std::vector<CompileUnit> all;
+  for (const CompileUnit& unit : units) all.push_back(for_platform(unit, {}));
+  return all;
+}
+
+// One source for each graphics API, as the command has it without --api.
+std::vector<CompileUnit> for_every_api(const std::vector<CompileUnit>& units) {
+  using variants::GraphicsApi;
+  const std::vector<std::pair<variants::Platform, std::string>> platforms = {
+      {{GraphicsApi::vulkan}, "spirv"},
+      {{GraphicsApi::gles3, true}, "essl310"},
+      {{GraphicsApi::glcore}, "glsl450"},
+      {{GraphicsApi::metal}, "msl23"},
+      {{GraphicsApi::d3d11}, "hlsl50"}};
+  std::vector<CompileUnit> all;
+  for (const auto& [platform, target] : platforms)
+    for (const CompileUnit& unit : units) {
+      all.push_back(for_platform(unit, platform));
+      all.back().targets = {target};
+    }
+  return all;
 }
 
 void write(const fs::path& file, const std::string& text) {
@@ -215,15 +249,24 @@ struct Way {
   Sharing sharing;
   bool drivers;
   bool lint;
+  bool every_api;
   bool kept;  // from the cache of the way before
 };
 
-constexpr Way ways[] = {{"alone", Sharing::nothing, false, false, false},
-                        {"cold", Sharing::declarations, false, false, false},
-                        {"shared", Sharing::everything, false, false, false},
-                        {"driver", Sharing::everything, true, false, false},
-                        {"lint", Sharing::everything, true, true, false},
-                        {"warm", Sharing::everything, true, true, true}};
+constexpr Way ways[] = {{"alone", Sharing::nothing, false, false, false, false},
+                        {"cold", Sharing::declarations, false, false, false, false},
+                        {"shared", Sharing::everything, false, false, false, false},
+                        {"driver", Sharing::everything, true, false, false, false},
+                        {"lint", Sharing::everything, true, true, false, false},
+                        {"default", Sharing::everything, true, true, true, false},
+                        {"warm", Sharing::everything, true, true, true, true}};
+
+// What there is to validate, and the same with one source for each graphics API; empty where that is not how
+// the command does it.
+struct Measured {
+  std::vector<CompileUnit> units;
+  std::vector<CompileUnit> every_api;
+};
 
 EngineRun run_engine(std::vector<CompileUnit> units, const Way& way, const fs::path& cache) {
   for (CompileUnit& unit : units) unit.lint.wanted = way.lint;
@@ -243,20 +286,25 @@ std::vector<CompileUnit> spread(std::vector<CompileUnit> units, std::size_t coun
   return some;
 }
 
-void measure(benchmark::State& state, std::vector<CompileUnit> all) {
-  const std::vector<CompileUnit> units = spread(std::move(all), static_cast<std::size_t>(state.range(0)));
+void measure(benchmark::State& state, const Measured& measured) {
+  const std::vector<CompileUnit>& units = measured.units;
   const Scratch scratch;
   std::string scripts;
   for (std::size_t i = 0; i < units.size(); ++i)
     scripts += write_pipeline(scratch, units[i], i).string() + "\n";
   Spent shell;
   std::map<std::string, Spent> spent;
+  std::pair<std::size_t, std::size_t> one_source;  // texts and modules
   EngineRun run;
   for ([[maybe_unused]] auto iteration : state) {
     shell.add([&] { run_shell(scripts); });
     for (const Way& way : ways) {
+      if (way.every_api && !way.kept && measured.every_api.empty()) continue;
+      const bool every_api = way.every_api && !measured.every_api.empty();
       if (!way.kept) fs::remove_all(scratch / "cache");
-      spent[way.name].add([&] { run = run_engine(units, way, scratch / "cache"); });
+      spent[way.name].add(
+          [&] { run = run_engine(every_api ? measured.every_api : units, way, scratch / "cache"); });
+      if (!way.every_api) one_source = {run.unique_texts, run.unique_modules};
     }
   }
   for (const UnitResult& result : run.results)
@@ -269,12 +317,19 @@ void measure(benchmark::State& state, std::vector<CompileUnit> all) {
     state.counters[name + "_ratio"] = shell.passed / of.passed;
     state.counters[name + "_cpu_ratio"] = shell.processor / of.processor;
   }
-  state.counters["texts"] = static_cast<double>(run.unique_texts);
-  state.counters["modules"] = static_cast<double>(run.unique_modules);
+  state.counters["texts"] = static_cast<double>(one_source.first);
+  state.counters["modules"] = static_cast<double>(one_source.second);
+  if (measured.every_api.empty()) return;
+  state.counters["every_api_texts"] = static_cast<double>(run.unique_texts);
+  state.counters["every_api_modules"] = static_cast<double>(run.unique_modules);
+}
+
+std::size_t wanted(const benchmark::State& state) {
+  return static_cast<std::size_t>(state.range(0));
 }
 
 void techniques(benchmark::State& state) {
-  measure(state, technique_units());
+  measure(state, {spread(technique_units(), wanted(state)), {}});
 }
 BENCHMARK(techniques)
     ->ArgName("variants")
@@ -285,7 +340,9 @@ BENCHMARK(techniques)
     ->Iterations(1);
 
 void urp_lighting(benchmark::State& state) {
-  measure(state, lighting_units(std::getenv("PENUMBRA_URP_PACKAGES")));  // NOLINT(concurrency-mt-unsafe)
+  const std::vector<CompileUnit> units = spread(lighting_units(std::getenv("PENUMBRA_URP_PACKAGES")),
+                                                wanted(state));  // NOLINT(concurrency-mt-unsafe)
+  measure(state, {for_vulkan(units), for_every_api(units)});
 }
 
 }  // namespace
