@@ -188,5 +188,48 @@ TEST(ConstantDivisions, OfIntegersByZeroAreRefused) {
       IsEmpty());
 }
 
+std::string missing(const std::string& words) {
+  return "error: expected ';' before '" + words + "'";
+}
+
+// glslang takes each of these without a word.
+TEST(Semicolons, AreMissedBeforeADeclarationOfAScalar) {
+  EXPECT_THAT(said(fragment("float x = 1\nfloat y = 2;")), ElementsAre("4: " + missing("float y")));
+  EXPECT_THAT(said(fragment("int i = n\nint j = 2;")), ElementsAre("4: " + missing("int j")));
+  EXPECT_THAT(said(fragment("float x = sin(p.x)\nhalf y = 2;")), ElementsAre("4: " + missing("half y")));
+  EXPECT_THAT(said(fragment("float a[2] = { 1, 2 }; float b = a[1]\nbool c = true;")),
+              ElementsAre("4: " + missing("bool c")));
+  EXPECT_THAT(said("float _A\nfloat _B;\n" + fragment("")), ElementsAre("2: " + missing("float _B")));
+  EXPECT_THAT(said("struct S { float a : A\nuint b : B; };\n" + fragment("")),
+              ElementsAre("2: " + missing("uint b")));
+}
+
+TEST(Semicolons, AreMissedNowhereElse) {
+  EXPECT_THAT(
+      said("static const float k[2] = { 1, 2 }; groupshared uint g; row_major float4x4 m;\n"
+           "float F(const float a, in int b, out half c, inout bool d, nointerpolation uint e = 2) {\n"
+           "  [unroll] for (int i = 0; i < 2; ++i) float u = (float)i;\n"
+           "  [loop] while (d) int w = 1;\n"
+           "  if (d) float x = 1; else float y = 2;\n"
+           "  do int z = 3; while (d);\n"
+           "  switch (b) { case 0: float q = 1; break; default: int r = 2; break; }\n"
+           "  unsigned int v = uint(a) + uint(float(b)); precise float s = k[1];\n"
+           "  return float(v) * float2(1, 2).x; }\n" +
+           fragment("")),
+      IsEmpty());
+}
+
+TEST(ThreadGroup, IsNeededByAComputeProgram) {
+  const EntryPoint kernel{"Main", hlsl::Stage::compute};
+  const std::string body = "void Main(uint3 id : SV_DispatchThreadID) { }\n";
+  EXPECT_THAT(said("int n;\n" + body, kernel),
+              ElementsAre("2: error: 'Main' has no [numthreads(x, y, z)], which a compute program needs"));
+  EXPECT_THAT(said("[numthreads(8, 8, 1)]\n" + body, kernel), IsEmpty());
+  EXPECT_THAT(said("[RootSignature(\"\")][numthreads(8, 8, 1)] " + body, kernel), IsEmpty());
+  EXPECT_THAT(said("[numthreads(8, 8, 1)] void Other() { }\n" + body, kernel),
+              ElementsAre(HasSubstr("'Main' has no")));
+  EXPECT_THAT(said("int n;\n" + fragment("")), IsEmpty());
+}
+
 }  // namespace
 }  // namespace penumbra::preparation

@@ -13,6 +13,8 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::SizeIs;
+using testing::UnorderedElementsAre;
 
 // "NAME VERSION FOLDER" of every root, the folder relative to the test's.
 std::vector<std::string> roots(const UnityProject& project, const ProjectFolder& files) {
@@ -314,6 +316,29 @@ TEST(UnityProject, DependenciesInACircleEnd) {
   files.package(cached("com.x.b@1.0.0"), "com.x.b", "1.0.0", R"("com.x.a": "1.0.0")");
   EXPECT_THAT(roots(read_project(files.path()), files),
               ElementsAre("com.x.a 1.0.0 Packages/a", "com.x.b 1.0.0 " + cached("com.x.b@1.0.0")));
+}
+
+// A project from elsewhere names no folder of this machine.
+TEST(UnityProject, PackagesOutsideOfProjectAndRepositoryAreLeftOut) {
+  const ProjectFolder files;
+  namespace fs = std::filesystem;
+  files.package("outside/a", "com.x.a", "1.0.0");
+  files.package("outside/b", "com.x.b", "1.0.0");
+  files.package("outside/cache/com.x.c@1.0.0", "com.x.c", "1.0.0");
+  files.write("p/Packages/manifest.json",
+              R"({"dependencies": {"com.x.a": "file:../../outside/a", "com.x.c": "1.0.0"}})");
+  fs::create_directory_symlink(files.path("outside/b"), files.path("p/Packages/b"));
+  fs::create_directories(files.path("p/Library"));
+  fs::create_directory_symlink(files.path("outside/cache"), files.path("p/Library/PackageCache"));
+  const UnityProject project = read_project(files.path("p"));
+  EXPECT_THAT(project.packages, IsEmpty());
+  EXPECT_THAT(warnings_of(project.problems),
+              UnorderedElementsAre(HasSubstr("'com.x.a' lies outside of the project and its repository"),
+                                   HasSubstr("'b' lies outside"), HasSubstr("give --package-root com.x.c="),
+                                   HasSubstr("'com.x.c' (1.0.0) was not found")));
+  EXPECT_THAT(read_project(files.path("p"), {{"com.x.a", files.path("outside/a")}}).packages, SizeIs(1));
+  files.write(".git/HEAD", "ref: refs/heads/main");
+  EXPECT_THAT(read_project(files.path("p")).packages, SizeIs(3));
 }
 
 }  // namespace

@@ -168,5 +168,52 @@ TEST_F(Trimming, AnEntryThatIsBeingReadIsReadToItsEnd) {
   EXPECT_EQ(cache_.damaged(), 0U);
 }
 
+// Who else writes to the folder may have put links there.
+TEST(AnswerCache, WritesThroughNoLink) {
+  const ShaderFiles files;
+  const fs::path folder = files.path("cache");
+  AnswerCache cache(folder);
+  cache.store(EntryKind::compile, key, "one");
+  const fs::path other = files.path("precious");
+  write(other, "precious");
+  set_age(other, std::chrono::hours(48));
+  const fs::file_time_type time = fs::last_write_time(other);
+  fs::create_symlink(other, folder / "trimmed");
+  fs::remove(cache.file(EntryKind::emitted, key));
+  fs::create_symlink(other, cache.file(EntryKind::emitted, key));
+  cache.find(EntryKind::emitted, key);
+  trim_cache_when_due(folder, 1 << 20, 1);
+  EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(folder / "trimmed")));
+  cache.store(EntryKind::emitted, key, "two");
+  EXPECT_EQ(cache.find(EntryKind::emitted, key), "two");
+  EXPECT_EQ(read(other), "precious");
+  EXPECT_EQ(fs::last_write_time(other), time);
+}
+
+TEST(AnswerCache, IsTrimmedOnceADayOrAfterMuchWasWritten) {
+  const ShaderFiles files;
+  const fs::path folder = files.path("cache");
+  AnswerCache cache(folder);
+  const std::string content(1000, 'x');
+  for (int i = 0; i < 8; ++i) cache.store(EntryKind::compile, key_number(i), content);
+  const auto count = [&] {
+    int found = 0;
+    for (int i = 0; i < 8; ++i) found += fs::exists(cache.file(EntryKind::compile, key_number(i))) ? 1 : 0;
+    return found;
+  };
+  trim_cache_when_due(folder, 2000, 0);
+  EXPECT_EQ(count(), 8) << "nothing was written";
+  trim_cache_when_due(folder, 100'000, 1);
+  EXPECT_EQ(count(), 8);
+  trim_cache_when_due(folder, 2000, 1);
+  EXPECT_EQ(count(), 8) << "it was looked at today";
+  trim_cache_when_due(folder, 2000, 1000);
+  EXPECT_LT(count(), 3);
+  for (int i = 0; i < 8; ++i) cache.store(EntryKind::compile, key_number(i), content);
+  set_age(folder / "trimmed", std::chrono::hours(25));
+  trim_cache_when_due(folder, 2000, 1);
+  EXPECT_LT(count(), 3);
+}
+
 }  // namespace
 }  // namespace penumbra::validation

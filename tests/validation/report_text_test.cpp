@@ -162,5 +162,20 @@ TEST(ReportText, AVeryLongLineIsShownAroundItsColumn) {
   EXPECT_EQ(text.find('^', caret_line) - caret_line, text.find("HERE") - excerpt);
 }
 
+TEST(ReportText, ChecksOfAMergedReportHoldNoControlCharacters) {
+  ValidationReport report = report_of({}, [](const auto&) { return false; });
+  report.checks = {{"spirv", "\x1b[31m\n::error::a"}, {"x\n::error::b", "c"}};
+  const std::string text = report_text(report);
+  EXPECT_THAT(text, HasSubstr("spirv: \\x1B[31m\\n::error::a\nx\\n::error::b: c\n"));
+}
+
+TEST(ReportText, AKeywordOfMegabytesIsCut) {
+  const std::string keyword(10'000'000, 'K');
+  const ValidationReport report = report_of({keyword}, [](const auto& set) { return !set.empty(); });
+  const std::string text = report_text(report);
+  EXPECT_THAT(text, HasSubstr("in 1 of 2 variants: with KKK"));
+  EXPECT_LT(text.size(), 10'000U);
+}
+
 }  // namespace
 }  // namespace penumbra::validation

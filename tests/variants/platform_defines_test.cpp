@@ -48,11 +48,13 @@ TEST(PlatformDefines, OfAConditionAroundPragmasHaveNoStage) {
 // Unity Manual, "Branch based on Unity version", has the first three.
 TEST(PlatformDefines, VersionsBecomeNumbers) {
   EXPECT_EQ(unity_version_number("2022.3.0f1"), 202230);
+  EXPECT_EQ(unity_version_number("2022.3"), 202230);
+  EXPECT_EQ(unity_version_number("6000.0"), 60000000);
   EXPECT_EQ(unity_version_number("6000.0.2"), 60000002);
   EXPECT_EQ(unity_version_number("6000.2.3f1"), 60020003);
   EXPECT_EQ(unity_version_number("2022.3.21f1"), 202239);
   EXPECT_EQ(unity_version_number("6000.0.23f1"), 60000023);
-  for (const char* wrong : {"", "2022", "2022.3", "x.1.2", "2022.3.", "-1.0.0", "99999999999.0.0", "5.0.1"}) {
+  for (const char* wrong : {"", "2022", "x.1.2", "2022.3.", "-1.0.0", "99999999999.0.0", "5.0.1"}) {
     EXPECT_EQ(unity_version_number(wrong), std::nullopt) << wrong;
   }
 }

@@ -11,7 +11,7 @@ constexpr int deepest_type = 64;
 
 // Bytes from a member's start to its end, padding after the last element left out. `matrix_stride` is the
 // member's own decoration.
-std::uint32_t size_of(const SpirvCode& code, Id type, std::uint32_t matrix_stride, bool row_major,
+std::uint64_t size_of(const SpirvCode& code, Id type, std::uint32_t matrix_stride, bool row_major,
                       int depth) {
   const Instruction* of = code.definition(type);
   if (of == nullptr || depth > deepest_type) return 0;
@@ -26,20 +26,20 @@ std::uint32_t size_of(const SpirvCode& code, Id type, std::uint32_t matrix_strid
       return of->operands[1] * inner(of->operands[0]);
     case spv::OpTypeMatrix: {
       const Instruction* column = code.definition(of->operands[0]);
-      const std::uint32_t scalar = inner(column->operands[0]);
+      const std::uint64_t scalar = inner(column->operands[0]);
       const std::uint32_t rows = column->operands[1];
       const std::uint32_t columns = of->operands[1];
       const std::uint32_t lines = row_major ? rows : columns;
-      return (lines - 1) * matrix_stride + scalar * (row_major ? columns : rows);
+      return std::uint64_t{lines - 1} * matrix_stride + scalar * (row_major ? columns : rows);
     }
     case spv::OpTypeArray: {
       const auto length =
-          static_cast<std::uint32_t>(std::max<std::int64_t>(1, code.integer(of->operands[1]).value_or(1)));
+          static_cast<std::uint64_t>(std::max<std::int64_t>(1, code.integer(of->operands[1]).value_or(1)));
       const std::uint32_t stride = code.decoration(type, spv::DecorationArrayStride).value_or(0);
       return (length - 1) * stride + inner(of->operands[0]);
     }
     case spv::OpTypeStruct: {
-      std::uint32_t end = 0;
+      std::uint64_t end = 0;
       for (std::uint32_t i = 0; i < of->operands.size(); ++i) {
         const std::uint32_t stride = code.member_decoration(type, i, spv::DecorationMatrixStride).value_or(0);
         const bool rows = code.member_decoration(type, i, spv::DecorationRowMajor).has_value();
@@ -65,7 +65,7 @@ ConstantBuffer constant_buffer(const SpirvCode& code, Id block_type) {
         code.member_decoration(block_type, i, spv::DecorationMatrixStride).value_or(0);
     const bool rows = code.member_decoration(block_type, i, spv::DecorationRowMajor).has_value();
     const std::uint32_t offset = code.member_decoration(block_type, i, spv::DecorationOffset).value_or(0);
-    const std::uint32_t size = size_of(code, block->operands[i], stride, rows, 0);
+    const std::uint64_t size = size_of(code, block->operands[i], stride, rows, 0);
     buffer.members.push_back({code.member_name(block_type, i), offset, size});
     buffer.size = std::max(buffer.size, offset + size);
   }

@@ -18,14 +18,14 @@ namespace penumbra::lint {
 struct ConstantBufferMember {
   std::string name;
   std::uint32_t offset = 0;  // bytes, as glslang lays out: what follows an array starts a new register
-  std::uint32_t size = 0;    // bytes, padding after the last element left out
+  std::uint64_t size = 0;    // bytes, padding after the last element left out
 
   bool operator==(const ConstantBufferMember&) const = default;
 };
 
 struct ConstantBuffer {
   std::string name;  // "$Global" for uniforms outside of every cbuffer
-  std::uint32_t size = 0;
+  std::uint64_t size = 0;
   std::vector<ConstantBufferMember> members;
 };
 

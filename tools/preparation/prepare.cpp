@@ -97,6 +97,8 @@ PreparedShader prepare(std::string preprocessed, const std::string& main_file,
                        const std::optional<EntryPoint>& entry) {
   TokenText text(std::move(preprocessed), main_file);
   if (entry) {
+    check_semicolons(text);
+    check_thread_group(text, *entry);
     check_entry_semantics(text, *entry);
     if (!entry->dxc) check_switch_cases(text);
     check_constant_divisions(text);

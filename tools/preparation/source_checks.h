@@ -23,6 +23,12 @@ struct EntryPoint {
 // around it, and a switch that ends in a label. DXC takes all but the last.
 void check_switch_cases(TokenText& text);
 
+// `float a = 1 float b = 2;`: a declaration of a scalar that begins before the statement before it ends.
+void check_semicolons(TokenText& text);
+
+// A kernel without [numthreads(x, y, z)].
+void check_thread_group(TokenText& text, const EntryPoint& entry);
+
 // Inputs and outputs of the entry point without a semantic, and with one that its stage does not have: FXC
 // X3502, X4502. No entry point of that name, or several: nothing is said.
 void check_entry_semantics(TokenText& text, const EntryPoint& entry);

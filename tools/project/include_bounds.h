@@ -19,6 +19,8 @@ class IncludeBounds {
   // Whether the file is one of the roots or below one, after links are followed. What is in a .git folder
   // never is: it may hold credentials.
   bool contain(const std::filesystem::path& file) const;
+  // Of the folder of a package that the project's own files name. What they say must not widen what is read.
+  bool contain_package(const std::filesystem::path& folder) const { return contain(folder / "package.json"); }
 
  private:
   std::vector<std::filesystem::path> roots_;  // without links

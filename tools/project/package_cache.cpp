@@ -7,6 +7,7 @@
 #include "input/input_error.h"
 #include "project/folder_entries.h"
 #include "project/json_diagnostic.h"
+#include "project/outside_package.h"
 #include "project/package_manifest.h"
 #include "project/package_version.h"
 
@@ -52,7 +53,8 @@ std::string folder_name(const CachedPackage& package) {
 
 }  // namespace
 
-PackageCache read_package_cache(const fs::path& folder, std::vector<hlsl::Diagnostic>& problems) {
+PackageCache read_package_cache(const fs::path& folder, const IncludeBounds& bounds,
+                                std::vector<hlsl::Diagnostic>& problems) {
   PackageCache cache;
   std::error_code ignored;
   cache.found = fs::exists(folder, ignored);
@@ -61,6 +63,11 @@ PackageCache read_package_cache(const fs::path& folder, std::vector<hlsl::Diagno
     const std::string file_name = directory.filename().string();
     const std::size_t at = file_name.find('@', 1);
     if (at == std::string::npos && !has_package_manifest(directory)) continue;
+    if (!bounds.contain_package(directory)) {
+      problems.push_back(diagnostic_of(directory, hlsl::Severity::warning,
+                                       outside_package(file_name.substr(0, at), directory)));
+      continue;
+    }
     const std::string suffix = at == std::string::npos ? "" : file_name.substr(at + 1);
     PackageManifest manifest;
     try {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hlsl/diagnostic.h"
+#include "project/include_bounds.h"
 
 namespace penumbra::project {
 
@@ -24,7 +25,8 @@ struct PackageCache {
 
 // Throws InputError when the folder is there and cannot be read; a package whose package.json is broken goes
 // by its folder's name, with a warning.
-PackageCache read_package_cache(const std::filesystem::path& folder, std::vector<hlsl::Diagnostic>& problems);
+PackageCache read_package_cache(const std::filesystem::path& folder, const IncludeBounds& bounds,
+                                std::vector<hlsl::Diagnostic>& problems);
 
 // What a project says of the package it wants; each may be empty.
 struct WantedPackage {

@@ -4,11 +4,13 @@
 #include <filesystem>
 #include <optional>
 #include <queue>
+#include <set>
 #include <system_error>
 #include <utility>
 
 #include "input/input_error.h"
 #include "project/json_diagnostic.h"
+#include "project/outside_package.h"
 #include "project/package_manifest.h"
 #include "project/package_version.h"
 
@@ -71,7 +73,7 @@ class PackageSearch {
   void visit(const std::string& name) {
     std::optional<PackageRoot> root = find(name);
     if (root) read_manifest(*root);
-    const bool missing = !root && !starts_with(name, engine_module);
+    const bool missing = !root && !starts_with(name, engine_module) && outside_.count(name) == 0;
     if (missing && sources_.manifest.requested.count(name) != 0) missing_.push_back(name);
     found_[name] = std::move(root);
   }
@@ -123,6 +125,11 @@ class PackageSearch {
                                         const std::string& where) {
     std::error_code ignored;
     if (!fs::is_directory(folder, ignored)) return std::nullopt;
+    if (!sources_.bounds.contain_package(folder)) {
+      say(where, hlsl::Severity::warning, outside_package(name, folder));
+      outside_.insert(name);
+      return std::nullopt;
+    }
     try {
       const PackageManifest manifest = read_package_manifest(folder);
       if (!manifest.name.empty() && manifest.name != name)
@@ -195,6 +202,7 @@ class PackageSearch {
   std::map<std::string, std::optional<PackageRoot>> found_;
   std::queue<std::string> waiting_;
   std::vector<std::string> missing_;
+  std::set<std::string> outside_;  // said already
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hlsl/diagnostic.h"
+#include "project/include_bounds.h"
 #include "project/package_cache.h"
 #include "project/package_root.h"
 #include "project/project_manifest.h"
@@ -17,6 +18,7 @@ struct PackageSources {
   std::map<std::string, PackageRoot> embedded;
   ProjectManifest manifest;
   PackageCache cache;
+  IncludeBounds bounds;  // the project and its repository; roots given by hand may lie elsewhere
 };
 
 // By name. A package of manifest.json that is nowhere is a warning at its line there; when the whole cache is

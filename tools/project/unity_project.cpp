@@ -8,7 +8,9 @@
 #include "input/input_error.h"
 #include "input/text_file.h"
 #include "project/folder_entries.h"
+#include "project/include_bounds.h"
 #include "project/json_diagnostic.h"
+#include "project/outside_package.h"
 #include "project/package_cache.h"
 #include "project/package_manifest.h"
 #include "project/package_search.h"
@@ -63,7 +65,7 @@ std::optional<EditorVersion> read_editor_version(const fs::path& file,
 }
 
 // Packages/FOLDER/package.json; the first by folder where two have one name.
-std::map<std::string, PackageRoot> embedded_packages(const fs::path& packages,
+std::map<std::string, PackageRoot> embedded_packages(const fs::path& packages, const IncludeBounds& bounds,
                                                      std::vector<hlsl::Diagnostic>& problems) {
   std::map<std::string, PackageRoot> embedded;
   std::error_code ignored;
@@ -71,6 +73,11 @@ std::map<std::string, PackageRoot> embedded_packages(const fs::path& packages,
   for (const fs::path& folder : folders_in(packages)) {
     if (!has_package_manifest(folder)) continue;
     const fs::path file = folder / "package.json";
+    if (!bounds.contain_package(folder)) {
+      problems.push_back(diagnostic_of(folder, hlsl::Severity::warning,
+                                       outside_package(folder.filename().string(), folder)));
+      continue;
+    }
     try {
       const PackageManifest manifest = read_package_manifest(folder);
       if (manifest.name.empty())
@@ -99,9 +106,12 @@ UnityProject read_project(const fs::path& directory, const std::vector<PackageRo
       read_editor_version(directory / "ProjectSettings" / "ProjectVersion.txt", project.problems);
   PackageSources sources;
   for (const PackageRoot& root : given) sources.by_hand.emplace(root.name, root);
-  sources.embedded = embedded_packages(packages, project.problems);
+  sources.bounds.add(directory);
+  sources.bounds.add(own_tree(directory / "Assets"));
+  sources.embedded = embedded_packages(packages, sources.bounds, project.problems);
   sources.manifest = read_project_manifest(packages);
-  sources.cache = read_package_cache(directory / "Library" / "PackageCache", project.problems);
+  sources.cache =
+      read_package_cache(directory / "Library" / "PackageCache", sources.bounds, project.problems);
   project.packages = find_packages(sources, project.problems);
   return project;
 }

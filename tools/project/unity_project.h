@@ -8,8 +8,10 @@
 //   4. Library/PackageCache: of several versions the one that packages-lock.json names, then manifest.json,
 //   else
 //      the highest, with a note.
-// The packages are those that manifest and lock ask for and what these depend on; without either file all
-// that the cache holds. Engine modules (com.unity.modules.*) are built into the editor and have no files.
+// One that lies outside of the project and its repository after links are followed is a warning and left out,
+// unless it was given by hand. The packages are those that manifest and lock ask for and what these depend
+// on; without either file all that the cache holds. Engine modules (com.unity.modules.*) are built into the
+// editor and have no files.
 #pragma once
 
 #include <filesystem>

@@ -98,8 +98,10 @@ bool write_file(const fs::path& file, std::string_view content) {
   return stream && part.rename(file);
 }
 
+// A link in a folder that others write to may lead to a file that is not the cache's.
 void mark_used(const fs::path& file) {
   std::error_code error;
+  if (fs::is_symlink(fs::symlink_status(file, error))) return;
   const fs::file_time_type now = fs::file_time_type::clock::now();
   const fs::file_time_type before = fs::last_write_time(file, error);
   if (!error && now - before > use_grain) fs::last_write_time(file, now, error);
@@ -188,6 +190,17 @@ std::uint64_t trim_cache(const fs::path& directory, std::uint64_t limit) {
     if (!error) total -= entry.size;
   }
   return total;
+}
+
+void trim_cache_when_due(const fs::path& directory, std::uint64_t limit, std::uint64_t written) {
+  if (directory.empty() || written == 0) return;
+  const fs::path stamp = directory / "trimmed";
+  std::error_code error;
+  const fs::file_time_type last = fs::last_write_time(stamp, error);
+  const bool lately = !error && fs::file_time_type::clock::now() - last < std::chrono::hours(24);
+  if (lately && written < limit / 64) return;
+  trim_cache(directory, limit);
+  write_file(stamp, "by the limit in force, at the date of this file\n");
 }
 
 }  // namespace penumbra::validation

@@ -1,7 +1,5 @@
 #include "validation/engine.h"
 
-#include <chrono>
-#include <fstream>
 #include <system_error>
 
 #include "input/input_error.h"
@@ -25,19 +23,6 @@ EngineOptions with_cache_folder(EngineOptions options) {
   return options;
 }
 
-// Looking at every entry takes time that a small run should not pay: it is done when this run alone has
-// written a good part of what fits, and else once a day.
-void trim_when_due(const EngineOptions& options, std::uint64_t written) {
-  if (options.cache.empty() || written == 0) return;
-  const fs::path stamp = options.cache / "trimmed";
-  std::error_code error;
-  const fs::file_time_type last = fs::last_write_time(stamp, error);
-  const bool lately = !error && fs::file_time_type::clock::now() - last < std::chrono::hours(24);
-  if (lately && written < options.cache_limit / 64) return;
-  trim_cache(options.cache, options.cache_limit);
-  std::ofstream(stamp) << "by the limit in force, at the date of this file\n";
-}
-
 }  // namespace
 
 fs::path default_cache() {
@@ -49,7 +34,7 @@ EngineRun run_units(const std::vector<CompileUnit>& units, const EngineOptions& 
   UnitRun run(units, options);
   run.recall();
   run.work();
-  trim_when_due(options, run.written());
+  trim_cache_when_due(options.cache, options.cache_limit, run.written());
   return run.take();
 }
 

@@ -80,7 +80,7 @@ class TextReport {
     std::string text = headline(finding.diagnostic, style_) + excerpt(finding.diagnostic) + "\n";
     text += "  " + programs(finding);
     if (const std::string sentence = fold_sentence(fold_keywords(finding, variants_)); !sentence.empty())
-      text += ", " + sentence;
+      text += ", " + visible(sentence);
     const std::vector<std::string> targets = targets_of(finding, report_);
     if (targets != std::vector<std::string>{"spirv"} && targets != std::vector<std::string>{whole_source})
       text += ", for " + joined(targets, ", ");
@@ -91,7 +91,7 @@ class TextReport {
     for (const MinimalKeywords& one : report_.minimal)
       if (format(one.error) == format(finding.diagnostic))
         return one.keywords.empty() ? "  without any keyword as well\n"
-                                    : "  enough for it: " + joined(one.keywords, " ") + "\n";
+                                    : "  enough for it: " + visible(joined(one.keywords, " ")) + "\n";
     return {};
   }
 
@@ -159,7 +159,7 @@ class TextReport {
   std::string totals() const {
     std::string text;
     for (const auto& [target, check] : report_.checks)
-      text.append(target).append(": ").append(check).append("\n");
+      text.append(visible(target)).append(": ").append(visible(check)).append("\n");
     const bool failed = report_.count(VariantStatus::failed) != 0;
     const char* colour = failed ? colour_of(hlsl::Severity::error) : bold;
     return text + painted(totals_line(report_, variants_), colour, style_) + "\n";

@@ -59,12 +59,12 @@ std::optional<std::vector<lint::ConstantBuffer>> decode_buffers(std::string_view
   auto buffers = in.list<lint::ConstantBuffer>([&] {
     lint::ConstantBuffer buffer;
     buffer.name = in.text();
-    buffer.size = number();
+    buffer.size = in.number();
     buffer.members = in.list<lint::ConstantBufferMember>([&] {
       lint::ConstantBufferMember member;
       member.name = in.text();
       member.offset = number();
-      member.size = number();
+      member.size = in.number();
       return member;
     });
     return buffer;

@@ -47,6 +47,7 @@ std::optional<int> unity_version_number(std::string_view version) {
   const char* at = version.data();
   const char* const end = at + version.size();
   for (int i = 0; i < 3; ++i) {
+    if (i == 2 && at == end) break;  // "2022.3"
     if (i > 0 && (at == end || *at++ != '.')) return std::nullopt;
     const auto [next, error] = std::from_chars(at, end, parts[i]);
     if (error != std::errc() || parts[i] < 0) return std::nullopt;

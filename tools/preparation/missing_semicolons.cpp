@@ -1,0 +1,63 @@
+#include <string>
+
+#include "hlsl/word_set.h"
+#include "preparation/source_checks.h"
+
+namespace penumbra::preparation {
+
+namespace {
+
+// glslang takes these for names as well, so that a declaration may begin in the middle of a statement.
+bool is_scalar_type(std::string_view word) {
+  static constexpr hlsl::WordSet types("bool", "int", "uint", "dword", "half", "float", "double");
+  return types.contains(word);
+}
+
+class MissingSemicolons {
+ public:
+  explicit MissingSemicolons(TokenText& text) : text_(text) {}
+
+  void run() {
+    for (std::size_t at = 1; at + 2 < text_.size(); ++at)
+      if (is_scalar_type(text_[at].spelling) && text_.is_word(at + 1) && ends_a_statement(at - 1))
+        text_.note(at, hlsl::Severity::error,
+                   "expected ';' before '" + std::string(text_[at].spelling) + " " +
+                       std::string(text_[at + 1].spelling) + "'");
+  }
+
+ private:
+  // Whether this token can only be the last of a statement that lacks its ';'.
+  bool ends_a_statement(std::size_t at) const {
+    if (text_[at].kind == hlsl::Token::Kind::number) return true;
+    const std::size_t open = text_.partner(at);
+    if (text_.is(at, ")")) return open != npos && open > 0 && is_call(open);
+    if (text_.is(at, "]"))
+      return open != npos && open > 0 && (text_.is_word(open - 1) || text_.is(open - 1, "]"));
+    return text_.is_word(at) && follows_a_value(at);
+  }
+
+  // Of `name(...)`: not the parameters of a condition, of a loop or of a definition without its brace.
+  bool is_call(std::size_t open) const {
+    static constexpr hlsl::WordSet conditions("if", "for", "while", "switch");
+    return text_.is_word(open - 1) && !conditions.contains(text_[open - 1].spelling);
+  }
+
+  // A name behind an operator, behind `return`, or behind a scalar's type; a word behind another one may be a
+  // modifier.
+  bool follows_a_value(std::size_t at) const {
+    static constexpr hlsl::WordSet keywords("else", "do", "return", "in", "out", "inout");
+    if (at == 0 || keywords.contains(text_[at].spelling)) return false;
+    if (text_.is(at - 1, "return") || is_scalar_type(text_[at - 1].spelling)) return true;
+    return std::string_view("=+-*/%.:").find(text_.lead(at - 1)) != std::string_view::npos;
+  }
+
+  TokenText& text_;
+};
+
+}  // namespace
+
+void check_semicolons(TokenText& text) {
+  MissingSemicolons(text).run();
+}
+
+}  // namespace penumbra::preparation
