@@ -89,6 +89,14 @@ TEST_F(Validate, AMistakeOfOneVariantIsSaidOnceAtItsLine) {
   EXPECT_EQ(result.output.find("Library.hlsl:5:", first + 1), std::string::npos) << result.output;
 }
 
+TEST_F(Validate, CountSaysWhatItCouldNotRead) {
+  write("Broken.shader",
+        "Shader \"B\" {\n  CustomEditor Foo\n  SubShader { Pass { HLSLPROGRAM ENDHLSL } }\n}\n");
+  const auto result = run({"validate", path("Broken.shader").string(), "--count"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.errors, HasSubstr("Broken.shader:2:"));
+}
+
 TEST_F(Validate, KeywordsNarrowAndAreCounted) {
   EXPECT_THAT(run(command({"--target", "spirv", "--count"})).output, HasSubstr("vertex 2   fragment 4"));
   EXPECT_THAT(run(command({"--target", "spirv", "--count", "--keywords=-WARM"})).output,
@@ -410,7 +418,7 @@ TEST_F(Validate, AKeywordThatNobodyDeclaresIsRefusedBesideOtherErrorsToo) {
   write("Two.shader", shader.substr(0, shader.rfind('}')));
   const auto warned = run({"validate", path("Two.shader").string(), write("One.shader", kShader).string(),
                            "--count", "--keywords", "+BRIHGT"});
-  EXPECT_EQ(warned.exit_code, 0);
+  EXPECT_EQ(warned.exit_code, 1);  // Two.shader could not be read
   EXPECT_THAT(warned.errors,
               HasSubstr("warning: --keywords +BRIHGT: no program declares 'BRIHGT'; did you mean "
                         "'BRIGHT'?; not every program was understood"));

@@ -125,5 +125,41 @@ TEST(LostTextures, AreReportedAtTheirLine) {
               ElementsAre(HasSubstr("4: a texture that was never set")));
 }
 
+// `body` begins in line 6.
+std::vector<std::string> calling(const std::string& body) {
+  return errors(
+      "void F(inout float x) { x += 1; }\nvoid G(float a, out float2 b) { b = a; }\n"
+      "struct S { float m; float4 n[2]; };\nfloat4 Main(float4 p : SV_Position) : SV_Target {\n" +
+          body + "\n}\n",
+      hlsl::Stage::fragment);
+}
+
+TEST(WrittenArguments, AreNoValues) {
+  const auto told = [](const std::string& function, const std::string& argument) {
+    return ElementsAre("6: '" + function + "' writes to its argument " + argument +
+                       ", which is a value: give it a variable");
+  };
+  EXPECT_THAT(calling("F(1.0); return 1;"), told("F", "1"));
+  EXPECT_THAT(calling("F(p.x + 1); return 1;"), told("F", "1"));
+  EXPECT_THAT(calling("F(-p.x); return 1;"), told("F", "1"));
+  EXPECT_THAT(calling("const float k = 2; F(k); return 1;"), told("F", "1"));
+  EXPECT_THAT(calling("G(1, float2(1, 2)); return 1;"), told("G", "2"));
+}
+
+// HLSL has no objection; glslang crashes.
+TEST(WrittenArguments, OfAnotherTypeAreToldInsteadOfCrashing) {
+  EXPECT_THAT(
+      calling("int i = 1; F(i); return i;"),
+      ElementsAre("6: 'F' writes to its argument 1, which is of another type: give it a variable of the "
+                  "parameter's type"));
+}
+
+TEST(WrittenArguments, AreVariablesAndTheirParts) {
+  EXPECT_THAT(calling("float v = 1; F(v); float4 w = 1; F(w.y); F(w[_N]); float a[2] = { 1, 2 }; F(a[_N]);\n"
+                      "S s = (S)0; F(s.m); F(s.n[_N].z); int i = 1; float2 g; G(i + 1, g); G(1, w.zy);\n"
+                      "return v + w + a[0] + s.n[1] + i + g.xyxy;"),
+              IsEmpty());
+}
+
 }  // namespace
 }  // namespace penumbra::shaders

@@ -16,6 +16,7 @@
 #include "cli/validate_options.h"
 #include "input/input_error.h"
 #include "input/nearest_name.h"
+#include "input/visible_text.h"
 #include "lint/rule.h"
 #include "platform/data_directory.h"
 #include "project/package_versions.h"
@@ -206,8 +207,19 @@ void explain(const ValidateOptions& options, const validation::ShaderSources& so
   if (hlsl::has_errors(explanation.diagnostics)) context.exit_code = findings;
 }
 
+// What could not be read has no variants to count.
+void tell_unread(const validation::ShaderSources& sources, Context& context) {
+  for (const validation::VariantRecord& record : sources.records())
+    for (const hlsl::Diagnostic& said : record.diagnostics) {
+      if (said.severity != hlsl::Severity::error) continue;
+      std::fprintf(stderr, "%s\n", visible_lines(hlsl::format(said)).c_str());
+      context.exit_code = findings;
+    }
+}
+
 void list(const ValidateOptions& options, const validation::ShaderSources& sources,
-          const variants::Plan& plan, const Context& context) {
+          const variants::Plan& plan, Context& context) {
+  tell_unread(sources, context);
   validation::VariantCounts counts{plan, {}, options.what_if};
   if (!options.what_if.empty()) {
     const std::vector<variants::Clause> clauses = variants::parse_keyword_expression(options.what_if);

@@ -26,6 +26,7 @@
 #include "shaders/spirv_module.h"
 #include "shaders/whole_matrices.h"
 #include "shaders/word_blocks.h"
+#include "shaders/written_arguments.h"
 #include "shaders/zero_divisions.h"
 #include "shaders/zeroed_statics.h"
 
@@ -123,14 +124,18 @@ bool only_compares(const Source& source, const hlsl::SourceFiles& sources, const
   return reads.empty();
 }
 
+bool told(const Source& source, const hlsl::SourceFiles& sources, const std::vector<TreeProblem>& problems,
+          CompileResult& result) {
+  for (const TreeProblem& problem : problems)
+    result.diagnostics.push_back(at_place(source, problem.place, sources, problem.message));
+  return !problems.empty();
+}
+
 // Where the tree means something else than HLSL does.
 bool put_right(const Source& source, const hlsl::SourceFiles& sources, glslang::TIntermediate& tree,
                CompileResult& result) {
   put_operations_right(tree);
-  const std::vector<TreeProblem> problems = write_out_matrix_operations(tree, {source.text, source.name});
-  for (const TreeProblem& problem : problems)
-    result.diagnostics.push_back(at_place(source, problem.place, sources, problem.message));
-  return problems.empty();
+  return !told(source, sources, write_out_matrix_operations(tree, {source.text, source.name}), result);
 }
 
 bool finish_module(const Source& source, const hlsl::SourceFiles& sources, const glslang::TIntermediate& tree,
@@ -167,8 +172,9 @@ bool build(const Source& source, const hlsl::SourceFiles& sources, CompileResult
   program.addShader(&shader.get());
   if (!link(source, sources, program, result)) return false;
   glslang::TIntermediate& tree = *program.getIntermediate(language(source.request.stage));
-  if (!only_compares(source, sources, tree, result) || !put_right(source, sources, tree, result))
-    return false;
+  if (!only_compares(source, sources, tree, result)) return false;
+  if (told(source, sources, unwritable_arguments(tree), result)) return false;
+  if (!put_right(source, sources, tree, result)) return false;
   if (!generate(source, tree, result) || !finish_module(source, sources, tree, result)) return false;
   if (!source.request.keep_unoptimised) return true;
   spv::SpvBuildLogger said_before;
