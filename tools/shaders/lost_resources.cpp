@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <map>
 
-#include "shaders/debug_lines.h"
+#include "shaders/module_search.h"
 #include "shaders/spirv_words.h"
 
 namespace penumbra::shaders {
@@ -21,20 +21,12 @@ SpirvWords handles(SpirvWords instruction) {
   return reads && instruction.size() > 3 ? instruction.subspan(3, 1) : SpirvWords{};
 }
 
-class LostSearch {
+class LostSearch final : public ModuleSearch {
  public:
-  explicit LostSearch(const SpirvModule& module) : module_(module) {}
-
-  std::vector<ModuleProblem> run() {
-    for_each_instruction(module_, [this](SpirvWords instruction) {
-      place_ = lines_.visit(instruction);
-      visit(instruction);
-    });
-    return std::move(problems_);
-  }
+  using ModuleSearch::ModuleSearch;
 
  private:
-  void visit(SpirvWords instruction) {
+  void visit(SpirvWords instruction) override {
     switch (opcode(instruction)) {
       case spv::OpTypeImage:
       case spv::OpTypeSampledImage:
@@ -72,18 +64,8 @@ class LostSearch {
            "separate function for each");
   }
 
-  void report(std::string message) {
-    ModuleProblem problem{place_, std::move(message)};
-    if (std::find(problems_.begin(), problems_.end(), problem) == problems_.end())
-      problems_.push_back(std::move(problem));
-  }
-
-  const SpirvModule& module_;
-  DebugLines lines_;
-  SourcePlace place_;
   std::map<std::uint32_t, std::string> kinds_;      // of types
   std::map<std::uint32_t, std::string> undefined_;  // values
-  std::vector<ModuleProblem> problems_;
 };
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <map>
 
-#include "shaders/debug_lines.h"
+#include "shaders/module_search.h"
 #include "shaders/spirv_words.h"
 
 namespace penumbra::shaders {
@@ -30,20 +30,12 @@ std::uint32_t coordinates(spv::Dim dimension, bool is_array) {
   }
 }
 
-class MisreadSearch {
+class MisreadSearch final : public ModuleSearch {
  public:
-  explicit MisreadSearch(const SpirvModule& module) : module_(module) {}
-
-  std::vector<ModuleProblem> run() {
-    for_each_instruction(module_, [this](SpirvWords instruction) {
-      place_ = lines_.visit(instruction);
-      visit(instruction);
-    });
-    return std::move(problems_);
-  }
+  using ModuleSearch::ModuleSearch;
 
  private:
-  void visit(SpirvWords instruction) {
+  void visit(SpirvWords instruction) override {
     const spv::Op op = opcode(instruction);
     if (op == spv::OpName && instruction.size() > 2) {
       names_[instruction[1]] = literal_text(instruction.subspan(2));
@@ -87,21 +79,11 @@ class MisreadSearch {
            "eyes are drawn at once); declare it as that kind (TEXTURE2D_X)");
   }
 
-  void report(std::string message) {
-    ModuleProblem problem{place_, std::move(message)};
-    if (std::find(problems_.begin(), problems_.end(), problem) == problems_.end())
-      problems_.push_back(std::move(problem));
-  }
-
-  const SpirvModule& module_;
-  DebugLines lines_;
-  SourcePlace place_;
   std::map<std::uint32_t, std::string> names_;
   std::map<std::uint32_t, std::uint32_t> textures_;  // coordinates of each image type
   std::map<std::uint32_t, std::uint32_t> vectors_;   // components of each vector type
   std::map<std::uint32_t, std::uint32_t> types_;     // of values
   std::map<std::uint32_t, std::uint32_t> sources_;   // values to what they were made from
-  std::vector<ModuleProblem> problems_;
 };
 
 }  // namespace

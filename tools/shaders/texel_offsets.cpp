@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <map>
 
-#include "shaders/debug_lines.h"
+#include "shaders/module_search.h"
 
 namespace penumbra::shaders {
 
@@ -33,20 +33,12 @@ std::size_t image_operands(spv::Op op) {
   }
 }
 
-class OffsetSearch {
+class OffsetSearch final : public ModuleSearch {
  public:
-  explicit OffsetSearch(const SpirvModule& module) : module_(module) {}
-
-  std::vector<ModuleProblem> run() {
-    for_each_instruction(module_, [this](SpirvWords instruction) {
-      place_ = lines_.visit(instruction);
-      visit(instruction);
-    });
-    return std::move(problems_);
-  }
+  using ModuleSearch::ModuleSearch;
 
  private:
-  void visit(SpirvWords instruction) {
+  void visit(SpirvWords instruction) override {
     const spv::Op op = opcode(instruction);
     if (op == spv::OpConstant && instruction.size() == 4) {
       constants_[instruction[2]] = {instruction[3]};
@@ -88,17 +80,7 @@ class OffsetSearch {
     }
   }
 
-  void report(std::string message) {
-    ModuleProblem problem{place_, std::move(message)};
-    if (std::find(problems_.begin(), problems_.end(), problem) == problems_.end())
-      problems_.push_back(std::move(problem));
-  }
-
-  const SpirvModule& module_;
-  DebugLines lines_;
-  SourcePlace place_;
   std::map<std::uint32_t, std::vector<std::uint32_t>> constants_;  // the words of all their components
-  std::vector<ModuleProblem> problems_;
 };
 
 }  // namespace

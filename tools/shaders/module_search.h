@@ -1,0 +1,47 @@
+// A walk over a module's instructions that tells what is wrong with them, each once and at its line. Internal
+// to this room.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "shaders/debug_lines.h"
+#include "shaders/spirv_words.h"
+
+namespace penumbra::shaders {
+
+class ModuleSearch {
+ public:
+  explicit ModuleSearch(const SpirvModule& module) : module_(module) {}
+  virtual ~ModuleSearch() = default;
+  ModuleSearch(const ModuleSearch&) = delete;
+  ModuleSearch& operator=(const ModuleSearch&) = delete;
+
+  std::vector<ModuleProblem> run() {
+    for_each_instruction(module_, [this](SpirvWords instruction) {
+      place_ = lines_.visit(instruction);
+      visit(instruction);
+    });
+    return std::move(problems_);
+  }
+
+ protected:
+  virtual void visit(SpirvWords instruction) = 0;
+
+  // Of the instruction that is visited.
+  void report(std::string message) {
+    ModuleProblem problem{place_, std::move(message)};
+    if (std::find(problems_.begin(), problems_.end(), problem) == problems_.end())
+      problems_.push_back(std::move(problem));
+  }
+
+ private:
+  const SpirvModule& module_;
+  DebugLines lines_;
+  SourcePlace place_;
+  std::vector<ModuleProblem> problems_;
+};
+
+}  // namespace penumbra::shaders
