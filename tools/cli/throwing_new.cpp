@@ -1,5 +1,6 @@
 // operator new of the program: std::bad_alloc where there is no memory. That of mimalloc, a C library, ends
-// the program instead. malloc() and free() are those of mimalloc where it is linked (penumbra_allocator).
+// the program instead. What it gives is freed by freeing_delete.cpp. malloc() and free() are those of
+// mimalloc where it is linked (penumbra_allocator).
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
@@ -45,36 +46,5 @@ void* operator new(std::size_t size, std::align_val_t alignment, const std::noth
 }
 void* operator new[](std::size_t size, std::align_val_t alignment, const std::nothrow_t&) noexcept {
   return aligned(size, alignment);
-}
-
-void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete[](void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
-void operator delete[](void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, const std::nothrow_t&) noexcept {
-  std::free(memory);
-}
-void operator delete[](void* memory, const std::nothrow_t&) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::align_val_t) noexcept {
-  std::free(memory);
-}
-void operator delete[](void* memory, std::align_val_t) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
-  std::free(memory);
-}
-void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept {
-  std::free(memory);
 }
 // NOLINTEND(cppcoreguidelines-no-malloc)

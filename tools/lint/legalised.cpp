@@ -33,8 +33,14 @@ void simplify(spvtools::Optimizer& to) {
       .RegisterPass(spvtools::CreateAggressiveDCEPass());
 }
 
-std::optional<std::vector<std::uint32_t>> run(const spvtools::Optimizer& optimizer,
-                                              const std::vector<std::uint32_t>& spirv) {
+enum class Legalisation { done, to_do };
+
+std::optional<std::vector<std::uint32_t>> optimised(const std::vector<std::uint32_t>& spirv,
+                                                    Legalisation legalisation) {
+  spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_1);
+  optimizer.SetMessageConsumer([](spv_message_level_t, const char*, const spv_position_t&, const char*) {});
+  if (legalisation == Legalisation::to_do) legalise(optimizer);
+  simplify(optimizer);
   spvtools::OptimizerOptions options;
   options.set_run_validator(false);
   std::vector<std::uint32_t> words;
@@ -45,18 +51,11 @@ std::optional<std::vector<std::uint32_t>> run(const spvtools::Optimizer& optimiz
 }  // namespace
 
 std::optional<std::vector<std::uint32_t>> legalised(const std::vector<std::uint32_t>& spirv) {
-  spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_1);
-  optimizer.SetMessageConsumer([](spv_message_level_t, const char*, const spv_position_t&, const char*) {});
-  legalise(optimizer);
-  simplify(optimizer);
-  return run(optimizer, spirv);
+  return optimised(spirv, Legalisation::to_do);
 }
 
 std::optional<std::vector<std::uint32_t>> simplified(const std::vector<std::uint32_t>& spirv) {
-  spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_1);
-  optimizer.SetMessageConsumer([](spv_message_level_t, const char*, const spv_position_t&, const char*) {});
-  simplify(optimizer);
-  return run(optimizer, spirv);
+  return optimised(spirv, Legalisation::done);
 }
 
 }  // namespace penumbra::lint

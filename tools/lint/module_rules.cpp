@@ -37,10 +37,12 @@ bool is_small(const SpirvCode& code) {
   return blocks <= most_blocks;
 }
 
-std::vector<Finding> legalised_findings(const ModuleToLint& module) {
+using Words = std::vector<std::uint32_t>;
+
+// `known`: the legalised words, where they are at hand.
+std::vector<Finding> legalised_findings(const ModuleToLint& module, const Words& spirv, const Words& known) {
   std::vector<Finding> findings;
-  std::optional<std::vector<std::uint32_t>> words =
-      module.legalised.empty() ? legalised(module.spirv) : simplified(module.legalised);
+  std::optional<Words> words = known.empty() ? legalised(spirv) : simplified(known);
   if (!words) return findings;
   const SpirvCode code(std::move(*words));
   const LintedCode linted{code, module.sources, module.file};
@@ -62,10 +64,10 @@ void sort_and_unify(std::vector<Finding>& findings) {
 }
 
 // The module without OpLine and OpNoLine.
-std::vector<std::uint32_t> without_lines(const std::vector<std::uint32_t>& spirv) {
+Words without_lines(const Words& spirv) {
   constexpr std::size_t header = 5;
   if (spirv.size() < header) return spirv;
-  std::vector<std::uint32_t> words(spirv.begin(), spirv.begin() + header);
+  Words words(spirv.begin(), spirv.begin() + header);
   words.reserve(spirv.size());
   for (std::size_t at = header; at < spirv.size();) {
     const std::size_t length = spirv[at] >> 16U;
@@ -79,12 +81,12 @@ std::vector<std::uint32_t> without_lines(const std::vector<std::uint32_t>& spirv
   return words;
 }
 
-std::vector<Finding> all_findings(const ModuleToLint& module) {
+std::vector<Finding> all_findings(const ModuleToLint& module, const Words& spirv, const Words& legalised) {
   std::vector<Finding> findings;
-  const SpirvCode written(module.spirv);
+  const SpirvCode written(spirv);
   const LintedCode linted{written, module.sources, module.file};
   append(findings, unset_values(linted));
-  append(findings, is_small(written) ? legalised_findings(module)
+  append(findings, is_small(written) ? legalised_findings(module, spirv, legalised)
                                      : std::vector{finding_at(
                                            linted, "not-checked", {}, {},
                                            "the shader is too large for the rules that need it inlined")});
@@ -95,12 +97,8 @@ std::vector<Finding> all_findings(const ModuleToLint& module) {
 
 // Most modules have no finding, and lines, which only say where one is, double the time of legalisation.
 std::vector<Finding> module_findings(const ModuleToLint& module) {
-  ModuleToLint bare = module;
-  bare.spirv = without_lines(module.spirv);
-  if (all_findings(bare).empty()) return {};
-  ModuleToLint lined = module;
-  lined.legalised.clear();
-  return all_findings(lined);
+  if (all_findings(module, without_lines(module.spirv), module.legalised).empty()) return {};
+  return all_findings(module, module.spirv, {});
 }
 
 std::vector<Finding> with_suppressions(std::vector<Finding> findings, const hlsl::SourceFiles& sources) {

@@ -2,6 +2,7 @@
 #include <set>
 #include <string_view>
 
+#include "preparation/declarators.h"
 #include "preparation/source_checks.h"
 
 namespace penumbra::preparation {
@@ -64,21 +65,17 @@ class ConstantDivisions {
     if (read_) return constants_;
     read_ = true;
     for (const hlsl::Declaration& declaration : text_.outline()) {
-      if (declaration.kind != hlsl::Declaration::Kind::variable || declaration.name == npos) continue;
-      bool is_static = false;
-      bool is_const = false;
-      bool is_int = false;
-      for (std::size_t at = declaration.type; at < declaration.name; ++at) {
-        is_static = is_static || text_.is(at, "static");
-        is_const = is_const || text_.is(at, "const");
-        is_int = is_int || text_.is(at, "int") || text_.is(at, "uint");
+      if (declaration.kind != hlsl::Declaration::Kind::variable) continue;
+      for (const Declarator& variable : declarators(text_, declaration.first, declaration.last)) {
+        const bool is_int = variable.type == "int" || variable.type == "uint";
+        if (!variable.is_static || !variable.is_const || !is_int || variable.dimension_count != 0 ||
+            variable.initialiser == npos || variable.initialiser + 1 != variable.end)
+          continue;
+        const std::string_view value = text_[variable.initialiser].spelling;
+        if (!is_integer(value)) continue;
+        constants_.all.insert(text_[variable.name].spelling);
+        if (is_zero_literal(value)) constants_.zeros.insert(text_[variable.name].spelling);
       }
-      const std::size_t value = declaration.name + 2;
-      if (!is_static || !is_const || !is_int || !text_.is(declaration.name + 1, "=") ||
-          value + 1 != declaration.last || !is_integer(text_[value].spelling))
-        continue;
-      constants_.all.insert(text_[declaration.name].spelling);
-      if (is_zero_literal(text_[value].spelling)) constants_.zeros.insert(text_[declaration.name].spelling);
     }
     return constants_;
   }

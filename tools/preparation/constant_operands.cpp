@@ -7,6 +7,7 @@
 #include "hlsl/outline.h"
 #include "hlsl/word_set.h"
 #include "preparation/declarators.h"
+#include "preparation/number_shape.h"
 #include "preparation/value_types.h"
 
 namespace penumbra::preparation {
@@ -24,19 +25,6 @@ struct Operand {
   bool vector = false;      // or a matrix
   bool matrix = false;
 };
-
-bool is_matrix_type(std::string_view type) {
-  return type.size() > 3 && type[type.size() - 2] == 'x';
-}
-
-bool is_vector_type(std::string_view type) {
-  return type.back() >= '1' && type.back() <= '4';
-}
-
-bool is_float_type(std::string_view type) {
-  return type[0] == 'f' || type[0] == 'h' || type[0] == 'd' || type.substr(0, 8) == "min16flo" ||
-         type.substr(0, 5) == "min10";
-}
 
 class ConstantOperands {
  public:
@@ -160,10 +148,10 @@ class ConstantOperands {
     const std::string_view type = is_number_type(word(at)) ? word(at)
                                   : named != npos          ? types_.declared()[named].type.name
                                                            : std::string_view{};
-    if (type.empty() || !is_number_type(type)) return;
-    operand.fractional = operand.fractional || is_float_type(type);
-    operand.matrix = operand.matrix || is_matrix_type(type);
-    operand.vector = operand.vector || is_vector_type(type);
+    const NumberShape shape = shape_of_type(type);
+    operand.fractional = operand.fractional || shape.base == NumberShape::Base::real;
+    operand.matrix = operand.matrix || shape.is_matrix();
+    operand.vector = operand.vector || shape.is_vector() || shape.is_matrix();
   }
 
   void remainder(std::size_t at) {

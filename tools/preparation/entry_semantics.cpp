@@ -6,6 +6,7 @@
 
 #include "hlsl/word_set.h"
 #include "input/nearest_name.h"
+#include "preparation/entry_functions.h"
 #include "preparation/semantic_names.h"
 #include "preparation/source_checks.h"
 
@@ -62,11 +63,12 @@ class EntrySemantics {
   EntrySemantics(TokenText& text, const EntryPoint& entry) : text_(text), entry_(entry) {}
 
   void run() {
-    const hlsl::Declaration* function = the_function();
-    if (function == nullptr || function->parameters_close == npos) return;
-    check(returned(*function), 0);
-    for (std::size_t at = function->parameters_open + 1; at < function->parameters_close;) {
-      const std::size_t end = element_end(at, function->parameters_close, ",");
+    const std::vector<const hlsl::Declaration*> named = entry_functions(text_, entry_);
+    if (named.size() != 1 || named.front()->parameters_close == npos) return;
+    const hlsl::Declaration& function = *named.front();
+    check(returned(function), 0);
+    for (std::size_t at = function.parameters_open + 1; at < function.parameters_close;) {
+      const std::size_t end = element_end(at, function.parameters_close, ",");
       check(value(at, end), 0);
       at = end + 1;
     }
@@ -74,17 +76,6 @@ class EntrySemantics {
 
  private:
   std::string_view word(std::size_t at) const { return text_[at].spelling; }
-
-  const hlsl::Declaration* the_function() const {
-    const hlsl::Declaration* found = nullptr;
-    for (const hlsl::Declaration& declaration : text_.outline()) {
-      if (declaration.kind != hlsl::Declaration::Kind::function || word(declaration.name) != entry_.name)
-        continue;
-      if (found != nullptr) return nullptr;
-      found = &declaration;
-    }
-    return found;
-  }
 
   const hlsl::Declaration* structure(std::string_view name) const {
     for (const hlsl::Declaration& declaration : text_.outline())

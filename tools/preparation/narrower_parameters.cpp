@@ -8,6 +8,8 @@
 
 #include "hlsl/word_set.h"
 #include "preparation/declarators.h"
+#include "preparation/list_elements.h"
+#include "preparation/number_shape.h"
 #include "preparation/postfix_expression.h"
 #include "preparation/value_shape.h"
 #include "preparation/value_types.h"
@@ -15,10 +17,6 @@
 namespace penumbra::preparation {
 
 namespace {
-
-bool is_matrix(std::string_view number_type) {
-  return number_type.size() > 3 && number_type[number_type.size() - 2] == 'x';
-}
 
 class NarrowArguments {
  public:
@@ -36,25 +34,8 @@ class NarrowArguments {
   }
 
  private:
-  struct Argument {
-    std::size_t first;
-    std::size_t end;
-  };
-
-  std::vector<Argument> arguments(std::size_t open) const {
-    std::vector<Argument> list;
-    const std::size_t close = text_.partner(open);
-    for (std::size_t first = open + 1; first < close;) {
-      std::size_t end = first;
-      while (end < close && !text_.is(end, ",")) end = after_brackets(text_, end);
-      list.push_back({first, end});
-      first = end + 1;
-    }
-    return list;
-  }
-
   void call(std::size_t name, const std::vector<const FunctionType*>& named) {
-    const std::vector<Argument> given = arguments(name + 1);
+    const std::vector<ListElement> given = list_elements(text_, name + 1);
     const FunctionType* called = nullptr;
     for (const FunctionType* function : named) {
       if (function->name == name) return;  // its own declaration
@@ -66,10 +47,12 @@ class NarrowArguments {
       narrow(types_.declared()[called->parameters[i]], given[i]);
   }
 
-  void narrow(const DeclaredValue& parameter, const Argument& argument) {
+  void narrow(const DeclaredValue& parameter, const ListElement& argument) {
     if (!is_number_type(parameter.type.name) || parameter.type.dimensions > 0 || is_written(parameter))
       return;
-    if (is_matrix(parameter.type.name) || !is_wider(argument, components(parameter.type.name))) return;
+    if (shape_of_type(parameter.type.name).is_matrix() ||
+        !is_wider(argument, components(parameter.type.name)))
+      return;
     text_.insert(argument.first, "(" + std::string(parameter.type.name) + ")(");
     text_.insert(argument.end, ")");
   }
@@ -80,31 +63,31 @@ class NarrowArguments {
     return false;
   }
 
-  bool is_wider(const Argument& argument, std::size_t wanted) const {
+  bool is_wider(const ListElement& argument, std::size_t wanted) const {
     if (!text_.is_word(argument.first) || postfix_end(text_, argument.first) != argument.end) return false;
     const std::size_t last = argument.end - 1;
     const ValueType& type = types_.at(last);
     if (types_.begin(last) == argument.first && is_number_type(type.name))
-      return type.dimensions == 0 && !is_matrix(type.name) && components(type.name) > wanted;
-    if (const std::optional<Argument> inner = of_each_component(argument)) return is_wider(*inner, wanted);
+      return type.dimensions == 0 && !shape_of_type(type.name).is_matrix() && components(type.name) > wanted;
+    if (const std::optional<ListElement> inner = of_each_component(argument)) return is_wider(*inner, wanted);
     return wanted < 4 && gives_a_vector(argument);
   }
 
   // What stands in ddx(...) and the like, whole: its result has as many components.
-  std::optional<Argument> of_each_component(const Argument& argument) const {
+  std::optional<ListElement> of_each_component(const ListElement& argument) const {
     static constexpr hlsl::WordSet functions(
         "abs", "acos", "asin", "atan", "ceil", "cos", "ddx", "ddx_coarse", "ddx_fine", "ddy", "ddy_coarse",
         "ddy_fine", "degrees", "exp", "exp2", "floor", "frac", "fwidth", "log", "log10", "log2", "normalize",
         "radians", "rcp", "round", "rsqrt", "saturate", "sign", "sin", "sqrt", "tan", "trunc");
     const std::size_t open = argument.first + 1;
     if (!functions.contains(text_[argument.first].spelling) || !text_.is(open, "(")) return std::nullopt;
-    const std::vector<Argument> inner = arguments(open);
+    const std::vector<ListElement> inner = list_elements(text_, open);
     if (text_.partner(open) != argument.end - 1 || inner.size() != 1) return std::nullopt;
     return inner.front();
   }
 
   // map.Sample(...) or mul(...), whole.
-  bool gives_a_vector(const Argument& argument) const {
+  bool gives_a_vector(const ListElement& argument) const {
     static constexpr hlsl::WordSet reads("Sample", "SampleLevel", "SampleBias", "SampleGrad", "Load",
                                          "Gather", "GatherRed", "GatherGreen", "GatherBlue", "GatherAlpha");
     const std::size_t last = argument.end - 1;

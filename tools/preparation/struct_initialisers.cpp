@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "preparation/declarators.h"
+#include "preparation/list_elements.h"
 #include "preparation/postfix_expression.h"
 #include "preparation/value_shape.h"
 #include "preparation/value_types.h"
@@ -15,28 +16,10 @@ namespace penumbra::preparation {
 
 namespace {
 
-// One expression of the list, whatever braces stand around it: the tokens [first, end).
-struct Element {
-  std::size_t first;
-  std::size_t end;
+// One expression of the list, whatever braces stand around it.
+struct Element : ListElement {
   std::size_t numbers = 0;  // 0: not known
 };
-
-// The elements of the list whose '{' is at `open`: [first, end) of each.
-std::vector<Element> elements_of(const TokenText& text, std::size_t open) {
-  std::vector<Element> elements;
-  const std::size_t close = text.partner(open);
-  std::size_t first = open + 1;
-  for (std::size_t at = first; at <= close; ++at) {
-    if (at == close || text.is(at, ",")) {
-      if (at > first) elements.push_back({first, at});
-      first = at + 1;
-    } else if (text.partner(at) != npos && text.partner(at) > at) {
-      at = text.partner(at);
-    }
-  }
-  return elements;
-}
 
 class List {
  public:
@@ -53,10 +36,10 @@ class List {
   }
 
  private:
-  bool is_list(const Element& element) const { return text_.is(element.first, "{"); }
+  bool is_list(const ListElement& element) const { return text_.is(element.first, "{"); }
 
   bool matches(const ValueShape& shape, std::size_t open) const {
-    const std::vector<Element> elements = elements_of(text_, open);
+    const std::vector<ListElement> elements = list_elements(text_, open);
     if (shape.parts.empty()) return true;
     if (elements.size() != shape.parts.size()) return false;
     for (std::size_t i = 0; i < elements.size(); ++i) {
@@ -73,13 +56,12 @@ class List {
   }
 
   void flatten(std::size_t open) {
-    for (Element element : elements_of(text_, open)) {
+    for (const ListElement& element : list_elements(text_, open)) {
       if (is_list(element)) {
         flatten(element.first);
-        continue;
+      } else {
+        elements_.push_back({element, numbers_of(element)});
       }
-      element.numbers = numbers_of(element);
-      elements_.push_back(element);
     }
   }
 
@@ -99,7 +81,7 @@ class List {
     return true;
   }
 
-  std::size_t numbers_of(const Element& element) const {
+  std::size_t numbers_of(const ListElement& element) const {
     std::size_t first = element.first;
     while (text_.is(first, "-") || text_.is(first, "+")) ++first;
     if (first + 1 == element.end && text_[first].kind == hlsl::Token::Kind::number) return 1;
@@ -134,7 +116,7 @@ class List {
            is_number_type(of.name) && of.name.find('x') == std::string_view::npos;
   }
 
-  std::string spelled(const Element& element) const {
+  std::string spelled(const ListElement& element) const {
     return text_.spelled(element.first, element.end - element.first);
   }
 
@@ -154,7 +136,7 @@ class List {
     return list;
   }
 
-  bool is_of_type(const Element& element, std::string_view type) const {
+  bool is_of_type(const ListElement& element, std::string_view type) const {
     const std::size_t last = element.end - 1;
     return text_.types().begin(last) == element.first && text_.types().at(last).is(type);
   }

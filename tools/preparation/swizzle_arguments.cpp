@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "preparation/list_elements.h"
 #include "preparation/postfix_expression.h"
 #include "preparation/value_types.h"
 
@@ -48,9 +49,7 @@ class SwizzleArguments {
   }
 
  private:
-  struct Argument {
-    std::size_t first;
-    std::size_t end;
+  struct Argument : ListElement {
     const DeclaredValue* parameter;
   };
 
@@ -60,7 +59,7 @@ class SwizzleArguments {
     if (!text_.is(close + 1, ";")) return false;
     std::string before;
     std::string after;
-    for (const Argument& argument : written_swizzles(call + 1, close, function)) {
+    for (const Argument& argument : written_swizzles(call + 1, function)) {
       const DeclaredValue& parameter = *argument.parameter;
       const std::string name = "penumbra_argument" + std::to_string(argument.first - call);
       const std::string given = text_.spelled(argument.first, argument.end - argument.first);
@@ -76,22 +75,15 @@ class SwizzleArguments {
   }
 
   // Of a call with as many arguments as the overload has parameters.
-  std::vector<Argument> written_swizzles(std::size_t open, std::size_t close,
-                                         const FunctionType& function) const {
+  std::vector<Argument> written_swizzles(std::size_t open, const FunctionType& function) const {
+    const std::vector<ListElement> given = list_elements(text_, open);
+    if (given.size() != function.parameters.size()) return {};
     std::vector<Argument> found;
-    std::size_t first = open + 1;
-    std::size_t index = 0;
-    for (std::size_t at = first; at <= close; ++at) {
-      if (text_.partner(at) != npos && text_.partner(at) > at) {
-        at = text_.partner(at);
-      } else if (at == close || text_.is(at, ",")) {
-        if (index >= function.parameters.size()) return {};
-        const Argument argument{first, at, &types_.declared()[function.parameters[index++]]};
-        if (is_written_swizzle(argument)) found.push_back(argument);
-        first = at + 1;
-      }
+    for (std::size_t i = 0; i < given.size(); ++i) {
+      const Argument argument{given[i], &types_.declared()[function.parameters[i]]};
+      if (is_written_swizzle(argument)) found.push_back(argument);
     }
-    return index == function.parameters.size() ? found : std::vector<Argument>{};
+    return found;
   }
 
   bool is_written_swizzle(const Argument& argument) const {

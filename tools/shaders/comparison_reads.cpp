@@ -2,6 +2,10 @@
 
 #include <glslang/MachineIndependent/localintermediate.h>
 
+#include <string>
+
+#include "shaders/tree_rewrite.h"
+
 namespace penumbra::shaders {
 namespace {
 
@@ -51,29 +55,34 @@ class Search final : public glslang::TIntermTraverser {
     const glslang::TIntermTyped* texture = arguments[0]->getAsTyped();
     if (texture == nullptr || texture->getBasicType() != glslang::EbtSampler) return true;
     const glslang::TSampler& type = texture->getType().getSampler();
-    if (type.shadow && !has_reference(*node, type)) found.push_back({sampler_of(texture), place(*node)});
+    if (type.shadow && !has_reference(*node, type)) found.push_back(problem(*texture, *node));
     return true;
   }
 
-  std::vector<ComparisonRead> found;
+  std::vector<ModuleProblem> found;
 
  private:
-  static std::string sampler_of(const glslang::TIntermTyped* pair) {
-    const glslang::TIntermAggregate* made = pair->getAsAggregate();
+  // Empty where it is no variable.
+  static std::string sampler_of(const glslang::TIntermTyped& pair) {
+    const glslang::TIntermAggregate* made = pair.getAsAggregate();
     if (made == nullptr || made->getSequence().size() < 2) return "";
     const glslang::TIntermSymbol* symbol = made->getSequence()[1]->getAsSymbolNode();
     return symbol == nullptr ? "" : symbol->getName().c_str();
   }
 
-  static SourcePlace place(const TIntermNode& node) {
-    const glslang::TSourceLoc& at = node.getLoc();
-    return {at.getFilename() == nullptr ? "" : at.getFilename(), at.line};
+  static ModuleProblem problem(const glslang::TIntermTyped& texture, const TIntermNode& read) {
+    const std::string name = sampler_of(texture);
+    const std::string sampler = name.empty() ? "this" : "'" + name + "'";
+    return {place_of_node(read),
+            sampler +
+                " is a comparison sampler and this read does not compare; use a sampler like "
+                "sampler_LinearClamp, or SAMPLE_TEXTURE2D_SHADOW"};
   }
 };
 
 }  // namespace
 
-std::vector<ComparisonRead> reads_without_comparing(const glslang::TIntermediate& tree) {
+std::vector<ModuleProblem> reads_without_comparing(const glslang::TIntermediate& tree) {
   Search search;
   if (tree.getTreeRoot() != nullptr) tree.getTreeRoot()->traverse(&search);
   return std::move(search.found);

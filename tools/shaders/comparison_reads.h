@@ -5,19 +5,13 @@
 
 #include <glslang/Include/intermediate.h>
 
-#include <string>
 #include <vector>
 
 #include "shaders/spirv_module.h"
 
 namespace penumbra::shaders {
 
-struct ComparisonRead {
-  std::string sampler;  // empty where it is no variable
-  SourcePlace place;
-};
-
 // In the whole tree, which generating SPIR-V walks.
-std::vector<ComparisonRead> reads_without_comparing(const glslang::TIntermediate& tree);
+std::vector<ModuleProblem> reads_without_comparing(const glslang::TIntermediate& tree);
 
 }  // namespace penumbra::shaders

@@ -111,22 +111,9 @@ hlsl::Diagnostic at_place(const Source& source, const SourcePlace& place, const 
   return diagnostic;
 }
 
-bool only_compares(const Source& source, const hlsl::SourceFiles& sources, const glslang::TIntermediate& tree,
-                   CompileResult& result) {
-  const std::vector<ComparisonRead> reads = reads_without_comparing(tree);
-  for (const ComparisonRead& read : reads) {
-    const std::string sampler = read.sampler.empty() ? "this" : "'" + read.sampler + "'";
-    result.diagnostics.push_back(
-        at_place(source, read.place, sources,
-                 sampler + " is a comparison sampler and this read does not compare; use a sampler like "
-                           "sampler_LinearClamp, or SAMPLE_TEXTURE2D_SHADOW"));
-  }
-  return reads.empty();
-}
-
-bool told(const Source& source, const hlsl::SourceFiles& sources, const std::vector<TreeProblem>& problems,
+bool told(const Source& source, const hlsl::SourceFiles& sources, const std::vector<ModuleProblem>& problems,
           CompileResult& result) {
-  for (const TreeProblem& problem : problems)
+  for (const ModuleProblem& problem : problems)
     result.diagnostics.push_back(at_place(source, problem.place, sources, problem.message));
   return !problems.empty();
 }
@@ -150,8 +137,7 @@ bool finish_module(const Source& source, const hlsl::SourceFiles& sources, const
     if (std::optional<SpirvModule> words = with_word_blocks(result.spirv, BlocksAsWords::not_for_vulkan))
       result.spirv = *std::move(words);
   if (optimised && wanted)
-    for (ModuleProblem& problem : hlsl_problems(source.request, tree, result.spirv, divides))
-      result.diagnostics.push_back(at_place(source, problem.place, sources, std::move(problem.message)));
+    told(source, sources, hlsl_problems(source.request, tree, result.spirv, divides), result);
   if (hlsl::has_errors(result.diagnostics)) return false;
   if (optimised) problems = validation_problems(result.spirv, source.request.vulkan, !wanted);
   const std::string validation =
@@ -172,7 +158,7 @@ bool build(const Source& source, const hlsl::SourceFiles& sources, CompileResult
   program.addShader(&shader.get());
   if (!link(source, sources, program, result)) return false;
   glslang::TIntermediate& tree = *program.getIntermediate(language(source.request.stage));
-  if (!only_compares(source, sources, tree, result)) return false;
+  if (told(source, sources, reads_without_comparing(tree), result)) return false;
   if (told(source, sources, unwritable_arguments(tree), result)) return false;
   if (!put_right(source, sources, tree, result)) return false;
   if (!generate(source, tree, result) || !finish_module(source, sources, tree, result)) return false;

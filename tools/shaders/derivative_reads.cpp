@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "shaders/debug_lines.h"
+#include "shaders/tree_rewrite.h"
 
 namespace penumbra::shaders {
 
@@ -63,8 +64,7 @@ class Search final : public glslang::TIntermTraverser {
     const bool samples = op != glslang::EOpTextureQueryLod && name == std::string_view("Sample");
     // Some nodes that the front end makes up have no place: it is their parent's.
     const bool has_place = node.getLoc().line > 0 || getParentNode() == nullptr;
-    const glslang::TSourceLoc& at = has_place ? node.getLoc() : getParentNode()->getLoc();
-    found.push_back({{at.getFilename() == nullptr ? "" : at.getFilename(), at.line},
+    found.push_back({place_of_node(has_place ? node : *getParentNode()),
                      std::string(samples ? "a texture is sampled with" : name) +
                          (samples ? " derivatives" : " needs derivatives") + ", which a " + stage_ +
                          " program does not have" + (samples ? ": use SampleLevel or SampleGrad" : "")});

@@ -39,7 +39,7 @@ class MatrixOperations final : public TreeRewrite {
  public:
   explicit MatrixOperations(ProductMarks marks) : marks_(std::move(marks)) {}
 
-  std::vector<TreeProblem> problems;
+  std::vector<ModuleProblem> problems;
 
  private:
   // What an operand is made of before its rows are combined.
@@ -265,7 +265,7 @@ class MatrixOperations final : public TreeRewrite {
   }
 
   TIntermTyped* refuse(TIntermTyped& node, const std::string& what) {
-    problems.push_back({"not supported here: " + what, place_of_node(node)});
+    problems.push_back({place_of_node(node), "not supported here: " + what});
     return &node;
   }
 
@@ -285,17 +285,17 @@ class BoolMatrices final : public glslang::TIntermTraverser {
  public:
   bool visitAggregate(glslang::TVisit /*when*/, TIntermAggregate* node) override {
     if (node->isConstructor() && node->isMatrix() && node->getBasicType() == glslang::EbtBool)
-      problems.push_back({"not supported here: a matrix of bools; use a vector of bools for each row",
-                          place_of_node(*node)});
+      problems.push_back({place_of_node(*node),
+                          "not supported here: a matrix of bools; use a vector of bools for each row"});
     return true;
   }
 
-  std::vector<TreeProblem> problems;
+  std::vector<ModuleProblem> problems;
 };
 
 }  // namespace
 
-std::vector<TreeProblem> write_out_matrix_operations(glslang::TIntermediate& tree, ProductMarks marks) {
+std::vector<ModuleProblem> write_out_matrix_operations(glslang::TIntermediate& tree, ProductMarks marks) {
   MatrixOperations operations(std::move(marks));
   operations.run(tree);
   BoolMatrices bools;

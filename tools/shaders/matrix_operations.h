@@ -19,6 +19,6 @@
 namespace penumbra::shaders {
 
 // What it cannot write out, in order.
-std::vector<TreeProblem> write_out_matrix_operations(glslang::TIntermediate& tree, ProductMarks marks);
+std::vector<ModuleProblem> write_out_matrix_operations(glslang::TIntermediate& tree, ProductMarks marks);
 
 }  // namespace penumbra::shaders

@@ -3,17 +3,9 @@
 
 #include <glslang/Include/intermediate.h>
 
-#include <string>
-#include <vector>
-
 #include "shaders/spirv_module.h"
 
 namespace penumbra::shaders {
-
-struct TreeProblem {
-  std::string message;
-  SourcePlace place;
-};
 
 // Children come before their parents. What an override makes must stand in the memory of the current thread's
 // program, as glslang's nodes do by themselves.

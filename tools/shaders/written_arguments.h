@@ -14,6 +14,6 @@ namespace penumbra::shaders {
 
 // Constants, results of operators and conversions, in the whole tree; what else may not be written to is not
 // told.
-std::vector<TreeProblem> unwritable_arguments(const glslang::TIntermediate& tree);
+std::vector<ModuleProblem> unwritable_arguments(const glslang::TIntermediate& tree);
 
 }  // namespace penumbra::shaders

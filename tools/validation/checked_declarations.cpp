@@ -97,8 +97,8 @@ shaders::CompileResult CheckedDeclarations::compile_reached(const shaders::Compi
   const std::string key = key_of(request, reached.text);
   const std::vector<Diagnostic> said = std::exchange(reached.diagnostics, {});
   std::vector<std::filesystem::path> dependencies = std::move(reached.dependencies);
-  hlsl::SourceFiles sources = reached.sources;
   std::shared_ptr<const shaders::CompileResult> known = reached_.find(key);
+  hlsl::SourceFiles sources = known ? std::move(reached.sources) : reached.sources;
   if (!known) {
     shaders::prepare(request, reached);
     const bool wrong = hlsl::has_errors(reached.diagnostics);

@@ -30,9 +30,7 @@ fs::path common_folder(const std::vector<CompileUnit>& units) {
 std::uint64_t place_of(const CompileUnit& unit, const fs::path& common) {
   platform::ContentHash hash;
   hash.update(fs::absolute(unit.file).lexically_normal().lexically_relative(common).generic_string());
-  hash.update(unit.technique).update(unit.shader).update(unit.pass);
-  hash.update(unit.compile.entry).update(static_cast<int>(unit.compile.stage));
-  for (const std::string& keyword : unit.keywords) hash.update(keyword);
+  add_names(hash, unit);
   return std::stoull(hash.hex().substr(0, 16), nullptr, 16);
 }
 

@@ -55,6 +55,12 @@ std::vector<Pair> read_pairs(ByteReader& in) {
 
 }  // namespace
 
+void add_names(platform::ContentHash& hash, const CompileUnit& unit) {
+  hash.update(unit.technique).update(unit.shader).update(unit.pass);
+  hash.update(unit.compile.entry).update(static_cast<int>(unit.compile.stage));
+  for (const std::string& keyword : unit.keywords) hash.update(keyword);
+}
+
 std::string encode(const shaders::CompileRequest& request) {
   ByteWriter out;
   write(out, request);

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "hlsl/diagnostic.h"
+#include "platform/content_hash.h"
 #include "shaders/compile.h"
 #include "validation/report.h"
 
@@ -38,6 +39,10 @@ struct CompileUnit {
   std::vector<std::string> targets;  // "spirv" and names of shaders::Target
   LintOrder lint;
 };
+
+// Adds what tells the unit apart from others of its file: technique, shader, pass, entry point, stage,
+// keywords.
+void add_names(platform::ContentHash& hash, const CompileUnit& unit);
 
 struct TargetResult {
   VariantStatus status = VariantStatus::passed;  // passed, failed, unreached or unchecked

@@ -6,7 +6,6 @@
 #pragma once
 
 #include <cstddef>
-#include <deque>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -22,18 +21,23 @@ std::string variant_of(const CompileUnit& unit);
 class WaitingUnits {
  public:
   void add(const std::string& variant, std::size_t unit);
-  void put_first(std::size_t unit) { first_.push_front(unit); }  // for whoever asks next
+  void put_first(std::size_t unit) { first_.push_back(unit); }  // for whoever asks next
 
   std::size_t size() const;  // of what has not been handed out
   std::optional<std::size_t> next(unsigned worker);
 
  private:
-  using Group = std::deque<std::size_t>;
+  struct Group {
+    std::vector<std::size_t> units;
+    std::size_t handed_out = 0;
+
+    std::size_t left() const { return units.size() - handed_out; }
+  };
 
   Group* group_for(unsigned worker);
 
-  std::deque<std::size_t> first_;
-  std::vector<Group> groups_;  // in the order of their first units
+  std::vector<std::size_t> first_;  // the last goes first
+  std::vector<Group> groups_;       // in the order of their first units
   std::unordered_map<std::string, std::size_t> group_of_;
   std::size_t begun_ = 0;             // groups that a worker has been given
   std::vector<std::size_t> current_;  // of each worker, its group's index plus one; 0: none
