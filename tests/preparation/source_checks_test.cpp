@@ -228,7 +228,110 @@ TEST(ThreadGroup, IsNeededByAComputeProgram) {
   EXPECT_THAT(said("[RootSignature(\"\")][numthreads(8, 8, 1)] " + body, kernel), IsEmpty());
   EXPECT_THAT(said("[numthreads(8, 8, 1)] void Other() { }\n" + body, kernel),
               ElementsAre(HasSubstr("'Main' has no")));
-  EXPECT_THAT(said("int n;\n" + fragment("")), IsEmpty());
+  EXPECT_THAT(said(fragment("")), IsEmpty());
+}
+
+std::string counted(const std::string& name, const std::string& holds, const std::string& has) {
+  return "error: '" + name + "' holds " + holds + ", and its initialiser has " + has +
+         "; give it one value for each, or cast one to the whole type";
+}
+
+TEST(InitialiserCounts, AreThoseOfTheValue) {
+  EXPECT_THAT(said(fragment("float3 a = {1, 2};")), ElementsAre("3: " + counted("a", "3 numbers", "2")));
+  EXPECT_THAT(said(fragment("float a[2] = {1, 2, 3};")), ElementsAre("3: " + counted("a", "2 numbers", "3")));
+  EXPECT_THAT(said(fragment("float a[2][2] = {{1, 2}, {3}};")),
+              ElementsAre("3: " + counted("a", "4 numbers", "3")));
+  EXPECT_THAT(said("static const float2 k = {1, 2, 3};\n" + fragment("")),
+              ElementsAre("1: " + counted("k", "2 numbers", "3")));
+  EXPECT_THAT(said("struct S { float a; float2 b; };\n" + fragment("S s = {1, 2};")),
+              ElementsAre("4: " + counted("s", "3 numbers", "2")));
+  EXPECT_THAT(said(fragment("float2 a = {p.x + 1, p.y, n};")),
+              ElementsAre("3: " + counted("a", "2 numbers", "at least 3")));
+  EXPECT_THAT(said(fragment("float a = {1, -2};")), ElementsAre("3: " + counted("a", "1 number", "2")));
+}
+
+TEST(InitialiserCounts, AreNotGuessed) {
+  EXPECT_THAT(
+      said("struct S { float a; float2 b; };\nstatic const int N = 2;\nS Get();\n" +
+           fragment("float3 a = {1, p.xy}; float b[] = {1, 2, 3}; float c[N] = {1, 2, 3};\n"
+                    "S s = {1, 2, 3,}; S t[2] = {s, {1, {2, 3}}}; float2x2 m = {1, 2, 3, 4};\n"
+                    "float2 d[2] = {1, 2, float2(3, 4)}; float4 e = {mul(m, d[0]), d[1]}; float f = {1};\n"
+                    "float4 g = {abs(p)}; S u = {Get()}; S v = (S)0; float3 h = {p.x, p.yz * 2};")),
+      IsEmpty());
+}
+
+TEST(Swizzles, HaveTheLettersOfHlsl) {
+  const std::string words = "' is not a swizzle of HLSL, which has xyzw and rgba: write '.";
+  EXPECT_THAT(said(fragment("float4 a = p.stpq;")), ElementsAre("3: error: '.stpq" + words + "xyzw'"));
+  EXPECT_THAT(said(fragment("float4 a = 1;\na.ts = p.xy;")), ElementsAre("4: error: '.ts" + words + "yx'"));
+  EXPECT_THAT(said("Texture2D m; SamplerState s;\n" + fragment("float2 a = m.Sample(s, p.xy).st;")),
+              ElementsAre("4: error: '.st" + words + "xy'"));
+  EXPECT_THAT(
+      said("struct S { float2 s; };\n" + fragment("S a; a.s = (p * 2).st; float b = a.s.s;")),
+      testing::UnorderedElementsAre("4: error: '.st" + words + "xy'", "4: error: '.s" + words + "x'"));
+}
+
+TEST(Swizzles, MayBeCalledLikeMembers) {
+  EXPECT_THAT(said("struct S { float4 s, st; float2 p() { return st.xy; } };\n" +
+                   fragment("S t; t.s = t.st; float2 a = t.s.xy + t.p();")),
+              IsEmpty());
+}
+
+TEST(Strings, AreOfFileScope) {
+  EXPECT_THAT(said(fragment("string s = \"a\";")),
+              ElementsAre("3: error: HLSL has strings at file scope alone, and shaders do not read them: "
+                          "remove it"));
+  EXPECT_THAT(said("string s = \"a\";\n" + fragment("")),
+              ElementsAre("1: warning: shaders do not read strings: this variable has no effect"));
+}
+
+std::string repeated(const std::string& name, const std::string& place) {
+  return "error: '" + name + "' is already declared, at " + place + ": remove one of the two";
+}
+
+TEST(Globals, AreDeclaredOnce) {
+  EXPECT_THAT(said("float _A;\nfloat _A;\n" + fragment("")), ElementsAre("2: " + repeated("_A", "a:1")));
+  EXPECT_THAT(said("float _A;\nfloat4 _A;\n" + fragment("")), ElementsAre("2: " + repeated("_A", "a:1")));
+  EXPECT_THAT(said("cbuffer C {\nfloat _A; float _B; };\nstatic float _C, _B;\n" + fragment("")),
+              ElementsAre("3: " + repeated("_B", "a:2")));
+  EXPECT_THAT(said("Texture2D<float4> _T : register(t0);\n#line 7 \"b\"\nTexture2D _T;\n" + fragment("")),
+              ElementsAre("7: " + repeated("_T", "a:1")));
+}
+
+TEST(Globals, MayBeCalledLikeOtherThings) {
+  EXPECT_THAT(
+      said("struct A { float a; }; struct B { float a; }; A A2; float F(float x); float F(float x);\n"
+           "float F(float x) { float a = x; { float a = 2; } return a; } float2 F(float2 x) { return x; }\n"
+           "extern float e; extern float e; namespace N { float g; } namespace M { float g; } float g;\n"
+           "cbuffer P { float p1; }; cbuffer P { float p2; };\n" +
+           fragment("float e2, g2; float F2 = 1;")),
+      IsEmpty());
+}
+
+std::string shared(const std::string& first, const std::string& semantic, const std::string& what) {
+  return "error: '" + first + " has the semantic '" + semantic + "', too: give each " + what + " its own";
+}
+
+TEST(Semantics, AreEachOfOneInputOrOutput) {
+  EXPECT_THAT(
+      said("struct O { float4 a : SV_Target;\nfloat4 b : sv_target0; };\nO Frag() { O o; return o; }"),
+      ElementsAre("2: " + shared("a' at a:1", "sv_target0", "output")));
+  EXPECT_THAT(
+      said("float4 Frag(float4 a[2] : TEXCOORD1, float2 b : TEXCOORD0,\nfloat c : TEXCOORD2) : SV_Target "
+           "{ return c; }"),
+      ElementsAre("2: " + shared("a' at a:1", "TEXCOORD2", "input")));
+  EXPECT_THAT(said("struct V { float4 p : SV_Position; float3x2 m : A;\nfloat2 b : A1; };\nV Frag(float4 p : "
+                   "POSITION, float2 q : POSITION) { V v; return v; }",
+                   {"Frag", hlsl::Stage::vertex}),
+              testing::UnorderedElementsAre("2: " + shared("m' at a:1", "A1", "output"),
+                                            "3: " + shared("p' at a:3", "POSITION", "input")));
+}
+
+TEST(Semantics, MayBeOfAnInputAndAnOutput) {
+  EXPECT_THAT(said("struct V { float4 p : SV_Position; float2 a[2] : T; float2 b : T2; };\nV Frag(float4 p : "
+                   "POSITION, float4 same : POSITION, V v) { return v; }",
+                   {"Frag", hlsl::Stage::vertex}),
+              Not(testing::Contains(HasSubstr("has the semantic"))));
 }
 
 }  // namespace

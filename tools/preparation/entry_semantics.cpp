@@ -7,6 +7,7 @@
 #include "hlsl/word_set.h"
 #include "input/nearest_name.h"
 #include "preparation/entry_functions.h"
+#include "preparation/repeated_semantics.h"
 #include "preparation/semantic_names.h"
 #include "preparation/source_checks.h"
 
@@ -60,7 +61,8 @@ bool holds_elements(std::string_view type) {
 
 class EntrySemantics {
  public:
-  EntrySemantics(TokenText& text, const EntryPoint& entry) : text_(text), entry_(entry) {}
+  EntrySemantics(TokenText& text, const EntryPoint& entry)
+      : text_(text), entry_(entry), repeated_(text, entry.stage == hlsl::Stage::vertex) {}
 
   void run() {
     const std::vector<const hlsl::Declaration*> named = entry_functions(text_, entry_);
@@ -238,6 +240,9 @@ class EntrySemantics {
     if (value.direction.in && !fetches)
       judge(value.semantic, semantic, semantic_problem(semantic, entry_.stage, true));
     if (value.direction.out) judge(value.semantic, semantic, semantic_problem(semantic, entry_.stage, false));
+    if (entry_.stage != hlsl::Stage::vertex && entry_.stage != hlsl::Stage::fragment) return;
+    if (value.direction.in && !fetches) repeated_.add({value.type, value.name, value.semantic, false});
+    if (value.direction.out) repeated_.add({value.type, value.name, value.semantic, true});
   }
 
   void judge(std::size_t at, const std::string& semantic, const SemanticProblem& problem) {
@@ -252,6 +257,7 @@ class EntrySemantics {
 
   TokenText& text_;
   const EntryPoint& entry_;
+  RepeatedSemantics repeated_;
   std::set<std::pair<const hlsl::Declaration*, bool>> checked_;
   std::set<std::size_t> reported_;
 };

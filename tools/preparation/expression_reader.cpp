@@ -221,6 +221,7 @@ ReadOperand ExpressionReader::postfix() {
       at_ += 2;
       const bool call = text_.is(at_, "(");
       if (call) list(at_);
+      if (!call) read_member(shape, at_ - 1);
       const NumberShape known = known_shape(at_ - 1);
       shape = known.known() || call ? known : after_dot(at_ - 1, shape);
     } else if (text_.is(at_, "[") && text_.partner(at_) != npos) {

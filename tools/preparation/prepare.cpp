@@ -102,6 +102,10 @@ PreparedShader prepare(std::string preprocessed, const std::string& main_file,
     check_entry_semantics(text, *entry);
     if (!entry->dxc) check_switch_cases(text);
     check_constant_divisions(text);
+    check_initialiser_counts(text);
+    check_letter_swizzles(text);
+    check_string_values(text);
+    check_repeated_globals(text);
   }
   for (const Pass& pass : passes()) pass.run(text);
   return {text.print(), text.notes()};

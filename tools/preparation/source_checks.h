@@ -1,5 +1,5 @@
-// What Unity's compilers refuse in a source and glslang takes without a word. Nothing is changed: each
-// finding is a note of the text.
+// What Unity's compilers refuse in a source and glslang takes without a word: each finding is a note of
+// the text.
 //
 // Read before the passes of prepare.h, from the source as its author wrote it. What only an optimised module
 // shows is not here (shaders/hlsl_problems.h).
@@ -35,5 +35,20 @@ void check_entry_semantics(TokenText& text, const EntryPoint& entry);
 
 // An integer constant divided by a constant zero, which the front end computes away: FXC X4010.
 void check_constant_divisions(TokenText& text);
+
+// An initialiser list with more or fewer numbers than its variable holds: FXC X3037. What has expressions
+// that are not understood is an error only where each of them, taken for one number, is too much.
+void check_initialiser_counts(TokenText& text);
+
+// `.stpq`, of which HLSL has none.
+void check_letter_swizzles(TokenText& text);
+
+// Variables of type string outside of file scope; at file scope a warning.
+void check_string_values(TokenText& text);
+
+// Variables at file scope and members of cbuffers that are declared twice in one namespace (FXC X3003), but
+// for those that are declared extern. The later one gets another name, so that the rest can be read: no check
+// that tells columns may follow.
+void check_repeated_globals(TokenText& text);
 
 }  // namespace penumbra::preparation

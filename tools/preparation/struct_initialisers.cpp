@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "preparation/declarators.h"
 #include "preparation/list_elements.h"
+#include "preparation/listed_values.h"
 #include "preparation/postfix_expression.h"
 #include "preparation/value_shape.h"
 #include "preparation/value_types.h"
@@ -15,11 +15,6 @@
 namespace penumbra::preparation {
 
 namespace {
-
-// One expression of the list, whatever braces stand around it.
-struct Element : ListElement {
-  std::size_t numbers = 0;  // 0: not known
-};
 
 class List {
  public:
@@ -29,7 +24,7 @@ class List {
   // The list as glslang takes it; nothing where it is so already, or cannot be.
   std::optional<std::string> matched() {
     if (matches(shape_, open_)) return std::nullopt;
-    flatten(open_);
+    elements_ = flat_values(text_, open_);
     if (!count_numbers()) return std::nullopt;
     std::string written = write(shape_, true);
     return failed_ || at_ != elements_.size() ? std::nullopt : std::optional(written);
@@ -48,75 +43,30 @@ class List {
         if (!matches(part, elements[i].first)) return false;
         continue;
       }
-      const std::size_t numbers = numbers_of(elements[i]);
+      const std::size_t numbers = numbers_of(text_, elements[i].first, elements[i].end);
       const bool spread = numbers == 1 && part.parts.empty();  // a number for all components
       if (numbers != 0 && numbers != part.numbers && !spread) return false;
     }
     return true;
   }
 
-  void flatten(std::size_t open) {
-    for (const ListElement& element : list_elements(text_, open)) {
-      if (is_list(element)) {
-        flatten(element.first);
-      } else {
-        elements_.push_back({element, numbers_of(element)});
-      }
-    }
-  }
-
   // Whether the elements have as many numbers as the value; of one that is not known, it has the rest.
   bool count_numbers() {
     std::size_t known = 0;
     std::size_t unknown = 0;
-    for (const Element& element : elements_) {
+    for (const ListedValue& element : elements_) {
       known += element.numbers;
       unknown += element.numbers == 0 ? 1 : 0;
     }
     if (unknown == 0) return known == shape_.numbers;
     const bool all_single = known + unknown == shape_.numbers;
     if (!all_single && (unknown > 1 || known >= shape_.numbers)) return false;
-    for (Element& element : elements_)
+    for (ListedValue& element : elements_)
       if (element.numbers == 0) element.numbers = all_single ? 1 : shape_.numbers - known;
     return true;
   }
 
-  std::size_t numbers_of(const ListElement& element) const {
-    std::size_t first = element.first;
-    while (text_.is(first, "-") || text_.is(first, "+")) ++first;
-    if (first + 1 == element.end && text_[first].kind == hlsl::Token::Kind::number) return 1;
-    if (!text_.is_word(first)) return 0;
-    const std::string_view word = text_[first].spelling;
-    if (is_number_type(word) && text_.is(first + 1, "("))
-      return text_.partner(first + 1) == element.end - 1 ? components(word) : 0;
-    const std::size_t last = element.end - 1;
-    if (postfix_end(text_, first) != element.end) return 0;
-    if (text_.types().begin(last) == first && !text_.types().at(last).name.empty()) return numbers_in(last);
-    return is_swizzle(first, last) ? text_[last].spelling.size() : 0;
-  }
-
-  // Of the chain that ends here.
-  std::size_t numbers_in(std::size_t last) const {
-    const ValueType& type = text_.types().at(last);
-    if (type.dimensions > 0) return 0;
-    if (is_number_type(type.name)) return components(type.name);
-    const std::size_t index = text_.types().named(last);
-    if (index == npos || text_.types().structs().count(type.name) == 0) return 0;
-    const std::optional<ValueShape> shape = shape_of(text_, text_.types().declared()[index]);
-    return shape ? shape->numbers : 0;
-  }
-
-  // `.xyz` of a vector.
-  bool is_swizzle(std::size_t first, std::size_t last) const {
-    if (last < first + 2 || !text_.is(last - 1, ".")) return false;
-    const bool letters = text_[last].spelling.size() <= 4 &&
-                         text_[last].spelling.find_first_not_of("xyzwrgba") == std::string_view::npos;
-    const ValueType& of = text_.types().at(last - 2);
-    return letters && text_.types().begin(last - 2) == first && of.dimensions == 0 &&
-           is_number_type(of.name) && of.name.find('x') == std::string_view::npos;
-  }
-
-  std::string spelled(const ListElement& element) const {
+  std::string spelled(const ListedValue& element) const {
     return text_.spelled(element.first, element.end - element.first);
   }
 
@@ -136,7 +86,7 @@ class List {
     return list;
   }
 
-  bool is_of_type(const ListElement& element, std::string_view type) const {
+  bool is_of_type(const ListedValue& element, std::string_view type) const {
     const std::size_t last = element.end - 1;
     return text_.types().begin(last) == element.first && text_.types().at(last).is(type);
   }
@@ -146,7 +96,7 @@ class List {
     for (std::size_t left = shape.numbers; left > 0 && !failed_;) {
       if (at_ >= elements_.size()) failed_ = true;
       if (failed_) break;
-      const Element& element = elements_[at_];
+      const ListedValue& element = elements_[at_];
       const std::size_t taken = std::min(left, element.numbers - used_);
       list += part_of(element, taken) + (taken == left ? ")" : ", ");
       used_ += taken;
@@ -159,7 +109,7 @@ class List {
     return list;
   }
 
-  std::string part_of(const Element& element, std::size_t taken) {
+  std::string part_of(const ListedValue& element, std::size_t taken) {
     if (taken == element.numbers) return spelled(element);
     const bool can_be_split = element.numbers <= 4 && may_be_repeated(text_, element.first, element.end);
     if (!can_be_split) failed_ = true;
@@ -170,7 +120,7 @@ class List {
   const TokenText& text_;
   const ValueShape& shape_;
   const std::size_t open_;
-  std::vector<Element> elements_;
+  std::vector<ListedValue> elements_;
   std::size_t at_ = 0;    // in elements_
   std::size_t used_ = 0;  // numbers of that element
   bool failed_ = false;

@@ -1,0 +1,47 @@
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "preparation/listed_values.h"
+#include "preparation/source_checks.h"
+#include "preparation/value_shape.h"
+#include "preparation/value_types.h"
+
+namespace penumbra::preparation {
+
+namespace {
+
+std::string counted(std::size_t numbers) {
+  return std::to_string(numbers) + (numbers == 1 ? " number" : " numbers");
+}
+
+// What is wrong with a list for a value of so many numbers; empty: nothing, or it cannot be told.
+std::string problem_of(const std::vector<ListedValue>& values, std::size_t wanted) {
+  std::size_t least = 0;
+  bool all_known = true;
+  for (const ListedValue& value : values) {
+    least += value.numbers == 0 ? 1 : value.numbers;
+    all_known = all_known && value.numbers != 0;
+  }
+  if (values.empty() || (least <= wanted && !(all_known && least < wanted))) return {};
+  return "holds " + counted(wanted) + ", and its initialiser has " + (all_known ? "" : "at least ") +
+         std::to_string(least);
+}
+
+}  // namespace
+
+void check_initialiser_counts(TokenText& text) {
+  for (const DeclaredValue& value : text.types().declared()) {
+    if (value.name == npos || !text.is(value.end, "=") || !text.is(value.end + 1, "{")) continue;
+    if (text.partner(value.end + 1) == npos) continue;
+    const std::optional<ValueShape> shape = shape_of(text, value);
+    if (!shape) continue;
+    const std::string problem = problem_of(flat_values(text, value.end + 1), shape->numbers);
+    if (!problem.empty())
+      text.note(value.name, hlsl::Severity::error,
+                "'" + std::string(text[value.name].spelling) + "' " + problem +
+                    "; give it one value for each, or cast one to the whole type");
+  }
+}
+
+}  // namespace penumbra::preparation
