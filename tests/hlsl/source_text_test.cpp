@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+
 namespace penumbra::hlsl {
 namespace {
 
@@ -9,6 +12,17 @@ TEST(SourceText, LineEndingsAndTheByteOrderMarkAreNormalised) {
   EXPECT_EQ(normalise_source("\xEF\xBB\xBF"
                              "a\r\nb\rc\n"),
             "a\nb\nc\n");
+}
+
+// They would place what is wrong with the file in another one, or in a line that it does not have.
+TEST(SourceText, LineDirectivesOfAFileAreBlanked) {
+  const std::filesystem::path file =
+      std::filesystem::temp_directory_path() / "penumbra_source_text_line.hlsl";
+  std::ofstream(file)
+      << "#line 9\n \t# line 3 \"a\" \\\n  4\nfloat line; // #line 2\n#lines\na #line 5\n#line";
+  const SourceRead read = read_source(file);
+  std::filesystem::remove(file);
+  EXPECT_EQ(read.text, "       \n \t             \\\n   \nfloat line; // #line 2\n#lines\na #line 5\n     ");
 }
 
 #ifdef __linux__

@@ -75,6 +75,16 @@ TEST(ErrorRecovery, TakesOutOneStatementForEachError) {
                   "6:15: unknown variable 'four'; did you mean 'Foo'?", "7:16: unknown function 'Foo'"));
 }
 
+TEST(ErrorRecovery, SaysNothingOfAReturnThatItTookOut) {
+  EXPECT_THAT(errors("float4 Main() : SV_Target {\n    foo(1)\n    return 1;\n}\n"),
+              ElementsAre("2:5: unknown function 'foo'"));
+}
+
+TEST(ErrorRecovery, NamesTheEntryPointAsItIsWritten) {
+  EXPECT_THAT(errors("float4 Main() : SV_Target { }\n"),
+              ElementsAre(testing::EndsWith("function 'Main' must return a value")));
+}
+
 TEST(ErrorRecovery, EndsAfterSome) {
   std::string text;
   for (int i = 0; i < 50; ++i)

@@ -161,5 +161,100 @@ TEST(WrittenArguments, AreVariablesAndTheirParts) {
               IsEmpty());
 }
 
+TEST(BitOperators, TakeIntegers) {
+  const auto told = [](const std::string& op) {
+    return ElementsAre("3: '" + op +
+                       "' takes integers, and an operand is a float: convert it with (int), or read its bits "
+                       "with asuint()");
+  };
+  EXPECT_THAT(fragment("return p.x & 1;"), told("&"));
+  EXPECT_THAT(fragment("float2 f = p.xy | 1; return f.xyxy;"), told("|"));
+  EXPECT_THAT(fragment("return p ^ p;"), told("^"));
+  EXPECT_THAT(fragment("return p.x << _N;"), told("<<"));
+  EXPECT_THAT(fragment("return p.x >> 1;"), told(">>"));
+  EXPECT_THAT(fragment("p.x &= 1; return p;"), told("&"));
+  EXPECT_THAT(
+      fragment(
+          "int i = (int)p.x & 1; uint2 u = asuint(p.xy) >> 3; i |= _N << 2; bool b = (p.x > 1) & (p.y > 2);\n"
+          "return i + u.x + b;"),
+      IsEmpty());
+}
+
+TEST(Loads, TakeTheCoordinatesOfTheirTexture) {
+  const auto told = [](const std::string& type, const std::string& given) {
+    return ElementsAre("4: this Load takes an " + type +
+                       ", the last for the mip level, and its argument has " + given + " components");
+  };
+  const std::string main = "float4 Main(float4 p : SV_Position) : SV_Target {\n";
+  EXPECT_THAT(errors("Texture2DArray<float4> _Layers;\n" + main + "return _Map.Load(int2(p.xy)); }",
+                     hlsl::Stage::fragment),
+              told("int3", "2"));
+  EXPECT_THAT(errors("Texture2DArray<float4> _Layers;\n" + main + "return _Layers.Load(int3(p.xyz)); }",
+                     hlsl::Stage::fragment),
+              told("int4", "3"));
+  EXPECT_THAT(
+      errors("Texture2DMS<float4> _Samples; Buffer<float4> _Words; RWTexture2D<float4> _Image; Texture3D "
+             "_Volume; Texture1D _Line;\n" +
+                 main +
+                 "return _Samples.Load(int2(p.xy), 1) + _Words.Load(1) + _Image.Load(int2(p.xy)) + "
+                 "_Volume.Load(int4(p)) + _Line.Load(int2(p.xy)) + _Map.Load(int3(p.xy, 0)) + _Map[p.xy]; }",
+             hlsl::Stage::fragment),
+      IsEmpty());
+}
+
+TEST(Registers, AreOfOneResource) {
+  const std::string main = "float4 Main(float4 p : SV_Position) : SV_Target {\nreturn ";
+  const auto told = [](const std::string& names) {
+    return ElementsAre("3: " + names +
+                       " are used and have the same register: leave the registers out, as Unity binds by "
+                       "name, or give each its own");
+  };
+  EXPECT_THAT(errors("Texture2D _A[2] : register(t3);\nTexture2D _B : register(t4);\n" + main +
+                         "_A[0].Load(0) + _B.Load(0); }",
+                     hlsl::Stage::fragment),
+              told("'_B' and '_A'"));
+  EXPECT_THAT(errors("cbuffer C : register(b1) { float c; }\ncbuffer D : register(b1) { float d; }\n" + main +
+                         "c + d; }",
+                     hlsl::Stage::fragment),
+              told("'D' and 'C'"));
+  EXPECT_THAT(errors("Texture2D _A : register(t3), _B : register(t3);\nTexture2D _C : register(t3, space1);\n"
+                     "cbuffer C : register(b3) { float c; }\nSamplerState _S : register(s3);\n" +
+                         main + "_A.Sample(_S, p.xy) + _C.Load(0) + c; }",
+                     hlsl::Stage::fragment),
+              IsEmpty())
+      << "_B is not used";
+}
+
+std::vector<std::string> kernel(const std::string& threads, const std::string& shared,
+                                const std::string& body) {
+  return errors("RWBuffer<float> _Out; groupshared " + shared + ";\n[numthreads(" + threads +
+                    ")]\nvoid Main(uint3 id : SV_GroupThreadID) { " + body + " }\n",
+                hlsl::Stage::compute);
+}
+
+TEST(Groups, HaveAsManyThreadsAsDirect3DTakes) {
+  const auto threads = [](const std::string& count) { return kernel(count, "float s", "_Out[id.x] = 1;"); };
+  EXPECT_THAT(threads("32, 32, 2"),
+              ElementsAre("3: [numthreads] makes groups of 2048 threads, and Direct3D takes 1024 at most"));
+  EXPECT_THAT(threads("1, 1, 65"),
+              ElementsAre("3: [numthreads] has 65 threads along z, and Direct3D takes 1 to 64"));
+  EXPECT_THAT(threads("1, 0, 1"),
+              ElementsAre("3: [numthreads] has 0 threads along y, and Direct3D takes 1 to 1024"));
+  EXPECT_THAT(threads("1025, 1, 1"),
+              ElementsAre("3: [numthreads] has 1025 threads along x, and Direct3D takes 1 to 1024"));
+  EXPECT_THAT(threads("1024, 1, 1"), IsEmpty());
+  EXPECT_THAT(threads("4, 4, 64"), IsEmpty());
+}
+
+TEST(Groups, Share32KiBAtMost) {
+  const std::string body = "s[id.x].v = id.x; GroupMemoryBarrierWithGroupSync(); _Out[id.x] = s[id.y].v.x;";
+  const std::string structure = "struct { float3 v; uint k; } s";
+  EXPECT_THAT(
+      kernel("64, 1, 1", structure + "[2049]", body),
+      ElementsAre("2: the groupshared variables take 32784 bytes, and Direct3D has 32768 for a group"));
+  EXPECT_THAT(kernel("64, 1, 1", structure + "[2048]", body), IsEmpty());
+  EXPECT_THAT(kernel("64, 1, 1", "float4 s[4096]", "_Out[id.x] = 1;"), IsEmpty()) << "not used";
+}
+
 }  // namespace
 }  // namespace penumbra::shaders

@@ -103,10 +103,10 @@ TEST(Registers, OfEveryKindGetABindingOfTheirOwn) {
   CompileRequest request;
   request.file = "registers.hlsl";
   request.text = R"(
-cbuffer B0 : register(b0) { float b; } cbuffer B1 : register(b0, space1) { float c; } cbuffer B2 : register(b0) { float d; }
-Texture2D T : register(t0); Buffer<float> U : register(t0); StructuredBuffer<float> V : register(t0, space1);
-ByteAddressBuffer W : register(t0); SamplerState S : register(s0); SamplerComparisonState S1 : register(s0);
-RWTexture2D<float4> X : register(u0); RWStructuredBuffer<float> Out : register(u0); RWByteAddressBuffer Y : register(u0, space3);
+cbuffer B0 : register(b0) { float b; } cbuffer B1 : register(b0, space1) { float c; } cbuffer B2 : register(b1) { float d; }
+Texture2D T : register(t0); Buffer<float> U : register(t1); StructuredBuffer<float> V : register(t0, space1);
+ByteAddressBuffer W : register(t2); SamplerState S : register(s0); SamplerComparisonState S1 : register(s1);
+RWTexture2D<float4> X : register(u0); RWStructuredBuffer<float> Out : register(u1); RWByteAddressBuffer Y : register(u0, space3);
 float Loose : register(c0);
 [numthreads(1, 1, 1)] void Main() {
   X[uint2(0, 0)] = 1; Y.Store(0, 1);

@@ -18,6 +18,7 @@ struct SourceRead {
   std::string text;
   std::string problem;  // empty when the text was read
 };
+// #line directives of the file are blanked: a message belongs where it can be seen.
 SourceRead read_source(const std::filesystem::path& file);
 
 // Every text of one compilation, by the name messages call it.

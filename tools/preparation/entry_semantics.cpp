@@ -62,7 +62,7 @@ bool holds_elements(std::string_view type) {
 class EntrySemantics {
  public:
   EntrySemantics(TokenText& text, const EntryPoint& entry)
-      : text_(text), entry_(entry), repeated_(text, entry.stage == hlsl::Stage::vertex) {}
+      : text_(text), entry_(entry), repeated_(text, entry.dxc) {}
 
   void run() {
     const std::vector<const hlsl::Declaration*> named = entry_functions(text_, entry_);

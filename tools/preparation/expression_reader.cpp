@@ -200,6 +200,7 @@ ReadOperand ExpressionReader::term() {
             ? 2
             : 1;
     result = term();
+    if (!failed_) read_sign(first, result);
     if (logical) result.shape = result.shape.of_base(Base::boolean);
   } else if (cast) {
     const NumberShape shape = shape_of_type(text_[at_ + 1].spelling);

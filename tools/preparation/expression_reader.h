@@ -32,6 +32,8 @@ class ExpressionReader {
   virtual void read_binary(const ReadOperand& left, std::size_t op, const ReadOperand& right) = 0;
   virtual void read_assignment(const ReadOperand& /*left*/, std::size_t /*op*/,
                                const ReadOperand& /*right*/) {}
+  // For each + - ! ~ and ++ -- before an operand.
+  virtual void read_sign(std::size_t /*sign*/, const ReadOperand& /*of*/) {}
   // For each `.member` that is not called, with the shape of what stands before its '.'.
   virtual void read_member(const NumberShape& /*of*/, std::size_t /*member*/) {}
 

@@ -104,7 +104,10 @@ PreparedShader prepare(std::string preprocessed, const std::string& main_file,
     check_constant_divisions(text);
     check_initialiser_counts(text);
     check_letter_swizzles(text);
-    check_string_values(text);
+    check_string_values(text, *entry);
+    check_bit_complements(text);
+    check_packed_members(text);
+    check_missing_values(text, *entry);
     check_repeated_globals(text);
   }
   for (const Pass& pass : passes()) pass.run(text);

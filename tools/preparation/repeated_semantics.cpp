@@ -44,8 +44,9 @@ void RepeatedSemantics::add(const SemanticUse& use) {
         uses_.emplace((use.output ? "o" : "i") + name + " " + std::to_string(index + i), use);
     if (is_new) continue;
     const SemanticUse& other = known->second;
-    if (!use.output && same_type_ && text_[other.type].spelling == text_[use.type].spelling) continue;
-    text_.note(use.semantic, hlsl::Severity::error,
+    const bool may_share = !use.output && !dxc_ && !name.starts_with("SV_") &&
+                           text_[other.type].spelling == text_[use.type].spelling;
+    text_.note(use.semantic, may_share ? hlsl::Severity::warning : hlsl::Severity::error,
                "'" + std::string(text_[other.name].spelling) + "' at " + text_.file_of(other.name) + ":" +
                    std::to_string(text_[other.name].line) + " has the semantic '" + std::string(word) +
                    "', too: give each " + (use.output ? "output" : "input") + " its own");

@@ -1,4 +1,7 @@
 // Semantics that two inputs or two outputs of a program share. Internal to this room.
+//
+// FXC refuses outputs and system values (X4504, X4574) and inputs of different types (X3536); of other inputs
+// it warns (X4711). DXC refuses all.
 #pragma once
 
 #include <cstddef>
@@ -20,17 +23,16 @@ struct SemanticUse {
 
 class RepeatedSemantics {
  public:
-  // `same_type`: whether two inputs of one type may share a semantic.
-  RepeatedSemantics(TokenText& text, bool same_type) : text_(text), same_type_(same_type) {}
+  RepeatedSemantics(TokenText& text, bool dxc) : text_(text), dxc_(dxc) {}
 
-  // An error where one before it has the semantic.
+  // An error or a warning where one before it has the semantic.
   void add(const SemanticUse& use);
 
  private:
   std::size_t elements(const SemanticUse& use) const;
 
   TokenText& text_;
-  const bool same_type_;
+  const bool dxc_;
   std::map<std::string, SemanticUse> uses_;  // by direction, name in capitals and index
 };
 

@@ -36,15 +36,25 @@ void check_entry_semantics(TokenText& text, const EntryPoint& entry);
 // An integer constant divided by a constant zero, which the front end computes away: FXC X4010.
 void check_constant_divisions(TokenText& text);
 
-// An initialiser list with more or fewer numbers than its variable holds: FXC X3037. What has expressions
+// An initialiser list with more or fewer numbers than its variable holds: FXC X3017. What has expressions
 // that are not understood is an error only where each of them, taken for one number, is too much.
 void check_initialiser_counts(TokenText& text);
 
 // `.stpq`, of which HLSL has none.
 void check_letter_swizzles(TokenText& text);
 
-// Variables of type string outside of file scope; at file scope a warning.
-void check_string_values(TokenText& text);
+// Variables of type string, which FXC ignores: warnings. DXC takes them at file scope alone.
+void check_string_values(TokenText& text, const EntryPoint& entry);
+
+// `~` of a float, of which glslang says nothing but that its function returns no value.
+void check_bit_complements(TokenText& text);
+
+// Members of a cbuffer whose packoffset() lies in another one's (FXC X4019).
+void check_packed_members(TokenText& text);
+
+// A function that the entry point calls, or the entry point itself, with a type and without any return
+// statement: FXC X3507. Nothing is said of overloads, of which it depends on the arguments who is called.
+void check_missing_values(TokenText& text, const EntryPoint& entry);
 
 // Variables at file scope and members of cbuffers that are declared twice in one namespace (FXC X3003), but
 // for those that are declared extern. The later one gets another name, so that the rest can be read: no check

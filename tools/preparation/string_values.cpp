@@ -3,15 +3,15 @@
 
 namespace penumbra::preparation {
 
-void check_string_values(TokenText& text) {
+void check_string_values(TokenText& text, const EntryPoint& entry) {
   const ValueTypes& types = text.types();
   if (types.structs().contains("string")) return;
   for (const DeclaredValue& value : types.declared()) {
-    if (value.name == npos || !value.type.is("string")) continue;
-    const bool global = value.place == DeclaredValue::Place::global;
-    text.note(value.name, global ? hlsl::Severity::warning : hlsl::Severity::error,
-              global ? "shaders do not read strings: this variable has no effect"
-                     : "HLSL has strings at file scope alone, and shaders do not read them: remove it");
+    if (value.name == npos || value.type.name != "string") continue;
+    const bool refused = entry.dxc && value.place != DeclaredValue::Place::global;
+    text.note(value.name, refused ? hlsl::Severity::error : hlsl::Severity::warning,
+              refused ? "strings may only be declared at file scope, and shaders do not read them: remove it"
+                      : "shaders do not read strings: this variable has no effect");
   }
 }
 

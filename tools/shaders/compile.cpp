@@ -15,12 +15,15 @@
 #include "shaders/comparison_reads.h"
 #include "shaders/error_recovery.h"
 #include "shaders/generated_words.h"
+#include "shaders/group_limits.h"
 #include "shaders/hlsl_problems.h"
 #include "shaders/macro_expansion.h"
 #include "shaders/matrix_operations.h"
 #include "shaders/operation_meanings.h"
 #include "shaders/parse_failure.h"
 #include "shaders/parse_log.h"
+#include "shaders/refused_operands.h"
+#include "shaders/shared_registers.h"
 #include "shaders/source_memory.h"
 #include "shaders/source_shader.h"
 #include "shaders/spirv_module.h"
@@ -125,6 +128,15 @@ bool put_right(const Source& source, const hlsl::SourceFiles& sources, glslang::
   return !told(source, sources, write_out_matrix_operations(tree, {source.text, source.name}), result);
 }
 
+// What HLSL does not allow in a module that is valid SPIR-V.
+void tell_problems(const Source& source, const hlsl::SourceFiles& sources, const glslang::TIntermediate& tree,
+                   bool divides, CompileResult& result) {
+  told(source, sources, hlsl_problems(source.request, tree, result.spirv, divides), result);
+  told(source, sources, shared_registers(result.spirv, source.text, source.name), result);
+  if (source.request.stage == hlsl::Stage::compute)
+    told(source, sources, beyond_group_limits(tree, result.spirv, source.text, source.name), result);
+}
+
 bool finish_module(const Source& source, const hlsl::SourceFiles& sources, const glslang::TIntermediate& tree,
                    CompileResult& result) {
   std::vector<std::string> problems;
@@ -136,8 +148,7 @@ bool finish_module(const Source& source, const hlsl::SourceFiles& sources, const
   if (optimised && wanted)
     if (std::optional<SpirvModule> words = with_word_blocks(result.spirv, BlocksAsWords::not_for_vulkan))
       result.spirv = *std::move(words);
-  if (optimised && wanted)
-    told(source, sources, hlsl_problems(source.request, tree, result.spirv, divides), result);
+  if (optimised && wanted) tell_problems(source, sources, tree, divides, result);
   if (hlsl::has_errors(result.diagnostics)) return false;
   if (optimised) problems = validation_problems(result.spirv, source.request.vulkan, !wanted);
   const std::string validation =
@@ -160,6 +171,7 @@ bool build(const Source& source, const hlsl::SourceFiles& sources, CompileResult
   glslang::TIntermediate& tree = *program.getIntermediate(language(source.request.stage));
   if (told(source, sources, reads_without_comparing(tree), result)) return false;
   if (told(source, sources, unwritable_arguments(tree), result)) return false;
+  if (told(source, sources, refused_operands(tree), result)) return false;
   if (!put_right(source, sources, tree, result)) return false;
   if (!generate(source, tree, result) || !finish_module(source, sources, tree, result)) return false;
   if (!source.request.keep_unoptimised) return true;

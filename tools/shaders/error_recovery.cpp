@@ -38,6 +38,11 @@ bool is_of_syntax(const hlsl::Diagnostic& error) {
   return error.message.starts_with("expected") || error.message.starts_with("unexpected");
 }
 
+// What taking a return statement out makes.
+bool is_own_making(const hlsl::Diagnostic& error) {
+  return error.message.starts_with("function '") && error.message.ends_with("' must return a value");
+}
+
 // Whether an error is the one before, or what became of it.
 bool is_still_there(const hlsl::Diagnostic& before, const hlsl::Diagnostic& now) {
   if (now.file != before.file || now.line != before.line) return false;
@@ -64,8 +69,8 @@ std::vector<hlsl::Diagnostic> errors_of(const Source& source, const std::string&
       if (parse.accepted) break;
       found = placed_error(failure_of(source, parse.log, rest.text()), sources);
     }
-    if (found.diagnostic.line > 0 && !has_message(errors, found.diagnostic.message))
-      errors.push_back(found.diagnostic);
+    const bool is_news = found.diagnostic.line > 0 && !is_own_making(found.diagnostic);
+    if (is_news && !has_message(errors, found.diagnostic.message)) errors.push_back(found.diagnostic);
   }
   return errors;
 }

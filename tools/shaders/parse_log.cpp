@@ -54,6 +54,14 @@ void take_token(std::string_view& rest, LogLine& out) {
   rest.remove_prefix(end + 4);
 }
 
+// "@Main" is glslang's name of the entry point Main.
+std::string as_written(std::string_view message) {
+  std::string written;
+  for (std::size_t at = 0; at < message.size(); ++at)
+    if (message[at] != '@' || at + 1 == message.size() || !is_word(message[at + 1])) written += message[at];
+  return written;
+}
+
 }  // namespace
 
 std::vector<LogLine> parse_log(std::string_view log, const hlsl::SourceFiles& sources) {
@@ -69,7 +77,7 @@ std::vector<LogLine> parse_log(std::string_view log, const hlsl::SourceFiles& so
       take_token(rest, line);
       while (!rest.empty() && rest.back() == ' ') rest.remove_suffix(1);
       while (!rest.empty() && rest.front() == ' ') rest.remove_prefix(1);
-      line.message = rest;
+      line.message = as_written(rest);
       lines.push_back(line);
     }
   }

@@ -1,0 +1,56 @@
+// How much of a constant buffer a value takes, by HLSL's packing rules
+// (learn.microsoft.com/windows/win32/direct3dhlsl/dx-graphics-hlsl-packing-rules). Internal to this room.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "preparation/value_types.h"
+
+namespace penumbra::preparation {
+
+inline constexpr std::size_t kRegister = 4;  // words
+
+// In words.
+struct Extent {
+  std::size_t size = 0;
+  bool of_registers = false;  // begins at one: a matrix, an array or a struct
+};
+
+// Puts one member behind the other.
+class Packing {
+ public:
+  std::size_t place(const Extent& extent);  // the word it begins at
+  std::size_t size() const { return next_; }
+  bool in_tail() const { return in_tail_; }  // whether a member lies in what one of registers leaves free
+
+ private:
+  std::size_t next_ = 0;
+  bool before_of_registers_ = false;
+  bool in_tail_ = false;
+};
+
+class CbufferExtents {
+ public:
+  explicit CbufferExtents(const TokenText& text) : text_(text), types_(text.types()) {}
+
+  // Nothing for doubles, resources and array sizes that are no plain numbers.
+  std::optional<Extent> of(const DeclaredValue& value) { return of(value, 0); }
+
+  // The members of the structs so far that lie in what the one before them leaves free: indices into
+  // ValueTypes::declared().
+  const std::vector<std::size_t>& in_tails() const { return in_tails_; }
+
+ private:
+  std::optional<Extent> of(const DeclaredValue& value, int depth);
+  std::optional<Extent> of_type(const DeclaredValue& value, int depth);
+  std::optional<Extent> of_struct(const StructType& type, int depth);
+  bool is_by_rows(const DeclaredValue& value) const;
+
+  const TokenText& text_;
+  const ValueTypes& types_;
+  std::vector<std::size_t> in_tails_;
+};
+
+}  // namespace penumbra::preparation

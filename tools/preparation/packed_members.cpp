@@ -1,0 +1,69 @@
+#include <charconv>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "preparation/cbuffer_extents.h"
+#include "preparation/source_checks.h"
+
+namespace penumbra::preparation {
+
+namespace {
+
+struct PackedMember {
+  std::size_t name = npos;
+  std::size_t first = 0;  // word
+  std::size_t size = 0;
+};
+
+// The word of `: packoffset(c1.y)` behind a member's name; nothing without one.
+std::optional<std::size_t> packed_at(const TokenText& text, const DeclaredValue& value) {
+  for (std::size_t at = value.end; at + 2 < value.last; ++at) {
+    if (!text.is(at, "packoffset") || !text.is(at + 1, "(")) continue;
+    const std::string_view place = text[at + 2].spelling;
+    std::size_t number = 0;
+    const auto read = std::from_chars(place.data() + 1, place.data() + place.size(), number);
+    if (place[0] != 'c' || read.ec != std::errc() || number > 4096) return std::nullopt;
+    if (!text.is(at + 3, ".")) return number * kRegister;
+    const std::string_view component = text[at + 4].spelling;
+    std::size_t index = std::string_view("xyzw").find(component);
+    if (index == npos) index = std::string_view("rgba").find(component);
+    return index == npos || component.size() != 1 ? std::nullopt : std::optional(number * kRegister + index);
+  }
+  return std::nullopt;
+}
+
+std::vector<PackedMember> packed_members(const TokenText& text, const hlsl::Declaration& buffer) {
+  std::vector<PackedMember> members;
+  CbufferExtents extents(text);
+  for (const DeclaredValue& value : text.types().declared()) {
+    if (value.name == npos || value.name < buffer.open || value.name > buffer.close) continue;
+    const std::optional<std::size_t> first = packed_at(text, value);
+    const std::optional<Extent> extent = first ? extents.of(value) : std::nullopt;
+    if (extent) members.push_back({value.name, *first, extent->size});
+  }
+  return members;
+}
+
+}  // namespace
+
+void check_packed_members(TokenText& text) {
+  for (const hlsl::Declaration& buffer : text.outline()) {
+    if (buffer.kind != hlsl::Declaration::Kind::buffer) continue;
+    const std::vector<PackedMember> members = packed_members(text, buffer);
+    for (std::size_t later = 1; later < members.size(); ++later) {
+      for (std::size_t earlier = 0; earlier < later; ++earlier) {
+        const PackedMember& a = members[earlier];
+        const PackedMember& b = members[later];
+        if (a.first >= b.first + b.size || b.first >= a.first + a.size) continue;
+        text.note(b.name, hlsl::Severity::error,
+                  "the packoffset of '" + std::string(text[b.name].spelling) + "' lies in '" +
+                      std::string(text[a.name].spelling) + "': give them offsets that do not overlap");
+        break;
+      }
+    }
+  }
+}
+
+}  // namespace penumbra::preparation

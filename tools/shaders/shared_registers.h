@@ -1,0 +1,17 @@
+// Two resources at one explicit register: FXC X4500, X4578. Internal to this room.
+//
+// HLSL's compilers complain where the program uses both.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "shaders/spirv_module.h"
+
+namespace penumbra::shaders {
+
+// `optimised`: the module with the names of what it still uses; `text` and `file`: its source.
+std::vector<ModuleProblem> shared_registers(const SpirvModule& optimised, const std::string& text,
+                                            const std::string& file);
+
+}  // namespace penumbra::shaders
