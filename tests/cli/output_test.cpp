@@ -48,6 +48,13 @@ TEST_F(Output, AFolderIsNoFile) {
   EXPECT_THAT(listing(), IsEmpty());
 }
 
+#ifdef __linux__
+TEST_F(Output, AFolderWhereNothingCanBeWrittenIsNamedAsItWasGiven) {
+  expect_refused({"validate", "none.hlsl", "--keep"}, "/proc/kept",
+                 "/proc/kept: cannot be written: ");
+}
+#endif
+
 TEST_F(Output, AFolderMayBeNewButNotBelowAFile) {
   const std::string file = write("file", "text").string();
   for (const auto& command : std::vector<std::vector<std::string>>{{"measure", "--scene", "none", "-o"},

@@ -55,6 +55,13 @@ TEST_F(Usage, AnUnknownOptionNamesTheNearest) {
   expect_refused({"tables", "--zzzzzzzzzzz"}, {"'--zzzzzzzzzzz'", "penumbra tables --help"});
 }
 
+TEST_F(Usage, AnUnknownValueIsFollowedByTheKnownOnesOnALineOfTheirOwn) {
+  expect_refused(
+      {"validate", "a.hlsl", "--stage", "foo"},
+      {"--stage: unknown value 'foo'\n  known are: vertex hull domain geometry fragment compute\n"});
+  expect_refused({"completion", "foo"}, {"there is no completion for 'foo'\n  known are: bash"});
+}
+
 TEST_F(Usage, WhatIsCalledOtherwiseElsewhereIsNamed) {
   expect_refused({"validate", "--report", "json"}, {"'--format'"});
   expect_refused({"validate", "--targets", "spirv"}, {"'--target'"});

@@ -105,6 +105,9 @@ TEST_F(Validate, KeywordsNarrowAndAreCounted) {
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_THAT(refused.errors, AllOf(HasSubstr("--limit"), HasSubstr("--keywords"), HasSubstr("WARM")));
   EXPECT_EQ(report({"--target", "spirv", "--sample", "1"})["summary"]["variants"], 2);
+  EXPECT_THAT(
+      run(command({"--target", "spirv", "--sample", "1"})).errors,
+      HasSubstr("6 variants in 1 program of 1 file, of which --sample takes at most 1 of each entry point"));
 }
 
 TEST_F(Validate, AKeywordThatNoProgramDeclaresIsRefusedWithTheNearest) {
@@ -290,6 +293,10 @@ TEST_F(Validate, ExplainAsksForOneVariantThatThereIs) {
   EXPECT_THAT(refused(""), AllOf(HasSubstr("names 2 entry points"), HasSubstr("Two.shader: Colour/Vert")));
   EXPECT_THAT(refused("Vert: WORM"), AllOf(HasSubstr("declares no keyword 'WORM'"), HasSubstr("WARM")));
   EXPECT_THAT(run({"validate", "--explain", "Frag"}).errors, HasSubstr("--explain: needs a shader file"));
+  const std::string broken = write("broken.shader", "Shader \"A\" {").string();
+  EXPECT_THAT(run({"validate", broken, "--explain", "Frag"}).errors,
+              AllOf(HasSubstr("--explain: there is no entry point 'Frag', and no other"),
+                    Not(HasSubstr("known are:"))));
   write("Library.hlsl", "#include \"Missing.hlsl\"\n");
   const auto failed = run(command({"--explain", "Frag"}));
   EXPECT_EQ(failed.exit_code, 1);

@@ -52,7 +52,24 @@ TEST_F(TextFile, WhatIsFoundMustBeARegularFile) {
   expect_input_error([&] { read_found_text_file(folder_ / "none"); }, HasSubstr("cannot be opened"));
 }
 
+// Opening it would wait for somebody who writes.
+TEST_F(TextFile, ANamedPipeIsRefused) {
+  const fs::path named = pipe();
+  expect_input_error([&] { read_text_file(named); }, HasSubstr("pipe: is a named pipe"));
+  fs::create_symlink(named, folder_ / "link");
+  expect_input_error([&] { read_text_file(folder_ / "link"); }, HasSubstr("link: is a named pipe"));
+}
+
 #ifdef __linux__
+TEST_F(TextFile, AnOpenPipeIsRead) {
+  int ends[2];
+  ASSERT_EQ(::pipe(ends), 0);
+  ASSERT_EQ(::write(ends[1], "text", 4), 4);
+  ::close(ends[1]);
+  EXPECT_EQ(read_text_file("/dev/fd/" + std::to_string(ends[0])), "text");
+  ::close(ends[0]);
+}
+
 // Reading the first page of a process's memory gives EIO, as a broken disk does.
 TEST_F(TextFile, OneThatCannotBeReadToItsEndIsAnError) {
   expect_input_error([] { read_text_file("/proc/self/mem"); }, HasSubstr("cannot be read"));

@@ -107,6 +107,11 @@ TEST(OutputNotSet, AHelpersResultMattersWhereItLeavesTheStage) {
   EXPECT_THAT(outputs(helper + "Varyings Main(float3 p : POSITION)\n{\n    return Half(p);\n}\n",
                       hlsl::Stage::vertex),
               ElementsAre("16:5 warning output-not-set: output 'fog' of 'Main' is not set on every path"));
+  EXPECT_THAT(
+      outputs("struct O { float4 p : SV_Position; };\nO F() { O o; return o; }\nO Main(float3 p : POSITION)\n"
+              "{\n    return F();\n}\n",
+              hlsl::Stage::vertex),
+      ElementsAre("5:5 warning output-not-set: what 'Main' returns is not set on every path"));
 }
 
 TEST(ReadBeforeSet, AVariableNeverSet) {

@@ -143,6 +143,10 @@ TEST(ShaderFiles, AProjectWithoutShadersIsRefused) {
   files.write("Assets/a.cs", "");
   expect_input_error([&] { find_shader_files(files.path(), {}); },
                      HasSubstr("has no shader file to validate"));
+  ShaderSelection selection;
+  selection.places = {files.path() / "Assets"};
+  expect_input_error([&] { find_shader_files({}, selection); },
+                     HasSubstr((files.path() / "Assets").string() + ": has no shader file to validate"));
 }
 
 TEST(ShaderFiles, NamedPlacesStandForThemselves) {

@@ -209,7 +209,7 @@ TEST(Commands, TakeTheirOwnValuesAlone) {
   EXPECT_THAT(messages(in_pass("Cull Bak")),
               ElementsAre("a:2:6: error: 'Bak' is not a value of Cull: did you mean 'Back'?"));
   EXPECT_THAT(messages(in_pass("Cull \"Back\"")),
-              ElementsAre("a:2:6: error: 'Back' is not a value of Cull: did you mean 'Back'?"));
+              ElementsAre("a:2:6: error: write Cull Back without quotation marks"));
   EXPECT_THAT(
       messages(in_pass("Blend SrcAlpha MinusSrc, One Zero")),
       ElementsAre(HasSubstr("a:2:16: error: 'MinusSrc' is not a value of Blend: it takes One, Zero, ")));
@@ -222,6 +222,30 @@ TEST(Commands, TakeTheirOwnValuesAlone) {
   EXPECT_THAT(messages(in_pass("Stencil { Ref 1 Comp Alway Pass Replac ZFailBack Keep }")),
               ElementsAre("a:2:22: error: 'Alway' is not a value of Comp: did you mean 'Always'?",
                           "a:2:33: error: 'Replac' is not a value of Pass: did you mean 'Replace'?"));
+}
+
+TEST(Commands, WarnOfNumbersThatStandForNothing) {
+  EXPECT_THAT(messages(in_pass("Stencil { Ref 300 ReadMask -1 WriteMask 255 Comp 9 Pass 8 }")),
+              ElementsAre("a:2:15: warning: '300' is out of range: Ref takes 0 to 255",
+                          "a:2:28: warning: '-1' is out of range: ReadMask takes 0 to 255",
+                          "a:2:50: warning: '9' is out of range: Comp takes 0 to 8",
+                          "a:2:57: warning: '8' is out of range: Pass takes 0 to 7"));
+  EXPECT_THAT(messages(in_pass("Cull 9 ZTest 77 ZWrite 2 ColorMask 16")),
+              ElementsAre("a:2:6: warning: '9' is out of range: Cull takes 0 to 2",
+                          "a:2:14: warning: '77' is out of range: ZTest takes 0 to 8",
+                          "a:2:24: warning: '2' is out of range: ZWrite takes 0 to 1",
+                          "a:2:36: warning: '16' is out of range: ColorMask takes 0 to 15"));
+  EXPECT_THAT(
+      messages(in_pass("Cull 2 ZTest 8 ZWrite 1 ColorMask 15 3 Blend 7 10 10 Offset -100, 1e5 Stencil { Ref "
+                       "[_Ref] Comp 8 Pass 7 }")),
+      ElementsAre());
+}
+
+TEST(Commands, ThatLackANumberLeaveTheWordToTheNextCommand) {
+  EXPECT_THAT(
+      messages(in_pass("Offset 1 BlendOpp Add\nZWrite Off")),
+      ElementsAre("a:2:10: error: expected a number for Offset, found 'BlendOpp'",
+                  "a:2:10: error: 'BlendOpp' is not a command of ShaderLab: did you mean 'BlendOp'?"));
 }
 
 TEST(Commands, WhatUnityReadsAndNoReferenceHasIsAWarning) {

@@ -21,6 +21,11 @@ std::filesystem::path nearest_folder(const std::filesystem::path& folder) {
   return there;
 }
 
+// Throws InputError that names the folder as it was given.
+void check_folder(const std::filesystem::path& given) {
+  platform::check_folder_can_be_written(nearest_folder(given), given);
+}
+
 }  // namespace
 
 void write_output(const std::string& file, std::string_view content) {
@@ -39,15 +44,14 @@ void check_output_file(const std::string& file) {
 }
 
 void check_output_folder(const std::string& folder) {
-  if (!folder.empty()) platform::check_file_can_be_written(nearest_folder(folder) / "penumbra-output");
+  if (!folder.empty()) check_folder(folder);
 }
 
 void check_cache_folder(const std::string& given, const std::filesystem::path& standard,
                         const Context& context) {
   if (!given.empty()) (void)nearest_folder(given);
   try {
-    platform::check_file_can_be_written(
-        nearest_folder(given.empty() ? standard : std::filesystem::path(given)) / "penumbra-output");
+    check_folder(given.empty() ? standard : std::filesystem::path(given));
   } catch (const InputError& error) {
     if (context.quiet) return;
     std::fprintf(stderr,

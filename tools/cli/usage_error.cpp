@@ -118,7 +118,9 @@ InputError usage_error(CLI::App& app, const CLI::ParseError& error) {
   if (option != unexpected.end()) return unknown_option(command, *option);
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !unexpected.empty())
     return too_many(command, unexpected.front());
-  return {"", plain_words(error.what()), see_help(command)};
+  const std::string said = plain_words(error.what());  // its own way out stands on further lines
+  const std::size_t end = std::min(said.find("\n  "), said.size());
+  return {"", said.substr(0, end), lines(end < said.size() ? said.substr(end + 3) : "", see_help(command))};
 }
 
 }  // namespace penumbra::cli

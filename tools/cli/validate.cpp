@@ -293,7 +293,10 @@ void add_sources(const CLI::App& command, const ValidateOptions& options,
   };
   say(context, variants::text_of(plan.total) + " variants in " +
                    counted(sources.programs().size(), "program") + " of " +
-                   counted(files.files.size(), "file"));
+                   counted(files.files.size(), "file") +
+                   (options.sample == 0 ? std::string()
+                                        : ", of which --sample takes at most " +
+                                              std::to_string(options.sample) + " of each entry point"));
   if (options.list) return list(options, sources, plan, context);
   const std::string refusal = options.sample == 0 ? sources.refusal(options.limit) : std::string();
   if (!refusal.empty()) {

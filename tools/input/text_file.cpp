@@ -11,9 +11,23 @@ namespace penumbra {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+// Opening one waits for somebody who writes. The pipes of a shell's <(...) have no path of their own.
+bool is_named_pipe(const fs::path& file) {
+  std::error_code error;
+  const fs::path real = fs::canonical(file, error);
+  return !error && fs::is_fifo(real, error);
+}
+
+}  // namespace
+
 std::string read_text_file(const fs::path& file, std::size_t largest) {
   std::error_code ignored;
   if (fs::is_directory(file, ignored)) throw InputError(file.string(), "is a folder, not a file");
+  if (is_named_pipe(file))
+    throw InputError(file.string(), "is a named pipe, to which perhaps nobody writes",
+                     "give a regular file, or <(command) in the shell");
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw InputError(file.string(), "cannot be opened", "check the path and its permissions");
   std::string text;

@@ -13,8 +13,8 @@ namespace penumbra {
 constexpr std::size_t kLargestTextFile = std::size_t{512}
                                          << 20U;  // bytes; reports of 10^5 variants have 10^8
 
-// A file that the user named, which may be a pipe. Throws InputError, naming the file: it cannot be opened or
-// read, is a folder, or has more bytes than `largest`.
+// A file that the user named, which may be a pipe of a shell's <(...). Throws InputError, naming the file: it
+// cannot be opened or read, is a folder or a named pipe, or has more bytes than `largest`.
 std::string read_text_file(const std::filesystem::path& file, std::size_t largest = kLargestTextFile);
 
 // A file that was found in a project or folder. What is not a regular file is refused besides.

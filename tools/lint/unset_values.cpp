@@ -71,9 +71,11 @@ Finding output_finding(const LintedCode& linted, ComponentLayout& layout, const 
     if (output.ever_set) finding.diagnostic.severity = hlsl::Severity::warning;
     return finding;
   }
-  Finding finding = finding_at(linted, "output-not-set", output.place, {"return"},
-                               "output " + missing(layout, "", output.type, output.set) + " of '" + name +
-                                   "' is not set on every path");
+  const std::string parts = missing(layout, "", output.type, output.set);
+  const std::string what =
+      parts == "''" ? "what '" + name + "' returns" : "output " + parts + " of '" + name + "'";
+  Finding finding =
+      finding_at(linted, "output-not-set", output.place, {"return"}, what + " is not set on every path");
   finding.diagnostic.severity = hlsl::Severity::warning;
   return finding;
 }

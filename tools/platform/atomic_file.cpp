@@ -60,6 +60,15 @@ std::filesystem::path temporary_beside(const std::filesystem::path& file) {
   return file.parent_path() / ("." + file.filename().string() + "." + std::to_string(process_id()) + ".part");
 }
 
+void try_to_write(const std::filesystem::path& temporary, const std::filesystem::path& named) {
+  const FileWrite writing;
+  std::FILE* stream = std::fopen(temporary.string().c_str(), "wb");
+  if (stream == nullptr) fail(named, temporary, errno);
+  std::fclose(stream);
+  std::error_code ignored;
+  std::filesystem::remove(temporary, ignored);
+}
+
 }  // namespace
 
 void check_file_can_be_written(const std::filesystem::path& file) {
@@ -67,11 +76,11 @@ void check_file_can_be_written(const std::filesystem::path& file) {
   std::error_code status;
   if (std::filesystem::is_directory(file, status)) fail(file, temporary, EISDIR);
   if (std::filesystem::exists(file, status) && !std::filesystem::is_regular_file(file, status)) return;
-  const FileWrite writing;
-  std::FILE* stream = std::fopen(temporary.string().c_str(), "wb");
-  if (stream == nullptr) fail(file, temporary, errno);
-  std::fclose(stream);
-  std::filesystem::remove(temporary, status);
+  try_to_write(temporary, file);
+}
+
+void check_folder_can_be_written(const std::filesystem::path& folder, const std::filesystem::path& named) {
+  try_to_write(temporary_beside(folder / "penumbra-output"), named);
 }
 
 void write_file_atomically(const std::filesystem::path& file, std::string_view content) {

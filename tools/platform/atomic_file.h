@@ -16,4 +16,7 @@ void write_file_atomically(const std::filesystem::path& file, std::span<const st
 // Throws what write_file_atomically would throw, but for a disk that is full then; leaves nothing behind.
 void check_file_can_be_written(const std::filesystem::path& file);
 
+// The same of any file in a folder that is there; the message names `named`.
+void check_folder_can_be_written(const std::filesystem::path& folder, const std::filesystem::path& named);
+
 }  // namespace penumbra::platform

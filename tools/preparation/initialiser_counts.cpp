@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "preparation/declarators.h"
 #include "preparation/listed_values.h"
 #include "preparation/source_checks.h"
 #include "preparation/value_shape.h"
@@ -28,7 +29,31 @@ std::string problem_of(const std::vector<ListedValue>& values, std::size_t wante
          std::to_string(least);
 }
 
+// `float3(1, 2)`, `float4(0)`: fewer numbers than the type has. Of more, glslang complains itself.
+void check_constructor(TokenText& text, std::size_t type) {
+  const std::size_t wanted = components(text[type].spelling);
+  const std::size_t close = text.partner(type + 1);
+  if (wanted < 2 || close == npos) return;
+  std::size_t given = 0;
+  for (const ListElement& argument : list_elements(text, type + 1)) {
+    const std::size_t numbers = numbers_of(text, argument.first, argument.end);
+    if (numbers == 0) return;
+    given += numbers;
+  }
+  if (given == 0 || given >= wanted) return;
+  const std::string name(text[type].spelling);
+  text.note(type, hlsl::Severity::error,
+            "the constructor " + name + " takes " + std::to_string(wanted) + " numbers, and has " +
+                std::to_string(given) + "; to repeat one, cast it: (" + name + ")x");
+}
+
 }  // namespace
+
+void check_constructor_counts(TokenText& text) {
+  for (std::size_t at = 0; at + 1 < text.size(); ++at)
+    if (text.is(at + 1, "(") && text.is_word(at) && is_number_type(text[at].spelling))
+      check_constructor(text, at);
+}
 
 void check_initialiser_counts(TokenText& text) {
   for (const DeclaredValue& value : text.types().declared()) {

@@ -103,6 +103,7 @@ PreparedShader prepare(std::string preprocessed, const std::string& main_file,
     if (!entry->dxc) check_switch_cases(text);
     check_constant_divisions(text);
     check_initialiser_counts(text);
+    check_constructor_counts(text);
     check_letter_swizzles(text);
     check_string_values(text, *entry);
     check_bit_complements(text);

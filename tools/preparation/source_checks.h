@@ -40,6 +40,10 @@ void check_constant_divisions(TokenText& text);
 // that are not understood is an error only where each of them, taken for one number, is too much.
 void check_initialiser_counts(TokenText& text);
 
+// A constructor of a vector or matrix with fewer numbers than it has: FXC X3014. Nothing is said where an
+// argument is not understood.
+void check_constructor_counts(TokenText& text);
+
 // `.stpq`, of which HLSL has none.
 void check_letter_swizzles(TokenText& text);
 

@@ -143,7 +143,7 @@ std::string nearest_file(const std::vector<Place>& tried, const IncludeBounds& b
 std::string outside_message(std::string_view asked, const fs::path& file) {
   return "'" + std::string(asked) + "' leads to " + file.string() +
          ", outside of the project, the packages, the include folders and the shader's own repository or "
-         "folder; if it may be read, name its folder with -I DIR";
+         "folder; if it may be read, name its folder as an include folder (-I DIR of validate and cost)";
 }
 
 std::string missing_message(std::string_view asked, const Places& places, const IncludeBounds& bounds) {

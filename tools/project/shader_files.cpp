@@ -238,7 +238,8 @@ ShaderFiles find_shader_files(const fs::path& project, const ShaderSelection& se
   if (named.empty()) filter.require_a_match();
   filter.report_unused(result.problems);
   if (result.files.empty())
-    throw InputError(project.string(), "has no shader file to validate",
+    throw InputError((selection.places.empty() ? project : selection.places.front()).string(),
+                     "has no shader file to validate",
                      !graphs.empty()
                          ? std::string("there are Shader Graphs: ") + kGraphWayOut
                          : "name the folder that holds Assets/ with --project, or files and folders");

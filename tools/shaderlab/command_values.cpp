@@ -1,6 +1,8 @@
 #include "shaderlab/command_values.h"
 
 #include <algorithm>
+#include <charconv>
+#include <optional>
 #include <vector>
 
 #include "shaderlab/characters.h"
@@ -74,6 +76,8 @@ const Words& words_of(Values values) {
   switch (values) {
     case Values::anything:
     case Values::color_mask:
+    case Values::stencil_number:
+    case Values::number:
       break;
     case Values::toggle:
       return toggle;
@@ -95,6 +99,43 @@ const Words& words_of(Values values) {
   return none;
 }
 
+// The largest number that stands for one of the values, from 0 on: those of UnityEngine.Rendering's
+// enumerations.
+std::optional<int> largest_number(Values values) {
+  switch (values) {
+    case Values::toggle:
+      return 1;
+    case Values::cull:
+      return 2;
+    case Values::stencil_operation:
+      return 7;
+    case Values::comparison:
+      return 8;
+    case Values::blend_factor:
+      return 10;
+    case Values::color_mask:
+      return 15;
+    case Values::blend_operation:
+      return 35;
+    case Values::stencil_number:
+      return 255;
+    default:
+      return std::nullopt;
+  }
+}
+
+ValueProblem number_problem(const std::string& command, Values values, std::string_view number) {
+  const std::optional<int> largest = largest_number(values);
+  const std::string shown(number.substr(0, 40));
+  if (number.starts_with('+')) number.remove_prefix(1);
+  double value = 0;
+  const auto read = std::from_chars(number.data(), number.data() + number.size(), value);
+  const bool in_range = read.ec == std::errc() && value >= 0 && largest && value <= *largest;
+  if (!largest || in_range) return {};
+  return {"'" + shown + "' is out of range: " + command + " takes 0 to " + std::to_string(*largest),
+          hlsl::Severity::warning};
+}
+
 bool is_color_mask(const std::string& word) {
   return std::all_of(word.begin(), word.end(),
                      [](char c) { return std::string_view("RGBArgba").find(c) != std::string_view::npos; });
@@ -114,15 +155,18 @@ std::string listed(const Words& words) {
 }  // namespace
 
 ValueProblem value_problem(const std::string& command, Values values, const Command::Value& value) {
+  if (value.kind == Command::Value::Kind::number) return number_problem(command, values, value.text);
   const bool is_word = value.kind == Command::Value::Kind::word;
   if (values == Values::anything || (!is_word && value.kind != Command::Value::Kind::text)) return {};
   const std::string shown = "'" + value.text.substr(0, 40) + "' is not a value of " + command;
+  if (values == Values::number || values == Values::stencil_number) return {shown + ": it takes a number"};
   if (values == Values::color_mask)
     return {is_word && is_color_mask(value.text) ? "" : shown + ": it takes 0 or letters of RGBA"};
   const Words& words = words_of(values);
   const bool known = std::any_of(words.begin(), words.end(),
                                  [&](const std::string& word) { return same_keyword(word, value.text); });
   if (known && is_word) return {};
+  if (known) return {"write " + command + " " + value.text + " without quotation marks"};
   const std::string takes = "it takes " + listed(words);
   if (values == Values::comparison && is_word && is_on(value.text))
     return {"'" + value.text + "' is no comparison, although Unity reads it: " + takes,

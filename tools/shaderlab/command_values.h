@@ -22,7 +22,9 @@ enum class Values {
   color_mask,
   stencil_operation,
   color_material,
-  fog_mode
+  fog_mode,
+  stencil_number,  // Ref, ReadMask, WriteMask
+  number           // of any size
 };
 
 struct ValueProblem {
@@ -30,8 +32,9 @@ struct ValueProblem {
   hlsl::Severity severity = hlsl::Severity::error;
 };
 
-// What is wrong with a value of that command; nothing with one that it takes, with numbers and [_Property].
-// `ZTest On`, which is in no reference and which Unity takes, is a warning.
+// What is wrong with a value of that command; nothing with one that it takes and with [_Property]. `ZTest On`,
+// which is in no reference and which Unity takes, is a warning. So are numbers that stand for none of the
+// values.
 ValueProblem value_problem(const std::string& command, Values values, const Command::Value& value);
 
 }  // namespace penumbra::shaderlab

@@ -48,7 +48,7 @@ constexpr std::array kShapes{
     Shape{"Fog", Scope::pass, Operands::none, Scope::fog},
     Shape{"Lighting", Scope::pass, Operands::one, {}, Values::toggle},
     Shape{"Material", Scope::pass, Operands::none, Scope::material},
-    Shape{"Offset", Scope::pass, Operands::pair, {}},
+    Shape{"Offset", Scope::pass, Operands::pair, {}, Values::number},
     Shape{"SeparateSpecular", Scope::pass, Operands::one, {}, Values::toggle},
     Shape{"SetTexture", Scope::pass, Operands::one, Scope::texture},
     Shape{"Stencil", Scope::pass, Operands::none, Scope::stencil},
@@ -64,9 +64,9 @@ constexpr std::array kShapes{
     Shape{"Pass", Scope::stencil, Operands::one, {}, Values::stencil_operation},
     Shape{"PassBack", Scope::stencil, Operands::one, {}, Values::stencil_operation},
     Shape{"PassFront", Scope::stencil, Operands::one, {}, Values::stencil_operation},
-    Shape{"ReadMask", Scope::stencil, Operands::one, {}},
-    Shape{"Ref", Scope::stencil, Operands::one, {}},
-    Shape{"WriteMask", Scope::stencil, Operands::one, {}},
+    Shape{"ReadMask", Scope::stencil, Operands::one, {}, Values::stencil_number},
+    Shape{"Ref", Scope::stencil, Operands::one, {}, Values::stencil_number},
+    Shape{"WriteMask", Scope::stencil, Operands::one, {}, Values::stencil_number},
     Shape{"ZFail", Scope::stencil, Operands::one, {}, Values::stencil_operation},
     Shape{"ZFailBack", Scope::stencil, Operands::one, {}, Values::stencil_operation},
     Shape{"ZFailFront", Scope::stencil, Operands::one, {}, Values::stencil_operation},
@@ -144,6 +144,13 @@ class CommandParser {
   void value() {
     if (!at_value(cursor_) || find_shape(cursor_, scope_) != nullptr)
       cursor_.fail("a value for " + command_.name.text);
+    const bool numeric = values_ == Values::number || values_ == Values::stencil_number;
+    if (numeric && cursor_.at(Token::Kind::word)) {  // which may be a command with a typing error
+      const Token& word = cursor_.peek();
+      cursor_.error(word.place, "expected a number for " + command_.name.text + ", found '" +
+                                    std::string(word.spelling.substr(0, 40)) + "'");
+      return;
+    }
     take_value();
     const Command::Value& taken = command_.values.back();
     const ValueProblem problem = value_problem(command_.name.text, values_, taken);
