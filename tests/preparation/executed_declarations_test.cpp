@@ -225,5 +225,63 @@ TEST(ExecutedTypeSemantics, MayBeCalledLikeATypeInHlsl) {
                        {3});
 }
 
+TEST(ExecutedMethodBodies, MayStandBehindTheStruct) {
+  expect_only_prepared(
+      {"struct S { float a; float F(float x); void Set(float a); void Set(float2 a); float Twice() { return "
+       "F(2.0); }\n"
+       "float Own(float x); float Own(float x) { return x - a; } };\n"
+       "static float2 shift = 0;\n"
+       "float S::F(float k)\n{\n  shift.x += 1; return a * k;\n}\n"
+       "void S::Set(float2 b) { a = b.y; }\nvoid S::Set(float b) { a = b; }\n" +
+           kMain + "{ S s; s.Set(In[0]); Out[0] = s.F(5.0) + s.Twice(); Out[1] = s.Own(1.0) + shift.x; }",
+       {3},
+       {},
+       2},
+      {21, 0});
+}
+
+TEST(ExecutedOwnMethods, ConvertTheirArguments) {
+  expect_only_prepared(
+      {"struct S { float a; float F(float x) { a += x; return a; } float G() { return F(1) + F(true); } "
+       "};\n" +
+           kMain + "{ S s; s.a = In[0]; Out[0] = s.G(); Out[1] = s.a; }",
+       {3},
+       {},
+       2},
+      {9, 5});
+}
+
+TEST(ExecutedSwitches, OfAFloatTakeItsWholePart) {
+  const std::string cases = "{ case 0: return 10; case 1: return 20; default: return 30; } ";
+  expect_only_prepared(
+      {"float F(half h) { switch (h) " + cases + "}\nfloat G(float f) { switch (f * 2.0) " + cases +
+           "}\nfloat H(float f) { switch ((int)f) " + cases + "}\n" + kMain +
+           "{ for (int i = 0; i < 3; ++i) Out[i] = F(In[i]) + G(In[i]) / 10 + H(In[i]) / 100; }",
+       {0.5F, 1.75F, -0.5F},
+       {},
+       3},
+      {10 + 2 + 0.1F, 20 + 3 + 0.2F, 10 + 3 + 0.1F});
+}
+
+TEST(ExecutedUnsigned, IsUint) {
+  expect_only_prepared(
+      {kMain + "{ unsigned int a = 0; unsigned b = (unsigned int)In[0]; unsigned int2 c = b; "
+               "a -= 1; Out[0] = a > 5 ? 1 : 0; Out[1] = c.y; }",
+       {7},
+       {},
+       2},
+      {1, 7});
+}
+
+TEST(ExecutedConstants, OfIntegerMatricesAreWorkedOut) {
+  expect_prepared({kMain + "{ int2x2 a = min(int2x2(1, 2, 3, 4), int2x2(4, 3, 2, 1)); uint2x2 b = "
+                           "max(uint2x2(1, 2, 3, 4), uint2x2(4, 3, 2, 1)); Out[0] = a[0][1] * 10 + a[1][0]; "
+                           "Out[1] = b[0][0] * 10 + b[1][1]; }",
+                   {0},
+                   {},
+                   2},
+                  {22, 44});
+}
+
 }  // namespace
 }  // namespace penumbra::preparation

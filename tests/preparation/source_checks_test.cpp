@@ -412,5 +412,19 @@ TEST(MissingValues, AreErrorsOfWhatIsCalled) {
       << "the other F is called";
 }
 
+TEST(Interfaces, AreNotSupported) {
+  EXPECT_THAT(
+      said("interface I { float F(); };\nclass C : I { float F() { return 1; } };\n" + fragment("")),
+      ElementsAre(
+          "1: error: not supported here: interfaces, such as 'I'; take it out, name the struct itself "
+          "where a parameter or variable has its type, and choose between structs with #if"));
+  EXPECT_THAT(said(fragment("float interface = 1;")), IsEmpty());
+}
+
+TEST(MethodBodies, AreMissedWhereTheyAreCalled) {
+  EXPECT_THAT(said("struct S { float a; float F(float x); float G(float x); };\n" + fragment("S s; s.F(1);")),
+              ElementsAre("1: error: 'F' of 'S' has no body: write it into the struct"));
+}
+
 }  // namespace
 }  // namespace penumbra::preparation

@@ -256,5 +256,13 @@ TEST(Groups, Share32KiBAtMost) {
   EXPECT_THAT(kernel("64, 1, 1", "float4 s[4096]", "_Out[id.x] = 1;"), IsEmpty()) << "not used";
 }
 
+TEST(Macros, OfAnyNumberOfArgumentsNameTheWayOut) {
+  EXPECT_THAT(
+      errors("#define SUM(x, ...) F(x, __VA_ARGS__)\nfloat4 Main() : SV_Target { return 1; }\n",
+             hlsl::Stage::fragment),
+      ElementsAre("2: not supported here: macros with '...'; name the parameters, and write a macro for each "
+                  "number of arguments"));
+}
+
 }  // namespace
 }  // namespace penumbra::shaders

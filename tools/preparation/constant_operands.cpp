@@ -198,7 +198,7 @@ class ConstantOperands {
     for (const char* base : {"float", "int", "uint", "bool"})
       for (const char* size : {"", "2", "3", "4"}) define(std::string(base) + size);
     for (const char* shape : {"2x2", "2x3", "2x4", "3x2", "3x3", "3x4", "4x2", "4x3", "4x4"})
-      define(std::string("float") + shape);
+      for (const char* base : {"float", "int", "uint"}) define(std::string(base) + shape);
     return all + "\n";
   }
 

@@ -260,8 +260,11 @@ NumberShape ExpressionReader::after_dot(std::size_t member, const NumberShape& o
 NumberShape ExpressionReader::primary() {
   if (text_[at_].kind == hlsl::Token::Kind::number) return number_shape(text_[at_++].spelling);
   if (!text_.is(at_, "(")) return name_or_call();
+  const std::size_t open = at_;
   const std::vector<NumberShape> inside = list(at_);
-  return inside.size() == 1 ? inside[0] : NumberShape{};
+  if (failed_ || inside.size() != 1) return {};
+  read_parenthesised(open, inside[0]);
+  return inside[0];
 }
 
 NumberShape ExpressionReader::name_or_call() {

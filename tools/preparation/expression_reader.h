@@ -34,6 +34,8 @@ class ExpressionReader {
                                const ReadOperand& /*right*/) {}
   // For each + - ! ~ and ++ -- before an operand.
   virtual void read_sign(std::size_t /*sign*/, const ReadOperand& /*of*/) {}
+  // For each expression in parentheses that are neither a call's nor a cast's.
+  virtual void read_parenthesised(std::size_t /*open*/, const NumberShape& /*inside*/) {}
   // For each `.member` that is not called, with the shape of what stands before its '.'.
   virtual void read_member(const NumberShape& /*of*/, std::size_t /*member*/) {}
 

@@ -22,9 +22,11 @@
 #include "preparation/matrix_packing.h"
 #include "preparation/matrix_swizzles.h"
 #include "preparation/member_calls.h"
+#include "preparation/method_bodies.h"
 #include "preparation/missing_returns.h"
 #include "preparation/namespace_structs.h"
 #include "preparation/narrower_parameters.h"
+#include "preparation/own_methods.h"
 #include "preparation/partial_texel_writes.h"
 #include "preparation/precision_matrices.h"
 #include "preparation/precision_twins.h"
@@ -37,26 +39,31 @@
 #include "preparation/stray_semicolons.h"
 #include "preparation/struct_casts.h"
 #include "preparation/struct_initialisers.h"
+#include "preparation/switch_values.h"
 #include "preparation/swizzle_arguments.h"
 #include "preparation/texture_precision.h"
 #include "preparation/texture_reads.h"
 #include "preparation/type_semantics.h"
 #include "preparation/uniform_structs.h"
 #include "preparation/uniform_writes.h"
+#include "preparation/unsigned_types.h"
 #include "preparation/zeroed_resource_structs.h"
 
 namespace penumbra::preparation {
 
 std::span<const Pass> passes() {
-  static constexpr std::array<Pass, 42> all{{{"matrix-packing", pack_matrices},
+  static constexpr std::array<Pass, 46> all{{{"matrix-packing", pack_matrices},
                                              {"constant-uniforms", make_constants_uniforms},
+                                             {"unsigned-types", name_unsigned_types},
                                              {"texture-precision", drop_texture_precision},
                                              {"precision-matrices", name_precision_matrices},
+                                             {"method-bodies", put_bodies_into_structs},
                                              {"namespace-structs", write_out_namespaces},
                                              {"storage-order", put_static_first},
                                              {"type-semantics", rename_type_semantics},
                                              {"base-members", write_out_base_members},
                                              {"prototypes", match_prototypes},
+                                             {"own-methods", call_own_methods_by_this},
                                              {"loop-variables", outlive_loops},
                                              {"row-matrices", make_row_matrices_vectors},
                                              {"plain-registers", plain_registers},
@@ -80,6 +87,7 @@ std::span<const Pass> passes() {
                                              {"flat-initialisers", group_flat_initialisers},
                                              {"partial-texel-writes", write_whole_texels},
                                              {"matrix-casts", widen_matrix_casts},
+                                             {"switch-values", cast_switch_values},
                                              {"swizzle-arguments", pass_swizzles_in_variables},
                                              {"matrix-swizzles", write_out_matrix_swizzles},
                                              {"matrix-operators", write_out_matrix_operators},
@@ -98,6 +106,7 @@ PreparedShader prepare(std::string preprocessed, const std::string& main_file,
   TokenText text(std::move(preprocessed), main_file);
   if (entry) {
     check_semicolons(text);
+    check_interfaces(text);
     check_thread_group(text, *entry);
     check_entry_semantics(text, *entry);
     if (!entry->dxc) check_switch_cases(text);

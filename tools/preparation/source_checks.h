@@ -50,6 +50,9 @@ void check_letter_swizzles(TokenText& text);
 // Variables of type string, which FXC ignores: warnings. DXC takes them at file scope alone.
 void check_string_values(TokenText& text, const EntryPoint& entry);
 
+// Interfaces, which glslang does not have.
+void check_interfaces(TokenText& text);
+
 // `~` of a float, of which glslang says nothing but that its function returns no value.
 void check_bit_complements(TokenText& text);
 

@@ -17,6 +17,10 @@ bool is_directive(const std::string& token) {
   return !token.empty() && token.front() == '#';
 }
 
+constexpr std::string_view kVariadicMacro =
+    "not supported here: macros with '...'; name the parameters, and write a macro for each number of "
+    "arguments";
+
 bool of_preprocessor(const LogLine& line) {
   return is_directive(line.token) || line.token == "preprocessor evaluation" ||
          line.token == "macro expansion" || line.message == "End of input in comment";
@@ -58,7 +62,10 @@ hlsl::Diagnostic at_directive(LogLine line, const hlsl::SourceFiles& sources) {
     const auto column = static_cast<int>(text.rfind("/*") + 1);  // 0 when it is not there
     return {line.file, line.line, column, line.severity, "'/*' is never closed", text};
   }
-  const std::string message = line.token == "#error" ? error_directive(text) : sentence(line, {});
+  const bool variadic = line.token == "#define" && text.find("...") != std::string::npos;
+  const std::string message = line.token == "#error" ? error_directive(text)
+                              : variadic             ? std::string(kVariadicMacro)
+                                                     : sentence(line, {});
   return {line.file, line.line, column_of_directive(line, text), line.severity, message, text};
 }
 

@@ -1,0 +1,11 @@
+// Calls of a struct's functions from its other functions, by their bare name: glslang converts no argument
+// there (`f(1)` with a float parameter: "no matching overloaded function found"). They become `this.f(1)`.
+#pragma once
+
+#include "preparation/token_text.h"
+
+namespace penumbra::preparation {
+
+void call_own_methods_by_this(TokenText& text);
+
+}  // namespace penumbra::preparation
