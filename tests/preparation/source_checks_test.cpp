@@ -261,14 +261,11 @@ TEST(InitialiserCounts, AreNotGuessed) {
 }
 
 TEST(Constructors, TakeAllNumbersOfTheirType) {
-  EXPECT_THAT(
-      said(fragment("float4 a = float4(0);")),
-      ElementsAre("3: error: the constructor float4 takes 4 numbers, and has 1; to repeat one, cast it: "
-                  "(float4)x"));
-  EXPECT_THAT(
-      said(fragment("float2x2 m = float2x2(p.xy, -1);")),
-      ElementsAre("3: error: the constructor float2x2 takes 4 numbers, and has 3; to repeat one, cast "
-                  "it: (float2x2)x"));
+  EXPECT_THAT(said(fragment("float4 a = float4(0);")),
+              ElementsAre("3: error: the constructor float4 takes 4 numbers, and has 1; to repeat it, write "
+                          "(float4)x"));
+  EXPECT_THAT(said(fragment("float2x2 m = float2x2(p.xy, -1);")),
+              ElementsAre("3: error: the constructor float2x2 takes 4 numbers, and has 3"));
   EXPECT_THAT(said(fragment(
                   "float a = float(n); float2 b = float2(p.xy); float3 c = float3(p.x * 2, 1, Unknown()); "
                   "float3x3 m; float2x2 k = float2x2(m); int4 i = int4(1, n, p.zw); float2 d = float2(p);")),

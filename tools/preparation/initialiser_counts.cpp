@@ -44,7 +44,7 @@ void check_constructor(TokenText& text, std::size_t type) {
   const std::string name(text[type].spelling);
   text.note(type, hlsl::Severity::error,
             "the constructor " + name + " takes " + std::to_string(wanted) + " numbers, and has " +
-                std::to_string(given) + "; to repeat one, cast it: (" + name + ")x");
+                std::to_string(given) + (given == 1 ? "; to repeat it, write (" + name + ")x" : ""));
 }
 
 }  // namespace
