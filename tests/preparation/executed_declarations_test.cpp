@@ -265,7 +265,7 @@ TEST(ExecutedSwitches, OfAFloatTakeItsWholePart) {
 
 TEST(ExecutedUnsigned, IsUint) {
   expect_only_prepared(
-      {kMain + "{ unsigned int a = 0; unsigned b = (unsigned int)In[0]; unsigned int2 c = b; "
+      {kMain + "{ unsigned int a = 0; unsigned b = (const unsigned int)In[0]; unsigned int2 c = b; "
                "a -= 1; Out[0] = a > 5 ? 1 : 0; Out[1] = c.y; }",
        {7},
        {},

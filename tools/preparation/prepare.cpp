@@ -8,6 +8,7 @@
 #include "preparation/buffer_aliases.h"
 #include "preparation/cbuffer_offsets.h"
 #include "preparation/cbuffer_resources.h"
+#include "preparation/const_casts.h"
 #include "preparation/constant_operands.h"
 #include "preparation/constant_uniforms.h"
 #include "preparation/constructor_statements.h"
@@ -52,9 +53,10 @@
 namespace penumbra::preparation {
 
 std::span<const Pass> passes() {
-  static constexpr std::array<Pass, 46> all{{{"matrix-packing", pack_matrices},
+  static constexpr std::array<Pass, 47> all{{{"matrix-packing", pack_matrices},
                                              {"constant-uniforms", make_constants_uniforms},
                                              {"unsigned-types", name_unsigned_types},
+                                             {"const-casts", drop_const_of_casts},
                                              {"texture-precision", drop_texture_precision},
                                              {"precision-matrices", name_precision_matrices},
                                              {"method-bodies", put_bodies_into_structs},
