@@ -77,7 +77,7 @@ function(penumbra_sanitized_test)
     target_link_libraries(${name} PRIVATE GTest::gtest GTest::gmock GTest::gtest_main)
     target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
     target_compile_definitions(${name} PRIVATE PENUMBRA_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-    target_compile_options(${name} PRIVATE -O0)  # compiles twice as fast; what is tested is optimised
+    penumbra_unoptimised_tests(${name})
     add_test(NAME sanitize.${name} COMMAND ${name} --gtest_brief=1)
     set_tests_properties(sanitize.${name} PROPERTIES LABELS sanitize COST 100)
   endif()
@@ -85,14 +85,15 @@ function(penumbra_sanitized_test)
   target_link_libraries(${name} PRIVATE ${TEST_LIBRARIES})
 endfunction()
 
-# penumbra_test(NAME SOURCES ... LIBRARIES ... [LABELS ...] [COST n] [GROUPED])
+# penumbra_test(NAME SOURCES ... LIBRARIES ... [LABELS ...] [COST n] [GROUPED] [OPTIMISED] [SEPARATE])
 #
 # One GoogleTest program whose cases CTest lists one by one; with GROUPED in groups, for suites whose cases share a
-# device and pipelines that take longer to make than to use (PenumbraCaseGroups.cmake). Tests of a higher COST start
-# first. There is no limit of time but CTest's own of 25 minutes, which only what hangs can reach: how long a test
-# takes says nothing of what it tests. Drivers keep what they compile in the build tree, so that tests share it.
+# device and pipelines that take longer to make than to use (PenumbraCaseGroups.cmake). OPTIMISED where the tests' own
+# loops would take longer without, SEPARATE where sources have names in common (PenumbraUnity.cmake). Tests of a higher
+# COST start first. There is no limit of time but CTest's own of 25 minutes, which only what hangs can reach: how long a
+# test takes says nothing of what it tests. Drivers keep what they compile in the build tree, so that tests share it.
 function(penumbra_test name)
-  cmake_parse_arguments(TEST "GROUPED" "COST" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+  cmake_parse_arguments(TEST "GROUPED;OPTIMISED;SEPARATE" "COST" "SOURCES;LIBRARIES;LABELS" ${ARGN})
   if(PENUMBRA_FUZZ)
     penumbra_sanitized_test(SOURCES ${TEST_SOURCES} LIBRARIES ${TEST_LIBRARIES})
     return()
@@ -102,7 +103,15 @@ function(penumbra_test name)
   endif()
   add_executable(${name} ${TEST_SOURCES})
   penumbra_warnings(${name})
-  penumbra_precompiled_tests(${name})
+  if(TEST_OPTIMISED)
+    penumbra_precompiled(${name})
+  else()
+    penumbra_unoptimised_tests(${name})
+    penumbra_precompiled_tests(${name})
+  endif()
+  if(NOT TEST_SEPARATE)
+    penumbra_unity(${name})
+  endif()
   target_link_libraries(${name} PRIVATE ${TEST_LIBRARIES} GTest::gtest GTest::gmock GTest::gtest_main)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(${name} PRIVATE PENUMBRA_SOURCE_DIR="${PROJECT_SOURCE_DIR}")

@@ -11,13 +11,13 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr const char* kShader = "float4 Main() : SV_Target { return 1; }\n";
+constexpr const char* kWhite = "float4 Main() : SV_Target { return 1; }\n";
 
 class UntrustedProject : public ProgramTest {
  protected:
   void SetUp() override {
     ProgramTest::SetUp();
-    write("P/Assets/Main.hlsl", kShader);
+    write("P/Assets/Main.hlsl", kWhite);
     write("P/Assets/Main.shader",
           "Shader \"Main\" { SubShader { Pass { HLSLPROGRAM\n#pragma vertex V\n#pragma fragment F\n"
           "float4 V(float4 p : POSITION) : SV_Position { return p; }\n"
@@ -64,13 +64,13 @@ TEST_F(UntrustedProject, AManifestThatIsAPipeOrEndlessIsRefused) {
 
 TEST_F(UntrustedProject, APathThatNoLineDirectiveCanNameIsRefused) {
   for (const std::string name : {"P/Assets/a\"b.hlsl", "P/Assets/a\n::error::b.hlsl"}) {
-    const std::string file = write(name, kShader).string();
+    const std::string file = write(name, kWhite).string();
     const auto result = validate({file});
     EXPECT_NE(result.exit_code, 0);
     EXPECT_THAT(result.errors + result.output, HasSubstr("rename it"));
     EXPECT_THAT("\n" + result.errors + result.output, Not(HasSubstr("\n::error")));
     write("P/Assets/Main.hlsl",
-          "#include \"" + std::filesystem::path(file).filename().string() + "\"\n" + kShader);
+          "#include \"" + std::filesystem::path(file).filename().string() + "\"\n" + kWhite);
     EXPECT_EQ(validate({path("P/Assets/Main.hlsl").string()}).exit_code, 1);
   }
 }

@@ -2,6 +2,7 @@
 // stay.
 #include <gmock/gmock.h>
 
+#include "preparation/after_pass.h"
 #include "preparation/array_casts.h"
 #include "preparation/matrix_operators.h"
 #include "preparation/missing_returns.h"
@@ -11,13 +12,6 @@
 
 namespace penumbra::preparation {
 namespace {
-
-template <void (*Pass)(TokenText&)>
-std::string after(const std::string& text) {
-  TokenText tokens(text, "m");
-  Pass(tokens);
-  return tokens.spelled(0, tokens.size());
-}
 
 const std::string kPair =
     "struct A { float4 p : POSITION; half2 u[2] : A; }; struct B { float4 q : B; half2 v[2]; }; ";
@@ -105,7 +99,8 @@ TEST(MatrixOperators, ProductsAreCalls) {
   EXPECT_EQ(statement("R * Q"), "penumbra_times( R , Q )");
   EXPECT_EQ(statement("R * Q * R"), "penumbra_times( penumbra_times( R , Q ) , R )");
   EXPECT_EQ(statement("x / R * Q"), "penumbra_times( x / R , Q )");
-  EXPECT_EQ(statement("x + -R * N[0] * Q"), "x + penumbra_times( penumbra_times( -R , (float3x3) N[0] ) , Q )");
+  EXPECT_EQ(statement("x + -R * N[0] * Q"),
+            "x + penumbra_times( penumbra_times( -R , (float3x3) N[0] ) , Q )");
   EXPECT_EQ(statement("transpose(R) * float3x3(v, v, v)"),
             "penumbra_times( transpose(R) , float3x3(v, v, v) )");
   EXPECT_EQ(statement("mul(v, R * Q)"), "mul(v, penumbra_times( R , Q ) )");

@@ -3,19 +3,14 @@
 #include <span>
 #include <stdexcept>
 
-#include "gpu/device.h"
 #include "gpu/raster_pass.h"
 #include "gpu/resources.h"
+#include "preparation/validated_device.h"
 #include "shaders/compile.h"
 #include "shaders/reflect.h"
 
 namespace penumbra::preparation {
 namespace {
-
-gpu::Device& device() {
-  static gpu::Device shared({.name = "", .validation = true});
-  return shared;
-}
 
 std::vector<std::uint32_t> compiled(const std::string& text, hlsl::Stage stage, bool prepare) {
   shaders::CompileRequest request;

@@ -4,19 +4,14 @@
 #include <stdexcept>
 
 #include "gpu/compute_pass.h"
-#include "gpu/device.h"
 #include "gpu/resources.h"
 #include "preparation/emitted.h"
+#include "preparation/validated_device.h"
 #include "shaders/compile.h"
 #include "shaders/reflect.h"
 
 namespace penumbra::preparation {
 namespace {
-
-gpu::Device& device() {
-  static gpu::Device shared({.name = "", .validation = true});
-  return shared;
-}
 
 std::vector<std::uint32_t> compiled(const Execution& execution, bool prepare) {
   shaders::CompileRequest request;

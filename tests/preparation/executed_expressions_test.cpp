@@ -14,7 +14,7 @@ using testing::ElementsAre;
 using testing::ElementsAreArray;
 
 // Row-major 4x4 of In[0..15].
-const std::string kMatrix =
+const std::string kGivenMatrix =
     "float4x4 Read() { float4x4 m; for (int i = 0; i < 16; ++i) m[i / 4][i % 4] = In[i]; return m; }\n";
 
 std::vector<float> sixteen() {
@@ -30,7 +30,7 @@ float element(const std::vector<float>& m, int row, int column) {
 
 TEST(ExecutedMatrixSwizzles, ReadsEveryElementInItsOrder) {
   const std::vector<float> m = sixteen();
-  const Execution execution{kMatrix + R"([numthreads(1, 1, 1)] void Main() {
+  const Execution execution{kGivenMatrix + R"([numthreads(1, 1, 1)] void Main() {
     float4x4 m = Read();
     float3 a = m._14_24_34;
     float4 b = Read()._m33_m00_m21_m00 * 2.0;
@@ -61,7 +61,7 @@ TEST(ExecutedMatrixSwizzles, ReadsMatricesThatAreNotSquareAndWholeNumbers) {
 
 TEST(ExecutedMatrixSwizzles, AssignsElementByElement) {
   std::vector<float> expected = sixteen();
-  const Execution execution{kMatrix + R"(struct S { float4x4 m; };
+  const Execution execution{kGivenMatrix + R"(struct S { float4x4 m; };
 [numthreads(1, 1, 1)] void Main() {
     S s; s.m = Read();
     s.m._11_22 = s.m._22_11;
@@ -80,7 +80,7 @@ TEST(ExecutedMatrixSwizzles, AssignsElementByElement) {
 }
 
 TEST(ExecutedMatrixSwizzles, SingleElementsAreAsTheyWere) {
-  const Execution execution{kMatrix + R"([numthreads(1, 1, 1)] void Main() {
+  const Execution execution{kGivenMatrix + R"([numthreads(1, 1, 1)] void Main() {
     float4x4 m = Read(); m._m01 += 3; m._44 = m._m10;
     for (int i = 0; i < 16; ++i) Out[i] = m[i / 4][i % 4]; })",
                             sixteen(),

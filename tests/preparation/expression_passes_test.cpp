@@ -28,7 +28,7 @@ std::string spaced(const std::string& text) {
 }
 
 template <void (*Pass)(TokenText&)>
-std::string after(const std::string& text) {
+std::string spaced_after(const std::string& text) {
   TokenText tokens(text, "m");
   Pass(tokens);
   return spaced(tokens);
@@ -36,14 +36,14 @@ std::string after(const std::string& text) {
 
 template <void (*Pass)(TokenText&)>
 void expect_untouched(const std::string& text) {
-  EXPECT_EQ(after<Pass>(text), spaced(text));
+  EXPECT_EQ(spaced_after<Pass>(text), spaced(text));
 }
 
 TEST(MatrixSwizzles, ReadsBecomeCalls) {
-  EXPECT_THAT(after<write_out_matrix_swizzles>("float f() { return mul(A[i], B)._m00_m11.x; }"),
+  EXPECT_THAT(spaced_after<write_out_matrix_swizzles>("float f() { return mul(A[i], B)._m00_m11.x; }"),
               HasSubstr(spaced("return penumbra_swizzle_m00_m11 ( mul(A[i], B) ).x;")));
   EXPECT_THAT(
-      after<write_out_matrix_swizzles>("float f() { return -(a + b)._11_22.x * s.m._11_22.y; }"),
+      spaced_after<write_out_matrix_swizzles>("float f() { return -(a + b)._11_22.x * s.m._11_22.y; }"),
       HasSubstr(spaced("return - penumbra_swizzle_11_22 ( (a + b) ).x * penumbra_swizzle_11_22 ( s.m ).y;")));
 }
 
@@ -60,16 +60,16 @@ TEST(MatrixSwizzles, AssignmentsThatCannotBeRepeatedStay) {
 }
 
 TEST(ConstructorStatements, OnlyStatementsAreWrapped) {
-  EXPECT_EQ(
-      after<wrap_constructor_statements>("void f() { float3(1, 2, 3); if (a) half(b) * c; else int(d); }"),
-      spaced("void f() { (float3(1, 2, 3)); if (a) (half(b) * c); else (int(d)); }"));
+  EXPECT_EQ(spaced_after<wrap_constructor_statements>(
+                "void f() { float3(1, 2, 3); if (a) half(b) * c; else int(d); }"),
+            spaced("void f() { (float3(1, 2, 3)); if (a) (half(b) * c); else (int(d)); }"));
   expect_untouched<wrap_constructor_statements>(
       "void f() { float3 a = float3(1, 2, 3); return float4(a, 1); g(int(2)); }");
   expect_untouched<wrap_constructor_statements>("static const float3 a = float3(1, 2, 3); float f(float x);");
 }
 
 TEST(UniformWrites, OnlyWrittenUniformsGetACopy) {
-  const auto run = after<copy_written_uniforms>;
+  const auto run = spaced_after<copy_written_uniforms>;
   EXPECT_THAT(
       run("float a, b[2]; void f() { b[1] += a; }"),
       HasSubstr(spaced(
@@ -95,14 +95,14 @@ TEST(IntrinsicCalls, FunctionsOfTheTextAndOtherNamesStay) {
   expect_untouched<write_out_intrinsic_calls>(
       "float f() { return s.mad(1, 2, 3) + mad2(1, 2, 3) + InterlockedAdd(a, 1); }");
   EXPECT_EQ(
-      after<write_out_intrinsic_calls>(
+      spaced_after<write_out_intrinsic_calls>(
           "void f() { b.InterlockedAdd(4, 1, o); b.InterlockedCompareExchange(0, 1, v, o); }"),
       spaced(
           "void f() { b.InterlockedAdd(4, uint(1), o); b.InterlockedCompareExchange(0, uint(1), v, o); }"));
 }
 
 TEST(FlatInitialisers, OnlyListsThatFitAreGrouped) {
-  EXPECT_EQ(after<group_flat_initialisers>("float2 a[2] = { 1, f(2, 3), 3, 4 };"),
+  EXPECT_EQ(spaced_after<group_flat_initialisers>("float2 a[2] = { 1, f(2, 3), 3, 4 };"),
             spaced("float2 a[2] = { {1, f(2, 3)}, {3, 4} };"));
   for (const char* text :
        {"float2 a[2] = { u, v };", "float2 a[2] = { {1, 2}, {3, 4} };", "float a[2] = { 1, 2 };",
@@ -116,7 +116,7 @@ TEST(PartialTexelWrites, WholeTexelsAndOtherBuffersStay) {
                            "RWStructuredBuffer<float4> t; void f() { t[i].x = 1; }",
                            "RWTexture2D<float4> t; void f() { a = t[i].x; }"})
     expect_untouched<write_whole_texels>(text);
-  EXPECT_EQ(after<write_whole_texels>("RWTexture2D<unorm float4> t; void f() { t[i].x = 1; }"),
+  EXPECT_EQ(spaced_after<write_whole_texels>("RWTexture2D<unorm float4> t; void f() { t[i].x = 1; }"),
             spaced("RWTexture2D<unorm float4> t; void f() { { float4 penumbra_texel = t[i]; penumbra_texel.x "
                    "= 1; t[i] = "
                    "penumbra_texel; } }"));
@@ -125,9 +125,9 @@ TEST(PartialTexelWrites, WholeTexelsAndOtherBuffersStay) {
 TEST(NamespaceStructs, NamespacesWithoutMemberFunctionsStay) {
   expect_untouched<write_out_namespaces>(
       "namespace A { struct S { float a; }; float f(S s) { return s.a; } } float g() { return A::f(x); }");
-  EXPECT_EQ(
-      after<write_out_namespaces>("namespace A { struct S { float f() { return 1; } }; } A::S s; float S;"),
-      spaced("struct A_S { float f() { return 1; } }; A_S s; float S;"));
+  EXPECT_EQ(spaced_after<write_out_namespaces>(
+                "namespace A { struct S { float f() { return 1; } }; } A::S s; float S;"),
+            spaced("struct A_S { float f() { return 1; } }; A_S s; float S;"));
 }
 
 TEST(Declarators, AreReadWithTheirTypeAndSize) {

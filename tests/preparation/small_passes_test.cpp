@@ -1,6 +1,7 @@
 // Stray semicolons and the precision of textures: what goes, and what must stay.
 #include <gmock/gmock.h>
 
+#include "preparation/after_pass.h"
 #include "preparation/missing_returns.h"
 #include "preparation/precision_matrices.h"
 #include "preparation/prepare.h"
@@ -10,13 +11,6 @@
 
 namespace penumbra::preparation {
 namespace {
-
-template <void (*Pass)(TokenText&)>
-std::string after(const std::string& text) {
-  TokenText tokens(text, "m");
-  Pass(tokens);
-  return tokens.spelled(0, tokens.size());
-}
 
 TEST(StraySemicolons, GoAtFileScopeAndAmongMembers) {
   const auto run = after<drop_stray_semicolons>;

@@ -15,7 +15,7 @@ using hand_built::Map;
 using hand_built::MapSettings;
 using hand_built::Setting;
 
-constexpr double gap = 3.0;
+constexpr double edge_gap = 3.0;
 constexpr double resolution_bound = 0.008;  // of one rectangle or half-plane: reference/disc_coverage.h
 
 scene::Receivers line(const Setting& setting, double half_length) {
@@ -24,7 +24,7 @@ scene::Receivers line(const Setting& setting, double half_length) {
   });
 }
 
-// Texels left of the middle column block at this gap.
+// Texels left of the middle column block at this edge_gap.
 void block_left_half(Map& map, double gap_metres) {
   for (int row = 0; row < map.atlas.height; ++row) {
     for (int column = 0; column < map.atlas.width / 2; ++column) map.set_gap(column, row, gap_metres);
@@ -40,13 +40,13 @@ TEST(SameMap, TexelAlignedEdgeIsTheCircularSegmentInBothDepthDirections) {
       settings.reversed_z = reversed_z;
       settings.format = format;
       Map map = hand_built::empty_map(setting, settings);
-      block_left_half(map, gap);
-      const scene::Receivers receivers = line(setting, 1.2 * gap * tan_half);
+      block_left_half(map, edge_gap);
+      const scene::Receivers receivers = line(setting, 1.2 * edge_gap * tan_half);
       const VisibilityImage image = same_map_estimate({map.atlas, map.cascades, receivers});
       for (int x = 0; x < 64; ++x) {
-        const double distance = 1.2 * gap * tan_half * (2.0 * (x + 0.5) / 64.0 - 1.0);
+        const double distance = 1.2 * edge_gap * tan_half * (2.0 * (x + 0.5) / 64.0 - 1.0);
         EXPECT_NEAR(image.visibility[static_cast<std::size_t>(x)],
-                    hand_built::visible_past_edge(distance, gap, tan_half), resolution_bound)
+                    hand_built::visible_past_edge(distance, edge_gap, tan_half), resolution_bound)
             << "pixel " << x << (reversed_z ? ", reversed" : ", conventional");
       }
     }
@@ -179,7 +179,7 @@ TEST(SameMap, BeyondTheTileThereIsNoBlocker) {
   const Setting setting;
   Map map = hand_built::empty_map(setting);
   map.cascades.cascades[0].offset_scale = {0.5, 0.0, 0.5, 1.0};  // the right half of the atlas is the tile
-  block_left_half(map, gap);
+  block_left_half(map, edge_gap);
   const scene::Receivers receivers = line(setting, 0.5);
   for (const float visibility : same_map_estimate({map.atlas, map.cascades, receivers}).visibility) {
     EXPECT_EQ(visibility, 1.0F);
@@ -190,7 +190,7 @@ TEST(SameMap, PointLightReadsTheTexelOverTheReceiver) {
   Setting setting;
   setting.light.angular_diameter_degrees = 0.0;
   Map map = hand_built::empty_map(setting);
-  block_left_half(map, gap);
+  block_left_half(map, edge_gap);
   const scene::Receivers receivers = line(setting, 6.0);  // beyond the map on both sides
   const VisibilityImage image = same_map_estimate({map.atlas, map.cascades, receivers});
   for (int x = 0; x < 64; ++x) {
@@ -234,7 +234,7 @@ TEST(SameMap, CascadeIsTheFirstSphereThatHoldsThePosition) {
 TEST(SameMap, SameBytesFromEveryNumberOfThreads) {
   const Setting setting;
   Map map = hand_built::empty_map(setting);
-  block_left_half(map, gap);
+  block_left_half(map, edge_gap);
   const scene::Receivers receivers = hand_built::receivers(
       setting, {48, 32}, [](int x, int y) { return glm::dvec2(0.01 * x - 0.2, 0.01 * y); });
   RunOptions one;

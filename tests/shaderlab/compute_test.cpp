@@ -25,7 +25,7 @@ std::vector<std::string> kernels(const std::string& text) {
   return found;
 }
 
-std::vector<std::string> messages(const std::string& text, const std::string& file = "a.compute") {
+std::vector<std::string> kernel_messages(const std::string& text, const std::string& file = "a.compute") {
   std::vector<std::string> formatted;
   for (hlsl::Diagnostic& diagnostic : compute_kernels(text, file).diagnostics) {
     diagnostic.source_line.clear();
@@ -66,22 +66,22 @@ TEST(ComputeKernels, KnowTheirPlaces) {
 }
 
 TEST(ComputeKernels, MalformedLinesAreSaidWhereTheyGoWrong) {
-  EXPECT_THAT(messages("#pragma kernel"),
+  EXPECT_THAT(kernel_messages("#pragma kernel"),
               ElementsAre("a.compute:1:15: error: expected the kernel's function after #pragma kernel"));
   EXPECT_THAT(
-      messages("#pragma kernel 2D"),
+      kernel_messages("#pragma kernel 2D"),
       ElementsAre("a.compute:1:16: error: expected the kernel's function after #pragma kernel, found '2D'"));
   EXPECT_THAT(
-      messages("#pragma kernel A B = 1"),
+      kernel_messages("#pragma kernel A B = 1"),
       ElementsAre("a.compute:1:20: error: expected MACRO or MACRO=VALUE without blanks for the kernel A, "
                   "found '='"));
-  EXPECT_THAT(messages("#pragma kernel A B=1 B"),
+  EXPECT_THAT(kernel_messages("#pragma kernel A B=1 B"),
               ElementsAre("a.compute:1:22: error: the kernel A defines B twice"));
 }
 
 TEST(ComputeKernels, LineCommentsBesideSeveralKernelsAreAWarning) {
   EXPECT_THAT(
-      messages("#pragma kernel A // first\n#pragma kernel B"),
+      kernel_messages("#pragma kernel A // first\n#pragma kernel B"),
       ElementsAre(
           "a.compute:1:1: warning: with several kernels Unity's manual allows no // comment on a line "
           "with #pragma kernel"));
@@ -90,7 +90,7 @@ TEST(ComputeKernels, LineCommentsBesideSeveralKernelsAreAWarning) {
 TEST(ComputeKernels, OfARayTracingShaderAreRefused) {
   for (const std::string file : {"a.raytrace", "A.RayTrace"})
     EXPECT_THAT(
-        messages("#pragma kernel A", file),
+        kernel_messages("#pragma kernel A", file),
         ElementsAre(file + ": error: ray-tracing shaders are not supported: their stages need DXR; leave the "
                            "file out"));
 }

@@ -25,7 +25,7 @@ const std::string lights =
     "#pragma multi_compile_fragment _ _SHADOWS_SOFT\n"
     "#pragma multi_compile _ _FORWARD_PLUS\n";
 
-std::vector<std::string> narrowed(const std::string& text, const UrpSettings& settings) {
+std::vector<std::string> within(const std::string& text, const UrpSettings& settings) {
   return texts_of(
       KeywordSpace(pragmas_of(text), {clauses_of(settings, "s"), {}, settings.xr, {}}).whole_program());
 }
@@ -33,7 +33,7 @@ std::vector<std::string> narrowed(const std::string& text, const UrpSettings& se
 TEST(UrpSettings, InvalidCombinationsGoWhateverTheSettings) {
   // Without Forward+: 4 main shadows; per-pixel lights with and without shadows, else without; soft with any
   // shadow. (_, vertex): 3 with soft or not + 1; (_ADDITIONAL_LIGHTS): 4 * 2 states, all but one may be soft.
-  const auto variants = narrowed(lights + "#pragma skip_variants _FORWARD_PLUS\n", {});
+  const auto variants = within(lights + "#pragma skip_variants _FORWARD_PLUS\n", {});
   EXPECT_EQ(variants.size(), 2U * (3 * 2 + 1) + (7 * 2 + 1));
   for (const std::string& variant : variants) {
     const bool soft = variant.find("_SHADOWS_SOFT") != std::string::npos;
@@ -43,9 +43,9 @@ TEST(UrpSettings, InvalidCombinationsGoWhateverTheSettings) {
     EXPECT_TRUE(!soft || additional || variant.find("_MAIN_LIGHT_SHADOWS") != std::string::npos) << variant;
     EXPECT_TRUE(!additional || pixel) << variant;
   }
-  EXPECT_THAT(narrowed("#pragma multi_compile _ DIRLIGHTMAP_COMBINED\n#pragma multi_compile _ LIGHTMAP_ON\n"
-                       "#pragma shader_feature EDITOR_VISUALIZATION\n",
-                       {}),
+  EXPECT_THAT(within("#pragma multi_compile _ DIRLIGHTMAP_COMBINED\n#pragma multi_compile _ LIGHTMAP_ON\n"
+                     "#pragma shader_feature EDITOR_VISUALIZATION\n",
+                     {}),
               ElementsAre("-", "LIGHTMAP_ON", "DIRLIGHTMAP_COMBINED LIGHTMAP_ON"));
 }
 
@@ -54,33 +54,33 @@ TEST(UrpSettings, ForwardPlusDefinesItsLightsItself) {
   settings.rendering_mode = RenderingMode::forward_plus;
   settings.main_light_shadows = false;
   settings.screen_space_shadows = false;
-  EXPECT_THAT(narrowed(lights, settings),
+  EXPECT_THAT(within(lights, settings),
               ElementsAre("_FORWARD_PLUS", "_ADDITIONAL_LIGHT_SHADOWS _FORWARD_PLUS",
                           "_ADDITIONAL_LIGHT_SHADOWS _SHADOWS_SOFT _FORWARD_PLUS"));
   settings.rendering_mode = RenderingMode::forward;
   settings.additional_lights = AdditionalLights::per_vertex;
-  EXPECT_THAT(narrowed(lights, settings), ElementsAre("-", "_ADDITIONAL_LIGHTS_VERTEX"));
+  EXPECT_THAT(within(lights, settings), ElementsAre("-", "_ADDITIONAL_LIGHTS_VERTEX"));
   settings.additional_lights = AdditionalLights::disabled;
-  EXPECT_THAT(narrowed(lights, settings), ElementsAre("-"));
+  EXPECT_THAT(within(lights, settings), ElementsAre("-"));
 }
 
 TEST(UrpSettings, DeferredKeepsShadowsOfLightsItDoesNotNeed) {
   UrpSettings settings;
   settings.rendering_mode = RenderingMode::deferred;
   settings.soft_shadows = false;
-  EXPECT_THAT(narrowed("#pragma multi_compile _ _ADDITIONAL_LIGHT_SHADOWS\n", settings),
+  EXPECT_THAT(within("#pragma multi_compile _ _ADDITIONAL_LIGHT_SHADOWS\n", settings),
               ElementsAre("-", "_ADDITIONAL_LIGHT_SHADOWS"));
   settings.rendering_mode = RenderingMode::forward;
-  EXPECT_THAT(narrowed("#pragma multi_compile _ _ADDITIONAL_LIGHT_SHADOWS\n", settings), ElementsAre("-"));
+  EXPECT_THAT(within("#pragma multi_compile _ _ADDITIONAL_LIGHT_SHADOWS\n", settings), ElementsAre("-"));
 }
 
 TEST(UrpSettings, CascadesChooseTheirKeyword) {
   UrpSettings settings;
   settings.shadow_cascades = 1;
   const std::string text = "#pragma multi_compile _ _MAIN_LIGHT_SHADOWS _MAIN_LIGHT_SHADOWS_CASCADE\n";
-  EXPECT_THAT(narrowed(text, settings), ElementsAre("-", "_MAIN_LIGHT_SHADOWS"));
+  EXPECT_THAT(within(text, settings), ElementsAre("-", "_MAIN_LIGHT_SHADOWS"));
   settings.shadow_cascades = 4;
-  EXPECT_THAT(narrowed(text, settings), ElementsAre("-", "_MAIN_LIGHT_SHADOWS_CASCADE"));
+  EXPECT_THAT(within(text, settings), ElementsAre("-", "_MAIN_LIGHT_SHADOWS_CASCADE"));
 }
 
 TEST(UrpSettings, OnMeansAlwaysWhereUrpStripsTheOffVariant) {
@@ -91,20 +91,20 @@ TEST(UrpSettings, OnMeansAlwaysWhereUrpStripsTheOffVariant) {
   settings.decals = Decals::dbuffer_albedo_normal;
   settings.fog = {Fog::exp2};
   EXPECT_THAT(
-      narrowed("#pragma multi_compile _ _LIGHT_LAYERS\n#pragma multi_compile _ _LIGHT_COOKIES\n", settings),
+      within("#pragma multi_compile _ _LIGHT_LAYERS\n#pragma multi_compile _ _LIGHT_COOKIES\n", settings),
       ElementsAre("_LIGHT_LAYERS", "_LIGHT_LAYERS _LIGHT_COOKIES"));
-  EXPECT_THAT(narrowed("#pragma multi_compile _ _SCREEN_SPACE_OCCLUSION\n"
-                       "#pragma multi_compile _ _DBUFFER_MRT1 _DBUFFER_MRT2 _DBUFFER_MRT3\n",
-                       settings),
+  EXPECT_THAT(within("#pragma multi_compile _ _SCREEN_SPACE_OCCLUSION\n"
+                     "#pragma multi_compile _ _DBUFFER_MRT1 _DBUFFER_MRT2 _DBUFFER_MRT3\n",
+                     settings),
               ElementsAre("_SCREEN_SPACE_OCCLUSION _DBUFFER_MRT2"));
-  EXPECT_THAT(narrowed("#pragma multi_compile_fog\n", settings), ElementsAre("-", "FOG_EXP2"));
+  EXPECT_THAT(within("#pragma multi_compile_fog\n", settings), ElementsAre("-", "FOG_EXP2"));
   settings.ssao = AmbientOcclusion::after_opaque;
   settings.decals = Decals::screen_space;
   settings.fog.emplace();
-  EXPECT_THAT(narrowed("#pragma multi_compile _ _SCREEN_SPACE_OCCLUSION\n", settings),
+  EXPECT_THAT(within("#pragma multi_compile _ _SCREEN_SPACE_OCCLUSION\n", settings),
               ElementsAre("-", "_SCREEN_SPACE_OCCLUSION"));
   EXPECT_THAT(
-      narrowed("#pragma multi_compile _ _DBUFFER_MRT1 _DBUFFER_MRT2\n#pragma multi_compile_fog\n", settings),
+      within("#pragma multi_compile _ _DBUFFER_MRT1 _DBUFFER_MRT2\n#pragma multi_compile_fog\n", settings),
       ElementsAre("-"));
 }
 
