@@ -264,5 +264,14 @@ TEST(Macros, OfAnyNumberOfArgumentsNameTheWayOut) {
                   "number of arguments"));
 }
 
+// Unity's compilers would take the one for uint.
+TEST(Overloads, ThatFitEquallyNameTheWayOut) {
+  EXPECT_THAT(
+      errors("int F(int a, int b) { return a; }\nuint F(uint a, uint b) { return a; }\nfloat4 Main() : "
+             "SV_Target {\nreturn F(2u, -1); }\n",
+             hlsl::Stage::fragment),
+      ElementsAre("5: several overloads of 'F' fit these arguments: cast the arguments to the types of one"));
+}
+
 }  // namespace
 }  // namespace penumbra::shaders

@@ -24,11 +24,13 @@ struct Phrase {
   std::string_view words;
 };
 
-constexpr std::array<Phrase, 37> phrases{{
+constexpr std::array<Phrase, 38> phrases{{
     {"assign", "l-value required (can't modify a const)", "the left side of '=' is const"},
     {"assign", "l-value required", "the left side of '=' cannot be written$"},
     {"", "l-value required", "'%' needs a variable that can be written$"},
     {"", "no matching overloaded function found", "no function '%' takes these arguments"},
+    {"", "ambiguous best function under implicit type conversion",
+     "several overloads of '%' fit these arguments: cast the arguments to the types of one"},
     {"", "function already has a body", "function '%' already has a body"},
     {"", "redefinition", "'%' is already declared$"},
     {"[", "array index out of range", "the index $ is outside of the array"},
