@@ -271,6 +271,7 @@ int shader_target(const Pragmas& pragmas, const Keywords& variant) {
   int model = 25;
   if (has_stage(pragmas, hlsl::Stage::geometry)) model = 40;
   if (has_stage(pragmas, hlsl::Stage::hull) || has_stage(pragmas, hlsl::Stage::domain)) model = 46;
+  if (!pragmas.kernels.empty()) model = 50;
   for (const ShaderTarget& target : pragmas.targets) {
     const bool applies = target.keywords.empty() ||
                          std::any_of(target.keywords.begin(), target.keywords.end(),
