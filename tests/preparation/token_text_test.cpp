@@ -141,7 +141,7 @@ TEST(TokenText, WordNumbersAreThoseOfTheSpelling) {
   std::set<std::uint32_t> numbers;
   for (std::size_t at = 0; at < text.size(); ++at) {
     const std::uint32_t number = text.word_number(at);
-    EXPECT_EQ(number == WordNumbers::none, !text.is_word(at));
+    EXPECT_EQ(number == hlsl::WordNumbers::none, !text.is_word(at));
     if (!text.is_word(at)) continue;
     EXPECT_LT(number, text.word_numbers());
     EXPECT_EQ(number_of.emplace(text[at].spelling, number).first->second, number) << text[at].spelling;

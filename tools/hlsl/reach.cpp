@@ -1,10 +1,10 @@
 #include "hlsl/reach.h"
 
 #include <algorithm>
-#include <unordered_map>
 #include <utility>
 
 #include "hlsl/outline.h"
+#include "hlsl/word_numbers.h"
 #include "platform/content_hash.h"
 
 namespace penumbra::hlsl {
@@ -79,7 +79,11 @@ class ReachReader {
     }
     take_roots(at, tokens_.size());
     word(entry, nullptr, roots_);
-    for (std::size_t name = 0; name < keys_.size(); ++name) to_.names_[name].key = keys_[name].hex();
+    for (std::size_t name = 0; name < keys_.size(); ++name) {
+      hash_.reset();
+      for (const std::string& key : keys_[name]) hash_.update(key);
+      to_.names_[name].key = hash_.hex();
+    }
     return std::move(roots_);
   }
 
@@ -94,7 +98,7 @@ class ReachReader {
   void number_names() {
     for (const Declaration& declaration : outline_) {
       if (!may_go(tokens_, declaration)) continue;
-      Word& word = words_[spelling(declaration.name)];
+      Word& word = word_of(spelling(declaration.name));
       if (word.name != none) continue;
       word.name = to_.names_.size();
       to_.names_.emplace_back();
@@ -102,12 +106,19 @@ class ReachReader {
     }
   }
 
+  Word& word_of(std::string_view spelled) {
+    const std::uint32_t number = numbers_.add(spelled);
+    if (number == words_.size()) words_.emplace_back();
+    return words_[number];
+  }
+
   // A word that is used: what it means goes into the hash, whom it reaches into the list.
   void word(std::string_view spelled, platform::ContentHash* hash, std::vector<std::size_t>& reached) {
-    const auto known = words_.find(spelled);
-    if (known == words_.end()) return;
-    if (known->second.name != none) reached.push_back(known->second.name);
-    if (hash != nullptr && !known->second.meaning.empty()) hash->update(known->second.meaning);
+    const std::uint32_t number = numbers_.find(spelled);
+    if (number == WordNumbers::none) return;
+    const Word& known = words_[number];
+    if (known.name != none) reached.push_back(known.name);
+    if (hash != nullptr && !known.meaning.empty()) hash->update(known.meaning);
   }
 
   void token(const Token& token, platform::ContentHash* hash, std::vector<std::size_t>& reached) {
@@ -128,18 +139,18 @@ class ReachReader {
     const Token& last = tokens_[declaration.last];
     const char* const begin = first.spelling.data();
     const char* const end = last.spelling.data() + last.spelling.size();
-    platform::ContentHash hash;
-    hash.update(declaration.scope).update(first.file).update(first.line).update(last.line);
-    hash.update(std::string_view(begin, static_cast<std::size_t>(end - begin)));
+    hash_.reset();
+    hash_.update(declaration.scope).update(first.file).update(first.line).update(last.line);
+    hash_.update(std::string_view(begin, static_cast<std::size_t>(end - begin)));
     const bool goes = may_go(tokens_, declaration);
-    const std::size_t name = goes ? words_.at(spelling(declaration.name)).name : none;
+    const std::size_t name = goes ? word_of(spelling(declaration.name)).name : none;
     std::vector<std::size_t>& reached = goes ? to_.names_[name].spelled : roots_;
     for (std::size_t at = declaration.first; at <= declaration.last; ++at)
-      if (!goes || at != declaration.name) token(tokens_[at], &hash, reached);
-    const std::string key = hash.hex();
+      if (!goes || at != declaration.name) token(tokens_[at], &hash_, reached);
+    const std::string key = hash_.hex();
     if (goes) {
       to_.names_[name].declarations.push_back({declaration.first, declaration.last});
-      keys_[name].update(key);
+      keys_[name].push_back(key);
     }
     declare(declaration, goes, key);
   }
@@ -157,20 +168,22 @@ class ReachReader {
   }
 
   void add_meaning(std::string_view spelled, const std::string& key) {
-    std::string& meaning = words_[spelled].meaning;
+    std::string& meaning = word_of(spelled).meaning;
     if (meaning.empty()) {
       meaning = key;
     } else if (meaning != key) {
-      platform::ContentHash both;
-      meaning = both.update(meaning).update(key).hex();
+      hash_.reset();
+      meaning = hash_.update(meaning).update(key).hex();
     }
   }
 
   Reach& to_;
   const std::vector<Token>& tokens_;
   std::vector<Declaration> outline_;
-  std::unordered_map<std::string_view, Word> words_;
-  std::vector<platform::ContentHash> keys_;  // of names_
+  WordNumbers numbers_;      // of the words that something declares
+  std::vector<Word> words_;  // by their numbers
+  platform::ContentHash hash_;
+  std::vector<std::vector<std::string>> keys_;  // of names_: those of their declarations
   std::vector<std::size_t> roots_;
 };
 

@@ -13,6 +13,10 @@ void ContentHash::Free::operator()(XXH3_state_s* state) const {
 
 ContentHash::ContentHash() : state_(XXH3_createState()) {
   if (!state_) throw std::bad_alloc();
+  reset();
+}
+
+void ContentHash::reset() {
   XXH3_128bits_reset(state_.get());
 }
 
@@ -44,10 +48,10 @@ std::string ContentHash::hex() const {
   XXH128_canonical_t canonical;
   XXH128_canonicalFromHash(&canonical, XXH3_128bits_digest(state_.get()));
   constexpr std::string_view digits = "0123456789abcdef";
-  std::string text;
-  for (const unsigned char byte : canonical.digest) {
-    text += digits[byte >> 4];
-    text += digits[byte & 15];
+  std::string text(2 * sizeof canonical.digest, '0');
+  for (std::size_t i = 0; i < sizeof canonical.digest; ++i) {
+    text[2 * i] = digits[canonical.digest[i] >> 4];
+    text[2 * i + 1] = digits[canonical.digest[i] & 15];
   }
   return text;
 }

@@ -37,6 +37,9 @@ class ContentHash {
     return update(std::as_bytes(elements));
   }
 
+  // As one that has just been made.
+  void reset();
+
   std::string hex() const;  // 32 lower-case digits; more may be added after
 
  private:

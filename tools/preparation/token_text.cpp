@@ -10,6 +10,7 @@ namespace penumbra::preparation {
 namespace {
 
 using hlsl::Token;
+using hlsl::WordNumbers;
 
 constexpr int longest_run_of_newlines = 8;  // further on, a #line directive is shorter
 

@@ -18,7 +18,7 @@
 #include "hlsl/diagnostic.h"
 #include "hlsl/outline.h"
 #include "hlsl/tokens.h"
-#include "preparation/word_numbers.h"
+#include "hlsl/word_numbers.h"
 
 namespace penumbra::preparation {
 
@@ -52,10 +52,10 @@ class TokenText {
   bool is_word(std::size_t at) const { return at < tokens_.size() && hlsl::begins_word(leads_[at]); }
   // The first character of a token; '\0' past the last.
   char lead(std::size_t at) const { return at < tokens_.size() ? leads_[at] : '\0'; }
-  // Of the word at this index, the same for words spelled alike, below word_numbers(); WordNumbers::none for
-  // other tokens.
+  // Of the word at this index, the same for words spelled alike, below word_numbers();
+  // hlsl::WordNumbers::none for other tokens.
   std::uint32_t word_number(std::size_t at) const {
-    return at < tokens_.size() ? numbers_[at] : WordNumbers::none;
+    return at < tokens_.size() ? numbers_[at] : hlsl::WordNumbers::none;
   }
   std::size_t word_numbers() const { return words_.size(); }
   // The bracket that closes the (, [ or { at this index, or opens the one that ends there; npos for other
@@ -104,7 +104,7 @@ class TokenText {
   std::string text_;
   std::string main_file_;
   std::vector<hlsl::Token> tokens_;
-  WordNumbers words_;                   // of all that stand in the text or once stood there
+  hlsl::WordNumbers words_;             // of all that stand in the text or once stood there
   std::vector<std::uint32_t> numbers_;  // of every token's word
   std::string leads_;                   // the first character of every token: it answers most questions
   std::vector<hlsl::Token> edited_;     // where apply() writes these three; kept for their room alone

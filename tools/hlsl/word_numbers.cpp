@@ -1,8 +1,8 @@
-#include "preparation/word_numbers.h"
+#include "hlsl/word_numbers.h"
 
 #include <cstring>
 
-namespace penumbra::preparation {
+namespace penumbra::hlsl {
 
 namespace {
 
@@ -61,4 +61,4 @@ std::uint32_t WordNumbers::find(std::string_view word) const {
   return slots_.empty() ? none : slots_[slot(word, hash_of(word))];
 }
 
-}  // namespace penumbra::preparation
+}  // namespace penumbra::hlsl

@@ -1,5 +1,4 @@
-// Numbers for words: the same for those spelled alike, from 0 on in the order they are first met. Internal to
-// this room.
+// Numbers for words: the same for those spelled alike, from 0 on in the order they are first met.
 //
 // A number, once given, stays: what is told of words by their number is told by position in a list.
 #pragma once
@@ -9,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace penumbra::preparation {
+namespace penumbra::hlsl {
 
 class WordNumbers {
  public:
@@ -33,4 +32,4 @@ class WordNumbers {
   std::vector<std::uint32_t> slots_;  // by hash, with open addressing; a power of two
 };
 
-}  // namespace penumbra::preparation
+}  // namespace penumbra::hlsl
