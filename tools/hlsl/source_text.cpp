@@ -85,14 +85,26 @@ SourceRead read_source(const std::filesystem::path& file) {
   return {std::move(text), {}};
 }
 
+const SourceFiles::Files& SourceFiles::files() const {
+  static const Files none;
+  return files_ ? *files_ : none;
+}
+
 void SourceFiles::add(const std::string& name, std::string text) {
-  if (texts_.emplace(name, std::move(text)).second) names_.push_back(name);
+  add(name, std::make_shared<const std::string>(std::move(text)));
+}
+
+void SourceFiles::add(const std::string& name, Text text) {
+  if (contains(name)) return;
+  if (!files_) files_ = std::make_shared<Files>();
+  if (files_.use_count() > 1) files_ = std::make_shared<Files>(*files_);
+  files_->texts.emplace(name, std::move(text));
+  files_->names.push_back(name);
 }
 
 std::string SourceFiles::line(const std::string& name, int number) const {
-  const auto found = texts_.find(name);
-  if (found == texts_.end() || number < 1) return {};
-  const std::string& text = found->second;
+  if (!contains(name) || number < 1) return {};
+  const std::string& text = this->text(name);
   std::size_t start = 0;
   for (int i = 1; i < number; ++i) {
     start = text.find('\n', start);

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,19 +22,28 @@ struct SourceRead {
 // #line directives of the file are blanked: a message belongs where it can be seen.
 SourceRead read_source(const std::filesystem::path& file);
 
-// Every text of one compilation, by the name messages call it.
+// Every text of one compilation, by the name messages call it. Copies share the texts.
 class SourceFiles {
  public:
+  using Text = std::shared_ptr<const std::string>;
+
   void add(const std::string& name, std::string text);
-  bool contains(const std::string& name) const { return texts_.count(name) != 0; }
-  const std::string& text(const std::string& name) const { return texts_.at(name); }
-  const std::vector<std::string>& names() const { return names_; }  // in the order they were read
+  void add(const std::string& name, Text text);
+  bool contains(const std::string& name) const { return files().texts.count(name) != 0; }
+  const std::string& text(const std::string& name) const { return *files().texts.at(name); }
+  const std::vector<std::string>& names() const { return files().names; }  // in the order they were read
   // The text of a 1-based line; empty when there is no such file or line.
   std::string line(const std::string& name, int number) const;
 
  private:
-  std::map<std::string, std::string> texts_;
-  std::vector<std::string> names_;
+  struct Files {
+    std::map<std::string, Text> texts;
+    std::vector<std::string> names;
+  };
+
+  const Files& files() const;
+
+  std::shared_ptr<Files> files_;  // none: no texts
 };
 
 }  // namespace penumbra::hlsl
