@@ -158,6 +158,8 @@ def target_seeds():
     yield 'preparation', [
         *first_bytes(0, hlsl_texts + statements('preparation/*_test.cpp')),
         *(bytes([entry]) + text for text in checked for entry in (*range(1, 7), 11))]
+    macros = literals('preprocessing/preprocessor_test.cpp')
+    yield 'preprocessing', [bytes([kind]) + text for text in [*macros, *shader_texts] for kind in range(2)]
     yield 'project_files', [
         *(bytes([kind]) + text for kind in range(4) for text in raw_strings('project/project_mutation_test.cpp')),
         *first_bytes(4, [b'm_EditorVersion: 2022.3.20f1\nm_EditorVersionWithRevision: 2022.3.20f1 (61c2feb0970d)\n']),

@@ -14,6 +14,7 @@ void option_values(std::string_view bytes);
 void picture(std::string_view bytes);
 void pragmas(std::string_view bytes);
 void preparation(std::string_view bytes);
+void preprocessing(std::string_view bytes);
 void project_files(std::string_view bytes);
 void report(std::string_view bytes);
 void settings(std::string_view bytes);

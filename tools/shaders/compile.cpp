@@ -212,9 +212,9 @@ std::optional<hlsl::Diagnostic> nul_byte(const hlsl::SourceFiles& sources) {
 
 std::string source_text(const CompileRequest& request, SourceMemory& memory) {
   if (request.text) return hlsl::normalise_source(*request.text);
-  const hlsl::SourceRead& read = memory.read(request.file.string());
+  const KnownSource& read = memory.read(request.file.string());
   if (!read.problem.empty()) throw InputError(request.file.string(), "cannot be read: " + read.problem);
-  return read.text;
+  return *read.text;
 }
 
 }  // namespace

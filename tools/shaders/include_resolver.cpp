@@ -63,21 +63,41 @@ IncludeResolver::IncludeResolver(const CompileRequest& request, hlsl::SourceFile
       undefined_(std::move(undefined_by_main_file)),
       open_{request.file.string()} {}
 
-IncludeResolver::IncludeResult* IncludeResolver::includeLocal(const char* header, const char* includer,
-                                                              std::size_t /*depth*/) {
+// The name of the file, which is open now.
+std::optional<std::string> IncludeResolver::open(const std::string& asked, const std::string& includer) {
   // A file that includes itself twice would be read as often as there are paths to the greatest depth.
-  if (failure_) return nullptr;
-  const project::IncludeSearch& search = memory_.find(roots_, roots_key_, header, includer);
+  if (failure_) return std::nullopt;
+  const project::IncludeSearch& search = memory_.find(roots_, roots_key_, asked, includer);
   if (!search.file) {
     missing_editor_include_ = search.missing_editor_include;
-    return fail(search.problem);
+    fail(search.problem);
+    return std::nullopt;
   }
   for (const fs::path& absent : search.absent) absent_.insert(absent.string());
   if (!search.warning.empty()) {
     found_by_case_ = true;
-    warn(includer, header, search.warning);
+    warn(includer, asked, search.warning);
   }
-  return open(search.file->string());
+  std::string name = search.file->string();
+  if (!open_file(name)) return std::nullopt;
+  return name;
+}
+
+IncludeResolver::IncludeResult* IncludeResolver::includeLocal(const char* header, const char* includer,
+                                                              std::size_t /*depth*/) {
+  const std::optional<std::string> name = open(header, includer);
+  if (!name) return nullptr;
+  auto* text = new std::string(with_overlays(*name, text_to_read(*name)));
+  return new IncludeResult(*name, text->data(), text->size(), text);
+}
+
+std::optional<preprocessing::IncludedFile> IncludeResolver::enter(const std::string& asked,
+                                                                  const std::string& includer) {
+  std::optional<std::string> name = open(asked, includer);
+  if (!name) return std::nullopt;
+  const SourceToExpand* source = to_read(*name);
+  const bool any = source != nullptr && !source->text.empty();
+  return preprocessing::IncludedFile{*std::move(name), any ? &memory_.cut(open_.back()) : nullptr};
 }
 
 // glslang asks here when includeLocal has failed; <...> is looked for as "..." is.
@@ -93,36 +113,40 @@ void IncludeResolver::releaseInclude(IncludeResult* result) {
   delete result;
 }
 
-IncludeResolver::IncludeResult* IncludeResolver::open(const std::string& name) {
+bool IncludeResolver::open_file(const std::string& name) {
   // The file that is one too deep may stand beside the cycle, with guards of its own: one of the cycle
   // follows.
   const bool repeats = std::count(open_.begin(), open_.end(), name) > 1;
   if (open_.size() > (repeats ? max_include_depth : 2 * max_include_depth))
     return fail("the includes never end: " + chain_to(name));
   if (!sources_.contains(name)) {
-    const hlsl::SourceRead& read = memory_.read(name);
+    const KnownSource& read = memory_.read(name);
     if (!read.problem.empty()) return fail("cannot read '" + name + "': " + read.problem);
     sources_.add(name, read.text);
   }
-  auto* text = new std::string(with_overlays(name, text_to_read(name)));
   open_.push_back(name);
-  return new IncludeResult(name, text->data(), text->size(), text);
+  return true;
 }
 
-IncludeResolver::IncludeResult* IncludeResolver::fail(const std::string& problem) {
+bool IncludeResolver::fail(const std::string& problem) {
   failure_ = problem;
-  return nullptr;
+  return false;
 }
 
 // The file as the preprocessor is to see it: nothing, the second time that a file says `#pragma once` or
 // stands within a guard that is defined still.
-std::string IncludeResolver::text_to_read(const std::string& name) {
-  if (!request_.prepare) return sources_.text(name);
+const SourceToExpand* IncludeResolver::to_read(const std::string& name) {
   const SourceToExpand& prepared = memory_.prepared(name);
   const bool guarded = !prepared.guard.empty() && undefined_.count(prepared.guard) == 0;
-  if (!read_.insert(name).second && (prepared.once || guarded)) return {};
+  if (!read_.insert(name).second && (prepared.once || guarded)) return nullptr;
   undefined_.insert(prepared.undefined.begin(), prepared.undefined.end());
-  return arguments_.rewritten(prepared.text);
+  return &prepared;
+}
+
+std::string IncludeResolver::text_to_read(const std::string& name) {
+  if (!request_.prepare) return sources_.text(name);
+  const SourceToExpand* const prepared = to_read(name);
+  return prepared == nullptr ? std::string() : arguments_.rewritten(prepared->text);
 }
 
 // Once for each #include, however often its file is read.

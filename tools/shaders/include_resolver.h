@@ -1,4 +1,5 @@
-// Finds what #include names, in Unity's order (project/include_search.h), for glslang. Knows the chain of
+// Finds what #include names, in Unity's order (project/include_search.h), for
+// either preprocessor. Knows the chain of
 // files that are open, so that a cycle without guards ends in one message that names it. Internal to this
 // room.
 #pragma once
@@ -13,12 +14,15 @@
 
 #include "hlsl/source_text.h"
 #include "preparation/macro_arguments.h"
+#include "preprocessing/preprocessor.h"
 #include "project/include_search.h"
 #include "shaders/compile.h"
 
 namespace penumbra::shaders {
 
-class IncludeResolver final : public glslang::TShader::Includer {
+struct SourceToExpand;
+
+class IncludeResolver final : public glslang::TShader::Includer, public preprocessing::Includes {
  public:
   // Texts that were read are added to `sources`, which outlives the resolver, as all else given here does.
   IncludeResolver(const CompileRequest& request, hlsl::SourceFiles& sources, SourceMemory& memory,
@@ -27,6 +31,11 @@ class IncludeResolver final : public glslang::TShader::Includer {
   IncludeResult* includeLocal(const char* header, const char* includer, std::size_t depth) override;
   IncludeResult* includeSystem(const char* header, const char* includer, std::size_t depth) override;
   void releaseInclude(IncludeResult* result) override;
+
+  // Of a request that is prepared and has no overlays.
+  std::optional<preprocessing::IncludedFile> enter(const std::string& asked,
+                                                   const std::string& includer) override;
+  void leave() override { open_.pop_back(); }
 
   // What an #include could have named, and what was not there, before the file that was.
   const std::set<std::string>& absent() const { return absent_; }
@@ -41,9 +50,11 @@ class IncludeResolver final : public glslang::TShader::Includer {
   const std::vector<hlsl::Diagnostic>& warnings() const { return warnings_; }
 
  private:
-  IncludeResult* open(const std::string& name);
+  std::optional<std::string> open(const std::string& asked, const std::string& includer);
+  bool open_file(const std::string& name);
   void warn(const std::string& includer, const std::string& asked, const std::string& problem);
-  IncludeResult* fail(const std::string& problem);
+  bool fail(const std::string& problem);
+  const SourceToExpand* to_read(const std::string& name);
   std::string text_to_read(const std::string& name);
   std::string with_overlays(const std::string& name, std::string text) const;
   std::string chain_to(const std::string& name) const;

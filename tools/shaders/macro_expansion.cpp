@@ -76,7 +76,8 @@ class MacroExpansion {
       : source_(source), memory_(memory), out_(out) {}
 
   void run() {
-    Reading reading = read(false);
+    std::optional<Reading> own = read_by_own();
+    Reading reading = own ? *std::move(own) : read(false);
     if (source_.request.prepare && forgivable(reading)) reading = read_to_the_end();
     if (!reading.errors.empty()) return fail(reading);
     out_.text = std::move(reading.text);
@@ -87,6 +88,34 @@ class MacroExpansion {
   }
 
  private:
+  // Nothing where glslang's preprocessor is to read the source.
+  std::optional<Reading> read_by_own() {
+    const CompileRequest& request = source_.request;
+    if (memory_.glslang_alone() || !request.prepare || !request.overlays.empty()) return std::nullopt;
+    hlsl::SourceFiles sources = out_.sources;
+    IncludeResolver resolver(request, sources, memory_, arguments_,
+                             preparation::undefined_macros(source_.text));
+    preprocessing::Preprocessor& preprocessor = memory_.preprocessor();
+    std::optional<std::string> text = preprocessor.run(
+        preprocessor.cut(source_.preamble), memory_.cut_text(source_.text), source_.name, resolver);
+    if (!text) {
+      memory_.count_left_to_glslang();
+      return std::nullopt;
+    }
+    out_.sources = std::move(sources);
+    Reading reading;
+    reading.text = preparation::without_marks(*std::move(text));
+    take_includes(resolver);
+    return reading;
+  }
+
+  void take_includes(const IncludeResolver& resolver) {
+    out_.diagnostics.insert(out_.diagnostics.end(), resolver.warnings().begin(), resolver.warnings().end());
+    out_.missing_editor_include = resolver.missing_editor_include();
+    out_.absent.assign(resolver.absent().begin(), resolver.absent().end());
+    out_.found_by_case = resolver.found_by_case();
+  }
+
   Reading read(bool past_errors) {
     IncludeResolver resolver(source_.request, out_.sources, memory_, arguments_,
                              preparation::undefined_macros(source_.text));
@@ -111,10 +140,7 @@ class MacroExpansion {
         reading.errors.push_back(std::move(line));
     if (reading.errors.empty() && (!expanded || resolver.failure())) reading.errors.emplace_back();
     out_.diagnostics = warnings(reading.log, out_.sources);
-    out_.diagnostics.insert(out_.diagnostics.end(), resolver.warnings().begin(), resolver.warnings().end());
-    out_.missing_editor_include = resolver.missing_editor_include();
-    out_.absent.assign(resolver.absent().begin(), resolver.absent().end());
-    out_.found_by_case = resolver.found_by_case();
+    take_includes(resolver);
     return reading;
   }
 

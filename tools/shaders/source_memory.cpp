@@ -27,18 +27,37 @@ SourceToExpand prepared_source(const std::string& text) {
 
 SourceMemory::File& SourceMemory::file(const std::string& name) {
   const auto [place, first] = files_.try_emplace(name);
-  if (first) place->second.read = hlsl::read_source(name);
+  if (first) {
+    hlsl::SourceRead read = hlsl::read_source(name);
+    place->second.source = {std::make_shared<const std::string>(std::move(read.text)),
+                            std::move(read.problem)};
+  }
   return place->second;
 }
 
-const hlsl::SourceRead& SourceMemory::read(const std::string& name) {
-  return file(name).read;
+const KnownSource& SourceMemory::read(const std::string& name) {
+  return file(name).source;
 }
 
 const SourceToExpand& SourceMemory::prepared(const std::string& name) {
   File& known = file(name);
-  if (!known.prepared) known.prepared = prepared_source(known.read.text);
+  if (!known.prepared) known.prepared = prepared_source(*known.source.text);
   return *known.prepared;
+}
+
+const preprocessing::CutSource& SourceMemory::cut(const std::string& name) {
+  const std::string& text = prepared(name).text;
+  File& known = file(name);
+  if (!known.cut) known.cut = preprocessor_.cut(text);
+  return *known.cut;
+}
+
+const preprocessing::CutSource& SourceMemory::cut_text(const std::string& text) {
+  if (text_ != text) {
+    cut_text_ = preprocessor_.cut(text);
+    text_ = text;
+  }
+  return cut_text_;
 }
 
 // The includer matters by its folder alone.

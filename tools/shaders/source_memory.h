@@ -9,6 +9,7 @@
 #include <unordered_map>
 
 #include "hlsl/source_text.h"
+#include "preprocessing/preprocessor.h"
 #include "project/include_search.h"
 
 namespace penumbra::shaders {
@@ -21,10 +22,29 @@ struct SourceToExpand {
   std::set<std::string> undefined;  // preparation::undefined_macros()
 };
 
+// A file's text, or the reason why there is none, as in hlsl::SourceRead.
+struct KnownSource {
+  hlsl::SourceFiles::Text text;
+  std::string problem;
+};
+
 class SourceMemory {
  public:
-  const hlsl::SourceRead& read(const std::string& name);
+  // `glslang_alone`: the room's own preprocessor is not asked first.
+  explicit SourceMemory(bool glslang_alone = false) : glslang_alone_(glslang_alone) {}
+
+  const KnownSource& read(const std::string& name);
   const SourceToExpand& prepared(const std::string& name);  // of a file that can be read
+
+  const preprocessing::CutSource& cut(const std::string& name);  // of the text that prepared() has
+  // Of another text. It lives until the next call.
+  const preprocessing::CutSource& cut_text(const std::string& text);
+  preprocessing::Preprocessor& preprocessor() { return preprocessor_; }
+  bool glslang_alone() const { return glslang_alone_; }
+
+  // How many readings glslang's preprocessor had to do.
+  std::size_t left_to_glslang() const { return left_to_glslang_; }
+  void count_left_to_glslang() { ++left_to_glslang_; }
 
   // As project::find_include(). `roots_key` is equal for equal roots only.
   const project::IncludeSearch& find(const project::IncludeRoots& roots, const std::string& roots_key,
@@ -32,12 +52,18 @@ class SourceMemory {
 
  private:
   struct File {
-    hlsl::SourceRead read;
+    KnownSource source;
     std::optional<SourceToExpand> prepared;
+    std::optional<preprocessing::CutSource> cut;
   };
 
   File& file(const std::string& name);
 
+  bool glslang_alone_;
+  std::size_t left_to_glslang_ = 0;
+  preprocessing::Preprocessor preprocessor_;
+  std::optional<std::string> text_;  // that was cut last
+  preprocessing::CutSource cut_text_;
   std::unordered_map<std::string, File> files_;
   std::unordered_map<std::string, project::IncludeSearch> searches_;
 };

@@ -1,0 +1,11 @@
+// The value of #if and #elif as glslang reckons it: in int, without short circuits. Internal to this room.
+#pragma once
+
+#include "preprocessing/expansion.h"
+
+namespace penumbra::preprocessing {
+
+bool holds(const Token* first, const Token* last, Expansion& expansion, const Macros& macros,
+           const Spellings& spellings);
+
+}  // namespace penumbra::preprocessing

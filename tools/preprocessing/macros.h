@@ -1,0 +1,38 @@
+// What is defined at a point of the reading. Internal to this room.
+#pragma once
+
+#include <vector>
+
+#include "preprocessing/cut_source.h"
+
+namespace penumbra::preprocessing {
+
+class Macros {
+ public:
+  bool is_defined(Spelling name) const { return name < defined_.size() && defined_[name] != 0; }
+  const Definition* definition(Spelling name) const {
+    return is_defined(name) ? entries_[name].definition : nullptr;
+  }
+
+  // The definition outlives its use here. Unusual when it is defined as something else.
+  void define(const Definition& definition);
+  void undefine(Spelling name);
+
+  // While its own expansion is being read.
+  bool is_busy(Spelling name) const { return entries_[name].busy; }
+  void set_busy(Spelling name, bool busy) { entries_[name].busy = busy; }
+
+  void clear();
+
+ private:
+  struct Entry {
+    const Definition* definition = nullptr;
+    bool busy = false;
+  };
+
+  std::vector<Entry> entries_;          // by name
+  std::vector<unsigned char> defined_;  // the same, asked about every name of a text
+  std::vector<Spelling> names_;         // that were ever defined
+};
+
+}  // namespace penumbra::preprocessing
