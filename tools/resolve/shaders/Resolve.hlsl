@@ -21,6 +21,8 @@ RWStructuredBuffer<uint> _PenumbraFetches;
 #endif
 
 int2 _PenumbraImageSize;
+
+#if !defined(PENUMBRA_ADAPTER)  // an adapter declares those that it reads
 int _PenumbraNoiseFrame;
 int _PenumbraCascadeCount;
 float4 _PenumbraAtlasTexelSize;
@@ -30,7 +32,6 @@ float4 _PenumbraTileOffsetScale[4];
 float4 _PenumbraTileScales[4];
 float4x4 _PenumbraWorldToShadow[5];
 
-#if !defined(PENUMBRA_ADAPTER)
 float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
 {
     CascadeSpheres spheres;
