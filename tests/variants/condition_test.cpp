@@ -104,7 +104,37 @@ TEST(Condition, SaysWhatItDoesNotUnderstand) {
       {"09", "'09' is not an integer"},
   };
   for (const auto& [text, problem] : problems) EXPECT_EQ(ask(text).problem, problem) << text;
-  EXPECT_EQ(ask("F(1, 2) > 0", {{"F", {"(x)", true}}}).problem, "'F' is a macro with parameters");
+}
+
+TEST(Condition, MacrosWithParametersAreReplaced) {
+  const Macros macros{{"V", {" 3", false}},
+                      {"AT_LEAST", {"(x) (V >= x)", true}},
+                      {"BETWEEN", {"(a, b) (AT_LEAST(a) && V <= (b))", true}},
+                      {"NOTHING", {"() 1", true}},
+                      {"AGAIN", {"(x) AGAIN(x) + x", true}}};
+  EXPECT_TRUE(ask("AT_LEAST(3)", macros).holds);
+  EXPECT_FALSE(ask("AT_LEAST(4)", macros).holds);
+  EXPECT_NE(ask("BETWEEN(2, (4, 5))", macros).problem, "") << "',' is no operator";
+  EXPECT_TRUE(ask("BETWEEN(AT_LEAST(3), 4)", macros).holds) << "1 to 4";
+  EXPECT_TRUE(ask("NOTHING() && NOTHING( )", macros).holds);
+  EXPECT_FALSE(ask("AT_LEAST", macros).holds) << "without parentheses no use of it";
+  EXPECT_TRUE(ask("AGAIN(1)", macros).problem.find("'('") != std::string::npos)
+      << "its own name is not replaced";
+  EXPECT_EQ(ask("defined(AT_LEAST) && AT_LEAST(1)", macros).consulted,
+            (std::set<std::string>{"AT_LEAST", "V"}));
+}
+
+TEST(Condition, SaysWhichMacrosWithParametersItDoesNotReplace) {
+  EXPECT_EQ(ask("F(1, 2) > 0", {{"F", {"(x) x", true}}}).problem, "'F' takes 1 argument and has 2");
+  EXPECT_EQ(ask("F(1", {{"F", {"(x) x", true}}}).problem, "'F' has no ')' behind its arguments");
+  EXPECT_EQ(ask("F(1)", {{"F", {"(x) x ## 2", true}}}).problem, "'F' joins or quotes its arguments");
+}
+
+TEST(Condition, ArgumentsDoNotGrowWithoutBound) {
+  Macros macros{{"D", {"(x) x x x x x x x x", true}}};
+  std::string nested = "1";
+  for (int i = 0; i < 40; ++i) nested = "D(" + nested + ")";
+  EXPECT_EQ(ask(nested, macros).problem, "the condition is too long once its macros are replaced");
 }
 
 TEST(Condition, WhatIsNotNeededIsNotDivided) {

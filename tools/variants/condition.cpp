@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -121,11 +122,8 @@ class Expansion {
     result_.consulted.insert(token.text);
     const auto macro = macros_.find(token.text);
     const bool used = macro != macros_.end() && !came_from(token.origin, token.text);
-    if (used && macro->second.has_parameters && !waiting.empty() && waiting.back().text == "(") {
-      result_.problem = "'" + token.text + "' is a macro with parameters";
-      skip_arguments(waiting);
-    }
-    if (!used || macro->second.has_parameters) {
+    const bool called = !waiting.empty() && waiting.back().text == "(";
+    if (!used || (macro->second.has_parameters && !called)) {
       done.push_back(number(false));
       return;
     }
@@ -137,17 +135,61 @@ class Expansion {
     }
     Tokens replacement = split(macro->second.replacement,
                                std::make_shared<const Origin>(Origin{token.text, token.origin, depth}));
+    if (macro->second.has_parameters) replacement = with_arguments(token.text, replacement, waiting);
     waiting.insert(waiting.end(), std::make_move_iterator(replacement.rbegin()),
                    std::make_move_iterator(replacement.rend()));
   }
 
-  static void skip_arguments(Tokens& waiting) {
-    int depth = 0;
-    do {
-      if (waiting.back().text == "(") ++depth;
-      if (waiting.back().text == ")") --depth;
+  // `definition` begins with the parameters in parentheses; the arguments are taken from `waiting`. Arguments
+  // are not expanded before they are put in: their macros are replaced with the rest, which differs for # and
+  // ## alone.
+  Tokens with_arguments(const std::string& name, const Tokens& definition, Tokens& waiting) {
+    const auto refuse = [&](const std::string& problem) {
+      result_.problem = "'" + name + "' " + problem;
+      return Tokens{number(false)};
+    };
+    std::optional<std::vector<Tokens>> given = arguments(waiting);
+    if (!given) return refuse("has no ')' behind its arguments");
+    std::vector<std::string> parameters;
+    std::size_t at = 1;
+    for (; at < definition.size() && definition[at].text != ")"; ++at)
+      if (definition[at].text != ",") parameters.push_back(definition[at].text);
+    if (given->size() == 1 && given->front().empty() && parameters.empty()) given->clear();
+    if (given->size() != parameters.size())
+      return refuse("takes " + std::to_string(parameters.size()) +
+                    (parameters.size() == 1 ? " argument" : " arguments") + " and has " +
+                    std::to_string(given->size()));
+    Tokens replaced;
+    for (++at; at < definition.size(); ++at) {
+      if (definition[at].text == "#") return refuse("joins or quotes its arguments");
+      const auto parameter = std::find(parameters.begin(), parameters.end(), definition[at].text);
+      if (parameter == parameters.end()) {
+        replaced.push_back(definition[at]);
+      } else {
+        const Tokens& argument = (*given)[static_cast<std::size_t>(parameter - parameters.begin())];
+        replaced.insert(replaced.end(), argument.begin(), argument.end());
+      }
+      if (replaced.size() > most_tokens) return replaced;  // too long, which expand() says
+    }
+    return replaced;
+  }
+
+  // Of a call whose '(' comes next; nothing when its ')' is missing.
+  static std::optional<std::vector<Tokens>> arguments(Tokens& waiting) {
+    std::vector<Tokens> found(1);
+    waiting.pop_back();
+    for (int depth = 1; !waiting.empty();) {
+      ConditionToken token = std::move(waiting.back());
       waiting.pop_back();
-    } while (depth > 0 && !waiting.empty());
+      depth += token.text == "(" ? 1 : token.text == ")" ? -1 : 0;
+      if (depth == 0) return found;
+      if (depth == 1 && token.text == ",") {
+        found.emplace_back();
+      } else {
+        found.back().push_back(std::move(token));
+      }
+    }
+    return std::nullopt;
   }
 
   const Macros& macros_;
