@@ -1,5 +1,6 @@
 #include "platform/terminal.h"
 
+#include <chrono>
 #include <cstdlib>
 #include <string>
 
@@ -64,6 +65,18 @@ std::filesystem::path temporary_directory() {
   std::error_code error;
   std::filesystem::path folder = std::filesystem::temp_directory_path(error);
   return error ? std::filesystem::path("/tmp") : folder;
+}
+
+std::filesystem::path new_private_directory(const std::string& prefix) {
+#ifdef _WIN32
+  const auto now = std::chrono::steady_clock::now().time_since_epoch().count();
+  std::filesystem::path folder = temporary_directory() / (prefix + "-" + std::to_string(now));
+  std::error_code error;
+  return std::filesystem::create_directory(folder, error) ? folder : std::filesystem::path();
+#else
+  std::string name = (temporary_directory() / (prefix + "-XXXXXX")).string();
+  return mkdtemp(name.data()) == nullptr ? std::filesystem::path() : std::filesystem::path(name);
+#endif
 }
 
 std::filesystem::path cache_directory() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace penumbra::platform {
 
@@ -12,6 +13,8 @@ bool colour_wanted_on_stdout();               // the same of standard output
 std::filesystem::path program_path();         // the running executable
 std::filesystem::path program_directory();    // its folder
 std::filesystem::path temporary_directory();  // $TMPDIR, or /tmp where that is not a folder
-std::filesystem::path cache_directory();      // $PENUMBRA_CACHE, else $XDG_CACHE_HOME or ~/.cache, /penumbra
+// A new folder in it that this user alone can read, its name beginning so; empty where none can be made.
+std::filesystem::path new_private_directory(const std::string& prefix);
+std::filesystem::path cache_directory();  // $PENUMBRA_CACHE, else $XDG_CACHE_HOME or ~/.cache, /penumbra
 
 }  // namespace penumbra::platform

@@ -37,7 +37,8 @@ struct EngineOptions {
   platform::WorkerLimits limits;
   Sharing sharing = Sharing::everything;
   bool drivers = true;         // emitted GLSL and ESSL goes to this machine's GL driver
-  std::filesystem::path keep;  // folder for texts that crash a compiler; empty: below the cache, or temporary
+  // Folder for texts that crash a compiler; empty: below the cache, without one a new one for temporary files.
+  std::filesystem::path keep;
   std::function<void(std::size_t done, std::size_t total)> progress;  // called by one thread at a time
 };
 

@@ -53,6 +53,7 @@ std::string head(const CompileUnit& unit, const Crash& crash, const std::string&
 }  // namespace
 
 std::string write_reproduction(const fs::path& folder, const CompileUnit& unit, const Crash& crash) {
+  if (folder.empty()) return {};
   const std::string text = crash.text.empty() ? source_text(unit) : crash.text;
   const std::string name = name_of(unit, text + crash.target);
   std::error_code error;

@@ -160,10 +160,12 @@ void UnitRun::reproduced(std::size_t place, const platform::WorkerOutcome& outco
   send_first(place);
 }
 
-fs::path UnitRun::keep_folder() const {
-  if (!options_.keep.empty()) return options_.keep;
-  if (!options_.cache.empty()) return options_.cache / "failures";
-  return platform::temporary_directory() / "penumbra-failures";
+const fs::path& UnitRun::keep_folder() {
+  if (!keep_folder_.empty()) return keep_folder_;
+  keep_folder_ = options_.keep;
+  if (keep_folder_.empty() && !options_.cache.empty()) keep_folder_ = options_.cache / "failures";
+  if (keep_folder_.empty()) keep_folder_ = platform::new_private_directory("penumbra-failures");
+  return keep_folder_;
 }
 
 const UnitRun::State& UnitRun::with_text_of(std::size_t place) const {

@@ -52,7 +52,7 @@ class UnitRun final : public platform::WorkSource {
   void share_buffers(UnitReply& reply);
   void crashed(std::size_t place, const platform::WorkerOutcome& outcome);
   void reproduced(std::size_t place, const platform::WorkerOutcome& outcome);
-  std::filesystem::path keep_folder() const;
+  const std::filesystem::path& keep_folder();
   const State& with_text_of(std::size_t place) const;
   const State& with_module_of(const CompileUnit& unit, const State& compiled) const;
   UnitResult result_of(std::size_t place) const;
@@ -63,6 +63,7 @@ class UnitRun final : public platform::WorkSource {
 
   const std::vector<CompileUnit>& units_;
   const EngineOptions& options_;
+  std::filesystem::path keep_folder_;  // empty until something is to be kept
   AnswerContext context_;
   std::vector<std::size_t> own_;  // the shard's; a place is an index of this
   std::vector<State> states_;
