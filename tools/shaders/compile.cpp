@@ -217,6 +217,13 @@ std::string source_text(const CompileRequest& request, SourceMemory& memory) {
   return *read.text;
 }
 
+// A word that the line has once is meant, however many a macro made of it: the text may hold only some of the
+// declarations that the line expands to, and which depends on what was compiled before.
+int column_of(const preparation::Note& note) {
+  const int alone = hlsl::column_in(note.source_line, note.spelling, 0, 1);
+  return alone != 0 ? alone : hlsl::column_in(note.source_line, note.spelling, note.rank, note.count);
+}
+
 }  // namespace
 
 PreprocessedSource expand(const CompileRequest& request, SourceMemory& memory) {
@@ -245,7 +252,7 @@ void prepare(const CompileRequest& request, PreprocessedSource& expanded) {
   expanded.text = std::move(prepared.text);
   for (preparation::Note& note : prepared.notes) {
     note.source_line = expanded.sources.line(note.file, note.line);
-    if (note.count > 0) note.column = hlsl::column_in(note.source_line, note.spelling, note.rank, note.count);
+    if (note.count > 0) note.column = column_of(note);
     expanded.diagnostics.push_back(std::move(note));
   }
 }
