@@ -75,6 +75,20 @@ TEST_F(UntrustedProject, APathThatNoLineDirectiveCanNameIsRefused) {
   }
 }
 
+// The others are checked, and it is an error of the report.
+TEST_F(UntrustedProject, AFileInAFolderThatCannotBeReadIsReportedBesideTheOthers) {
+  const std::string shader =
+      "Shader \"T\" { SubShader { Pass { HLSLPROGRAM\n#pragma vertex V\n#pragma fragment F\n"
+      "float4 V() : SV_Position { return 1; }\nfloat4 F() : SV_Target { return 1; }\nENDHLSL\n} } }\n";
+  write("P/Assets/Good.shader", shader);
+  write("P/Assets/Bad\"name.shader", shader);
+  const auto result = run({"validate", path("P/Assets").string(), "--no-cache", "--target", "spirv"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.output,
+              AllOf(HasSubstr("Bad\"name.shader: error: cannot be read: its path holds a quotation mark"),
+                    HasSubstr("5 variants for 1 target: 5 results")));
+}
+
 TEST_F(UntrustedProject, AKeyOfMegabytesIsNotEchoed) {
   const auto config = write("c.json", "{\"" + std::string(10'000'000, 'k') + "\": 1}");
   const auto result = run({"constants", "--config", config.string()});

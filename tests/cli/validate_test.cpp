@@ -246,6 +246,38 @@ TEST_F(Validate, AShaderThatCrashesTheCompilerFailsAlone) {
                     HasSubstr("7 variants for 1 target: 7 results"), HasSubstr("1 failed")));
 }
 
+TEST_F(Validate, WhatIsNoMacrosNameIsRefused) {
+  for (const char* define : {"3X", "3X=1", "A B=1", "=1"}) {
+    const auto result = run({"validate", write("a.hlsl", kShader).string(), "-D", define});
+    EXPECT_EQ(result.exit_code, 2) << define;
+    EXPECT_THAT(result.errors, HasSubstr("is not a macro's name")) << define;
+  }
+}
+
+TEST_F(Validate, NoVariantsLessThanNoneAreAskedFor) {
+  for (const char* option : {"--limit", "--sample"}) {
+    const auto result = run({"validate", write("a.hlsl", kShader).string(), option, "-1"});
+    EXPECT_EQ(result.exit_code, 2) << option;
+    EXPECT_THAT(result.errors, HasSubstr(option));
+  }
+}
+
+// What crashed goes where no other user of the machine can read it, or put something first.
+TEST_F(Validate, WithoutACacheWhatCrashedIsKeptInANewFolderOfTheUsersAlone) {
+  const std::filesystem::path temporary = path("temporary");
+  std::filesystem::create_directory(temporary);
+  for (int i = 0; i < 2; ++i)
+    shell("TMPDIR='" + temporary.string() +
+          "' " PENUMBRA_PROGRAM " validate --no-cache --target spirv " PENUMBRA_SOURCE_DIR
+          "/tests/validation/broken/crashing/case_outside_switch.hlsl");
+  std::set<std::filesystem::path> folders;
+  for (const auto& entry : std::filesystem::directory_iterator(temporary))
+    if (entry.path().filename().string().starts_with("penumbra-failures-")) folders.insert(entry.path());
+  ASSERT_EQ(folders.size(), 2U);
+  EXPECT_FALSE(std::filesystem::is_empty(*folders.begin()));
+  EXPECT_EQ(std::filesystem::status(*folders.begin()).permissions(), std::filesystem::perms::owner_all);
+}
+
 TEST_F(Validate, AProgramThatIsNotCompiledIsNotPassedOverInSilence) {
   const auto shader = [&](const std::string& pragmas) {
     const std::string file =

@@ -198,7 +198,7 @@ TEST(UnityProject, WithoutACacheOneWarningNamesWhatIsMissing) {
           files.text("Packages/manifest.json") +
           ":4:5: warning: 8 packages were not found, because the project has no Library/PackageCache: "
           "com.x.a, com.x.b, com.x.c, com.x.d, com.x.e, com.x.f and 2 more; open the project once in "
-          "the Unity editor, or give --package-root NAME=DIR for each that the shaders include"));
+          "the Unity editor, or give --package-root NAME=FOLDER for each that the shaders include"));
 }
 
 TEST(UnityProject, WithoutManifestAllOfTheCacheCounts) {

@@ -291,7 +291,8 @@ void add_sources(const CLI::App& command, const ValidateOptions& options,
   const auto counted = [](std::size_t count, const std::string& thing) {
     return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
   };
-  say(context, variants::text_of(plan.total) + " variants in " +
+  const std::string total = variants::text_of(plan.total);
+  say(context, total + (total == "1" ? " variant in " : " variants in ") +
                    counted(sources.programs().size(), "program") + " of " +
                    counted(files.files.size(), "file") +
                    (options.sample == 0 ? std::string()

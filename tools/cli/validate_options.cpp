@@ -11,7 +11,9 @@ namespace penumbra::cli {
 namespace {
 
 void add_what(CLI::App& command, ValidateOptions& options) {
-  command.add_option("files", options.places, ".shader, .compute and .hlsl files, or folders of them")
+  command
+      .add_option("files", options.places,
+                  ".shader, .compute and .hlsl files, or folders of .shader and .compute files")
       ->type_name("FILE")
       ->default_str("the library's techniques, unless --project is given");
   add_project(command, options.project);
@@ -62,11 +64,13 @@ void add_narrowing(CLI::App& command, ValidateOptions& options) {
       ->type_name("FILE")
       ->default_str("none");
   command.add_option("--limit", options.limit, "Stop with an error if there are more variants than this")
-      ->type_name("N");
+      ->type_name("N")
+      ->check(within(0, 1e9));
   command
       .add_option("--sample", options.sample,
                   "Compile at most this many variants per entry point, spread evenly; 0: all")
-      ->type_name("N");
+      ->type_name("N")
+      ->check(within(0, 1e9));
   CLI::Option* count = command.add_flag("--count", options.list,
                                         "Count the variants and compile nothing; --format text or json");
   command
@@ -121,7 +125,7 @@ void add_how(CLI::App& command, ValidateOptions& options) {
   command.add_flag("--no-cache", options.no_cache, "Neither read nor write the cache");
   command.add_option("--keep", options.keep, "Folder for sources that crash or hang a compiler")
       ->type_name("FOLDER")
-      ->default_str("below the cache");
+      ->default_str("below the cache; without one a new folder for temporary files");
   add_worker_limits(command, options.worker, "one variant");
 }
 

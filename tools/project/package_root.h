@@ -7,7 +7,7 @@
 namespace penumbra::project {
 
 enum class PackageOrigin {
-  given,     // named by hand, --package-root NAME=DIR
+  given,     // named by hand, --package-root NAME=FOLDER
   embedded,  // a folder of the project's Packages/
   local,     // "file:" in Packages/manifest.json
   cache,     // Library/PackageCache/NAME@VERSION

@@ -190,7 +190,7 @@ class PackageSearch {
     say(sources_.manifest.requested.at(missing_.front()).where, hlsl::Severity::warning,
         std::to_string(missing_.size()) + " packages were not found, because the project has no " +
             "Library/PackageCache: " + list + "; open the project once in the Unity editor, or give " +
-            "--package-root NAME=DIR for each that the shaders include");
+            "--package-root NAME=FOLDER for each that the shaders include");
   }
 
   void say(const std::string& where, hlsl::Severity severity, std::string message) {

@@ -227,10 +227,10 @@ ShaderFiles find_shader_files(const fs::path& project, const ShaderSelection& se
     }
   }
   Filter filter(selection);
-  for (const fs::path& file : named) result.files.push_back({file, shown_name(file, project)});
+  for (const fs::path& file : named) result.files.push_back({file, shown_name(file, project), true});
   for (const fs::path& file : walk.run()) {
     std::string shown = shown_name(file, project);
-    if (filter.lets_pass(shown)) result.files.push_back({file, std::move(shown)});
+    if (filter.lets_pass(shown)) result.files.push_back({file, std::move(shown), false});
   }
   std::vector<fs::path> graphs;
   for (const fs::path& graph : walk.graphs())
@@ -240,9 +240,10 @@ ShaderFiles find_shader_files(const fs::path& project, const ShaderSelection& se
   if (result.files.empty())
     throw InputError((selection.places.empty() ? project : selection.places.front()).string(),
                      "has no shader file to validate",
-                     !graphs.empty()
-                         ? std::string("there are Shader Graphs: ") + kGraphWayOut
-                         : "name the folder that holds Assets/ with --project, or files and folders");
+                     !graphs.empty() ? std::string("there are Shader Graphs: ") + kGraphWayOut
+                                     : "name the folder that holds Assets/ with --project, files, or folders "
+                                       "of .shader and .compute files; an "
+                                       ".hlsl file is checked by itself where it is named");
   if (!graphs.empty()) result.problems.push_back(about_graphs(std::move(graphs)));
   std::sort(result.files.begin(), result.files.end(),
             [](const ShaderFile& a, const ShaderFile& b) { return a.shown < b.shown; });

@@ -26,7 +26,8 @@ struct ShaderSelection {
 
 struct ShaderFile {
   std::filesystem::path path;
-  std::string shown;  // relative to the project where it is below it, with '/'
+  std::string shown;   // relative to the project where it is below it, with '/'
+  bool named = false;  // by the user; else it was found in a folder
 };
 
 struct ShaderFiles {

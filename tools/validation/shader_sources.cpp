@@ -18,12 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string read(const project::ShaderFile& file) {
-  hlsl::SourceRead source = hlsl::read_source(file.path);
-  if (!source.problem.empty()) throw InputError(file.path.string(), "cannot be read: " + source.problem);
-  return std::move(source.text);
-}
-
 // Files that #include_with_pragmas names.
 variants::FindIncluded finder(project::IncludeRoots roots, const std::string& file) {
   roots.own.push_back(project::own_tree(file));
@@ -149,7 +143,14 @@ hlsl::TokenPlace place_of_entry(const variants::Pragmas& pragmas, const std::str
 }  // namespace
 
 void ShaderSources::add(const project::ShaderFile& file) {
-  const std::string text = read(file);
+  const hlsl::SourceRead source = hlsl::read_source(file.path);
+  if (!source.problem.empty()) {
+    const std::string problem = "cannot be read: " + source.problem;
+    if (file.named) throw InputError(file.path.string(), problem);
+    say(file.shown, {}, {}, {{file.path.string(), 0, 0, hlsl::Severity::error, problem, {}}});
+    return;
+  }
+  const std::string& text = source.text;
   const std::string extension = file.path.extension().string();
   if (extension == ".shader") {
     add_shader(file, text);
