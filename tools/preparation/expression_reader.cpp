@@ -137,7 +137,7 @@ ReadOperand ExpressionReader::assignment() {
 ReadOperand ExpressionReader::choice() {
   const ReadOperand condition = binary(1);
   if (failed_ || !text_.is(at_, "?")) return condition;
-  ++at_;
+  const std::size_t mark = at_++;
   const ReadOperand yes = assignment();
   if (failed_ || !text_.is(at_, ":")) {
     failed_ = true;
@@ -145,6 +145,7 @@ ReadOperand ExpressionReader::choice() {
   }
   ++at_;
   const ReadOperand no = assignment();
+  if (!failed_) read_choice(condition, mark, yes, no);
   const NumberShape& a = yes.shape;
   const NumberShape shape = a == no.shape ? a : combined_shape(a, no.shape);
   return {condition.first, no.end, condition.shape.is_scalar() ? shape : NumberShape{}};

@@ -32,6 +32,9 @@ class ExpressionReader {
   virtual void read_binary(const ReadOperand& left, std::size_t op, const ReadOperand& right) = 0;
   virtual void read_assignment(const ReadOperand& /*left*/, std::size_t /*op*/,
                                const ReadOperand& /*right*/) {}
+  // For each `condition ? yes : no`; the '?'.
+  virtual void read_choice(const ReadOperand& /*condition*/, std::size_t /*mark*/, const ReadOperand& /*yes*/,
+                           const ReadOperand& /*no*/) {}
   // For each + - ! ~ and ++ -- before an operand.
   virtual void read_sign(std::size_t /*sign*/, const ReadOperand& /*of*/) {}
   // For each expression in parentheses that are neither a call's nor a cast's.

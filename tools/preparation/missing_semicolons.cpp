@@ -1,6 +1,8 @@
 #include <string>
 
 #include "hlsl/word_set.h"
+#include "preparation/declarators.h"
+#include "preparation/declared_values.h"
 #include "preparation/source_checks.h"
 
 namespace penumbra::preparation {
@@ -18,14 +20,44 @@ class MissingSemicolons {
   explicit MissingSemicolons(TokenText& text) : text_(text) {}
 
   void run() {
-    for (std::size_t at = 1; at + 2 < text_.size(); ++at)
-      if (is_scalar_type(text_[at].spelling) && text_.is_word(at + 1) && ends_a_statement(at - 1))
+    for (std::size_t at = 1; at + 1 < text_.size(); ++at) {
+      const bool number = text_[at].kind == hlsl::Token::Kind::number;
+      if (!number && !text_.is_word(at)) continue;
+      if (is_scalar_type(text_[at].spelling) && text_.is_word(at + 1)) {
+        if (ends_a_statement(at - 1))
+          text_.note(at, hlsl::Severity::error,
+                     "expected ';' before '" + std::string(text_[at].spelling) + " " +
+                         std::string(text_[at + 1].spelling) + "'");
+      } else if (ends_a_value(at - 1) || is_second_name(at)) {
         text_.note(at, hlsl::Severity::error,
-                   "expected ';' before '" + std::string(text_[at].spelling) + " " +
-                       std::string(text_[at + 1].spelling) + "'");
+                   "expected ',' or ';' before '" + std::string(text_[at].spelling) + "'");
+      }
+    }
   }
 
  private:
+  // Whether only an operator, a ',' or the end of the expression can follow this token.
+  bool ends_a_value(std::size_t at) const {
+    if (text_[at].kind == hlsl::Token::Kind::number) return text_[at].spelling.back() != '.';  // 0.xxxx
+    if (text_.is_word(at)) return !is_modifier(text_[at].spelling) && follows_an_operator(at);
+    const std::size_t open = text_.partner(at);
+    if (open == npos || open < 2 || (!text_.is(at, ")") && !text_.is(at, "]"))) return false;
+    return text_.is_word(open - 1) && !is_modifier(text_[open - 1].spelling) && follows_an_operator(open - 1);
+  }
+
+  // `<` and `>` may be a template's, ':' a label's, and what stands behind '(' and ',' a declaration.
+  bool follows_an_operator(std::size_t at) const {
+    static constexpr hlsl::WordSet others("compile", "asm", "sampler_state", "else", "do", "return");
+    if (at == 0 || others.contains(text_[at].spelling)) return false;
+    return text_.lead(at - 1) != '\0' && std::string_view("=+-*/%.&|^!~?").find(text_.lead(at - 1)) != npos;
+  }
+
+  // The second of `float a b`.
+  bool is_second_name(std::size_t at) const {
+    return at > 1 && text_.is_word(at) && text_.is_word(at - 1) && is_number_type(text_[at - 2].spelling) &&
+           !is_modifier(text_[at - 1].spelling) && !is_modifier(text_[at].spelling);
+  }
+
   // Whether this token can only be the last of a statement that lacks its ';'.
   bool ends_a_statement(std::size_t at) const {
     if (text_[at].kind == hlsl::Token::Kind::number) return true;

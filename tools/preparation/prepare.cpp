@@ -106,6 +106,7 @@ std::span<const Pass> passes() {
 PreparedShader prepare(std::string preprocessed, const std::string& main_file,
                        const std::optional<EntryPoint>& entry) {
   TokenText text(std::move(preprocessed), main_file);
+  if (!check_nesting(text)) return {{}, text.notes()};
   if (entry) {
     check_semicolons(text);
     check_interfaces(text);
@@ -117,9 +118,10 @@ PreparedShader prepare(std::string preprocessed, const std::string& main_file,
     check_constructor_counts(text);
     check_letter_swizzles(text);
     check_string_values(text, *entry);
-    check_bit_complements(text);
     check_packed_members(text);
     check_missing_values(text, *entry);
+    check_operand_kinds(text);
+    check_case_labels(text);
     check_repeated_globals(text);
   }
   for (const Pass& pass : passes()) pass.run(text);

@@ -24,6 +24,7 @@ struct EntryPoint {
 void check_switch_cases(TokenText& text);
 
 // `float a = 1 float b = 2;`: a declaration of a scalar that begins before the statement before it ends.
+// `int i = 3 j = 4;`, `float a b;`: a name or number where only an operator, ',' or ';' can stand.
 void check_semicolons(TokenText& text);
 
 // A kernel without [numthreads(x, y, z)].
@@ -53,8 +54,18 @@ void check_string_values(TokenText& text, const EntryPoint& entry);
 // Interfaces, which glslang does not have.
 void check_interfaces(TokenText& text);
 
-// `~` of a float, of which glslang says nothing but that its function returns no value.
-void check_bit_complements(TokenText& text);
+// Operators on what they do not take: bits of floats, `==` of structs and arrays, and a condition vector with
+// more components than the values of its '?' (FXC X3019), for which `true` is put in. No check that tells
+// columns may follow.
+void check_operand_kinds(TokenText& text);
+
+// Labels that are no constant integer, or are there twice; another number is put in. No check that tells
+// columns may follow.
+void check_case_labels(TokenText& text);
+
+// Parentheses, signs and conditions nested deeper than a recursive compiler has stack for: false, and nothing
+// else should be asked of the text.
+bool check_nesting(TokenText& text);
 
 // Members of a cbuffer whose packoffset() lies in another one's (FXC X4019).
 void check_packed_members(TokenText& text);
