@@ -2,6 +2,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hlsl/word_set.h"
@@ -26,7 +27,8 @@ struct Direction {
 struct Value {
   std::size_t type = npos;      // its type's first token
   std::size_t name = npos;      // where a message about it belongs
-  std::size_t semantic = npos;  // the word; npos without one
+  std::size_t semantic = npos;  // the word, the last of several; npos without one
+  std::size_t before = npos;    // the one before it
   Direction direction;
   bool exempt = false;  // uniform, static, with a ':' that no semantic follows
 };
@@ -50,6 +52,10 @@ bool is_numeric(std::string_view type) {
   return scalars.contains(type.substr(0, digit)) &&
          (digit == std::string_view::npos || type.substr(digit).size() == 1 ||
           (type.substr(digit).size() == 3 && type[digit + 1] == 'x'));
+}
+
+bool is_system(std::string_view semantic) {
+  return semantic.starts_with("SV_") || semantic.starts_with("sv_");
 }
 
 // Types that hold several of what stands between their < and >.
@@ -102,12 +108,12 @@ class EntrySemantics {
 
   // The last of `: A : B`.
   void read_semantic(std::size_t first, std::size_t end, Value& value) const {
-    value.semantic = npos;
+    value.semantic = value.before = npos;
     bool has_other = false;  // a register, or nothing, which the parser reports
     for (std::size_t at = first; at < end && !text_.is(at, "="); ++at) {
       if (!text_.is(at, ":")) continue;
       const bool is_semantic = at + 1 < end && text_.is_word(at + 1) && !text_.is(at + 2, "(");
-      if (is_semantic) value.semantic = at + 1;
+      if (is_semantic) value.before = std::exchange(value.semantic, at + 1);
       has_other = has_other || !is_semantic;
     }
     value.exempt = value.exempt || (has_other && value.semantic == npos);
@@ -235,6 +241,10 @@ class EntrySemantics {
 
   void judge(const Value& value) {
     const std::string semantic(word(value.semantic));
+    if (value.before != npos && is_system(semantic) && is_system(word(value.before)))
+      report(value.semantic, "'" + std::string(word(value.name)) + "' has two semantics, '" +
+                                 std::string(word(value.before)) + "' and '" + semantic +
+                                 "': write one of them");
     // `inout half4 c : SV_Target` reads the pixel that is there (#pragma require framebufferfetch).
     const bool fetches = value.direction.in && value.direction.out && entry_.stage == hlsl::Stage::fragment;
     if (value.direction.in && !fetches)

@@ -21,7 +21,7 @@ bool is_statement_word(std::string_view word) {
 }
 
 bool gives_scalar(std::string_view function) {
-  static constexpr hlsl::WordSet words("dot", "length", "distance", "determinant", "any", "all");
+  static constexpr hlsl::WordSet words("length", "distance", "determinant", "any", "all");
   return words.contains(function);
 }
 
@@ -309,6 +309,7 @@ NumberShape ExpressionReader::function_shape(std::size_t name,
   if (word == "asfloat") return first.of_base(Base::real);
   if (word == "asint") return first.of_base(Base::integer);
   if (word == "asuint") return first.of_base(Base::natural);
+  if (word == "dot" && arguments.size() == 2) return {combined_shape(first, arguments[1]).base};
   if (gives_scalar(word)) return {word == "any" || word == "all" ? Base::boolean : Base::real};
   if (!is_componentwise(word)) return {};
   NumberShape all = first;

@@ -15,6 +15,7 @@ struct PackedMember {
   std::size_t name = npos;
   std::size_t first = 0;  // word
   std::size_t size = 0;
+  bool of_registers = false;
 };
 
 // The word of `: packoffset(c1.y)` behind a member's name; nothing without one.
@@ -41,17 +42,44 @@ std::vector<PackedMember> packed_members(const TokenText& text, const hlsl::Decl
     if (value.name == npos || value.name < buffer.open || value.name > buffer.close) continue;
     const std::optional<std::size_t> first = packed_at(text, value);
     const std::optional<Extent> extent = first ? extents.of(value) : std::nullopt;
-    if (extent) members.push_back({value.name, *first, extent->size});
+    if (extent) members.push_back({value.name, *first, extent->size, extent->of_registers});
   }
   return members;
+}
+
+void check_place(TokenText& text, const PackedMember& member) {
+  const std::string name = "the packoffset of '" + std::string(text[member.name].spelling) + "'";
+  const std::size_t component = member.first % kRegister;
+  if (member.of_registers && component != 0) {
+    text.note(member.name, hlsl::Severity::error,
+              name +
+                  " is not the beginning of a register, which matrices, arrays and structs need: write it "
+                  "without the component, or with .x");
+  } else if (!member.of_registers && component + member.size > kRegister) {
+    text.note(member.name, hlsl::Severity::error,
+              name + " leaves room for " + std::to_string(kRegister - component) + " of its " +
+                  std::to_string(member.size) +
+                  " components in the register, and a vector lies in one: begin further left");
+  }
+}
+
+void refuse_outside(TokenText& text) {
+  for (const hlsl::Declaration& declaration : text.outline())
+    for (std::size_t at = declaration.first;
+         declaration.kind == hlsl::Declaration::Kind::variable && at < declaration.last; ++at)
+      if (text.is(at, "packoffset") && text.is(at - 1, ":"))
+        text.note(at, hlsl::Severity::error,
+                  "packoffset is for members of a cbuffer, and this variable is in none: remove it");
 }
 
 }  // namespace
 
 void check_packed_members(TokenText& text) {
+  refuse_outside(text);
   for (const hlsl::Declaration& buffer : text.outline()) {
     if (buffer.kind != hlsl::Declaration::Kind::buffer) continue;
     const std::vector<PackedMember> members = packed_members(text, buffer);
+    for (const PackedMember& member : members) check_place(text, member);
     for (std::size_t later = 1; later < members.size(); ++later) {
       for (std::size_t earlier = 0; earlier < later; ++earlier) {
         const PackedMember& a = members[earlier];

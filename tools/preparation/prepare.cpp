@@ -120,6 +120,9 @@ PreparedShader prepare(std::string preprocessed, const std::string& main_file,
     check_string_values(text, *entry);
     check_packed_members(text);
     check_missing_values(text, *entry);
+    check_repeated_components(text);
+    check_register_classes(text, *entry);
+    check_array_sizes(text, *entry);
     check_operand_kinds(text);
     check_case_labels(text);
     check_repeated_globals(text);

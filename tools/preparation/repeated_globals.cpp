@@ -23,6 +23,10 @@ class RepeatedGlobals {
         for (std::size_t at = declaration.open + 1; at < declaration.close;)
           at = read(at, declaration.close, declaration.scope);
     }
+    for (const auto& [name, type] : text_.types().structs()) {
+      names_.clear();
+      for (const std::size_t member : type.members) enter(text_.types().declared()[member].name, {});
+    }
     text_.apply();
   }
 
@@ -35,11 +39,12 @@ class RepeatedGlobals {
     for (std::size_t at = first; at < next && text_.is_word(at) && is_modifier(text_[at].spelling); ++at)
       is_extern = is_extern || text_.is(at, "extern");
     for (const DeclaredValue& value : values_)
-      if (value.name != npos && !is_extern) enter(value.name, scope);
+      if (!is_extern) enter(value.name, scope);
     return next;
   }
 
   void enter(std::size_t name, const std::string& scope) {
+    if (name == npos) return;
     const std::string spelling(text_[name].spelling);
     const auto [known, is_new] = names_.emplace(scope + spelling, name);
     if (is_new) return;

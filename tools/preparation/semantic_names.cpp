@@ -132,6 +132,9 @@ SemanticProblem semantic_problem(const std::string& semantic, hlsl::Stage stage,
     return {"is not a system value of HLSL" + hint(name, system_values())};
   if (stage == hlsl::Stage::fragment && !input && !is_one_of(name, fragment_outputs()))
     return {"is not an output of a fragment program" + hint(name, fragment_outputs())};
+  const std::string index = semantic.substr(name.size());
+  if (upper(name) == "SV_TARGET" && (index.size() > 1 || index > "7"))
+    return {"does not exist: the targets are SV_Target0 to SV_Target7"};
   if (stage == hlsl::Stage::compute && input && !is_one_of(name, compute_inputs()))
     return {"is not an input of a compute program, which has " + listed(compute_inputs())};
   const bool own = !upper(name).starts_with("SV_");

@@ -63,19 +63,31 @@ void check_operand_kinds(TokenText& text);
 // columns may follow.
 void check_case_labels(TokenText& text);
 
+// Components that are there twice where they are written: `c.xx = 1` (FXC X3025).
+void check_repeated_components(TokenText& text);
+
+// register() of a letter that is not the type's, or that does not exist, or of a number that Direct3D 11 does
+// not have. DXC takes any number.
+void check_register_classes(TokenText& text, const EntryPoint& entry);
+
+// Arrays without a size where no initialiser says it, of none and of fewer elements. DXC takes arrays of
+// resources without a size.
+void check_array_sizes(TokenText& text, const EntryPoint& entry);
+
 // Parentheses, signs and conditions nested deeper than a recursive compiler has stack for: false, and nothing
 // else should be asked of the text.
 bool check_nesting(TokenText& text);
 
-// Members of a cbuffer whose packoffset() lies in another one's (FXC X4019).
+// Members of a cbuffer whose packoffset() lies in another one's (FXC X4019), who cross the end of a register
+// or need the beginning of one; packoffset() outside of cbuffers.
 void check_packed_members(TokenText& text);
 
 // A function that the entry point calls, or the entry point itself, with a type and without any return
 // statement: FXC X3507. Nothing is said of overloads, of which it depends on the arguments who is called.
 void check_missing_values(TokenText& text, const EntryPoint& entry);
 
-// Variables at file scope and members of cbuffers that are declared twice in one namespace (FXC X3003), but
-// for those that are declared extern. The later one gets another name, so that the rest can be read: no check
+// Variables at file scope, members of cbuffers and of structs that are declared twice (FXC X3003), but for
+// those that are declared extern. The later one gets another name, so that the rest can be read: no check
 // that tells columns may follow.
 void check_repeated_globals(TokenText& text);
 

@@ -1,0 +1,103 @@
+// Declarations and writes that HLSL refuses and glslang takes without a word.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "preparation/prepare.h"
+
+namespace penumbra::preparation {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::vector<std::string> refused(const std::string& text, bool dxc = false) {
+  std::vector<std::string> all;
+  for (const hlsl::Diagnostic& note :
+       prepare(text, "a", EntryPoint{"Frag", hlsl::Stage::fragment, dxc}).notes)
+    if (note.severity == hlsl::Severity::error)
+      all.push_back(std::to_string(note.line) + ": " + note.message);
+  return all;
+}
+
+std::vector<std::string> refused_in(const std::string& body) {
+  return refused(
+      "struct S { float xx; };\nfloat4 Frag(float4 c : COLOR) : SV_Target { float3 v; float4x4 m; S s;\n" +
+      body + "\nreturn 1; }");
+}
+
+TEST(StructMembers, AreDeclaredOnce) {
+  EXPECT_THAT(refused("struct S { float a; };\nstruct T { float a;\nhalf b, a; };"),
+              ElementsAre("3: 'a' is already declared, at a:2: remove one of the two"));
+}
+
+TEST(WrittenComponents, AreNamedOnce) {
+  EXPECT_THAT(refused_in("c.xx = c.xy;"),
+              ElementsAre("3: '.xx' has x twice, and cannot be written: name each component once"));
+  EXPECT_THAT(refused_in("v.xyx = 1;\nv.gg += 2;\nv.xx++;\n--v.zz;\nm._m00_m00 = 1;\nm._11_11 = 1;"),
+              ElementsAre(HasSubstr("3: "), HasSubstr("4: "), HasSubstr("5: "), HasSubstr("6: "),
+                          HasSubstr("7: '._m00_m00' has _m00 twice"), HasSubstr("8: ")));
+  EXPECT_THAT(refused_in("v.xy = c.xx; m._m00_m01 = c.yy; s.xx = 1; bool b = any(c.xx == 1); v = c.xxx;"),
+              IsEmpty());
+}
+
+TEST(Registers, AreOfTheTypesClassAndExist) {
+  EXPECT_THAT(refused("Texture2D t : register(s0);"),
+              ElementsAre("1: register 's0' is not one for a Texture2D, whose registers begin with 't'"));
+  EXPECT_THAT(refused("RWTexture2D<float4> t : register(t3);"), ElementsAre(HasSubstr("begin with 'u'")));
+  EXPECT_THAT(refused("cbuffer C : register(t1) { float a; };"), ElementsAre(HasSubstr("begin with 'b'")));
+  EXPECT_THAT(refused("cbuffer C : register(b20) { float a; };"),
+              ElementsAre("1: register 'b20' does not exist in Direct3D 11, which has b0 to b13"));
+  EXPECT_THAT(refused("SamplerState s : register(s16);"), ElementsAre(HasSubstr("s0 to s15")));
+  EXPECT_THAT(refused("Texture2D t : register(q1);"), ElementsAre(HasSubstr("'q1' does not exist")));
+  EXPECT_THAT(refused("cbuffer C : register(b20) { float a; }; Texture2D t : register(t300, space1);", true),
+              IsEmpty());
+  EXPECT_THAT(refused("cbuffer C : register(b13) { float a; }; Texture2D t : register(t0, space1);\n"
+                      "SamplerState s : register(ps_5_0, s[2]); sampler2D d : register(s1); float4 k : "
+                      "register(c4); RWStructuredBuffer<float> u : register(u7); ByteAddressBuffer b : "
+                      "register(T3); static float x = 1; tbuffer B : register(t4) { float z; };"),
+              IsEmpty());
+}
+
+TEST(PackOffsets, AreInACbufferAndInOneRegister) {
+  const auto of = [](const std::string& members) { return refused("cbuffer C {\n" + members + " };"); };
+  EXPECT_THAT(
+      of("float2 a : packoffset(c0.w);"),
+      ElementsAre("2: the packoffset of 'a' leaves room for 1 of its 2 components in the register, and "
+                  "a vector lies in one: begin further left"));
+  EXPECT_THAT(of("float4x4 m : packoffset(c0.y);"),
+              ElementsAre(HasSubstr("not the beginning of a register")));
+  EXPECT_THAT(of("float a[2] : packoffset(c0.z);"),
+              ElementsAre(HasSubstr("not the beginning of a register")));
+  EXPECT_THAT(of("float2 a : packoffset(c0.z); float b : packoffset(c0.y); float4x4 m : packoffset(c1); "
+                 "float a2[2] : packoffset(c5.x);"),
+              IsEmpty());
+  EXPECT_THAT(refused("float4 k : packoffset(c0);"), ElementsAre(HasSubstr("1: packoffset is for members")));
+}
+
+TEST(Arrays, HaveASize) {
+  EXPECT_THAT(refused("float a[];"),
+              ElementsAre("1: the array 'a' has no size: write how many elements it has"));
+  EXPECT_THAT(refused("groupshared float a[];"), ElementsAre(HasSubstr("has no size")));
+  EXPECT_THAT(refused("struct S { float a[]; };"), ElementsAre(HasSubstr("has no size")));
+  EXPECT_THAT(refused_in("float a[];"), ElementsAre(HasSubstr("3: the array 'a' has no size")));
+  EXPECT_THAT(refused_in("float a[-2], b[0];"),
+              ElementsAre("3: the array 'a' has a negative size",
+                          "3: the array 'b' has 0 elements: it needs at least one"));
+  EXPECT_THAT(refused("Texture2D t[] : register(t0, space1);"), ElementsAre(HasSubstr("has no size")));
+  EXPECT_THAT(refused("Texture2D t[] : register(t0, space1);", true), IsEmpty());
+  EXPECT_THAT(refused("static const float a[] = { 1, 2 }; static const int N = 3; float b[N - 1][2];"),
+              IsEmpty());
+}
+
+TEST(Semantics, AreOneOfEightTargets) {
+  EXPECT_THAT(refused("float4 Frag() : SV_Target8 { return 1; }"),
+              ElementsAre("1: 'SV_Target8' does not exist: the targets are SV_Target0 to SV_Target7"));
+  EXPECT_THAT(refused("float4 Frag() : SV_Target : SV_Target1 { return 1; }"),
+              ElementsAre("1: 'Frag' has two semantics, 'SV_Target' and 'SV_Target1': write one of them"));
+  EXPECT_THAT(refused("float4 Frag(float2 a : A, float4 b : B : register(c1)) : SV_Target7 { return 1; }"),
+              IsEmpty());
+}
+
+}  // namespace
+}  // namespace penumbra::preparation

@@ -1,0 +1,57 @@
+#include <string>
+
+#include "preparation/resource_types.h"
+#include "preparation/source_checks.h"
+#include "preparation/value_types.h"
+
+namespace penumbra::preparation {
+
+namespace {
+
+class ArraySizes {
+ public:
+  ArraySizes(TokenText& text, bool dxc) : text_(text), dxc_(dxc) {}
+
+  void run() {
+    for (const DeclaredValue& value : text_.types().declared())
+      if (value.name != npos && value.type.dimensions > 0) check(value);
+  }
+
+ private:
+  void check(const DeclaredValue& value) {
+    for (std::size_t open = value.name + 1; text_.is(open, "[") && text_.partner(open) != npos;
+         open = text_.partner(open) + 1) {
+      const std::size_t close = text_.partner(open);
+      if (close == open + 1) {
+        if (needs_size(value)) refuse(value, " has no size: write how many elements it has");
+      } else if (close == open + 2 && text_.is(open + 1, "0")) {
+        refuse(value, " has 0 elements: it needs at least one");
+      } else if (close == open + 3 && text_.is(open + 1, "-") &&
+                 text_[open + 2].kind == hlsl::Token::Kind::number) {
+        refuse(value, " has a negative size");
+      }
+    }
+  }
+
+  void refuse(const DeclaredValue& value, const std::string& why) {
+    text_.note(value.name, hlsl::Severity::error,
+               "the array '" + std::string(text_[value.name].spelling) + "'" + why);
+  }
+
+  // An initialiser says the size; DXC takes resources without one.
+  bool needs_size(const DeclaredValue& value) const {
+    if (value.place == DeclaredValue::Place::parameter || text_.is(value.end, "=")) return false;
+    return !dxc_ || !is_resource(value.type.name);
+  }
+
+  TokenText& text_;
+  const bool dxc_;
+};
+
+}  // namespace
+
+void check_array_sizes(TokenText& text, const EntryPoint& entry) {
+  ArraySizes(text, entry.dxc).run();
+}
+
+}  // namespace penumbra::preparation
