@@ -69,6 +69,8 @@ TEST(NanCheck, TestsThatFastMathematicsRemoves) {
       ElementsAre("4:12 warning nan-check: compilers under fast mathematics remove this test for NaN: test "
                   "the bits, (asuint(x) & 0x7FFFFFFF) > 0x7F800000"));
   EXPECT_THAT(nan("x != x ? 0 : x"), SizeIs(1));
+  EXPECT_THAT(nan("isfinite(x) ? x : 0"),
+              ElementsAre(testing::HasSubstr("(asuint(x) & 0x7F800000) != 0x7F800000 for finite numbers")));
 }
 
 TEST(NanCheck, TestsThatStay) {

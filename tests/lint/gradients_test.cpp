@@ -147,6 +147,8 @@ TEST(UnrollWithoutBound, AConstantBound) {
   EXPECT_THAT(
       unroll(shader("    [unroll] for (int i = 0; i < _Count; ++i) { if (i == 8) break; c += i; }\n")),
       IsEmpty());
+  EXPECT_THAT(unroll(shader("    [unroll(8)] for (int i = 0; i < _Count; ++i) c += i;\n")), IsEmpty());
+  EXPECT_THAT(unroll(shader("    [unroll (8)]\n    for (int i = 0; i < _Count; ++i) c += i;\n")), IsEmpty());
   EXPECT_THAT(unroll(shader("    [loop] for (int i = 0; i < _Count; ++i) c += i;\n")), IsEmpty());
 }
 

@@ -114,6 +114,23 @@ TEST(RegisterLimit, BytesOfAConstantBuffer) {
       ElementsAre("1:9 error register-limit: constant buffer 'Big' has 65552 bytes; Direct3D 11 has 65536"));
 }
 
+TEST(RegisterLimit, CountersAreInTheirBuffers) {
+  const auto shader = [](int count) {
+    std::string before;
+    std::string body;
+    for (int i = 0; i < count; ++i) {
+      before += "AppendStructuredBuffer<float> _B" + std::to_string(i) + ";\n";
+      body += "    _B" + std::to_string(i) + ".Append(_In[id.x]);\n";
+    }
+    return "StructuredBuffer<float> _In;\n" + before +
+           "[numthreads(1, 1, 1)]\nvoid Main(uint3 id : SV_DispatchThreadID)\n{\n" + body + "}\n";
+  };
+  EXPECT_THAT(limits(shader(8), hlsl::Stage::compute), IsEmpty());
+  EXPECT_THAT(limits(shader(9), hlsl::Stage::compute),
+              ElementsAre(testing::AllOf(HasSubstr("9 writable textures and buffers are used"),
+                                         testing::Not(HasSubstr("@count")))));
+}
+
 TEST(RegisterLimit, WritableBuffers) {
   const auto shader = [](int count) {
     std::string before;

@@ -28,6 +28,27 @@ float element(const std::vector<float>& m, int row, int column) {
   return m[static_cast<std::size_t>(4 * row + column)];
 }
 
+TEST(ExecutedIntegerProducts, OfMatricesAndVectors) {
+  const Execution execution{R"([numthreads(1, 1, 1)] void Main() {
+    int k = (int)In[0];
+    int2x2 a = { k, 2, 3, -4 };
+    uint3x3 b = { 1, 2, 3, 4, 5, 6, 7, 8, 9 };
+    int2x3 c = { 1, 2, 3, 4, 5, 6 };
+    int2 r = mul(a, int2(5, 6)), q = mul(int2(5, 6), a);
+    int2x2 m = mul(a, a);
+    uint3 u = mul(b, uint3(1, 10, 100));
+    int3 w = mul(mul(a, c)[0].xy, c);
+    Out[0] = r.x; Out[1] = r.y; Out[2] = q.x; Out[3] = q.y;
+    Out[4] = m[0][0]; Out[5] = m[0][1]; Out[6] = m[1][0]; Out[7] = m[1][1];
+    Out[8] = u.x; Out[9] = u.z; Out[10] = w.x; Out[11] = w.z; })",
+                            {1.0F},
+                            {},
+                            12};
+  // a = 1 2 / 3 -4; a a = 7 -6 / -9 22; a c = 9 12 15 / -13 -14 -15; (9, 12) c = 57, 78, 99.
+  EXPECT_THAT(run_prepared(execution), ElementsAre(17.0F, -9.0F, 23.0F, -14.0F, 7.0F, -6.0F, -9.0F, 22.0F,
+                                                   321.0F, 987.0F, 57.0F, 99.0F));
+}
+
 TEST(ExecutedMatrixSwizzles, ReadsEveryElementInItsOrder) {
   const std::vector<float> m = sixteen();
   const Execution execution{kGivenMatrix + R"([numthreads(1, 1, 1)] void Main() {

@@ -90,6 +90,20 @@ TEST(Arrays, HaveASize) {
               IsEmpty());
 }
 
+TEST(StatementAttributes, OfFxcAloneAreTakenOut) {
+  const std::string text = prepare(
+                               "float f(int n) { int call = 0, a[2]; [fastopt] [unroll] for (;;) { } "
+                               "[allow_uav_condition] while (n) { } "
+                               "[forcecase] switch (n) { default: break; } [call] switch (n) { default: "
+                               "break; } return a[call]; }",
+                               "a", EntryPoint{"Frag"})
+                               .text;
+  for (const char* gone : {"fastopt", "allow_uav_condition", "forcecase", "[call] switch"})
+    EXPECT_EQ(text.find(gone), std::string::npos) << gone;
+  EXPECT_NE(text.find("unroll"), std::string::npos);
+  EXPECT_NE(text.find("return a[call]"), std::string::npos) << text;
+}
+
 TEST(Semantics, AreOneOfEightTargets) {
   EXPECT_THAT(refused("float4 Frag() : SV_Target8 { return 1; }"),
               ElementsAre("1: 'SV_Target8' does not exist: the targets are SV_Target0 to SV_Target7"));

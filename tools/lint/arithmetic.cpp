@@ -1,5 +1,7 @@
 #include "lint/arithmetic.h"
 
+#include <set>
+
 #include <glslang/SPIRV/GLSL.std.450.h>
 
 #include <cmath>
@@ -37,12 +39,20 @@ bool compares_with_itself(const Instruction& instruction) {
 
 std::vector<Finding> arithmetic_findings(const LintedCode& linted) {
   std::vector<Finding> findings;
+  std::set<Id> tested_for_infinity;  // isfinite() tests one value for both
+  for (const Instruction& instruction : linted.code.instructions())
+    if (instruction.op == spv::OpIsInf) tested_for_infinity.insert(instruction.operands[0]);
   ValueRanges ranges(linted.code);
   for (const Instruction& instruction : linted.code.instructions()) {
     if (is_pow(instruction) && may_be_undefined(ranges, instruction)) {
       findings.push_back(finding_at(linted, "negative-pow", instruction.place, {"pow"},
                                     "pow of a base that may be negative gives NaN: bound it with abs, max or "
                                     "saturate"));
+    } else if (instruction.op == spv::OpIsNan && tested_for_infinity.contains(instruction.operands[0])) {
+      findings.push_back(
+          finding_at(linted, "nan-check", instruction.place, {"isfinite", "isnan"},
+                     "compilers under fast mathematics remove this test for infinity and NaN: "
+                     "test the bits, (asuint(x) & 0x7F800000) != 0x7F800000 for finite numbers"));
     } else if (instruction.op == spv::OpIsNan || compares_with_itself(instruction)) {
       findings.push_back(
           finding_at(linted, "nan-check", instruction.place, {"isnan"},

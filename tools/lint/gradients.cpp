@@ -108,6 +108,16 @@ std::vector<Finding> gradient_findings(const LintedCode& linted) {
   return findings;
 }
 
+// `[unroll(8)]`, which is a bound: in the loop's line, or the one before it.
+bool names_bound(const LintedCode& linted, const Place& place) {
+  for (int line = place.line; line > 0 && line > place.line - 2; --line) {
+    std::string words = linted.sources.line(linted.code.file_name(place.file), line);
+    std::erase(words, ' ');
+    if (words.find("[unroll(") != std::string::npos) return true;
+  }
+  return false;
+}
+
 std::vector<Finding> unroll_findings(const LintedCode& linted) {
   std::vector<Finding> findings;
   for (const Function& function : linted.code.functions()) {
@@ -122,6 +132,7 @@ std::vector<Finding> unroll_findings(const LintedCode& linted) {
       if (body.empty() || has_constant_bound(linted.code, function, flow, body)) continue;
       Place place = merge.place;
       if (place.line == 0) place = linted.code.instructions()[block.begin].place;
+      if (names_bound(linted, place)) continue;
       findings.push_back(finding_at(linted, "unroll-without-bound", place, {"for", "while", "do"},
                                     "[unroll] on a loop without a constant bound on its iterations: use "
                                     "[loop], or break after a constant number of iterations"));

@@ -91,12 +91,17 @@ void check_sampler_names(const LintedCode& linted, const std::vector<Used>& used
   }
 }
 
+// glslang's buffer for the counter of an AppendStructuredBuffer and its like: Direct3D has it in the buffer.
+bool is_counter(const std::string& name) {
+  return name.ends_with("@count");
+}
+
 void check_count(const LintedCode& linted, const std::vector<Used>& used, const char* rule, Kind kind,
                  std::size_t most, const std::string& what, std::vector<Finding>& findings) {
   std::size_t slots = 0;
   std::string names;
   for (const Used& resource : used) {
-    if (resource.kind != kind) continue;
+    if (resource.kind != kind || is_counter(linted.code.name(resource.variable))) continue;
     slots += resource.slots;
     const std::string name =
         kind == Kind::constant_buffer ? linted.code.name(resource.type) : linted.code.name(resource.variable);

@@ -279,6 +279,7 @@ NumberShape ExpressionReader::name_or_call() {
   const std::vector<NumberShape> arguments = list(at_);
   if (failed_) return {};
   const NumberShape known = known_shape(at_ - 1);
+  if (!known.known() && !functions_[text_.word_number(name)]) read_intrinsic(name, arguments);
   return known.known() ? known : function_shape(name, arguments);
 }
 

@@ -39,6 +39,8 @@ class ExpressionReader {
   virtual void read_sign(std::size_t /*sign*/, const ReadOperand& /*of*/) {}
   // For each expression in parentheses that are neither a call's nor a cast's.
   virtual void read_parenthesised(std::size_t /*open*/, const NumberShape& /*inside*/) {}
+  // For each call of a function that is not the text's; the name, and the shapes of the arguments.
+  virtual void read_intrinsic(std::size_t /*name*/, const std::vector<NumberShape>& /*arguments*/) {}
   // For each `.member` that is not called, with the shape of what stands before its '.'.
   virtual void read_member(const NumberShape& /*of*/, std::size_t /*member*/) {}
 

@@ -15,6 +15,7 @@
 #include "preparation/dx9_samplers.h"
 #include "preparation/flat_initialisers.h"
 #include "preparation/framebuffer_fetch.h"
+#include "preparation/integer_products.h"
 #include "preparation/intrinsic_calls.h"
 #include "preparation/intrinsic_definitions.h"
 #include "preparation/loop_variables.h"
@@ -35,6 +36,7 @@
 #include "preparation/register_annotations.h"
 #include "preparation/resource_arrays.h"
 #include "preparation/row_matrices.h"
+#include "preparation/statement_attributes.h"
 #include "preparation/static_initialisers.h"
 #include "preparation/storage_order.h"
 #include "preparation/stray_semicolons.h"
@@ -53,7 +55,7 @@
 namespace penumbra::preparation {
 
 std::span<const Pass> passes() {
-  static constexpr std::array<Pass, 47> all{{{"matrix-packing", pack_matrices},
+  static constexpr std::array<Pass, 49> all{{{"matrix-packing", pack_matrices},
                                              {"constant-uniforms", make_constants_uniforms},
                                              {"unsigned-types", name_unsigned_types},
                                              {"const-casts", drop_const_of_casts},
@@ -85,6 +87,7 @@ std::span<const Pass> passes() {
                                              {"precision-twins", merge_precision_twins},
                                              {"narrower-parameters", narrow_arguments},
                                              {"stray-semicolons", drop_stray_semicolons},
+                                             {"statement-attributes", drop_statement_attributes},
                                              {"struct-initialisers", match_struct_initialisers},
                                              {"flat-initialisers", group_flat_initialisers},
                                              {"partial-texel-writes", write_whole_texels},
@@ -93,6 +96,7 @@ std::span<const Pass> passes() {
                                              {"swizzle-arguments", pass_swizzles_in_variables},
                                              {"matrix-swizzles", write_out_matrix_swizzles},
                                              {"matrix-operators", write_out_matrix_operators},
+                                             {"integer-products", write_out_integer_products},
                                              {"intrinsic-definitions", define_intrinsics},
                                              {"constant-operands", hide_constant_operands},
                                              {"static-initialisers", work_out_static_initialisers},
