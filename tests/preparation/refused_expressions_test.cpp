@@ -86,6 +86,8 @@ TEST(Operators, TakeNumbersAndBitOperatorsIntegers) {
               ElementsAre("3: '!=' compares numbers, and 'a' is an array: compare its elements"));
   EXPECT_THAT(errors_of("return 1 & 2.5;"), ElementsAre(HasSubstr("'&' takes integers")));
   EXPECT_THAT(errors_of("return 1.5 << 2;"), ElementsAre(HasSubstr("'<<' takes integers")));
+  EXPECT_THAT(errors_of("return (7UL >> 1L) & 0xFFUL;"), IsEmpty())
+      << "a suffix L makes no float of an integer";
   EXPECT_THAT(errors_of("return dot(uint2(n, n), uint2(1, 2)) ^ n;"), IsEmpty());
   EXPECT_THAT(errors_of("S s; float a[2]; return ~n ^ n << 2 | (n && p.x) || p.y == a[1] || s.a != 1;"),
               IsEmpty());

@@ -48,7 +48,7 @@ NumberShape vector_of(Base base, std::size_t size) {
 
 NumberShape number_shape(std::string_view number) {
   const bool hexadecimal = number.size() > 1 && (number[1] == 'x' || number[1] == 'X');
-  if (!hexadecimal && number.find_first_of(".eEfFhHlL") != std::string_view::npos) return {Base::real};
+  if (!hexadecimal && number.find_first_of(".eEfFhH") != std::string_view::npos) return {Base::real};
   return {number.find_first_of("uU") != std::string_view::npos ? Base::natural : Base::integer};
 }
 
