@@ -105,7 +105,7 @@ TEST(Nesting, HasALimit) {
   EXPECT_THAT(errors_of("return " + repeated("(int)", 20000) + "p;"), is_deep);
   EXPECT_THAT(errors_of(repeated("if (n) ", 20000) + ";"), is_deep);
   EXPECT_THAT(errors_of("return " + repeated("p + ", 20000) + "p;"),
-              ElementsAre("3: more than 5000 operators in one expression: write it in parts"));
+              ElementsAre("3: more than 8000 operators in one expression: write it in parts"));
   EXPECT_THAT(errors_of("return " + repeated("(", 900) + "p" + repeated(")", 900) + ";"), IsEmpty());
   EXPECT_THAT(errors_of(repeated("n = -n * 2;", 20000)), IsEmpty());
 }

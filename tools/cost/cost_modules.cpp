@@ -67,7 +67,7 @@ void add_file(const CostRequest& request, const ShaderFile& shader, std::vector<
   options.defines = request.defines;
   options.entries = {{shader.entry, shader.stage}};
   validation::ShaderSources file(std::move(options));
-  file.add({shader.file, shader.file.string()});
+  file.add({shader.file, shader.file.string(), true});
   for (const validation::VariantRecord& record : file.records()) {
     said.insert(said.end(), record.diagnostics.begin(), record.diagnostics.end());
     if (!record.reason.empty())

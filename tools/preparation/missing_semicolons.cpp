@@ -28,7 +28,7 @@ class MissingSemicolons {
           text_.note(at, hlsl::Severity::error,
                      "expected ';' before '" + std::string(text_[at].spelling) + " " +
                          std::string(text_[at + 1].spelling) + "'");
-      } else if (ends_a_value(at - 1) || is_second_name(at)) {
+      } else if (!begins_a_statement(at) && !goes_on(at) && (ends_a_value(at - 1) || is_second_name(at))) {
         text_.note(at, hlsl::Severity::error,
                    "expected ',' or ';' before '" + std::string(text_[at].spelling) + "'");
       }
@@ -36,6 +36,18 @@ class MissingSemicolons {
   }
 
  private:
+  // The front end asks for the ';' before it.
+  bool begins_a_statement(std::size_t at) const {
+    static constexpr hlsl::WordSet words("return", "if", "else", "for", "while", "do", "switch", "case",
+                                         "default", "break", "continue", "discard");
+    return words.contains(text_[at].spelling);
+  }
+
+  // `1.5.5`, which the front end says is no number.
+  bool goes_on(std::size_t at) const {
+    return text_[at].kind == hlsl::Token::Kind::number && text_[at - 1].kind == hlsl::Token::Kind::number;
+  }
+
   // Whether only an operator, a ',' or the end of the expression can follow this token.
   bool ends_a_value(std::size_t at) const {
     if (text_[at].kind == hlsl::Token::Kind::number) return text_[at].spelling.back() != '.';  // 0.xxxx

@@ -8,7 +8,7 @@ namespace penumbra::preparation {
 namespace {
 
 constexpr std::size_t deepest = 1000;
-constexpr std::size_t most_operators = 5000;  // each is a level of the tree, which is walked by recursion
+constexpr std::size_t most_operators = 8000;  // each is a level of the tree, which is walked by recursion
 
 class Nesting {
  public:
