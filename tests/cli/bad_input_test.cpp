@@ -49,7 +49,8 @@ TEST_F(BadInput, ANumberThatIsTooLarge) {
 }
 
 TEST_F(BadInput, ACameraThatLooksStraightUp) {
-  expect_config_refused("{\"camera\": {\n\"forward\": [0, 1, 0]}}", {"camera/up is parallel to camera/forward"});
+  expect_config_refused("{\"camera\": {\n\"forward\": [0, 1, 0]}}",
+                        {"camera/up is parallel to camera/forward"});
 }
 
 // Before anything is compiled or traced: a run may take an hour.

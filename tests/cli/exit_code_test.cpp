@@ -63,8 +63,8 @@ std::string until_it_takes(int signal) {
 TEST_F(ExitCode, AnInterruptionIs130) {
   const auto result =
       shell(PENUMBRA_PROGRAM " render --size 1920x1080 --reference-samples 65536 --scene trees --cache " +
-            path("cache").string() + " --sheet " + path("sheet.png").string() +
-            " & program=$!\n" + until_it_takes(SIGINT) + "kill -INT $program; wait $program");
+            path("cache").string() + " --sheet " + path("sheet.png").string() + " & program=$!\n" +
+            until_it_takes(SIGINT) + "kill -INT $program; wait $program");
   EXPECT_EQ(result.exit_code, 130) << result.errors;
   EXPECT_THAT(result.errors, HasSubstr("interrupted"));
   EXPECT_FALSE(std::filesystem::exists(path("sheet.png")));
@@ -72,11 +72,10 @@ TEST_F(ExitCode, AnInterruptionIs130) {
 
 // timeout(1) sends its signal to the program and then to the program's group.
 TEST_F(ExitCode, ASignalThatIsSentTwiceAtOnceIsOneInterruption) {
-  const auto result =
-      shell(PENUMBRA_PROGRAM
-            " render --quiet --size 1920x1080 --reference-samples 65536 --scene trees --cache " +
-            path("cache").string() + " --sheet " + path("sheet.png").string() + " & program=$!\n" +
-            until_it_takes(SIGTERM) + "for i in 1 2 3; do kill -TERM $program; done; wait $program");
+  const auto result = shell(
+      PENUMBRA_PROGRAM " render --quiet --size 1920x1080 --reference-samples 65536 --scene trees --cache " +
+      path("cache").string() + " --sheet " + path("sheet.png").string() + " & program=$!\n" +
+      until_it_takes(SIGTERM) + "for i in 1 2 3; do kill -TERM $program; done; wait $program");
   EXPECT_EQ(result.exit_code, 143) << result.errors;
   EXPECT_THAT(result.errors, HasSubstr("interrupted"));
 }
@@ -109,9 +108,9 @@ float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel) {
 }
 
 TEST_F(ExitCode, MakingDisksStopsToo) {
-  const auto result = shell(PENUMBRA_PROGRAM " tables --generate -o " + path("disks.txt").string() +
-                            " & program=$!\n" + until_it_takes(SIGTERM) +
-                            "kill -TERM $program; wait $program");
+  const auto result =
+      shell(PENUMBRA_PROGRAM " tables --generate -o " + path("disks.txt").string() + " & program=$!\n" +
+            until_it_takes(SIGTERM) + "kill -TERM $program; wait $program");
   EXPECT_EQ(result.exit_code, 143) << result.errors;
   EXPECT_THAT(result.errors, HasSubstr("interrupted"));
   EXPECT_THAT(listing(), IsEmpty());

@@ -50,8 +50,7 @@ TEST_F(Output, AFolderIsNoFile) {
 
 #ifdef __linux__
 TEST_F(Output, AFolderWhereNothingCanBeWrittenIsNamedAsItWasGiven) {
-  expect_refused({"validate", "none.hlsl", "--keep"}, "/proc/kept",
-                 "/proc/kept: cannot be written: ");
+  expect_refused({"validate", "none.hlsl", "--keep"}, "/proc/kept", "/proc/kept: cannot be written: ");
 }
 #endif
 

@@ -74,12 +74,15 @@ def results():
 
 
 def pictures():
-    """Two by two pixels, in forms that are written in a few lines."""
-    for colour, channels in ((0, 1), (2, 3), (4, 2), (6, 4)):
-        rows = b''.join(b'\0' + bytes(range(2 * channels)) for _ in range(2))
-        chunks = ((b'IHDR', struct.pack('>IIBBBBB', 2, 2, 8, colour, 0, 0, 0)), (b'IDAT', zlib.compress(rows)), (b'IEND', b''))
-        yield b'\x89PNG\r\n\x1a\n' + b''.join(
+    """Two by two pixels, in forms that are written in a few lines; and a PNG without a byte of pixels."""
+    def png(colour, pixels):
+        chunks = ((b'IHDR', struct.pack('>IIBBBBB', 2, 2, 8, colour, 0, 0, 0)), (b'IDAT', pixels), (b'IEND', b''))
+        return b'\x89PNG\r\n\x1a\n' + b''.join(
             struct.pack('>I', len(data)) + kind + data + struct.pack('>I', zlib.crc32(kind + data)) for kind, data in chunks)
+
+    for colour, channels in ((0, 1), (2, 3), (4, 2), (6, 4)):
+        yield png(colour, zlib.compress(b''.join(b'\0' + bytes(range(2 * channels)) for _ in range(2))))
+    yield png(6, b'')
     yield b'BM' + struct.pack('<IHHIIiiHHIIiiII', 70, 0, 0, 54, 40, 2, 2, 1, 24, 0, 16, 0, 0, 0, 0) + bytes(16)
     for kind in (2, 10):
         yield struct.pack('<BBBHHBHHHHBB', 0, 0, kind, 0, 0, 0, 0, 0, 2, 2, 24, 0) + bytes(range(16))

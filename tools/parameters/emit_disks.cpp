@@ -80,9 +80,11 @@ std::string disks_source(const DiskSet& set, Language language) {
       "Disk tables: the taps of every disk filter, points of the unit disk.",
       "Written by `penumbra tables`; do not edit. Their quality figures: `penumbra tables --format table`.",
       "",
-      "FibonacciDirections: unit vectors, each turned from the last by the golden angle pi (3 - sqrt 5) (Vogel",
+      "FibonacciDirections: unit vectors, each turned from the last by the golden angle pi (3 - sqrt 5) "
+      "(Vogel",
       "  1979; Marques et al. 2013). Scale entry i of N by sqrt((i + 0.5) / N) for taps of equal area, or by",
-      "  ((i + 0.5) / N)^exponent for more taps near the centre. One table works for every N up to its length.",
+      "  ((i + 0.5) / N)^exponent for more taps near the centre. One table works for every N up to its "
+      "length.",
       "Vogel<N>: the same with the equal-area radius applied, for one fixed N.",
       "Poisson<N>: no two taps close together, no gaps; made by dart throwing, then optimised for straight",
       "  shadow edges (tools/parameters/disk_generator.h). Ordered: the first n taps are well spread, too.",

@@ -14,8 +14,8 @@ inline constexpr const char* interrupted_message =
     "interrupted; finished work is kept, and the same command continues from there";
 
 // SIGINT and SIGTERM set the flag. What does not ask for it, a long dispatch on the processor for example, is
-// ended after two seconds; another signal, a second or more after the first, ends the program at once. The exit
-// code is 128 and the signal's number.
+// ended after two seconds; another signal, a second or more after the first, ends the program at once. The
+// exit code is 128 and the signal's number.
 void watch_interrupts();
 bool interrupted();
 int interrupting_signal();    // 0: none

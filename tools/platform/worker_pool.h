@@ -49,8 +49,8 @@ struct WorkerOutcome {
 class WorkSource {
  public:
   virtual ~WorkSource() = default;
-  // For this worker of the pool, from 0: what it has done before may help it. Nothing when there is nothing to
-  // hand out now; the pool asks again after every finished().
+  // For this worker of the pool, from 0: what it has done before may help it. Nothing when there is nothing
+  // to hand out now; the pool asks again after every finished().
   virtual std::optional<WorkerMessage> next(unsigned worker) = 0;
   virtual std::string answer_question(std::size_t number, const std::string& question) = 0;
   virtual void finished(std::size_t number, WorkerOutcome outcome) = 0;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "preparation/declarators.h"
+#include "preparation/number_shape.h"
 #include "preparation/source_checks.h"
 #include "preparation/value_types.h"
 
@@ -19,11 +20,6 @@ struct OpenSwitch {
   std::size_t close = npos;
   std::map<std::int64_t, std::size_t> labels;  // by value, those that are plain numbers
 };
-
-bool is_fraction(std::string_view number) {
-  const bool hexadecimal = number.size() > 1 && (number[1] == 'x' || number[1] == 'X');
-  return !hexadecimal && number.find_first_of(".eEfFhH") != std::string_view::npos;
-}
 
 // Of 12, 12u, 0xC.
 std::optional<std::int64_t> integer_of(std::string_view number) {
@@ -87,7 +83,8 @@ class CaseLabels {
     if (end == npos || end == first) return;
     for (std::size_t at = first; at < end; ++at) {
       if (varies(at)) return refuse(label, first, end, "a case label must be a constant, and '", at);
-      if (text_[at].kind == hlsl::Token::Kind::number && end == first + 1 && is_fraction(text_[at].spelling))
+      if (text_[at].kind == hlsl::Token::Kind::number && end == first + 1 &&
+          shape_of_number(text_[at].spelling).base == NumberShape::Base::real)
         return refuse(label, first, end, "a case label must be an integer, and this is '", at);
     }
     repeat(label, first, end);

@@ -137,12 +137,8 @@ class ConstantOperands {
   }
 
   void describe(std::size_t at, Operand& operand) const {
-    if (text_[at].kind == hlsl::Token::Kind::number) {
-      const std::string_view number = word(at);
-      const bool hexadecimal = number.size() > 1 && (number[1] == 'x' || number[1] == 'X');
-      operand.fractional =
-          operand.fractional || (!hexadecimal && number.find_first_of(".eEfFhH") != std::string_view::npos);
-    }
+    if (text_[at].kind == hlsl::Token::Kind::number)
+      operand.fractional = operand.fractional || shape_of_number(word(at)).base == NumberShape::Base::real;
     if (!text_.is_word(at)) return;
     const std::size_t named = types_.named(at);
     const std::string_view type = is_number_type(word(at)) ? word(at)

@@ -46,12 +46,6 @@ NumberShape vector_of(Base base, std::size_t size) {
   return {base, 0, size > 1 ? static_cast<int>(size) : 0};
 }
 
-NumberShape number_shape(std::string_view number) {
-  const bool hexadecimal = number.size() > 1 && (number[1] == 'x' || number[1] == 'X');
-  if (!hexadecimal && number.find_first_of(".eEfFhH") != std::string_view::npos) return {Base::real};
-  return {number.find_first_of("uU") != std::string_view::npos ? Base::natural : Base::integer};
-}
-
 NumberShape product_shape(const NumberShape& a, const NumberShape& b) {
   if (!a.known() || !b.known()) return {};
   const Base base = std::max(a.base, b.base);
@@ -259,7 +253,7 @@ NumberShape ExpressionReader::after_dot(std::size_t member, const NumberShape& o
 }
 
 NumberShape ExpressionReader::primary() {
-  if (text_[at_].kind == hlsl::Token::Kind::number) return number_shape(text_[at_++].spelling);
+  if (text_[at_].kind == hlsl::Token::Kind::number) return shape_of_number(text_[at_++].spelling);
   if (!text_.is(at_, "(")) return name_or_call();
   const std::size_t open = at_;
   const std::vector<NumberShape> inside = list(at_);

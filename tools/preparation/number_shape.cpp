@@ -28,6 +28,12 @@ NumberShape shape_of_type(std::string_view type) {
   return matrix ? NumberShape{base, digit(3), digit(1)} : NumberShape{base, 0, digit(1)};
 }
 
+NumberShape shape_of_number(std::string_view number) {
+  const bool hexadecimal = number.size() > 1 && (number[1] == 'x' || number[1] == 'X');
+  if (!hexadecimal && number.find_first_of(".eEfFhH") != std::string_view::npos) return {Base::real};
+  return {number.find_first_of("uU") != std::string_view::npos ? Base::natural : Base::integer};
+}
+
 std::string type_of_shape(const NumberShape& shape) {
   std::string type = shape.base == Base::boolean   ? "bool"
                      : shape.base == Base::integer ? "int"

@@ -22,8 +22,9 @@ struct NumberShape {
   NumberShape of_base(Base other) const { return {known() ? other : base, rows, columns}; }
 };
 
-NumberShape shape_of_type(std::string_view type);     // of "half3x4", ...; unknown for other words
-std::string type_of_shape(const NumberShape& shape);  // of a known one; half is float
+NumberShape shape_of_type(std::string_view type);      // of "half3x4", ...; unknown for other words
+NumberShape shape_of_number(std::string_view number);  // of 1.5h, 12u, 0xF; a suffix L does not count
+std::string type_of_shape(const NumberShape& shape);   // of a known one; half is float
 
 // Of an arithmetic operator's result: the higher base, the smaller shape, where a scalar counts as any.
 // Unknown where one is unknown, and for a vector with a matrix, which HLSL does not combine.

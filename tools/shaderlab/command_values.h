@@ -32,9 +32,9 @@ struct ValueProblem {
   hlsl::Severity severity = hlsl::Severity::error;
 };
 
-// What is wrong with a value of that command; nothing with one that it takes and with [_Property]. `ZTest On`,
-// which is in no reference and which Unity takes, is a warning. So are numbers that stand for none of the
-// values.
+// What is wrong with a value of that command; nothing with one that it takes and with [_Property]. `ZTest
+// On`, which is in no reference and which Unity takes, is a warning. So are numbers that stand for none of
+// the values.
 ValueProblem value_problem(const std::string& command, Values values, const Command::Value& value);
 
 }  // namespace penumbra::shaderlab

@@ -23,7 +23,8 @@ class OperationMeanings final : public TreeRewrite {
   static TIntermTyped* zero(int size) {
     glslang::TConstUnionArray values(size);
     for (int i = 0; i < size; ++i) values[i].setUConst(0);
-    return new glslang::TIntermConstantUnion(values, glslang::TType(glslang::EbtUint, glslang::EvqConst, size));
+    return new glslang::TIntermConstantUnion(values,
+                                             glslang::TType(glslang::EbtUint, glslang::EvqConst, size));
   }
 
   TIntermTyped* of_aggregate(glslang::TIntermAggregate& node) override {

@@ -87,8 +87,7 @@ Picture overview(const Results& results, const std::vector<PictureRow>& pictures
   for (const PictureRow& row : pictures) {
     if (row.technique != best.technique || row.light_degrees != degrees || rows.size() >= 4 * most_scenes)
       continue;
-    std::vector<CaptionedPicture> captioned_row =
-        captioned(row, short_title(best.technique, best.title));
+    std::vector<CaptionedPicture> captioned_row = captioned(row, short_title(best.technique, best.title));
     if (!rows.empty() && !same_size(rows.front().picture, captioned_row.front().picture)) continue;
     for (CaptionedPicture& picture : captioned_row) rows.push_back(std::move(picture));
   }

@@ -47,8 +47,9 @@ class AnswerCache {
 // The bytes that are left.
 std::uint64_t trim_cache(const std::filesystem::path& directory, std::uint64_t limit);
 
-// The same when this run alone, which wrote so many bytes, has written a good part of what fits, and else once
-// a day: looking at every entry takes time that a small run should not pay. An empty directory has nothing.
+// The same when this run alone, which wrote so many bytes, has written a good part of what fits, and else
+// once a day: looking at every entry takes time that a small run should not pay. An empty directory has
+// nothing.
 void trim_cache_when_due(const std::filesystem::path& directory, std::uint64_t limit, std::uint64_t written);
 
 }  // namespace penumbra::validation

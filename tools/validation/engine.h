@@ -36,8 +36,9 @@ struct EngineOptions {
   std::vector<std::string> worker_arguments;
   platform::WorkerLimits limits;
   Sharing sharing = Sharing::everything;
-  bool drivers = true;         // emitted GLSL and ESSL goes to this machine's GL driver
-  // Folder for texts that crash a compiler; empty: below the cache, without one a new one for temporary files.
+  bool drivers = true;  // emitted GLSL and ESSL goes to this machine's GL driver
+  // Folder for texts that crash a compiler; empty: below the cache, without one a new one for temporary
+  // files.
   std::filesystem::path keep;
   std::function<void(std::size_t done, std::size_t total)> progress;  // called by one thread at a time
 };

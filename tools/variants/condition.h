@@ -2,8 +2,9 @@
 //
 // C's rules (ISO C 6.10.1): integers, defined, ! ~ - + * / % << >> comparisons == != & ^ | && || ?: and
 // parentheses; a name that is no macro is 0. The use of a macro whose replacement has # or ##, or of one with
-// another number of arguments, counts as 0 and is said in the problem. Arithmetic wraps at 64 bits. Nesting is bounded, and so is the work: `budget`
-// is what is left of it, in tokens, for all conditions of one reading.
+// another number of arguments, counts as 0 and is said in the problem. Arithmetic wraps at 64 bits. Nesting
+// is bounded, and so is the work: `budget` is what is left of it, in tokens, for all conditions of one
+// reading.
 #pragma once
 
 #include <cstddef>

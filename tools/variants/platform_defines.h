@@ -58,8 +58,8 @@ struct Platform {
   bool includes_hlsl_support = false;
 };
 
-// UNITY_VERSION of "2022.3.21f1" (202239), "6000.0.23f1" (60000023) or, for its first patch, "2022.3"; nothing
-// when the text is no version.
+// UNITY_VERSION of "2022.3.21f1" (202239), "6000.0.23f1" (60000023) or, for its first patch, "2022.3";
+// nothing when the text is no version.
 std::optional<int> unity_version_number(std::string_view version);
 
 // What conditions around #pragma lines may ask: the platform's constants, without stage, target and compiler.

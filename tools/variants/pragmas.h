@@ -117,8 +117,8 @@ bool compiles_for(const Pragmas& pragmas, const std::string& renderer);
 bool compiles_with_dxc(const Pragmas& pragmas, const std::string& renderer);
 
 // SHADER_TARGET of a variant: the highest model that applies, at least 25 (the default), 40 with a geometry
-// and 46 with a tessellation stage, 50 for compute shaders (Unity Manual, "Targeting shader models and GPU features",
-// SL-ShaderCompileTargets).
+// and 46 with a tessellation stage, 50 for compute shaders (Unity Manual, "Targeting shader models and GPU
+// features", SL-ShaderCompileTargets).
 int shader_target(const Pragmas& pragmas, const Keywords& variant);
 
 }  // namespace penumbra::variants
