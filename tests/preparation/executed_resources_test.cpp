@@ -289,5 +289,19 @@ TEST(ExecutedResources, GatherCmpComparesFourTexels) {
   expect_both(drawing, [](int x, int) { return x < 2 ? Pixel{1, 1, 1, 0} : Pixel{1, 1, 0, 0}; });
 }
 
+TEST(ExecutedInterfaceTypes, ANumberOfTheFrontFaceIsABool) {
+  const auto drawn = [](const std::string& type, const std::string& value) {
+    return draw_prepared({"float4 Main(float4 p : SV_Position, " + type +
+                          " face : SV_IsFrontFace) : SV_Target { return " + value + "; }"});
+  };
+  const float face = drawn("bool", "face ? 1.0 : 0.0")[0][0];
+  for (const char* type : {"uint", "int"})
+    EXPECT_EQ(drawn(type, "float4(face != 0 ? 5 : 4, !face ? 5 : 4, face ? 3 : 2, face == 0)"),
+              picture([&](int, int) {
+                return Pixel{4 + face, 5 - face, 2 + face, 1 - face};
+              }))
+        << type;
+}
+
 }  // namespace
 }  // namespace penumbra::preparation

@@ -11,13 +11,16 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-std::vector<std::string> refused(const std::string& text, bool dxc = false) {
+std::vector<std::string> refused(const std::string& text, const EntryPoint& entry) {
   std::vector<std::string> all;
-  for (const hlsl::Diagnostic& note :
-       prepare(text, "a", EntryPoint{"Frag", hlsl::Stage::fragment, dxc}).notes)
+  for (const hlsl::Diagnostic& note : prepare(text, "a", entry).notes)
     if (note.severity == hlsl::Severity::error)
       all.push_back(std::to_string(note.line) + ": " + note.message);
   return all;
+}
+
+std::vector<std::string> refused(const std::string& text, bool dxc = false) {
+  return refused(text, {"Frag", hlsl::Stage::fragment, dxc});
 }
 
 std::vector<std::string> refused_in(const std::string& body) {
@@ -37,8 +40,17 @@ TEST(WrittenComponents, AreNamedOnce) {
   EXPECT_THAT(refused_in("v.xyx = 1;\nv.gg += 2;\nv.xx++;\n--v.zz;\nm._m00_m00 = 1;\nm._11_11 = 1;"),
               ElementsAre(HasSubstr("3: "), HasSubstr("4: "), HasSubstr("5: "), HasSubstr("6: "),
                           HasSubstr("7: '._m00_m00' has _m00 twice"), HasSubstr("8: ")));
+  EXPECT_THAT(refused_in("(c.xx) = 1;\n((v.yy)) += 1;"), ElementsAre(HasSubstr("3: "), HasSubstr("4: ")));
+  EXPECT_THAT(refused_in("if (any(c.xx)) ++v.x; (v.xy) = (c.xx); while (c.xx == 1) --v.y;"), IsEmpty());
   EXPECT_THAT(refused_in("v.xy = c.xx; m._m00_m01 = c.yy; s.xx = 1; bool b = any(c.xx == 1); v = c.xxx;"),
               IsEmpty());
+}
+
+TEST(MatrixComponents, AreCountedInOneWay) {
+  EXPECT_THAT(refused_in("c = m._m00_m11;\nv.xy = m._m00_11;\nm._12_m01 = 1;"),
+              ElementsAre("4: '._m00_11' counts rows and columns from 0 and from 1: write _m00 or _11 "
+                          "throughout",
+                          HasSubstr("5: '._12_m01' counts")));
 }
 
 TEST(Registers, AreOfTheTypesClassAndExist) {
@@ -111,6 +123,30 @@ TEST(Semantics, AreOneOfEightTargets) {
               ElementsAre("1: 'Frag' has two semantics, 'SV_Target' and 'SV_Target1': write one of them"));
   EXPECT_THAT(refused("float4 Frag(float2 a : A, float4 b : B : register(c1)) : SV_Target7 { return 1; }"),
               IsEmpty());
+}
+
+TEST(Semantics, OfSystemValuesAreOfTheirType) {
+  const auto vertex = [](const std::string& inputs) {
+    return refused("float4 Frag(float4 p : POSITION, " + inputs + ") : SV_Position { return p; }",
+                   EntryPoint{"Frag", hlsl::Stage::vertex});
+  };
+  EXPECT_THAT(vertex("float id : SV_VertexID"),
+              ElementsAre("1: 'SV_VertexID' is a whole number: declare it as uint"));
+  EXPECT_THAT(vertex("uint2 id : SV_InstanceID"), ElementsAre(HasSubstr("'SV_InstanceID' is a whole")));
+  EXPECT_THAT(vertex("int a : SV_VertexID, min16uint b : sv_instanceid"), IsEmpty());
+  EXPECT_THAT(refused("float4 Frag(float face : SV_IsFrontFace) : SV_Target { return face; }"),
+              ElementsAre("1: 'SV_IsFrontFace' is a bool: declare it as one"));
+  EXPECT_THAT(refused("float4 Frag(bool face : SV_IsFrontFace, half4 p : VPOS) : SV_Target { return p; }"),
+              IsEmpty());
+  const auto compute = [](const std::string& input) {
+    return refused("[numthreads(1, 1, 1)] void Frag(" + input + ") {}",
+                   EntryPoint{"Frag", hlsl::Stage::compute});
+  };
+  EXPECT_THAT(compute("uint4 id : SV_DispatchThreadID"),
+              ElementsAre("1: 'SV_DispatchThreadID' is three whole numbers: declare it as uint3, uint2 or "
+                          "uint"));
+  EXPECT_THAT(compute("float3 id : SV_GroupID"), ElementsAre(HasSubstr("'SV_GroupID' is three")));
+  EXPECT_THAT(compute("uint2 a : SV_GroupThreadID, int3 b : SV_GroupID, uint c : SV_GroupIndex"), IsEmpty());
 }
 
 }  // namespace

@@ -273,5 +273,43 @@ TEST(Overloads, ThatFitEquallyNameTheWayOut) {
       ElementsAre("5: several overloads of 'F' fit these arguments: cast the arguments to the types of one"));
 }
 
+TEST(GroupsharedVariables, AreOfComputeProgramsAlone) {
+  const std::string shared = "groupshared float Shared[4];\n";
+  EXPECT_THAT(
+      errors(shared + "float4 Main(float4 p : SV_Position) : SV_Target {\nShared[0] = p.x;\n"
+                      "return Shared[int(p.y)]; }\n",
+             hlsl::Stage::fragment),
+      testing::Contains("4: a groupshared variable is used in a fragment program: only compute programs "
+                        "have them"));
+  EXPECT_THAT(errors(shared + "float4 Main(float4 p : SV_Position) : SV_Target { return p; }\n",
+                     hlsl::Stage::fragment),
+              IsEmpty());
+}
+
+TEST(InterlockedFunctions, ChangeMemoryThatIsShared) {
+  const auto compute = [](const std::string& body) {
+    return errors("RWBuffer<uint> _Out; groupshared uint Shared;\n[numthreads(1, 1, 1)] void Main() {\n" +
+                      body + "\n}\n",
+                  hlsl::Stage::compute);
+  };
+  EXPECT_THAT(
+      compute("uint local = _Out[1]; InterlockedAdd(local, 2u); _Out[0] = local;"),
+      ElementsAre("4: an Interlocked function changes a local variable: it takes groupshared variables "
+                  "and elements of RW resources"));
+  EXPECT_THAT(compute("uint was; InterlockedAdd(Shared, 2u, was); InterlockedMax(_Out[0], was);"), IsEmpty());
+}
+
+TEST(IntegerMatrices, AreNotInMemory) {
+  const std::string body = "float4 Main(float4 p : SV_Position) : SV_Target {\nreturn _M[int(p.x)].xyxy; }\n";
+  const std::string said =
+      " is a matrix of integers, of which SPIR-V, GLSL and Metal have none in memory: declare an array of "
+      "its "
+      "rows, such as int4 rows[4]";
+  EXPECT_THAT(errors("cbuffer C { float a;\nint2x2 _M; };\n" + body, hlsl::Stage::fragment),
+              ElementsAre("3: '_M'" + said));
+  EXPECT_THAT(errors("uint2x2 _M;\n" + body, hlsl::Stage::fragment), ElementsAre("2: '_M'" + said));
+  EXPECT_THAT(errors("static const int2x2 _M = {1, 2, 3, 4};\n" + body, hlsl::Stage::fragment), IsEmpty());
+}
+
 }  // namespace
 }  // namespace penumbra::shaders

@@ -250,6 +250,7 @@ class EntrySemantics {
     if (value.direction.in && !fetches)
       judge(value.semantic, semantic, semantic_problem(semantic, entry_.stage, true));
     if (value.direction.out) judge(value.semantic, semantic, semantic_problem(semantic, entry_.stage, false));
+    judge(value.semantic, semantic, {type_problem(semantic, shape_of_type(word(value.type)))});
     if (entry_.stage != hlsl::Stage::vertex && entry_.stage != hlsl::Stage::fragment) return;
     if (value.direction.in && !fetches) repeated_.add({value.type, value.name, value.semantic, false});
     if (value.direction.out) repeated_.add({value.type, value.name, value.semantic, true});

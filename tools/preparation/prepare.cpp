@@ -16,6 +16,7 @@
 #include "preparation/flat_initialisers.h"
 #include "preparation/framebuffer_fetch.h"
 #include "preparation/integer_products.h"
+#include "preparation/interface_types.h"
 #include "preparation/intrinsic_calls.h"
 #include "preparation/intrinsic_definitions.h"
 #include "preparation/loop_variables.h"
@@ -55,7 +56,7 @@
 namespace penumbra::preparation {
 
 std::span<const Pass> passes() {
-  static constexpr std::array<Pass, 49> all{{{"matrix-packing", pack_matrices},
+  static constexpr std::array<Pass, 50> all{{{"matrix-packing", pack_matrices},
                                              {"constant-uniforms", make_constants_uniforms},
                                              {"unsigned-types", name_unsigned_types},
                                              {"const-casts", drop_const_of_casts},
@@ -65,6 +66,7 @@ std::span<const Pass> passes() {
                                              {"namespace-structs", write_out_namespaces},
                                              {"storage-order", put_static_first},
                                              {"type-semantics", rename_type_semantics},
+                                             {"interface-types", pass_bools_as_numbers},
                                              {"base-members", write_out_base_members},
                                              {"prototypes", match_prototypes},
                                              {"own-methods", call_own_methods_by_this},

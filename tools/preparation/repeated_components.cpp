@@ -31,13 +31,30 @@ std::string_view repeated(std::string_view word) {
   return {};
 }
 
+// `_m00_11`: both ways to count in one word.
+bool counts_in_two_ways(std::string_view word) {
+  bool from_one = false;
+  bool from_zero = false;
+  while (word.size() >= 3 && word[0] == '_') {
+    const std::size_t length = word[1] == 'm' ? 4 : 3;
+    if (word.size() < length ||
+        word.substr(length - 2, 2).find_first_not_of("01234") != std::string_view::npos)
+      return false;
+    (length == 4 ? from_zero : from_one) = true;
+    word.remove_prefix(length);
+  }
+  return word.empty() && from_one && from_zero;
+}
+
 bool is_step(const TokenText& text, std::size_t at) {
   return (text.is(at, "+") || text.is(at, "-")) && text.is(at + 1, text[at].spelling) &&
          text[at].spelling.data() + 1 == text[at + 1].spelling.data();
 }
 
 bool is_written(const TokenText& text, std::size_t member) {
-  if (assignment_length(text, member + 1) != 0 || is_step(text, member + 1)) return true;
+  std::size_t behind = member + 1;
+  while (text.is(behind, ")")) ++behind;
+  if (assignment_length(text, behind) != 0 || is_step(text, member + 1)) return true;
   const std::size_t first = postfix_begin(text, member);
   return first != npos && first > 1 && is_step(text, first - 2) && !text.is(member + 1, ".");
 }
@@ -47,6 +64,11 @@ bool is_written(const TokenText& text, std::size_t member) {
 void check_repeated_components(TokenText& text) {
   for (std::size_t at = 1; at + 1 < text.size(); ++at) {
     if (!text.is_word(at) || !text.is(at - 1, ".")) continue;
+    if (counts_in_two_ways(text[at].spelling) && text.types().named(at) == npos)
+      text.note(at, hlsl::Severity::error,
+                "'." + std::string(text[at].spelling) +
+                    "' counts rows and columns from 0 and from 1: write "
+                    "_m00 or _11 throughout");
     const std::string_view component = repeated(text[at].spelling);
     if (component.empty() || text.types().named(at) != npos || !is_written(text, at)) continue;
     text.note(at, hlsl::Severity::error,

@@ -5,6 +5,7 @@
 
 #include "preparation/declared_values.h"
 #include "preparation/source_checks.h"
+#include "preparation/value_types.h"
 
 namespace penumbra::preparation {
 

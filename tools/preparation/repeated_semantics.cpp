@@ -1,23 +1,12 @@
 #include "preparation/repeated_semantics.h"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 
 #include "preparation/number_shape.h"
+#include "preparation/semantic_names.h"
 
 namespace penumbra::preparation {
-
-namespace {
-
-std::string capitals(std::string_view word) {
-  std::string upper(word);
-  std::transform(upper.begin(), upper.end(), upper.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return upper;
-}
-
-}  // namespace
 
 // A matrix takes one per column, an array one per element; of unknown sizes the first alone.
 std::size_t RepeatedSemantics::elements(const SemanticUse& use) const {
@@ -38,7 +27,7 @@ void RepeatedSemantics::add(const SemanticUse& use) {
   const std::size_t digits = word.find_last_not_of("0123456789") + 1;
   std::size_t index = 0;
   std::from_chars(word.data() + digits, word.data() + word.size(), index);
-  const std::string name = capitals(word.substr(0, digits));
+  const std::string name = semantic_key(word);
   for (std::size_t i = 0; i < elements(use); ++i) {
     const auto [known, is_new] =
         uses_.emplace((use.output ? "o" : "i") + name + " " + std::to_string(index + i), use);

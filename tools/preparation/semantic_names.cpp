@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "hlsl/word_set.h"
 #include "input/nearest_name.h"
 
 namespace penumbra::preparation {
@@ -123,7 +124,34 @@ std::string listed(const Names& names) {
   return text;
 }
 
+// System values that are whole numbers: so many of them, or fewer.
+int whole_numbers(const std::string& key) {
+  static constexpr hlsl::WordSet one("SV_COVERAGE", "SV_GROUPINDEX", "SV_GSINSTANCEID", "SV_INNERCOVERAGE",
+                                     "SV_INSTANCEID", "SV_OUTPUTCONTROLPOINTID", "SV_PRIMITIVEID",
+                                     "SV_RENDERTARGETARRAYINDEX", "SV_SAMPLEINDEX", "SV_STENCILREF",
+                                     "SV_VERTEXID", "SV_VIEWID", "SV_VIEWPORTARRAYINDEX");
+  static constexpr hlsl::WordSet three("SV_DISPATCHTHREADID", "SV_GROUPID", "SV_GROUPTHREADID");
+  return one.contains(key) ? 1 : three.contains(key) ? 3 : 0;
+}
+
 }  // namespace
+
+std::string semantic_key(std::string_view semantic) {
+  return upper(without_index(std::string(semantic)));
+}
+
+std::string type_problem(const std::string& semantic, const NumberShape& type) {
+  using Base = NumberShape::Base;
+  if (!type.known()) return {};
+  const std::string key = semantic_key(semantic);
+  const bool whole = type.base == Base::integer || type.base == Base::natural;
+  if (key == "SV_ISFRONTFACE")
+    return type.is_scalar() && type.base != Base::real ? "" : "is a bool: declare it as one";
+  const int count = whole_numbers(key);
+  if (count == 0 || (whole && !type.is_matrix() && type.columns <= count)) return {};
+  return count == 1 ? "is a whole number: declare it as uint"
+                    : "is three whole numbers: declare it as uint3, uint2 or uint";
+}
 
 SemanticProblem semantic_problem(const std::string& semantic, hlsl::Stage stage, bool input) {
   const std::string name = without_index(semantic);

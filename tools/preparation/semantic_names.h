@@ -5,9 +5,11 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "hlsl/diagnostic.h"
 #include "hlsl/stage.h"
+#include "preparation/number_shape.h"
 
 namespace penumbra::preparation {
 
@@ -18,5 +20,11 @@ struct SemanticProblem {
 
 // `semantic` as written, with its index.
 SemanticProblem semantic_problem(const std::string& semantic, hlsl::Stage stage, bool input);
+
+// What a value of that type says of a system value that is a whole number or a bool; empty: it fits.
+std::string type_problem(const std::string& semantic, const NumberShape& type);
+
+// In capitals, without its index: "SV_TARGET" of "SV_Target1".
+std::string semantic_key(std::string_view semantic);
 
 }  // namespace penumbra::preparation

@@ -63,7 +63,7 @@ void check_operand_kinds(TokenText& text);
 // columns may follow.
 void check_case_labels(TokenText& text);
 
-// Components that are there twice where they are written: `c.xx = 1` (FXC X3025).
+// Components that are there twice where they are written: `c.xx = 1` (FXC X3025); `m._m00_11`.
 void check_repeated_components(TokenText& text);
 
 // register() of a letter that is not the type's, or that does not exist, or of a number that Direct3D 11 does

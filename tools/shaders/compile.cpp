@@ -17,6 +17,7 @@
 #include "shaders/generated_words.h"
 #include "shaders/group_limits.h"
 #include "shaders/hlsl_problems.h"
+#include "shaders/integer_matrices.h"
 #include "shaders/macro_expansion.h"
 #include "shaders/matrix_operations.h"
 #include "shaders/operation_meanings.h"
@@ -133,6 +134,7 @@ void tell_problems(const Source& source, const hlsl::SourceFiles& sources, const
                    bool divides, CompileResult& result) {
   told(source, sources, hlsl_problems(source.request, tree, result.spirv, divides), result);
   told(source, sources, shared_registers(result.spirv, source.text, source.name), result);
+  told(source, sources, integer_matrices(result.spirv, source.text, source.name), result);
   if (source.request.stage == hlsl::Stage::compute)
     told(source, sources, beyond_group_limits(tree, result.spirv, source.text, source.name), result);
 }

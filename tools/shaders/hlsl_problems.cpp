@@ -7,6 +7,7 @@
 #include "shaders/generated_words.h"
 #include "shaders/lost_resources.h"
 #include "shaders/misread_textures.h"
+#include "shaders/refused_memory.h"
 #include "shaders/texel_offsets.h"
 #include "shaders/zero_divisions.h"
 
@@ -18,10 +19,11 @@ void append(std::vector<ModuleProblem>& all, std::vector<ModuleProblem> more) {
   for (ModuleProblem& problem : more) all.push_back(std::move(problem));
 }
 
-std::vector<ModuleProblem> shown_by(const SpirvModule& module) {
+std::vector<ModuleProblem> shown_by(const SpirvModule& module, hlsl::Stage stage) {
   std::vector<ModuleProblem> problems = lost_resources(module);
   append(problems, misread_textures(module));
   append(problems, refused_offsets(module));
+  append(problems, refused_memory(module, stage));
   return problems;
 }
 
@@ -45,13 +47,14 @@ std::vector<ModuleProblem> divisions_by_zero(const glslang::TIntermediate& tree,
 
 std::vector<ModuleProblem> hlsl_problems(const CompileRequest& request, const glslang::TIntermediate& tree,
                                          const SpirvModule& optimised, bool divides) {
-  std::vector<ModuleProblem> problems = shown_by(optimised);
+  std::vector<ModuleProblem> problems = shown_by(optimised, request.stage);
   std::vector<ModuleProblem> derivatives;
   if (request.stage != hlsl::Stage::fragment)
     derivatives = derivative_reads(tree, hlsl::stage_name(request.stage));
   if (problems.empty() && derivatives.empty() && !divides) return {};
   const SpirvModule lined = words_with_lines(tree, true, request.vulkan);
-  if (std::vector<ModuleProblem> placed = shown_by(lined); !placed.empty()) problems = std::move(placed);
+  if (std::vector<ModuleProblem> placed = shown_by(lined, request.stage); !placed.empty())
+    problems = std::move(placed);
   append(problems, remaining(std::move(derivatives), lined));
   if (divides) append(problems, divisions_by_zero(tree, request.vulkan));
   return problems;

@@ -1,4 +1,4 @@
-// What is valid SPIR-V and no valid HLSL, all of it together. Internal to this room.
+// What a module shows that HLSL does not allow, all of it together. Internal to this room.
 #pragma once
 
 #include <glslang/Include/intermediate.h>

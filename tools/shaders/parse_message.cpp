@@ -24,7 +24,7 @@ struct Phrase {
   std::string_view words;
 };
 
-constexpr std::array<Phrase, 38> phrases{{
+constexpr std::array<Phrase, 39> phrases{{
     {"assign", "l-value required (can't modify a const)", "the left side of '=' is const"},
     {"assign", "l-value required", "the left side of '=' cannot be written$"},
     {"", "l-value required", "'%' needs a variable that can be written$"},
@@ -40,6 +40,8 @@ constexpr std::array<Phrase, 38> phrases{{
     {"", "vector swizzle selection out of range", "'.%' asks for components that the vector does not have"},
     {"", "vector swizzle selectors not from the same set", "'.%' mixes xyzw with rgba"},
     {"", "unknown swizzle selection", "'.%' is not a swizzle"},
+    {"", "Reserved word.",
+     "'%' is a reserved word; the enum, operator and template of HLSL 2017 and 2021 are not supported"},
     {"", "no such field in structure", "the structure has no member '%'"},
     {"register", "ignoring unrecognized register type", "'$' is not a kind of register: use b, t, s, u or c"},
     {"\\", "illegal use of escape character", "'\\' may only end a line"},

@@ -1,0 +1,97 @@
+#include "shaders/integer_matrices.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "hlsl/tokens.h"
+#include "shaders/spirv_words.h"
+
+namespace penumbra::shaders {
+
+namespace {
+
+// The members of structs that are such matrices or arrays of them, by name.
+class MatrixSearch {
+ public:
+  std::set<std::string> run(const SpirvModule& module) {
+    for_each_instruction(module, [this](SpirvWords instruction) { visit(instruction); });
+    return std::move(found_);
+  }
+
+  bool any() const { return !matrices_.empty(); }
+
+ private:
+  void visit(SpirvWords words) {
+    if (words.size() < 3) return;
+    switch (opcode(words)) {
+      case spv::OpMemberName:
+        if (words.size() > 3) names_[{words[1], words[2]}] = literal_text(words.subspan(3));
+        break;
+      case spv::OpTypeInt:
+        integers_.insert(words[1]);
+        break;
+      case spv::OpTypeVector:
+        if (integers_.contains(words[2])) vectors_.insert(words[1]);
+        break;
+      case spv::OpTypeMatrix:
+        if (vectors_.contains(words[2])) matrices_.insert(words[1]);
+        break;
+      case spv::OpTypeArray:
+      case spv::OpTypeRuntimeArray:
+        if (matrices_.contains(words[2])) matrices_.insert(words[1]);
+        break;
+      case spv::OpTypeStruct:
+        for (std::uint32_t member = 0; member + 2 < words.size(); ++member)
+          if (matrices_.contains(words[member + 2])) found_.insert(names_[{words[1], member}]);
+        break;
+      default:
+        break;
+    }
+  }
+
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::string> names_;
+  std::set<std::uint32_t> integers_;
+  std::set<std::uint32_t> vectors_;
+  std::set<std::uint32_t> matrices_;  // and arrays of them
+  std::set<std::string> found_;
+};
+
+// "int4x4", "uint2x3", ...
+bool is_integer_matrix(std::string_view type) {
+  return (type.starts_with("int") || type.starts_with("uint")) && type.size() > 5 &&
+         type[type.size() - 2] == 'x';
+}
+
+// `int4x4 name`, the first of those.
+SourcePlace declaration_of(const std::string& name, const std::string& text, const std::string& file) {
+  const std::vector<hlsl::Token> tokens = hlsl::lex(text);
+  for (std::size_t at = 1; at < tokens.size(); ++at)
+    if (tokens[at].spelling == name && is_integer_matrix(tokens[at - 1].spelling))
+      return {tokens[at].file.empty() ? file : std::string(tokens[at].file), tokens[at].line};
+  return {};
+}
+
+}  // namespace
+
+std::vector<ModuleProblem> integer_matrices(const SpirvModule& optimised, const std::string& text,
+                                            const std::string& file) {
+  MatrixSearch search;
+  const std::set<std::string> members = search.run(optimised);
+  std::vector<ModuleProblem> problems;
+  for (const std::string& member : members)
+    problems.push_back({declaration_of(member, text, file),
+                        "'" + member +
+                            "' is a matrix of integers, of which SPIR-V, GLSL and Metal have none in memory: "
+                            "declare an array of its rows, such as int4 rows[4]"});
+  if (problems.empty() && search.any())
+    problems.push_back({{},
+                        "a matrix of integers is kept in memory, of which SPIR-V, GLSL and Metal have none: "
+                        "use an array of its rows, such as int4 rows[4]"});
+  return problems;
+}
+
+}  // namespace penumbra::shaders

@@ -1,0 +1,65 @@
+#include "shaders/refused_memory.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "shaders/module_search.h"
+#include "shaders/spirv_words.h"
+
+namespace penumbra::shaders {
+
+namespace {
+
+// Where the pointer stands among the words of an instruction that reads or writes memory; 0 for others.
+std::size_t pointer_word(spv::Op op) {
+  if (op == spv::OpStore || op == spv::OpAtomicStore) return 1;
+  const bool is_atomic = op >= spv::OpAtomicLoad && op <= spv::OpAtomicXor;
+  return is_atomic || op == spv::OpLoad || op == spv::OpAccessChain || op == spv::OpInBoundsAccessChain ? 3
+                                                                                                        : 0;
+}
+
+class MemorySearch final : public ModuleSearch {
+ public:
+  MemorySearch(const SpirvModule& module, hlsl::Stage stage) : ModuleSearch(module), stage_(stage) {}
+
+ private:
+  void visit(SpirvWords instruction) override {
+    const spv::Op op = opcode(instruction);
+    if (op == spv::OpTypePointer && instruction.size() > 2) classes_[instruction[1]] = instruction[2];
+    if (const std::size_t at = pointer_word(op); at != 0 && instruction.size() > at)
+      use(op, class_of(instruction[at]));
+    const bool makes_pointer = op == spv::OpVariable || op == spv::OpAccessChain ||
+                               op == spv::OpInBoundsAccessChain || op == spv::OpCopyObject;
+    if (makes_pointer && instruction.size() > 2) classes_[instruction[2]] = class_of(instruction[1]);
+  }
+
+  // Of a pointer's type, and of a pointer.
+  std::uint32_t class_of(std::uint32_t id) const {
+    const auto found = classes_.find(id);
+    return found == classes_.end() ? std::uint32_t{spv::StorageClassMax} : found->second;
+  }
+
+  void use(spv::Op op, std::uint32_t storage) {
+    const bool is_atomic = op >= spv::OpAtomicLoad && op <= spv::OpAtomicXor;
+    if (storage == spv::StorageClassWorkgroup && stage_ != hlsl::Stage::compute)
+      report(std::string("a groupshared variable is used in a ") + hlsl::stage_name(stage_) +
+             " program: only compute programs have them");
+    if (is_atomic && (storage == spv::StorageClassFunction || storage == spv::StorageClassPrivate))
+      report(
+          "an Interlocked function changes a local variable: it takes groupshared variables and elements "
+          "of RW resources");
+  }
+
+  hlsl::Stage stage_;
+  std::map<std::uint32_t, std::uint32_t> classes_;  // of storage, by pointer and type of pointers
+};
+
+}  // namespace
+
+std::vector<ModuleProblem> refused_memory(const SpirvModule& module, hlsl::Stage stage) {
+  return MemorySearch(module, stage).run();
+}
+
+}  // namespace penumbra::shaders
