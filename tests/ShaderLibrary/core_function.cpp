@@ -55,19 +55,11 @@ std::vector<std::uint32_t> compile(const CoreFunction& function, DepthDirection 
   throw std::runtime_error(messages);
 }
 
-gpu::Slot slot_of(const shaders::Reflection& reflection, const std::string& name) {
-  for (const shaders::Resource& resource : reflection.resources) {
-    if (resource.name == name) return {resource.set, resource.binding};
-  }
-  throw std::runtime_error("the statement does not use '" + name + "'");
-}
-
 }  // namespace
 
 std::vector<float> run(const CoreFunction& function, DepthDirection direction,
                        const std::vector<float>& inputs) {
   const std::vector<std::uint32_t> spirv = compile(function, direction);
-  const shaders::Reflection reflection = shaders::reflect(spirv);
 
   // Whole rows of 65536 cases, the last one padded with zeros.
   const std::size_t cases = inputs.size() / std::size_t(function.inputs);
@@ -80,8 +72,8 @@ std::vector<float> run(const CoreFunction& function, DepthDirection direction,
   const gpu::Buffer input_buffer(device(), std::span<const float>(padded));
   const gpu::Buffer output_buffer(device(), rows * columns * std::size_t(function.outputs) * sizeof(float));
   gpu::ComputePass pass(device(), {.spirv = spirv});
-  pass.bindings().storage_buffer(slot_of(reflection, "inputs"), input_buffer);
-  pass.bindings().storage_buffer(slot_of(reflection, "outputs"), output_buffer);
+  pass.bindings().buffer("inputs", input_buffer);
+  pass.bindings().buffer("outputs", output_buffer);
   pass.dispatch({static_cast<std::uint32_t>(columns) / kGroupSize, static_cast<std::uint32_t>(rows), 1});
 
   for (const std::string& message : device().validation_log()->messages()) throw std::runtime_error(message);

@@ -155,19 +155,19 @@ void bind(Compiled& program, const HdrpFrame& frame, const std::map<std::string,
                                                              : gpu::SamplerKind::compare_less_equal;
   gpu::Bindings& bindings = program.pass.bindings();
   for (const shaders::Resource& resource : program.reflection.resources) {
-    const gpu::Slot slot{resource.set, resource.binding};
     if (resource.kind == shaders::ResourceKind::uniform_block) {
-      bindings.uniform_bytes(slot, loose_uniforms(resource, frame));
+      bindings.uniform_bytes(resource.name, loose_uniforms(resource, frame));
     } else if (resource.kind == shaders::ResourceKind::sampled_image) {
       gpu::Image atlas(device(), gpu::Format::depth32, static_cast<int>(frame.atlas_texels.x),
                        static_cast<int>(frame.atlas_texels.y));
       atlas.upload(frame.atlas);
-      bindings.sampled_image(slot, atlas);
+      bindings.image(resource.name, atlas);
     } else if (resource.kind == shaders::ResourceKind::sampler) {
       const bool compares = resource.name == "sampler_PenumbraLinearClampCompare";
-      bindings.sampler(slot, gpu::Sampler(device(), compares ? compare : gpu::SamplerKind::point_clamp));
+      bindings.sampler(resource.name,
+                       gpu::Sampler(device(), compares ? compare : gpu::SamplerKind::point_clamp));
     } else {
-      bindings.storage_buffer(slot, buffers.at(resource.name));
+      bindings.buffer(resource.name, buffers.at(resource.name));
     }
   }
 }

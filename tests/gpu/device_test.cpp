@@ -71,20 +71,27 @@ TEST(DeviceChoice, DescribesTheDevice) {
 // The layers must be heard at all before their silence says something.
 TEST(Validation, IsHeard) {
   Device device({.name = "", .validation = true});
-  const std::vector<std::uint32_t> spirv = compile_test_shader("CopyImage.hlsl");
-  ComputePass pass(device, {.spirv = spirv});
-  Image image(device, Format::rgba32f, 1, 1);
-  image.upload(std::vector<float>(4, 0.0F));
-  pass.bindings().sampled_image(slot_of(spirv, "_Map"), image);
-  pass.bindings().storage_image(slot_of(spirv, "_Image"), image);
-  pass.dispatch({1, 1, 1});
-  EXPECT_THAT(device.validation_log()->messages(), testing::Contains(testing::HasSubstr("layout")));
+  RasterShaders shaders;  // of whose three colours the fragment shader writes two
+  shaders.vertex = compile_test_shader("Triangle.hlsl", "Vertex", hlsl::Stage::vertex);
+  shaders.vertex_entry = "Vertex";
+  shaders.fragment = compile_test_shader("Triangle.hlsl", "Fragment", hlsl::Stage::fragment);
+  shaders.fragment_entry = "Fragment";
+  shaders.colours = {Format::rgba32f, Format::r32f, Format::r32f};
+  RasterPass pass(device, shaders);
+  pass.bindings().buffer("_Corners", Buffer(device, 3 * 4 * sizeof(float)));
+  const Image first(device, Format::rgba32f, 1, 1);
+  const Image second(device, Format::r32f, 1, 1);
+  const Image third(device, Format::r32f, 1, 1);
+  RasterTile tile{0, 0, 1, 1, 3, {}};
+  tile.push_constants.resize(16);
+  pass.draw({{&first, &second, &third}}, {tile});
+  EXPECT_THAT(device.validation_log()->messages(), testing::Contains(testing::HasSubstr("Attachment 2")));
 }
 
 struct SpinningPass {
   explicit SpinningPass(const Device& device)
       : spirv(compile_test_shader("Spin.hlsl")), result(device, 4), pass(device, {.spirv = spirv}) {
-    pass.bindings().storage_buffer(slot_of(spirv, "_Result"), result);
+    pass.bindings().buffer("_Result", result);
     pass.dispatch({1, 1, 1});  // the driver compiles here
   }
 

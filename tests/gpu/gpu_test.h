@@ -14,7 +14,6 @@
 #include "gpu/device.h"
 #include "gpu/raster_pass.h"
 #include "shaders/compile.h"
-#include "shaders/reflect.h"
 
 namespace penumbra::gpu {
 
@@ -30,13 +29,6 @@ inline std::vector<std::uint32_t> compile_test_shader(const std::string& file,
   for (const hlsl::Diagnostic& diagnostic : result.diagnostics) messages += hlsl::format(diagnostic) + "\n";
   if (result.spirv.empty()) throw std::runtime_error(messages);
   return result.spirv;
-}
-
-inline Slot slot_of(const std::vector<std::uint32_t>& spirv, const std::string& name) {
-  for (const shaders::Resource& resource : shaders::reflect(spirv).resources) {
-    if (resource.name == name) return {resource.set, resource.binding};
-  }
-  throw std::runtime_error("no resource " + name);
 }
 
 // Every test runs with the validation layers on, and fails when they spoke, at teardown too.

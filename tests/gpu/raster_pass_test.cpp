@@ -42,7 +42,7 @@ class GpuRaster : public Gpu {
   RasterPass pass_of(const RasterShaders& made, const std::vector<Corner>& corners) {
     RasterPass pass(*device, made);
     const Buffer buffer(*device, std::span<const Corner>(corners));
-    pass.bindings().storage_buffer(slot_of(made.vertex, "_Corners"), buffer);
+    pass.bindings().buffer("_Corners", buffer);
     return pass;
   }
 };

@@ -57,9 +57,12 @@ TEST_P(GpuFormat, RefusesAnUploadOfAnotherSize) {
   EXPECT_THROW(image.upload(random_bytes(image.size_bytes() + 1)), std::invalid_argument);
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, GpuFormat,
-                         testing::Values(Format::depth16, Format::depth24, Format::depth32, Format::r32f,
-                                         Format::rg32f, Format::rgba32f),
+TEST_P(GpuFormat, HasANameThatFindsIt) {
+  EXPECT_EQ(find_format(name(GetParam())), GetParam());
+  EXPECT_EQ(find_format("r64f"), std::nullopt);
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, GpuFormat, testing::ValuesIn(all_formats().begin(), all_formats().end()),
                          format_name);
 
 class GpuLoad : public Gpu {
@@ -69,8 +72,8 @@ class GpuLoad : public Gpu {
     ComputePass pass(*device, {.spirv = spirv});
     const auto texels = static_cast<std::size_t>(image.width()) * static_cast<std::size_t>(image.height());
     const Buffer result(*device, texels * sizeof(std::uint32_t));
-    pass.bindings().sampled_image(slot_of(spirv, "_Map"), image);
-    pass.bindings().storage_buffer(slot_of(spirv, "_Result"), result);
+    pass.bindings().image("_Map", image);
+    pass.bindings().buffer("_Result", result);
     pass.dispatch({std::uint32_t(image.width()), std::uint32_t(image.height()), 1});
     return result.download<std::uint32_t>();
   }

@@ -17,10 +17,10 @@ class GpuSampler : public Gpu {
     const Sampler sampler(*device, kind);
     const Buffer where(*device, std::span<const Point>(points));
     const Buffer result(*device, points.size() * sizeof(Result));
-    pass.bindings().sampled_image(slot_of(spirv, "_Map"), map);
-    pass.bindings().sampler(slot_of(spirv, sampler_name), sampler);
-    pass.bindings().storage_buffer(slot_of(spirv, "_Points"), where);
-    pass.bindings().storage_buffer(slot_of(spirv, "_Result"), result);
+    pass.bindings().image("_Map", map);
+    pass.bindings().sampler(sampler_name, sampler);
+    pass.bindings().buffer("_Points", where);
+    pass.bindings().buffer("_Result", result);
     pass.dispatch({std::uint32_t(points.size()), 1, 1});
     return result.download<Result>();
   }

@@ -43,22 +43,22 @@ gpu::Image texture(const Drawing& drawing, const std::string& name) {
 }
 
 void bind(const Drawing& drawing, const shaders::Resource& resource, gpu::Bindings& bindings) {
-  const gpu::Slot slot{resource.set, resource.binding};
   switch (resource.kind) {
     case shaders::ResourceKind::uniform_block:
-      bindings.uniform_bytes(slot, std::as_bytes(std::span<const float>(drawing.uniforms.at(resource.name))));
+      bindings.uniform_bytes(resource.name,
+                             std::as_bytes(std::span<const float>(drawing.uniforms.at(resource.name))));
       break;
     case shaders::ResourceKind::storage_buffer:
-      bindings.storage_buffer(
-          slot, gpu::Buffer(device(), std::span<const float>(drawing.buffers.at(resource.name))));
+      bindings.buffer(resource.name,
+                      gpu::Buffer(device(), std::span<const float>(drawing.buffers.at(resource.name))));
       break;
     case shaders::ResourceKind::sampled_image:
-      bindings.sampled_image(slot, texture(drawing, resource.name));
+      bindings.image(resource.name, texture(drawing, resource.name));
       break;
     case shaders::ResourceKind::sampler:
-      bindings.sampler(
-          slot, gpu::Sampler(device(), holds(resource.name, "Compare") ? gpu::SamplerKind::compare_less_equal
-                                                                       : gpu::SamplerKind::point_clamp));
+      bindings.sampler(resource.name, gpu::Sampler(device(), holds(resource.name, "Compare")
+                                                                 ? gpu::SamplerKind::compare_less_equal
+                                                                 : gpu::SamplerKind::point_clamp));
       break;
     case shaders::ResourceKind::storage_image:
       throw std::runtime_error("nothing is given for '" + resource.name + "'");

@@ -36,20 +36,19 @@ std::vector<float> run(const Execution& execution, const std::vector<std::uint32
   const gpu::Buffer out(device(), execution.outputs * sizeof(float));
   gpu::ComputePass pass(device(), {.spirv = spirv, .entry = entry});
   for (const shaders::Resource& resource : shaders::reflect(spirv).resources) {
-    const gpu::Slot slot{resource.set, resource.binding};
     const std::string name = plain_name(resource.name);
     const auto uniform = execution.uniforms.find(name);
     if (name == "In") {
-      pass.bindings().storage_buffer(slot, in);
+      pass.bindings().buffer(resource.name, in);
     } else if (name == "Out") {
-      pass.bindings().storage_buffer(slot, out);
+      pass.bindings().buffer(resource.name, out);
     } else if (uniform != execution.uniforms.end() &&
                resource.kind == shaders::ResourceKind::storage_buffer) {
-      pass.bindings().storage_buffer(slot, gpu::Buffer(device(), std::span<const float>(uniform->second)));
+      pass.bindings().buffer(resource.name, gpu::Buffer(device(), std::span<const float>(uniform->second)));
     } else if (uniform != execution.uniforms.end()) {
-      pass.bindings().uniform_bytes(slot, std::as_bytes(std::span<const float>(uniform->second)));
+      pass.bindings().uniform_bytes(resource.name, std::as_bytes(std::span<const float>(uniform->second)));
     } else if (resource.kind == shaders::ResourceKind::storage_image) {
-      pass.bindings().storage_image(slot, gpu::Image(device(), gpu::Format::rgba32f, 8, 8));
+      pass.bindings().image(resource.name, gpu::Image(device(), gpu::Format::rgba32f, 8, 8));
     } else {
       throw std::runtime_error("nothing is given for '" + resource.name + "'");
     }

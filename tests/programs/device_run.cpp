@@ -40,7 +40,7 @@ DeviceRun run_on_device(const std::vector<const Program*>& programs,
   const gpu::Buffer out(device(), programs.size() * sets * kOutputs * sizeof(std::uint32_t));
   gpu::ComputePass pass(device(), {.spirv = compiled.spirv});
   for (const shaders::Resource& resource : shaders::reflect(compiled.spirv).resources)
-    pass.bindings().storage_buffer({resource.set, resource.binding}, resource.name == "In" ? in : out);
+    pass.bindings().buffer(resource.name, resource.name == "In" ? in : out);
   pass.dispatch({static_cast<std::uint32_t>(sets), 1, 1});
   for (const std::string& message : device().validation_log()->messages()) result.error += message + "\n";
   result.words = out.download<std::uint32_t>();

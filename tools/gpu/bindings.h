@@ -1,43 +1,50 @@
-// What a pass's shaders read and write, by descriptor set and binding.
+// What a pass's shaders read and write, by the names that the shaders give it.
 //
-// A pass keeps what is bound to it alive. A slot's kind is fixed by its first use; the resource in it can be
-// replaced between runs without rebuilding anything.
+// A pass has one set of bindings, and makes more for uses that stand side by side in one Sequence. What is
+// bound is kept alive, and can be replaced between runs without rebuilding anything.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <type_traits>
 
 #include "gpu/resources.h"
 
 namespace penumbra::gpu {
 
-// A place in a shader's interface. shaders::compile numbers what a shader uses; shaders::reflect tells by
-// name.
-struct Slot {
-  std::uint32_t set = 0;
-  std::uint32_t binding = 0;
+// Mip levels and layers that a shader sees; of a storage image the first level. Counts of 0: all from the
+// first on.
+struct ImageRange {
+  int first_mip = 0;
+  int mips = 0;
+  int first_layer = 0;
+  int layers = 0;
 };
 
 struct BindingsState;
+struct PassInterface;
 
 class Bindings {
  public:
-  explicit Bindings(const Device& device);
+  bool has(const std::string& name) const;
 
-  void storage_buffer(Slot slot, const Buffer& buffer);             // StructuredBuffer, RWStructuredBuffer
-  void sampled_image(Slot slot, const Image& image);                // Texture2D
-  void storage_image(Slot slot, const Image& image);                // RWTexture2D; not for depth formats
-  void sampler(Slot slot, const Sampler& sampler);                  // SamplerState, SamplerComparisonState
-  void uniform_bytes(Slot slot, std::span<const std::byte> bytes);  // cbuffer; the bytes are copied
+  // Each throws std::logic_error when the pass has no resource of that name and kind, or the device is
+  // another one. Of stages that both have the name, each gets it.
+  void buffer(const std::string& name, const Buffer& buffer);  // StructuredBuffer, RWStructuredBuffer
+  void image(const std::string& name, const Image& image,
+             ImageRange range = {});  // Texture2D, RWTexture2D, ...
+  void sampler(const std::string& name, const Sampler& sampler);
+  void uniform_bytes(const std::string& name, std::span<const std::byte> bytes);  // cbuffer; copied
   template <typename T>
-  void uniform(Slot slot, const T& block) {
+  void uniform(const std::string& name, const T& block) {
     static_assert(std::is_trivially_copyable_v<T>);
-    uniform_bytes(slot, std::as_bytes(std::span<const T>(&block, 1)));
+    uniform_bytes(name, std::as_bytes(std::span<const T>(&block, 1)));
   }
 
+  explicit Bindings(std::shared_ptr<PassInterface> interface);  // for this room: passes make them
   const std::shared_ptr<BindingsState>& state() const { return state_; }
 
  private:

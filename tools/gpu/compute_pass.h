@@ -1,8 +1,8 @@
 // One compute shader, run as often as wanted: the pipeline is compiled once, at the first dispatch.
 //
 //   ComputePass resolve(device, {.spirv = words});
-//   resolve.bindings().sampled_image({0, 0}, atlas);
-//   resolve.bindings().storage_buffer({0, 1}, visibility);
+//   resolve.bindings().image("_ShadowMap", atlas);
+//   resolve.bindings().buffer("_Visibility", visibility);
 //   std::vector<double> ns = resolve.dispatch({60, 34, 1}, 5);
 #pragma once
 
@@ -26,20 +26,21 @@ struct ComputeState;
 class ComputePass {
  public:
   ComputePass(const Device& device, const ComputeShader& shader);
-  ~ComputePass();
-  ComputePass(ComputePass&&) noexcept;
-  ComputePass& operator=(ComputePass&&) noexcept;
 
-  Bindings& bindings();
+  Bindings& bindings() { return bindings_; }
+  Bindings more_bindings() const;  // for another step of a Sequence
 
   // Runs `repeat` times, each its own submission, and returns each one's time on the device in nanoseconds:
   // by timestamps around the dispatch where the device has them, else wall-clock time of the submission.
-  // Throws EnvironmentError on timeout or device loss, std::logic_error when the shader reads a slot nothing
-  // is bound to.
+  // Throws as Sequence does.
   std::vector<double> dispatch(std::array<std::uint32_t, 3> groups, int repeat = 1);
 
+  const std::shared_ptr<ComputeState>& state() const { return state_; }
+
  private:
+  const Device* device_;
   std::shared_ptr<ComputeState> state_;
+  Bindings bindings_;
 };
 
 }  // namespace penumbra::gpu

@@ -7,11 +7,46 @@
 namespace penumbra::gpu {
 namespace {
 
+// Vulkan 1.1 has 16-bit storage; 16-bit arithmetic is an extension of it.
+struct HalfFeatures {
+  vk::PhysicalDevice16BitStorageFeatures storage;
+  vk::PhysicalDeviceShaderFloat16Int8FeaturesKHR arithmetic;
+
+  explicit HalfFeatures(const vk::raii::PhysicalDevice& physical) {
+    const auto offered =
+        physical.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDevice16BitStorageFeatures,
+                              vk::PhysicalDeviceShaderFloat16Int8FeaturesKHR>();
+    storage.storageBuffer16BitAccess =
+        offered.get<vk::PhysicalDevice16BitStorageFeatures>().storageBuffer16BitAccess;
+    const bool has =
+        offers(physical.enumerateDeviceExtensionProperties(), VK_KHR_SHADER_FLOAT16_INT8_EXTENSION_NAME);
+    arithmetic.shaderFloat16 =
+        has && offered.get<vk::PhysicalDeviceShaderFloat16Int8FeaturesKHR>().shaderFloat16;
+  }
+};
+
+SubgroupInfo subgroup_of(const vk::raii::PhysicalDevice& physical) {
+  using Feature = vk::SubgroupFeatureFlagBits;
+  const auto properties =
+      physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceSubgroupProperties>()
+          .get<vk::PhysicalDeviceSubgroupProperties>();
+  SubgroupInfo info;
+  info.lanes = static_cast<int>(properties.subgroupSize);
+  if (!(properties.supportedStages & vk::ShaderStageFlagBits::eCompute)) return info;
+  info.vote = bool(properties.supportedOperations & Feature::eVote);
+  info.arithmetic = bool(properties.supportedOperations & Feature::eArithmetic);
+  info.ballot = bool(properties.supportedOperations & Feature::eBallot);
+  info.shuffle = bool(properties.supportedOperations & Feature::eShuffle);
+  info.quad = bool(properties.supportedOperations & Feature::eQuad);
+  return info;
+}
+
 // What makes depths outside [0, 1] and NaN texels legal, and what a portability driver insists on.
 std::vector<const char*> device_extensions(const vk::raii::PhysicalDevice& physical) {
   const std::vector<vk::ExtensionProperties> offered = physical.enumerateDeviceExtensionProperties();
   std::vector<const char*> enabled;
-  for (const char* wanted : {VK_EXT_DEPTH_RANGE_UNRESTRICTED_EXTENSION_NAME, "VK_KHR_portability_subset"}) {
+  for (const char* wanted : {VK_EXT_DEPTH_RANGE_UNRESTRICTED_EXTENSION_NAME, "VK_KHR_portability_subset",
+                             VK_KHR_SHADER_FLOAT16_INT8_EXTENSION_NAME}) {
     if (offers(offered, wanted)) enabled.push_back(wanted);
   }
   return enabled;
@@ -26,6 +61,9 @@ void open_device(DeviceState& state) {
   state.features.shaderStorageImageWriteWithoutFormat = offered.shaderStorageImageWriteWithoutFormat;
   state.features.vertexPipelineStoresAndAtomics = offered.vertexPipelineStoresAndAtomics;
   state.features.fragmentStoresAndAtomics = offered.fragmentStoresAndAtomics;
+  state.features.sampleRateShading = offered.sampleRateShading;
+  state.features.independentBlend = offered.independentBlend;
+  state.features.shaderInt16 = offered.shaderInt16;
   state.features.shaderFloat64 = offered.shaderFloat64;
   state.features.shaderInt64 = offered.shaderInt64;
   state.limits = state.physical.getProperties().limits;
@@ -35,16 +73,20 @@ void open_device(DeviceState& state) {
   const float priority = 1.0F;
   const vk::DeviceQueueCreateInfo queue({}, state.queue_family, 1, &priority);
   const std::vector<const char*> extensions = device_extensions(state.physical);
-  state.device =
-      vk::raii::Device(state.physical, vk::DeviceCreateInfo({}, queue, {}, extensions, &state.features));
+  HalfFeatures half(state.physical);
+  state.info.half_arithmetic = half.arithmetic.shaderFloat16;
+  state.info.half_storage = half.storage.storageBuffer16BitAccess;
+  state.info.subgroup = subgroup_of(state.physical);
+  vk::DeviceCreateInfo create({}, queue, {}, extensions, &state.features);
+  half.storage.pNext = half.arithmetic.shaderFloat16 ? &half.arithmetic : nullptr;
+  create.pNext = &half.storage;
+  state.device = vk::raii::Device(state.physical, create);
   state.queue = state.device.getQueue(state.queue_family, 0);
   state.command_pool = vk::raii::CommandPool(
       state.device, {vk::CommandPoolCreateFlagBits::eResetCommandBuffer, state.queue_family});
   vk::raii::CommandBuffers buffers(state.device, {*state.command_pool, vk::CommandBufferLevel::ePrimary, 1});
   state.commands = std::move(buffers.front());
   state.fence = vk::raii::Fence(state.device, vk::FenceCreateInfo());
-  state.timestamps =
-      vk::raii::QueryPool(state.device, vk::QueryPoolCreateInfo({}, vk::QueryType::eTimestamp, 2));
 }
 
 }  // namespace
@@ -88,6 +130,10 @@ const DeviceInfo& Device::info() const {
 
 bool Device::supports(Format format) const {
   return texel_format_of(*state_, format).has_value();
+}
+
+FormatUses Device::uses(Format format) const {
+  return uses_of(*state_, format);
 }
 
 std::shared_ptr<const ValidationLog> Device::validation_log() const {

@@ -13,13 +13,26 @@
 
 namespace penumbra::gpu {
 
+// Lanes that run together and what they can do with one another's values, in compute shaders.
+struct SubgroupInfo {
+  int lanes = 1;
+  bool vote = false;        // WaveActiveAnyTrue, ...
+  bool arithmetic = false;  // WaveActiveSum, WavePrefixSum, ...
+  bool ballot = false;      // WaveActiveBallot, WaveReadLaneFirst, ...
+  bool shuffle = false;     // WaveReadLaneAt
+  bool quad = false;        // QuadReadAcrossX, ...
+};
+
 struct DeviceInfo {
   int index = 0;
-  std::string name;             // as the driver gives it, for example "llvmpipe (LLVM 15.0.6, 256 bits)"
-  std::string driver;           // name and version
-  std::string api_version;      // "1.3.230"
-  bool is_software = false;     // runs on the CPU: times are CPU times and rank nothing
-  bool has_timestamps = false;  // else dispatches are timed on the host, submission and wait included
+  std::string name;              // as the driver gives it, for example "llvmpipe (LLVM 15.0.6, 256 bits)"
+  std::string driver;            // name and version
+  std::string api_version;       // "1.3.230"
+  bool is_software = false;      // runs on the CPU: times are CPU times and rank nothing
+  bool has_timestamps = false;   // else dispatches are timed on the host, submission and wait included
+  bool half_arithmetic = false;  // min16float is 16 bits where shaders are compiled so
+  bool half_storage = false;     // in buffers too
+  SubgroupInfo subgroup;
 };
 
 struct DeviceOptions {
@@ -55,6 +68,7 @@ class Device {
   const DeviceInfo& info() const;
   // Whether images of this format can be made here; 24-bit depth is optional in Vulkan.
   bool supports(Format format) const;
+  FormatUses uses(Format format) const;
   std::shared_ptr<const ValidationLog> validation_log() const;  // empty log without validation
 
   const std::shared_ptr<DeviceState>& state() const { return state_; }

@@ -28,17 +28,25 @@ void MessageLog::add(const char* message) {
   messages_.emplace_back(message);
 }
 
-double DeviceState::submit(const std::function<void(const vk::raii::CommandBuffer&)>& record,
-                           const std::shared_ptr<void>& used) {
+void DeviceState::make_timestamps(std::uint32_t steps) {
+  if (steps <= timestamp_steps) return;
+  timestamps = vk::raii::QueryPool(device, vk::QueryPoolCreateInfo({}, vk::QueryType::eTimestamp, 2 * steps));
+  timestamp_steps = steps;
+}
+
+std::vector<double> DeviceState::submit(const std::function<void(const vk::raii::CommandBuffer&)>& record,
+                                        const std::shared_ptr<void>& used, std::uint32_t marked) {
   if (stuck) {
     throw EnvironmentError(info.name + ": an earlier submission ran out of time; open the device again");
   }
   using Clock = std::chrono::steady_clock;
   const vk::PipelineStageFlags everything =
       vk::PipelineStageFlagBits::eAllCommands | vk::PipelineStageFlagBits::eHost;
+  const bool timed = info.has_timestamps && marked > 0;
+  if (timed) make_timestamps(marked);
   commands.reset();
   commands.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
-  if (info.has_timestamps) commands.resetQueryPool(*timestamps, 0, 2);
+  if (timed) commands.resetQueryPool(*timestamps, 0, 2 * marked);
   full_barrier(commands, everything, vk::PipelineStageFlagBits::eAllCommands);
   record(commands);
   full_barrier(commands, vk::PipelineStageFlagBits::eAllCommands, everything);
@@ -49,13 +57,22 @@ double DeviceState::submit(const std::function<void(const vk::raii::CommandBuffe
   queue.submit(vk::SubmitInfo({}, {}, *commands, {}), *fence);
   wait_for_fence(used);
   const std::chrono::duration<double, std::nano> wall = Clock::now() - start;
+  if (timed) return times(marked);
+  std::vector<double> nanoseconds(marked, 0.0);
+  if (marked > 0) nanoseconds.front() = wall.count();
+  return nanoseconds;
+}
 
-  if (!info.has_timestamps) return wall.count();
-  // Without the wait flag: a copy writes no timestamps and asks for none.
+std::vector<double> DeviceState::times(std::uint32_t steps) const {
+  const std::size_t count = std::size_t(2) * steps;
   const auto [result, ticks] = timestamps.getResults<std::uint64_t>(
-      0, 2, 2 * sizeof(std::uint64_t), sizeof(std::uint64_t), vk::QueryResultFlagBits::e64);
-  if (result != vk::Result::eSuccess) return wall.count();
-  return double((ticks[1] - ticks[0]) & timestamp_mask) * double(limits.timestampPeriod);
+      0, std::uint32_t(count), count * sizeof(std::uint64_t), sizeof(std::uint64_t),
+      vk::QueryResultFlagBits::e64 | vk::QueryResultFlagBits::eWait);
+  std::vector<double> nanoseconds;
+  for (std::size_t step = 0; step < steps; ++step)
+    nanoseconds.push_back(double((ticks[2 * step + 1] - ticks[2 * step]) & timestamp_mask) *
+                          double(limits.timestampPeriod));
+  return nanoseconds;
 }
 
 void DeviceState::wait_for_fence(const std::shared_ptr<void>& used) {
@@ -72,14 +89,14 @@ void DeviceState::release_stuck() {
   if (device.waitForFences(*fence, VK_TRUE, last_wait_nanoseconds) == vk::Result::eSuccess) stuck.reset();
 }
 
-void DeviceState::mark_begin(const vk::raii::CommandBuffer& commands_in_use) const {
+void DeviceState::mark_begin(const vk::raii::CommandBuffer& commands_in_use, std::uint32_t step) const {
   if (!info.has_timestamps) return;
-  commands_in_use.writeTimestamp(vk::PipelineStageFlagBits::eTopOfPipe, *timestamps, 0);
+  commands_in_use.writeTimestamp(vk::PipelineStageFlagBits::eTopOfPipe, *timestamps, 2 * step);
 }
 
-void DeviceState::mark_end(const vk::raii::CommandBuffer& commands_in_use) const {
+void DeviceState::mark_end(const vk::raii::CommandBuffer& commands_in_use, std::uint32_t step) const {
   if (!info.has_timestamps) return;
-  commands_in_use.writeTimestamp(vk::PipelineStageFlagBits::eBottomOfPipe, *timestamps, 1);
+  commands_in_use.writeTimestamp(vk::PipelineStageFlagBits::eBottomOfPipe, *timestamps, 2 * step + 1);
 }
 
 vk::raii::DeviceMemory DeviceState::allocate(const vk::MemoryRequirements& requirements,

@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <vector>
 #include <vulkan/vulkan_raii.hpp>
 
 #include "gpu/device.h"
@@ -50,17 +51,19 @@ struct DeviceState {
   vk::raii::CommandPool command_pool = nullptr;
   vk::raii::CommandBuffer commands = nullptr;
   vk::raii::Fence fence = nullptr;
-  std::uint64_t timestamp_mask = 0;  // the bits that count
-  vk::raii::QueryPool timestamps = nullptr;
+  std::uint64_t timestamp_mask = 0;          // the bits that count
+  vk::raii::QueryPool timestamps = nullptr;  // two for each marked step; grows
+  std::uint32_t timestamp_steps = 0;
   Allocation staging;           // grows to the largest copy so far
   std::shared_ptr<void> stuck;  // what a submission that ran out of time may still be using
 
-  // Records, submits and waits. Returns the time between the timestamps `record` encloses with mark_begin and
-  // mark_end, else of the whole submission, in nanoseconds. `used` is kept alive should the wait time out.
-  double submit(const std::function<void(const vk::raii::CommandBuffer&)>& record,
-                const std::shared_ptr<void>& used);
-  void mark_begin(const vk::raii::CommandBuffer& commands_in_use) const;
-  void mark_end(const vk::raii::CommandBuffer& commands_in_use) const;
+  // Records, submits and waits. `used` is kept alive should the wait time out. Of each of the `marked` steps
+  // that `record` encloses with mark_begin and mark_end the time between its timestamps, in nanoseconds;
+  // without timestamps the first has the wall-clock time of the whole submission and the others 0.
+  std::vector<double> submit(const std::function<void(const vk::raii::CommandBuffer&)>& record,
+                             const std::shared_ptr<void>& used, std::uint32_t marked = 0);
+  void mark_begin(const vk::raii::CommandBuffer& commands_in_use, std::uint32_t step = 0) const;
+  void mark_end(const vk::raii::CommandBuffer& commands_in_use, std::uint32_t step = 0) const;
 
   vk::raii::DeviceMemory allocate(const vk::MemoryRequirements& requirements,
                                   vk::MemoryPropertyFlags wanted) const;
@@ -73,6 +76,8 @@ struct DeviceState {
 
  private:
   void wait_for_fence(const std::shared_ptr<void>& used);
+  void make_timestamps(std::uint32_t steps);
+  std::vector<double> times(std::uint32_t steps) const;
 };
 
 // Runs `action`; a Vulkan failure becomes an EnvironmentError that names the device and the attempt.

@@ -1,15 +1,57 @@
-// The texel formats this project needs: three of shadow maps, three of data.
+// The texel formats that shadow techniques need: shadow maps, what is computed with (moments, penumbra
+// widths, masks) and what is counted in.
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <span>
+#include <string_view>
 
 namespace penumbra::gpu {
 
-// depth24 is 32 bits per texel in memory, depth in the low 24, the rest zero.
-enum class Format { depth16, depth24, depth32, r32f, rg32f, rgba32f };
+// Numbers without a letter are fractions from 0 to 1, f are floats, ui unsigned integers. depth24 is 32 bits
+// per texel in memory, depth in the low 24, the rest zero.
+enum class Format {
+  depth16,
+  depth24,
+  depth32,
+  r8,
+  rg8,
+  rgba8,
+  r16,
+  rg16,
+  rgba16,
+  r16f,
+  rg16f,
+  rgba16f,
+  r32f,
+  rg32f,
+  rgba32f,
+  r11g11b10f,
+  r8ui,
+  r16ui,
+  r32ui,
+  rg32ui,
+  rgba32ui
+};
+
+std::span<const Format> all_formats();
 
 bool is_depth(Format format);
+bool is_integer(Format format);  // shaders read and write whole numbers
 std::size_t texel_bytes(Format format);
 const char* name(Format format);
+std::optional<Format> find_format(std::string_view name);
+
+// What a device can do with a format; copies to and from the host it can always. Not what Vulkan promises for
+// every device: r11g11b10f, for example, is written by compute shaders on some.
+struct FormatUses {
+  bool sampled = false;   // shaders load texels
+  bool filtered = false;  // linear samplers
+  bool storage = false;   // compute shaders write texels
+  bool target = false;    // passes draw into it
+  bool blended = false;
+  int most_samples = 1;  // of a target
+};
 
 }  // namespace penumbra::gpu

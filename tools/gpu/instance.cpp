@@ -1,6 +1,7 @@
 #include "gpu/instance.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <optional>
@@ -104,11 +105,14 @@ vk::raii::Instance make_instance(const vk::raii::Context& context, MessageLog* l
     create.flags |= vk::InstanceCreateFlagBits::eEnumeratePortabilityKHR;
   }
   vk::DebugUtilsMessengerCreateInfoEXT messenger;
+  const std::array checked{vk::ValidationFeatureEnableEXT::eSynchronizationValidation};
+  vk::ValidationFeaturesEXT features(checked);
   if (log != nullptr) {
     require_validation_layer(context);
     layers.push_back(validation_layer);
     extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
     messenger = messenger_of(*log);
+    messenger.pNext = &features;
     create.pNext = &messenger;  // hears of what the instance's own creation and destruction do
   }
   create.setPEnabledLayerNames(layers);

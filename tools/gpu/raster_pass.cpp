@@ -1,79 +1,228 @@
 #include "gpu/raster_pass.h"
 
+#include <algorithm>
 #include <stdexcept>
 
-#include "gpu/bindings_state.h"
+#include "gpu/raster_state.h"
 
 namespace penumbra::gpu {
 namespace {
 
 constexpr std::uint32_t push_constant_bytes = 128;  // what every Vulkan device has
-constexpr vk::ShaderStageFlags both_stages =
-    vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
+constexpr Access colour_access{
+    vk::PipelineStageFlagBits::eColorAttachmentOutput,
+    vk::AccessFlagBits::eColorAttachmentRead | vk::AccessFlagBits::eColorAttachmentWrite, true};
+constexpr Access depth_access{
+    vk::PipelineStageFlagBits::eEarlyFragmentTests | vk::PipelineStageFlagBits::eLateFragmentTests,
+    vk::AccessFlagBits::eDepthStencilAttachmentRead | vk::AccessFlagBits::eDepthStencilAttachmentWrite, true};
+
+vk::ImageLayout layout_of(Format format) {
+  return is_depth(format) ? vk::ImageLayout::eDepthStencilAttachmentOptimal
+                          : vk::ImageLayout::eColorAttachmentOptimal;
+}
 
 struct Attachments {
   std::vector<vk::AttachmentDescription> descriptions;
   std::vector<vk::AttachmentReference> colours;
-  std::optional<vk::AttachmentReference> depth;
+  std::vector<vk::AttachmentReference> resolves;
+  std::vector<vk::AttachmentReference> depth;  // one or none
+
+  void add(const DeviceState& device, Format format, int samples, vk::AttachmentLoadOp load,
+           std::vector<vk::AttachmentReference>& list) {
+    vk::AttachmentDescription description;
+    description.format = need_texel_format(device, format).format;
+    description.samples = static_cast<vk::SampleCountFlagBits>(samples);
+    description.loadOp = load;
+    description.storeOp = vk::AttachmentStoreOp::eStore;
+    description.stencilLoadOp = vk::AttachmentLoadOp::eDontCare;
+    description.stencilStoreOp = vk::AttachmentStoreOp::eDontCare;
+    description.initialLayout = description.finalLayout = layout_of(format);
+    list.emplace_back(std::uint32_t(descriptions.size()), layout_of(format));
+    descriptions.push_back(description);
+  }
 };
 
-void attach(Attachments& attachments, vk::Format format, vk::ImageLayout layout) {
-  vk::AttachmentDescription description;
-  description.format = format;
-  description.loadOp = vk::AttachmentLoadOp::eClear;
-  description.storeOp = vk::AttachmentStoreOp::eStore;
-  description.stencilLoadOp = vk::AttachmentLoadOp::eDontCare;
-  description.stencilStoreOp = vk::AttachmentStoreOp::eDontCare;
-  description.initialLayout = description.finalLayout = layout;
-  attachments.descriptions.push_back(description);
+vk::raii::RenderPass make_render_pass(const DeviceState& device, const RasterShaders& shaders) {
+  const vk::AttachmentLoadOp load = shaders.keep ? vk::AttachmentLoadOp::eLoad : vk::AttachmentLoadOp::eClear;
+  Attachments attachments;
+  for (const Format colour : shaders.colours)
+    attachments.add(device, colour, shaders.samples, load, attachments.colours);
+  if (shaders.resolve)
+    for (const Format colour : shaders.colours)
+      attachments.add(device, colour, 1, vk::AttachmentLoadOp::eDontCare, attachments.resolves);
+  if (shaders.depth) attachments.add(device, *shaders.depth, shaders.samples, load, attachments.depth);
+  vk::SubpassDescription subpass({}, vk::PipelineBindPoint::eGraphics, nullptr, attachments.colours);
+  if (shaders.resolve) subpass.pResolveAttachments = attachments.resolves.data();
+  if (shaders.depth) subpass.pDepthStencilAttachment = attachments.depth.data();
+  return {device.device, vk::RenderPassCreateInfo({}, attachments.descriptions, subpass)};
 }
 
-vk::Format need(const DeviceState& device, Format format) {
-  const std::optional<TexelFormat> texel = texel_format_of(device, format);
-  if (!texel) throw EnvironmentError(device.info.name + ": no " + name(format) + " images here");
-  return texel->format;
+vk::PipelineColorBlendAttachmentState blend_of(Blend blend) {
+  using Component = vk::ColorComponentFlagBits;
+  using Factor = vk::BlendFactor;
+  vk::PipelineColorBlendAttachmentState state;
+  state.colorWriteMask = Component::eR | Component::eG | Component::eB | Component::eA;
+  state.blendEnable = blend != Blend::none;
+  state.colorBlendOp = blend == Blend::smallest  ? vk::BlendOp::eMin
+                       : blend == Blend::largest ? vk::BlendOp::eMax
+                                                 : vk::BlendOp::eAdd;
+  state.alphaBlendOp = state.colorBlendOp;
+  state.srcColorBlendFactor = state.srcAlphaBlendFactor =
+      blend == Blend::alpha ? Factor::eSrcAlpha : Factor::eOne;
+  state.dstColorBlendFactor = state.dstAlphaBlendFactor =
+      blend == Blend::alpha ? Factor::eOneMinusSrcAlpha : Factor::eOne;
+  return state;
+}
+
+std::vector<vk::PipelineColorBlendAttachmentState> blends_of(const RasterShaders& shaders) {
+  std::vector<vk::PipelineColorBlendAttachmentState> states;
+  for (std::size_t at = 0; at < shaders.colours.size(); ++at)
+    states.push_back(blend_of(at < shaders.blends.size() ? shaders.blends[at] : Blend::none));
+  return states;
+}
+
+void check(const Device& device, const RasterShaders& shaders) {
+  const DeviceState& state = *device.state();
+  if (shaders.vertex.empty()) throw std::invalid_argument("a raster pass without a vertex shader");
+  if (shaders.colours.empty() && !shaders.depth)
+    throw std::invalid_argument("a raster pass has a depth target, colour targets, or both");
+  if (shaders.blends.size() > shaders.colours.size())
+    throw std::invalid_argument("a raster pass with more blends than colours");
+  if (shaders.resolve && (shaders.samples == 1 || shaders.colours.empty()))
+    throw std::invalid_argument("only colours with several samples are resolved");
+  const std::string& name = device.info().name;
+  if (shaders.colours.size() > state.limits.maxColorAttachments)
+    throw EnvironmentError(name + ": a pass has at most " + std::to_string(state.limits.maxColorAttachments) +
+                           " colour targets here");
+  if (shaders.depth_clamp && !state.features.depthClamp)
+    throw EnvironmentError(name + ": no depth clamp here");
+  if (shaders.shade_each_sample && !state.features.sampleRateShading)
+    throw EnvironmentError(name + ": no shading of each sample here");
+  if (std::any_of(shaders.blends.begin(), shaders.blends.end(),
+                  [&](Blend blend) { return blend != shaders.blends.front(); }) &&
+      !state.features.independentBlend)
+    throw EnvironmentError(name + ": all colour targets blend alike here");
+  for (std::size_t at = 0; at < shaders.colours.size(); ++at) {
+    const FormatUses uses = uses_of(state, shaders.colours[at]);
+    const bool blends = at < shaders.blends.size() && shaders.blends[at] != Blend::none;
+    if (!uses.target || is_depth(shaders.colours[at]) || (blends && !uses.blended))
+      throw EnvironmentError(name + ": " + gpu::name(shaders.colours[at]) + " images are no targets" +
+                             (blends ? " that blend" : "") + " here");
+  }
+}
+
+std::shared_ptr<RasterState> make_state(const Device& device, const RasterShaders& shaders) {
+  check(device, shaders);
+  auto state = std::make_shared<RasterState>();
+  std::vector<StageModule> modules{{shaders.vertex, vk::ShaderStageFlagBits::eVertex}};
+  if (!shaders.fragment.empty()) modules.push_back({shaders.fragment, vk::ShaderStageFlagBits::eFragment});
+  state->interface = make_interface(device.state(), modules, push_constant_bytes);
+  state->shaders = shaders;
+  state->shaders.vertex = std::move(modules.front().spirv);
+  if (!shaders.fragment.empty()) state->shaders.fragment = std::move(modules.back().spirv);
+  guarded(*device.state(), "make a render pass",
+          [&] { state->render_pass = make_render_pass(*device.state(), shaders); });
+  return state;
+}
+
+const RasterTarget& first_target(const RasterTargets& targets) {
+  return targets.colours.empty() ? targets.depth : targets.colours.front();
+}
+
+vk::Extent2D extent_of(const RasterTarget& target) {
+  const vk::Extent3D extent = target.image->state()->extent(target.mip);
+  return {extent.width, extent.height};
+}
+
+void check_target(const RasterTarget& target, Format format, int samples, const vk::Extent2D& extent) {
+  if (target.image == nullptr) throw std::logic_error("a raster pass without one of its targets");
+  const ImageShape& shape = target.image->shape();
+  if (target.mip < 0 || target.mip >= shape.mips || target.layer < 0 || target.layer >= shape.layers)
+    throw std::invalid_argument("a target's mip level or layer that its image does not have");
+  if (shape.depth > 1) throw std::logic_error("a raster pass draws into 2D images");
+  if (shape.format != format)
+    throw std::logic_error("a target has another format than the raster pass was made for");
+  if (shape.samples != samples)
+    throw std::logic_error("a target has " + std::to_string(shape.samples) + " samples, not " +
+                           std::to_string(samples));
+  if (extent_of(target) != extent) throw std::logic_error("targets of different sizes");
+}
+
+void check(const RasterShaders& shaders, const RasterTargets& targets) {
+  const bool depth_fits = (targets.depth.image != nullptr) == shaders.depth.has_value();
+  const std::size_t resolves = shaders.resolve ? shaders.colours.size() : 0;
+  if (targets.colours.size() != shaders.colours.size() || !depth_fits ||
+      targets.resolves.size() != resolves ||
+      (!targets.clear_colours.empty() && targets.clear_colours.size() != shaders.colours.size()))
+    throw std::logic_error("the targets are not those the raster pass was made for");
+  if (first_target(targets).image == nullptr)
+    throw std::logic_error("a raster pass without one of its targets");
+  const vk::Extent2D extent = extent_of(first_target(targets));
+  for (std::size_t at = 0; at < targets.colours.size(); ++at)
+    check_target(targets.colours[at], shaders.colours[at], shaders.samples, extent);
+  for (std::size_t at = 0; at < targets.resolves.size(); ++at)
+    check_target(targets.resolves[at], shaders.colours[at], 1, extent);
+  if (shaders.depth) check_target(targets.depth, *shaders.depth, shaders.samples, extent);
+}
+
+void check(const RasterTile& tile, const vk::Extent2D& extent) {
+  const bool inside = tile.x >= 0 && tile.y >= 0 && tile.width > 0 && tile.height > 0 &&
+                      tile.x + tile.width <= int(extent.width) && tile.y + tile.height <= int(extent.height);
+  if (!inside) throw std::invalid_argument("a tile outside its targets");
+  if (tile.push_constants.size() > push_constant_bytes || tile.push_constants.size() % 4 != 0) {
+    throw std::invalid_argument("push constants are whole words, at most 128 bytes");
+  }
+}
+
+// Kept together so that a draw that never ends keeps all it uses.
+struct Draw {
+  std::shared_ptr<RasterState> pass;
+  std::vector<std::shared_ptr<ImageState>> images;
+  std::vector<vk::ClearValue> clears;
+  std::vector<RasterTile> tiles;
+  vk::Extent2D extent;
+  vk::raii::Framebuffer framebuffer = nullptr;
+
+  void add(const RasterTarget& target, const Access& access, vk::ClearValue clear,
+           std::vector<vk::ImageView>& views, ResourceUses& uses) {
+    const std::shared_ptr<ImageState>& image = target.image->state();
+    const ImageParts part{target.mip, 1, target.layer, 1};
+    images.push_back(image);
+    clears.push_back(clear);
+    views.push_back(image->view(part, vk::ImageViewType::e2D, true));
+    uses.images.push_back({image, part, layout_of(image->shape.format), access});
+  }
+};
+
+vk::ClearValue clear_colour(const RasterTargets& targets, std::size_t at) {
+  if (at < targets.clear_colours.size()) return vk::ClearColorValue(targets.clear_colours[at]);
+  return vk::ClearColorValue(std::array<float, 4>{0.0F, 0.0F, 0.0F, 0.0F});  // of integers the same bits
+}
+
+void record(const Draw& draw, const vk::raii::CommandBuffer& commands) {
+  RasterState& pass = *draw.pass;
+  commands.beginRenderPass(
+      vk::RenderPassBeginInfo(*pass.render_pass, *draw.framebuffer, {{0, 0}, draw.extent}, draw.clears),
+      vk::SubpassContents::eInline);
+  commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pass.pipeline());
+  for (const RasterTile& tile : draw.tiles) {
+    commands.setViewport(
+        0, vk::Viewport(float(tile.x), float(tile.y), float(tile.width), float(tile.height), 0.0F, 1.0F));
+    commands.setScissor(
+        0, vk::Rect2D({tile.x, tile.y}, {std::uint32_t(tile.width), std::uint32_t(tile.height)}));
+    if (!tile.push_constants.empty())
+      commands.pushConstants<std::byte>(*pass.interface->pipeline_layout, pass.interface->stages, 0,
+                                        tile.push_constants);
+    commands.draw(tile.vertex_count, 1, 0, 0);
+  }
+  commands.endRenderPass();
 }
 
 }  // namespace
 
-struct RasterState {
-  RasterState(const Device& device, RasterShaders given) : bindings(device), shaders(std::move(given)) {}
-
-  Bindings bindings;
-  RasterShaders shaders;
-  vk::raii::RenderPass render_pass = nullptr;
-  vk::raii::Pipeline pipeline = nullptr;
-
-  void make_render_pass();
-  void make_pipeline();
-  vk::raii::Framebuffer make_framebuffer(const RasterTargets& targets) const;
-};
-
-void RasterState::make_render_pass() {
-  const DeviceState& device = *bindings.state()->device;
-  Attachments attachments;
-  for (const Format colour : shaders.colours) {
-    attachments.colours.emplace_back(std::uint32_t(attachments.descriptions.size()),
-                                     vk::ImageLayout::eColorAttachmentOptimal);
-    attach(attachments, need(device, colour), vk::ImageLayout::eColorAttachmentOptimal);
-  }
-  if (shaders.depth) {
-    attachments.depth.emplace(std::uint32_t(attachments.descriptions.size()),
-                              vk::ImageLayout::eDepthStencilAttachmentOptimal);
-    attach(attachments, need(device, *shaders.depth), vk::ImageLayout::eDepthStencilAttachmentOptimal);
-  }
-  vk::SubpassDescription subpass({}, vk::PipelineBindPoint::eGraphics, nullptr, attachments.colours);
-  if (attachments.depth) subpass.pDepthStencilAttachment = &*attachments.depth;
-  render_pass =
-      vk::raii::RenderPass(device.device, vk::RenderPassCreateInfo({}, attachments.descriptions, subpass));
-}
-
-void RasterState::make_pipeline() {
-  BindingsState& bound = *bindings.state();
-  const vk::raii::Device& device = bound.device->device;
-  require_bound(bound, shaders.vertex);
-  if (!shaders.fragment.empty()) require_bound(bound, shaders.fragment);
-  bound.freeze(both_stages, push_constant_bytes);
+vk::Pipeline RasterState::pipeline() {
+  if (*pipeline_) return *pipeline_;
+  const vk::raii::Device& device = interface->device->device;
   const vk::raii::ShaderModule vertex(device, vk::ShaderModuleCreateInfo({}, shaders.vertex));
   vk::raii::ShaderModule fragment = nullptr;
   std::vector<vk::PipelineShaderStageCreateInfo> stages;
@@ -93,152 +242,64 @@ void RasterState::make_pipeline() {
   rasterization.depthBiasConstantFactor = shaders.constant_depth_bias;
   rasterization.depthBiasSlopeFactor = shaders.slope_depth_bias;
   rasterization.lineWidth = 1.0F;
-  const vk::PipelineMultisampleStateCreateInfo one_sample;
+  vk::PipelineMultisampleStateCreateInfo samples;
+  samples.rasterizationSamples = static_cast<vk::SampleCountFlagBits>(shaders.samples);
+  samples.sampleShadingEnable = shaders.shade_each_sample;
+  samples.minSampleShading = 1.0F;
   const vk::CompareOp nearer =
       shaders.depth_test == DepthTest::less ? vk::CompareOp::eLess : vk::CompareOp::eGreater;
-  const vk::PipelineDepthStencilStateCreateInfo depth({}, shaders.depth.has_value(),
-                                                      shaders.depth.has_value(), nearer);
-  using Component = vk::ColorComponentFlagBits;
-  vk::PipelineColorBlendAttachmentState overwrite;
-  overwrite.colorWriteMask = Component::eR | Component::eG | Component::eB | Component::eA;
-  const std::vector<vk::PipelineColorBlendAttachmentState> overwrites(shaders.colours.size(), overwrite);
-  const vk::PipelineColorBlendStateCreateInfo blend({}, VK_FALSE, vk::LogicOp::eCopy, overwrites);
+  const vk::PipelineDepthStencilStateCreateInfo depth(
+      {}, shaders.depth.has_value(), shaders.depth.has_value() && shaders.depth_write, nearer);
+  const std::vector<vk::PipelineColorBlendAttachmentState> blends = blends_of(shaders);
+  const vk::PipelineColorBlendStateCreateInfo blend({}, VK_FALSE, vk::LogicOp::eCopy, blends);
   const std::array dynamic_states{vk::DynamicState::eViewport, vk::DynamicState::eScissor};
   const vk::PipelineDynamicStateCreateInfo dynamic({}, dynamic_states);
-  pipeline =
+  pipeline_ =
       vk::raii::Pipeline(device, nullptr,
                          vk::GraphicsPipelineCreateInfo(
                              {}, stages, &no_vertex_input, &triangles, nullptr, &one_viewport, &rasterization,
-                             &one_sample, &depth, &blend, &dynamic, *bound.pipeline_layout, *render_pass));
+                             &samples, &depth, &blend, &dynamic, *interface->pipeline_layout, *render_pass));
+  return *pipeline_;
 }
 
-vk::raii::Framebuffer RasterState::make_framebuffer(const RasterTargets& targets) const {
-  std::vector<const Image*> images = targets.colours;
-  if (targets.depth != nullptr) images.push_back(targets.depth);
+SequenceStep raster_step(const std::shared_ptr<RasterState>& pass, const Bindings& bindings,
+                         const RasterTargets& targets, const std::vector<RasterTile>& tiles) {
+  check(pass->shaders, targets);
+  const auto draw = std::make_shared<Draw>();
+  draw->pass = pass;
+  draw->tiles = tiles;
+  draw->extent = extent_of(first_target(targets));
+  for (const RasterTile& tile : tiles) check(tile, draw->extent);
+  SequenceStep step = step_with(bindings, *pass->interface);
   std::vector<vk::ImageView> views;
-  views.reserve(images.size());
-  for (const Image* image : images) views.push_back(*image->state()->target_view);
-  const vk::Extent2D extent = images.front()->state()->extent;
-  return {bindings.state()->device->device,
-          vk::FramebufferCreateInfo({}, *render_pass, views, extent.width, extent.height, 1)};
+  for (std::size_t at = 0; at < targets.colours.size(); ++at)
+    draw->add(targets.colours[at], colour_access, clear_colour(targets, at), views, step.uses);
+  for (const RasterTarget& target : targets.resolves) draw->add(target, colour_access, {}, views, step.uses);
+  if (targets.depth.image != nullptr)
+    draw->add(targets.depth, depth_access, vk::ClearDepthStencilValue(targets.clear_depth, 0), views,
+              step.uses);
+  const DeviceState& device = *pass->interface->device;
+  guarded(device, "prepare a raster pass", [&] {
+    draw->framebuffer = vk::raii::Framebuffer(
+        device.device,
+        vk::FramebufferCreateInfo({}, *pass->render_pass, views, draw->extent.width, draw->extent.height, 1));
+  });
+  step.used = draw;
+  step.record = [draw](const vk::raii::CommandBuffer& commands) { record(*draw, commands); };
+  return step;
 }
-
-namespace {
-
-const Image& first_target(const RasterTargets& targets) {
-  if (!targets.colours.empty()) return *targets.colours.front();
-  if (targets.depth == nullptr) throw std::logic_error("a raster pass without a target");
-  return *targets.depth;
-}
-
-void check(const RasterShaders& shaders, const RasterTargets& targets) {
-  const bool depth_fits = (targets.depth != nullptr) == shaders.depth.has_value() &&
-                          (targets.depth == nullptr || targets.depth->format() == *shaders.depth);
-  if (targets.colours.size() != shaders.colours.size() || !depth_fits) {
-    throw std::logic_error("the targets are not those the raster pass was made for");
-  }
-  for (std::size_t at = 0; at < targets.colours.size(); ++at) {
-    if (targets.colours[at]->format() != shaders.colours[at]) {
-      throw std::logic_error("a colour target has another format than the raster pass was made for");
-    }
-  }
-  const Image& first = first_target(targets);
-  for (const Image* image : targets.colours) {
-    if (image->width() != first.width() || image->height() != first.height()) {
-      throw std::logic_error("targets of different sizes");
-    }
-  }
-  if (targets.depth != nullptr &&
-      (targets.depth->width() != first.width() || targets.depth->height() != first.height())) {
-    throw std::logic_error("targets of different sizes");
-  }
-}
-
-void check(const RasterTile& tile, const vk::Extent2D& extent) {
-  const bool inside = tile.x >= 0 && tile.y >= 0 && tile.width > 0 && tile.height > 0 &&
-                      tile.x + tile.width <= int(extent.width) && tile.y + tile.height <= int(extent.height);
-  if (!inside) throw std::invalid_argument("a tile outside its targets");
-  if (tile.push_constants.size() > push_constant_bytes || tile.push_constants.size() % 4 != 0) {
-    throw std::invalid_argument("push constants are whole words, at most 128 bytes");
-  }
-}
-
-}  // namespace
 
 RasterPass::RasterPass(const Device& device, const RasterShaders& shaders)
-    : state_(std::make_shared<RasterState>(device, shaders)) {
-  if (shaders.vertex.empty()) throw std::invalid_argument("a raster pass without a vertex shader");
-  if (shaders.colours.size() > 2 || (shaders.colours.empty() && !shaders.depth)) {
-    throw std::invalid_argument("a raster pass has one depth target, up to two colour targets, or both");
-  }
-  if (shaders.depth_clamp && !device.state()->features.depthClamp) {
-    throw EnvironmentError(device.info().name + ": no depth clamp here");
-  }
-  guarded(*device.state(), "make a render pass", [this] { state_->make_render_pass(); });
-}
+    : device_(&device), state_(make_state(device, shaders)), bindings_(state_->interface) {}
 
-RasterPass::~RasterPass() = default;
-RasterPass::RasterPass(RasterPass&&) noexcept = default;
-RasterPass& RasterPass::operator=(RasterPass&&) noexcept = default;
-
-Bindings& RasterPass::bindings() {
-  return state_->bindings;
+Bindings RasterPass::more_bindings() const {
+  return Bindings(state_->interface);
 }
 
 double RasterPass::draw(const RasterTargets& targets, const std::vector<RasterTile>& tiles) {
-  check(state_->shaders, targets);
-  const Image& first = first_target(targets);
-  const vk::Extent2D extent = first.state()->extent;
-  for (const RasterTile& tile : tiles) check(tile, extent);
-
-  // Kept together so that a draw that never ends keeps all it uses.
-  struct Draw {
-    std::shared_ptr<RasterState> pass;
-    std::vector<std::shared_ptr<ImageState>> targets;
-    vk::raii::Framebuffer framebuffer = nullptr;
-  };
-  const auto draw = std::make_shared<Draw>(Draw{state_, {}, nullptr});
-  std::vector<vk::ClearValue> clears(targets.colours.size(),
-                                     vk::ClearColorValue(std::array<float, 4>{0.0F, 0.0F, 0.0F, 0.0F}));
-  for (const Image* colour : targets.colours) draw->targets.push_back(colour->state());
-  if (targets.depth != nullptr) {
-    draw->targets.push_back(targets.depth->state());
-    clears.emplace_back(vk::ClearDepthStencilValue(targets.clear_depth, 0));
-  }
-
-  BindingsState& bound = *state_->bindings.state();
-  DeviceState& device = *bound.device;
-  const auto record = [&](const vk::raii::CommandBuffer& commands) {
-    bound.use(vk::PipelineBindPoint::eGraphics, commands);
-    for (const std::shared_ptr<ImageState>& target : draw->targets) {
-      target->move_to(is_depth(target->format) ? vk::ImageLayout::eDepthStencilAttachmentOptimal
-                                               : vk::ImageLayout::eColorAttachmentOptimal,
-                      commands);
-    }
-    device.mark_begin(commands);
-    commands.beginRenderPass(
-        vk::RenderPassBeginInfo(*state_->render_pass, *draw->framebuffer, {{0, 0}, extent}, clears),
-        vk::SubpassContents::eInline);
-    commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *state_->pipeline);
-    for (const RasterTile& tile : tiles) {
-      commands.setViewport(
-          0, vk::Viewport(float(tile.x), float(tile.y), float(tile.width), float(tile.height), 0.0F, 1.0F));
-      commands.setScissor(
-          0, vk::Rect2D({tile.x, tile.y}, {std::uint32_t(tile.width), std::uint32_t(tile.height)}));
-      if (!tile.push_constants.empty()) {
-        commands.pushConstants<std::byte>(*bound.pipeline_layout, both_stages, 0, tile.push_constants);
-      }
-      commands.draw(tile.vertex_count, 1, 0, 0);
-    }
-    commands.endRenderPass();
-    device.mark_end(commands);
-  };
-  return guarded(device, "run a raster pass", [&] {
-    if (!*state_->pipeline) state_->make_pipeline();
-    draw->framebuffer = state_->make_framebuffer(targets);
-    bound.write_descriptors();
-    return device.submit(record, draw);
-  });
+  Sequence once(*device_);
+  once.draw(*this, bindings_, targets, tiles);
+  return once.run().front();
 }
 
 }  // namespace penumbra::gpu

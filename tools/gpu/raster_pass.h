@@ -1,10 +1,11 @@
-// Triangles into a depth image and up to two colour images, tile by tile.
+// Triangles into a depth image and colour images, tile by tile.
 //
 // Vertices are pulled: the vertex shader reads storage buffers by SV_VertexID; there is no vertex input.
 // Coordinates are Vulkan's: clip y = -1 is row 0 of the image, clip depth 0 .. 1 is what the image stores.
-// Both faces are drawn; one sample per pixel, at its centre.
+// Both faces are drawn.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -19,25 +20,48 @@ namespace penumbra::gpu {
 // Which fragment survives: the nearer one, in conventional or reversed Z.
 enum class DepthTest { less, greater };
 
+// What becomes of a colour and the one that is there: replaced; added; the smaller or larger of each channel;
+// mixed by the new one's alpha.
+enum class Blend { none, add, smallest, largest, alpha };
+
 struct RasterShaders {
   std::vector<std::uint32_t> vertex;
   std::vector<std::uint32_t> fragment;  // empty: depth only
   std::string vertex_entry = "Main";
   std::string fragment_entry = "Main";
-  std::vector<Format> colours;  // of the targets, at most two
+  std::vector<Format> colours;  // of the targets, as many as the device has attachments
+  std::vector<Blend> blends;    // of each; empty: none
   std::optional<Format> depth;
   DepthTest depth_test = DepthTest::less;
+  bool depth_write = true;
   // Added to every fragment's depth, toward larger ones: the first times the format's smallest step, the
   // second times the depth's steepest change from pixel to pixel.
   float constant_depth_bias = 0.0F;
   float slope_depth_bias = 0.0F;
-  bool depth_clamp = false;  // clamp fragments to the depth range instead of clipping triangles
+  bool depth_clamp = false;        // clamp fragments to the depth range instead of clipping triangles
+  int samples = 1;                 // of each pixel of the targets
+  bool shade_each_sample = false;  // else once for all samples of a pixel
+  bool keep = false;               // what the targets hold, instead of clearing them
+  bool resolve = false;            // colours with several samples into RasterTargets::resolves
+};
+
+// One mip level of one layer of an image. Null: none.
+struct RasterTarget {
+  RasterTarget(const Image* target, int target_mip = 0, int target_layer = 0)
+      : image(target), mip(target_mip), layer(target_layer) {}
+  RasterTarget(std::nullptr_t) {}
+
+  const Image* image = nullptr;
+  int mip = 0;
+  int layer = 0;
 };
 
 struct RasterTargets {
-  std::vector<const Image*> colours;  // cleared to 0
-  const Image* depth = nullptr;       // cleared to clear_depth
+  std::vector<RasterTarget> colours;
+  RasterTarget depth = nullptr;
   float clear_depth = 1.0F;
+  std::vector<std::array<float, 4>> clear_colours = {};  // of each; empty: 0
+  std::vector<RasterTarget> resolves = {};               // of one sample: each pixel's mean, for each colour
 };
 
 // One draw into a rectangle of the targets: viewport and scissor both. The push constants (at most 128
@@ -55,19 +79,22 @@ struct RasterState;
 
 class RasterPass {
  public:
-  // Throws EnvironmentError when depth_clamp is asked for and absent, std::invalid_argument for no target.
+  // Throws EnvironmentError for what the device lacks: depth clamp, shading of each sample, so many colours;
+  // std::invalid_argument for no target.
   RasterPass(const Device& device, const RasterShaders& shaders);
-  ~RasterPass();
-  RasterPass(RasterPass&&) noexcept;
-  RasterPass& operator=(RasterPass&&) noexcept;
 
-  Bindings& bindings();
+  Bindings& bindings() { return bindings_; }
+  Bindings more_bindings() const;  // for another step of a Sequence
 
-  // Clears the targets, draws all tiles in one submission, and returns its time in nanoseconds.
+  // Draws all tiles in one submission, and returns its time in nanoseconds.
   double draw(const RasterTargets& targets, const std::vector<RasterTile>& tiles);
 
+  const std::shared_ptr<RasterState>& state() const { return state_; }
+
  private:
+  const Device* device_;
   std::shared_ptr<RasterState> state_;
+  Bindings bindings_;
 };
 
 }  // namespace penumbra::gpu

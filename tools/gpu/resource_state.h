@@ -1,5 +1,9 @@
-// The Vulkan side of buffers, images and samplers, for this room's sources only.
+// The Vulkan side of buffers, images and samplers. Internal to this room.
 #pragma once
+
+#include <compare>
+#include <map>
+#include <vector>
 
 #include "gpu/device_state.h"
 #include "gpu/resources.h"
@@ -12,18 +16,40 @@ struct BufferState {
   Allocation allocation;
 };
 
+// Mip levels and layers of an image.
+struct ImageParts {
+  int first_mip = 0;
+  int mips = 1;
+  int first_layer = 0;
+  int layers = 1;
+
+  auto operator<=>(const ImageParts&) const = default;
+};
+
 struct ImageState {
   std::shared_ptr<DeviceState> device;
-  Format format = Format::r32f;
-  vk::Extent2D extent;
+  ImageShape shape;
   TexelFormat texel;
   vk::raii::DeviceMemory memory = nullptr;
   vk::raii::Image image = nullptr;
-  vk::raii::ImageView shader_view = nullptr;  // of the aspect shaders read
-  vk::raii::ImageView target_view = nullptr;  // of all aspects, as render passes ask
-  vk::ImageLayout layout = vk::ImageLayout::eUndefined;
+  std::vector<vk::ImageLayout> layouts;  // layer by layer of mip level 0, then of 1, ...
 
-  void move_to(vk::ImageLayout wanted, const vk::raii::CommandBuffer& commands);
+  ImageParts whole() const { return {0, shape.mips, 0, shape.layers}; }
+  vk::Extent3D extent(int mip) const;
+  vk::ImageLayout& layout(int mip, int layer);
+  vk::ImageSubresourceRange range(const ImageParts& parts) const;  // of all aspects
+
+  // As shaders read it, or as a target with all aspects; kept.
+  vk::ImageView view(const ImageParts& parts, vk::ImageViewType type, bool target);
+
+ private:
+  struct ViewKey {
+    ImageParts parts;
+    vk::ImageViewType type;
+    bool target;
+    auto operator<=>(const ViewKey&) const = default;
+  };
+  std::map<ViewKey, vk::raii::ImageView> views_;
 };
 
 struct SamplerState {

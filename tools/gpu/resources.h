@@ -1,7 +1,7 @@
 // Buffers, images and samplers on a device. Copies to and from the host block until they are done.
 //
-// Images hold one mip level and one layer, rows tightly packed, row 0 first. Uploading moves bits, not
-// numbers: NaN, infinities and depths outside [0, 1] arrive as they are in depth32 and the float formats.
+// Uploading moves bits, not numbers: NaN, infinities and depths outside [0, 1] arrive as they are in depth32
+// and the float formats.
 #pragma once
 
 #include <cstddef>
@@ -57,38 +57,63 @@ class Buffer {
   std::shared_ptr<BufferState> state_;
 };
 
+struct ImageShape {
+  Format format = Format::r32f;
+  int width = 1;
+  int height = 1;
+  int depth = 1;   // above 1: a 3D image, which has one layer
+  int layers = 1;  // above 1: an array of 2D images
+  int mips = 1;
+  int samples = 1;  // above 1: a 2D image with one mip level, which passes draw into
+
+  bool operator==(const ImageShape&) const = default;
+};
+
+// Down to one texel.
+int mip_count(int width, int height, int depth = 1);
+int mip_size(int size, int mip);
+
+struct ImagePart {
+  int mip = 0;
+  int layer = 0;
+};
+
 class Image {
  public:
-  // Throws EnvironmentError when the device lacks the format or the size. Contents undefined.
-  Image(const Device& device, Format format, int width, int height);
+  // Contents undefined. Throws EnvironmentError when the device lacks the format, the size or the samples,
+  // std::invalid_argument for a shape that no image has.
+  Image(const Device& device, const ImageShape& shape);
+  Image(const Device& device, Format format, int width, int height)
+      : Image(device, ImageShape{.format = format, .width = width, .height = height}) {}
 
-  Format format() const;
-  int width() const;
-  int height() const;
-  std::size_t size_bytes() const {
-    return texel_bytes(format()) * std::size_t(width()) * std::size_t(height());
-  }
+  const ImageShape& shape() const;
+  Format format() const { return shape().format; }
+  int width() const { return shape().width; }
+  int height() const { return shape().height; }
+  // Of one mip level of one layer, and of all of a 3D image's slices in it: rows tightly packed, row 0 first.
+  std::size_t size_bytes(int mip = 0) const;
 
-  // Exactly size_bytes(); throws std::invalid_argument otherwise.
+  // Exactly size_bytes() of the mip level; throws std::invalid_argument otherwise. std::logic_error for an
+  // image with several samples: resolve it first.
   template <typename T>
-  void upload(std::span<const T> texels) {
+  void upload(std::span<const T> texels, ImagePart part = {}) {
     static_assert(std::is_trivially_copyable_v<T>);
-    upload_bytes(std::as_bytes(texels));
+    upload_bytes(std::as_bytes(texels), part);
   }
   template <typename T>
-  void upload(const std::vector<T>& texels) {
-    upload(std::span<const T>(texels));
+  void upload(const std::vector<T>& texels, ImagePart part = {}) {
+    upload(std::span<const T>(texels), part);
   }
   template <typename T>
-  std::vector<T> download() const {
+  std::vector<T> download(ImagePart part = {}) const {
     static_assert(std::is_trivially_copyable_v<T>);
-    std::vector<T> texels(size_bytes() / sizeof(T));
-    download_bytes(std::as_writable_bytes(std::span<T>(texels)));
+    std::vector<T> texels(size_bytes(part.mip) / sizeof(T));
+    download_bytes(std::as_writable_bytes(std::span<T>(texels)), part);
     return texels;
   }
 
-  void upload_bytes(std::span<const std::byte> bytes);
-  void download_bytes(std::span<std::byte> bytes) const;
+  void upload_bytes(std::span<const std::byte> bytes, ImagePart part = {});
+  void download_bytes(std::span<std::byte> bytes, ImagePart part = {}) const;
 
   const std::shared_ptr<ImageState>& state() const { return state_; }
 
@@ -96,14 +121,16 @@ class Image {
   std::shared_ptr<ImageState> state_;
 };
 
-// All read mip level 0; those that do not repeat clamp to the edge. The compare kinds filter 2x2 comparison
-// results, as Unity's sampler_LinearClampCompare does: reference <= texel, or reference >= texel with
-// reversed Z.
+// Those that do not repeat clamp to the edge. Point and linear kinds take the nearest mip level, trilinear
+// ones blend two. The compare kinds filter 2x2 comparison results, as Unity's sampler_LinearClampCompare
+// does: reference <= texel, or reference >= texel with reversed Z.
 enum class SamplerKind {
   point_clamp,
   linear_clamp,
+  trilinear_clamp,
   point_repeat,
   linear_repeat,
+  trilinear_repeat,
   compare_less_equal,
   compare_greater_equal
 };

@@ -1,4 +1,4 @@
-// This room's formats in Vulkan's words, as far as a device has them.
+// This room's formats in Vulkan's words, as far as a device has them. Internal to this room.
 #pragma once
 
 #include <optional>
@@ -12,10 +12,16 @@ struct TexelFormat {
   vk::Format format = vk::Format::eUndefined;
   vk::ImageAspectFlags aspects;    // all the image has
   vk::ImageAspectFlagBits copied;  // the one shaders and copies see
-  vk::ImageUsageFlags usage;
+  vk::ImageUsageFlags usage;       // all that the device has for it
 };
 
-// Empty when no form of it can be sampled, rendered to and copied here. depth24 may be either of two.
+// Empty when no form of it can be sampled and copied here, and a depth format drawn to. depth24 may be either
+// of two.
 std::optional<TexelFormat> texel_format_of(const DeviceState& device, Format format);
+
+// The same; throws EnvironmentError instead.
+TexelFormat need_texel_format(const DeviceState& device, Format format);
+
+FormatUses uses_of(const DeviceState& device, Format format);
 
 }  // namespace penumbra::gpu

@@ -42,11 +42,10 @@ const std::string& ResolvePass::place_of(const shaders::Resource& resource) cons
 }
 
 void ResolvePass::bind_sampler(const shaders::Resource& resource, const FrameOnDevice& frame) {
-  const gpu::Slot slot{resource.set, resource.binding};
   const auto samplers = frame.samplers();
   const gpu::Sampler* own = samplers.count(resource.name) == 0 ? own_.sampler(resource.name) : nullptr;
   pass_.bindings().sampler(
-      slot,
+      resource.name,
       own != nullptr ? *own : provided(samplers, resource, place_of(resource), "sampler", kSamplerNames));
 }
 
@@ -56,16 +55,15 @@ void ResolvePass::bind(const FrameOnDevice& frame) {
   auto images = frame.images();
   for (const auto& [name, image] : own_.images()) images[name] = image;
   for (const shaders::Resource& resource : resources_) {
-    const gpu::Slot slot{resource.set, resource.binding};
     switch (resource.kind) {
       case shaders::ResourceKind::uniform_block:
         break;  // packed by run()
       case shaders::ResourceKind::storage_buffer:
-        pass_.bindings().storage_buffer(slot, provided(buffers, resource, place_of(resource), "buffer"));
+        pass_.bindings().buffer(resource.name, provided(buffers, resource, place_of(resource), "buffer"));
         break;
       case shaders::ResourceKind::sampled_image:
-        pass_.bindings().sampled_image(
-            slot, provided(images, resource, place_of(resource), "texture", texture_way_out(resource.name)));
+        pass_.bindings().image(resource.name, provided(images, resource, place_of(resource), "texture",
+                                                       texture_way_out(resource.name)));
         break;
       case shaders::ResourceKind::sampler:
         bind_sampler(resource, frame);
@@ -88,7 +86,7 @@ std::vector<double> ResolvePass::run(int noise_seed, int repeats) {
     if (resource.kind != shaders::ResourceKind::uniform_block) continue;
     std::vector<std::byte> bytes = values.pack(resource, unset_);
     write_numbers(numbers_, resource, bytes);
-    pass_.bindings().uniform_bytes({resource.set, resource.binding}, bytes);
+    pass_.bindings().uniform_bytes(resource.name, bytes);
   }
   std::erase_if(unset_, [this](const std::string& name) { return has_numbers(numbers_, name); });
   return pass_.run(frame_->width(), frame_->height(), repeats);

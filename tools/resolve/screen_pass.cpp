@@ -38,16 +38,15 @@ double ScreenPass::draw(const gpu::Image& target, const ScreenResources& resourc
                         const UniformValues& values) {
   unset_.clear();
   for (const shaders::Resource& resource : bound_) {
-    const gpu::Slot slot{resource.set, resource.binding};
     switch (resource.kind) {
       case shaders::ResourceKind::uniform_block:
-        pass_.bindings().uniform_bytes(slot, values.pack(resource, unset_));
+        pass_.bindings().uniform_bytes(resource.name, values.pack(resource, unset_));
         break;
       case shaders::ResourceKind::sampled_image:
-        pass_.bindings().sampled_image(slot, provided(resources.images, resource, name_, "texture"));
+        pass_.bindings().image(resource.name, provided(resources.images, resource, name_, "texture"));
         break;
       case shaders::ResourceKind::sampler:
-        pass_.bindings().sampler(slot, provided(resources.samplers, resource, name_, "sampler"));
+        pass_.bindings().sampler(resource.name, provided(resources.samplers, resource, name_, "sampler"));
         break;
       case shaders::ResourceKind::storage_buffer:
         provided(std::map<std::string, const gpu::Buffer*>(), resource, name_, "buffer");

@@ -9,8 +9,8 @@ namespace penumbra::scene {
 struct MeshOnDevice {
   MeshOnDevice(const gpu::Device& device, const Mesh& mesh);
 
-  // Into the slots the compiler gave the vertex shader's buffers, found by name.
-  void bind_to(gpu::Bindings& bindings, const std::vector<std::uint32_t>& vertex_spirv) const;
+  // Those of the buffers that the vertex shader reads.
+  void bind_to(gpu::Bindings& bindings) const;
 
   gpu::Buffer positions;
   gpu::Buffer normals;

@@ -97,9 +97,8 @@ gpu::RasterShaders shaders_of_pass() {
 
 Receivers SeenSurfacesPass::draw(const Scene& scene, const FrameSettings& settings) {
   if (!pass_) {
-    const gpu::RasterShaders shaders = shaders_of_pass();
-    pass_.emplace(device_, shaders);
-    mesh_.bind_to(pass_->bindings(), shaders.vertex);
+    pass_.emplace(device_, shaders_of_pass());
+    mesh_.bind_to(pass_->bindings());
   }
   const gpu::Image seen(device_, gpu::Format::rgba32f, settings.width, settings.height);
   const gpu::Image depth(device_, gpu::Format::depth32, settings.width, settings.height);

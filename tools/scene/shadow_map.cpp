@@ -84,7 +84,7 @@ gpu::RasterPass& ShadowMapPasses::pass(const Key& key) {
   shaders.constant_depth_bias = away_from_light * static_cast<float>(constant_bias);
   shaders.slope_depth_bias = away_from_light * static_cast<float>(slope_bias);
   gpu::RasterPass made(device_, shaders);
-  mesh_.bind_to(made.bindings(), shaders.vertex);
+  mesh_.bind_to(made.bindings());
   return passes_.emplace(key, std::move(made)).first->second;
 }
 

@@ -133,6 +133,30 @@ void mark_read_members(const SpirvCrossSession& session, spvc_variable_id block,
   for (std::size_t i = 0; i < count; ++i) resource.members.at(ranges[i].index).read = true;
 }
 
+ImageType image_type(const SpirvCrossSession& session, const spvc_reflected_resource& reflected) {
+  const spvc_type type = spvc_compiler_get_type_handle(session.compiler(), reflected.type_id);
+  const SpvDim dimension = spvc_type_get_image_dimension(type);
+  ImageType image;
+  image.dimensions = dimension == SpvDim3D ? 3 : dimension == SpvDim1D ? 1 : 2;
+  image.cube = dimension == SpvDimCube;
+  image.arrayed = spvc_type_get_image_arrayed(type) != SPVC_FALSE;
+  image.multisampled = spvc_type_get_image_multisampled(type) != SPVC_FALSE;
+  return image;
+}
+
+// glslang decorates the members of a StructuredBuffer, and no variable.
+bool is_read_only(const SpirvCrossSession& session, ResourceKind kind,
+                  const spvc_reflected_resource& reflected) {
+  const spvc_compiler compiler = session.compiler();
+  if (spvc_compiler_has_decoration(compiler, reflected.id, SpvDecorationNonWritable) != SPVC_FALSE)
+    return true;
+  if (kind != ResourceKind::storage_buffer) return false;
+  const SpvDecoration* decorations = nullptr;
+  std::size_t count = 0;
+  session.require(spvc_compiler_get_buffer_block_decorations(compiler, reflected.id, &decorations, &count));
+  return std::find(decorations, decorations + count, SpvDecorationNonWritable) != decorations + count;
+}
+
 Resource reflect_resource(const SpirvCrossSession& session, ResourceKind kind,
                           const spvc_reflected_resource& reflected) {
   const spvc_compiler compiler = session.compiler();
@@ -143,6 +167,10 @@ Resource reflect_resource(const SpirvCrossSession& session, ResourceKind kind,
   resource.name = kind == ResourceKind::uniform_block || variable.empty() ? reflected.name : variable;
   resource.set = spvc_compiler_get_decoration(compiler, reflected.id, SpvDecorationDescriptorSet);
   resource.binding = spvc_compiler_get_decoration(compiler, reflected.id, SpvDecorationBinding);
+  if (kind == ResourceKind::sampled_image || kind == ResourceKind::storage_image)
+    resource.image = image_type(session, reflected);
+  if (kind == ResourceKind::storage_image || kind == ResourceKind::storage_buffer)
+    resource.written = !is_read_only(session, kind, reflected);
   if (kind != ResourceKind::uniform_block) return resource;
   const spvc_type block = spvc_compiler_get_type_handle(compiler, reflected.base_type_id);
   std::size_t size = 0;

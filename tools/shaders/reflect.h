@@ -36,6 +36,14 @@ struct UniformMember {
 
 enum class ResourceKind { uniform_block, storage_buffer, sampled_image, storage_image, sampler };
 
+// Texture2D is the default; a cube has two dimensions.
+struct ImageType {
+  int dimensions = 2;
+  bool cube = false;
+  bool arrayed = false;
+  bool multisampled = false;
+};
+
 struct Resource {
   ResourceKind kind = ResourceKind::uniform_block;
   std::string name;  // the HLSL variable; "$Global" for loose uniforms
@@ -43,6 +51,8 @@ struct Resource {
   std::uint32_t binding = 0;
   std::uint32_t size = 0;              // uniform blocks: bytes
   std::vector<UniformMember> members;  // uniform blocks
+  ImageType image;                     // sampled and storage images
+  bool written = false;                // storage buffers and images that are not declared to be read only
 };
 
 struct Reflection {

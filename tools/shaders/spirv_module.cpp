@@ -126,18 +126,28 @@ SourcePlace place_of_instruction(const SpirvModule& module, std::size_t wanted) 
   return found;
 }
 
+// Of variables, with one number.
+template <typename Visit>
+void for_each_decoration(SpirvModule& module, spv::Decoration decoration, Visit visit) {
+  for (std::size_t at = header_words; at < module.size();) {
+    const std::uint32_t length = module[at] >> 16U;
+    if (length == 0 || at + length > module.size()) return;  // left to the validator
+    const bool found =
+        (module[at] & 0xFFFFU) == spv::OpDecorate && length == 4 && module[at + 2] == decoration;
+    if (found) visit(module[at + 3]);
+    at += length;
+  }
+}
+
 }  // namespace
 
 void number_bindings(SpirvModule& module) {
   std::uint32_t next = 0;
-  for (std::size_t at = header_words; at < module.size();) {
-    const std::uint32_t length = module[at] >> 16U;
-    if (length == 0 || at + length > module.size()) return;  // left to the validator
-    const bool binding =
-        (module[at] & 0xFFFFU) == spv::OpDecorate && length == 4 && module[at + 2] == spv::DecorationBinding;
-    if (binding) module[at + 3] = next++;
-    at += length;
-  }
+  for_each_decoration(module, spv::DecorationBinding, [&](std::uint32_t& binding) { binding = next++; });
+}
+
+void move_sets(SpirvModule& module, std::uint32_t by) {
+  for_each_decoration(module, spv::DecorationDescriptorSet, [&](std::uint32_t& set) { set += by; });
 }
 
 bool optimise(SpirvModule& module, VulkanVersion vulkan, std::vector<std::string>& problems,

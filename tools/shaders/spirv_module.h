@@ -16,6 +16,9 @@ using SpirvModule = std::vector<std::uint32_t>;
 // registers, but the same Vulkan binding.
 void number_bindings(SpirvModule& module);
 
+// Adds to every descriptor set.
+void move_sets(SpirvModule& module, std::uint32_t by);
+
 // Legalises HLSL's resource parameters, inlines and optimises. False with the reasons when it failed.
 bool optimise(SpirvModule& module, VulkanVersion vulkan, std::vector<std::string>& problems,
               SpirvModule* legalised = nullptr);

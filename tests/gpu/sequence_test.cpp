@@ -1,0 +1,162 @@
+// Passes in one submission: each sees what those before it wrote, and waits for nothing else.
+#include "gpu/sequence.h"
+
+#include <algorithm>
+#include <array>
+
+#include "gpu/gpu_test.h"
+
+namespace penumbra::gpu {
+namespace {
+
+constexpr std::uint32_t kSize = 8;
+
+class GpuSequence : public Gpu {
+ protected:
+  void SetUp() override {
+    Gpu::SetUp();
+    for (std::uint32_t i = 0; i < kSize * kSize; ++i)
+      texels.push_back(static_cast<float>((i * 37 + 11) % 64) / 63);
+  }
+  ComputePass pass(const std::string& entry) {
+    return {*device, {.spirv = compile_test_shader("Pyramid.hlsl", entry), .entry = entry}};
+  }
+  Image pyramid() {
+    Image image(*device, ImageShape{.format = Format::r32f, .width = kSize, .height = kSize, .mips = 4});
+    image.upload(texels);
+    return image;
+  }
+  std::vector<float> texels;
+};
+
+TEST_F(GpuSequence, ALevelOfAPyramidIsMadeOfTheOneBelowInTheSameImage) {
+  const Image image = pyramid();
+  ComputePass reduce = pass("Reduce");
+  Sequence sequence(*device);
+  std::vector<Bindings> levels;
+  for (int mip = 1; mip < 4; ++mip) {
+    levels.push_back(reduce.more_bindings());
+    levels.back().image("_Below", image, {.first_mip = mip - 1, .mips = 1});
+    levels.back().image("_Above", image, {.first_mip = mip});
+    const std::uint32_t size = kSize >> static_cast<unsigned>(mip);
+    sequence.dispatch(reduce, levels.back(), {size, size, 1});
+  }
+  EXPECT_EQ(sequence.run().size(), 3U);
+  EXPECT_EQ(image.download<float>({3, 0}),
+            std::vector<float>{*std::max_element(texels.begin(), texels.end())});
+  const std::vector<float> first = image.download<float>({1, 0});
+  for (std::size_t y = 0; y < 4; ++y) {
+    for (std::size_t x = 0; x < 4; ++x) {
+      const std::size_t at = 2 * y * kSize + 2 * x;
+      EXPECT_EQ(first[4 * y + x],
+                std::max({texels[at], texels[at + 1], texels[at + kSize], texels[at + kSize + 1]}));
+    }
+  }
+  EXPECT_EQ(sequence.waited(), std::vector<bool>(3, true));
+  EXPECT_EQ(sequence.run().size(), 3U) << "again, from the layouts that the first run left";
+}
+
+TEST_F(GpuSequence, WaitsOnlyForWhatItReadsOrOverwrites) {
+  ComputePass run = pass("Run");
+  const Buffer first(*device, 4);
+  const Buffer second(*device, 4);
+  Bindings on_first = run.more_bindings();
+  on_first.buffer("_Ran", first);
+  Bindings on_second = run.more_bindings();
+  on_second.buffer("_Ran", second);
+  Sequence sequence(*device);
+  sequence.fill(first, 1);
+  sequence.fill(second, 2);
+  sequence.dispatch(run, on_first, {1, 1, 1});
+  sequence.dispatch(run, on_first, {1, 1, 1});
+  sequence.run();
+  EXPECT_EQ(sequence.waited(), (std::vector<bool>{false, false, true, true}));
+  EXPECT_EQ(first.download<std::uint32_t>(), std::vector<std::uint32_t>{7});
+  EXPECT_EQ(second.download<std::uint32_t>(), std::vector<std::uint32_t>{2});
+  Sequence apart(*device);
+  apart.dispatch(run, on_first, {1, 1, 1});
+  apart.dispatch(run, on_second, {1, 1, 1});
+  apart.run();
+  EXPECT_EQ(apart.waited(), (std::vector<bool>{false, false}));
+}
+
+TEST_F(GpuSequence, ReadersOfOneImageDoNotWaitForEachOther) {
+  const Image image = pyramid();
+  ComputePass count = pass("CountGroups");
+  const Buffer first(*device, 12);
+  const Buffer second(*device, 12);
+  const Buffer third(*device, 12);
+  std::vector<Bindings> all;
+  Sequence sequence(*device);
+  for (const Buffer* groups : {&first, &second, &third}) {
+    all.push_back(count.more_bindings());
+    all.back().image("_Below", image, {.mips = 1});
+    all.back().buffer("_Groups", *groups);
+    sequence.dispatch(count, all.back(), {kSize, kSize, 1});
+  }
+  sequence.run();
+  EXPECT_EQ(sequence.waited(), (std::vector<bool>{true, false, false})) << "the first changes the layout";
+  sequence.run();
+  EXPECT_EQ(sequence.waited(), (std::vector<bool>{false, false, false}));
+}
+
+TEST_F(GpuSequence, DispatchesAsManyGroupsAsAnEarlierPassCounted) {
+  const Image image = pyramid();
+  const auto above = static_cast<std::size_t>(
+      std::count_if(texels.begin(), texels.end(), [](float texel) { return texel > 0.5F; }));
+  const Buffer groups(*device, 4 * sizeof(std::uint32_t));
+  const Buffer ran(*device, kSize * kSize * sizeof(std::uint32_t));
+  ComputePass count = pass("CountGroups");
+  count.bindings().image("_Below", image, {.mips = 1});
+  count.bindings().buffer("_Groups", groups);
+  ComputePass run = pass("Run");
+  run.bindings().buffer("_Ran", ran);
+  Sequence sequence(*device);
+  sequence.fill(groups, 0);
+  sequence.fill(ran, 0);
+  sequence.dispatch(count, count.bindings(), {kSize, kSize, 1});
+  sequence.dispatch_indirect(run, run.bindings(), groups);
+  sequence.run();
+  EXPECT_EQ(sequence.waited(), (std::vector<bool>{false, false, true, true}));
+  const std::vector<std::uint32_t> marks = ran.download<std::uint32_t>();
+  ASSERT_GT(above, 0U);
+  for (std::size_t i = 0; i < marks.size(); ++i) EXPECT_EQ(marks[i], i < above ? 7U : 0U) << i;
+  EXPECT_THROW(sequence.dispatch_indirect(run, run.bindings(), groups, 8), std::invalid_argument);
+  EXPECT_THROW(sequence.dispatch_indirect(run, run.bindings(), groups, 2), std::invalid_argument);
+}
+
+TEST_F(GpuSequence, RefusesWhatHasNoMeaning) {
+  const Image image = pyramid();
+  ComputePass reduce = pass("Reduce");
+  ComputePass run = pass("Run");
+  Sequence sequence(*device);
+  EXPECT_THROW(sequence.dispatch(run, run.bindings(), {1, 1, 1}), std::logic_error) << "nothing bound";
+  run.bindings().buffer("_Ran", Buffer(*device, 4));
+  EXPECT_THROW(sequence.dispatch(reduce, run.bindings(), {1, 1, 1}), std::logic_error) << "another pass's";
+  reduce.bindings().image("_Below", image, {.first_mip = 1, .mips = 1});
+  reduce.bindings().image("_Above", image, {.first_mip = 1});
+  EXPECT_THROW(reduce.dispatch({1, 1, 1}), std::logic_error) << "reads and writes the same level";
+  sequence.dispatch(run, run.bindings(), {1, 1, 1});
+  run.bindings().buffer("_Ran", Buffer(*device, 4));
+  EXPECT_THROW(sequence.run(), std::logic_error) << "replaced after it was put into the sequence";
+}
+
+// What a subgroup has is said by the device; where it adds, its lanes see their sum.
+TEST_F(GpuSequence, LanesOfASubgroupSeeTheirSum) {
+  const SubgroupInfo info = device->info().subgroup;
+  EXPECT_GE(info.lanes, 1);
+  if (!info.arithmetic || 32 % info.lanes != 0)
+    GTEST_SKIP() << "no sums over subgroups on " << device->info().name;
+  ComputePass sums(*device, {.spirv = compile_test_shader("Samples.hlsl", "Sums"), .entry = "Sums"});
+  const Buffer result(*device, 64 * sizeof(float));
+  sums.bindings().buffer("_Result", result);
+  sums.dispatch({1, 1, 1});
+  const std::vector<float> values = result.download<float>();
+  float expected = 0;
+  for (int lane = 0; lane < info.lanes; ++lane) expected += static_cast<float>(lane);
+  EXPECT_EQ(values[0], expected);
+  EXPECT_EQ(values[32], static_cast<float>(info.lanes));
+}
+
+}  // namespace
+}  // namespace penumbra::gpu

@@ -1,0 +1,115 @@
+#include "gpu/sequence.h"
+
+#include <stdexcept>
+
+#include "gpu/compute_state.h"
+#include "gpu/raster_state.h"
+#include "gpu/sequence_state.h"
+
+namespace penumbra::gpu {
+namespace {
+
+constexpr Access indirect_read{vk::PipelineStageFlagBits::eDrawIndirect,
+                               vk::AccessFlagBits::eIndirectCommandRead, false};
+constexpr Access transfer_write{vk::PipelineStageFlagBits::eTransfer, vk::AccessFlagBits::eTransferWrite,
+                                true};
+constexpr std::size_t indirect_bytes = 3 * sizeof(std::uint32_t);
+
+}  // namespace
+
+SequenceStep step_with(const Bindings& bindings, const PassInterface& interface) {
+  const std::shared_ptr<BindingsState>& state = bindings.state();
+  if (state->interface.get() != &interface) throw std::logic_error("the bindings are another pass's");
+  state->require_bound();
+  SequenceStep step;
+  step.bindings = state;
+  step.revision = state->revision;
+  state->add_uses(step.uses);
+  return step;
+}
+
+Sequence::Sequence(const Device& device) : state_(std::make_shared<SequenceState>()) {
+  state_->device = device.state();
+}
+
+void Sequence::dispatch(const ComputePass& pass, const Bindings& bindings,
+                        std::array<std::uint32_t, 3> groups) {
+  const std::shared_ptr<ComputeState> compute = pass.state();
+  for (std::size_t axis = 0; axis < groups.size(); ++axis) {
+    if (groups[axis] == 0 || groups[axis] > state_->device->limits.maxComputeWorkGroupCount[axis]) {
+      throw std::invalid_argument("a dispatch of " + std::to_string(groups[axis]) + " groups along axis " +
+                                  std::to_string(axis));
+    }
+  }
+  SequenceStep step = step_with(bindings, *compute->interface);
+  step.used = compute;
+  step.record = [compute, groups](const vk::raii::CommandBuffer& commands) {
+    commands.bindPipeline(vk::PipelineBindPoint::eCompute, compute->pipeline());
+    commands.dispatch(groups[0], groups[1], groups[2]);
+  };
+  state_->steps.push_back(std::move(step));
+}
+
+void Sequence::dispatch_indirect(const ComputePass& pass, const Bindings& bindings, const Buffer& groups,
+                                 std::size_t byte) {
+  if (byte % sizeof(std::uint32_t) != 0 || byte + indirect_bytes > groups.size_bytes())
+    throw std::invalid_argument("the numbers of groups are three whole words in their buffer");
+  const std::shared_ptr<ComputeState> compute = pass.state();
+  SequenceStep step = step_with(bindings, *compute->interface);
+  step.uses.buffers.push_back({groups.state(), indirect_read});
+  step.used = compute;
+  step.record = [compute, buffer = groups.state(), byte](const vk::raii::CommandBuffer& commands) {
+    commands.bindPipeline(vk::PipelineBindPoint::eCompute, compute->pipeline());
+    commands.dispatchIndirect(*buffer->allocation.buffer, byte);
+  };
+  state_->steps.push_back(std::move(step));
+}
+
+void Sequence::draw(const RasterPass& pass, const Bindings& bindings, const RasterTargets& targets,
+                    const std::vector<RasterTile>& tiles) {
+  state_->steps.push_back(raster_step(pass.state(), bindings, targets, tiles));
+}
+
+void Sequence::fill(const Buffer& buffer, std::uint32_t word) {
+  SequenceStep step;
+  step.uses.buffers.push_back({buffer.state(), transfer_write});
+  step.used = buffer.state();
+  step.record = [state = buffer.state(), word](const vk::raii::CommandBuffer& commands) {
+    commands.fillBuffer(*state->allocation.buffer, 0, VK_WHOLE_SIZE, word);
+  };
+  state_->steps.push_back(std::move(step));
+}
+
+std::vector<double> Sequence::run() {
+  DeviceState& device = *state_->device;
+  for (const SequenceStep& step : state_->steps)
+    if (step.bindings && step.bindings->revision != step.revision)
+      throw std::logic_error("a resource was replaced after its bindings were put into a sequence");
+  state_->waited.assign(state_->steps.size(), false);
+  const auto record = [this, &device](const vk::raii::CommandBuffer& commands) {
+    Barriers barriers;
+    std::uint32_t number = 0;
+    for (const SequenceStep& step : state_->steps) {
+      state_->waited[number] = barriers.before(step.uses, commands);
+      if (step.bindings) {
+        step.bindings->use(vk::PipelineBindPoint::eCompute, commands);
+        step.bindings->use(vk::PipelineBindPoint::eGraphics, commands);
+      }
+      device.mark_begin(commands, number);
+      step.record(commands);
+      device.mark_end(commands, number);
+      ++number;
+    }
+  };
+  return guarded(device, "run a sequence of passes", [&] {
+    for (const SequenceStep& step : state_->steps)
+      if (step.bindings) step.bindings->write_descriptors();
+    return device.submit(record, state_, std::uint32_t(state_->steps.size()));
+  });
+}
+
+const std::vector<bool>& Sequence::waited() const {
+  return state_->waited;
+}
+
+}  // namespace penumbra::gpu

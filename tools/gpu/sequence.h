@@ -1,0 +1,49 @@
+// Several passes in one submission, in the order in which they were added, with the barriers between them
+// that what they read and write asks for.
+//
+//   Sequence frame(device);
+//   frame.draw(casters, casters.bindings(), {{}, {&atlas}}, tiles);
+//   frame.dispatch(blur, horizontal, {32, 32, 1});
+//   frame.dispatch(blur, vertical, {32, 32, 1});   // another Bindings of the same pass
+//   std::vector<double> ns = frame.run();
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "gpu/compute_pass.h"
+#include "gpu/raster_pass.h"
+
+namespace penumbra::gpu {
+
+struct SequenceState;
+
+class Sequence {
+ public:
+  explicit Sequence(const Device& device);
+
+  // What is bound is that at the time of the call; run() throws std::logic_error when it has been replaced
+  // since. Uniforms may change from run to run. Throw std::invalid_argument for work that no device does, and
+  // std::logic_error where a shader reads what nothing is bound to.
+  void dispatch(const ComputePass& pass, const Bindings& bindings, std::array<std::uint32_t, 3> groups);
+  // The numbers of groups are three words in the buffer, from this byte on; they may be 0.
+  void dispatch_indirect(const ComputePass& pass, const Bindings& bindings, const Buffer& groups,
+                         std::size_t byte = 0);
+  void draw(const RasterPass& pass, const Bindings& bindings, const RasterTargets& targets,
+            const std::vector<RasterTile>& tiles);
+  void fill(const Buffer& buffer, std::uint32_t word);
+
+  // One submission. The time of each step on the device in nanoseconds; without timestamps the first has the
+  // wall-clock time of all and the others 0. Throws EnvironmentError on timeout or device loss.
+  std::vector<double> run();
+
+  // Of the last run: for each step, whether it had to wait for an earlier one or for an image's layout.
+  const std::vector<bool>& waited() const;
+
+ private:
+  std::shared_ptr<SequenceState> state_;
+};
+
+}  // namespace penumbra::gpu

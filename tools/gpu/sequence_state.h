@@ -1,0 +1,30 @@
+// What passes put into a submission. Internal to this room.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "gpu/bindings_state.h"
+#include "gpu/resource_uses.h"
+#include "gpu/sequence.h"
+
+namespace penumbra::gpu {
+
+struct SequenceStep {
+  ResourceUses uses;
+  std::shared_ptr<BindingsState> bindings;  // null: none
+  std::uint64_t revision = 0;               // of them
+  std::function<void(const vk::raii::CommandBuffer&)> record;
+  std::shared_ptr<void> used;  // kept alive
+};
+
+struct SequenceState {
+  std::shared_ptr<DeviceState> device;
+  std::vector<SequenceStep> steps;
+  std::vector<bool> waited;
+};
+
+// The step without its `record`; throws std::logic_error for bindings of another pass, and for empty ones.
+SequenceStep step_with(const Bindings& bindings, const PassInterface& interface);
+
+}  // namespace penumbra::gpu
