@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <map>
+#include <new>
+#include <pugixml.hpp>
 #include <utility>
 
 #include "validation/report_findings.h"
@@ -15,38 +17,46 @@ namespace {
 
 constexpr std::size_t most_cases = 5000;  // GitLab's page of a test report holds some thousands
 
-// For text and quoted attributes; what XML 1.0 cannot hold at all (2.2) becomes U+FFFD.
-std::string xml(std::string_view text) {
+// What XML 1.0 cannot hold at all (2.2) becomes U+FFFD; pugixml escapes the rest.
+std::string xml_text(std::string_view text) {
+  constexpr std::string_view replacement = "\xEF\xBF\xBD";
   std::string out;
   for (const char c : valid_utf8(text)) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      case '\n':
-        out += "&#10;";
-        break;
-      case '\t':
-        out += "&#9;";
-        break;
-      default:
-        out += static_cast<unsigned char>(c) < 0x20U ? std::string("\xEF\xBF\xBD") : std::string(1, c);
-    }
+    const bool held = static_cast<unsigned char>(c) >= 0x20U || c == '\n' || c == '\t';
+    out += held ? std::string_view(&c, 1) : replacement;
   }
   for (const std::string_view noncharacter : {"\xEF\xBF\xBE", "\xEF\xBF\xBF"})
     for (std::size_t at = out.find(noncharacter); at != std::string::npos; at = out.find(noncharacter, at))
-      out.replace(at, 3, "\xEF\xBF\xBD");
+      out.replace(at, 3, replacement);
   return out;
 }
+
+// pugixml says by an empty handle that memory has run out.
+template <typename Handle>
+Handle made(Handle handle) {
+  if (!handle) throw std::bad_alloc();
+  return handle;
+}
+
+pugi::xml_node add_element(pugi::xml_node parent, const char* name) {
+  return made(parent.append_child(name));
+}
+
+void add_attribute(pugi::xml_node element, const char* name, const std::string& value) {
+  if (!made(element.append_attribute(name)).set_value(value.c_str())) throw std::bad_alloc();
+}
+
+void add_text(pugi::xml_node element, const std::string& text) {
+  if (!made(element.append_child(pugi::node_pcdata)).set_value(text.c_str())) throw std::bad_alloc();
+}
+
+// A stream would end without a word where memory runs out.
+struct TextWriter final : pugi::xml_writer {
+  std::string text;
+  void write(const void* bytes, std::size_t count) override {
+    text.append(static_cast<const char*>(bytes), count);
+  }
+};
 
 struct TestCase {
   std::string name;
@@ -87,12 +97,21 @@ class JunitReport {
   JunitReport(const ValidationReport& report, const ReportStyle& style) : report_(report), style_(style) {}
 
   std::string write() {
-    std::string suites;
-    for (const Suite& suite : suites_of(report_)) suites += write_suite(suite);
+    pugi::xml_document document;
+    pugi::xml_node declaration = made(document.append_child(pugi::node_declaration));
+    add_attribute(declaration, "version", "1.0");
+    add_attribute(declaration, "encoding", "UTF-8");
+    const pugi::xml_node suites = add_element(document, "testsuites");
+    add_attribute(suites, "name", "penumbra");
+    Counts total;
+    for (const Suite& suite : suites_of(report_)) add_suite(suites, suite, total);
+    add_counts(suites, total);
     char seconds[32];
     std::snprintf(seconds, sizeof seconds, "%.3f", report_.seconds);
-    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"penumbra\"" + counts(total_) +
-           " time=\"" + seconds + "\">\n" + suites + "</testsuites>\n";
+    add_attribute(suites, "time", seconds);
+    TextWriter writer;
+    document.save(writer, "  ");
+    return std::move(writer.text);
   }
 
  private:
@@ -102,39 +121,41 @@ class JunitReport {
     std::size_t skipped = 0;
   };
 
-  static std::string counts(const Counts& count) {
-    return " tests=\"" + std::to_string(count.tests) + "\" failures=\"" + std::to_string(count.failures) +
-           "\" errors=\"0\" skipped=\"" + std::to_string(count.skipped) + "\"";
+  static void add_counts(pugi::xml_node element, const Counts& count) {
+    add_attribute(element, "tests", std::to_string(count.tests));
+    add_attribute(element, "failures", std::to_string(count.failures));
+    add_attribute(element, "errors", "0");
+    add_attribute(element, "skipped", std::to_string(count.skipped));
   }
 
-  std::string write_suite(const Suite& suite) {
+  void add_suite(pugi::xml_node suites, const Suite& suite, Counts& total) const {
     Counts count;
-    std::string cases;
-    const std::string file = relative_file(suite.file, style_);
-    for (const TestCase& test : suite.cases) cases += write_case(file, test, count);
-    total_.tests += count.tests;
-    total_.failures += count.failures;
-    total_.skipped += count.skipped;
-    return "  <testsuite name=\"" + xml(file) + "\"" + counts(count) + ">\n" + cases + "  </testsuite>\n";
+    const std::string file = xml_text(relative_file(suite.file, style_));
+    const pugi::xml_node element = add_element(suites, "testsuite");
+    add_attribute(element, "name", file);
+    for (const TestCase& test : suite.cases) add_case(element, file, test, count);
+    add_counts(element, count);
+    total.tests += count.tests;
+    total.failures += count.failures;
+    total.skipped += count.skipped;
   }
 
-  std::string write_case(const std::string& file, const TestCase& test, Counts& count) const {
+  void add_case(pugi::xml_node suite, const std::string& file, const TestCase& test, Counts& count) const {
     ++count.tests;
-    const std::string start = "    <testcase name=\"" + xml(test.name) + "\" classname=\"" + xml(file) +
-                              "\" file=\"" + xml(file) + "\"";
-    if (const std::string failure = write_failure(test); !failure.empty()) {
+    const pugi::xml_node element = add_element(suite, "testcase");
+    add_attribute(element, "name", xml_text(test.name));
+    add_attribute(element, "classname", file);
+    add_attribute(element, "file", file);
+    if (add_failure(element, test)) {
       ++count.failures;
-      return start + ">\n" + failure + "    </testcase>\n";
-    }
-    if (const std::string reason = why_skipped(test); !reason.empty()) {
+    } else if (const std::string reason = why_skipped(test); !reason.empty()) {
       ++count.skipped;
-      return start + "><skipped message=\"" + xml(reason) + "\"/></testcase>\n";
+      add_attribute(add_element(element, "skipped"), "message", xml_text(reason));
     }
-    return start + "/>\n";
   }
 
-  // Each message once, with how many of the folded variants have it.
-  std::string write_failure(const TestCase& test) const {
+  // Each message once, with how many of the folded variants have it. False when none has failed.
+  bool add_failure(pugi::xml_node element, const TestCase& test) const {
     std::vector<std::pair<const hlsl::Diagnostic*, std::size_t>> told;
     std::map<std::string, std::size_t> index;
     std::size_t failed = 0;
@@ -148,7 +169,7 @@ class JunitReport {
         ++told[at->second].second;
       }
     }
-    if (failed == 0) return {};
+    if (failed == 0) return false;
     const std::string first = told.empty() ? "failed without a message" : told.front().first->message;
     std::string text;
     for (const auto& [diagnostic, count] : told) {
@@ -156,7 +177,11 @@ class JunitReport {
       if (test.records.size() > 1)
         text += "in " + std::to_string(count) + " of " + std::to_string(test.records.size()) + " variants\n";
     }
-    return "      <failure message=\"" + xml(first) + "\" type=\"error\">" + xml(text) + "</failure>\n";
+    const pugi::xml_node failure = add_element(element, "failure");
+    add_attribute(failure, "message", xml_text(first));
+    add_attribute(failure, "type", "error");
+    add_text(failure, xml_text(text));
+    return true;
   }
 
   std::string why_skipped(const TestCase& test) const {
@@ -174,7 +199,6 @@ class JunitReport {
 
   const ValidationReport& report_;
   const ReportStyle& style_;
-  Counts total_;
 };
 
 }  // namespace
