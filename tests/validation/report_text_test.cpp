@@ -169,6 +169,29 @@ TEST(ReportText, ChecksOfAMergedReportHoldNoControlCharacters) {
   EXPECT_THAT(text, HasSubstr("spirv: \\x1B[31m\\n::error::a\nx\\n::error::b: c\n"));
 }
 
+// Reasons, targets, rules and files too come from reports of other machines.
+TEST(ReportText, NoTextOfAMergedReportReachesTheTerminalAsItIs) {
+  const std::string hostile = "\x1b[2J\x7F\n::error::a";
+  ValidationReport report;
+  for (const VariantStatus status : {VariantStatus::absent, VariantStatus::unchecked}) {
+    report.records.push_back(water({hostile}, hostile));
+    report.records.back().status = status;
+    report.records.back().reason = hostile;
+    report.records.back().file = hostile;
+  }
+  hlsl::Diagnostic error = error_at(hostile, 1, 1, hostile);
+  error.rule = hostile;
+  report.records.push_back(failed(water({hostile}, hostile), error));
+  report.records.back().reproduction = hostile;
+  for (const std::string& text : {report_text(report), report_github(report)}) {
+    for (const char c : text)
+      EXPECT_TRUE(static_cast<unsigned char>(c) >= 0x20 || c == '\n')
+          << static_cast<int>(c) << " in " << text;
+    EXPECT_EQ(text.find('\x7F'), std::string::npos);
+    EXPECT_EQ(text.find("\n::error::a"), std::string::npos);
+  }
+}
+
 TEST(ReportText, AKeywordOfMegabytesIsCut) {
   const std::string keyword(10'000'000, 'K');
   const ValidationReport report = report_of({keyword}, [](const auto& set) { return !set.empty(); });

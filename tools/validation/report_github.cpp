@@ -3,7 +3,8 @@
 // step.
 // The last line is the totals, for the log.
 //
-// Escaped as the toolkit's command.ts does: % CR LF in messages, and : , in properties besides.
+// Escaped as the toolkit's command.ts does: % CR LF in messages, and : , in properties besides; and control
+// characters, which GitHub then shows as %1B.
 #include <algorithm>
 
 #include "input/visible_text.h"
@@ -18,7 +19,8 @@ std::string escaped(const std::string& text, std::string_view characters) {
   constexpr char digits[] = "0123456789ABCDEF";
   std::string out;
   for (const char c : valid_utf8(text)) {
-    if (characters.find(c) == std::string_view::npos) {
+    const bool control = (static_cast<unsigned char>(c) < 0x20U && c != '\t') || c == 0x7F;
+    if (!control && characters.find(c) == std::string_view::npos) {
       out += c;
     } else {
       const auto byte = static_cast<unsigned char>(c);
@@ -53,8 +55,8 @@ std::string annotation(const Finding& finding, const ValidationReport& report, c
   std::string message =
       visible(diagnostic.message) + "\n" + program_title(report.records[finding.records.front()]);
   if (const std::string sentence = fold_sentence(fold_keywords(finding, variants)); !sentence.empty())
-    message += ", " + sentence;
-  message += ", for " + joined(targets_of(finding, report), ", ");
+    message += ", " + visible(sentence);
+  message += ", for " + visible(joined(targets_of(finding, report), ", "));
   return text + message_text(message) + "\n";
 }
 

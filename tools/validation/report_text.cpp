@@ -42,7 +42,7 @@ std::string headline(const hlsl::Diagnostic& diagnostic, const ReportStyle& styl
   text = painted(text.substr(0, severity), bold, style) +
          painted(text.substr(severity), colour_of(diagnostic.severity), style) +
          painted(visible(diagnostic.message), bold, style);
-  return diagnostic.rule.empty() ? text : text + " [" + diagnostic.rule + "]";
+  return diagnostic.rule.empty() ? text : text + " [" + visible(diagnostic.rule) + "]";
 }
 
 class TextReport {
@@ -83,7 +83,7 @@ class TextReport {
       text += ", " + visible(sentence);
     const std::vector<std::string> targets = targets_of(finding, report_);
     if (targets != std::vector<std::string>{"spirv"} && targets != std::vector<std::string>{whole_source})
-      text += ", for " + joined(targets, ", ");
+      text += ", for " + visible(joined(targets, ", "));
     return text + "\n" + minimal(finding) + reproduction(finding);
   }
 
@@ -109,7 +109,7 @@ class TextReport {
     if (finding.diagnostic.severity != hlsl::Severity::error) return {};
     for (const std::size_t record : finding.records)
       if (const std::string& file = report_.records[record].reproduction; !file.empty())
-        return "  to reproduce: " + file + "\n";
+        return "  to reproduce: " + visible(file) + "\n";
     return {};
   }
 
@@ -144,16 +144,16 @@ class TextReport {
   std::string absences() const {
     return by_reason(VariantStatus::absent,
                      [](const std::string& owner, const std::string& reason, const Reason& who) {
-                       return "absent: " + visible(owner) + ", " + joined(who.targets, ", ") + ": " + reason +
-                              " (" + counted(who.variants.size(), "variant") + ")";
+                       return "absent: " + visible(owner) + ", " + visible(joined(who.targets, ", ")) + ": " +
+                              visible(reason) + " (" + counted(who.variants.size(), "variant") + ")";
                      });
   }
 
   std::string unchecked() const {
-    return by_reason(VariantStatus::unchecked,
-                     [](const std::string&, const std::string& reason, const Reason& who) {
-                       return "unchecked: " + counted(who.variants.size(), "variant") + ": " + reason;
-                     });
+    return by_reason(
+        VariantStatus::unchecked, [](const std::string&, const std::string& reason, const Reason& who) {
+          return "unchecked: " + counted(who.variants.size(), "variant") + ": " + visible(reason);
+        });
   }
 
   std::string totals() const {
