@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 #include <glm/vec2.hpp>
 #include <map>
 #include <string>
@@ -12,6 +11,7 @@
 #include "input/input_error.h"
 #include "lighting/rows.h"
 #include "lighting/texture_pyramid.h"
+#include "parameters/half_angle.h"
 
 namespace penumbra::lighting {
 namespace {
@@ -72,7 +72,7 @@ class PixelRays {
       : width_(settings.width), height_(settings.height) {
     forward_ = glm::normalize(camera.forward);
     const glm::dvec3 right = glm::normalize(glm::cross(camera.up, forward_));
-    const double tan_half = std::tan(glm::radians(camera.fov_y_degrees) / 2.0);
+    const double tan_half = parameters::tan_half(camera.fov_y_degrees);
     right_ = right * (tan_half * camera.aspect);
     up_ = glm::cross(forward_, right) * tan_half;
     shift_ = settings.lens_shift;

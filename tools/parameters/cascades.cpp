@@ -6,9 +6,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <numbers>
 
 #include "input/input_error.h"
+#include "parameters/half_angle.h"
 #include "parameters/settings_check.h"
 
 namespace penumbra::parameters {
@@ -53,7 +53,7 @@ LightAxes axes_of(const glm::dvec3& direction) {
 //       \______|
 // The radius depends on the lens and the split alone, so turning the camera never changes a texel's size.
 Sphere sphere_around(const Camera& camera, double near_distance, double far_distance) {
-  const double tan_half = std::tan(camera.fov_y_degrees * std::numbers::pi / 360.0);
+  const double tan_half = parameters::tan_half(camera.fov_y_degrees);
   const double k2 = tan_half * tan_half * (1.0 + camera.aspect * camera.aspect);
   const double middle = 0.5 * (near_distance + far_distance) * (1.0 + k2);
   const double c = std::min(middle, far_distance);
@@ -227,7 +227,7 @@ glm::dvec4 tile_rectangle(const AtlasLayout& layout, int cascade) {
 
 void derive_scales(const CascadeSet& set, const ShadowSettings& settings, Cascade& cascade) {
   const glm::dmat4& m = cascade.world_to_shadow;
-  const double tan_half = std::tan(set.angular_diameter_degrees * std::numbers::pi / 360.0);
+  const double tan_half = parameters::tan_half(set.angular_diameter_degrees);
   const double row0 = glm::length(glm::dvec3(m[0][0], m[1][0], m[2][0]));
   const double row2 = glm::length(glm::dvec3(m[0][2], m[1][2], m[2][2]));
   cascade.uv_per_metre = row0 / cascade.offset_scale.z;

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "parameters/half_angle.h"
+
 namespace penumbra::parameters {
 
 namespace {
@@ -25,8 +27,8 @@ double metres(double value) {
   return bounded(value, 0.0, kLongestMetres);
 }
 
-Real tan_half(double degrees, double largest) {
-  return std::tan(Real{bounded(degrees, 0.0, largest)} * std::numbers::pi_v<Real> / 360);
+Real bounded_tan_half(double degrees, double largest) {
+  return tan_half<Real>(bounded(degrees, 0.0, largest));
 }
 
 // HDRP's cones: the search is never narrower than the light, the smallest filter never than the search.
@@ -37,9 +39,10 @@ struct Cones {
 };
 
 Cones cones_of(const SoftShadowParameters& parameters) {
-  const Real light = tan_half(parameters.angular_diameter_degrees, kLargestLightDegrees);
-  const Real search = std::max(light, tan_half(parameters.hdrp_search_degrees, kLargestConeDegrees));
-  return {light, search, std::max(search, tan_half(parameters.hdrp_min_filter_degrees, kLargestConeDegrees))};
+  const Real light = bounded_tan_half(parameters.angular_diameter_degrees, kLargestLightDegrees);
+  const Real search = std::max(light, bounded_tan_half(parameters.hdrp_search_degrees, kLargestConeDegrees));
+  return {light, search,
+          std::max(search, bounded_tan_half(parameters.hdrp_min_filter_degrees, kLargestConeDegrees))};
 }
 
 double inverse(Real value) {
@@ -49,7 +52,7 @@ double inverse(Real value) {
 }  // namespace
 
 double tan_half_of(double degrees) {
-  return static_cast<double>(tan_half(degrees, kLargestLightDegrees));
+  return static_cast<double>(bounded_tan_half(degrees, kLargestLightDegrees));
 }
 
 double degrees_of(double tan_half) {

@@ -2,7 +2,8 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
+
+#include "parameters/half_angle.h"
 
 namespace penumbra::resolve {
 namespace {
@@ -27,7 +28,7 @@ Lens lens_of(const scene::Frame& frame, RowOrder rows) {
   const glm::dvec3 forward = glm::normalize(camera.forward);
   const glm::dvec3 right = glm::normalize(glm::cross(camera.up, forward));
   const glm::dvec3 up = glm::cross(forward, right);
-  const double tan_y = std::tan(glm::radians(camera.fov_y_degrees) / 2.0);
+  const double tan_y = parameters::tan_half(camera.fov_y_degrees);
   const glm::dvec3 half_width = right * (tan_y * camera.aspect);
   const glm::dvec3 half_height = up * tan_y;
   const glm::dvec3 centre =

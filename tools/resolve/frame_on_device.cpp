@@ -3,8 +3,9 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 #include <span>
+
+#include "parameters/half_angle.h"
 
 namespace penumbra::resolve {
 namespace {
@@ -117,7 +118,7 @@ void add_light_uniforms(const scene::Frame& frame, UniformValues& values) {
 }
 
 glm::vec4 main_light_params(const parameters::CascadeSet& set) {
-  const double tan_half = std::tan(glm::radians(set.angular_diameter_degrees) / 2.0);
+  const double tan_half = parameters::tan_half(set.angular_diameter_degrees);
   return {static_cast<float>(set.cascades.size()), static_cast<float>(tan_half), 0.0f, 0.0f};
 }
 

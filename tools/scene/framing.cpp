@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "parameters/half_angle.h"
 #include "scene/scene.h"
 
 namespace penumbra::scene {
@@ -53,7 +54,7 @@ glm::dvec3 middle(const std::vector<glm::dvec3>& points) {
 double extent(const parameters::Camera& camera, const std::vector<glm::dvec3>& points) {
   const glm::dvec3 right = glm::normalize(glm::cross(camera.up, camera.forward));
   const glm::dvec3 up = glm::cross(camera.forward, right);
-  const double tan_half = std::tan(0.5 * glm::radians(camera.fov_y_degrees));
+  const double tan_half = parameters::tan_half(camera.fov_y_degrees);
   double largest = 0.0;
   for (const glm::dvec3& point : points) {
     const glm::dvec3 to = point - camera.position;

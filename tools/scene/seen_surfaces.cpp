@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstring>
 #include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 
+#include "parameters/half_angle.h"
 #include "scene/scene_shader.h"
 
 namespace penumbra::scene {
@@ -29,7 +29,7 @@ CameraView view_of(const parameters::Camera& camera, const glm::dvec2& lens_shif
   const glm::dvec3 forward = glm::normalize(camera.forward);
   const glm::dvec3 right = glm::normalize(glm::cross(camera.up, forward));
   const glm::dvec3 up = glm::cross(forward, right);
-  const double tan_half = std::tan(glm::radians(camera.fov_y_degrees) / 2.0);
+  const double tan_half = parameters::tan_half(camera.fov_y_degrees);
   return {{row(right / (tan_half * camera.aspect) - forward * lens_shift.x, camera.position),
            row(forward * lens_shift.y - up / tan_half, camera.position), row(forward, camera.position)},
           glm::vec4(float(camera.near_plane), 0.0F, 0.0F, 0.0F)};
