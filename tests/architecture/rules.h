@@ -13,9 +13,9 @@ using Tree = std::map<std::string, std::string>;
 using Violations = std::vector<std::string>;
 
 // tools/: an include of another room goes down cli, study, lighting, reference, resolve, scene, cost, gpu,
-// validation, lint, shaders, preprocessing, preparation, variants, shaderlab, project, hlsl, parameters,
-// platform, input; parameters stands on platform and input alone, and no room from validation to hlsl knows
-// it.
+// validation, lint, shaders, preprocessing, preparation, variants, shaderlab, project, hlsl, spirv,
+// parameters, platform, input; parameters stands on platform and input alone, and no room from validation to
+// spirv knows it.
 Violations tool_includes_point_down(const Tree& tree);
 
 // The same for the rooms that a room's CMakeLists.txt names: after USES, or as penumbra::NAME.
@@ -29,7 +29,8 @@ Violations shader_includes_point_down(const Tree& tree);
 Violations system_headers_stay_in_platform(const Tree& tree);
 
 // A header that other rooms include brings no large third-party header with it, directly or through others.
-// tools/input/located_json.h is the exception: JSON is what it offers.
+// tools/input/located_json.h is the exception: JSON is what it offers; and the headers of tools/spirv, for
+// SPIR-V's enumerations, as long as no other room's header brings them further.
 Violations public_headers_stay_light(const Tree& tree);
 
 // Nothing is left unfinished: no word that marks work to be done.

@@ -125,6 +125,16 @@ TEST(PublicHeaders, LocatedJsonAloneMayOfferJson) {
           "tools/input/other.h:1: <nlohmann/json.hpp> reaches every room that includes input/other.h"));
 }
 
+TEST(PublicHeaders, OfSpirvAloneMayOfferItsEnumerations) {
+  const Tree tree{{"tools/spirv/words.h", "#include <glslang/SPIRV/spirv.hpp>\n"},
+                  {"tools/shaders/module.h", "#include \"spirv/words.h\"\n"},
+                  {"tools/shaders/a.cpp", "#include \"spirv/words.h\"\n"},
+                  {"tools/cost/a.cpp", "#include \"shaders/module.h\"\n"}};
+  EXPECT_THAT(public_headers_stay_light(tree),
+              ElementsAre("tools/spirv/words.h:1: <glslang/SPIRV/spirv.hpp> reaches every room that includes "
+                          "shaders/module.h"));
+}
+
 TEST(Words, OfUnfinishedWorkAreFound) {
   const std::string mark = std::string("TO") + "DO";
   EXPECT_THAT(nothing_is_unfinished({{"a.md", "fine\n// " + mark + ": later\n"}}),

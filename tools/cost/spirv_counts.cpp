@@ -1,9 +1,8 @@
 #include "cost/spirv_counts.h"
 
-#include <glslang/SPIRV/spirv.hpp>
-#include <spirv-tools/libspirv.hpp>
 #include <stdexcept>
-#include <string>
+
+#include "spirv/words.h"
 
 namespace penumbra::cost {
 namespace {
@@ -58,38 +57,25 @@ bool is_declaration(spv::Op op) {
   }
 }
 
-struct Walk {
-  SpirvCounts counts;
-  bool in_function = false;
-};
-
-spv_result_t visit(void* user_data, const spv_parsed_instruction_t* instruction) {
-  Walk& walk = *static_cast<Walk*>(user_data);
-  const auto op = static_cast<spv::Op>(instruction->opcode);
-  if (op == spv::OpFunction) walk.in_function = true;
-  if (op == spv::OpFunctionEnd) walk.in_function = false;
-  if (!walk.in_function || is_declaration(op)) return SPV_SUCCESS;
-  SpirvCounts& counts = walk.counts;
-  ++counts.instructions;
-  counts.alu += is_alu(op) ? 1 : 0;
-  counts.texture += is_texture(op) ? 1 : 0;
-  counts.memory += is_memory(op) ? 1 : 0;
-  counts.control += is_control(op) ? 1 : 0;
-  return SPV_SUCCESS;
-}
-
 }  // namespace
 
 SpirvCounts count_spirv(const std::vector<std::uint32_t>& spirv) {
-  Walk walk;
-  const spvtools::Context context(SPV_ENV_VULKAN_1_1);
-  spv_diagnostic diagnostic = nullptr;
-  const spv_result_t result =
-      spvBinaryParse(context.CContext(), &walk, spirv.data(), spirv.size(), nullptr, visit, &diagnostic);
-  const std::string reason = diagnostic == nullptr ? "no SPIR-V" : diagnostic->error;
-  spvDiagnosticDestroy(diagnostic);
-  if (result != SPV_SUCCESS) throw std::invalid_argument(reason);
-  return walk.counts;
+  SpirvCounts counts;
+  bool in_function = false;
+  const bool whole = spirv::for_each_instruction(spirv, [&](spirv::Words instruction) {
+    const spv::Op op = spirv::opcode(instruction);
+    if (op == spv::OpFunction) in_function = true;
+    if (op == spv::OpFunctionEnd) in_function = false;
+    if (!in_function || is_declaration(op)) return;
+    ++counts.instructions;
+    counts.alu += is_alu(op) ? 1 : 0;
+    counts.texture += is_texture(op) ? 1 : 0;
+    counts.memory += is_memory(op) ? 1 : 0;
+    counts.control += is_control(op) ? 1 : 0;
+  });
+  if (!whole || spirv.size() < spirv::header_words || spirv[0] != spv::MagicNumber)
+    throw std::invalid_argument("not a SPIR-V module");
+  return counts;
 }
 
 }  // namespace penumbra::cost

@@ -12,18 +12,18 @@ namespace penumbra::lint {
 
 namespace {
 
-bool is_pow(const Instruction& instruction) {
+bool is_pow(const spirv::Instruction& instruction) {
   return instruction.op == spv::OpExtInst && instruction.operands[1] == GLSLstd450Pow;
 }
 
 // A whole number as the exponent is written as products, which take any base.
-bool may_be_undefined(ValueRanges& ranges, const Instruction& pow) {
+bool may_be_undefined(ValueRanges& ranges, const spirv::Instruction& pow) {
   const std::optional<double> exponent = ranges.constant(pow.operands[3]);
   if (exponent && *exponent == std::floor(*exponent)) return false;
   return ranges.of(pow.operands[2]).low < 0;
 }
 
-bool compares_with_itself(const Instruction& instruction) {
+bool compares_with_itself(const spirv::Instruction& instruction) {
   switch (instruction.op) {
     case spv::OpFOrdEqual:
     case spv::OpFUnordEqual:
@@ -39,11 +39,11 @@ bool compares_with_itself(const Instruction& instruction) {
 
 std::vector<Finding> arithmetic_findings(const LintedCode& linted) {
   std::vector<Finding> findings;
-  std::set<Id> tested_for_infinity;  // isfinite() tests one value for both
-  for (const Instruction& instruction : linted.code.instructions())
+  std::set<spirv::Id> tested_for_infinity;  // isfinite() tests one value for both
+  for (const spirv::Instruction& instruction : linted.code.instructions())
     if (instruction.op == spv::OpIsInf) tested_for_infinity.insert(instruction.operands[0]);
   ValueRanges ranges(linted.code);
-  for (const Instruction& instruction : linted.code.instructions()) {
+  for (const spirv::Instruction& instruction : linted.code.instructions()) {
     if (is_pow(instruction) && may_be_undefined(ranges, instruction)) {
       findings.push_back(finding_at(linted, "negative-pow", instruction.place, {"pow"},
                                     "pow of a base that may be negative gives NaN: bound it with abs, max or "

@@ -11,20 +11,20 @@ namespace penumbra::lint {
 namespace {
 
 // Callees before callers. Recursion, which HLSL forbids, leaves some call without an effect.
-std::vector<const Function*> callees_first(const SpirvCode& code) {
-  std::vector<const Function*> order;
-  std::set<Id> seen;
-  std::vector<std::pair<const Function*, std::vector<Id>>> open;
-  const auto enter = [&](const Function& function) {
+std::vector<const spirv::Function*> callees_first(const spirv::Code& code) {
+  std::vector<const spirv::Function*> order;
+  std::set<spirv::Id> seen;
+  std::vector<std::pair<const spirv::Function*, std::vector<spirv::Id>>> open;
+  const auto enter = [&](const spirv::Function& function) {
     if (!seen.insert(function.id).second) return;
-    std::vector<Id> callees;
-    for (const Block& block : function.blocks)
+    std::vector<spirv::Id> callees;
+    for (const spirv::Block& block : function.blocks)
       for (std::size_t i = block.begin; i < block.end; ++i)
         if (code.instructions()[i].op == spv::OpFunctionCall)
           callees.push_back(code.instructions()[i].operands[0]);
     open.emplace_back(&function, std::move(callees));
   };
-  for (const Function& root : code.functions()) {
+  for (const spirv::Function& root : code.functions()) {
     enter(root);
     while (!open.empty()) {
       if (open.back().second.empty()) {
@@ -32,7 +32,7 @@ std::vector<const Function*> callees_first(const SpirvCode& code) {
         open.pop_back();
         continue;
       }
-      const Function* callee = code.function(open.back().second.back());
+      const spirv::Function* callee = code.function(open.back().second.back());
       open.back().second.pop_back();
       if (callee != nullptr) enter(*callee);
     }
@@ -41,23 +41,24 @@ std::vector<const Function*> callees_first(const SpirvCode& code) {
 }
 
 // Which parameters are out: SPIR-V does not say, but a caller hands an out parameter a copy it never filled.
-std::map<Id, std::vector<bool>> out_parameters(const SpirvCode& code) {
-  std::set<Id> stored;
-  for (const Instruction& instruction : code.instructions()) {
+std::map<spirv::Id, std::vector<bool>> out_parameters(const spirv::Code& code) {
+  std::set<spirv::Id> stored;
+  for (const spirv::Instruction& instruction : code.instructions()) {
     if (instruction.op != spv::OpStore) continue;
-    const Instruction* target = code.definition(instruction.operands[0]);
+    const spirv::Instruction* target = code.definition(instruction.operands[0]);
     const bool part = target != nullptr && target->op == spv::OpAccessChain;
     stored.insert(part ? target->operands[0] : instruction.operands[0]);
   }
-  std::map<Id, std::vector<bool>> out;
-  std::set<Id> called;
-  for (const Function& function : code.functions()) out[function.id].assign(function.parameters.size(), true);
-  for (const Instruction& instruction : code.instructions()) {
+  std::map<spirv::Id, std::vector<bool>> out;
+  std::set<spirv::Id> called;
+  for (const spirv::Function& function : code.functions())
+    out[function.id].assign(function.parameters.size(), true);
+  for (const spirv::Instruction& instruction : code.instructions()) {
     if (instruction.op != spv::OpFunctionCall) continue;
     called.insert(instruction.operands[0]);
     std::vector<bool>& is_out = out[instruction.operands[0]];
     for (std::size_t i = 0; i + 1 < instruction.operands.size() && i < is_out.size(); ++i) {
-      const Id argument = instruction.operands[i + 1];
+      const spirv::Id argument = instruction.operands[i + 1];
       const bool empty_copy = code.op(argument) == spv::OpVariable && code.name(argument) == "param" &&
                               !stored.contains(argument);
       is_out[i] = is_out[i] && empty_copy;
@@ -70,11 +71,11 @@ std::map<Id, std::vector<bool>> out_parameters(const SpirvCode& code) {
 
 }  // namespace
 
-std::map<Id, AssignmentFindings> assignment_findings(const SpirvCode& code) {
-  const std::map<Id, std::vector<bool>> out = out_parameters(code);
-  std::map<Id, FunctionEffect> effects;
-  std::map<Id, AssignmentFindings> findings;
-  for (const Function* function : callees_first(code)) {
+std::map<spirv::Id, AssignmentFindings> assignment_findings(const spirv::Code& code) {
+  const std::map<spirv::Id, std::vector<bool>> out = out_parameters(code);
+  std::map<spirv::Id, FunctionEffect> effects;
+  std::map<spirv::Id, AssignmentFindings> findings;
+  for (const spirv::Function* function : callees_first(code)) {
     if (function->id == code.entry_function() || function->blocks.empty()) continue;
     if (function->blocks.size() > most_blocks) {
       findings[function->id].too_large = true;

@@ -13,28 +13,28 @@
 #include <vector>
 
 #include "lint/components.h"
-#include "lint/spirv_code.h"
+#include "spirv/code.h"
 
 namespace penumbra::lint {
 
 // A use of components that some path leaves unset.
 struct UnsetRead {
-  Id variable = 0;  // a local or parameter; 0: the value a callee returned
-  Id callee = 0;    // that callee, or the one that reads the variable it is given; 0: read in place
-  Id type = 0;
+  spirv::Id variable = 0;  // a local or parameter; 0: the value a callee returned
+  spirv::Id callee = 0;    // that callee, or the one that reads the variable it is given; 0: read in place
+  spirv::Id type = 0;
   Components known;       // false for those that are read though unset
   bool ever_set = false;  // something in the function stores to some of them
-  Place place;
+  spirv::Place place;
 };
 
 // Components of an out parameter or the result that some path leaves unset.
 struct UnsetOutput {
-  Id parameter = 0;  // 0: the result
-  Id type = 0;
+  spirv::Id parameter = 0;  // 0: the result
+  spirv::Id type = 0;
   Components set;
   bool nothing_returned = false;  // a path ends without a return statement
   bool ever_set = false;          // the function sets each component on some path
-  Place place;
+  spirv::Place place;
 };
 
 // What a call does, by parameter.
@@ -55,6 +55,6 @@ struct AssignmentFindings {
 };
 
 // Findings of every function but the entry point's wrapper, which only copies; in the order of the module.
-std::map<Id, AssignmentFindings> assignment_findings(const SpirvCode& code);
+std::map<spirv::Id, AssignmentFindings> assignment_findings(const spirv::Code& code);
 
 }  // namespace penumbra::lint

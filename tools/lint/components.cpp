@@ -16,8 +16,8 @@ void intersect(Components& into, const Components& other) {
   for (std::size_t i = 0; i < into.size() && i < other.size(); ++i) into[i] = into[i] && other[i];
 }
 
-ComponentLayout::Parts ComponentLayout::parts(Id type) const {
-  const Instruction* definition = code_.definition(type);
+ComponentLayout::Parts ComponentLayout::parts(spirv::Id type) const {
+  const spirv::Instruction* definition = code_.definition(type);
   if (definition == nullptr) return {};
   switch (definition->op) {
     case spv::OpTypeVector:
@@ -35,7 +35,7 @@ ComponentLayout::Parts ComponentLayout::parts(Id type) const {
 }
 
 // Types are defined before they are used, so the nesting is as deep as the source writes it.
-std::size_t ComponentLayout::uncapped(Id type) {
+std::size_t ComponentLayout::uncapped(spirv::Id type) {
   const auto known = counts_.find(type);
   if (known != counts_.end()) return known->second;
   const Parts of = parts(type);
@@ -45,14 +45,14 @@ std::size_t ComponentLayout::uncapped(Id type) {
   } else if (of.type != 0) {
     sum = of.number * std::min(uncapped(of.type), most_components + 1);
   } else {
-    const Instruction& structure = *code_.definition(type);
-    for (const Id member : structure.operands) sum += std::min(uncapped(member), most_components + 1);
+    const spirv::Instruction& structure = *code_.definition(type);
+    for (const spirv::Id member : structure.operands) sum += std::min(uncapped(member), most_components + 1);
   }
   counts_[type] = std::min(sum, most_components + 1);
   return counts_[type];
 }
 
-std::size_t ComponentLayout::count(Id type) {
+std::size_t ComponentLayout::count(spirv::Id type) {
   const std::size_t components = uncapped(type);
   return components > most_components ? 1 : components;
 }
@@ -60,7 +60,7 @@ std::size_t ComponentLayout::count(Id type) {
 Part ComponentLayout::select_literal(const Part& whole, std::uint32_t index) {
   const Parts of = parts(whole.type);
   if (of.number == 0) return {whole.first, whole.count, 0, false};
-  const Id type =
+  const spirv::Id type =
       of.type != 0 || index >= of.number ? of.type : code_.definition(whole.type)->operands[index];
   const bool one_for_all = uncapped(whole.type) > most_components;
   if (one_for_all || index >= of.number || !whole.exact) return {whole.first, whole.count, type, false};
@@ -73,20 +73,20 @@ Part ComponentLayout::select_literal(const Part& whole, std::uint32_t index) {
   return {first, uncapped(type), type, true};
 }
 
-Part ComponentLayout::select(const Part& whole, Id index_constant) {
+Part ComponentLayout::select(const Part& whole, spirv::Id index_constant) {
   const std::optional<std::int64_t> index = code_.integer(index_constant);
   if (index && *index >= 0) return select_literal(whole, static_cast<std::uint32_t>(*index));
   return {whole.first, whole.count, parts(whole.type).type, false};
 }
 
-std::string ComponentLayout::step(Id type, std::size_t index) const {
+std::string ComponentLayout::step(spirv::Id type, std::size_t index) const {
   const spv::Op op = code_.op(type);
   if (op == spv::OpTypeStruct) return "." + code_.member_name(type, static_cast<std::uint32_t>(index));
   if (op == spv::OpTypeVector) return std::string(".") + (index < 4 ? "xyzw"[index] : '?');
   return "[" + std::to_string(index) + "]";
 }
 
-ComponentLayout::Missing ComponentLayout::first_missing(Id type, const Components& set) {
+ComponentLayout::Missing ComponentLayout::first_missing(spirv::Id type, const Components& set) {
   const auto holds = [&](const Part& part, bool what) {
     const auto begin = set.begin() + static_cast<std::ptrdiff_t>(part.first);
     const auto end = begin + static_cast<std::ptrdiff_t>(part.count);

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "lint/spirv_code.h"
+#include "spirv/code.h"
 
 namespace penumbra::lint {
 
@@ -29,18 +29,18 @@ void intersect(Components& into, const Components& other);
 struct Part {
   std::size_t first = 0;
   std::size_t count = 0;
-  Id type = 0;
+  spirv::Id type = 0;
   bool exact = true;
 };
 
 class ComponentLayout {
  public:
-  explicit ComponentLayout(const SpirvCode& code) : code_(code) {}
+  explicit ComponentLayout(const spirv::Code& code) : code_(code) {}
 
-  std::size_t count(Id type);
+  std::size_t count(spirv::Id type);
 
   // The part of `whole` that one index more selects.
-  Part select(const Part& whole, Id index_constant);
+  Part select(const Part& whole, spirv::Id index_constant);
   Part select_literal(const Part& whole, std::uint32_t index);
 
   // The largest part that is missing whole, the first of several; its path is ".uv.x" or "[2].color", and
@@ -50,19 +50,19 @@ class ComponentLayout {
     std::size_t first = 0;
     std::size_t count = 0;
   };
-  Missing first_missing(Id type, const Components& set);
+  Missing first_missing(spirv::Id type, const Components& set);
 
  private:
-  std::size_t uncapped(Id type);
+  std::size_t uncapped(spirv::Id type);
   struct Parts {
     std::size_t number = 0;
-    Id type = 0;  // of every part; of structs see member
+    spirv::Id type = 0;  // of every part; of structs see member
   };
-  Parts parts(Id type) const;
-  std::string step(Id type, std::size_t index) const;
+  Parts parts(spirv::Id type) const;
+  std::string step(spirv::Id type, std::size_t index) const;
 
-  const SpirvCode& code_;
-  std::map<Id, std::size_t> counts_;
+  const spirv::Code& code_;
+  std::map<spirv::Id, std::size_t> counts_;
 };
 
 }  // namespace penumbra::lint

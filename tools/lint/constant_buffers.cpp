@@ -11,11 +11,11 @@ constexpr int deepest_type = 64;
 
 // Bytes from a member's start to its end, padding after the last element left out. `matrix_stride` is the
 // member's own decoration.
-std::uint64_t size_of(const SpirvCode& code, Id type, std::uint32_t matrix_stride, bool row_major,
+std::uint64_t size_of(const spirv::Code& code, spirv::Id type, std::uint32_t matrix_stride, bool row_major,
                       int depth) {
-  const Instruction* of = code.definition(type);
+  const spirv::Instruction* of = code.definition(type);
   if (of == nullptr || depth > deepest_type) return 0;
-  const auto inner = [&](Id part) { return size_of(code, part, matrix_stride, row_major, depth + 1); };
+  const auto inner = [&](spirv::Id part) { return size_of(code, part, matrix_stride, row_major, depth + 1); };
   switch (of->op) {
     case spv::OpTypeInt:
     case spv::OpTypeFloat:
@@ -25,7 +25,7 @@ std::uint64_t size_of(const SpirvCode& code, Id type, std::uint32_t matrix_strid
     case spv::OpTypeVector:
       return of->operands[1] * inner(of->operands[0]);
     case spv::OpTypeMatrix: {
-      const Instruction* column = code.definition(of->operands[0]);
+      const spirv::Instruction* column = code.definition(of->operands[0]);
       const std::uint64_t scalar = inner(column->operands[0]);
       const std::uint32_t rows = column->operands[1];
       const std::uint32_t columns = of->operands[1];
@@ -55,10 +55,10 @@ std::uint64_t size_of(const SpirvCode& code, Id type, std::uint32_t matrix_strid
 
 }  // namespace
 
-ConstantBuffer constant_buffer(const SpirvCode& code, Id block_type) {
+ConstantBuffer constant_buffer(const spirv::Code& code, spirv::Id block_type) {
   ConstantBuffer buffer;
   buffer.name = code.name(block_type);
-  const Instruction* block = code.definition(block_type);
+  const spirv::Instruction* block = code.definition(block_type);
   if (block == nullptr || block->op != spv::OpTypeStruct) return buffer;
   for (std::uint32_t i = 0; i < block->operands.size(); ++i) {
     const std::uint32_t stride =
@@ -73,11 +73,11 @@ ConstantBuffer constant_buffer(const SpirvCode& code, Id block_type) {
 }
 
 std::vector<ConstantBuffer> constant_buffers(const std::vector<std::uint32_t>& spirv) {
-  const SpirvCode code(spirv);
+  const spirv::Code code(spirv);
   std::vector<ConstantBuffer> buffers;
-  for (const Instruction& variable : code.instructions()) {
+  for (const spirv::Instruction& variable : code.instructions()) {
     if (variable.op != spv::OpVariable || variable.operands[0] != spv::StorageClassUniform) continue;
-    const Id type = code.pointee(variable.type);
+    const spirv::Id type = code.pointee(variable.type);
     if (code.op(type) != spv::OpTypeStruct || code.decoration(type, spv::DecorationBufferBlock)) continue;
     buffers.push_back(constant_buffer(code, type));
   }

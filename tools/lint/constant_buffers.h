@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "lint/program_rules.h"
-#include "lint/spirv_code.h"
+#include "spirv/code.h"
 
 namespace penumbra::lint {
 
 // Of the block's struct type.
-ConstantBuffer constant_buffer(const SpirvCode& code, Id block_type);
+ConstantBuffer constant_buffer(const spirv::Code& code, spirv::Id block_type);
 
 }  // namespace penumbra::lint

@@ -9,7 +9,7 @@ namespace penumbra::lint {
 namespace {
 
 // The targets a terminator can reach.
-std::vector<Id> targets(const SpirvCode& code, const Instruction& end) {
+std::vector<spirv::Id> targets(const spirv::Code& code, const spirv::Instruction& end) {
   switch (end.op) {
     case spv::OpBranch:
       return {end.operands[0]};
@@ -20,7 +20,7 @@ std::vector<Id> targets(const SpirvCode& code, const Instruction& end) {
       return {end.operands[1], end.operands[2]};
     }
     case spv::OpSwitch: {
-      std::vector<Id> all{end.operands[1]};
+      std::vector<spirv::Id> all{end.operands[1]};
       for (std::size_t i = 3; i < end.operands.size(); i += 2) all.push_back(end.operands[i]);
       return all;
     }
@@ -48,7 +48,7 @@ std::size_t end_of_construct(const ControlFlow& flow, std::size_t node) {
 }
 
 // The graph with one exit more, reached from every end and, for loops that never end, from their headers.
-Graph with_exit(const SpirvCode& code, const Function& function, const ControlFlow& flow) {
+Graph with_exit(const spirv::Code& code, const spirv::Function& function, const ControlFlow& flow) {
   Graph graph = flow.successors;
   const std::size_t exit = graph.size();
   graph.emplace_back();
@@ -78,7 +78,7 @@ bool ControlFlow::dominates(std::size_t above, std::size_t below) const {
   return above == below;
 }
 
-const Instruction& terminator(const SpirvCode& code, const Block& block) {
+const spirv::Instruction& terminator(const spirv::Code& code, const spirv::Block& block) {
   return code.instructions()[block.end - 1];
 }
 
@@ -132,18 +132,18 @@ std::vector<std::size_t> immediate_dominators(const Graph& graph, std::size_t en
   return dominator;
 }
 
-ControlFlow control_flow(const SpirvCode& code, const Function& function) {
-  std::map<Id, std::size_t> node_of;
+ControlFlow control_flow(const spirv::Code& code, const spirv::Function& function) {
+  std::map<spirv::Id, std::size_t> node_of;
   for (std::size_t i = 0; i < function.blocks.size(); ++i) node_of[function.blocks[i].label] = i;
   ControlFlow flow;
   flow.successors.resize(function.blocks.size());
   flow.merge.assign(function.blocks.size(), no_node);
   for (std::size_t i = 0; i < function.blocks.size(); ++i) {
-    const Block& block = function.blocks[i];
-    for (const Id target : targets(code, terminator(code, block)))
+    const spirv::Block& block = function.blocks[i];
+    for (const spirv::Id target : targets(code, terminator(code, block)))
       flow.successors[i].push_back(node_of.at(target));
     if (block.end - block.begin < 2) continue;
-    const Instruction& before = code.instructions()[block.end - 2];
+    const spirv::Instruction& before = code.instructions()[block.end - 2];
     if (before.op == spv::OpSelectionMerge || before.op == spv::OpLoopMerge)
       flow.merge[i] = node_of.at(before.operands[0]);
   }
@@ -156,7 +156,7 @@ ControlFlow control_flow(const SpirvCode& code, const Function& function) {
   return flow;
 }
 
-Graph control_dependence(const SpirvCode& code, const Function& function, const ControlFlow& flow) {
+Graph control_dependence(const spirv::Code& code, const spirv::Function& function, const ControlFlow& flow) {
   const Graph graph = with_exit(code, function, flow);
   const std::size_t exit = graph.size() - 1;
   const std::vector<std::size_t> after = immediate_dominators(reversed(graph), exit);  // post-dominators

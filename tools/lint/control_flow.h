@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "lint/spirv_code.h"
+#include "spirv/code.h"
 
 namespace penumbra::lint {
 
@@ -33,10 +33,10 @@ struct ControlFlow {
   bool dominates(std::size_t above, std::size_t below) const;
 };
 
-ControlFlow control_flow(const SpirvCode& code, const Function& function);
+ControlFlow control_flow(const spirv::Code& code, const spirv::Function& function);
 
 // The last instruction of a block.
-const Instruction& terminator(const SpirvCode& code, const Block& block);
+const spirv::Instruction& terminator(const spirv::Code& code, const spirv::Block& block);
 
 Graph reversed(const Graph& graph);
 std::vector<std::size_t> reverse_postorder(const Graph& graph, std::size_t entry);
@@ -45,6 +45,6 @@ std::vector<std::size_t> immediate_dominators(const Graph& graph, std::size_t en
 // For every node the branches it depends on directly: one of their ways leads to it for sure, another need
 // not. `discard` is not a branch away: Direct3D and Vulkan's demotion keep the pixel for derivatives, so a
 // block that ends in OpKill counts as going on where its condition ends.
-Graph control_dependence(const SpirvCode& code, const Function& function, const ControlFlow& flow);
+Graph control_dependence(const spirv::Code& code, const spirv::Function& function, const ControlFlow& flow);
 
 }  // namespace penumbra::lint

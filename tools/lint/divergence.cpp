@@ -19,7 +19,7 @@ bool is_atomic(spv::Op op) {
 
 }  // namespace
 
-Divergence::Divergence(const SpirvCode& code, const Function& function)
+Divergence::Divergence(const spirv::Code& code, const spirv::Function& function)
     : code_(code),
       function_(function),
       flow_(control_flow(code, function)),
@@ -31,7 +31,7 @@ Divergence::Divergence(const SpirvCode& code, const Function& function)
   for (std::size_t node = 0; node < function.blocks.size(); ++node)
     for (std::size_t i = function.blocks[node].begin; i < function.blocks[node].end; ++i)
       node_of_[code.instructions()[i].result] = node;
-  for (const Id parameter : function.parameters) varies_[parameter] = true;
+  for (const spirv::Id parameter : function.parameters) varies_[parameter] = true;
   find_loops();
   propagate();
 }
@@ -47,9 +47,9 @@ void Divergence::propagate() {
   for (bool changed = true; changed;) {
     changed = false;
     for (const std::size_t node : flow_.order) {
-      const Block& block = function_.blocks[node];
+      const spirv::Block& block = function_.blocks[node];
       for (std::size_t i = block.begin; i < block.end; ++i) {
-        const Instruction& instruction = code_.instructions()[i];
+        const spirv::Instruction& instruction = code_.instructions()[i];
         if (is_branch(instruction.op) && !branch_varies_[node] && varies(instruction.operands[0])) {
           branch_varies_[node] = true;
           changed = true;
@@ -65,24 +65,24 @@ void Divergence::propagate() {
   }
 }
 
-bool Divergence::varies_at(const Instruction& instruction, std::size_t node) const {
+bool Divergence::varies_at(const spirv::Instruction& instruction, std::size_t node) const {
   if (instruction.op == spv::OpVariable) return false;  // see mark_stores
   if (source_varies(instruction)) return true;
   if (instruction.op == spv::OpPhi) return phi_varies(instruction, node);
   if (instruction.op == spv::OpLoad) {
-    const Id variable = root(instruction.operands[0]);
+    const spirv::Id variable = root(instruction.operands[0]);
     if (varies(variable)) return true;
   }
-  const std::span<const Id> ids = code_.ids(instruction);
-  return std::any_of(ids.begin(), ids.end(), [&](Id id) { return varies(id); }) ||
+  const std::span<const spirv::Id> ids = code_.ids(instruction);
+  return std::any_of(ids.begin(), ids.end(), [&](spirv::Id id) { return varies(id); }) ||
          used_behind_loop(instruction, node);
 }
 
-bool Divergence::source_varies(const Instruction& instruction) const {
+bool Divergence::source_varies(const spirv::Instruction& instruction) const {
   if (is_atomic(instruction.op) || instruction.op == spv::OpFunctionCall) return true;
   if (instruction.op != spv::OpLoad) return false;
-  const Id variable = root(instruction.operands[0]);
-  const Instruction* definition = code_.definition(variable);
+  const spirv::Id variable = root(instruction.operands[0]);
+  const spirv::Instruction* definition = code_.definition(variable);
   if (definition == nullptr || code_.storage_class(definition->type) != spv::StorageClassInput) return false;
   const std::optional<std::uint32_t> built_in = code_.decoration(variable, spv::DecorationBuiltIn);
   const bool of_primitive =
@@ -93,7 +93,7 @@ bool Divergence::source_varies(const Instruction& instruction) const {
 }
 
 // Ways that meet here carry different values, and a varying condition decides which way a pixel came.
-bool Divergence::phi_varies(const Instruction& phi, std::size_t node) const {
+bool Divergence::phi_varies(const spirv::Instruction& phi, std::size_t node) const {
   bool same = true;
   for (std::size_t i = 0; i + 1 < phi.operands.size(); i += 2) {
     if (varies(phi.operands[i])) return true;
@@ -112,10 +112,10 @@ bool Divergence::phi_varies(const Instruction& phi, std::size_t node) const {
 }
 
 // A value that changes with every round differs behind a loop that pixels leave after different rounds.
-bool Divergence::used_behind_loop(const Instruction& instruction, std::size_t node) const {
+bool Divergence::used_behind_loop(const spirv::Instruction& instruction, std::size_t node) const {
   for (const Loop& loop : loops_) {
     if (!loop.left_at_different_times || loop.body[node]) continue;
-    for (const Id id : code_.ids(instruction))
+    for (const spirv::Id id : code_.ids(instruction))
       if (node_of_[id] != no_node && loop.body[node_of_[id]]) return true;
   }
   return false;
@@ -138,11 +138,11 @@ void Divergence::mark_control() {
 bool Divergence::mark_stores() {
   bool changed = false;
   for (const std::size_t node : flow_.order) {
-    const Block& block = function_.blocks[node];
+    const spirv::Block& block = function_.blocks[node];
     for (std::size_t i = block.begin; i < block.end; ++i) {
-      const Instruction& instruction = code_.instructions()[i];
+      const spirv::Instruction& instruction = code_.instructions()[i];
       if (instruction.op != spv::OpStore) continue;
-      const Id variable = root(instruction.operands[0]);
+      const spirv::Id variable = root(instruction.operands[0]);
       if (varies(variable) || code_.op(variable) != spv::OpVariable) continue;
       if (!varies(instruction.operands[1]) && !varies(instruction.operands[0]) && !runs_apart_[node])
         continue;
@@ -165,8 +165,8 @@ bool Divergence::mark_loops() {
   return changed;
 }
 
-Id Divergence::root(Id pointer) const {
-  const Instruction* definition = code_.definition(pointer);
+spirv::Id Divergence::root(spirv::Id pointer) const {
+  const spirv::Instruction* definition = code_.definition(pointer);
   while (definition != nullptr &&
          (definition->op == spv::OpAccessChain || definition->op == spv::OpInBoundsAccessChain ||
           definition->op == spv::OpCopyObject || definition->op == spv::OpImageTexelPointer))

@@ -12,16 +12,16 @@
 #include <vector>
 
 #include "lint/control_flow.h"
-#include "lint/spirv_code.h"
+#include "spirv/code.h"
 
 namespace penumbra::lint {
 
 class Divergence {
  public:
   // For a function of a legalised module. `function` must have at most most_blocks blocks.
-  Divergence(const SpirvCode& code, const Function& function);
+  Divergence(const spirv::Code& code, const spirv::Function& function);
 
-  bool varies(Id value) const { return value < varies_.size() && varies_[value]; }
+  bool varies(spirv::Id value) const { return value < varies_.size() && varies_[value]; }
 
   // Branches on varying conditions that decide whether a node runs, directly or through other branches.
   std::vector<std::size_t> varying_branches_over(std::size_t node) const;
@@ -40,17 +40,17 @@ class Divergence {
 
   void find_loops();
   void propagate();
-  bool varies_at(const Instruction& instruction, std::size_t node) const;
-  bool source_varies(const Instruction& instruction) const;
-  bool phi_varies(const Instruction& phi, std::size_t node) const;
-  bool used_behind_loop(const Instruction& instruction, std::size_t node) const;
+  bool varies_at(const spirv::Instruction& instruction, std::size_t node) const;
+  bool source_varies(const spirv::Instruction& instruction) const;
+  bool phi_varies(const spirv::Instruction& phi, std::size_t node) const;
+  bool used_behind_loop(const spirv::Instruction& instruction, std::size_t node) const;
   void mark_control();
   bool mark_stores();
   bool mark_loops();
-  Id root(Id pointer) const;
+  spirv::Id root(spirv::Id pointer) const;
 
-  const SpirvCode& code_;
-  const Function& function_;
+  const spirv::Code& code_;
+  const spirv::Function& function_;
   ControlFlow flow_;
   Graph depends_;  // control dependence, direct
   std::vector<Loop> loops_;

@@ -20,11 +20,12 @@ double as_unsigned(double value) {
 // Values of a loop's condition before its first round, as far as constants decide them.
 class FirstRound {
  public:
-  FirstRound(const SpirvCode& code, const Function& function, const ControlFlow& flow, std::size_t before)
+  FirstRound(const spirv::Code& code, const spirv::Function& function, const ControlFlow& flow,
+             std::size_t before)
       : code_(code), function_(function), flow_(flow), before_(before) {}
 
-  std::optional<double> value(Id id, int depth = 0) const {
-    const Instruction* of = code_.definition(id);
+  std::optional<double> value(spirv::Id id, int depth = 0) const {
+    const spirv::Instruction* of = code_.definition(id);
     if (of == nullptr || depth > deepest_expression) return std::nullopt;
     switch (of->op) {
       case spv::OpConstantTrue:
@@ -45,17 +46,17 @@ class FirstRound {
   }
 
  private:
-  std::optional<double> constant(const Instruction& of) const {
+  std::optional<double> constant(const spirv::Instruction& of) const {
     if (const std::optional<std::int64_t> integer = code_.integer(of.result))
       return static_cast<double>(*integer);
-    const Instruction* type = code_.definition(of.type);
+    const spirv::Instruction* type = code_.definition(of.type);
     if (type == nullptr || type->op != spv::OpTypeFloat || type->operands[0] != 32) return std::nullopt;
     float number = 0;
     std::memcpy(&number, &of.operands[0], sizeof number);
     return std::isfinite(number) ? std::optional<double>(number) : std::nullopt;
   }
 
-  std::optional<double> binary(const Instruction& of, int depth) const {
+  std::optional<double> binary(const spirv::Instruction& of, int depth) const {
     const std::optional<double> a = value(of.operands[0], depth);
     const std::optional<double> b = value(of.operands[1], depth);
     if (!a || !b) return std::nullopt;
@@ -95,15 +96,15 @@ class FirstRound {
 
   // A variable, or one component of one that is a vector.
   struct Target {
-    Id variable = 0;
+    spirv::Id variable = 0;
     std::optional<std::int64_t> component;
   };
-  std::optional<Target> target(Id pointer) const {
+  std::optional<Target> target(spirv::Id pointer) const {
     if (code_.op(pointer) == spv::OpVariable) return Target{pointer, std::nullopt};
-    const Instruction* chain = code_.definition(pointer);
+    const spirv::Instruction* chain = code_.definition(pointer);
     if (chain == nullptr || chain->op != spv::OpAccessChain || chain->operands.size() != 2)
       return std::nullopt;
-    const Instruction* variable = code_.definition(chain->operands[0]);
+    const spirv::Instruction* variable = code_.definition(chain->operands[0]);
     const bool vector = variable != nullptr && variable->op == spv::OpVariable &&
                         code_.op(code_.pointee(variable->type)) == spv::OpTypeVector;
     const std::optional<std::int64_t> component = code_.integer(chain->operands[1]);
@@ -114,9 +115,9 @@ class FirstRound {
   // Whether an instruction writes to what is asked for; nothing when it writes to something of the variable
   // that cannot be told.
   enum class Writes { no, yes, unknown };
-  Writes writes(const Instruction& instruction, const Target& asked) const {
-    const auto names = [&](Id id) {
-      const Instruction* of = code_.definition(id);
+  Writes writes(const spirv::Instruction& instruction, const Target& asked) const {
+    const auto names = [&](spirv::Id id) {
+      const spirv::Instruction* of = code_.definition(id);
       return id == asked.variable ||
              (of != nullptr && of->op == spv::OpAccessChain && of->operands[0] == asked.variable);
     };
@@ -130,14 +131,14 @@ class FirstRound {
   }
 
   // What the last store before the loop left in a variable.
-  std::optional<double> stored(Id pointer, int depth) const {
+  std::optional<double> stored(spirv::Id pointer, int depth) const {
     const std::optional<Target> asked = target(pointer);
     if (!asked) return std::nullopt;
     std::size_t node = before_;
     for (int back = 0; back < most_blocks_back; ++back) {
-      const Block& block = function_.blocks[node];
+      const spirv::Block& block = function_.blocks[node];
       for (std::size_t i = block.end; i-- > block.begin;) {
-        const Instruction& instruction = code_.instructions()[i];
+        const spirv::Instruction& instruction = code_.instructions()[i];
         const Writes write = writes(instruction, *asked);
         if (write == Writes::unknown) return std::nullopt;
         if (write == Writes::no) continue;
@@ -152,14 +153,14 @@ class FirstRound {
   }
 
   // One component of a vector that is put together from parts.
-  std::optional<double> component(Id vector, std::int64_t index, int depth) const {
-    const Instruction* of = code_.definition(vector);
+  std::optional<double> component(spirv::Id vector, std::int64_t index, int depth) const {
+    const spirv::Instruction* of = code_.definition(vector);
     const bool composite =
         of != nullptr && (of->op == spv::OpCompositeConstruct || of->op == spv::OpConstantComposite);
     if (!composite) return std::nullopt;
-    for (const Id part : of->operands) {
-      const Instruction* definition = code_.definition(part);
-      const Instruction* type = definition == nullptr ? nullptr : code_.definition(definition->type);
+    for (const spirv::Id part : of->operands) {
+      const spirv::Instruction* definition = code_.definition(part);
+      const spirv::Instruction* type = definition == nullptr ? nullptr : code_.definition(definition->type);
       if (type == nullptr) return std::nullopt;
       const std::int64_t number = type->op == spv::OpTypeVector ? type->operands[1] : 1;
       if (index < number) return number == 1 ? value(part, depth) : component(part, index, depth + 1);
@@ -168,8 +169,8 @@ class FirstRound {
     return std::nullopt;
   }
 
-  const SpirvCode& code_;
-  const Function& function_;
+  const spirv::Code& code_;
+  const spirv::Function& function_;
   const ControlFlow& flow_;
   std::size_t before_;
 };
@@ -191,11 +192,11 @@ std::optional<std::size_t> only_way_in(const ControlFlow& flow, std::size_t head
   return before;
 }
 
-void peel(const SpirvCode& code, const Function& function, const ControlFlow& flow, std::size_t header,
-          Paths& paths) {
+void peel(const spirv::Code& code, const spirv::Function& function, const ControlFlow& flow,
+          std::size_t header, Paths& paths) {
   const std::size_t test = test_of(flow, header);
   const std::optional<std::size_t> before = only_way_in(flow, header);
-  const Instruction& branch = terminator(code, function.blocks[test]);
+  const spirv::Instruction& branch = terminator(code, function.blocks[test]);
   if (!before || branch.op != spv::OpBranchConditional || flow.successors[test].size() != 2) return;
   const FirstRound first(code, function, flow, *before);
   const std::optional<double> condition = first.value(branch.operands[0]);
@@ -216,13 +217,13 @@ void peel(const SpirvCode& code, const Function& function, const ControlFlow& fl
 
 }  // namespace
 
-Paths paths_of(const SpirvCode& code, const Function& function) {
+Paths paths_of(const spirv::Code& code, const spirv::Function& function) {
   const ControlFlow flow = control_flow(code, function);
   Paths paths;
   paths.successors = flow.successors;
   for (std::size_t i = 0; i < function.blocks.size(); ++i) paths.block.push_back(i);
   for (const std::size_t node : flow.order) {
-    const Block& block = function.blocks[node];
+    const spirv::Block& block = function.blocks[node];
     const bool loop = flow.merge[node] != no_node && block.end - block.begin > 1 &&
                       code.instructions()[block.end - 2].op == spv::OpLoopMerge;
     if (loop) peel(code, function, flow, node, paths);

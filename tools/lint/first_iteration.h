@@ -20,6 +20,6 @@ struct Paths {
   std::vector<std::size_t> order;  // reachable nodes, reverse postorder
 };
 
-Paths paths_of(const SpirvCode& code, const Function& function);
+Paths paths_of(const spirv::Code& code, const spirv::Function& function);
 
 }  // namespace penumbra::lint

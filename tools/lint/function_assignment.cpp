@@ -20,18 +20,18 @@ struct PartlySet {
   Components set;
   std::size_t variable = no_node;  // the local it was loaded from, or
   Part part;                       // of that local, or of what the function returned
-  Id callee = 0;                   // the function that returned it
+  spirv::Id callee = 0;            // the function that returned it
 };
 
-bool is_aggregate(const SpirvCode& code, Id type) {
+bool is_aggregate(const spirv::Code& code, spirv::Id type) {
   const spv::Op op = code.op(type);
   return op == spv::OpTypeStruct || op == spv::OpTypeArray;
 }
 
 class FunctionAssignment {
  public:
-  FunctionAssignment(const SpirvCode& code, const Function& function, const std::vector<bool>& is_out,
-                     const std::map<Id, FunctionEffect>& effects)
+  FunctionAssignment(const spirv::Code& code, const spirv::Function& function,
+                     const std::vector<bool>& is_out, const std::map<spirv::Id, FunctionEffect>& effects)
       : code_(code),
         function_(function),
         layout_(code),
@@ -107,11 +107,11 @@ class FunctionAssignment {
   }
 
   void walk(std::size_t node) {
-    const Block& block = function_.blocks[paths_.block[node]];
+    const spirv::Block& block = function_.blocks[paths_.block[node]];
     for (std::size_t i = block.begin; i < block.end; ++i) step(code_.instructions()[i]);
   }
 
-  void step(const Instruction& instruction) {
+  void step(const spirv::Instruction& instruction) {
     switch (instruction.op) {
       case spv::OpLoad:
         return load(instruction);
@@ -151,15 +151,15 @@ class FunctionAssignment {
   }
 
   // Only kept for the call that follows, so not a read yet: the callee says what it reads.
-  bool only_for_calls(Id value) const {
+  bool only_for_calls(spirv::Id value) const {
     const auto& users = memory_.uses(value);
-    return !users.empty() && std::all_of(users.begin(), users.end(), [&](const Instruction* user) {
+    return !users.empty() && std::all_of(users.begin(), users.end(), [&](const spirv::Instruction* user) {
       const LocalPointer* target = user->op == spv::OpStore ? memory_.pointer(user->operands[0]) : nullptr;
       return target != nullptr && memory_.variables()[target->variable].copy_for_call;
     });
   }
 
-  void load(const Instruction& instruction) {
+  void load(const spirv::Instruction& instruction) {
     const LocalPointer* from = memory_.pointer(instruction.operands[0]);
     if (from == nullptr) return;
     const LocalVariable& variable = memory_.variables()[from->variable];
@@ -178,13 +178,13 @@ class FunctionAssignment {
   }
 
   // The components of a loaded vector that anything uses.
-  Components wanted(const Instruction& loaded, std::size_t count) const {
+  Components wanted(const spirv::Instruction& loaded, std::size_t count) const {
     if (code_.op(loaded.type) != spv::OpTypeVector) return Components(count, true);
     Components used(count, false);
     const auto use = [&](std::uint32_t component) {
       if (component < count) used[component] = true;
     };
-    for (const Instruction* user : memory_.uses(loaded.result)) {
+    for (const spirv::Instruction* user : memory_.uses(loaded.result)) {
       if (user->op == spv::OpCompositeExtract) {
         use(user->operands[1]);
       } else if (user->op == spv::OpVectorShuffle) {
@@ -197,9 +197,10 @@ class FunctionAssignment {
   }
 
   template <typename Use>
-  void shuffle_uses(const Instruction& shuffle, Id value, std::size_t count, const Use& use) const {
-    const Instruction* first = code_.definition(shuffle.operands[0]);
-    const Instruction* type = first == nullptr ? nullptr : code_.definition(first->type);
+  void shuffle_uses(const spirv::Instruction& shuffle, spirv::Id value, std::size_t count,
+                    const Use& use) const {
+    const spirv::Instruction* first = code_.definition(shuffle.operands[0]);
+    const spirv::Instruction* type = first == nullptr ? nullptr : code_.definition(first->type);
     const std::uint32_t first_count = type == nullptr ? static_cast<std::uint32_t>(count) : type->operands[1];
     for (std::size_t i = 2; i < shuffle.operands.size(); ++i) {
       const std::uint32_t component = shuffle.operands[i];
@@ -210,7 +211,7 @@ class FunctionAssignment {
 
   // Components of a part are used; `set` says which of them have a value here.
   void read(std::size_t variable, const Part& part, const Components& set, const Components& used,
-            Place place, Id callee) {
+            spirv::Place place, spirv::Id callee) {
     const LocalVariable& of = memory_.variables()[variable];
     Components known(of.count, true);
     for (std::size_t i = 0; i < part.count && i < set.size(); ++i)
@@ -231,7 +232,7 @@ class FunctionAssignment {
     return false;
   }
 
-  void store(const Instruction& instruction) {
+  void store(const spirv::Instruction& instruction) {
     const PartlySet* value = partly_set(instruction.operands[1]);
     const LocalPointer* to = memory_.pointer(instruction.operands[0]);
     if (to == nullptr) {
@@ -247,20 +248,20 @@ class FunctionAssignment {
     for (std::size_t i = 0; i < part.count; ++i) state_[first + i] = !copy || value->set[i];
   }
 
-  void used_whole(const PartlySet& value, Place place) {
+  void used_whole(const PartlySet& value, spirv::Place place) {
     use_of(value, Components(value.set.size(), true), place);
   }
 
-  void use_of(const PartlySet& value, const Components& used, Place place) {
+  void use_of(const PartlySet& value, const Components& used, spirv::Place place) {
     if (value.variable != no_node) return read(value.variable, value.part, value.set, used, place, 0);
-    const Id type = code_.function(value.callee)->result_type;
+    const spirv::Id type = code_.function(value.callee)->result_type;
     Components known(layout_.count(type), true);
     for (std::size_t i = 0; i < value.set.size(); ++i) known[value.part.first + i] = value.set[i] || !used[i];
     if (!all(known) && reporting_ && reported_.insert({value.callee, place.file, place.line}).second)
       findings.reads.push_back({0, value.callee, type, known, true, place});
   }
 
-  void extract(const Instruction& instruction) {
+  void extract(const spirv::Instruction& instruction) {
     const PartlySet* whole = partly_set(instruction.operands[0]);
     if (whole == nullptr) return;
     Part part{0, whole->set.size(), code_.definition(instruction.operands[0])->type, true};
@@ -280,12 +281,12 @@ class FunctionAssignment {
     use_of(*whole, used, instruction.place);
   }
 
-  void construct(const Instruction& instruction) {
-    for (const Id constituent : instruction.operands)
+  void construct(const spirv::Instruction& instruction) {
+    for (const spirv::Id constituent : instruction.operands)
       if (const PartlySet* value = partly_set(constituent)) used_whole(*value, instruction.place);
   }
 
-  void call(const Instruction& instruction) {
+  void call(const spirv::Instruction& instruction) {
     const auto found = effects_.find(instruction.operands[0]);
     if (found == effects_.end()) return;
     const FunctionEffect& effect = found->second;
@@ -298,7 +299,7 @@ class FunctionAssignment {
     }
   }
 
-  void pass(const Instruction& call, const LocalPointer& argument, const ParameterEffect& effect) {
+  void pass(const spirv::Instruction& call, const LocalPointer& argument, const ParameterEffect& effect) {
     if (effect.is_out) return set_part(argument.variable, argument.part, nullptr);
     const LocalPointer given = source_of(argument);
     const Components set = part_of(state_, argument.variable, argument.part);
@@ -316,16 +317,16 @@ class FunctionAssignment {
   LocalPointer source_of(const LocalPointer& argument) const {
     const LocalVariable& copy = memory_.variables()[argument.variable];
     if (!copy.copy_for_call) return argument;
-    for (const Instruction* user : memory_.uses(copy.id)) {
+    for (const spirv::Instruction* user : memory_.uses(copy.id)) {
       if (user->op != spv::OpStore || user->operands[0] != copy.id) continue;
-      const Instruction* value = code_.definition(user->operands[1]);
+      const spirv::Instruction* value = code_.definition(user->operands[1]);
       if (value == nullptr || value->op != spv::OpLoad) continue;
       if (const LocalPointer* from = memory_.pointer(value->operands[0])) return *from;
     }
     return argument;
   }
 
-  void return_value(const Instruction& instruction) {
+  void return_value(const spirv::Instruction& instruction) {
     if (code_.op(instruction.operands[0]) == spv::OpUndef) {
       nothing_returned_ = true;
     } else if (const PartlySet* value = partly_set(instruction.operands[0])) {
@@ -336,7 +337,7 @@ class FunctionAssignment {
     end(instruction);
   }
 
-  void end(const Instruction&) {
+  void end(const spirv::Instruction&) {
     for (std::size_t i = 0; i < memory_.variables().size(); ++i) {
       const LocalVariable& variable = memory_.variables()[i];
       if (variable.parameter < 0) continue;
@@ -361,44 +362,44 @@ class FunctionAssignment {
     }
   }
 
-  const PartlySet* partly_set(Id value) const {
+  const PartlySet* partly_set(spirv::Id value) const {
     const auto found = values_.find(value);
     return found == values_.end() || all(found->second.set) ? nullptr : &found->second;
   }
 
   // Two nodes may stand for one instruction: what either leaves unset is unset.
-  void remember(Id value, const PartlySet& what) {
+  void remember(spirv::Id value, const PartlySet& what) {
     const auto [known, is_new] = values_.emplace(value, what);
     const Components before = known->second.set;
     if (!is_new) intersect(known->second.set, what.set);
     values_changed_ = values_changed_ || is_new || known->second.set != before;
   }
 
-  const SpirvCode& code_;
-  const Function& function_;
+  const spirv::Code& code_;
+  const spirv::Function& function_;
   ComponentLayout layout_;
   LocalMemory memory_;
   Paths paths_;
   const std::vector<bool>& is_out_;
-  const std::map<Id, FunctionEffect>& effects_;
+  const std::map<spirv::Id, FunctionEffect>& effects_;
 
   FunctionEffect effect_;
   Components state_;
   std::vector<Components> at_end_;
   mutable std::vector<bool> reachable_;
-  std::map<Id, PartlySet> values_;
+  std::map<spirv::Id, PartlySet> values_;
   bool values_changed_ = false;
   bool reporting_ = false;
   bool nothing_returned_ = false;
-  std::optional<Place> result_place_;
-  std::set<std::tuple<Id, Id, int>> reported_;
+  std::optional<spirv::Place> result_place_;
+  std::set<std::tuple<spirv::Id, spirv::Id, int>> reported_;
 };
 
 }  // namespace
 
-FunctionResult function_assignment(const SpirvCode& code, const Function& function,
+FunctionResult function_assignment(const spirv::Code& code, const spirv::Function& function,
                                    const std::vector<bool>& is_out,
-                                   const std::map<Id, FunctionEffect>& effects) {
+                                   const std::map<spirv::Id, FunctionEffect>& effects) {
   FunctionAssignment assignment(code, function, is_out, effects);
   assignment.run();
   return {std::move(assignment.findings), assignment.take_effect()};

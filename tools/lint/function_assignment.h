@@ -15,8 +15,8 @@ struct FunctionResult {
 };
 
 // `is_out` by parameter; a call of a function without an effect is taken to set and read nothing.
-FunctionResult function_assignment(const SpirvCode& code, const Function& function,
+FunctionResult function_assignment(const spirv::Code& code, const spirv::Function& function,
                                    const std::vector<bool>& is_out,
-                                   const std::map<Id, FunctionEffect>& effects);
+                                   const std::map<spirv::Id, FunctionEffect>& effects);
 
 }  // namespace penumbra::lint

@@ -30,10 +30,11 @@ bool samples_implicitly(spv::Op op) {
 }
 
 // "at line 12", "at Other.hlsl:12", or nothing when the condition has no place.
-std::string where(const LintedCode& linted, const Function& function, std::size_t branch, Place from) {
-  const Instruction& end = terminator(linted.code, function.blocks[branch]);
-  Place place = end.place;
-  const Instruction* condition = linted.code.definition(end.operands[0]);
+std::string where(const LintedCode& linted, const spirv::Function& function, std::size_t branch,
+                  spirv::Place from) {
+  const spirv::Instruction& end = terminator(linted.code, function.blocks[branch]);
+  spirv::Place place = end.place;
+  const spirv::Instruction* condition = linted.code.definition(end.operands[0]);
   if (place.line == 0 && condition != nullptr) place = condition->place;
   if (place.line == 0) return "";
   const std::string line = std::to_string(place.line);
@@ -42,16 +43,16 @@ std::string where(const LintedCode& linted, const Function& function, std::size_
 }
 
 struct Gradient {
-  const Instruction& instruction;
+  const spirv::Instruction& instruction;
   std::size_t node = 0;
 };
 
-Finding in_loop(const LintedCode& linted, const Function& function, const Divergence& divergence,
+Finding in_loop(const LintedCode& linted, const spirv::Function& function, const Divergence& divergence,
                 const Gradient& gradient, std::size_t branch) {
   const std::size_t header = divergence.loop_left_by(branch, gradient.node);
   const bool bounded =
       has_constant_bound(linted.code, function, divergence.flow(), loop_body(divergence.flow(), header));
-  const Place place = gradient.instruction.place;
+  const spirv::Place place = gradient.instruction.place;
   Finding finding = finding_at(linted, "gradient-in-varying-loop", place, {"Sample", "ddx", "ddy", "fwidth"},
                                "derivatives are taken in a loop that pixels leave after different numbers of "
                                "iterations, by the condition" +
@@ -63,10 +64,10 @@ Finding in_loop(const LintedCode& linted, const Function& function, const Diverg
   return finding;
 }
 
-Finding under_condition(const LintedCode& linted, const Function& function, const Gradient& gradient,
+Finding under_condition(const LintedCode& linted, const spirv::Function& function, const Gradient& gradient,
                         std::size_t branch) {
   const bool derivative = is_derivative(gradient.instruction.op);
-  const Place place = gradient.instruction.place;
+  const spirv::Place place = gradient.instruction.place;
   return finding_at(
       linted, "divergent-derivative", place, {"Sample", "ddx", "ddy", "fwidth"},
       std::string(derivative ? "a derivative is taken" : "a texture is sampled with implicit derivatives") +
@@ -76,7 +77,7 @@ Finding under_condition(const LintedCode& linted, const Function& function, cons
                       : ": sample before the condition, or use SampleLevel or SampleGrad"));
 }
 
-void check(const LintedCode& linted, const Function& function, const Divergence& divergence,
+void check(const LintedCode& linted, const spirv::Function& function, const Divergence& divergence,
            const Gradient& gradient, std::vector<Finding>& findings) {
   const std::vector<std::size_t> branches = divergence.varying_branches_over(gradient.node);
   if (branches.empty()) return;
@@ -91,10 +92,10 @@ void check(const LintedCode& linted, const Function& function, const Divergence&
 
 std::vector<Finding> gradient_findings(const LintedCode& linted) {
   std::vector<Finding> findings;
-  for (const Function& function : linted.code.functions()) {
+  for (const spirv::Function& function : linted.code.functions()) {
     if (function.blocks.empty() || function.blocks.size() > most_blocks) continue;
     const auto& all = linted.code.instructions();
-    const auto is_gradient = [](const Instruction& of) {
+    const auto is_gradient = [](const spirv::Instruction& of) {
       return is_derivative(of.op) || samples_implicitly(of.op);
     };
     const auto begin = all.begin() + static_cast<std::ptrdiff_t>(function.blocks.front().begin);
@@ -109,7 +110,7 @@ std::vector<Finding> gradient_findings(const LintedCode& linted) {
 }
 
 // `[unroll(8)]`, which is a bound: in the loop's line, or the one before it.
-bool names_bound(const LintedCode& linted, const Place& place) {
+bool names_bound(const LintedCode& linted, const spirv::Place& place) {
   for (int line = place.line; line > 0 && line > place.line - 2; --line) {
     std::string words = linted.sources.line(linted.code.file_name(place.file), line);
     std::erase(words, ' ');
@@ -120,17 +121,17 @@ bool names_bound(const LintedCode& linted, const Place& place) {
 
 std::vector<Finding> unroll_findings(const LintedCode& linted) {
   std::vector<Finding> findings;
-  for (const Function& function : linted.code.functions()) {
+  for (const spirv::Function& function : linted.code.functions()) {
     if (function.blocks.empty() || function.blocks.size() > most_blocks) continue;
     const ControlFlow flow = control_flow(linted.code, function);
     for (const std::size_t node : flow.order) {
-      const Block& block = function.blocks[node];
+      const spirv::Block& block = function.blocks[node];
       if (flow.merge[node] == no_node) continue;
-      const Instruction& merge = linted.code.instructions()[block.end - 2];
+      const spirv::Instruction& merge = linted.code.instructions()[block.end - 2];
       if (merge.op != spv::OpLoopMerge || (merge.operands[2] & spv::LoopControlUnrollMask) == 0) continue;
       const std::vector<bool> body = loop_body(flow, node);
       if (body.empty() || has_constant_bound(linted.code, function, flow, body)) continue;
-      Place place = merge.place;
+      spirv::Place place = merge.place;
       if (place.line == 0) place = linted.code.instructions()[block.begin].place;
       if (names_bound(linted, place)) continue;
       findings.push_back(finding_at(linted, "unroll-without-bound", place, {"for", "while", "do"},

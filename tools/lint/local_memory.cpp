@@ -4,17 +4,17 @@
 
 namespace penumbra::lint {
 
-LocalMemory::LocalMemory(const SpirvCode& code, const Function& function, ComponentLayout& layout)
+LocalMemory::LocalMemory(const spirv::Code& code, const spirv::Function& function, ComponentLayout& layout)
     : code_(code), layout_(layout) {
   for (std::size_t i = 0; i < function.parameters.size(); ++i) {
-    const Id parameter = function.parameters[i];
+    const spirv::Id parameter = function.parameters[i];
     add(parameter, code.definition(parameter)->type, static_cast<int>(i), false);
   }
-  for (const Block& block : function.blocks)
+  for (const spirv::Block& block : function.blocks)
     for (std::size_t i = block.begin; i < block.end; ++i) {
-      const Instruction& instruction = code.instructions()[i];
-      for (const Id operand : code.ids(instruction)) {
-        std::vector<const Instruction*>& users = uses_[operand];
+      const spirv::Instruction& instruction = code.instructions()[i];
+      for (const spirv::Id operand : code.ids(instruction)) {
+        std::vector<const spirv::Instruction*>& users = uses_[operand];
         if (users.empty() || users.back() != &instruction) users.push_back(&instruction);
       }
       if (instruction.op == spv::OpVariable) {
@@ -27,9 +27,9 @@ LocalMemory::LocalMemory(const SpirvCode& code, const Function& function, Compon
     }
 }
 
-void LocalMemory::add(Id id, Id pointer_type, int parameter, bool initialised) {
+void LocalMemory::add(spirv::Id id, spirv::Id pointer_type, int parameter, bool initialised) {
   if (code_.storage_class(pointer_type) != spv::StorageClassFunction) return;
-  const Id type = code_.pointee(pointer_type);
+  const spirv::Id type = code_.pointee(pointer_type);
   const std::size_t count = layout_.count(type);
   pointers_[id] = {variables_.size(), {0, count, type, true}};
   variables_.push_back({id, type, components_, count, parameter, initialised, code_.name(id) == "param",
@@ -37,7 +37,7 @@ void LocalMemory::add(Id id, Id pointer_type, int parameter, bool initialised) {
   components_ += count;
 }
 
-void LocalMemory::follow(const Instruction& chain, ComponentLayout& layout) {
+void LocalMemory::follow(const spirv::Instruction& chain, ComponentLayout& layout) {
   const LocalPointer* base = pointer(chain.operands[0]);
   if (base == nullptr) return;
   LocalPointer inner = *base;
@@ -47,20 +47,20 @@ void LocalMemory::follow(const Instruction& chain, ComponentLayout& layout) {
   pointers_[chain.result] = inner;
 }
 
-void LocalMemory::note_store(Id target) {
+void LocalMemory::note_store(spirv::Id target) {
   const LocalPointer* to = pointer(target);
   if (to == nullptr) return;
   Components& stored = variables_[to->variable].stored;
   std::fill_n(stored.begin() + static_cast<std::ptrdiff_t>(to->part.first), to->part.count, true);
 }
 
-const LocalPointer* LocalMemory::pointer(Id id) const {
+const LocalPointer* LocalMemory::pointer(spirv::Id id) const {
   const auto found = pointers_.find(id);
   return found == pointers_.end() ? nullptr : &found->second;
 }
 
-const std::vector<const Instruction*>& LocalMemory::uses(Id value) const {
-  static const std::vector<const Instruction*> none;
+const std::vector<const spirv::Instruction*>& LocalMemory::uses(spirv::Id value) const {
+  static const std::vector<const spirv::Instruction*> none;
   const auto found = uses_.find(value);
   return found == uses_.end() ? none : found->second;
 }

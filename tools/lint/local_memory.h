@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "lint/components.h"
-#include "lint/spirv_code.h"
+#include "spirv/code.h"
 
 namespace penumbra::lint {
 
 struct LocalVariable {
-  Id id = 0;
-  Id type = 0;            // of what it holds
+  spirv::Id id = 0;
+  spirv::Id type = 0;     // of what it holds
   std::size_t first = 0;  // its components in a row of all of them
   std::size_t count = 0;
   int parameter = -1;  // its position when it is one
@@ -30,25 +30,25 @@ struct LocalPointer {
 
 class LocalMemory {
  public:
-  LocalMemory(const SpirvCode& code, const Function& function, ComponentLayout& layout);
+  LocalMemory(const spirv::Code& code, const spirv::Function& function, ComponentLayout& layout);
 
   const std::vector<LocalVariable>& variables() const { return variables_; }
   std::size_t components() const { return components_; }
-  const LocalPointer* pointer(Id id) const;
+  const LocalPointer* pointer(spirv::Id id) const;
 
   // Instructions of the function that use a value, by its id.
-  const std::vector<const Instruction*>& uses(Id value) const;
+  const std::vector<const spirv::Instruction*>& uses(spirv::Id value) const;
 
  private:
-  void add(Id id, Id pointer_type, int parameter, bool initialised);
-  void note_store(Id target);
-  void follow(const Instruction& chain, ComponentLayout& layout);
+  void add(spirv::Id id, spirv::Id pointer_type, int parameter, bool initialised);
+  void note_store(spirv::Id target);
+  void follow(const spirv::Instruction& chain, ComponentLayout& layout);
 
-  const SpirvCode& code_;
+  const spirv::Code& code_;
   ComponentLayout& layout_;
   std::vector<LocalVariable> variables_;
-  std::map<Id, LocalPointer> pointers_;
-  std::map<Id, std::vector<const Instruction*>> uses_;
+  std::map<spirv::Id, LocalPointer> pointers_;
+  std::map<spirv::Id, std::vector<const spirv::Instruction*>> uses_;
   std::size_t components_ = 0;
 };
 

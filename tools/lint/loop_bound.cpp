@@ -8,14 +8,14 @@ namespace {
 
 constexpr int deepest_condition = 8;
 
-bool is_constant(const SpirvCode& code, Id id) {
+bool is_constant(const spirv::Code& code, spirv::Id id) {
   const spv::Op op = code.op(id);
   return op == spv::OpConstant || op == spv::OpConstantNull || op == spv::OpConstantTrue ||
          op == spv::OpConstantFalse;
 }
 
-bool compares_with_constant(const SpirvCode& code, Id condition, int depth) {
-  const Instruction* of = code.definition(condition);
+bool compares_with_constant(const spirv::Code& code, spirv::Id condition, int depth) {
+  const spirv::Instruction* of = code.definition(condition);
   if (of == nullptr || depth > deepest_condition) return true;
   const bool is_comparison = of->op >= spv::OpIEqual && of->op <= spv::OpFUnordGreaterThanEqual;
   if (is_comparison) return is_constant(code, of->operands[0]) || is_constant(code, of->operands[1]);
@@ -28,11 +28,11 @@ bool compares_with_constant(const SpirvCode& code, Id condition, int depth) {
 
 }  // namespace
 
-bool has_constant_bound(const SpirvCode& code, const Function& function, const ControlFlow& flow,
+bool has_constant_bound(const spirv::Code& code, const spirv::Function& function, const ControlFlow& flow,
                         const std::vector<bool>& body) {
   for (const std::size_t node : flow.order) {
     if (!body[node]) continue;
-    const Instruction& end = terminator(code, function.blocks[node]);
+    const spirv::Instruction& end = terminator(code, function.blocks[node]);
     if (end.op != spv::OpBranchConditional) continue;
     // `if (c) break;` branches to a block of its own, which is no part of the loop either.
     const bool leaves = std::any_of(flow.successors[node].begin(), flow.successors[node].end(),

@@ -14,9 +14,9 @@
 #include "lint/gradients.h"
 #include "lint/legalised.h"
 #include "lint/resources.h"
-#include "lint/spirv_code.h"
 #include "lint/suppression.h"
 #include "lint/unset_values.h"
+#include "spirv/code.h"
 
 namespace penumbra::lint {
 
@@ -31,20 +31,19 @@ auto order_of(const Finding& finding) {
   return std::tie(at.file, at.line, at.column, finding.rule, at.message);
 }
 
-bool is_small(const SpirvCode& code) {
+bool is_small(const spirv::Code& code) {
   std::size_t blocks = 0;
-  for (const Function& function : code.functions()) blocks += function.blocks.size();
+  for (const spirv::Function& function : code.functions()) blocks += function.blocks.size();
   return blocks <= most_blocks;
 }
 
-using Words = std::vector<std::uint32_t>;
-
 // `known`: the legalised words, where they are at hand.
-std::vector<Finding> legalised_findings(const ModuleToLint& module, const Words& spirv, const Words& known) {
+std::vector<Finding> legalised_findings(const ModuleToLint& module, const spirv::Module& spirv,
+                                        const spirv::Module& known) {
   std::vector<Finding> findings;
-  std::optional<Words> words = known.empty() ? legalised(spirv) : simplified(known);
+  std::optional<spirv::Module> words = known.empty() ? legalised(spirv) : simplified(known);
   if (!words) return findings;
-  const SpirvCode code(std::move(*words));
+  const spirv::Code code(std::move(*words));
   const LintedCode linted{code, module.sources, module.file};
   if (module.stage == hlsl::Stage::fragment) append(findings, gradient_findings(linted));
   append(findings, unroll_findings(linted));
@@ -64,26 +63,17 @@ void sort_and_unify(std::vector<Finding>& findings) {
 }
 
 // The module without OpLine and OpNoLine.
-Words without_lines(const Words& spirv) {
-  constexpr std::size_t header = 5;
-  if (spirv.size() < header) return spirv;
-  Words words(spirv.begin(), spirv.begin() + header);
-  words.reserve(spirv.size());
-  for (std::size_t at = header; at < spirv.size();) {
-    const std::size_t length = spirv[at] >> 16U;
-    const std::uint32_t op = spirv[at] & 0xFFFFU;
-    if (length == 0 || length > spirv.size() - at) return spirv;  // SpirvCode says what is wrong
-    if (op != spv::OpLine && op != spv::OpNoLine)
-      words.insert(words.end(), spirv.begin() + static_cast<std::ptrdiff_t>(at),
-                   spirv.begin() + static_cast<std::ptrdiff_t>(at + length));
-    at += length;
-  }
-  return words;
+spirv::Module without_lines(const spirv::Module& words) {
+  return spirv::with_instructions(words, [](spirv::Words instruction) {
+    const spv::Op op = spirv::opcode(instruction);
+    return op != spv::OpLine && op != spv::OpNoLine;
+  });
 }
 
-std::vector<Finding> all_findings(const ModuleToLint& module, const Words& spirv, const Words& legalised) {
+std::vector<Finding> all_findings(const ModuleToLint& module, const spirv::Module& spirv,
+                                  const spirv::Module& legalised) {
   std::vector<Finding> findings;
-  const SpirvCode written(spirv);
+  const spirv::Code written(spirv);
   const LintedCode linted{written, module.sources, module.file};
   append(findings, unset_values(linted));
   append(findings, is_small(written) ? legalised_findings(module, spirv, legalised)

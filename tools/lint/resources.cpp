@@ -24,15 +24,15 @@ enum class Kind { sampler, texture, constant_buffer, writable, other };
 
 struct Used {
   Kind kind = Kind::other;
-  Id variable = 0;
-  Id type = 0;  // without arrays
+  spirv::Id variable = 0;
+  spirv::Id type = 0;  // without arrays
   std::size_t slots = 1;
 };
 
 // Strips arrays: an array takes a slot for every element.
-Used described(const SpirvCode& code, const Instruction& variable) {
+Used described(const spirv::Code& code, const spirv::Instruction& variable) {
   Used used{Kind::other, variable.result, code.pointee(variable.type), 1};
-  const Instruction* type = code.definition(used.type);
+  const spirv::Instruction* type = code.definition(used.type);
   while (type != nullptr && type->op == spv::OpTypeArray) {
     used.slots *=
         static_cast<std::size_t>(std::max<std::int64_t>(1, code.integer(type->operands[1]).value_or(1)));
@@ -56,15 +56,15 @@ Used described(const SpirvCode& code, const Instruction& variable) {
   return used;
 }
 
-std::vector<Used> used_resources(const SpirvCode& code) {
-  std::set<Id> mentioned;
-  for (const Function& function : code.functions())
-    for (const Block& block : function.blocks)
+std::vector<Used> used_resources(const spirv::Code& code) {
+  std::set<spirv::Id> mentioned;
+  for (const spirv::Function& function : code.functions())
+    for (const spirv::Block& block : function.blocks)
       for (std::size_t i = block.begin; i < block.end; ++i)
-        for (const Id id : code.ids(code.instructions()[i])) mentioned.insert(id);
+        for (const spirv::Id id : code.ids(code.instructions()[i])) mentioned.insert(id);
   std::vector<Used> used;
-  for (const Id id : mentioned) {
-    const Instruction* definition = code.definition(id);
+  for (const spirv::Id id : mentioned) {
+    const spirv::Instruction* definition = code.definition(id);
     if (definition == nullptr || definition->op != spv::OpVariable) continue;
     if (definition->operands[0] == spv::StorageClassFunction) continue;
     const Used resource = described(code, *definition);
@@ -130,10 +130,10 @@ struct Footprint {
   std::size_t components = 0;
   std::size_t registers = 0;
 };
-Footprint footprint(const SpirvCode& code, Id type) {
-  const Instruction* of = code.definition(type);
+Footprint footprint(const spirv::Code& code, spirv::Id type) {
+  const spirv::Instruction* of = code.definition(type);
   if (of == nullptr) return {};
-  const auto times = [&](Id inner, std::size_t number) {
+  const auto times = [&](spirv::Id inner, std::size_t number) {
     const Footprint part = footprint(code, inner);
     return Footprint{part.components * number, part.registers * number};
   };
@@ -160,7 +160,7 @@ void check_interpolators(const LintedCode& linted, hlsl::Stage stage, int shader
   if (!reads && stage != hlsl::Stage::vertex && stage != hlsl::Stage::domain) return;
   const spv::StorageClass storage = reads ? spv::StorageClassInput : spv::StorageClassOutput;
   Footprint sum;
-  for (const Instruction& variable : linted.code.instructions()) {
+  for (const spirv::Instruction& variable : linted.code.instructions()) {
     if (variable.op != spv::OpVariable || variable.operands[0] != static_cast<std::uint32_t>(storage))
       continue;
     if (!linted.code.decoration(variable.result, spv::DecorationLocation)) continue;

@@ -41,7 +41,7 @@ int column_of_word(std::string_view word, std::string_view line) {
   return column;
 }
 
-Finding finding_at(const LintedCode& linted, const std::string& rule, Place place,
+Finding finding_at(const LintedCode& linted, const std::string& rule, spirv::Place place,
                    const std::vector<std::string>& words, std::string message) {
   std::string file = linted.code.file_name(place.file);
   if (file.empty()) file = linted.main_file;
@@ -52,7 +52,7 @@ Finding finding_at(const LintedCode& linted, const std::string& rule, Place plac
   return {rule, {file, place.line, column, severity_of(rule), std::move(message), line}};
 }
 
-Finding finding_at_function(const LintedCode& linted, const std::string& rule, Place body,
+Finding finding_at_function(const LintedCode& linted, const std::string& rule, spirv::Place body,
                             const std::string& name, const std::string& word, std::string message) {
   std::string file = linted.code.file_name(body.file);
   if (file.empty()) file = linted.main_file;

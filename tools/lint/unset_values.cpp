@@ -19,12 +19,12 @@ std::string plain_name(const std::string& name) {
   return !cut.empty() && cut.front() == '@' ? cut.substr(1) : cut;
 }
 
-bool is_entry(const LintedCode& linted, const Function& function) {
+bool is_entry(const LintedCode& linted, const spirv::Function& function) {
   return linted.code.name(function.id).rfind('@', 0) == 0;
 }
 
 // "'o.uv', 'o.fog.x' and 3 more"; for `base` empty the members alone.
-std::string missing(ComponentLayout& layout, const std::string& base, Id type, Components set) {
+std::string missing(ComponentLayout& layout, const std::string& base, spirv::Id type, Components set) {
   std::string list;
   std::size_t listed = 0;
   while (!all(set) && listed < most_listed) {
@@ -55,7 +55,7 @@ bool declares_stream(const std::string& line, const std::string& parameter) {
   return false;
 }
 
-Finding output_finding(const LintedCode& linted, ComponentLayout& layout, const Function& function,
+Finding output_finding(const LintedCode& linted, ComponentLayout& layout, const spirv::Function& function,
                        const UnsetOutput& output) {
   const std::string name = plain_name(linted.code.name(function.id));
   if (output.nothing_returned)
@@ -99,8 +99,8 @@ Finding read_finding(const LintedCode& linted, ComponentLayout& layout, const Un
 std::vector<Finding> unset_values(const LintedCode& linted) {
   ComponentLayout layout(linted.code);
   std::vector<Finding> findings;
-  std::map<Id, AssignmentFindings> by_function = assignment_findings(linted.code);
-  for (const Function& function : linted.code.functions()) {
+  std::map<spirv::Id, AssignmentFindings> by_function = assignment_findings(linted.code);
+  for (const spirv::Function& function : linted.code.functions()) {
     const AssignmentFindings& found = by_function[function.id];
     for (const UnsetOutput& output : found.outputs) {
       // What a helper leaves unset in the struct it returns matters where it is read, or where it leaves.
@@ -111,7 +111,8 @@ std::vector<Finding> unset_values(const LintedCode& linted) {
                                                                       linted.code.name(output.parameter));
       if (!is_stream) findings.push_back(std::move(finding));
     }
-    std::set<std::tuple<Id, Id, std::string>> told;  // a variable is reported where it is first read
+    std::set<std::tuple<spirv::Id, spirv::Id, std::string>>
+        told;  // a variable is reported where it is first read
     for (const UnsetRead& read : found.reads)
       if (told.insert({read.variable, read.variable == 0 ? read.callee : 0,
                        layout.first_missing(read.type, read.known).path})

@@ -44,10 +44,10 @@ Range absolute(const Range& a) {
 
 }  // namespace
 
-Range ValueRanges::of(Id value) {
+Range ValueRanges::of(spirv::Id value) {
   const auto known = known_.find(value);
   if (known != known_.end()) return known->second;
-  const Instruction* instruction = code_.definition(value);
+  const spirv::Instruction* instruction = code_.definition(value);
   if (instruction == nullptr || depth_ > deepest) return {};
   known_[value] = {};  // what a loop brings back
   ++depth_;
@@ -57,11 +57,11 @@ Range ValueRanges::of(Id value) {
   return range;
 }
 
-std::optional<double> ValueRanges::constant(Id value) const {
-  const Instruction* of = code_.definition(value);
+std::optional<double> ValueRanges::constant(spirv::Id value) const {
+  const spirv::Instruction* of = code_.definition(value);
   if (of == nullptr) return std::nullopt;
   if (of->op == spv::OpConstant) {
-    const Instruction* type = code_.definition(of->type);
+    const spirv::Instruction* type = code_.definition(of->type);
     if (type == nullptr || type->op != spv::OpTypeFloat || type->operands[0] != 32) return std::nullopt;
     float number = 0;
     std::memcpy(&number, &of->operands[0], sizeof number);
@@ -69,7 +69,7 @@ std::optional<double> ValueRanges::constant(Id value) const {
   }
   if (of->op != spv::OpConstantComposite && of->op != spv::OpCompositeConstruct) return std::nullopt;
   std::optional<double> first;
-  for (const Id part : of->operands) {
+  for (const spirv::Id part : of->operands) {
     const std::optional<double> number = code_.op(part) == spv::OpConstant ? constant(part) : std::nullopt;
     if (!number || (first && *first != *number)) return std::nullopt;
     first = number;
@@ -77,7 +77,7 @@ std::optional<double> ValueRanges::constant(Id value) const {
   return first;
 }
 
-Range ValueRanges::of_operands(const Instruction& instruction, std::size_t first, std::size_t step) {
+Range ValueRanges::of_operands(const spirv::Instruction& instruction, std::size_t first, std::size_t step) {
   std::optional<Range> range;
   for (std::size_t i = first; i < instruction.operands.size(); i += step) {
     const Range part = of(instruction.operands[i]);
@@ -86,22 +86,22 @@ Range ValueRanges::of_operands(const Instruction& instruction, std::size_t first
   return range.value_or(Range{});
 }
 
-Range ValueRanges::of_constant(const Instruction& instruction) {
+Range ValueRanges::of_constant(const spirv::Instruction& instruction) {
   if (instruction.op == spv::OpConstantNull) return {0, 0};
   if (instruction.op == spv::OpConstantComposite) return of_operands(instruction, 0, 1);
   const std::optional<double> number = constant(instruction.result);
   return number && !std::isnan(*number) ? Range{*number, *number} : Range{};
 }
 
-Range ValueRanges::of_product(Id a, Id b) {
+Range ValueRanges::of_product(spirv::Id a, spirv::Id b) {
   const Range range = product(of(a), of(b));
   return a == b ? Range{std::max(0.0, absolute(of(a)).low * absolute(of(a)).low), range.high} : range;
 }
 
 // Follows a vector's parts to the one that became the component.
-Range ValueRanges::of_component(Id vector, std::uint32_t component) {
+Range ValueRanges::of_component(spirv::Id vector, std::uint32_t component) {
   for (int steps = 0; steps < deepest; ++steps) {
-    const Instruction* whole = code_.definition(vector);
+    const spirv::Instruction* whole = code_.definition(vector);
     if (whole == nullptr || code_.op(whole->type) != spv::OpTypeVector) return {};
     const auto& operands = whole->operands;
     if (whole->op == spv::OpCompositeInsert && operands.size() == 3) {
@@ -125,7 +125,7 @@ Range ValueRanges::of_component(Id vector, std::uint32_t component) {
   return {};
 }
 
-Range ValueRanges::of_shuffle(const Instruction& instruction) {
+Range ValueRanges::of_shuffle(const spirv::Instruction& instruction) {
   std::optional<Range> range;
   for (std::uint32_t i = 0; i + 2 < instruction.operands.size(); ++i) {
     const Range part = of_component(instruction.result, i);
@@ -134,20 +134,20 @@ Range ValueRanges::of_shuffle(const Instruction& instruction) {
   return range.value_or(Range{});
 }
 
-std::uint32_t ValueRanges::components(Id value) const {
-  const Instruction* of = code_.definition(value);
-  const Instruction* type = of == nullptr ? nullptr : code_.definition(of->type);
+std::uint32_t ValueRanges::components(spirv::Id value) const {
+  const spirv::Instruction* of = code_.definition(value);
+  const spirv::Instruction* type = of == nullptr ? nullptr : code_.definition(of->type);
   return type != nullptr && type->op == spv::OpTypeVector ? type->operands[1] : 1;
 }
 
 // An integer that is not negative: a constant, or a loop's counter that starts at one and grows.
-bool ValueRanges::counts_up(Id integer) const {
+bool ValueRanges::counts_up(spirv::Id integer) const {
   const std::optional<std::int64_t> number = code_.integer(integer);
   if (number) return *number >= 0;
-  const Instruction* phi = code_.definition(integer);
+  const spirv::Instruction* phi = code_.definition(integer);
   if (phi == nullptr || phi->op != spv::OpPhi) return false;
   for (std::size_t i = 0; i + 1 < phi->operands.size(); i += 2) {
-    const Instruction* next = code_.definition(phi->operands[i]);
+    const spirv::Instruction* next = code_.definition(phi->operands[i]);
     const bool starts = code_.integer(phi->operands[i]).value_or(-1) >= 0;
     const bool grows = next != nullptr && next->op == spv::OpIAdd && next->operands[0] == integer &&
                        code_.integer(next->operands[1]).value_or(-1) >= 0;
@@ -156,7 +156,7 @@ bool ValueRanges::counts_up(Id integer) const {
   return true;
 }
 
-Range ValueRanges::compute(const Instruction& instruction) {
+Range ValueRanges::compute(const spirv::Instruction& instruction) {
   const auto& operands = instruction.operands;
   switch (instruction.op) {
     case spv::OpConstant:
@@ -213,7 +213,7 @@ Range ValueRanges::compute(const Instruction& instruction) {
   }
 }
 
-Range ValueRanges::of_extended(const Instruction& instruction) {
+Range ValueRanges::of_extended(const spirv::Instruction& instruction) {
   const auto argument = [&](std::size_t i) { return of(instruction.operands[2 + i]); };
   switch (instruction.operands[1]) {
     case GLSLstd450FAbs:

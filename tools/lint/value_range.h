@@ -9,7 +9,7 @@
 #include <map>
 #include <optional>
 
-#include "lint/spirv_code.h"
+#include "spirv/code.h"
 
 namespace penumbra::lint {
 
@@ -20,26 +20,26 @@ struct Range {
 
 class ValueRanges {
  public:
-  explicit ValueRanges(const SpirvCode& code) : code_(code) {}
+  explicit ValueRanges(const spirv::Code& code) : code_(code) {}
 
-  Range of(Id value);
+  Range of(spirv::Id value);
 
   // The value of a constant whose components are all alike.
-  std::optional<double> constant(Id value) const;
+  std::optional<double> constant(spirv::Id value) const;
 
  private:
-  Range compute(const Instruction& instruction);
-  Range of_extended(const Instruction& instruction);
-  Range of_constant(const Instruction& instruction);
-  Range of_product(Id a, Id b);
-  Range of_component(Id vector, std::uint32_t component);
-  Range of_shuffle(const Instruction& instruction);
-  std::uint32_t components(Id value) const;
-  bool counts_up(Id integer) const;
-  Range of_operands(const Instruction& instruction, std::size_t first, std::size_t step);
+  Range compute(const spirv::Instruction& instruction);
+  Range of_extended(const spirv::Instruction& instruction);
+  Range of_constant(const spirv::Instruction& instruction);
+  Range of_product(spirv::Id a, spirv::Id b);
+  Range of_component(spirv::Id vector, std::uint32_t component);
+  Range of_shuffle(const spirv::Instruction& instruction);
+  std::uint32_t components(spirv::Id value) const;
+  bool counts_up(spirv::Id integer) const;
+  Range of_operands(const spirv::Instruction& instruction, std::size_t first, std::size_t step);
 
-  const SpirvCode& code_;
-  std::map<Id, Range> known_;
+  const spirv::Code& code_;
+  std::map<spirv::Id, Range> known_;
   int depth_ = 0;
 };
 

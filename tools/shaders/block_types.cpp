@@ -20,12 +20,12 @@ std::uint32_t vector_alignment(std::uint32_t components) {
 }  // namespace
 
 BlockTypes::BlockTypes(const SpirvModule& module) {
-  for_each_instruction(module, [this](SpirvWords instruction) { read(instruction); });
+  spirv::for_each_instruction(module, [this](spirv::Words instruction) { read(instruction); });
 }
 
-void BlockTypes::read(SpirvWords instruction) {
+void BlockTypes::read(spirv::Words instruction) {
   const auto word = [&](std::size_t i) { return i < instruction.size() ? instruction[i] : 0; };
-  BlockType type{opcode(instruction), word(2), word(3), 0, {}};
+  BlockType type{spirv::opcode(instruction), word(2), word(3), 0, {}};
   switch (type.op) {
     case spv::OpDecorate:
       if (word(2) == spv::DecorationArrayStride) array_strides_[word(1)] = word(3);
@@ -62,7 +62,7 @@ void BlockTypes::read(SpirvWords instruction) {
   types_[word(1)] = std::move(type);
 }
 
-void BlockTypes::decorate_member(SpirvWords instruction) {
+void BlockTypes::decorate_member(spirv::Words instruction) {
   if (instruction.size() < 4) return;
   std::vector<BlockMember>& members = places_[instruction[1]];
   constexpr std::uint32_t most_members = 1U << 16U;  // of a struct (SPIR-V specification, 2.17)

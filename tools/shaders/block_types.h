@@ -7,7 +7,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "shaders/spirv_words.h"
+#include "shaders/spirv_module.h"
+#include "spirv/words.h"
 
 namespace penumbra::shaders {
 
@@ -53,8 +54,8 @@ class BlockTypes {
     bool fits = true;
   };
 
-  void read(SpirvWords instruction);
-  void decorate_member(SpirvWords instruction);
+  void read(spirv::Words instruction);
+  void decorate_member(spirv::Words instruction);
   Extent extent(const BlockMember& member, BlockRule rule) const;
   Extent vectors(const BlockMember& member, std::uint32_t components, std::uint32_t count,
                  BlockRule rule) const;

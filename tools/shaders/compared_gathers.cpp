@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "shaders/module_rewrite.h"
-#include "shaders/spirv_words.h"
+#include "shaders/spirv_module.h"
+#include "spirv/words.h"
 
 namespace penumbra::shaders {
 
@@ -21,7 +22,7 @@ class MarkedGathers {
   explicit MarkedGathers(const SpirvModule& module) : module_(module), to_(module) {}
 
   std::optional<SpirvModule> run() {
-    for_each_instruction(module_, [this](SpirvWords one) { rewrite(one); });
+    spirv::for_each_instruction(module_, [this](spirv::Words one) { rewrite(one); });
     return found_ && !refused_ ? std::optional(to_.finished()) : std::nullopt;
   }
 
@@ -29,20 +30,20 @@ class MarkedGathers {
   using Words = ModuleRewrite::Words;
   static constexpr std::size_t mask = 6;
 
-  void rewrite(SpirvWords one) {
-    if (opcode(one) == spv::OpConstant && one.size() == 4) constants_[one[2]] = {one[3]};
-    if (opcode(one) == spv::OpConstantComposite && one.size() == 5) add_composite(one);
-    if (opcode(one) == spv::OpImageDrefGather && one.size() >= mask) return mark(one);
+  void rewrite(spirv::Words one) {
+    if (spirv::opcode(one) == spv::OpConstant && one.size() == 4) constants_[one[2]] = {one[3]};
+    if (spirv::opcode(one) == spv::OpConstantComposite && one.size() == 5) add_composite(one);
+    if (spirv::opcode(one) == spv::OpImageDrefGather && one.size() >= mask) return mark(one);
     to_.keep(one);
   }
 
-  void add_composite(SpirvWords one) {
+  void add_composite(spirv::Words one) {
     const auto x = constants_.find(one[3]);
     const auto y = constants_.find(one[4]);
     if (x != constants_.end() && y != constants_.end()) constants_[one[2]] = {x->second[0], y->second[0]};
   }
 
-  void mark(SpirvWords one) {
+  void mark(spirv::Words one) {
     found_ = true;
     Words offset{0, 0};
     if (one.size() > mask) {
@@ -91,7 +92,7 @@ std::size_t closing(std::string_view text, std::size_t at) {
 }  // namespace
 
 std::optional<SpirvModule> with_marked_gathers(const SpirvModule& module) {
-  if (module.size() < header_words) return std::nullopt;
+  if (module.size() < spirv::header_words) return std::nullopt;
   return MarkedGathers(module).run();
 }
 

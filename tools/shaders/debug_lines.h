@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "shaders/spirv_words.h"
+#include "spirv/words.h"
 
 namespace penumbra::shaders {
 
@@ -13,10 +13,10 @@ namespace penumbra::shaders {
 class DebugLines {
  public:
   // To be called with every instruction in order; the place is then that instruction's.
-  const SourcePlace& visit(SpirvWords instruction) {
-    const spv::Op op = opcode(instruction);
+  const SourcePlace& visit(spirv::Words instruction) {
+    const spv::Op op = spirv::opcode(instruction);
     if (op == spv::OpString && instruction.size() > 2)
-      strings_[instruction[1]] = literal_text(instruction.subspan(2));
+      strings_[instruction[1]] = spirv::literal_text(instruction.subspan(2));
     if (op == spv::OpLine && instruction.size() > 2)
       place_ = {strings_[instruction[1]], static_cast<int>(instruction[2])};
     if (op == spv::OpNoLine || op == spv::OpLabel || op == spv::OpFunctionEnd) place_ = {};

@@ -101,9 +101,9 @@ std::vector<ModuleProblem> derivative_reads(const glslang::TIntermediate& tree, 
 std::vector<ModuleProblem> remaining(std::vector<ModuleProblem> written, const SpirvModule& module) {
   std::set<std::pair<std::string, int>> lines;
   DebugLines debug_lines;
-  for_each_instruction(module, [&](SpirvWords instruction) {
+  spirv::for_each_instruction(module, [&](spirv::Words instruction) {
     const SourcePlace& place = debug_lines.visit(instruction);
-    if (is_such_instruction(opcode(instruction))) lines.emplace(place.file, place.line);
+    if (is_such_instruction(spirv::opcode(instruction))) lines.emplace(place.file, place.line);
   });
   std::vector<ModuleProblem> kept;
   for (ModuleProblem& problem : written)

@@ -2,7 +2,8 @@
 
 #include <unordered_set>
 
-#include "shaders/spirv_words.h"
+#include "shaders/spirv_module.h"
+#include "spirv/words.h"
 
 namespace penumbra::shaders {
 
@@ -18,13 +19,12 @@ struct Inputs {
   std::vector<std::uint32_t> missing;
 };
 
-void read(const SpirvModule& module, std::size_t at, Inputs& inputs) {
-  const std::uint32_t opcode = module[at] & 0xFFFFU;
-  const std::size_t length = module[at] >> 16U;
-  const auto word = [&](std::size_t i) { return i < length ? module[at + i] : 0; };
-  if (opcode >= spv::OpTypeVoid && opcode <= spv::OpTypeForwardPointer && inputs.first_type == 0)
+void read(spirv::Words instruction, std::size_t at, Inputs& inputs) {
+  const spv::Op op = spirv::opcode(instruction);
+  const auto word = [&](std::size_t i) { return i < instruction.size() ? instruction[i] : 0; };
+  if (op >= spv::OpTypeVoid && op <= spv::OpTypeForwardPointer && inputs.first_type == 0)
     inputs.first_type = at;
-  switch (opcode) {
+  switch (op) {
     case spv::OpEntryPoint:
       inputs.fragment = inputs.fragment || word(1) == spv::ExecutionModelFragment;
       break;
@@ -55,12 +55,11 @@ void read(const SpirvModule& module, std::size_t at, Inputs& inputs) {
 
 void flatten_integer_inputs(SpirvModule& module) {
   Inputs inputs;
-  for (std::size_t at = header_words; at < module.size();) {
-    const std::size_t length = module[at] >> 16U;
-    if (length == 0 || at + length > module.size()) return;  // no module; left to the validator
-    read(module, at, inputs);
-    at += length;
-  }
+  const SpirvModule& read_only = module;
+  const bool whole = spirv::for_each_instruction(read_only, [&](spirv::Words instruction) {
+    read(instruction, static_cast<std::size_t>(instruction.data() - module.data()), inputs);
+  });
+  if (!whole) return;  // no module; left to the validator
   if (!inputs.fragment) return;
   SpirvModule decorations;
   for (const std::uint32_t id : inputs.missing)

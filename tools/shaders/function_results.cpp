@@ -3,7 +3,8 @@
 #include <map>
 #include <set>
 
-#include "shaders/spirv_words.h"
+#include "shaders/spirv_module.h"
+#include "spirv/words.h"
 
 namespace penumbra::shaders {
 
@@ -11,10 +12,11 @@ bool returns_several_numbers(const SpirvModule& module, const std::string& funct
   std::set<std::uint32_t> named;
   std::set<std::uint32_t> of_several;  // types
   bool found = false;
-  for_each_instruction(module, [&](SpirvWords instruction) {
-    const spv::Op op = opcode(instruction);
+  spirv::for_each_instruction(module, [&](spirv::Words instruction) {
+    const spv::Op op = spirv::opcode(instruction);
     if (op == spv::OpName && instruction.size() > 2) {
-      const std::string name = literal_text(instruction.subspan(2));  // "ShadowVisibility(vf3;vf3;vf2;"
+      const std::string name =
+          spirv::literal_text(instruction.subspan(2));  // "ShadowVisibility(vf3;vf3;vf2;"
       if (name.substr(0, name.find('(')) == function) named.insert(instruction[1]);
     } else if (op == spv::OpTypeVector || op == spv::OpTypeMatrix || op == spv::OpTypeArray ||
                op == spv::OpTypeStruct) {

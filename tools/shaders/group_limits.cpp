@@ -10,7 +10,8 @@
 #include <utility>
 
 #include "hlsl/tokens.h"
-#include "shaders/spirv_words.h"
+#include "shaders/spirv_module.h"
+#include "spirv/words.h"
 
 namespace penumbra::shaders {
 namespace {
@@ -24,7 +25,7 @@ constexpr std::uint64_t kTooLarge = std::uint64_t{1} << 40;
 class SharedMemory {
  public:
   explicit SharedMemory(const SpirvModule& module) {
-    for_each_instruction(module, [this](SpirvWords instruction) { visit(instruction); });
+    spirv::for_each_instruction(module, [this](spirv::Words instruction) { visit(instruction); });
   }
   std::uint64_t bytes() const { return bytes_; }
 
@@ -37,9 +38,9 @@ class SharedMemory {
     return b != 0 && a > kTooLarge / b ? kTooLarge : a * b;
   }
 
-  void visit(SpirvWords words) {
+  void visit(spirv::Words words) {
     if (words.size() < 2) return;
-    const spv::Op op = opcode(words);
+    const spv::Op op = spirv::opcode(words);
     if (op == spv::OpTypeInt || op == spv::OpTypeFloat)
       sizes_[words[1]] = words.size() > 2 ? words[2] / 8 : 4;
     if (op == spv::OpTypeBool) sizes_[words[1]] = 4;

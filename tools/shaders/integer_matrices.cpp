@@ -8,7 +8,8 @@
 #include <utility>
 
 #include "hlsl/tokens.h"
-#include "shaders/spirv_words.h"
+#include "shaders/spirv_module.h"
+#include "spirv/words.h"
 
 namespace penumbra::shaders {
 
@@ -18,18 +19,18 @@ namespace {
 class MatrixSearch {
  public:
   std::set<std::string> run(const SpirvModule& module) {
-    for_each_instruction(module, [this](SpirvWords instruction) { visit(instruction); });
+    spirv::for_each_instruction(module, [this](spirv::Words instruction) { visit(instruction); });
     return std::move(found_);
   }
 
   bool any() const { return !matrices_.empty(); }
 
  private:
-  void visit(SpirvWords words) {
+  void visit(spirv::Words words) {
     if (words.size() < 3) return;
-    switch (opcode(words)) {
+    switch (spirv::opcode(words)) {
       case spv::OpMemberName:
-        if (words.size() > 3) names_[{words[1], words[2]}] = literal_text(words.subspan(3));
+        if (words.size() > 3) names_[{words[1], words[2]}] = spirv::literal_text(words.subspan(3));
         break;
       case spv::OpTypeInt:
         integers_.insert(words[1]);

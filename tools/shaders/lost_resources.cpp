@@ -5,20 +5,21 @@
 #include <map>
 
 #include "shaders/module_search.h"
-#include "shaders/spirv_words.h"
+#include "shaders/spirv_module.h"
+#include "spirv/words.h"
 
 namespace penumbra::shaders {
 
 namespace {
 
 // The operands of a reading instruction that may be textures and samplers.
-SpirvWords handles(SpirvWords instruction) {
-  const spv::Op op = opcode(instruction);
+spirv::Words handles(spirv::Words instruction) {
+  const spv::Op op = spirv::opcode(instruction);
   const bool reads = (op >= spv::OpImageSampleImplicitLod && op <= spv::OpImageQuerySamples) ||
                      (op >= spv::OpImageSparseSampleImplicitLod && op <= spv::OpImageSparseRead);
   if (op == spv::OpSampledImage && instruction.size() > 4) return instruction.subspan(3, 2);
   if (op == spv::OpImageWrite && instruction.size() > 1) return instruction.subspan(1, 1);
-  return reads && instruction.size() > 3 ? instruction.subspan(3, 1) : SpirvWords{};
+  return reads && instruction.size() > 3 ? instruction.subspan(3, 1) : spirv::Words{};
 }
 
 class LostSearch final : public ModuleSearch {
@@ -26,8 +27,8 @@ class LostSearch final : public ModuleSearch {
   using ModuleSearch::ModuleSearch;
 
  private:
-  void visit(SpirvWords instruction) override {
-    switch (opcode(instruction)) {
+  void visit(spirv::Words instruction) override {
+    switch (spirv::opcode(instruction)) {
       case spv::OpTypeImage:
       case spv::OpTypeSampledImage:
         if (instruction.size() > 1) kinds_[instruction[1]] = "texture";
@@ -51,7 +52,7 @@ class LostSearch final : public ModuleSearch {
     }
   }
 
-  bool of_resource(SpirvWords instruction) const {
+  bool of_resource(spirv::Words instruction) const {
     return instruction.size() > 2 && kinds_.count(instruction[1]) != 0;
   }
 

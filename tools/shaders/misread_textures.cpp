@@ -5,7 +5,8 @@
 #include <map>
 
 #include "shaders/module_search.h"
-#include "shaders/spirv_words.h"
+#include "shaders/spirv_module.h"
+#include "spirv/words.h"
 
 namespace penumbra::shaders {
 
@@ -35,10 +36,10 @@ class MisreadSearch final : public ModuleSearch {
   using ModuleSearch::ModuleSearch;
 
  private:
-  void visit(SpirvWords instruction) override {
-    const spv::Op op = opcode(instruction);
+  void visit(spirv::Words instruction) override {
+    const spv::Op op = spirv::opcode(instruction);
     if (op == spv::OpName && instruction.size() > 2) {
-      names_[instruction[1]] = literal_text(instruction.subspan(2));
+      names_[instruction[1]] = spirv::literal_text(instruction.subspan(2));
     } else if (op == spv::OpTypeImage && instruction.size() > 5) {
       textures_[instruction[1]] = coordinates(static_cast<spv::Dim>(instruction[3]), instruction[5] != 0);
     } else if (op == spv::OpTypeVector && instruction.size() > 3) {
@@ -52,7 +53,7 @@ class MisreadSearch final : public ModuleSearch {
   }
 
   // What a value is of: its type, and the variable that it was loaded from.
-  void remember(spv::Op op, SpirvWords instruction) {
+  void remember(spv::Op op, spirv::Words instruction) {
     bool has_result = false;
     bool has_type = false;
     spv::HasResultAndType(op, &has_result, &has_type);

@@ -4,7 +4,7 @@ namespace penumbra::shaders {
 
 namespace {
 
-void append(SpirvModule& to, SpirvWords words) {
+void append(SpirvModule& to, spirv::Words words) {
   to.insert(to.end(), words.begin(), words.end());
 }
 
@@ -25,8 +25,8 @@ bool is_type(spv::Op op) {
 }  // namespace
 
 ModuleRewrite::ModuleRewrite(const SpirvModule& module) : module_(module), next_(module[3]) {
-  for_each_instruction(module, [this](SpirvWords one) {
-    const spv::Op op = opcode(one);
+  spirv::for_each_instruction(module, [this](spirv::Words one) {
+    const spv::Op op = spirv::opcode(one);
     const bool once =
         op == spv::OpTypeInt || op == spv::OpTypeFloat || op == spv::OpTypeVector || op == spv::OpTypePointer;
     if (!once) return;
@@ -36,8 +36,8 @@ ModuleRewrite::ModuleRewrite(const SpirvModule& module) : module_(module), next_
   });
 }
 
-void ModuleRewrite::keep(SpirvWords instruction) {
-  const spv::Op op = opcode(instruction);
+void ModuleRewrite::keep(spirv::Words instruction) {
+  const spv::Op op = spirv::opcode(instruction);
   types_begun_ = types_begun_ || is_type(op);
   functions_begun_ = functions_begun_ || op == spv::OpFunction;
   if (functions_begun_) return append(functions_, instruction);
@@ -102,7 +102,7 @@ void ModuleRewrite::name(spv::Op op, const Words& operands) {
 }
 
 SpirvModule ModuleRewrite::finished() const {
-  SpirvModule all(module_.begin(), module_.begin() + header_words);
+  SpirvModule all(module_.begin(), module_.begin() + spirv::header_words);
   all[3] = next_;
   for (const SpirvModule* part : {&head_, &names_, &annotations_, &decorations_, &globals_, &functions_})
     append(all, *part);

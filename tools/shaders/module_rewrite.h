@@ -7,7 +7,8 @@
 #include <map>
 #include <vector>
 
-#include "shaders/spirv_words.h"
+#include "shaders/spirv_module.h"
+#include "spirv/words.h"
 
 namespace penumbra::shaders {
 
@@ -18,7 +19,7 @@ class ModuleRewrite {
   explicit ModuleRewrite(const SpirvModule& module);
 
   // As it stands, in the order of the module.
-  void keep(SpirvWords instruction);
+  void keep(spirv::Words instruction);
 
   // Code, at the end of what is there so far; the id of its result, which is a new one unless one is wanted.
   std::uint32_t result(spv::Op op, std::uint32_t type, const Words& operands, std::uint32_t wanted = 0);

@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "shaders/debug_lines.h"
-#include "shaders/spirv_words.h"
+#include "shaders/spirv_module.h"
+#include "spirv/words.h"
 
 namespace penumbra::shaders {
 
@@ -20,7 +21,7 @@ class ModuleSearch {
   ModuleSearch& operator=(const ModuleSearch&) = delete;
 
   std::vector<ModuleProblem> run() {
-    for_each_instruction(module_, [this](SpirvWords instruction) {
+    spirv::for_each_instruction(module_, [this](spirv::Words instruction) {
       place_ = lines_.visit(instruction);
       visit(instruction);
     });
@@ -28,7 +29,7 @@ class ModuleSearch {
   }
 
  protected:
-  virtual void visit(SpirvWords instruction) = 0;
+  virtual void visit(spirv::Words instruction) = 0;
 
   // Of the instruction that is visited.
   void report(std::string message) {

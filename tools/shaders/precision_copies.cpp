@@ -4,7 +4,8 @@
 #include <unordered_set>
 #include <vector>
 
-#include "shaders/spirv_words.h"
+#include "shaders/spirv_module.h"
+#include "spirv/words.h"
 
 namespace penumbra::shaders {
 
@@ -23,12 +24,10 @@ bool is_set_at(std::string_view text, std::size_t at) {
   return text.substr(at, 3) == " = ";
 }
 
-bool is_relaxed_precision(const SpirvModule& module, std::size_t at) {
-  const std::uint32_t opcode = module[at] & 0xFFFFU;
-  const std::size_t length = module[at] >> 16U;
-  return (opcode == spv::OpDecorate && length == 3 && module[at + 2] == spv::DecorationRelaxedPrecision) ||
-         (opcode == spv::OpMemberDecorate && length == 4 &&
-          module[at + 3] == spv::DecorationRelaxedPrecision);
+bool is_relaxed_precision(spirv::Words words) {
+  const spv::Op op = spirv::opcode(words);
+  return (op == spv::OpDecorate && words.size() == 3 && words[2] == spv::DecorationRelaxedPrecision) ||
+         (op == spv::OpMemberDecorate && words.size() == 4 && words[3] == spv::DecorationRelaxedPrecision);
 }
 
 }  // namespace
@@ -59,15 +58,7 @@ bool reads_lost_copy(std::string_view essl) {
 }
 
 SpirvModule without_relaxed_precision(const SpirvModule& module) {
-  SpirvModule full(module.begin(), module.begin() + std::min(header_words, module.size()));
-  for (std::size_t at = header_words; at < module.size();) {
-    const std::size_t length = module[at] >> 16U;
-    if (length == 0 || at + length > module.size()) return module;  // no module; left to who reads it
-    if (!is_relaxed_precision(module, at))
-      full.insert(full.end(), module.begin() + at, module.begin() + at + length);
-    at += length;
-  }
-  return full;
+  return spirv::with_instructions(module, [](spirv::Words words) { return !is_relaxed_precision(words); });
 }
 
 }  // namespace penumbra::shaders

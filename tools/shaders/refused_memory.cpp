@@ -6,7 +6,8 @@
 #include <string>
 
 #include "shaders/module_search.h"
-#include "shaders/spirv_words.h"
+#include "shaders/spirv_module.h"
+#include "spirv/words.h"
 
 namespace penumbra::shaders {
 
@@ -25,8 +26,8 @@ class MemorySearch final : public ModuleSearch {
   MemorySearch(const SpirvModule& module, hlsl::Stage stage) : ModuleSearch(module), stage_(stage) {}
 
  private:
-  void visit(SpirvWords instruction) override {
-    const spv::Op op = opcode(instruction);
+  void visit(spirv::Words instruction) override {
+    const spv::Op op = spirv::opcode(instruction);
     if (op == spv::OpTypePointer && instruction.size() > 2) classes_[instruction[1]] = instruction[2];
     if (const std::size_t at = pointer_word(op); at != 0 && instruction.size() > at)
       use(op, class_of(instruction[at]));

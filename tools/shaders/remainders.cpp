@@ -1,6 +1,7 @@
 #include "shaders/remainders.h"
 
-#include "shaders/spirv_words.h"
+#include "shaders/spirv_module.h"
+#include "spirv/words.h"
 
 namespace penumbra::shaders {
 
@@ -8,8 +9,8 @@ namespace {
 
 bool has_remainders(const SpirvModule& module) {
   bool found = false;
-  for_each_instruction(module, [&](SpirvWords instruction) {
-    found = found || opcode(instruction) == spv::OpFMod || opcode(instruction) == spv::OpSMod;
+  spirv::for_each_instruction(module, [&](spirv::Words instruction) {
+    found = found || spirv::opcode(instruction) == spv::OpFMod || spirv::opcode(instruction) == spv::OpSMod;
   });
   return found;
 }
@@ -23,9 +24,9 @@ void append(SpirvModule& to, spv::Op op, std::uint32_t type, std::uint32_t resul
 
 void truncate_remainders(SpirvModule& module) {
   if (!has_remainders(module)) return;
-  SpirvModule result(module.begin(), module.begin() + header_words);
-  for_each_instruction(module, [&](SpirvWords instruction) {
-    if (opcode(instruction) == spv::OpSMod && instruction.size() == 5) {
+  SpirvModule result(module.begin(), module.begin() + spirv::header_words);
+  spirv::for_each_instruction(module, [&](spirv::Words instruction) {
+    if (spirv::opcode(instruction) == spv::OpSMod && instruction.size() == 5) {
       const std::uint32_t type = instruction[1];
       const std::uint32_t a = instruction[3];
       const std::uint32_t b = instruction[4];
@@ -37,7 +38,7 @@ void truncate_remainders(SpirvModule& module) {
       return;
     }
     result.insert(result.end(), instruction.begin(), instruction.end());
-    if (opcode(instruction) == spv::OpFMod)
+    if (spirv::opcode(instruction) == spv::OpFMod)
       result[result.size() - instruction.size()] =
           static_cast<std::uint32_t>(instruction.size()) << 16U | spv::OpFRem;
   });

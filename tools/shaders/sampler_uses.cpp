@@ -4,7 +4,8 @@
 #include <spirv-tools/libspirv.hpp>
 
 #include "shaders/debug_lines.h"
-#include "shaders/spirv_words.h"
+#include "shaders/spirv_module.h"
+#include "spirv/words.h"
 
 namespace penumbra::shaders {
 namespace {
@@ -37,16 +38,16 @@ bool compares(spv::Op op) {
 class Search {
  public:
   std::vector<SamplerUse> run(const SpirvModule& module) {
-    for_each_instruction(module, [this](SpirvWords instruction) { visit(instruction); });
+    spirv::for_each_instruction(module, [this](spirv::Words instruction) { visit(instruction); });
     return std::move(uses_);
   }
 
  private:
-  void visit(SpirvWords instruction) {
-    const spv::Op op = opcode(instruction);
+  void visit(spirv::Words instruction) {
+    const spv::Op op = spirv::opcode(instruction);
     const SourcePlace& place = lines_.visit(instruction);
     if (op == spv::OpName && instruction.size() > 2) {
-      names_[instruction[1]] = literal_text(instruction.subspan(2));
+      names_[instruction[1]] = spirv::literal_text(instruction.subspan(2));
     } else if (op == spv::OpSampledImage && instruction.size() > 4) {
       made_from_[instruction[2]] = instruction[4];  // the sampler of the pair
     } else if ((op == spv::OpLoad || op == spv::OpAccessChain) && instruction.size() > 3) {

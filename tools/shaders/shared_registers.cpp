@@ -9,7 +9,8 @@
 
 #include "hlsl/outline.h"
 #include "hlsl/tokens.h"
-#include "shaders/spirv_words.h"
+#include "shaders/spirv_module.h"
+#include "spirv/words.h"
 
 namespace penumbra::shaders {
 
@@ -86,9 +87,9 @@ std::set<std::string> used_names(const SpirvModule& module) {
   std::map<std::uint32_t, std::string> names;
   std::map<std::uint32_t, std::uint32_t> pointed;  // by pointer type
   std::set<std::string> used;
-  for_each_instruction(module, [&](SpirvWords words) {
-    const spv::Op op = opcode(words);
-    if (op == spv::OpName && words.size() > 2) names[words[1]] = literal_text(words.subspan(2));
+  spirv::for_each_instruction(module, [&](spirv::Words words) {
+    const spv::Op op = spirv::opcode(words);
+    if (op == spv::OpName && words.size() > 2) names[words[1]] = spirv::literal_text(words.subspan(2));
     if (op == spv::OpTypePointer && words.size() > 3) pointed[words[1]] = words[3];
     if (op != spv::OpVariable || words.size() < 4) return;
     const bool resource = words[3] == spv::StorageClassUniformConstant ||

@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "shaders/debug_lines.h"
-#include "shaders/spirv_words.h"
 #include "shaders/uncalled_functions.h"
+#include "spirv/words.h"
 
 namespace penumbra::shaders {
 
@@ -119,7 +119,7 @@ SourcePlace place_of_instruction(const SpirvModule& module, std::size_t wanted) 
   DebugLines lines;
   SourcePlace found;
   std::size_t number = 0;
-  for_each_instruction(module, [&](SpirvWords instruction) {
+  spirv::for_each_instruction(module, [&](spirv::Words instruction) {
     const SourcePlace& place = lines.visit(instruction);
     if (++number == wanted) found = place;
   });
@@ -129,14 +129,11 @@ SourcePlace place_of_instruction(const SpirvModule& module, std::size_t wanted) 
 // Of variables, with one number.
 template <typename Visit>
 void for_each_decoration(SpirvModule& module, spv::Decoration decoration, Visit visit) {
-  for (std::size_t at = header_words; at < module.size();) {
-    const std::uint32_t length = module[at] >> 16U;
-    if (length == 0 || at + length > module.size()) return;  // left to the validator
-    const bool found =
-        (module[at] & 0xFFFFU) == spv::OpDecorate && length == 4 && module[at + 2] == decoration;
-    if (found) visit(module[at + 3]);
-    at += length;
-  }
+  spirv::for_each_instruction(module, [&](spirv::WrittenWords instruction) {
+    if (spirv::opcode(instruction) == spv::OpDecorate && instruction.size() == 4 &&
+        instruction[2] == decoration)
+      visit(instruction[3]);
+  });
 }
 
 }  // namespace

@@ -7,10 +7,11 @@
 #include <vector>
 
 #include "shaders/vulkan_version.h"
+#include "spirv/module.h"
 
 namespace penumbra::shaders {
 
-using SpirvModule = std::vector<std::uint32_t>;
+using SpirvModule = spirv::Module;
 
 // Gives every bound resource a number of its own, 0, 1, 2, ... over all sets: HLSL's t0 and s0 are different
 // registers, but the same Vulkan binding.

@@ -38,8 +38,8 @@ class OffsetSearch final : public ModuleSearch {
   using ModuleSearch::ModuleSearch;
 
  private:
-  void visit(SpirvWords instruction) override {
-    const spv::Op op = opcode(instruction);
+  void visit(spirv::Words instruction) override {
+    const spv::Op op = spirv::opcode(instruction);
     if (op == spv::OpConstant && instruction.size() == 4) {
       constants_[instruction[2]] = {instruction[3]};
     } else if (op == spv::OpConstantNull && instruction.size() == 3) {
@@ -56,7 +56,7 @@ class OffsetSearch final : public ModuleSearch {
   }
 
   // `operands`: the mask, then what its bits stand for from the lowest up; a gradient is two.
-  void offset(SpirvWords operands) {
+  void offset(spirv::Words operands) {
     const std::uint32_t mask = operands[0];
     const std::uint32_t wanted = spv::ImageOperandsConstOffsetMask | spv::ImageOperandsOffsetMask;
     if ((mask & wanted) == 0) return;

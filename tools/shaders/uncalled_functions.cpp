@@ -6,7 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "shaders/spirv_words.h"
+#include "shaders/spirv_module.h"
+#include "spirv/words.h"
 
 namespace penumbra::shaders {
 
@@ -14,36 +15,22 @@ namespace {
 
 using Ids = std::unordered_set<std::uint32_t>;
 
-struct Instruction {
-  spv::Op op = spv::OpNop;
-  std::size_t at = 0;
-  std::size_t length = 0;
-};
-
 // Empty for what is no module.
-std::vector<Instruction> instructions(const SpirvModule& module) {
-  std::vector<Instruction> found;
-  for (std::size_t at = header_words; at < module.size();) {
-    const std::size_t length = module[at] >> 16U;
-    if (length == 0 || at + length > module.size()) return {};
-    found.push_back({static_cast<spv::Op>(module[at] & 0xFFFFU), at, length});
-    at += length;
-  }
-  return found;
+std::vector<spirv::Words> instructions(const SpirvModule& module) {
+  std::vector<spirv::Words> found;
+  const bool whole = spirv::for_each_instruction(module, [&](spirv::Words words) { found.push_back(words); });
+  return whole ? found : std::vector<spirv::Words>();
 }
 
-std::uint32_t operand(const SpirvModule& module, const Instruction& instruction, std::size_t number) {
-  return number < instruction.length ? module[instruction.at + number] : 0;
-}
-
-Ids called_functions(const SpirvModule& module, const std::vector<Instruction>& all) {
+Ids called_functions(const std::vector<spirv::Words>& all) {
   std::vector<std::uint32_t> to_visit;
   std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> calls;
   std::uint32_t function = 0;
-  for (const Instruction& instruction : all) {
-    if (instruction.op == spv::OpEntryPoint) to_visit.push_back(operand(module, instruction, 2));
-    if (instruction.op == spv::OpFunction) function = operand(module, instruction, 2);
-    if (instruction.op == spv::OpFunctionCall) calls[function].push_back(operand(module, instruction, 3));
+  for (const spirv::Words instruction : all) {
+    const spv::Op op = spirv::opcode(instruction);
+    if (op == spv::OpEntryPoint) to_visit.push_back(spirv::operand(instruction, 2));
+    if (op == spv::OpFunction) function = spirv::operand(instruction, 2);
+    if (op == spv::OpFunctionCall) calls[function].push_back(spirv::operand(instruction, 3));
   }
   Ids called;
   while (!to_visit.empty()) {
@@ -56,41 +43,38 @@ Ids called_functions(const SpirvModule& module, const std::vector<Instruction>& 
 }
 
 // The id that it defines; 0 when it defines none.
-std::uint32_t result(const SpirvModule& module, const Instruction& instruction) {
+std::uint32_t result(spirv::Words instruction) {
   bool has_result = false;
   bool has_type = false;
-  spv::HasResultAndType(instruction.op, &has_result, &has_type);
-  return has_result ? operand(module, instruction, has_type ? 2 : 1) : 0;
+  spv::HasResultAndType(spirv::opcode(instruction), &has_result, &has_type);
+  return has_result ? spirv::operand(instruction, has_type ? 2 : 1) : 0;
 }
 
-bool describes(const Instruction& instruction) {
-  return instruction.op == spv::OpName || instruction.op == spv::OpDecorate ||
-         instruction.op == spv::OpDecorateId || instruction.op == spv::OpDecorateString;
+bool describes(spirv::Words instruction) {
+  const spv::Op op = spirv::opcode(instruction);
+  return op == spv::OpName || op == spv::OpDecorate || op == spv::OpDecorateId || op == spv::OpDecorateString;
 }
 
 }  // namespace
 
 void drop_uncalled_functions(SpirvModule& module) {
-  const std::vector<Instruction> all = instructions(module);
-  const Ids called = called_functions(module, all);
-  std::vector<bool> goes(all.size(), false);
+  const std::vector<spirv::Words> all = instructions(module);
+  const Ids called = called_functions(all);
   Ids gone;
   bool inside = false;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (all[i].op == spv::OpFunction) inside = called.count(operand(module, all[i], 2)) == 0;
-    goes[i] = inside;
-    if (inside) gone.insert(result(module, all[i]));
-    if (all[i].op == spv::OpFunctionEnd) inside = false;
+  std::vector<bool> goes;
+  for (const spirv::Words instruction : all) {
+    const spv::Op op = spirv::opcode(instruction);
+    if (op == spv::OpFunction) inside = called.count(spirv::operand(instruction, 2)) == 0;
+    goes.push_back(inside);
+    if (inside) gone.insert(result(instruction));
+    if (op == spv::OpFunctionEnd) inside = false;
   }
   if (gone.empty()) return;
-  SpirvModule kept(module.begin(), module.begin() + header_words);
-  kept.reserve(module.size());
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (goes[i] || (describes(all[i]) && gone.count(operand(module, all[i], 1)) != 0)) continue;
-    const auto begin = module.begin() + static_cast<std::ptrdiff_t>(all[i].at);
-    kept.insert(kept.end(), begin, begin + static_cast<std::ptrdiff_t>(all[i].length));
-  }
-  module = std::move(kept);
+  std::size_t number = 0;
+  module = spirv::with_instructions(module, [&](spirv::Words instruction) {
+    return !goes[number++] && !(describes(instruction) && gone.count(spirv::operand(instruction, 1)) != 0);
+  });
 }
 
 }  // namespace penumbra::shaders

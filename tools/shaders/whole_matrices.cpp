@@ -3,7 +3,8 @@
 #include <map>
 #include <set>
 
-#include "shaders/spirv_words.h"
+#include "shaders/spirv_module.h"
+#include "spirv/words.h"
 
 namespace penumbra::shaders {
 
@@ -19,11 +20,12 @@ struct Types {
 
 Types read_types(const SpirvModule& module) {
   Types types;
-  for_each_instruction(module, [&](SpirvWords words) {
-    if (opcode(words) == spv::OpTypeFloat) types.floats.insert(words[1]);
-    if (opcode(words) == spv::OpTypeVector) types.vector_components[words[1]] = words[2];
-    if (opcode(words) == spv::OpTypeInt && words[2] == 32 && words[3] == 0) types.unsigned_type = words[1];
-    if (opcode(words) != spv::OpTypeMatrix || types.floats.contains(types.vector_components[words[2]]))
+  spirv::for_each_instruction(module, [&](spirv::Words words) {
+    if (spirv::opcode(words) == spv::OpTypeFloat) types.floats.insert(words[1]);
+    if (spirv::opcode(words) == spv::OpTypeVector) types.vector_components[words[1]] = words[2];
+    if (spirv::opcode(words) == spv::OpTypeInt && words[2] == 32 && words[3] == 0)
+      types.unsigned_type = words[1];
+    if (spirv::opcode(words) != spv::OpTypeMatrix || types.floats.contains(types.vector_components[words[2]]))
       return;
     types.matrices.insert(words[1]);
     types.counts.insert(words[3]);
@@ -34,10 +36,10 @@ Types read_types(const SpirvModule& module) {
 bool lies_in_a_buffer(const SpirvModule& module, const Types& types) {
   std::set<std::pair<std::uint32_t, std::uint32_t>> members;  // that are decorated as matrices
   bool found = false;
-  for_each_instruction(module, [&](SpirvWords words) {
-    if (opcode(words) == spv::OpMemberDecorate && words[3] == spv::DecorationMatrixStride)
+  spirv::for_each_instruction(module, [&](spirv::Words words) {
+    if (spirv::opcode(words) == spv::OpMemberDecorate && words[3] == spv::DecorationMatrixStride)
       members.insert({words[1], words[2]});
-    if (opcode(words) != spv::OpTypeStruct) return;
+    if (spirv::opcode(words) != spv::OpTypeStruct) return;
     for (std::uint32_t i = 2; i < words.size(); ++i)
       found = found || (types.matrices.contains(words[i]) && members.contains({words[1], i - 2}));
   });
@@ -58,7 +60,7 @@ bool begins_types(spv::Op op) {
 void make_whole_matrices_arrays(SpirvModule& module) {
   Types types = read_types(module);
   if (types.matrices.empty() || lies_in_a_buffer(module, types)) return;
-  SpirvModule result(module.begin(), module.begin() + header_words);
+  SpirvModule result(module.begin(), module.begin() + spirv::header_words);
   std::map<std::uint32_t, std::uint32_t> sizes;  // the constant of each count
   const auto declare_sizes = [&] {
     if (types.unsigned_type == 0) types.unsigned_type = result[3]++;
@@ -68,11 +70,11 @@ void make_whole_matrices_arrays(SpirvModule& module) {
       append(result, spv::OpConstant, {types.unsigned_type, sizes[count], count});
     }
   };
-  for_each_instruction(module, [&](SpirvWords words) {
-    if (sizes.empty() && begins_types(opcode(words))) declare_sizes();
-    if (opcode(words) == spv::OpTypeInt && words[1] == types.unsigned_type)
+  spirv::for_each_instruction(module, [&](spirv::Words words) {
+    if (sizes.empty() && begins_types(spirv::opcode(words))) declare_sizes();
+    if (spirv::opcode(words) == spv::OpTypeInt && words[1] == types.unsigned_type)
       return;  // it has moved to the front
-    if (opcode(words) == spv::OpTypeMatrix && types.matrices.contains(words[1])) {
+    if (spirv::opcode(words) == spv::OpTypeMatrix && types.matrices.contains(words[1])) {
       append(result, spv::OpTypeArray, {words[1], words[2], sizes.at(words[3])});
     } else {
       result.insert(result.end(), words.begin(), words.end());

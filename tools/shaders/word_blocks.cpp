@@ -10,7 +10,8 @@
 #include "shaders/block_place.h"
 #include "shaders/block_types.h"
 #include "shaders/module_rewrite.h"
-#include "shaders/spirv_words.h"
+#include "shaders/spirv_module.h"
+#include "spirv/words.h"
 
 namespace penumbra::shaders {
 
@@ -21,12 +22,8 @@ constexpr std::uint32_t most_words = 4096;  // of a value that is read or writte
 
 using Words = ModuleRewrite::Words;
 
-std::uint32_t operand(SpirvWords one, std::size_t i) {
-  return i < one.size() ? one[i] : 0;
-}
-
-bool is_chain(SpirvWords one) {
-  return opcode(one) == spv::OpAccessChain || opcode(one) == spv::OpInBoundsAccessChain;
+bool is_chain(spirv::Words one) {
+  return spirv::opcode(one) == spv::OpAccessChain || spirv::opcode(one) == spv::OpInBoundsAccessChain;
 }
 
 // Instructions that take a pointer, other than those that read and write.
@@ -48,28 +45,29 @@ class WordBlocks {
       : module_(module), which_(which), types_(module), to_(module) {}
 
   std::optional<SpirvModule> run() {
-    for_each_instruction(module_, [this](SpirvWords one) { find_block(one); });
-    for_each_instruction(module_, [this](SpirvWords one) { check_use(one); });
+    spirv::for_each_instruction(module_, [this](spirv::Words one) { find_block(one); });
+    spirv::for_each_instruction(module_, [this](spirv::Words one) { check_use(one); });
     if (blocks_.empty() || refused_) return std::nullopt;
-    for_each_instruction(module_, [this](SpirvWords one) { rewrite(one); });
+    spirv::for_each_instruction(module_, [this](spirv::Words one) { rewrite(one); });
     for (const auto& [variable, block] : blocks_) declare(variable, block);
     return to_.finished();
   }
 
  private:
   // First walk: the blocks that do not fit.
-  void find_block(SpirvWords one) {
-    const spv::Op op = opcode(one);
-    if (op == spv::OpDecorate && operand(one, 2) == spv::DecorationBlock)
-      block_types_.insert(operand(one, 1));
-    if (op == spv::OpDecorate && operand(one, 2) == spv::DecorationBufferBlock)
-      buffer_types_.insert(operand(one, 1));
-    if (op == spv::OpTypePointer) pointers_[operand(one, 1)] = {operand(one, 2), operand(one, 3)};
+  void find_block(spirv::Words one) {
+    const spv::Op op = spirv::opcode(one);
+    if (op == spv::OpDecorate && spirv::operand(one, 2) == spv::DecorationBlock)
+      block_types_.insert(spirv::operand(one, 1));
+    if (op == spv::OpDecorate && spirv::operand(one, 2) == spv::DecorationBufferBlock)
+      buffer_types_.insert(spirv::operand(one, 1));
+    if (op == spv::OpTypePointer)
+      pointers_[spirv::operand(one, 1)] = {spirv::operand(one, 2), spirv::operand(one, 3)};
     if (op == spv::OpVariable) add_block(one);
   }
 
-  void add_block(SpirvWords variable) {
-    const auto pointer = pointers_.find(operand(variable, 1));
+  void add_block(spirv::Words variable) {
+    const auto pointer = pointers_.find(spirv::operand(variable, 1));
     if (pointer == pointers_.end()) return;
     const auto [storage, structure] = pointer->second;
     if (storage != spv::StorageClassUniform && storage != spv::StorageClassStorageBuffer) return;
@@ -81,18 +79,18 @@ class WordBlocks {
                           ? buffer || !types_.fills_tails(structure)
                           : types_.fits(structure, buffer ? BlockRule::std430 : BlockRule::std140);
     if (fits) return;
-    const std::uint32_t id = operand(variable, 2);
+    const std::uint32_t id = spirv::operand(variable, 2);
     blocks_[id] = {structure, storage, !buffer};
     places_[id] = {id, {structure, 0, 0, false}, 0, 1, {}};
   }
 
   // Second walk: where the pointers into them go.
-  void check_use(SpirvWords one) {
-    const spv::Op op = opcode(one);
+  void check_use(spirv::Words one) {
+    const spv::Op op = spirv::opcode(one);
     if (is_chain(one)) {
       follow(one);
     } else if (op == spv::OpLoad || op == spv::OpStore) {
-      const auto place = places_.find(operand(one, op == spv::OpLoad ? 3 : 1));
+      const auto place = places_.find(spirv::operand(one, op == spv::OpLoad ? 3 : 1));
       refused_ =
           refused_ || (place != places_.end() && word_count(place->second, types_, most_words) > most_words);
     } else if (passes_pointers(op)) {
@@ -100,30 +98,30 @@ class WordBlocks {
     }
   }
 
-  void follow(SpirvWords chain) {
-    const auto base = places_.find(operand(chain, 3));
+  void follow(spirv::Words chain) {
+    const auto base = places_.find(spirv::operand(chain, 3));
     if (base == places_.end()) return;
     BlockPlace place = base->second;
     for (std::size_t i = 4; i < chain.size() && !refused_; ++i) {
       const std::optional<std::uint32_t> number = types_.constant(chain[i]);
       refused_ = !(number ? enter_part(place, types_, *number) : enter_part_at(place, types_, chain[i]));
     }
-    places_[operand(chain, 2)] = std::move(place);
+    places_[spirv::operand(chain, 2)] = std::move(place);
   }
 
   // Third walk.
-  void rewrite(SpirvWords one) {
-    const spv::Op op = opcode(one);
+  void rewrite(spirv::Words one) {
+    const spv::Op op = spirv::opcode(one);
     if (op == spv::OpName || op == spv::OpMemberName) return keep_name(one);
-    if (op == spv::OpVariable && blocks_.count(operand(one, 2)) != 0) return;
-    if (is_chain(one) && places_.count(operand(one, 2)) != 0) return;
-    if (op == spv::OpLoad && places_.count(operand(one, 3)) != 0) {
-      const BlockPlace& place = places_.at(operand(one, 3));
-      load(place, moved(place), operand(one, 2));
-    } else if (op == spv::OpStore && places_.count(operand(one, 1)) != 0) {
-      const BlockPlace& place = places_.at(operand(one, 1));
-      store(place, moved(place), operand(one, 2));
-    } else if (op == spv::OpArrayLength && blocks_.count(operand(one, 3)) != 0) {
+    if (op == spv::OpVariable && blocks_.count(spirv::operand(one, 2)) != 0) return;
+    if (is_chain(one) && places_.count(spirv::operand(one, 2)) != 0) return;
+    if (op == spv::OpLoad && places_.count(spirv::operand(one, 3)) != 0) {
+      const BlockPlace& place = places_.at(spirv::operand(one, 3));
+      load(place, moved(place), spirv::operand(one, 2));
+    } else if (op == spv::OpStore && places_.count(spirv::operand(one, 1)) != 0) {
+      const BlockPlace& place = places_.at(spirv::operand(one, 1));
+      store(place, moved(place), spirv::operand(one, 2));
+    } else if (op == spv::OpArrayLength && blocks_.count(spirv::operand(one, 3)) != 0) {
       length(one);
     } else {
       to_.keep(one);
@@ -131,11 +129,11 @@ class WordBlocks {
   }
 
   // The new struct of a block has the old one's name; pointers into it are gone.
-  void keep_name(SpirvWords one) {
-    const std::uint32_t id = operand(one, 1);
+  void keep_name(spirv::Words one) {
+    const std::uint32_t id = spirv::operand(one, 1);
     const bool structure = std::any_of(blocks_.begin(), blocks_.end(),
                                        [id](const auto& block) { return block.second.structure == id; });
-    if (structure && opcode(one) == spv::OpName) names_[id].assign(one.begin() + 2, one.end());
+    if (structure && spirv::opcode(one) == spv::OpName) names_[id].assign(one.begin() + 2, one.end());
     if (!structure && (places_.count(id) == 0 || blocks_.count(id) != 0)) to_.keep(one);
   }
 
@@ -214,13 +212,13 @@ class WordBlocks {
   }
 
   // Elements of the array at a buffer's end.
-  void length(SpirvWords one) {
-    BlockPlace array = places_.at(operand(one, 3));
-    enter_part(array, types_, operand(one, 4));
-    const std::uint32_t words = made(spv::OpArrayLength, {operand(one, 3), 0});
+  void length(spirv::Words one) {
+    BlockPlace array = places_.at(spirv::operand(one, 3));
+    enter_part(array, types_, spirv::operand(one, 4));
+    const std::uint32_t words = made(spv::OpArrayLength, {spirv::operand(one, 3), 0});
     const std::uint32_t behind = made(spv::OpISub, {words, to_.uint_constant(array.word)});
     const std::uint32_t stride = to_.uint_constant(std::max(part_stride(array, types_), 1U));
-    to_.result(spv::OpUDiv, to_.uint_type(), {behind, stride}, operand(one, 2));
+    to_.result(spv::OpUDiv, to_.uint_type(), {behind, stride}, spirv::operand(one, 2));
   }
 
   std::uint32_t made(spv::Op op, const Words& operands) { return to_.result(op, to_.uint_type(), operands); }
@@ -247,8 +245,9 @@ class WordBlocks {
 
   // NonWritable and the like.
   void copy_access(std::uint32_t from, std::uint32_t to) {
-    for_each_instruction(module_, [&](SpirvWords one) {
-      if (opcode(one) != spv::OpMemberDecorate || one.size() != 4 || one[1] != from || one[2] != 0) return;
+    spirv::for_each_instruction(module_, [&](spirv::Words one) {
+      if (spirv::opcode(one) != spv::OpMemberDecorate || one.size() != 4 || one[1] != from || one[2] != 0)
+        return;
       const bool access = one[3] == spv::DecorationNonWritable || one[3] == spv::DecorationNonReadable ||
                           one[3] == spv::DecorationCoherent || one[3] == spv::DecorationVolatile;
       if (access) to_.decoration(spv::OpMemberDecorate, {to, 0, one[3]});
@@ -280,7 +279,7 @@ class WordBlocks {
 }  // namespace
 
 std::optional<SpirvModule> with_word_blocks(const SpirvModule& module, BlocksAsWords which) {
-  if (module.size() < header_words) return std::nullopt;
+  if (module.size() < spirv::header_words) return std::nullopt;
   return WordBlocks(module, which).run();
 }
 

@@ -9,8 +9,8 @@ namespace penumbra::shaders {
 
 namespace {
 
-bool divides_integers(SpirvWords instruction) {
-  const spv::Op op = opcode(instruction);
+bool divides_integers(spirv::Words instruction) {
+  const spv::Op op = spirv::opcode(instruction);
   const bool divides =
       op == spv::OpUDiv || op == spv::OpSDiv || op == spv::OpUMod || op == spv::OpSRem || op == spv::OpSMod;
   return divides && instruction.size() == 5;
@@ -19,8 +19,8 @@ bool divides_integers(SpirvWords instruction) {
 // Constants that are zero in one component at least.
 class Zeros {
  public:
-  void visit(SpirvWords instruction) {
-    const spv::Op op = opcode(instruction);
+  void visit(spirv::Words instruction) {
+    const spv::Op op = spirv::opcode(instruction);
     if (op == spv::OpConstant && instruction.size() == 4 && instruction[3] == 0) ids_.insert(instruction[2]);
     if (op == spv::OpConstantNull && instruction.size() == 3) ids_.insert(instruction[2]);
     if (op == spv::OpConstantComposite && instruction.size() > 3 &&
@@ -38,7 +38,7 @@ class Zeros {
 std::vector<std::size_t> zero_divisions(const SpirvModule& module) {
   std::vector<std::size_t> found;
   Zeros zeros;
-  for_each_instruction(module, [&](SpirvWords instruction) {
+  spirv::for_each_instruction(module, [&](spirv::Words instruction) {
     zeros.visit(instruction);
     if (divides_integers(instruction) && zeros.contain(instruction[4]))
       found.push_back(static_cast<std::size_t>(instruction.data() - module.data()));
@@ -59,7 +59,7 @@ void mark_zero_divisions(SpirvModule& unoptimised) {
 std::vector<ModuleProblem> marked_divisions(const SpirvModule& optimised) {
   std::vector<ModuleProblem> problems;
   DebugLines lines;
-  for_each_instruction(optimised, [&](SpirvWords instruction) {
+  spirv::for_each_instruction(optimised, [&](spirv::Words instruction) {
     const SourcePlace& place = lines.visit(instruction);
     if (!divides_integers(instruction) || instruction[3] != instruction[4]) return;
     ModuleProblem problem{place, "an integer is divided by zero"};

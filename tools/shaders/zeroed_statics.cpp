@@ -4,7 +4,8 @@
 #include <map>
 #include <set>
 
-#include "shaders/spirv_words.h"
+#include "shaders/spirv_module.h"
+#include "spirv/words.h"
 
 namespace penumbra::shaders {
 
@@ -13,9 +14,9 @@ namespace {
 class ZeroedStatics {
  public:
   void run(SpirvModule& module) {
-    SpirvModule result(module.begin(), module.begin() + header_words);
-    for_each_instruction(module, [&](SpirvWords words) {
-      const spv::Op op = opcode(words);
+    SpirvModule result(module.begin(), module.begin() + spirv::header_words);
+    spirv::for_each_instruction(module, [&](spirv::Words words) {
+      const spv::Op op = spirv::opcode(words);
       if (op == spv::OpTypePointer && words[2] == spv::StorageClassPrivate) pointees_[words[1]] = words[3];
       if (has_null(op, words)) nullable_.insert(words[1]);
       const bool unset = op == spv::OpVariable && words.size() == 4 && words[3] == spv::StorageClassPrivate;
@@ -30,7 +31,7 @@ class ZeroedStatics {
   }
 
  private:
-  bool has_null(spv::Op op, SpirvWords words) const {
+  bool has_null(spv::Op op, spirv::Words words) const {
     switch (op) {
       case spv::OpTypeBool:
       case spv::OpTypeInt:

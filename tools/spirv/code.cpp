@@ -1,9 +1,9 @@
-#include "lint/spirv_code.h"
+#include "spirv/code.h"
 
 #include <spirv-tools/libspirv.hpp>
 #include <stdexcept>
 
-namespace penumbra::lint {
+namespace penumbra::spirv {
 
 namespace {
 
@@ -13,21 +13,10 @@ std::uint64_t key(Id id, std::uint32_t member_plus_one = 0) {
   return (static_cast<std::uint64_t>(id) << 32U) | member_plus_one;
 }
 
-std::string literal_string(std::span<const std::uint32_t> words) {
-  std::string text;
-  for (const std::uint32_t word : words)
-    for (unsigned shift = 0; shift < 32; shift += 8) {
-      const char c = static_cast<char>((word >> shift) & 0xFFU);
-      if (c == '\0') return text;
-      text += c;
-    }
-  return text;
-}
-
 }  // namespace
 
 struct SpirvReader {
-  SpirvCode& code;
+  Code& code;
   std::size_t at = 5;  // behind the header
   Place place;
 
@@ -75,13 +64,13 @@ struct SpirvReader {
       code.definitions_[instruction.result] = static_cast<std::uint32_t>(code.instructions_.size() + 1);
     switch (instruction.op) {
       case spv::OpName:
-        code.names_[key(operands[0])] = literal_string(operands.subspan(1));
+        code.names_[key(operands[0])] = literal_text(operands.subspan(1));
         break;
       case spv::OpMemberName:
-        code.names_[key(operands[0], operands[1] + 1)] = literal_string(operands.subspan(2));
+        code.names_[key(operands[0], operands[1] + 1)] = literal_text(operands.subspan(2));
         break;
       case spv::OpString:
-        code.strings_[instruction.result] = literal_string(operands);
+        code.strings_[instruction.result] = literal_text(operands);
         break;
       case spv::OpEntryPoint:
         if (code.entry_function_ == 0) code.entry_function_ = operands[1];
@@ -122,7 +111,7 @@ struct SpirvReader {
   }
 };
 
-SpirvCode::SpirvCode(std::vector<std::uint32_t> words) : words_(std::move(words)) {
+Code::Code(std::vector<std::uint32_t> words) : words_(std::move(words)) {
   if (words_.size() < 5 || words_[0] != spv::MagicNumber) throw std::invalid_argument("not a SPIR-V module");
   if (words_[3] > most_ids) throw std::invalid_argument("the SPIR-V module's bound is above the limit");
   definitions_.assign(words_[3], 0);
@@ -140,59 +129,59 @@ SpirvCode::SpirvCode(std::vector<std::uint32_t> words) : words_(std::move(words)
   if (result != SPV_SUCCESS) throw std::invalid_argument(reason);
 }
 
-const Instruction* SpirvCode::definition(Id id) const {
+const Instruction* Code::definition(Id id) const {
   if (id >= definitions_.size() || definitions_[id] == 0) return nullptr;
   return &instructions_[definitions_[id] - 1];
 }
 
-spv::Op SpirvCode::op(Id id) const {
+spv::Op Code::op(Id id) const {
   const Instruction* instruction = definition(id);
   return instruction == nullptr ? spv::OpNop : instruction->op;
 }
 
-const Function* SpirvCode::function(Id id) const {
+const Function* Code::function(Id id) const {
   const auto found = function_index_.find(id);
   return found == function_index_.end() ? nullptr : &functions_[found->second];
 }
 
-std::string SpirvCode::name(Id id) const {
+std::string Code::name(Id id) const {
   const auto found = names_.find(key(id));
   return found == names_.end() ? std::string() : found->second;
 }
 
-std::string SpirvCode::member_name(Id type, std::uint32_t member) const {
+std::string Code::member_name(Id type, std::uint32_t member) const {
   const auto found = names_.find(key(type, member + 1));
   return found == names_.end() ? std::to_string(member) : found->second;
 }
 
-std::string SpirvCode::file_name(Id file) const {
+std::string Code::file_name(Id file) const {
   const auto found = strings_.find(file);
   return found == strings_.end() ? std::string() : found->second;
 }
 
-std::optional<std::uint32_t> SpirvCode::decoration(Id id, spv::Decoration kind) const {
+std::optional<std::uint32_t> Code::decoration(Id id, spv::Decoration kind) const {
   const auto found = decorations_.find({key(id), kind});
   return found == decorations_.end() ? std::nullopt : std::optional(found->second);
 }
 
-std::optional<std::uint32_t> SpirvCode::member_decoration(Id type, std::uint32_t member,
-                                                          spv::Decoration kind) const {
+std::optional<std::uint32_t> Code::member_decoration(Id type, std::uint32_t member,
+                                                     spv::Decoration kind) const {
   const auto found = decorations_.find({key(type, member + 1), kind});
   return found == decorations_.end() ? std::nullopt : std::optional(found->second);
 }
 
-Id SpirvCode::pointee(Id pointer_type) const {
+Id Code::pointee(Id pointer_type) const {
   const Instruction* type = definition(pointer_type);
   return type != nullptr && type->op == spv::OpTypePointer ? type->operands[1] : 0;
 }
 
-std::optional<spv::StorageClass> SpirvCode::storage_class(Id pointer_type) const {
+std::optional<spv::StorageClass> Code::storage_class(Id pointer_type) const {
   const Instruction* type = definition(pointer_type);
   if (type == nullptr || type->op != spv::OpTypePointer) return std::nullopt;
   return static_cast<spv::StorageClass>(type->operands[0]);
 }
 
-std::optional<std::int64_t> SpirvCode::integer(Id id) const {
+std::optional<std::int64_t> Code::integer(Id id) const {
   const Instruction* constant = definition(id);
   if (constant == nullptr || constant->op != spv::OpConstant) return std::nullopt;
   const Instruction* type = definition(constant->type);
@@ -202,4 +191,4 @@ std::optional<std::int64_t> SpirvCode::integer(Id id) const {
                                 : static_cast<std::int64_t>(bits);
 }
 
-}  // namespace penumbra::lint
+}  // namespace penumbra::spirv

@@ -1,12 +1,10 @@
 // A SPIR-V module as the rules walk it: instructions with the source line each comes from, definitions by id,
-// functions and their blocks. Internal to this room.
+// functions and their blocks.
 //
 // Read once in linear time by SPIRV-Tools' parser; OpLine becomes the place of what follows it; nothing is
 // interpreted beyond what the specification (https://registry.khronos.org/SPIR-V/specs/unified1/SPIRV.html)
 // says of each instruction's layout.
 #pragma once
-
-#include <glslang/SPIRV/spirv.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -17,7 +15,9 @@
 #include <utility>
 #include <vector>
 
-namespace penumbra::lint {
+#include "spirv/words.h"
+
+namespace penumbra::spirv {
 
 using Id = std::uint32_t;
 
@@ -33,13 +33,13 @@ struct Instruction {
   Id result = 0;
   std::span<const std::uint32_t> operands;  // what follows type and result
   Place place;
-  std::size_t ids_begin = 0;  // see SpirvCode::ids
+  std::size_t ids_begin = 0;  // see Code::ids
   std::size_t ids_end = 0;
 };
 
 struct Block {
   Id label = 0;
-  std::size_t begin = 0;  // after the label; indices into SpirvCode::instructions()
+  std::size_t begin = 0;  // after the label; indices into Code::instructions()
   std::size_t end = 0;    // after the terminator
 };
 
@@ -51,12 +51,12 @@ struct Function {
   std::vector<Block> blocks;  // the first is the entry
 };
 
-class SpirvCode {
+class Code {
  public:
   // Throws std::invalid_argument for words that are no SPIR-V.
-  explicit SpirvCode(std::vector<std::uint32_t> words);
-  SpirvCode(const SpirvCode&) = delete;
-  SpirvCode& operator=(const SpirvCode&) = delete;
+  explicit Code(std::vector<std::uint32_t> words);
+  Code(const Code&) = delete;
+  Code& operator=(const Code&) = delete;
 
   const std::vector<Instruction>& instructions() const { return instructions_; }
   const std::vector<Function>& functions() const { return functions_; }
@@ -102,4 +102,4 @@ class SpirvCode {
   Id entry_function_ = 0;
 };
 
-}  // namespace penumbra::lint
+}  // namespace penumbra::spirv
