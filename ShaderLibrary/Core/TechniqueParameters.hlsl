@@ -55,8 +55,8 @@ struct MaskParameters
 struct DenoiseParameters
 {
     int denoiseRadius; // pixels: radius of the neighbourhood, 0 to 8
-    float planeTolerance; // pixels: distance from the surface, in pixel widths, from which a neighbour counts as another surface
-    float noiseAmplitude; // 1: difference of visibility from which a neighbour counts as an edge instead of noise
+    float planeTolerance; // pixels: plane distance threshold, in pixel footprints: beyond it a neighbour lies on another surface
+    float noiseAmplitude; // 1: bilateral range threshold: a larger difference of visibility is an edge and no noise
 };
 
 #endif

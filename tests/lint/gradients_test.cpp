@@ -106,11 +106,12 @@ TEST(DivergentDerivative, AfterALoopWithVaryingRounds) {
   EXPECT_THAT(divergent(shader(count + "    if (i > 3) " + sample)), testing::SizeIs(1));
 }
 
-TEST(GradientInVaryingLoop, RoundsThatVaryWithoutABound) {
-  EXPECT_THAT(in_loop(shader(std::string("    for (int i = 0; i < uv.x * 8; ++i)\n        ") + sample)),
-              ElementsAre("6:19 error gradient-in-varying-loop: derivatives are taken in a loop that pixels "
-                          "leave after different numbers of iterations, by the condition at line 5; Direct3D "
-                          "must unroll it and finds no bound: use SampleLevel or SampleGrad"));
+TEST(GradientInVaryingLoop, IterationsThatDifferWithoutABound) {
+  EXPECT_THAT(
+      in_loop(shader(std::string("    for (int i = 0; i < uv.x * 8; ++i)\n        ") + sample)),
+      ElementsAre("6:19 error gradient-in-varying-loop: derivatives are taken in divergent control "
+                  "flow: the loop's number of iterations differs between pixels, by the condition at "
+                  "line 5; Direct3D must unroll it and finds no bound: use SampleLevel or SampleGrad"));
 }
 
 TEST(GradientInVaryingLoop, AVaryingBreakFromABoundedLoopIsAWarning) {
@@ -119,9 +120,10 @@ TEST(GradientInVaryingLoop, AVaryingBreakFromABoundedLoopIsAWarning) {
       sample + "    }\n";
   EXPECT_THAT(
       in_loop(shader(loop)),
-      ElementsAre("8:19 warning gradient-in-varying-loop: derivatives are taken in a loop that pixels leave "
-                  "after different numbers of iterations, by the condition at line 7; Direct3D unrolls it, "
-                  "elsewhere they are undefined: use SampleLevel or SampleGrad"));
+      ElementsAre(
+          "8:19 warning gradient-in-varying-loop: derivatives are taken in divergent control flow: "
+          "the loop's number of iterations differs between pixels, by the condition at line 7; Direct3D "
+          "unrolls it, elsewhere they are undefined: use SampleLevel or SampleGrad"));
   EXPECT_THAT(divergent(shader(loop)), IsEmpty()) << "one cause, one rule";
 }
 

@@ -219,7 +219,7 @@ TEST(WorkerPool, AnAnswerThatIsTooLongIsAFailure) {
 TEST(WorkerPool, ADeadWorkersNoteAndLastWordsAreKept) {
   const WorkerOutcome outcome = run_one("note and crash");
   EXPECT_EQ(outcome.note, "second");
-  EXPECT_EQ(outcome.last_words, "the reason\n");
+  EXPECT_EQ(outcome.output_tail, "the reason\n");
 }
 
 TEST(WorkerPool, WhatACompilerPrintsDisturbsNothing) {

@@ -111,7 +111,7 @@ bool Divergence::phi_varies(const spirv::Instruction& phi, std::size_t node) con
   return false;
 }
 
-// A value that changes with every round differs behind a loop that pixels leave after different rounds.
+// A value that changes with each iteration diverges behind a loop with a divergent exit.
 bool Divergence::used_behind_loop(const spirv::Instruction& instruction, std::size_t node) const {
   for (const Loop& loop : loops_) {
     if (!loop.left_at_different_times || loop.body[node]) continue;

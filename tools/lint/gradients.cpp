@@ -53,13 +53,14 @@ Finding in_loop(const LintedCode& linted, const spirv::Function& function, const
   const bool bounded =
       has_constant_bound(linted.code, function, divergence.flow(), loop_body(divergence.flow(), header));
   const spirv::Place place = gradient.instruction.place;
-  Finding finding = finding_at(linted, "gradient-in-varying-loop", place, {"Sample", "ddx", "ddy", "fwidth"},
-                               "derivatives are taken in a loop that pixels leave after different numbers of "
-                               "iterations, by the condition" +
-                                   where(linted, function, branch, place) +
-                                   (bounded ? "; Direct3D unrolls it, elsewhere they are undefined"
-                                            : "; Direct3D must unroll it and finds no bound") +
-                                   ": use SampleLevel or SampleGrad");
+  Finding finding =
+      finding_at(linted, "gradient-in-varying-loop", place, {"Sample", "ddx", "ddy", "fwidth"},
+                 "derivatives are taken in divergent control flow: the loop's number of iterations "
+                 "differs between pixels, by the condition" +
+                     where(linted, function, branch, place) +
+                     (bounded ? "; Direct3D unrolls it, elsewhere they are undefined"
+                              : "; Direct3D must unroll it and finds no bound") +
+                     ": use SampleLevel or SampleGrad");
   if (bounded) finding.diagnostic.severity = hlsl::Severity::warning;
   return finding;
 }

@@ -29,7 +29,8 @@ const std::vector<RuleInfo>& rules() {
        "A derivative is taken where only some pixels of a quad may be active.",
        std::string("Direct3D X4121; ") + spirv_derivatives},
       {"gradient-in-varying-loop", Severity::error,
-       "A derivative is taken in a loop that pixels leave after different numbers of iterations.",
+       "A derivative is taken in a loop with divergent control flow: its number of iterations differs "
+       "between pixels.",
        std::string("Direct3D X3570, X3511, X4014; ") + spirv_derivatives},
       {"unroll-without-bound", Severity::error,
        "[unroll] is used on a loop without a constant bound on its iterations.",

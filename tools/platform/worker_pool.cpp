@@ -64,9 +64,9 @@ std::string settings_text(const WorkerLimits& limits) {
 }
 
 // A worker and the message it works at.
-class Seat {
+class WorkerSlot {
  public:
-  Seat(const WorkerPool& pool, WorkSource& source) : pool_(pool), source_(source) {}
+  WorkerSlot(const WorkerPool& pool, WorkSource& source) : pool_(pool), source_(source) {}
 
   bool busy() const { return busy_; }
   bool started() const { return process_ != nullptr; }
@@ -81,8 +81,8 @@ class Seat {
     process_->send(FrameKind::message, message.content);
   }
 
-  void read(bool frames, bool noise) {
-    if (noise) process_->read_noise();
+  void read(bool frames, bool output) {
+    if (output) process_->read_child_output();
     if (!frames) return;
     const bool lives = process_->read_frames();
     while (process_) {
@@ -144,7 +144,7 @@ class Seat {
     const int status = process_->end();
     if (!ready_) {
       throw EnvironmentError("a worker process ended before it was ready; its output:\n" +
-                             process_->last_words());
+                             process_->output_tail());
     }
     if (!busy_) {  // between two messages: nobody's fault that is waiting
       process_.reset();
@@ -161,7 +161,7 @@ class Seat {
   void fail(std::string reason) {
     process_->end();
     outcome_.failure = std::move(reason);
-    outcome_.last_words = process_->last_words();
+    outcome_.output_tail = process_->output_tail();
     process_.reset();
     finish();
   }
@@ -184,15 +184,15 @@ class Seat {
 };
 
 // Waits until something is to be read or written, or the next look is due.
-void serve_seats(std::vector<Seat>& seats) {
+void serve_slots(std::vector<WorkerSlot>& slots) {
   std::vector<pollfd> waiting;
-  std::vector<Seat*> owners;
-  for (Seat& seat : seats) {
-    if (!seat.started()) continue;
-    const short events = seat.process().has_more_to_send() ? POLLIN | POLLOUT : POLLIN;
-    waiting.push_back({seat.process().socket(), events, 0});
-    waiting.push_back({seat.process().noise(), POLLIN, 0});
-    owners.push_back(&seat);
+  std::vector<WorkerSlot*> owners;
+  for (WorkerSlot& slot : slots) {
+    if (!slot.started()) continue;
+    const short events = slot.process().has_more_to_send() ? POLLIN | POLLOUT : POLLIN;
+    waiting.push_back({slot.process().socket(), events, 0});
+    waiting.push_back({slot.process().child_output(), POLLIN, 0});
+    owners.push_back(&slot);
   }
   ::poll(waiting.data(), static_cast<nfds_t>(waiting.size()), static_cast<int>(watch_interval.count()));
   for (std::size_t i = 0; i < owners.size(); ++i) {
@@ -230,20 +230,20 @@ WorkerOutcome ask_worker(const WorkerPool& pool, std::string message) {
 }
 
 void run_workers(const WorkerPool& pool, WorkSource& source) {
-  std::vector<Seat> seats;
-  seats.reserve(pool.workers + 1);
-  for (unsigned i = 0; i < std::max(1U, pool.workers); ++i) seats.emplace_back(pool, source);
+  std::vector<WorkerSlot> slots;
+  slots.reserve(pool.workers + 1);
+  for (unsigned i = 0; i < std::max(1U, pool.workers); ++i) slots.emplace_back(pool, source);
   for (;;) {
     throw_if_interrupted();
     bool busy = false;
-    for (std::size_t i = 0; i < seats.size(); ++i) {
-      if (!seats[i].busy())
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+      if (!slots[i].busy())
         if (std::optional<WorkerMessage> message = source.next(static_cast<unsigned>(i)))
-          seats[i].hand_out(*std::move(message));
-      busy = busy || seats[i].busy();
+          slots[i].hand_out(*std::move(message));
+      busy = busy || slots[i].busy();
     }
     if (!busy) return;
-    serve_seats(seats);
+    serve_slots(slots);
   }
 }
 

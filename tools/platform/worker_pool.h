@@ -39,9 +39,9 @@ struct WorkerOutcome {
   std::string answer;   // what the handler returned; empty when it failed
   std::string failure;  // why there is no answer: "crashed with SIGSEGV", a limit; empty when there is one
   bool from_outside =
-      false;               // somebody else ended the worker (SIGKILL, SIGTERM): the message may be innocent
-  std::string note;        // the last that the handler noted before it failed
-  std::string last_words;  // the end of what a failed worker printed
+      false;                // somebody else ended the worker (SIGKILL, SIGTERM): the message may be innocent
+  std::string note;         // the last that the handler noted before it failed
+  std::string output_tail;  // the end of what a failed worker printed
 };
 
 // What a pool asks of its user. All calls come one at a time: from the thread that runs the pool, or, without

@@ -23,7 +23,7 @@ extern char** environ;  // NOLINT(readability-redundant-declaration): not every 
 namespace penumbra::platform {
 namespace {
 
-constexpr std::size_t last_words_kept = 2048;
+constexpr std::size_t output_tail_bytes = 2048;
 // At a time: a worker that writes without end keeps the parent from nothing.
 constexpr int most_reads = 256;
 
@@ -129,13 +129,13 @@ WorkerProcess::WorkerProcess(const std::vector<std::string>& arguments, std::siz
   errno = ::posix_spawn(&process_, argv[0], &settings.actions, &settings.attributes, argv.data(), environ);
   if (errno != 0) fail(argv[0]);
   socket_ = frames->ours.release();
-  noise_ = noise->ours.release();
+  child_output_ = noise->ours.release();
 }
 
 WorkerProcess::~WorkerProcess() {
   end();
   ::close(socket_);
-  ::close(noise_);
+  ::close(child_output_);
 }
 
 void WorkerProcess::send(FrameKind kind, std::string_view content) {
@@ -171,12 +171,14 @@ bool WorkerProcess::read_frames() {
   return true;
 }
 
-void WorkerProcess::read_noise() {
+void WorkerProcess::read_child_output() {
   char buffer[4096];
   ssize_t count = 0;
-  for (int reads = 0; reads < most_reads && (count = ::read(noise_, buffer, sizeof buffer)) > 0; ++reads) {
-    last_words_.append(buffer, static_cast<std::size_t>(count));
-    if (last_words_.size() > last_words_kept) last_words_.erase(0, last_words_.size() - last_words_kept);
+  for (int reads = 0; reads < most_reads && (count = ::read(child_output_, buffer, sizeof buffer)) > 0;
+       ++reads) {
+    output_tail_.append(buffer, static_cast<std::size_t>(count));
+    if (output_tail_.size() > output_tail_bytes)
+      output_tail_.erase(0, output_tail_.size() - output_tail_bytes);
   }
 }
 
@@ -197,7 +199,7 @@ int WorkerProcess::end() {
   int status = 0;
   while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
   }
-  read_noise();
+  read_child_output();
   status_ = status;
   return status;
 }

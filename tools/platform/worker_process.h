@@ -31,12 +31,12 @@ class WorkerProcess {
   // Both read what is there now, at most some megabytes. read_frames is false when the worker has closed its
   // end: it has ended.
   bool read_frames();
-  void read_noise();
+  void read_child_output();
   std::optional<Frame> next_frame() { return reader_.next(); }
 
   int socket() const { return socket_; }
-  int noise() const { return noise_; }
-  const std::string& last_words() const { return last_words_; }
+  int child_output() const { return child_output_; }
+  const std::string& output_tail() const { return output_tail_; }
   std::size_t resident_bytes() const;  // 0 where the system does not say
 
   int end();  // kills it if it lives; its wait status
@@ -44,10 +44,10 @@ class WorkerProcess {
  private:
   pid_t process_ = 0;
   int socket_ = -1;
-  int noise_ = -1;  // the reading end of its standard output and standard error
+  int child_output_ = -1;  // the reading end of its standard output and standard error
   std::string outbox_;
   FrameReader reader_;
-  std::string last_words_;
+  std::string output_tail_;
   std::optional<int> status_;
 };
 

@@ -1,5 +1,5 @@
 // The preparation of preprocessed HLSL for glslang's front end: what Unity's compilers accept and it does not
-// is said in another way that means the same.
+// is rewritten to code of the same meaning.
 //
 // Each obstacle is one pass over the tokens, in a file of its own that says what it looks for, what it puts
 // there and why the meaning stays; none knows any project's names. Every token keeps the line it came from.

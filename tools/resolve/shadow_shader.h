@@ -36,7 +36,7 @@ struct ShadowShader {
   // Runs as a fragment shader over the picture, as a user's function did in its engine; else as a compute
   // shader.
   bool fragment = false;
-  bool prepare = false;     // what only Unity's compilers accept is said in another way first
+  bool prepare = false;     // what only Unity's compilers accept is rewritten first
   bool uses_noise = false;  // the result depends on the noise seed
 };
 

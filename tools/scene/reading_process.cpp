@@ -27,7 +27,7 @@ std::string read_as_told(const std::string& message, platform::WorkerLink&) {
 
 [[noreturn]] void throw_failure(const std::filesystem::path& file, const platform::WorkerOutcome& outcome) {
   std::string problem = "cannot be read: the importer " + outcome.failure;
-  if (!outcome.last_words.empty()) problem += "; it said: " + outcome.last_words;
+  if (!outcome.output_tail.empty()) problem += "; it said: " + outcome.output_tail;
   const bool limited = outcome.failure.starts_with("took ");
   throw InputError(
       file.string(), problem,

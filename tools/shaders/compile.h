@@ -37,7 +37,7 @@ struct CompileRequest {
   std::filesystem::path project;     // "#include "Assets/..." resolves under it; empty: no project
   std::filesystem::path cginc_root;  // the Unity editor's CGIncludes; empty: not at hand
   std::vector<IncludeOverlay> overlays;
-  // The stage in which what Unity's compilers accept and glslang does not is said in another way
+  // The stage in which what Unity's compilers accept and glslang does not is rewritten
   // (preparation/prepare.h). The library's own shaders do without.
   bool prepare = false;
   bool optimise = true;      // legalise, inline and optimise; false keeps the function structure and OpName

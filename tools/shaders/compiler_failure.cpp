@@ -4,7 +4,7 @@ namespace penumbra::shaders {
 
 CompilerFailure compiler_failure(const platform::WorkerOutcome& outcome) {
   CompilerFailure failure{"the compiler " + outcome.failure, {}};
-  if (!outcome.last_words.empty()) failure.problem += "; it said: " + outcome.last_words;
+  if (!outcome.output_tail.empty()) failure.problem += "; it said: " + outcome.output_tail;
   const bool limited = outcome.failure.starts_with("took ");
   failure.way_out = limited
                         ? "simplify the shader, or raise --time-limit and --memory-limit"

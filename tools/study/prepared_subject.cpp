@@ -44,7 +44,7 @@ PreparedSubject::PreparedSubject(const gpu::Device& device, const Subject& subje
   }
 }
 
-Answer PreparedSubject::answer(const StagedFrame& frame, const resolve::ResolveOptions& options) {
+Answer PreparedSubject::answer(const FrameOfCase& frame, const resolve::ResolveOptions& options) {
   if (resolver_) return {resolver_->resolve(frame.on_device, options), 0.0, {}, {}};
   resolve::ScreenChainResult result = chain_->run(frame.on_device, frame.camera, options);
   return {std::move(result.image), result.fetches_of_others, std::move(result.fetches_of_others_at),
@@ -52,9 +52,9 @@ Answer PreparedSubject::answer(const StagedFrame& frame, const resolve::ResolveO
 }
 
 std::optional<reference::VisibilityImage> PreparedSubject::unlimited_answer(
-    const Stage& stage, const View& view, const reference::ReferenceCache& cache) {
+    const CaseSetup& setup, const View& view, const reference::ReferenceCache& cache) {
   if (!unlimited_) return std::nullopt;
-  const resolve::FrameOnDevice& frame = view.staged.on_device;
+  const resolve::FrameOnDevice& frame = view.on_device_frame.on_device;
   const std::string key = unlimited_key(view, *unlimited_);
   if (std::optional<reference::VisibilityImage> kept = cache.find(key)) return kept;
   resolve::ResolveOptions options;
@@ -65,13 +65,13 @@ std::optional<reference::VisibilityImage> PreparedSubject::unlimited_answer(
   answer.width = frame.width();
   answer.height = frame.height();
   answer.visibility = mean_image(unlimited_resolver_->resolve(frame, options).visibility);
-  answer.valid = stage.t1.valid;
+  answer.valid = setup.t1.valid;
   answer.samples = kUnlimitedSeeds;
   cache.store(key, answer);
   return answer;
 }
 
-Shimmer PreparedSubject::shimmer(const Stage& stage, const std::vector<StagedFrame>& pan) {
+Shimmer PreparedSubject::shimmer(const CaseSetup& setup, const std::vector<FrameOfCase>& pan) {
   const auto of = [&](bool noise_moves) {
     std::vector<std::vector<float>> pictures;
     for (std::size_t k = 0; k < pan.size(); ++k) {
@@ -79,7 +79,7 @@ Shimmer PreparedSubject::shimmer(const Stage& stage, const std::vector<StagedFra
       options.first_seed = noise_moves ? static_cast<int>(k) : 0;
       pictures.push_back(answer(pan[k], options).image.visibility.front());
     }
-    return shimmer_of(pictures, stage.t1.width, stage.t1.visibility, stage.t1.valid);
+    return shimmer_of(pictures, setup.t1.width, setup.t1.visibility, setup.t1.valid);
   };
   return {static_cast<int>(pan.size()), of(false), of(true)};
 }

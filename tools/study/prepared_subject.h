@@ -1,4 +1,4 @@
-// A subject compiled, and what it answers on a stage. Internal to this room.
+// A subject compiled, and what it answers in a case. Internal to this room.
 #pragma once
 
 #include <cstdint>
@@ -12,13 +12,13 @@
 #include "resolve/screen_chain.h"
 #include "resolve/shadow_shader.h"
 #include "shaders/package_shader.h"
+#include "study/case_setup.h"
 #include "study/results.h"
-#include "study/stage.h"
 #include "study/study.h"
 
 namespace penumbra::study {
 
-// What one subject said of one stage.
+// What one subject answers in one case.
 struct Answer {
   resolve::ResolveResult image;
   double fetches_of_others = 0.0;           // of passes at lower resolution, per pixel
@@ -34,13 +34,13 @@ class PreparedSubject {
 
   const Subject& subject() const { return *subject_; }
 
-  Answer answer(const StagedFrame& frame, const resolve::ResolveOptions& options);
+  Answer answer(const FrameOfCase& frame, const resolve::ResolveOptions& options);
 
   // With unlimited samples; absent where it takes none, or where the settings want no such answer.
-  std::optional<reference::VisibilityImage> unlimited_answer(const Stage& stage, const View& view,
+  std::optional<reference::VisibilityImage> unlimited_answer(const CaseSetup& setup, const View& view,
                                                              const reference::ReferenceCache& cache);
 
-  Shimmer shimmer(const Stage& stage, const std::vector<StagedFrame>& pan);
+  Shimmer shimmer(const CaseSetup& setup, const std::vector<FrameOfCase>& pan);
 
  private:
   const Subject* subject_;

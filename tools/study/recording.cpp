@@ -72,23 +72,23 @@ RunSettings run_settings(const View& view) {
   settings.soft_quality = shadows.soft_quality;
   settings.constant_bias = view.frame.settings.raster_bias.constant;
   settings.slope_bias = view.frame.settings.raster_bias.slope;
-  settings.light_scale = view.wishes.light_scale;
+  settings.light_scale = view.request.light_scale;
   settings.reversed_z = shadows.reversed_z;
   const std::array<double, 3> splits = parameters::effective_splits(shadows);
   settings.splits.assign(splits.begin(), splits.begin() + (shadows.cascades - 1));
   return settings;
 }
 
-Metrics metrics_of(const Stage& stage, const View& view, const Answer& answer,
+Metrics metrics_of(const CaseSetup& setup, const View& view, const Answer& answer,
                    const std::optional<PictureWindow>& window,
                    const std::optional<reference::VisibilityImage>& unlimited) {
   const resolve::ResolveResult& result = answer.image;
   MeasuredImages images;
-  const std::vector<std::uint8_t> counted = counted_receivers(stage.t1, window);
-  images.preprocess_fetches_per_pixel = fetches_of_others(answer, stage.t1.width, window);
+  const std::vector<std::uint8_t> counted = counted_receivers(setup.t1, window);
+  images.preprocess_fetches_per_pixel = fetches_of_others(answer, setup.t1.width, window);
   images.masked_out = answer.masked_out;
-  images.width = stage.t1.width;
-  images.t1 = stage.t1.visibility;
+  images.width = setup.t1.width;
+  images.t1 = setup.t1.visibility;
   images.valid = counted;
   for (const std::vector<float>& image : result.visibility) images.results.emplace_back(image);
   images.fetches.emplace_back(result.fetches);
@@ -101,51 +101,51 @@ Metrics metrics_of(const Stage& stage, const View& view, const Answer& answer,
 
 }  // namespace
 
-MeasuredFrame measured_frame(const Stage& stage) {
-  const scene::Frame& frame = stage.views.front().frame;
+MeasuredFrame measured_frame(const CaseSetup& setup) {
+  const scene::Frame& frame = setup.views.front().frame;
   MeasuredFrame note;
-  note.scene = stage.scene.name;
-  note.light_degrees = stage.light_degrees;
+  note.scene = setup.scene.name;
+  note.light_degrees = setup.light_degrees;
   note.sun_direction = frame.cascades.light_direction;
-  note.width = stage.t1.width;
-  note.height = stage.t1.height;
+  note.width = setup.t1.width;
+  note.height = setup.t1.height;
   note.shadow_distance_metres = frame.settings.shadows.distance_metres;
   note.camera = frame.camera;
   return note;
 }
 
-Record record_of(const Stage& stage, const View& view, const Subject& subject, const Answer& answer,
+Record record_of(const CaseSetup& setup, const View& view, const Subject& subject, const Answer& answer,
                  const std::optional<PictureWindow>& window,
                  const std::optional<reference::VisibilityImage>& unlimited, const std::string& device) {
   Record record;
-  record.scene = stage.scene.name;
+  record.scene = setup.scene.name;
   record.technique = subject.name;
   record.title = subject.title;
   record.parameters = subject.parameters;
-  record.light_degrees = stage.light_degrees;
+  record.light_degrees = setup.light_degrees;
   record.map_size = view.frame.atlas.width;
   record.map_format = map_format_name(view.frame.atlas.format);
   record.cascades = static_cast<int>(view.frame.cascades.cascades.size());
   record.settings = run_settings(view);
   record.device = device;
-  record.metrics = metrics_of(stage, view, answer, window, unlimited);
+  record.metrics = metrics_of(setup, view, answer, window, unlimited);
   std::vector<double> milliseconds = answer.image.time_ns;
   for (double& time : milliseconds) time *= 1e-6;
   record.time = summarise(std::move(milliseconds));
-  record.reference = {"ray-traced disc light", stage.t1.samples, stage.t1.noise_floor};
+  record.reference = {"ray-traced disc light", setup.t1.samples, setup.t1.noise_floor};
   return record;
 }
 
-PictureRow pictures_of(const Stage& stage, const Subject& subject, const Answer& answer) {
+PictureRow pictures_of(const CaseSetup& setup, const Subject& subject, const Answer& answer) {
   const resolve::ResolveResult& result = answer.image;
-  const PixelGrid grid{stage.t1.width, stage.t1.height, stage.t1.valid};
+  const PixelGrid grid{setup.t1.width, setup.t1.height, setup.t1.valid};
   PictureRow row;
-  row.scene = stage.scene.name;
+  row.scene = setup.scene.name;
   row.technique = subject.name;
-  row.light_degrees = stage.light_degrees;
-  row.reference = visibility_picture(grid, stage.t1.visibility);
+  row.light_degrees = setup.light_degrees;
+  row.reference = visibility_picture(grid, setup.t1.visibility);
   row.result = visibility_picture(grid, result.visibility.front());
-  row.error = error_picture(grid, result.visibility.front(), stage.t1.visibility, kErrorScale);
+  row.error = error_picture(grid, result.visibility.front(), setup.t1.visibility, kErrorScale);
   row.fetches = fetch_picture(grid, all_fetches(answer), kFetchScale);
   row.fetch_counts = count_picture(grid, all_fetches(answer));
   if (!answer.masked_out.empty()) row.mask = mask_picture(grid, answer.masked_out);

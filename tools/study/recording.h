@@ -4,21 +4,21 @@
 #include <optional>
 #include <string>
 
+#include "study/case_setup.h"
 #include "study/prepared_subject.h"
 #include "study/report.h"
 #include "study/results.h"
-#include "study/stage.h"
 
 namespace penumbra::study {
 
-MeasuredFrame measured_frame(const Stage& stage);
+MeasuredFrame measured_frame(const CaseSetup& setup);
 
 // Figures are of the window alone where there is one. `unlimited` is the subject's answer with unlimited
 // samples.
-Record record_of(const Stage& stage, const View& view, const Subject& subject, const Answer& answer,
+Record record_of(const CaseSetup& setup, const View& view, const Subject& subject, const Answer& answer,
                  const std::optional<PictureWindow>& window,
                  const std::optional<reference::VisibilityImage>& unlimited, const std::string& device);
 
-PictureRow pictures_of(const Stage& stage, const Subject& subject, const Answer& answer);
+PictureRow pictures_of(const CaseSetup& setup, const Subject& subject, const Answer& answer);
 
 }  // namespace penumbra::study

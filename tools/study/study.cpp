@@ -7,10 +7,10 @@
 #include "platform/interrupt.h"
 #include "reference/reference_cache.h"
 #include "resolve/debug_view.h"
+#include "study/case_setup.h"
 #include "study/colour_map.h"
 #include "study/prepared_subject.h"
 #include "study/recording.h"
-#include "study/stage.h"
 
 namespace penumbra::study {
 namespace {
@@ -23,7 +23,7 @@ class Study {
         settings_(settings),
         progress_(progress),
         cache_(settings.cache),
-        stages_(device, subjects, settings, progress, cache_) {
+        cases_(device, subjects, settings, progress, cache_) {
     prepare(subjects);
   }
 
@@ -31,16 +31,16 @@ class Study {
     for (const scene::Scene& scene : settings_.scenes) {
       scene::Rasteriser rasteriser(device_, scene);
       for (const double degrees : settings_.light_degrees) {
-        const Stage stage = stages_.set(scene, rasteriser, degrees);
-        note_little_penumbra(stage);
-        outcome_.frames.push_back(measured_frame(stage));
+        const CaseSetup setup = cases_.build(scene, rasteriser, degrees);
+        note_little_penumbra(setup);
+        outcome_.frames.push_back(measured_frame(setup));
         for (std::size_t i = 0; i < subjects_.size(); ++i) {
           const Subject& subject = subjects_[i].subject();
-          progress_(stage.label() + ", " + subject.name, static_cast<double>(i),
+          progress_(setup.label() + ", " + subject.name, static_cast<double>(i),
                     static_cast<double>(subjects_.size()), " techniques");
-          const View& view = stage.view(Wishes::of(subject));
-          measure_subject(stage, view, subjects_[i]);
-          if (!view.pan.empty()) outcome_.records.back().shimmer = subjects_[i].shimmer(stage, view.pan);
+          const View& view = setup.view(FrameRequest::of(subject));
+          measure_subject(setup, view, subjects_[i]);
+          if (!view.pan.empty()) outcome_.records.back().shimmer = subjects_[i].shimmer(setup, view.pan);
           platform::throw_if_interrupted();
         }
       }
@@ -68,36 +68,36 @@ class Study {
     }
   }
 
-  void note_little_penumbra(const Stage& stage) {
-    const std::size_t found = penumbra_pixels(stage.t1);
+  void note_little_penumbra(const CaseSetup& setup) {
+    const std::size_t found = penumbra_pixels(setup.t1);
     if (found >= static_cast<std::size_t>(settings_.penumbra_pixels)) return;
-    outcome_.notes.push_back(stage.label() + " has " + std::to_string(found) +
+    outcome_.notes.push_back(setup.label() + " has " + std::to_string(found) +
                              " penumbra pixels, fewer than the " + std::to_string(settings_.penumbra_pixels) +
                              " requested");
   }
 
-  void measure_subject(const Stage& stage, const View& view, PreparedSubject& prepared) {
+  void measure_subject(const CaseSetup& setup, const View& view, PreparedSubject& prepared) {
     const Subject& subject = prepared.subject();
     const bool averaged = subject.averaged_frames > 1;
     resolve::ResolveOptions options;
     options.noise_seeds = averaged ? subject.averaged_frames : settings_.noise_seeds;
     options.timing_repeats = settings_.timing_repeats;
-    Answer answer = prepared.answer(view.staged, options);
+    Answer answer = prepared.answer(view.on_device_frame, options);
     if (averaged) answer.image.visibility = {mean_image(answer.image.visibility)};
-    outcome_.records.push_back(record_of(stage, view, subject, answer, settings_.window,
-                                         prepared.unlimited_answer(stage, view, cache_),
+    outcome_.records.push_back(record_of(setup, view, subject, answer, settings_.window,
+                                         prepared.unlimited_answer(setup, view, cache_),
                                          device_.info().name));
-    outcome_.pictures.push_back(pictures_of(stage, subject, answer));
+    outcome_.pictures.push_back(pictures_of(setup, subject, answer));
     if (subject.screen)
-      outcome_.pictures.back().debug_views = debug_views(view.staged, *subject.screen, answer);
+      outcome_.pictures.back().debug_views = debug_views(view.on_device_frame, *subject.screen, answer);
     if (settings_.answered) {
       settings_.answered(
-          {stage.scene, view.frame, stage.t1, outcome_.records.back(), answer.image.visibility.front()});
+          {setup.scene, view.frame, setup.t1, outcome_.records.back(), answer.image.visibility.front()});
     }
     note_unset(subject, answer.image);
   }
 
-  std::map<std::string, Picture> debug_views(const StagedFrame& frame,
+  std::map<std::string, Picture> debug_views(const FrameOfCase& frame,
                                              const resolve::ScreenChainDescription& chain,
                                              const Answer& answer) {
     std::map<std::string, Picture> pictures;
@@ -123,7 +123,7 @@ class Study {
   const StudySettings& settings_;
   const StudyProgress& progress_;
   reference::ReferenceCache cache_;
-  StageSetter stages_;
+  CaseBuilder cases_;
   std::vector<PreparedSubject> subjects_;
   std::map<std::string, resolve::DebugView> debug_views_;  // by pass
   StudyOutcome outcome_;

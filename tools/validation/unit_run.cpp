@@ -140,7 +140,7 @@ void UnitRun::say_done() {
 void UnitRun::crashed(std::size_t place, const platform::WorkerOutcome& outcome) {
   const std::string target = outcome.note.empty() ? std::string(note_compile) : outcome.note;
   std::string message = "the compiler " + outcome.failure;
-  if (!outcome.last_words.empty()) message += "; it said: " + outcome.last_words;
+  if (!outcome.output_tail.empty()) message += "; it said: " + outcome.output_tail;
   if (target == note_lint) message = "lint " + outcome.failure + " and reports nothing about this variant";
   states_[place].failures[target] = {std::move(message), {}};
   states_[place].reproducing = Crash{target, outcome.failure, {}};

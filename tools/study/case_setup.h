@@ -1,4 +1,4 @@
-// One scene under one light, set for subjects to be asked. Internal to this room.
+// One case of a study, a scene under a light, before its subjects run. Internal to this room.
 #pragma once
 
 #include <algorithm>
@@ -19,63 +19,64 @@
 namespace penumbra::study {
 
 // A frame on the device, and as the camera's depth image for passes over the screen.
-struct StagedFrame {
+struct FrameOfCase {
   resolve::FrameOnDevice on_device;
   resolve::CameraImage camera;
 };
 
-// What a subject asks of the frame that it is shown.
-struct Wishes {
+// The caster bias and the light that a subject runs with.
+struct FrameRequest {
   parameters::CasterBias bias;
   double light_scale = 1.0;
 
-  static Wishes of(const Subject& subject) { return {subject.bias, subject.light_scale}; }
-  bool operator==(const Wishes&) const = default;
+  static FrameRequest of(const Subject& subject) { return {subject.bias, subject.light_scale}; }
+  bool operator==(const FrameRequest&) const = default;
 };
 
-// A scene under a light as all subjects of the same wishes see it.
+// A case as all subjects of the same request see it.
 struct View {
-  Wishes wishes;
+  FrameRequest request;
   scene::Frame frame;
-  StagedFrame staged;
-  std::vector<StagedFrame> pan;
+  FrameOfCase on_device_frame;
+  std::vector<FrameOfCase> pan;
   std::optional<reference::VisibilityImage> t2;
   std::string key;  // of scene, light, map and receivers
 };
 
 // Everything known about one scene under one light before the first subject is asked. Receivers, and with
 // them T1, are those of every view.
-struct Stage {
+struct CaseSetup {
   const scene::Scene& scene;
   double light_degrees = 0.0;
   reference::VisibilityImage t1;
-  std::vector<View> views;  // by the wishes of subjects, each once
+  std::vector<View> views;  // one for each request of the subjects
   int width = 0;            // of the picture
   int height = 0;
 
   std::string label() const;  // "trees at 0.53 degrees"
-  const View& view(const Wishes& wishes) const {
-    return *std::find_if(views.begin(), views.end(), [&](const View& view) { return view.wishes == wishes; });
+  const View& view(const FrameRequest& request) const {
+    return *std::find_if(views.begin(), views.end(),
+                         [&](const View& view) { return view.request == request; });
   }
 };
 
-// Sets stages: draws the scene for every wish, and ray traces what all are held against.
-class StageSetter {
+// Draws the scene for each request, and ray traces the reference.
+class CaseBuilder {
  public:
   // The settings, the progress and the cache have to outlive it.
-  StageSetter(const gpu::Device& device, const std::vector<Subject>& subjects, const StudySettings& settings,
+  CaseBuilder(const gpu::Device& device, const std::vector<Subject>& subjects, const StudySettings& settings,
               const StudyProgress& progress, const reference::ReferenceCache& cache);
 
-  Stage set(const scene::Scene& scene, scene::Rasteriser& rasteriser, double degrees) const;
+  CaseSetup build(const scene::Scene& scene, scene::Rasteriser& rasteriser, double degrees) const;
 
  private:
-  void enlarge(Stage& stage, scene::Rasteriser& rasteriser) const;
-  scene::FrameSettings frame_settings(const Stage& stage, const Wishes& wishes) const;
-  void add_view(Stage& stage, scene::Rasteriser& rasteriser, const Wishes& wishes) const;
-  StagedFrame staged(const scene::Frame& frame) const;
-  std::vector<StagedFrame> pan_frames(const scene::FrameSettings& settings,
+  void enlarge(CaseSetup& setup, scene::Rasteriser& rasteriser) const;
+  scene::FrameSettings frame_settings(const CaseSetup& setup, const FrameRequest& request) const;
+  void add_view(CaseSetup& setup, scene::Rasteriser& rasteriser, const FrameRequest& request) const;
+  FrameOfCase on_device_frame(const scene::Frame& frame) const;
+  std::vector<FrameOfCase> pan_frames(const scene::FrameSettings& settings,
                                       scene::Rasteriser& rasteriser) const;
-  reference::VisibilityImage same_map_estimate(const Stage& stage, scene::Rasteriser& rasteriser,
+  reference::VisibilityImage same_map_estimate(const CaseSetup& setup, scene::Rasteriser& rasteriser,
                                                const View& view) const;
   reference::RunOptions run_options(const std::string& work, const std::string& unit) const;
 

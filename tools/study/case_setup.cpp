@@ -1,4 +1,4 @@
-#include "study/stage.h"
+#include "study/case_setup.h"
 
 #include <array>
 
@@ -19,7 +19,7 @@ constexpr int kPilotSamples = 64;
 constexpr double kPilotMargin =
     1.2;  // the pilot counts are off by a few per cent, and the penumbra's by its edges
 
-std::string stage_key(const scene::Scene& scene, const scene::Frame& frame) {
+std::string case_key(const scene::Scene& scene, const scene::Frame& frame) {
   platform::ContentHash hash;
   hash.update(scene::content_hash(scene)).update(frame.settings.angular_diameter_degrees);
   hash.update(std::span<const std::byte>(frame.atlas.texels));
@@ -39,111 +39,114 @@ std::size_t penumbra_pixels(const reference::VisibilityImage& image) {
   return count;
 }
 
-std::string Stage::label() const {
+std::string CaseSetup::label() const {
   std::string degrees = std::to_string(light_degrees);
   degrees.erase(degrees.find_last_not_of('0') + 1);
   if (degrees.back() == '.') degrees.pop_back();
   return scene.name + " at " + degrees + " degrees";
 }
 
-StageSetter::StageSetter(const gpu::Device& device, const std::vector<Subject>& subjects,
+CaseBuilder::CaseBuilder(const gpu::Device& device, const std::vector<Subject>& subjects,
                          const StudySettings& settings, const StudyProgress& progress,
                          const reference::ReferenceCache& cache)
     : device_(device), subjects_(subjects), settings_(settings), progress_(progress), cache_(cache) {}
 
-Stage StageSetter::set(const scene::Scene& scene, scene::Rasteriser& rasteriser, double degrees) const {
-  Stage stage{scene, degrees, {}, {}, settings_.frame.width, settings_.frame.height};
-  if (settings_.penumbra_pixels > 0) enlarge(stage, rasteriser);
-  for (const Subject& subject : subjects_) add_view(stage, rasteriser, Wishes::of(subject));
+CaseSetup CaseBuilder::build(const scene::Scene& scene, scene::Rasteriser& rasteriser, double degrees) const {
+  CaseSetup setup{scene, degrees, {}, {}, settings_.frame.width, settings_.frame.height};
+  if (settings_.penumbra_pixels > 0) enlarge(setup, rasteriser);
+  for (const Subject& subject : subjects_) add_view(setup, rasteriser, FrameRequest::of(subject));
   const parameters::Light light{scene.light_direction, degrees};
   const reference::TraceOptions trace{settings_.reference_samples, settings_.seed};
-  stage.t1 = reference::trace_visibility(scene, stage.views.front().frame.receivers, light, trace,
-                                         run_options("ray tracing " + stage.label(), " rays"), &cache_);
+  setup.t1 = reference::trace_visibility(scene, setup.views.front().frame.receivers, light, trace,
+                                         run_options("ray tracing " + setup.label(), " rays"), &cache_);
   if (settings_.split_error) {
-    for (View& view : stage.views) view.t2 = same_map_estimate(stage, rasteriser, view);
+    for (View& view : setup.views) view.t2 = same_map_estimate(setup, rasteriser, view);
   }
-  return stage;
+  return setup;
 }
 
 // A few rays a pixel of the smallest picture tell how much penumbra there is; it grows with the picture's
 // area.
-void StageSetter::enlarge(Stage& stage, scene::Rasteriser& rasteriser) const {
-  const scene::Frame frame = rasteriser.frame(frame_settings(stage, {}));
-  const parameters::Light light{stage.scene.light_direction, stage.light_degrees};
+void CaseBuilder::enlarge(CaseSetup& setup, scene::Rasteriser& rasteriser) const {
+  const scene::Frame frame = rasteriser.frame(frame_settings(setup, {}));
+  const parameters::Light light{setup.scene.light_direction, setup.light_degrees};
   const reference::VisibilityImage pilot =
-      reference::trace_visibility(stage.scene, frame.receivers, light, {kPilotSamples, settings_.seed},
-                                  run_options("sizing " + stage.label(), " rays"), &cache_);
+      reference::trace_visibility(setup.scene, frame.receivers, light, {kPilotSamples, settings_.seed},
+                                  run_options("sizing " + setup.label(), " rays"), &cache_);
   const double wanted = kPilotMargin * settings_.penumbra_pixels;
   const auto found = static_cast<double>(penumbra_pixels(pilot));
   if (found == 0.0) return;
-  const int width = stage.width;
-  const int height = stage.height;
+  const int width = setup.width;
+  const int height = setup.height;
   for (const double factor : kPictureSteps) {
     const auto wider = static_cast<int>(factor * width);
     const auto taller = static_cast<int>(factor * height);
     if (wider > kLargestWidth || taller > kLargestHeight) return;
-    stage.width = wider;
-    stage.height = taller;
+    setup.width = wider;
+    setup.height = taller;
     if (factor * factor * found >= wanted) return;
   }
 }
 
-scene::FrameSettings StageSetter::frame_settings(const Stage& stage, const Wishes& wishes) const {
+scene::FrameSettings CaseBuilder::frame_settings(const CaseSetup& setup, const FrameRequest& request) const {
   scene::FrameSettings frame = settings_.frame;
-  frame.width = stage.width;
-  frame.height = stage.height;
-  frame.angular_diameter_degrees = wishes.light_scale * stage.light_degrees;
-  frame.shadows.distance_metres = stage.scene.shadow_distance_metres;
-  frame.shadows.depth_bias = wishes.bias.depth;
-  frame.shadows.normal_bias = wishes.bias.normal;
-  frame.shadows.soft_quality = wishes.bias.soft_quality;
+  frame.width = setup.width;
+  frame.height = setup.height;
+  frame.angular_diameter_degrees = request.light_scale * setup.light_degrees;
+  frame.shadows.distance_metres = setup.scene.shadow_distance_metres;
+  frame.shadows.depth_bias = request.bias.depth;
+  frame.shadows.normal_bias = request.bias.normal;
+  frame.shadows.soft_quality = request.bias.soft_quality;
   return frame;
 }
 
-void StageSetter::add_view(Stage& stage, scene::Rasteriser& rasteriser, const Wishes& wishes) const {
-  const bool known = std::any_of(stage.views.begin(), stage.views.end(),
-                                 [&](const View& view) { return view.wishes == wishes; });
+void CaseBuilder::add_view(CaseSetup& setup, scene::Rasteriser& rasteriser,
+                           const FrameRequest& request) const {
+  const bool known = std::any_of(setup.views.begin(), setup.views.end(),
+                                 [&](const View& view) { return view.request == request; });
   if (known) return;
-  scene::Frame frame = rasteriser.frame(frame_settings(stage, wishes));
-  StagedFrame on_device = staged(frame);
-  std::vector<StagedFrame> pan = pan_frames(frame.settings, rasteriser);
-  std::string key = stage_key(stage.scene, frame);
-  stage.views.push_back(
-      {wishes, std::move(frame), std::move(on_device), std::move(pan), std::nullopt, std::move(key)});
+  scene::Frame frame = rasteriser.frame(frame_settings(setup, request));
+  FrameOfCase on_device = on_device_frame(frame);
+  std::vector<FrameOfCase> pan = pan_frames(frame.settings, rasteriser);
+  std::string key = case_key(setup.scene, frame);
+  setup.views.push_back(
+      {request, std::move(frame), std::move(on_device), std::move(pan), std::nullopt, std::move(key)});
 }
 
 // Of the light as it is, whatever the subjects were told.
-reference::VisibilityImage StageSetter::same_map_estimate(const Stage& stage, scene::Rasteriser& rasteriser,
+reference::VisibilityImage CaseBuilder::same_map_estimate(const CaseSetup& setup,
+                                                          scene::Rasteriser& rasteriser,
                                                           const View& view) const {
   std::optional<scene::Frame> own;
-  if (view.wishes.light_scale != 1.0) own = rasteriser.frame(frame_settings(stage, {view.wishes.bias, 1.0}));
+  if (view.request.light_scale != 1.0)
+    own = rasteriser.frame(frame_settings(setup, {view.request.bias, 1.0}));
   const scene::Frame& frame = own ? *own : view.frame;
-  return reference::same_map_estimate({frame.atlas, frame.cascades, frame.receivers, stage.scene.origin},
-                                      run_options("same-map estimate, " + stage.label(), " points"), &cache_);
+  return reference::same_map_estimate({frame.atlas, frame.cascades, frame.receivers, setup.scene.origin},
+                                      run_options("same-map estimate, " + setup.label(), " points"), &cache_);
 }
 
 // The first is the view's own; each further one shows everything a pixel further left.
-std::vector<StagedFrame> StageSetter::pan_frames(const scene::FrameSettings& settings,
+std::vector<FrameOfCase> CaseBuilder::pan_frames(const scene::FrameSettings& settings,
                                                  scene::Rasteriser& rasteriser) const {
-  std::vector<StagedFrame> frames;
+  std::vector<FrameOfCase> frames;
   if (settings_.pan_frames < 2) return frames;
   for (int k = 0; k < settings_.pan_frames; ++k) {
     scene::FrameSettings moved = settings;
     moved.lens_shift.x += k * 2.0 / moved.width;
     const scene::Frame frame = rasteriser.frame(moved);
-    frames.push_back(staged(frame));
+    frames.push_back(on_device_frame(frame));
   }
   return frames;
 }
 
 // The camera's image only for those who read it.
-StagedFrame StageSetter::staged(const scene::Frame& frame) const {
+FrameOfCase CaseBuilder::on_device_frame(const scene::Frame& frame) const {
   const bool read = std::any_of(subjects_.begin(), subjects_.end(),
                                 [](const Subject& subject) { return subject.screen.has_value(); });
   return {{device_, frame}, read ? resolve::camera_image(frame) : resolve::CameraImage{}};
 }
 
-reference::RunOptions StageSetter::run_options(const std::string& work, const std::string& unit) const {
+reference::RunOptions CaseBuilder::run_options(const std::string& work, const std::string& unit) const {
   reference::RunOptions options;
   options.jobs = settings_.jobs;
   options.progress = [this, work, unit](double done, double total) { progress_(work, done, total, unit); };
