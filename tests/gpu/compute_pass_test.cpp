@@ -50,6 +50,16 @@ TEST_F(GpuCompute, KeepsWhatIsBoundAlive) {
   EXPECT_GT(pass.dispatch({2, 1, 1}).front(), 0.0);
 }
 
+TEST_F(GpuCompute, OutlivesItsDevice) {
+  const Image image = blank(*device);
+  ComputePass pass(*device, {.spirv = spirv});
+  pass.bindings().image("_Image", image);
+  pass.bindings().uniform("Step", Texel{1, 2, 3, 4});
+  device.reset();
+  pass.dispatch({2, 1, 1});
+  EXPECT_EQ(image.download<Texel>(), std::vector<Texel>(2, Texel{1, 2, 3, 4}));
+}
+
 std::string complaint(ComputePass& pass) {
   try {
     pass.dispatch({1, 1, 1});

@@ -41,8 +41,14 @@ void for_slots(BindingsState& state, const std::string& name, const char* what, 
   if (!found) throw std::logic_error("the shaders of the pass read no '" + name + "'");
 }
 
-void require_same_device(const BindingsState& ours, const std::shared_ptr<DeviceState>& theirs) {
-  if (ours.interface->device != theirs) throw std::logic_error("a resource of another device is bound");
+// The same, for a resource of that device instead of the one before.
+template <typename Fits, typename Put>
+void replace_in_slots(BindingsState& state, const std::shared_ptr<DeviceState>& device,
+                      const std::string& name, const char* what, Fits fits, Put put) {
+  if (state.interface->device != device) throw std::logic_error("a resource of another device is bound");
+  for_slots(state, name, what, fits, put);
+  state.changed = true;
+  ++state.revision;
 }
 
 ImageParts parts_of(const Image& image, ImageRange range, ResourceKind kind) {
@@ -87,37 +93,29 @@ bool Bindings::has(const std::string& name) const {
 }
 
 void Bindings::buffer(const std::string& name, const Buffer& buffer) {
-  require_same_device(*state_, buffer.state()->device);
-  for_slots(
-      *state_, name, "a buffer",
+  replace_in_slots(
+      *state_, buffer.state()->device, name, "a buffer",
       [](const InterfaceSlot& slot) { return slot.resource.kind == ResourceKind::storage_buffer; },
       [&](const InterfaceSlot&, BoundResource& bound) { bound.buffer = buffer.state(); });
-  state_->changed = true;
-  ++state_->revision;
 }
 
 void Bindings::image(const std::string& name, const Image& image, ImageRange range) {
-  require_same_device(*state_, image.state()->device);
-  for_slots(
-      *state_, name, "an image", [](const InterfaceSlot& slot) { return is_image(slot.resource.kind); },
+  replace_in_slots(
+      *state_, image.state()->device, name, "an image",
+      [](const InterfaceSlot& slot) { return is_image(slot.resource.kind); },
       [&](const InterfaceSlot& slot, BoundResource& bound) {
         const ImageParts parts = parts_of(image, range, slot.resource.kind);
         check_shape(slot, image, parts);
         bound.image = image.state();
         bound.parts = parts;
       });
-  state_->changed = true;
-  ++state_->revision;
 }
 
 void Bindings::sampler(const std::string& name, const Sampler& sampler) {
-  require_same_device(*state_, sampler.state()->device);
-  for_slots(
-      *state_, name, "a sampler",
+  replace_in_slots(
+      *state_, sampler.state()->device, name, "a sampler",
       [](const InterfaceSlot& slot) { return slot.resource.kind == ResourceKind::sampler; },
       [&](const InterfaceSlot&, BoundResource& bound) { bound.sampler = sampler.state(); });
-  state_->changed = true;
-  ++state_->revision;
 }
 
 void Bindings::uniform_bytes(const std::string& name, std::span<const std::byte> bytes) {

@@ -31,14 +31,14 @@ vk::Pipeline ComputeState::pipeline() {
 }
 
 ComputePass::ComputePass(const Device& device, const ComputeShader& shader)
-    : device_(&device), state_(make_state(device, shader)), bindings_(state_->interface) {}
+    : state_(make_state(device, shader)), bindings_(state_->interface) {}
 
 Bindings ComputePass::more_bindings() const {
   return Bindings(state_->interface);
 }
 
 std::vector<double> ComputePass::dispatch(std::array<std::uint32_t, 3> groups, int repeat) {
-  Sequence once(*device_);
+  Sequence once(state_->interface->device);
   once.dispatch(*this, bindings_, groups);
   std::vector<double> nanoseconds;
   for (int run = 0; run < repeat; ++run) nanoseconds.push_back(once.run().front());

@@ -38,7 +38,6 @@ class ComputePass {
   const std::shared_ptr<ComputeState>& state() const { return state_; }
 
  private:
-  const Device* device_;
   std::shared_ptr<ComputeState> state_;
   Bindings bindings_;
 };

@@ -270,7 +270,7 @@ SequenceStep raster_step(const std::shared_ptr<RasterState>& pass, const Binding
   draw->tiles = tiles;
   draw->extent = extent_of(first_target(targets));
   for (const RasterTile& tile : tiles) check(tile, draw->extent);
-  SequenceStep step = step_with(bindings, *pass->interface);
+  SequenceStep step = step_with(bindings, *pass->interface, vk::PipelineBindPoint::eGraphics);
   std::vector<vk::ImageView> views;
   for (std::size_t at = 0; at < targets.colours.size(); ++at)
     draw->add(targets.colours[at], colour_access, clear_colour(targets, at), views, step.uses);
@@ -290,14 +290,14 @@ SequenceStep raster_step(const std::shared_ptr<RasterState>& pass, const Binding
 }
 
 RasterPass::RasterPass(const Device& device, const RasterShaders& shaders)
-    : device_(&device), state_(make_state(device, shaders)), bindings_(state_->interface) {}
+    : state_(make_state(device, shaders)), bindings_(state_->interface) {}
 
 Bindings RasterPass::more_bindings() const {
   return Bindings(state_->interface);
 }
 
 double RasterPass::draw(const RasterTargets& targets, const std::vector<RasterTile>& tiles) {
-  Sequence once(*device_);
+  Sequence once(state_->interface->device);
   once.draw(*this, bindings_, targets, tiles);
   return once.run().front();
 }

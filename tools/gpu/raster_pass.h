@@ -92,7 +92,6 @@ class RasterPass {
   const std::shared_ptr<RasterState>& state() const { return state_; }
 
  private:
-  const Device* device_;
   std::shared_ptr<RasterState> state_;
   Bindings bindings_;
 };

@@ -17,19 +17,21 @@ constexpr std::size_t indirect_bytes = 3 * sizeof(std::uint32_t);
 
 }  // namespace
 
-SequenceStep step_with(const Bindings& bindings, const PassInterface& interface) {
+SequenceStep step_with(const Bindings& bindings, const PassInterface& interface,
+                       vk::PipelineBindPoint point) {
   const std::shared_ptr<BindingsState>& state = bindings.state();
   if (state->interface.get() != &interface) throw std::logic_error("the bindings are another pass's");
   state->require_bound();
   SequenceStep step;
   step.bindings = state;
+  step.point = point;
   step.revision = state->revision;
   state->add_uses(step.uses);
   return step;
 }
 
-Sequence::Sequence(const Device& device) : state_(std::make_shared<SequenceState>()) {
-  state_->device = device.state();
+Sequence::Sequence(const std::shared_ptr<DeviceState>& device) : state_(std::make_shared<SequenceState>()) {
+  state_->device = device;
 }
 
 void Sequence::dispatch(const ComputePass& pass, const Bindings& bindings,
@@ -41,7 +43,7 @@ void Sequence::dispatch(const ComputePass& pass, const Bindings& bindings,
                                   std::to_string(axis));
     }
   }
-  SequenceStep step = step_with(bindings, *compute->interface);
+  SequenceStep step = step_with(bindings, *compute->interface, vk::PipelineBindPoint::eCompute);
   step.used = compute;
   step.record = [compute, groups](const vk::raii::CommandBuffer& commands) {
     commands.bindPipeline(vk::PipelineBindPoint::eCompute, compute->pipeline());
@@ -55,7 +57,7 @@ void Sequence::dispatch_indirect(const ComputePass& pass, const Bindings& bindin
   if (byte % sizeof(std::uint32_t) != 0 || byte + indirect_bytes > groups.size_bytes())
     throw std::invalid_argument("the numbers of groups are three whole words in their buffer");
   const std::shared_ptr<ComputeState> compute = pass.state();
-  SequenceStep step = step_with(bindings, *compute->interface);
+  SequenceStep step = step_with(bindings, *compute->interface, vk::PipelineBindPoint::eCompute);
   step.uses.buffers.push_back({groups.state(), indirect_read});
   step.used = compute;
   step.record = [compute, buffer = groups.state(), byte](const vk::raii::CommandBuffer& commands) {
@@ -91,10 +93,7 @@ std::vector<double> Sequence::run() {
     std::uint32_t number = 0;
     for (const SequenceStep& step : state_->steps) {
       state_->waited[number] = barriers.before(step.uses, commands);
-      if (step.bindings) {
-        step.bindings->use(vk::PipelineBindPoint::eCompute, commands);
-        step.bindings->use(vk::PipelineBindPoint::eGraphics, commands);
-      }
+      if (step.bindings) step.bindings->use(step.point, commands);
       device.mark_begin(commands, number);
       step.record(commands);
       device.mark_end(commands, number);

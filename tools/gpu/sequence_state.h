@@ -14,6 +14,7 @@ struct SequenceStep {
   ResourceUses uses;
   std::shared_ptr<BindingsState> bindings;  // null: none
   std::uint64_t revision = 0;               // of them
+  vk::PipelineBindPoint point = vk::PipelineBindPoint::eCompute;
   std::function<void(const vk::raii::CommandBuffer&)> record;
   std::shared_ptr<void> used;  // kept alive
 };
@@ -25,6 +26,6 @@ struct SequenceState {
 };
 
 // The step without its `record`; throws std::logic_error for bindings of another pass, and for empty ones.
-SequenceStep step_with(const Bindings& bindings, const PassInterface& interface);
+SequenceStep step_with(const Bindings& bindings, const PassInterface& interface, vk::PipelineBindPoint point);
 
 }  // namespace penumbra::gpu

@@ -13,12 +13,16 @@ namespace penumbra::shaders {
 
 namespace {
 
+bool is_atomic(spv::Op op) {
+  return op >= spv::OpAtomicLoad && op <= spv::OpAtomicXor;
+}
+
 // Where the pointer stands among the words of an instruction that reads or writes memory; 0 for others.
 std::size_t pointer_word(spv::Op op) {
   if (op == spv::OpStore || op == spv::OpAtomicStore) return 1;
-  const bool is_atomic = op >= spv::OpAtomicLoad && op <= spv::OpAtomicXor;
-  return is_atomic || op == spv::OpLoad || op == spv::OpAccessChain || op == spv::OpInBoundsAccessChain ? 3
-                                                                                                        : 0;
+  return is_atomic(op) || op == spv::OpLoad || op == spv::OpAccessChain || op == spv::OpInBoundsAccessChain
+             ? 3
+             : 0;
 }
 
 class MemorySearch final : public ModuleSearch {
@@ -43,11 +47,10 @@ class MemorySearch final : public ModuleSearch {
   }
 
   void use(spv::Op op, std::uint32_t storage) {
-    const bool is_atomic = op >= spv::OpAtomicLoad && op <= spv::OpAtomicXor;
     if (storage == spv::StorageClassWorkgroup && stage_ != hlsl::Stage::compute)
       report(std::string("a groupshared variable is used in a ") + hlsl::stage_name(stage_) +
              " program: only compute programs have them");
-    if (is_atomic && (storage == spv::StorageClassFunction || storage == spv::StorageClassPrivate))
+    if (is_atomic(op) && (storage == spv::StorageClassFunction || storage == spv::StorageClassPrivate))
       report(
           "an Interlocked function changes a local variable: it takes groupshared variables and elements "
           "of RW resources");
