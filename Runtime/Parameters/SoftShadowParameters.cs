@@ -1,8 +1,8 @@
 namespace Penumbra
 {
     /// <summary>
-    /// What the filters are told, in the units a person sets it in. Defaults are those of the technique list
-    /// (ShaderLibrary/techniques.json): PCSS with 24 and 16 samples.
+    /// What the filters are told, in the units a person sets it in. Defaults are those of its manifest
+    /// (ShaderLibrary/Filters/PcssAngular.technique.json): PCSS with 24 and 16 samples.
     /// <para>Values out of range are no error here: what reads them keeps to the nearest end, as the shaders do.
     /// </para>
     /// </summary>

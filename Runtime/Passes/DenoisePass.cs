@@ -11,7 +11,7 @@ namespace Penumbra
     [Preserve]
     internal sealed class DenoisePass : ShadowPass
     {
-        // Of the technique list's denoised chains (ShaderLibrary/techniques.json).
+        // The defaults of ShaderLibrary/Screen/EdgeDenoise.technique.json.
         internal const float Radius = 2.0f;
         internal const float PlaneTolerance = 2.0f;
         internal const float NoiseAmplitude = 0.25f;

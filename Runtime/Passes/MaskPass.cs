@@ -14,7 +14,7 @@ namespace Penumbra
         internal const int Divisor = 4;
         internal const string KeywordName = "_PENUMBRA_MASK";
 
-        // Of the technique list's masked chains (ShaderLibrary/techniques.json).
+        // The defaults of ShaderLibrary/Screen/MaskBlur.technique.json.
         internal const float FilterTexels = 2.0f;
         internal const float LargestRadius = 32.0f;
 

@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Penumbra
 {
-    // Written by `penumbra validate --emit-looks` from ShaderLibrary/techniques.json; do not edit.
+    // Written by `penumbra validate --emit-looks` from Shaders/PenumbraShadows.technique.json; do not edit.
     /// <summary>
     /// How the light looks: the size of its disc and the widest penumbra. A look says nothing of quality, and a quality
     /// preset nothing of the look.

@@ -1,5 +1,5 @@
 // Parameter structs of the techniques, one per family of filters.
-// Written by `penumbra validate --emit-parameters` from ShaderLibrary/techniques.json; do not edit.
+// Written by `penumbra validate --emit-parameters` from the techniques' manifests; do not edit.
 //
 // Each comment gives the field's unit, then its meaning. Cost: no fetch.
 #ifndef PENUMBRA_TECHNIQUE_PARAMETERS_HLSL

@@ -13,9 +13,9 @@ using Tree = std::map<std::string, std::string>;
 using Violations = std::vector<std::string>;
 
 // tools/: an include of another room goes down cli, study, lighting, reference, resolve, scene, cost, gpu,
-// validation, lint, shaders, preprocessing, preparation, variants, shaderlab, project, hlsl, spirv,
-// parameters, platform, input; parameters stands on platform and input alone, and no room from validation to
-// spirv knows it.
+// validation, lint, techniques, shaders, preprocessing, preparation, variants, shaderlab, project, hlsl,
+// spirv, parameters, platform, input; parameters stands on platform and input alone, and no room from
+// validation to spirv knows it.
 Violations tool_includes_point_down(const Tree& tree);
 
 // The same for the rooms that a room's CMakeLists.txt names: after USES, or as penumbra::NAME.

@@ -10,10 +10,11 @@
 namespace penumbra::architecture {
 namespace {
 
-constexpr std::array<std::string_view, 21> kRooms{
-    "cli",       "study",      "lighting", "reference", "resolve",       "scene",       "cost",
-    "gpu",       "validation", "lint",     "shaders",   "preprocessing", "preparation", "variants",
-    "shaderlab", "project",    "hlsl",     "spirv",     "parameters",    "platform",    "input"};
+constexpr std::array<std::string_view, 22> kRooms{
+    "cli",           "study",       "lighting",   "reference", "resolve",    "scene",
+    "cost",          "gpu",         "validation", "lint",      "techniques", "shaders",
+    "preprocessing", "preparation", "variants",   "shaderlab", "project",    "hlsl",
+    "spirv",         "parameters",  "platform",   "input"};
 
 std::size_t place_of(std::string_view room) {
   return static_cast<std::size_t>(std::find(kRooms.begin(), kRooms.end(), room) - kRooms.begin());

@@ -34,7 +34,7 @@
 #include <vector>
 
 #include "platform/child_process.h"
-#include "shaders/technique_list.h"
+#include "techniques/technique_list.h"
 #include "validation/engine.h"
 #include "validation/source_variants.h"
 #include "variants/platform_defines.h"
@@ -98,7 +98,7 @@ class Scratch {
 std::vector<CompileUnit> technique_units() {
   ValidationRequest request;
   const fs::path root = PENUMBRA_SOURCE_DIR;
-  request.techniques = shaders::read_technique_list(root / "ShaderLibrary" / "techniques.json");
+  request.techniques = techniques::read_technique_list(root);
   request.package_roots = {{"com.penumbra.shadows", root}};
   request.targets.assign(std::begin(targets), std::end(targets));
   std::vector<CompileUnit> units;

@@ -18,7 +18,7 @@ constexpr const char* family = "navi21";
 CostRequest library_request() {
   const std::filesystem::path root = PENUMBRA_SOURCE_DIR;
   CostRequest request;
-  request.techniques = shaders::read_technique_list(root / "ShaderLibrary" / "techniques.json");
+  request.techniques = techniques::read_technique_list(root);
   request.families = {family};
   request.worker = PENUMBRA_PROGRAM;
   request.jobs = 2;
@@ -26,7 +26,7 @@ CostRequest library_request() {
 }
 
 void keep(CostRequest& request, const std::vector<std::string>& names) {
-  std::erase_if(request.techniques->techniques, [&names](const shaders::Technique& technique) {
+  std::erase_if(request.techniques->techniques, [&names](const techniques::Technique& technique) {
     return std::find(names.begin(), names.end(), technique.name) == names.end();
   });
 }

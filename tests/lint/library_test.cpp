@@ -6,7 +6,8 @@
 #include <set>
 
 #include "lint/linted_shader.h"
-#include "shaders/technique_list.h"
+#include "techniques/technique_call.h"
+#include "techniques/technique_list.h"
 
 namespace penumbra::lint {
 namespace {
@@ -25,13 +26,12 @@ float4 Fragment(float4 position : SV_Position, float3 shadowCoord : TEXCOORD0, f
 )";
 
 TEST(LintLibrary, EveryTechniqueWithEveryKeywordSet) {
-  const shaders::TechniqueList list = shaders::read_technique_list(
-      std::filesystem::path(PENUMBRA_SOURCE_DIR) / "ShaderLibrary" / "techniques.json");
+  const techniques::TechniqueList list = techniques::read_technique_list(PENUMBRA_SOURCE_DIR);
   std::size_t modules = 0;
   std::set<std::string> found;
-  for (const shaders::Technique& technique : list.techniques)
+  for (const techniques::Technique& technique : list.techniques)
     for (const std::vector<std::string>& keywords : technique.keyword_sets) {
-      const shaders::TechniqueCall call = shaders::emit_technique_call(list, technique, "_");
+      const techniques::TechniqueCall call = techniques::emit_technique_call(list, technique, "_");
       shaders::CompileRequest request;
       request.file = technique.name;
       request.text = "#include \"Platform/Platform.hlsl\"\n" + call.includes +
@@ -40,7 +40,7 @@ TEST(LintLibrary, EveryTechniqueWithEveryKeywordSet) {
       request.stage = hlsl::Stage::fragment;
       for (const std::string& keyword : technique.keywords) request.defines.emplace_back(keyword, "1");
       for (const std::string& keyword : keywords) request.defines.emplace_back(keyword, "1");
-      request.include_directories.push_back(list.file.parent_path());
+      request.include_directories = list.include_directories();
       request.optimise = false;
       request.debug_lines = true;
       shaders::CompileResult result = shaders::compile(request);

@@ -137,7 +137,7 @@ class Looks(unittest.TestCase):
 
     def test_stand_on_their_page(self):
         page = (ROOT / "Documentation~" / "presets.md").read_text()
-        looks = json.loads((ROOT / "ShaderLibrary" / "techniques.json").read_text())["looks"]
+        looks = json.loads((ROOT / "Shaders" / "PenumbraShadows.technique.json").read_text())["looks"]
         self.assertEqual(len(looks), 4)
         for look in looks:
             degrees, metres = f"{look['angularDiameterDegrees']:g}", f"{look['maxPenumbraMetres']:g}"

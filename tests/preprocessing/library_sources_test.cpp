@@ -10,7 +10,7 @@
 #include "preprocessing/both_preprocessors.h"
 #include "shaders/package_shader.h"
 #include "shaders/source_memory.h"
-#include "shaders/technique_list.h"
+#include "techniques/technique_list.h"
 #include "variants/platform_defines.h"
 
 namespace penumbra::preprocessing {
@@ -43,8 +43,8 @@ class Comparison {
 
 std::set<std::vector<std::string>> keyword_sets() {
   std::set<std::vector<std::string>> sets{{}};
-  const shaders::TechniqueList list = shaders::read_technique_list(root / "ShaderLibrary/techniques.json");
-  for (const shaders::Technique& technique : list.techniques)
+  const techniques::TechniqueList list = techniques::read_technique_list(root);
+  for (const techniques::Technique& technique : list.techniques)
     sets.insert(technique.keyword_sets.begin(), technique.keyword_sets.end());
   return sets;
 }

@@ -30,7 +30,7 @@ DebugView& debug_view(const std::string& name, bool reversed_z) {
   return views->try_emplace({name, reversed_z}, test_device(), shader, name, reversed_z).first->second;
 }
 
-ScreenChain& screen_chain_of(const shaders::Technique& technique, bool reversed_z) {
+ScreenChain& screen_chain_of(const techniques::Technique& technique, bool reversed_z) {
   static const shaders::PackageShader shader(shaders::package_shader_file());
   static KeptOnDevice<std::map<std::pair<std::string, bool>, ScreenChain>> chains;
   return chains
@@ -65,7 +65,7 @@ struct Views {
   const scene::Frame& frame;
   FrameOnDevice on_device;
   CameraImage camera;
-  const shaders::Technique& technique;
+  const techniques::Technique& technique;
   ScreenChainResult chain;
 };
 

@@ -1,4 +1,4 @@
-// What every filter of techniques.json must do, whatever it is given: the right answer where there is one, no
+// What every filter of the manifests must do, whatever it is given: the right answer where there is one, no
 // NaN, nothing outside [0, 1], nothing learnt from outside the tile.
 #include <gmock/gmock.h>
 
@@ -32,7 +32,7 @@ void PrintTo(const Case& value, std::ostream* stream) {
 
 std::vector<Case> all_cases() {
   std::vector<Case> cases;
-  for (const shaders::Technique& technique : library_techniques().techniques) {
+  for (const techniques::Technique& technique : library_techniques().techniques) {
     cases.push_back({technique.name, true});
     cases.push_back({technique.name, false});
   }
@@ -73,7 +73,7 @@ class EveryFilter : public testing::TestWithParam<Case> {
     const std::string key = GetParam().technique + (GetParam().reversed_z ? " reversed" : " conventional");
     std::unique_ptr<ResolvePass>& pass = (*passes)[key];
     if (pass == nullptr) {
-      const shaders::Technique& technique = library_techniques().find(GetParam().technique);
+      const techniques::Technique& technique = library_techniques().find(GetParam().technique);
       pass = std::make_unique<ResolvePass>(
           test_device(),
           compile(technique_shader(library_techniques(), technique, Taps::as_listed, GetParam().reversed_z)));
@@ -117,11 +117,9 @@ class EveryFilter : public testing::TestWithParam<Case> {
   // Sets the field of whatever parameter struct the technique has, if it has it.
   UniformValues with_counts(int count) const {
     UniformValues values;
-    const shaders::Technique& technique = library_techniques().find(GetParam().technique);
-    for (const shaders::TechniquePass& pass : technique.chain) {
-      const shaders::ParameterStruct* fields = library_techniques().find_struct(pass.parameters);
-      if (fields == nullptr) continue;
-      for (const shaders::ParameterField& field : fields->fields) {
+    const techniques::Technique& technique = library_techniques().find(GetParam().technique);
+    for (const techniques::ParameterStruct* fields : library_techniques().structs_of(technique)) {
+      for (const techniques::ParameterField& field : fields->fields) {
         const bool is_count = field.type == "int" && field.name.find("amples") != std::string::npos;
         if (is_count) values.set("_Penumbra" + fields->name + "_" + field.name, count);
       }

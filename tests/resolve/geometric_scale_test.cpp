@@ -135,8 +135,8 @@ class GeometricScale : public testing::Test {
  protected:
   // Limits that are there for speed or looks are lifted: geometry alone decides.
   static std::array<ResolvePass, 2> unlimited_passes() {
-    const shaders::TechniqueList& list = library_techniques();
-    const shaders::Technique& technique = list.find("pcss-angular-64-64");
+    const techniques::TechniqueList& list = library_techniques();
+    const techniques::Technique& technique = list.find("pcss-angular-64-64");
     const auto pass = [&](bool reversed_z) {
       ShadowShader shader = technique_shader(list, technique, Taps::unlimited, reversed_z);
       shader.parameters.set("_PenumbraPcssAngularParameters_blockerSamples", 1024);

@@ -46,7 +46,7 @@ class ScreenMask : public testing::TestWithParam<Case> {
         on_device_(test_device(), frame_),
         camera_(camera_image(frame_, GetParam().rows)) {}
 
-  const shaders::Technique& technique(const std::string& name) const {
+  const techniques::Technique& technique(const std::string& name) const {
     return library_techniques().find(name);
   }
 

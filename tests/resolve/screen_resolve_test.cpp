@@ -34,7 +34,7 @@ std::vector<Case> all_cases() {
         std::pair("pcss-angular-24-16-hdrp", "_PENUMBRA_PCSS_HDRP")}) {
     for (const bool reversed_z : {true, false}) cases.push_back({technique, keyword, reversed_z});
   }
-  for (const shaders::Technique& technique : library_techniques().techniques) {
+  for (const techniques::Technique& technique : library_techniques().techniques) {
     if (!technique.name.starts_with("preset-")) continue;
     const std::string keyword = technique.keywords.empty() ? "_" : technique.keywords.front();
     for (const bool reversed_z : {true, false}) cases.push_back({technique.name, keyword, reversed_z});
@@ -81,7 +81,7 @@ class ScreenResolve : public testing::TestWithParam<Case> {
     return rows_from_top(by_library(seen), camera.width, rows);
   }
 
-  const shaders::Technique& technique_;
+  const techniques::Technique& technique_;
   Resolver resolver_;
   ScreenChain chain_;
 };

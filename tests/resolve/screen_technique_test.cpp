@@ -1,4 +1,4 @@
-// From techniques.json to passes, and every technique that runs over the screen from end to end.
+// From the manifests to passes, and every technique that runs over the screen from end to end.
 #include <gmock/gmock.h>
 
 #include "input/input_error.h"
@@ -74,8 +74,8 @@ TEST(ScreenTechnique, HalfResolutionKeepsThePixelsItSaw) {
 
 std::vector<std::string> screen_techniques() {
   std::vector<std::string> names;
-  for (const shaders::Technique& technique : library_techniques().techniques) {
-    if (technique.screen) names.push_back(technique.name);
+  for (const techniques::Technique& technique : library_techniques().techniques) {
+    if (technique.graph.over_screen()) names.push_back(technique.name);
   }
   return names;
 }

@@ -12,7 +12,7 @@
 
 #include "gpu/device.h"
 #include "platform/data_directory.h"
-#include "shaders/technique_list.h"
+#include "techniques/technique_list.h"
 
 namespace penumbra {
 
@@ -68,9 +68,8 @@ class KeptOnDevice {
   std::optional<Values> values_{std::in_place};
 };
 
-inline const shaders::TechniqueList& library_techniques() {
-  static const shaders::TechniqueList list =
-      shaders::read_technique_list(platform::data_directory() / "ShaderLibrary" / "techniques.json");
+inline const techniques::TechniqueList& library_techniques() {
+  static const techniques::TechniqueList list = techniques::read_own_techniques();
   return list;
 }
 

@@ -10,7 +10,7 @@ namespace penumbra::study {
 namespace {
 
 Subject subject(const std::string& technique, const std::string& name) {
-  const shaders::TechniqueList& list = library_techniques();
+  const techniques::TechniqueList& list = library_techniques();
   Subject made = technique_subject(list, list.find(technique), true);
   made.name = name;
   return made;

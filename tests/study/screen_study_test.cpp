@@ -27,7 +27,7 @@ std::map<std::string, Record> recorded(const std::vector<std::string>& technique
   settings.pan_frames = pan_frames;
   std::vector<Subject> subjects;
   for (const std::string& name : techniques) {
-    const shaders::TechniqueList& list = library_techniques();
+    const techniques::TechniqueList& list = library_techniques();
     subjects.push_back(technique_subject(list, list.find(name), reversed_z));
   }
   const StudyOutcome outcome = run_study(test_device(), subjects, settings, [](auto&&...) {});

@@ -5,9 +5,9 @@
 
 #include "reference/scratch_folder.h"
 #include "resolve/test_device.h"
-#include "shaders/technique_values.h"
 #include "study/colour_map.h"
 #include "study/study.h"
+#include "techniques/technique_values.h"
 
 namespace penumbra::study {
 namespace {
@@ -15,8 +15,8 @@ namespace {
 constexpr int kFrames = 8;
 
 Subject with(const std::string& technique, const std::map<std::string, double>& values) {
-  const shaders::TechniqueList& list = library_techniques();
-  shaders::Technique varied = list.find(technique);
+  const techniques::TechniqueList& list = library_techniques();
+  techniques::Technique varied = list.find(technique);
   for (const auto& [name, value] : values) varied = with_value(list, std::move(varied), name, value);
   return technique_subject(list, varied, true);
 }

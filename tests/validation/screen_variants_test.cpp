@@ -16,8 +16,7 @@ bool defines(const SourceVariant& variant, const std::string& keyword) {
 
 bool resolve_has_the_masks_keyword(const std::string& technique) {
   ValidationRequest request;
-  request.techniques = shaders::read_technique_list(std::filesystem::path(PENUMBRA_SOURCE_DIR) /
-                                                    "ShaderLibrary" / "techniques.json");
+  request.techniques = techniques::read_technique_list(PENUMBRA_SOURCE_DIR);
   for (const SourceVariant& variant : screen_variants(request, request.techniques->find(technique), {})) {
     if (variant.unit.pass == "Resolve" && variant.unit.compile.stage == hlsl::Stage::fragment)
       return defines(variant, "_PENUMBRA_MASK");

@@ -9,7 +9,6 @@
 
 #include "input/input_error.h"
 #include "shaders/shader_files.h"
-#include "shaders/technique_chain.h"
 
 namespace penumbra::validation {
 
@@ -21,8 +20,7 @@ using testing::HasSubstr;
 
 ValidationRequest library_request() {
   ValidationRequest request;
-  request.techniques = shaders::read_technique_list(std::filesystem::path(PENUMBRA_SOURCE_DIR) /
-                                                    "ShaderLibrary" / "techniques.json");
+  request.techniques = techniques::read_technique_list(PENUMBRA_SOURCE_DIR);
   request.engine.jobs = 2;
   return request;
 }
@@ -45,10 +43,9 @@ TEST(Validate, EveryTechniqueOfTheLibraryPassesEveryTarget) {
                              [](const hlsl::Diagnostic& said) { return !said.rule.empty(); }))
         << report_text(report);
   std::size_t expected = 0;
-  for (const shaders::Technique& technique : request.techniques->techniques) {
-    std::size_t passes = 0;  // each as a fragment and a vertex shader, or as a fragment and a compute shader
-    for (const shaders::TechniquePass& pass : technique.chain)
-      passes += shaders::pass_kind(pass.kind).shader_passes.size();
+  for (const techniques::Technique& technique : request.techniques->techniques) {
+    // Each as a fragment and a vertex shader, or as a fragment and a compute shader.
+    const std::size_t passes = technique.graph.passes.size();
     expected += technique.keyword_sets.size() * passes * 2 * request.targets.size();
   }
   EXPECT_EQ(report.records.size(), expected);
@@ -151,15 +148,14 @@ TEST(Validate, AbsentTargetsAreReportedAndTriedAllTheSame) {
               "shadowCoord; float2 depthGradient; float2 rotation; };\nstruct ShadowTile { float4 "
               "offsetScale; };\n#endif\n");
   const std::string list = R"({"techniques": [{"name": "f", "title": "F", "family": "f", "source": "s",
-    "chain": [{"kind": "resolve", "file": "F.hlsl", "function": "F", "resources": ["shadowMap"]}],
+    "filter": {"file": "F.hlsl", "function": "F"}, "keyword_sets": [[]],
     "targets_absent": {"msl23": "for the test"}}]})";
   ValidationRequest request;
-  request.techniques = shaders::read_technique_list(files.write("techniques.json", list));
+  request.techniques = techniques::read_technique_list(files.write("f.technique.json", list));
   request.targets = {"spirv", "msl23"};
   const ValidationReport works = validate(request);
   EXPECT_EQ(works.count(VariantStatus::failed), 0U) << report_text(works);
-  EXPECT_THAT(report_text(works),
-              HasSubstr("works, although techniques.json lists it as absent: for the test"));
+  EXPECT_THAT(report_text(works), HasSubstr("works, although its manifest lists it as absent: for the test"));
   request.techniques->techniques[0].targets_absent = {{"spirv", "never compiles"}};
   files.write("F.hlsl", "$\n");
   const ValidationReport fails = validate(request);

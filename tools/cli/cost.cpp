@@ -67,9 +67,9 @@ std::vector<std::string> families_of(const CostOptions& options) {
 
 void add_techniques(const CostOptions& options, const fs::path& library, cost::CostRequest& request) {
   if (!options.files.empty() && options.techniques.empty()) return;
-  request.techniques = shaders::read_technique_list(library / "ShaderLibrary" / "techniques.json");
+  request.techniques = techniques::read_technique_list(library);
   if (options.techniques.empty()) return;
-  std::vector<shaders::Technique> chosen;
+  std::vector<techniques::Technique> chosen;
   for (const std::string& name : each_once(options.techniques))
     chosen.push_back(request.techniques->find(name));
   request.techniques->techniques = std::move(chosen);

@@ -12,7 +12,7 @@
 #include "platform/data_directory.h"
 #include "scene/scene.h"
 #include "shaders/cross_compile.h"
-#include "shaders/technique_list.h"
+#include "techniques/technique_list.h"
 #include "validation/spirv_target.h"
 
 namespace penumbra::cli {
@@ -36,9 +36,8 @@ std::vector<KnownName> scenes() {
 
 std::vector<KnownName> techniques() {
   std::vector<KnownName> names;
-  const shaders::TechniqueList list =
-      shaders::read_technique_list(platform::data_directory() / "ShaderLibrary" / "techniques.json");
-  for (const shaders::Technique& technique : list.techniques)
+  const techniques::TechniqueList list = techniques::read_own_techniques();
+  for (const techniques::Technique& technique : list.techniques)
     names.push_back({technique.name, technique.title});
   return names;
 }

@@ -24,7 +24,6 @@
 #include "platform/source_commit.h"
 #include "platform/terminal.h"
 #include "reference/trace_visibility.h"
-#include "shaders/preset_emit.h"
 #include "study/picture_sheet.h"
 #include "study/preset_figures.h"
 #include "study/report.h"
@@ -32,6 +31,7 @@
 #include "study/short_title.h"
 #include "study/study.h"
 #include "study/summary.h"
+#include "techniques/preset_emit.h"
 
 namespace penumbra::cli {
 namespace {
@@ -86,9 +86,9 @@ std::string reproducing_command(const std::vector<std::string>& arguments) {
 std::vector<study::Subject> chosen_subjects(const MeasureOptions& options) {
   StudyOptions choice = options;
   if (choice.techniques.empty() && choice.adapters.empty() && options.varied.set.empty()) {
-    const shaders::TechniqueList list =
-        shaders::read_technique_list(platform::data_directory() / "ShaderLibrary" / "techniques.json");
-    for (const shaders::Technique& technique : list.techniques) choice.techniques.push_back(technique.name);
+    const techniques::TechniqueList list = techniques::read_own_techniques();
+    for (const techniques::Technique& technique : list.techniques)
+      choice.techniques.push_back(technique.name);
   }
   return varied_subjects(choice, options.varied);
 }
@@ -246,7 +246,7 @@ void run(const MeasureOptions& options, Context& context) {
   }
   if (!options.readme.empty()) rewrite_readme(options, measured.results);
   if (!options.presets.empty())
-    write_output(options.presets, study::preset_figures_csharp(measured.results, shaders::preset_prefix));
+    write_output(options.presets, study::preset_figures_csharp(measured.results, techniques::preset_prefix));
 }
 
 }  // namespace

@@ -14,9 +14,9 @@
 #include "resolve/shadow_shader.h"
 #include "scene/frame.h"
 #include "scene/scene.h"
-#include "shaders/technique_list.h"
 #include "study/picture.h"
 #include "study/study.h"
+#include "techniques/technique_list.h"
 
 namespace penumbra::cli {
 

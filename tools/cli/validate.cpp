@@ -23,10 +23,12 @@
 #include "project/shader_files.h"
 #include "project/unity_project.h"
 #include "shaders/cross_compile.h"
-#include "shaders/look_emit.h"
 #include "shaders/package_shader.h"
-#include "shaders/preset_emit.h"
-#include "shaders/preset_programs.h"
+#include "techniques/look_emit.h"
+#include "techniques/preset_emit.h"
+#include "techniques/preset_programs.h"
+#include "techniques/technique_call.h"
+#include "techniques/technique_json.h"
 #include "validation/explain.h"
 #include "validation/shader_sources.h"
 #include "validation/spirv_target.h"
@@ -337,27 +339,28 @@ void run_validate(const CLI::App& command, const ValidateOptions& options, Conte
   for (const std::string& define : options.defines) request.defines.push_back(parse_define(define));
   if (!options.techniques.empty() || !sources_given) {
     const fs::path library = platform::data_directory();
-    request.techniques = shaders::read_technique_list(options.techniques.empty()
-                                                          ? library / "ShaderLibrary" / "techniques.json"
-                                                          : fs::path(options.techniques));
+    request.techniques =
+        techniques::read_technique_list(options.techniques.empty() ? library : fs::path(options.techniques));
     request.package_roots = given_roots(options);
     request.package_roots.push_back({"com.penumbra.shadows", library});
     request.include_directories.assign(options.include_directories.begin(),
                                        options.include_directories.end());
   }
   if (!options.emit_parameters.empty() || !options.emit_presets.empty() || !options.emit_looks.empty() ||
-      !options.emit_programs.empty()) {
+      !options.emit_techniques.empty() || !options.emit_programs.empty()) {
     if (!request.techniques) throw InputError("--emit-...", "needs a technique list, not files alone");
     if (!options.emit_parameters.empty())
-      write_output(options.emit_parameters, shaders::emit_parameter_structs_hlsl(*request.techniques));
+      write_output(options.emit_parameters, techniques::emit_parameter_structs_hlsl(*request.techniques));
     if (!options.emit_presets.empty())
-      write_output(options.emit_presets, shaders::emit_presets_csharp(*request.techniques));
+      write_output(options.emit_presets, techniques::emit_presets_csharp(*request.techniques));
     if (!options.emit_looks.empty())
-      write_output(options.emit_looks, shaders::emit_looks_csharp(*request.techniques));
+      write_output(options.emit_looks, techniques::emit_looks_csharp(*request.techniques));
+    if (!options.emit_techniques.empty())
+      write_output(options.emit_techniques, techniques::techniques_json(*request.techniques));
     if (!options.emit_programs.empty())
       write_output(options.emit_programs,
-                   shaders::preset_programs_json(*request.techniques,
-                                                 shaders::PackageShader(shaders::package_shader_file())));
+                   techniques::preset_programs_json(*request.techniques,
+                                                    shaders::PackageShader(shaders::package_shader_file())));
     return;
   }
   if (options.explain && !sources_given) throw InputError("--explain", "needs a shader file");

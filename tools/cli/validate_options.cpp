@@ -139,6 +139,8 @@ void add_written(CLI::App& command, ValidateOptions& options) {
   add("--emit-parameters", options.emit_parameters, "The techniques' parameter structs as HLSL");
   add("--emit-presets", options.emit_presets, "The quality presets as C#");
   add("--emit-looks", options.emit_looks, "The looks as C#");
+  add("--emit-techniques", options.emit_techniques,
+      "The techniques with all defaults, passes and textures, as JSON");
   add("--emit-programs", options.emit_programs,
       "Programs of the renderer feature's shader that each quality preset keeps in a player build, as JSON");
 }

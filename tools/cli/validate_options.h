@@ -57,6 +57,7 @@ struct ValidateOptions {
   std::string emit_parameters;
   std::string emit_presets;
   std::string emit_looks;
+  std::string emit_techniques;
   std::string emit_programs;
 };
 

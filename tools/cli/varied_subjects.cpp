@@ -10,8 +10,8 @@
 #include "cli/option_values.h"
 #include "input/input_error.h"
 #include "platform/data_directory.h"
-#include "shaders/technique_values.h"
 #include "study/short_title.h"
+#include "techniques/technique_values.h"
 
 namespace penumbra::cli {
 namespace {
@@ -154,8 +154,7 @@ void add_title_option(CLI::App& command, const std::string& group, VariedSubject
 
 std::vector<study::Subject> varied_subjects(const StudyOptions& options, const VariedSubjects& varied) {
   const bool reversed_z = options.reversed_z;
-  const shaders::TechniqueList list =
-      shaders::read_technique_list(platform::data_directory() / "ShaderLibrary" / "techniques.json");
+  const techniques::TechniqueList list = techniques::read_own_techniques();
   std::vector<std::string> names = options.techniques;
   drop_repetitions(names);
   std::vector<int> frames = varied.frames;
@@ -172,9 +171,9 @@ std::vector<study::Subject> varied_subjects(const StudyOptions& options, const V
   std::vector<study::Subject> subjects;
   for (const std::string& name : names) {
     for (const std::vector<Setting>& combination : settings) {
-      shaders::Technique technique = list.find(name);
+      techniques::Technique technique = list.find(name);
       for (const Setting& setting : combination) {
-        technique = shaders::with_value(list, std::move(technique), setting.parameter, setting.value);
+        technique = techniques::with_value(list, std::move(technique), setting.parameter, setting.value);
       }
       study::Subject subject = study::technique_subject(list, technique, reversed_z);
       subject.bias = chosen_bias(options, subject.bias);

@@ -28,10 +28,6 @@ struct Source {
   CostVariant variant;
 };
 
-std::string file_in_package(const shaders::Technique& technique) {
-  return technique.screen ? "Shaders/PenumbraShadows.shader" : "ShaderLibrary/" + technique.resolve().file;
-}
-
 // Techniques are per-pixel functions: their cost is that of the fragment shader that calls them, or of each
 // pass that runs over the screen, and their file is the library's, without the folder it happens to lie in.
 std::vector<Source> sources_of(const CostRequest& request) {
@@ -41,7 +37,7 @@ std::vector<Source> sources_of(const CostRequest& request) {
     validation::CompileUnit& unit = variant.unit;
     if (unit.compile.stage != hlsl::Stage::fragment) continue;
     sources.push_back({std::move(unit.compile),
-                       file_in_package(*variant.technique),
+                       variant.technique->file(),
                        {variant.technique->name, std::move(unit.keywords)}});
   }
   return sources;

@@ -12,7 +12,7 @@
 #include "hlsl/diagnostic.h"
 #include "platform/worker_pool.h"
 #include "shaders/compile.h"
-#include "shaders/technique_list.h"
+#include "techniques/technique_list.h"
 
 namespace penumbra::cost {
 
@@ -28,7 +28,7 @@ struct ShaderFile {
 struct CostRequest {
   // Every technique of the list as the fragment shader that `penumbra validate` compiles: its resolve
   // function with its parameters as uniforms, for every keyword set.
-  std::optional<shaders::TechniqueList> techniques;
+  std::optional<techniques::TechniqueList> techniques;
   std::vector<ShaderFile> files;
   std::vector<std::pair<std::string, std::string>> defines;
   std::vector<shaders::PackageRoot> package_roots;

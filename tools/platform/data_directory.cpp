@@ -19,11 +19,11 @@ std::filesystem::path data_directory() {
   std::string tried;
   for (const std::filesystem::path& candidate : candidates) {
     std::error_code error;
-    if (std::filesystem::exists(candidate / "ShaderLibrary" / "techniques.json", error)) return candidate;
+    if (std::filesystem::exists(candidate / "ShaderLibrary" / "Shadows.hlsl", error)) return candidate;
     tried += " " + candidate.string();
   }
   throw EnvironmentError("the shader library was not found; tried:" + tried +
-                         "\n  set PENUMBRA_ROOT to the folder that holds ShaderLibrary/techniques.json");
+                         "\n  set PENUMBRA_ROOT to the folder that holds ShaderLibrary/Shadows.hlsl");
 }
 
 }  // namespace penumbra::platform

@@ -5,7 +5,7 @@
 
 namespace penumbra::platform {
 
-// The first of these that holds ShaderLibrary/techniques.json: $PENUMBRA_ROOT, share/penumbra beside the
+// The first of these that holds ShaderLibrary/Shadows.hlsl: $PENUMBRA_ROOT, share/penumbra beside the
 // program's folder, the source tree the program was built from. Throws EnvironmentError naming all three.
 std::filesystem::path data_directory();
 

@@ -1,19 +1,15 @@
 #include "resolve/screen_technique.h"
 
-#include <algorithm>
-
-#include "shaders/technique_chain.h"
-
 namespace penumbra::resolve {
 namespace {
 
-float value_of(const shaders::Technique& technique, const char* field) {
+float value_of(const techniques::Technique& technique, const char* field) {
   const auto found = technique.values.find(field);
   return found == technique.values.end() ? 0.0f : static_cast<float>(found->second.front());
 }
 
 // Of the passes before and after Resolve; what a technique does not have is 0.
-UniformValues screen_uniforms(const shaders::Technique& technique) {
+UniformValues screen_uniforms(const techniques::Technique& technique) {
   const auto of = [&](const char* field) { return value_of(technique, field); };
   UniformValues values;
   values.set("_PenumbraMaskParams",
@@ -23,14 +19,20 @@ UniformValues screen_uniforms(const shaders::Technique& technique) {
   return values;
 }
 
-bool reads_source(const shaders::TechniquePass& pass) {
-  const std::vector<std::string>& resources = shaders::pass_kind(pass.kind).resources;
-  return std::find(resources.begin(), resources.end(), "source") != resources.end();
+// The pass that writes what the pass calls so; -1: none.
+int writer_of(const techniques::Technique& technique, const techniques::GraphPass& pass,
+              const char* shader_name) {
+  for (const auto& [name, texture] : pass.reads) {
+    if (name != shader_name) continue;
+    for (std::size_t i = 0; i < technique.graph.passes.size(); ++i)
+      if (technique.graph.passes[i].writes.front().second == texture) return static_cast<int>(i);
+  }
+  return -1;
 }
 
 }  // namespace
 
-UniformValues shadows_uniforms(const shaders::Technique& technique) {
+UniformValues shadows_uniforms(const techniques::Technique& technique) {
   const auto of = [&](const char* field) { return value_of(technique, field); };
   UniformValues values;
   // Classic PCSS has one count for both loops and calls it `samples`: one of the two is 0.
@@ -42,20 +44,18 @@ UniformValues shadows_uniforms(const shaders::Technique& technique) {
   return values;
 }
 
-ScreenChainDescription screen_chain(const shaders::Technique& technique) {
+ScreenChainDescription screen_chain(const techniques::Technique& technique) {
   ScreenChainDescription chain;
-  chain.keywords = technique.keywords;
-  const std::vector<std::string> of_the_chain = shaders::chain_keywords(technique);
-  chain.keywords.insert(chain.keywords.end(), of_the_chain.begin(), of_the_chain.end());
+  chain.keywords = technique.all_keywords();
   chain.parameters = shadows_uniforms(technique);
   chain.parameters.merge(screen_uniforms(technique));
   chain.uses_noise = !technique.unlimited.empty();
-  for (const shaders::TechniquePass& pass : technique.chain) {
-    for (const std::string& name : shaders::pass_kind(pass.kind).shader_passes) {
-      const int before = static_cast<int>(chain.steps.size()) - 1;
-      chain.steps.push_back({name, pass.scale, reads_source(pass) ? before : -1});
-    }
-    if (pass.kind == "mask-blur") chain.mask = static_cast<int>(chain.steps.size()) - 1;
+  const techniques::PassGraph& graph = technique.graph;
+  for (const techniques::GraphPass& pass : graph.passes) {
+    const std::string& target = pass.writes.front().second;
+    if (target == graph.mask) chain.mask = static_cast<int>(chain.steps.size());
+    chain.steps.push_back(
+        {pass.program, graph.texture(target)->divisor, writer_of(technique, pass, "_PenumbraSourceTexture")});
   }
   return chain;
 }

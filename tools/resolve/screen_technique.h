@@ -1,16 +1,16 @@
-// From an entry of techniques.json to the passes, keywords and uniforms with which the renderer feature runs
+// From a technique of the manifests to the passes, keywords and uniforms with which the renderer feature runs
 // it.
 #pragma once
 
 #include "resolve/screen_chain.h"
-#include "shaders/technique_list.h"
+#include "techniques/technique_list.h"
 
 namespace penumbra::resolve {
 
 // The values of a technique as Shadows.hlsl reads them: _PenumbraSamples, _PenumbraLimits, _PenumbraHdrp.
-UniformValues shadows_uniforms(const shaders::Technique& technique);
+UniformValues shadows_uniforms(const techniques::Technique& technique);
 
 // The passes of a technique that runs over the screen.
-ScreenChainDescription screen_chain(const shaders::Technique& technique);
+ScreenChainDescription screen_chain(const techniques::Technique& technique);
 
 }  // namespace penumbra::resolve

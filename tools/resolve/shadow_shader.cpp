@@ -7,6 +7,7 @@
 #include "platform/data_directory.h"
 #include "resolve/counted_modules.h"
 #include "resolve/module_order.h"
+#include "techniques/technique_call.h"
 
 namespace penumbra::resolve {
 namespace {
@@ -19,7 +20,7 @@ std::vector<std::pair<std::string, std::string>> depth_defines(bool reversed_z) 
 }
 
 // A field's value as its uniform reads it: int, or one to four floats.
-void set_parameter(UniformValues& values, const shaders::ParameterField& field, const std::string& uniform,
+void set_parameter(UniformValues& values, const techniques::ParameterField& field, const std::string& uniform,
                    const std::vector<double>& value) {
   if (field.type == "int") {
     values.set(uniform, static_cast<int>(std::lround(value.at(0))));
@@ -32,13 +33,11 @@ void set_parameter(UniformValues& values, const shaders::ParameterField& field, 
   values.set(uniform, vector);
 }
 
-UniformValues parameter_values(const shaders::TechniqueList& list, const shaders::Technique& technique,
+UniformValues parameter_values(const techniques::TechniqueList& list, const techniques::Technique& technique,
                                Taps taps) {
   UniformValues values;
-  for (const shaders::TechniquePass& pass : technique.chain) {
-    const shaders::ParameterStruct* parameters = list.find_struct(pass.parameters);
-    if (parameters == nullptr) continue;
-    for (const shaders::ParameterField& field : parameters->fields) {
+  for (const techniques::ParameterStruct* parameters : list.structs_of(technique)) {
+    for (const techniques::ParameterField& field : parameters->fields) {
       std::vector<double> value = technique.values.at(field.name);
       const auto unlimited = technique.unlimited.find(field.name);
       if (taps == Taps::unlimited && unlimited != technique.unlimited.end()) {
@@ -74,6 +73,7 @@ shaders::CompileRequest request(const ShadowShader& shader, bool counting) {
   request.package_roots = with_own_package(shader.package_roots);
   request.include_directories = shader.include_directories;
   request.include_directories.push_back(root / "ShaderLibrary");
+  request.include_directories.push_back(root);  // the package's folder: filters are named relative to it
   request.include_directories.push_back(root / "tools" / "resolve" / "shaders");
   request.project = shader.project;
   request.cginc_root = shader.cginc_root;
@@ -96,9 +96,9 @@ shaders::CompileRequest triangle_request() {
 
 }  // namespace
 
-ShadowShader technique_shader(const shaders::TechniqueList& list, const shaders::Technique& technique,
+ShadowShader technique_shader(const techniques::TechniqueList& list, const techniques::Technique& technique,
                               Taps taps, bool reversed_z) {
-  const shaders::TechniqueCall call = shaders::emit_technique_call(list, technique, kUniformPrefix);
+  const techniques::TechniqueCall call = techniques::emit_technique_call(list, technique, kUniformPrefix);
   ShadowShader shader;
   shader.name = technique.name;
   shader.body = "#include \"Platform/Platform.hlsl\"\n" + call.includes +

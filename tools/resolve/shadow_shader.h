@@ -1,5 +1,5 @@
 // The HLSL of one way to answer "how much of the light does this receiver see": a technique of
-// techniques.json, or a function of the user's own.
+// the manifests, or a function of the user's own.
 //
 // The generated text includes, in this order: the platform macros and the technique's file, or the user's
 // file, which brings its own; then shaders/Resolve.hlsl, whose Main runs once per receiver.
@@ -17,7 +17,7 @@
 #include "resolve/uniform_numbers.h"
 #include "resolve/uniform_values.h"
 #include "shaders/compile.h"
-#include "shaders/technique_list.h"
+#include "techniques/technique_list.h"
 
 namespace penumbra::resolve {
 
@@ -42,7 +42,7 @@ struct ShadowShader {
 
 enum class Taps { as_listed, unlimited };  // unlimited: the technique's own T3 overrides
 
-ShadowShader technique_shader(const shaders::TechniqueList& list, const shaders::Technique& technique,
+ShadowShader technique_shader(const techniques::TechniqueList& list, const techniques::Technique& technique,
                               Taps taps = Taps::as_listed, bool reversed_z = true);
 
 // A user's own function, in `file`:

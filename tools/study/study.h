@@ -22,10 +22,10 @@
 #include "resolve/shadow_shader.h"
 #include "scene/frame.h"
 #include "scene/scene.h"
-#include "shaders/technique_list.h"
 #include "study/picture.h"
 #include "study/report.h"
 #include "study/results.h"
+#include "techniques/technique_list.h"
 
 namespace penumbra::study {
 
@@ -45,7 +45,7 @@ struct Subject {
   int averaged_frames = 1;
 };
 
-Subject technique_subject(const shaders::TechniqueList& list, const shaders::Technique& technique,
+Subject technique_subject(const techniques::TechniqueList& list, const techniques::Technique& technique,
                           bool reversed_z);
 Subject adapter_subject(const resolve::Adapter& adapter, bool reversed_z);
 

@@ -14,7 +14,7 @@
 
 namespace penumbra::validation {
 
-// absent: the target has no such stage, or nothing that writes it; or techniques.json says the target does
+// absent: the target has no such stage, or nothing that writes it; or its manifest says the target does
 // without this technique, and it does fail there. unreached: there was no SPIR-V to make the target from; its
 // failure is reported once, under "spirv". unchecked: it could not be tried here, for a reason that is not
 // the shader's (a file that only the Unity editor has).
@@ -25,7 +25,7 @@ inline constexpr const char* whole_source = "source";
 
 // One entry point of one file with one keyword set for one target.
 struct VariantRecord {
-  std::string technique;  // of techniques.json; empty for a user's file
+  std::string technique;  // its name; empty for a user's file
   std::string file;
   std::string shader;  // ShaderLab name, "Universal Render Pipeline/Lit"; empty outside ShaderLab
   std::string pass;    // "ForwardLit", or "0.2" (subshader.pass, from 0) where a pass has no name

@@ -11,7 +11,7 @@ namespace penumbra::validation {
 
 // Vertex and fragment stage of every pass, in the order of the chain, each once.
 std::vector<SourceVariant> screen_variants(const ValidationRequest& request,
-                                           const shaders::Technique& technique,
+                                           const techniques::Technique& technique,
                                            const std::vector<std::string>& keywords);
 
 }  // namespace penumbra::validation

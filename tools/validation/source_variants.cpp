@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "techniques/technique_call.h"
 #include "validation/screen_variants.h"
 #include "validation/spirv_target.h"
 
@@ -51,19 +52,20 @@ shaders::CompileRequest base_request(const ValidationRequest& request,
   return compile;
 }
 
-SourceVariant technique_variant(const ValidationRequest& request, const shaders::Technique& technique,
+SourceVariant technique_variant(const ValidationRequest& request, const techniques::Technique& technique,
                                 hlsl::Stage stage, const std::vector<std::string>& keywords) {
-  const shaders::TechniqueList& list = *request.techniques;
-  const shaders::TechniqueCall call = shaders::emit_technique_call(list, technique, "_Penumbra");
+  const techniques::TechniqueList& list = *request.techniques;
+  const techniques::TechniqueCall call = techniques::emit_technique_call(list, technique, "_Penumbra");
   SourceVariant variant;
   variant.technique = &technique;
   variant.unit.technique = technique.name;
   variant.unit.keywords = keywords;
-  variant.unit.file = (list.file.parent_path() / technique.resolve().file).lexically_normal().string();
+  variant.unit.file = (list.package / technique.file()).lexically_normal().string();
   variant.unit.lint = request.lint;
   shaders::CompileRequest& compile = variant.unit.compile;
   compile = base_request(request, keywords);
-  compile.include_directories.push_back(list.file.parent_path());
+  for (const std::filesystem::path& folder : list.include_directories())
+    compile.include_directories.push_back(folder);
   compile.file = "technique " + technique.name + " (" + hlsl::stage_name(stage) + " entry)";
   compile.text = "#include \"Platform/Platform.hlsl\"\n" + call.includes +
                  "#include \"Core/ShadowStructs.hlsl\"\n" + call.declarations + call.function +
@@ -73,7 +75,7 @@ SourceVariant technique_variant(const ValidationRequest& request, const shaders:
   return variant;
 }
 
-std::vector<std::string> with_own_keywords(const shaders::Technique& technique,
+std::vector<std::string> with_own_keywords(const techniques::Technique& technique,
                                            std::vector<std::string> keywords) {
   for (const std::string& keyword : technique.keywords)
     if (std::find(keywords.begin(), keywords.end(), keyword) == keywords.end()) keywords.push_back(keyword);
@@ -81,9 +83,9 @@ std::vector<std::string> with_own_keywords(const shaders::Technique& technique,
 }
 
 std::vector<SourceVariant> technique_variants(const ValidationRequest& request,
-                                              const shaders::Technique& technique,
+                                              const techniques::Technique& technique,
                                               const std::vector<std::string>& keywords) {
-  if (technique.screen) return screen_variants(request, technique, keywords);
+  if (technique.graph.over_screen()) return screen_variants(request, technique, keywords);
   return {technique_variant(request, technique, hlsl::Stage::fragment, keywords),
           technique_variant(request, technique, hlsl::Stage::compute, keywords)};
 }
@@ -103,7 +105,7 @@ void add_for_targets(const ValidationRequest& request, SourceVariant variant,
 std::vector<SourceVariant> source_variants(const ValidationRequest& request) {
   std::vector<SourceVariant> variants;
   if (request.techniques)
-    for (const shaders::Technique& technique : request.techniques->techniques)
+    for (const techniques::Technique& technique : request.techniques->techniques)
       for (const std::vector<std::string>& keywords : technique.keyword_sets)
         for (SourceVariant& variant :
              technique_variants(request, technique, with_own_keywords(technique, keywords)))

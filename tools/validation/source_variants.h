@@ -9,7 +9,7 @@
 namespace penumbra::validation {
 
 struct SourceVariant {
-  const shaders::Technique* technique = nullptr;  // null for a user's file
+  const techniques::Technique* technique = nullptr;  // null for a user's file
   CompileUnit unit;
 };
 

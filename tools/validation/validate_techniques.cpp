@@ -13,8 +13,8 @@ namespace penumbra::validation {
 
 namespace {
 
-// A target that techniques.json gives up on is tried all the same, so that the entry goes when it can.
-void judge(VariantRecord& record, const shaders::Technique* technique) {
+// A target that a technique's manifest gives up on is tried all the same, so that the entry goes when it can.
+void judge(VariantRecord& record, const techniques::Technique* technique) {
   if (technique == nullptr) return;
   const auto absent = technique->targets_absent.find(record.target);
   if (absent == technique->targets_absent.end() || record.status == VariantStatus::unreached) return;
@@ -26,7 +26,7 @@ void judge(VariantRecord& record, const shaders::Technique* technique) {
                                   0,
                                   0,
                                   hlsl::Severity::note,
-                                  "works, although techniques.json lists it as absent: " + absent->second,
+                                  "works, although its manifest lists it as absent: " + absent->second,
                                   {}});
   }
 }

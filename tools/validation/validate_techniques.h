@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "shaders/compile.h"
-#include "shaders/technique_list.h"
+#include "techniques/technique_list.h"
 #include "validation/engine.h"
 #include "validation/program_lint.h"
 #include "validation/report.h"
@@ -28,7 +28,7 @@ struct ShaderToValidate {
 };
 
 struct ValidationRequest {
-  std::optional<shaders::TechniqueList> techniques;
+  std::optional<techniques::TechniqueList> techniques;
   std::vector<ShaderToValidate> files;
   std::vector<std::string> targets{"spirv", "essl310", "glsl450", "msl23", "hlsl50"};
   std::vector<std::pair<std::string, std::string>> defines;

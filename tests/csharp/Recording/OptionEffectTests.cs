@@ -20,7 +20,7 @@ namespace Penumbra.Tests
         // Of the structure that a technique's filter takes; tents take none.
         private static string[] Fields(string structure)
         {
-            string file = Path.Combine(FakeShader.PackageRoot(), "ShaderLibrary", "techniques.json");
+            string file = Path.Combine(FakeShader.PackageRoot(), "tests", "golden", "techniques.json");
             using JsonDocument list = JsonDocument.Parse(File.ReadAllText(file));
             return list.RootElement.GetProperty("structs").EnumerateArray()
                 .Single(entry => entry.GetProperty("name").GetString() == structure).GetProperty("fields").EnumerateArray()

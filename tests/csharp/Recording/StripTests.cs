@@ -95,7 +95,7 @@ namespace Penumbra.Tests
             }
         }
 
-        /// <summary>Documentation~/presets.md shows that file; the program writes it from techniques.json.</summary>
+        /// <summary>Documentation~/presets.md shows that file; the program writes it from the presets' manifest.</summary>
         [Test]
         public void WhatThePageSaysOfEachPresetIsWhatIsKept()
         {

@@ -1,27 +1,27 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Text.Json;
 using System.Text.RegularExpressions;
 using NUnit.Framework;
 using Penumbra.Editor;
+using UnityEngine.Experimental.Rendering;
 
 namespace Penumbra.Tests
 {
     /// <summary>What the passes are told is what the study measures them with.</summary>
     public sealed class TechniqueListTests
     {
-        private static JsonElement Values(string technique)
-        {
-            string file = Path.Combine(FakeShader.PackageRoot(), "ShaderLibrary", "techniques.json");
-            using JsonDocument list = JsonDocument.Parse(File.ReadAllText(file));
-            return list.RootElement.GetProperty("techniques").EnumerateArray()
-                .Single(entry => entry.GetProperty("name").GetString() == technique).GetProperty("values").Clone();
-        }
+        private static JsonElement Technique(string technique) =>
+            List().GetProperty("techniques").EnumerateArray()
+                .Single(entry => entry.GetProperty("name").GetString() == technique);
+
+        private static JsonElement Values(string technique) => Technique(technique).GetProperty("values");
 
         private static JsonElement List()
         {
-            string file = Path.Combine(FakeShader.PackageRoot(), "ShaderLibrary", "techniques.json");
+            string file = Path.Combine(FakeShader.PackageRoot(), "tests", "golden", "techniques.json");
             using JsonDocument list = JsonDocument.Parse(File.ReadAllText(file));
             return list.RootElement.Clone();
         }
@@ -77,6 +77,37 @@ namespace Penumbra.Tests
             Assert.That(DenoisePass.Radius, Is.EqualTo(Value("screen-pcss-angular-24-16-denoised", "denoiseRadius")));
             Assert.That(DenoisePass.PlaneTolerance, Is.EqualTo(Value("screen-pcss-angular-24-16-denoised", "planeTolerance")));
             Assert.That(DenoisePass.NoiseAmplitude, Is.EqualTo(Value("screen-pcss-angular-24-16-denoised", "noiseAmplitude")));
+        }
+
+        private static IEnumerable<QualityPreset> Presets() =>
+            Enum.GetValues(typeof(QualityPreset)).Cast<QualityPreset>().Where(preset => preset != QualityPreset.Custom);
+
+        /// <summary>What is drawn is the graph that was measured: its passes, their targets and what they read.</summary>
+        [TestCaseSource(nameof(Presets))]
+        public void APresetsPassesAreTheStudys(QualityPreset preset)
+        {
+            JsonElement technique = Technique("preset-" + preset.ToString().ToLowerInvariant());
+            JsonElement[] passes = technique.GetProperty("passes").EnumerateArray().ToArray();
+            var textures = technique.GetProperty("textures").EnumerateArray()
+                .ToDictionary(texture => texture.GetProperty("name").GetString());
+            ShadowChain chain = ShadowChain.Of(ShadowPresets.Options(preset), ShadowPassList.All);
+            Assert.That(chain.Steps.Select(step => step.shaderPass),
+                        Is.EqualTo(passes.Select(pass => pass.GetProperty("program").GetString())));
+            for (int i = 0; i < passes.Length; ++i)
+            {
+                string target = passes[i].GetProperty("writes")[0].GetString();
+                ChainTexture slot = chain.Slots[chain.Steps[i].target];
+                Assert.That(slot.divisor, Is.EqualTo(textures[target].GetProperty("divisor").GetInt32()), target);
+                Assert.That(slot.extent.ToString().ToLowerInvariant(),
+                            Is.EqualTo(textures[target].GetProperty("extent").GetString()), target);
+                Assert.That(slot.format, Is.EqualTo(GraphicsFormat.R8_UNorm), target);
+                Assert.That(textures[target].GetProperty("format").GetString(), Is.EqualTo("r8"), target);
+                bool reads = passes[i].GetProperty("reads").TryGetProperty("_PenumbraSourceTexture", out JsonElement source);
+                Assert.That(chain.Steps[i].source != ShadowChain.None, Is.EqualTo(reads), target);
+                if (!reads) continue;
+                int writer = Array.FindIndex(passes, pass => pass.GetProperty("writes")[0].GetString() == source.GetString());
+                Assert.That(chain.Steps[i].source, Is.EqualTo(chain.Steps[writer].target), target);
+            }
         }
 
         [Test]

@@ -1,0 +1,260 @@
+// What a graph may be: every way in which one cannot be run has its own message at its own place, and passes
+// run after those whose output they read.
+#include "techniques/pass_graph.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "gpu/format.h"
+#include "input/input_error.h"
+#include "shaders/shader_files.h"
+#include "techniques/technique_list.h"
+#include "techniques/texel_formats.h"
+
+namespace penumbra::techniques {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+// A variance map with a separable blur and mip levels, before the filter that reads it; the passes are not in
+// the order in which they have to run.
+constexpr const char* kVariance = R"({
+"graphs": [{"name": "variance",
+  "textures": [
+    {"name": "moments", "extent": "map", "format": "rg32f"},
+    {"name": "rows", "extent": "map", "format": "rg32f"},
+    {"name": "blurred", "extent": "map", "format": "rg32f", "mips": 0}],
+  "passes": [
+    {"name": "filter", "kind": "filter",
+     "filter": {"file": "V.hlsl", "function": "FilterVariance", "arguments": ["blurred", "linearSampler"]}},
+    {"name": "Mips", "kind": "raster", "shader": "V.shader", "runs": "cascade",
+     "reads": {"_Source": "blurred"}, "writes": ["blurred"], "each_mip": true},
+    {"name": "Columns", "kind": "raster", "shader": "V.shader", "runs": "cascade",
+     "reads": {"_Source": "rows"}, "writes": ["blurred"]},
+    {"name": "Rows", "kind": "raster", "shader": "V.shader", "runs": "cascade",
+     "reads": {"_Source": "moments"}, "writes": ["rows"]},
+    {"name": "Moments", "kind": "raster", "shader": "V.shader", "runs": "cascade", "writes": ["moments"]}]}],
+"techniques": [{"name": "variance", "title": "Variance", "family": "variance", "source": "Donnelly and Lauritzen 2006",
+                "graph": "variance"}]})";
+
+// Marked tiles of the screen are shaded by an indirect dispatch.
+constexpr const char* kTiles = R"({
+"graphs": [{"name": "tiles",
+  "textures": [{"name": "visibility", "format": "r16f"}, {"name": "marks", "divisor": 8, "format": "r32ui"}],
+  "buffers": [{"name": "groups", "words": 3, "indirect": true},
+              {"name": "list", "words_per_texel": 1, "texture": "marks"}],
+  "passes": [
+    {"name": "Mark", "kind": "compute", "compute": "T.compute", "writes": {"_Marks": "marks"},
+     "groups": {"texels_of": "marks"}},
+    {"name": "Collect", "kind": "compute", "compute": "T.compute", "reads": {"_Marks": "marks"},
+     "writes": {"_Groups": "groups", "_List": "list"}, "groups": {"fixed": [1, 1, 1]}},
+    {"name": "Shade", "kind": "compute", "compute": "T.compute", "reads": {"_List": "list"},
+     "writes": {"_Visibility": "visibility"}, "groups": {"indirect": "groups"}}],
+  "visibility": "visibility"}],
+"techniques": [{"name": "tiles", "title": "Tiles", "family": "tiles", "source": "s", "graph": "tiles"}]})";
+
+class PassGraphTest : public testing::Test {
+ protected:
+  PassGraphTest() {
+    for (const char* name : {"V.hlsl", "V.shader", "T.compute"}) files_.write(name, "// here\n");
+  }
+
+  PassGraph read(const std::string& text) const {
+    return read_technique_list(files_.write("t.technique.json", text)).techniques.at(0).graph;
+  }
+  // What is said of the text with one thing changed.
+  std::string problem(std::string text, const std::string& from, const std::string& to) const {
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    text.replace(at, from.size(), to);
+    try {
+      read(text);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+  static std::vector<std::string> names(const PassGraph& graph) {
+    std::vector<std::string> names;
+    for (const GraphPass& pass : graph.passes) names.push_back(pass.name);
+    return names;
+  }
+
+  shaders::ShaderFiles files_;
+};
+
+TEST_F(PassGraphTest, PassesRunAfterThoseWhoseOutputTheyRead) {
+  const PassGraph variance = read(kVariance);
+  EXPECT_THAT(names(variance), ElementsAre("Moments", "Rows", "Columns", "Mips", "filter"));
+  EXPECT_EQ(variance.texture("blurred")->mips, 0);
+  EXPECT_EQ(variance.passes[1].frequency, Frequency::cascade);
+  EXPECT_FALSE(variance.over_screen());
+  const PassGraph tiles = read(kTiles);
+  EXPECT_THAT(names(tiles), ElementsAre("Mark", "Collect", "Shade"));
+  EXPECT_TRUE(tiles.over_screen());
+  EXPECT_EQ(tiles.passes[2].groups.indirect, "groups");
+  EXPECT_EQ(tiles.buffer("list")->words_per_texel, 1);
+}
+
+TEST_F(PassGraphTest, NamesThatNothingHasOrTwoHaveAreFound) {
+  EXPECT_THAT(
+      problem(kVariance, R"({"_Source": "rows"})", R"({"_Source": "row"})"),
+      AllOf(HasSubstr("t.technique.json:12:"), HasSubstr("'Columns' names 'row', which is not declared"),
+            HasSubstr("the graph has: moments, rows, blurred")));
+  EXPECT_THAT(problem(kVariance, R"("arguments": ["blurred")", R"("arguments": ["blured")"),
+              HasSubstr("'blured' is no argument of a filter"));
+  EXPECT_THAT(problem(kVariance, R"({"name": "rows")", R"({"name": "moments")"),
+              HasSubstr("there are two of the name 'moments'"));
+  EXPECT_THAT(problem(kVariance, R"("name": "Rows")", R"("name": "Columns")"),
+              HasSubstr("there are two of the name 'Columns', one a pass"));
+  EXPECT_THAT(problem(kVariance, R"("graph": "variance")", R"("graph": "varance")"),
+              AllOf(HasSubstr("unknown graph 'varance'"), HasSubstr("did you mean 'variance'?")));
+  EXPECT_THAT(problem(kTiles, R"({"texels_of": "marks"})", R"({"texels_of": "mark"})"),
+              HasSubstr("there is no texture 'mark'"));
+  EXPECT_THAT(problem(kTiles, R"({"indirect": "groups"})", R"({"indirect": "list"})"),
+              HasSubstr("there is no buffer 'list' of numbers of groups"));
+  EXPECT_THAT(problem(kTiles, R"("visibility": "visibility"}])", R"("visibility": "visible"}])"),
+              HasSubstr("there is no texture 'visible'"));
+}
+
+TEST_F(PassGraphTest, EachTextureHasOneWriterAndAReader) {
+  EXPECT_THAT(problem(kVariance, R"("reads": {"_Source": "moments"}, "writes": ["rows"])",
+                      R"("reads": {"_Source": "rows"}, "writes": ["moments"])"),
+              HasSubstr("more than one pass writes 'moments': 'Rows', 'Moments'"));
+  EXPECT_THAT(problem(kVariance, R"(, "writes": ["moments"])", R"(, "writes": ["rows"])"),
+              HasSubstr("no pass writes 'moments'"));
+  EXPECT_THAT(problem(kVariance, R"("arguments": ["blurred", )", R"("arguments": [)"),
+              AllOf(HasSubstr("t.technique.json:6:"), HasSubstr("nothing reads 'blurred'")));
+  EXPECT_THAT(problem(kTiles, R"({"_List": "list"},
+     "writes": {"_Visibility")",
+                      R"({},
+     "writes": {"_Visibility")"),
+              HasSubstr("nothing reads 'list'"));
+  EXPECT_THAT(
+      problem(kVariance, R"("writes": ["blurred"]},)", R"("writes": ["blurred"], "each_mip": true},)"),
+      HasSubstr("'Columns' runs for each mip level of 'blurred'"));
+}
+
+TEST_F(PassGraphTest, PassesThatWaitForEachOtherAreFound) {
+  EXPECT_THAT(problem(kVariance, R"("runs": "cascade", "writes": ["moments"])",
+                      R"("runs": "cascade", "reads": {"_Old": "blurred"}, "writes": ["moments"])"),
+              HasSubstr("passes wait for each other in a circle, among: "));
+  EXPECT_THAT(problem(kVariance, R"({"_Source": "moments"}, "writes": ["rows"])",
+                      R"({"_Source": "moments", "_Own": "rows"}, "writes": ["rows"])"),
+              HasSubstr("'Rows' reads 'rows', which it writes"));
+}
+
+TEST_F(PassGraphTest, APassRunsAsOftenAsWhatItReads) {
+  EXPECT_THAT(problem(kVariance, R"("runs": "cascade", "writes": ["moments"])", R"("writes": ["moments"])"),
+              HasSubstr("'Rows' runs more rarely than 'Moments', whose output it reads"));
+  EXPECT_THAT(problem(kVariance, R"("runs": "cascade", "writes": ["moments"])",
+                      R"("runs": "bake", "writes": ["moments"])"),
+              HasSubstr("no error"))
+      << "what is made once may be read every frame";
+  EXPECT_THAT(problem(kVariance, R"("runs": "cascade", "writes": ["moments"])",
+                      R"("runs": "frames", "writes": ["moments"])"),
+              HasSubstr("unknown frequency 'frames'"));
+}
+
+TEST_F(PassGraphTest, TexturesThatNoDeviceHasAreFound) {
+  const auto of_rows = [&](const std::string& text) {
+    return problem(kVariance, R"({"name": "rows", "extent": "map", "format": "rg32f")",
+                   R"({"name": "rows", )" + text);
+  };
+  EXPECT_THAT(of_rows(R"("extent": "map", "format": "rg33f")"),
+              AllOf(HasSubstr("unknown format 'rg33f'"), HasSubstr("did you mean 'rg32f'?")));
+  EXPECT_THAT(of_rows(R"("extent": "mop", "format": "rg32f")"), HasSubstr("unknown extent 'mop'"));
+  EXPECT_THAT(of_rows(R"("divisor": 0, "format": "rg32f")"), HasSubstr("a divisor is 1 to 64"));
+  EXPECT_THAT(of_rows(R"("extent": "fixed", "format": "rg32f")"), HasSubstr("array of 3 numbers"));
+  EXPECT_THAT(of_rows(R"("extent": "fixed", "size": [4, 4, 0], "format": "rg32f")"),
+              HasSubstr("a fixed size is"));
+  EXPECT_THAT(of_rows(R"("samples": 3, "format": "rg32f")"), HasSubstr("samples are 1, 2, 4 or 8"));
+  EXPECT_THAT(of_rows(R"("samples": 4, "mips": 2, "format": "rg32f")"), HasSubstr("one mip level"));
+  EXPECT_THAT(of_rows(R"("extent": "map", "format": "depth32")"), HasSubstr("which has a depth format"));
+  EXPECT_THAT(problem(kTiles, R"("format": "r32ui")", R"("format": "r32ui", "samples": 4)"),
+              HasSubstr("cannot write 'marks' of several samples"));
+}
+
+TEST_F(PassGraphTest, TargetsOfOneDrawHaveOneSize) {
+  EXPECT_THAT(problem(kVariance, R"(, "writes": ["moments"])", R"(, "writes": ["moments", "extra"])"),
+              HasSubstr("'Moments' names 'extra'"));
+  std::string text = kVariance;
+  text.replace(text.find("\"textures\": ["), 13,
+               R"("textures": [{"name": "extra", "extent": "map", "divisor": 2, "format": "r8"},)");
+  EXPECT_THAT(problem(text, R"(, "writes": ["moments"])", R"(, "writes": ["moments", "extra"])"),
+              HasSubstr("'Moments' draws into 'moments' and 'extra', which differ in size or samples"));
+}
+
+TEST_F(PassGraphTest, KernelsNeedOneNumberOfGroups) {
+  EXPECT_THAT(problem(kTiles, R"("groups": {"fixed": [1, 1, 1]})", R"("groups": {})"),
+              HasSubstr("'Collect' needs one number of groups"));
+  EXPECT_THAT(problem(kTiles, R"({"fixed": [1, 1, 1]})", R"({"fixed": [1, 1, 1], "texels_of": "marks"})"),
+              HasSubstr("'Collect' needs one number of groups"));
+  EXPECT_THAT(problem(kTiles, R"({"fixed": [1, 1, 1]})", R"({"fixed": [0, 1, 1]})"),
+              HasSubstr("numbers of groups are 1 to 65535"));
+  EXPECT_THAT(problem(kTiles, R"("words": 3, )", R"("words": 2, )"),
+              HasSubstr("numbers of groups take three words"));
+}
+
+TEST_F(PassGraphTest, AGraphEndsInOneVisibility) {
+  EXPECT_THAT(problem(kTiles, R"(,
+  "visibility": "visibility"})",
+                      "}"),
+              AnyOf(HasSubstr("nothing reads 'visibility'"), HasSubstr("one of the two")));
+  EXPECT_THAT(problem(kTiles, R"({"name": "visibility", )", R"({"name": "visibility", "divisor": 2, )"),
+              HasSubstr("the visibility has not one texel for each pixel of the screen"));
+  EXPECT_THAT(problem(kVariance, R"("passes": [)",
+                      R"("passes": [{"name": "second", "kind": "filter",
+                         "filter": {"file": "V.hlsl", "function": "F"}},)"),
+              HasSubstr("there are two filters"));
+  EXPECT_THAT(problem(kVariance, R"("graph": "variance")",
+                      R"("filter": {"file": "V.hlsl", "function": "F"}, "graph": "")"),
+              HasSubstr("no error"))
+      << "a filter alone is a graph";
+}
+
+TEST_F(PassGraphTest, APartsTexturesAndPassesAreTakenOver) {
+  std::string text = kVariance;
+  text.replace(text.find("}],\n\"techniques\""), 3, R"(}, {"name": "whole", "parts": ["variance"]}],)");
+  text.replace(text.find("\"graph\": \"variance\""), 19, "\"graph\": \"whole\"");
+  EXPECT_EQ(read(text).passes.size(), 5U);
+  EXPECT_THAT(problem(text, "[\"variance\"]", "[\"variants\"]"), HasSubstr("unknown graph 'variants'"));
+}
+
+TEST_F(PassGraphTest, WhatATargetLacksIsSaidOfTheTextureThatNeedsIt) {
+  const PassGraph tiles = read(kTiles);
+  const std::vector<GraphProblem> essl = target_problems(tiles, "essl310");
+  ASSERT_EQ(essl.size(), 1U);
+  EXPECT_THAT(essl[0].text, HasSubstr("cannot write 'r16f', the format of 'visibility'"));
+  EXPECT_THAT(essl[0].where, HasSubstr("t.technique.json:3:"));
+  EXPECT_THAT(target_problems(tiles, "spirv"), IsEmpty());
+  EXPECT_THAT(target_problems(read(kVariance), "essl310"), IsEmpty()) << "no kernel writes one";
+}
+
+TEST(TexelFormats, AreThoseOfTheDeviceRoom) {
+  EXPECT_EQ(texel_formats().size(), gpu::all_formats().size());
+  for (const gpu::Format format : gpu::all_formats()) {
+    const TexelFormat* found = find_texel_format(gpu::name(format));
+    ASSERT_NE(found, nullptr) << gpu::name(format);
+    EXPECT_EQ(found->depth, gpu::is_depth(format)) << gpu::name(format);
+  }
+}
+
+TEST(LibraryGraphs, OfTheLibraryAreThoseThatWereMeasured) {
+  const TechniqueList list = read_technique_list(PENUMBRA_SOURCE_DIR);
+  EXPECT_EQ(list.techniques.size(), 39U);
+  const PassGraph& graph = list.find("screen-pcss-angular-24-16-half-masked-denoised").graph;
+  std::vector<std::string> names;
+  for (const GraphPass& pass : graph.passes) names.push_back(pass.name);
+  EXPECT_THAT(names, ElementsAre("PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical", "Resolve",
+                                 "Upsample", "DenoiseHorizontal", "DenoiseVertical"));
+  EXPECT_EQ(graph.mask, "mask");
+  EXPECT_EQ(graph.visibility, "visibility");
+  EXPECT_THAT(graph.keywords, ElementsAre("_PENUMBRA_MASK"));
+}
+
+}  // namespace
+}  // namespace penumbra::techniques

@@ -1,0 +1,67 @@
+#include "techniques/preset_programs.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "techniques/preset_emit.h"
+
+namespace penumbra::techniques {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+const std::filesystem::path root = PENUMBRA_SOURCE_DIR;
+
+TechniqueList techniques() {
+  return read_technique_list(root);
+}
+
+shaders::PackageShader feature_shader() {
+  return shaders::PackageShader(root / "Shaders/PenumbraShadows.shader");
+}
+
+std::vector<std::string> passes_of(const std::vector<PresetProgram>& programs) {
+  std::vector<std::string> names;
+  for (const PresetProgram& program : programs) names.push_back(program.pass);
+  return names;
+}
+
+TEST(PresetPrograms, ArePassesOfTheChainWithTheKeywordsTheyDeclare) {
+  const std::vector<PresetProgram> high = programs_of(techniques().find("preset-high"), feature_shader());
+  EXPECT_THAT(passes_of(high),
+              ElementsAre("PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical", "Resolve"));
+  EXPECT_THAT(high[0].keywords, IsEmpty());
+  EXPECT_THAT(high[3].keywords, ElementsAre("_PENUMBRA_PCSS", "_PENUMBRA_MASK"));
+  const std::vector<PresetProgram> low = programs_of(techniques().find("preset-low"), feature_shader());
+  EXPECT_THAT(passes_of(low), ElementsAre("Resolve"));
+  EXPECT_THAT(low[0].keywords, ElementsAre("_PENUMBRA_PCSS"));
+}
+
+TEST(PresetPrograms, AVariantIsOneKeywordOfEverySet) {
+  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "preset_programs.shader";
+  std::ofstream(file) << "Shader \"S\" { SubShader { Pass { Name \"P\"\nHLSLPROGRAM\n#pragma vertex V\n"
+                         "#pragma multi_compile_local_fragment _ A B\n#pragma multi_compile_fragment _ C\n"
+                         "ENDHLSL\n} Pass { Name \"Q\"\nHLSLPROGRAM\n#pragma vertex V\nENDHLSL\n} } }\n";
+  const shaders::PackageShader shader(file);
+  EXPECT_EQ(shader.variant_count("P"), 6U);
+  EXPECT_EQ(shader.variant_count("Q"), 1U);
+  EXPECT_THAT(shader.declared("P", {"C", "D", "A"}), ElementsAre("A", "C"));
+  EXPECT_THAT(shader.declared("Q", {"C", "D", "A"}), IsEmpty());
+}
+
+TEST(PresetPrograms, CheckedInOnesAreTheEmittedOnes) {
+  std::ifstream file(root / "Documentation~/variants/presets.json", std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  EXPECT_EQ(text, preset_programs_json(techniques(), feature_shader()))
+      << "write them anew: penumbra validate --emit-programs Documentation~/variants/presets.json, then "
+         "tests/variants/page";
+}
+
+}  // namespace
+}  // namespace penumbra::techniques

@@ -1,0 +1,311 @@
+#include "techniques/technique_list.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "input/input_error.h"
+#include "shaders/shader_files.h"
+#include "techniques/look_emit.h"
+#include "techniques/preset_emit.h"
+#include "techniques/technique_call.h"
+#include "techniques/technique_json.h"
+
+namespace penumbra::techniques {
+namespace {
+
+using shaders::ShaderFiles;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+constexpr const char* good = R"({
+  "structs": [
+    {"name": "BoxParameters", "doc": "Even kernel.", "fields": [
+      {"name": "taps", "type": "int", "unit": "taps", "doc": "per side", "range": [1, 9]},
+      {"name": "scale", "type": "float2", "unit": "1", "doc": "stretch"}]}
+  ],
+  "techniques": [
+    {"name": "box-3", "title": "Box", "family": "box", "source": "Nobody 1900",
+     "filter": {"file": "Box.hlsl", "function": "FilterBox",
+                "arguments": ["shadowMap", "pointSampler"], "parameters": "BoxParameters"},
+     "values": {"taps": 3, "scale": [1.0, 0.5]},
+     "keywords": ["_WIDE"], "keyword_sets": [[], ["UNITY_REVERSED_Z"]],
+     "unlimited": {"taps": "4096"}, "targets_absent": {"hlsl50": "too long"}}
+  ]
+})";
+
+class TechniqueListTest : public testing::Test {
+ protected:
+  TechniqueListTest() { files_.write("Box.hlsl", "// box\n"); }
+
+  TechniqueList read(const std::string& text) const {
+    return read_technique_list(files_.write("box.technique.json", text));
+  }
+  static std::string with(const std::string& from, const std::string& to) {
+    std::string text = good;
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return text.replace(at, from.size(), to);
+  }
+  std::string refusal_of(const std::string& text) const {
+    try {
+      read(text);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+  std::string problem(const std::string& from, const std::string& to) const {
+    return refusal_of(with(from, to));
+  }
+
+  ShaderFiles files_;
+};
+
+TEST_F(TechniqueListTest, ATechniqueSaysTheBiasItShouldHave) {
+  EXPECT_EQ(read(good).techniques[0].bias, TechniqueBias{});
+  const std::string text =
+      with(R"("values")", R"("bias": {"depth": 1, "normal": 0.5, "soft_quality": "high"}, "values")");
+  EXPECT_EQ(read(text).techniques[0].bias, (TechniqueBias{1.0, 0.5, "high"}));
+  EXPECT_THAT(problem(R"("values")", R"("bias": {"depth": 1}, "values")"),
+              HasSubstr("'normal' must be a number"));
+  EXPECT_THAT(problem(R"("values")", R"("bias": {"depth": 11, "normal": 0}, "values")"),
+              HasSubstr("from 0 to 10"));
+  EXPECT_THAT(problem(R"("values")", R"("bias": {"depth": 1, "normal": 0, "soft": 1}, "values")"),
+              HasSubstr("unknown key 'soft'"));
+  EXPECT_THAT(
+      problem(R"("values")", R"("bias": {"depth": 1, "normal": 0, "soft_quality": "hihg"}, "values")"),
+      HasSubstr("did you mean 'high'?"));
+}
+
+TEST_F(TechniqueListTest, ReadsWhatIsThere) {
+  const TechniqueList list = read(good);
+  ASSERT_EQ(list.techniques.size(), 1U);
+  const Technique& box = list.find("box-3");
+  EXPECT_EQ(box.values.at("taps"), std::vector<double>{3.0});
+  EXPECT_EQ(box.values.at("scale"), (std::vector<double>{1.0, 0.5}));
+  EXPECT_EQ(box.keyword_sets, (std::vector<std::vector<std::string>>{{}, {"UNITY_REVERSED_Z"}}));
+  EXPECT_EQ(box.keywords, std::vector<std::string>{"_WIDE"});
+  EXPECT_EQ(box.unlimited.at("taps"), "4096");
+  EXPECT_EQ(box.targets_absent.at("hlsl50"), "too long");
+  EXPECT_EQ(box.file(), "Box.hlsl");
+  EXPECT_FALSE(box.graph.over_screen());
+  ASSERT_NE(list.find_struct("BoxParameters"), nullptr);
+  const std::vector<ParameterField>& fields = list.find_struct("BoxParameters")->fields;
+  EXPECT_EQ(fields[1].type, "float2");
+  ASSERT_TRUE(fields[0].range);
+  EXPECT_EQ(fields[0].range->smallest, 1.0);
+  EXPECT_EQ(fields[0].range->largest, 9.0);
+  EXPECT_FALSE(fields[1].range);
+}
+
+TEST_F(TechniqueListTest, UnlimitedMayBeANumber) {
+  EXPECT_EQ(read(with("\"4096\"", "4096")).find("box-3").unlimited.at("taps"), "4096");
+}
+
+TEST_F(TechniqueListTest, UsualKeywordSetsAreBothDirectionsOfDepthAndUnlimitedSamples) {
+  const std::string text = with(R"(, "keyword_sets": [[], ["UNITY_REVERSED_Z"]])", "");
+  EXPECT_THAT(read(text).techniques[0].keyword_sets,
+              ElementsAre(std::vector<std::string>{}, std::vector<std::string>{"UNITY_REVERSED_Z"},
+                          std::vector<std::string>{"PENUMBRA_UNLIMITED"},
+                          std::vector<std::string>{"UNITY_REVERSED_Z", "PENUMBRA_UNLIMITED"}));
+}
+
+TEST_F(TechniqueListTest, AnEntrySaysOnlyWhatDiffersFromTheDefaults) {
+  const TechniqueList list = read(R"({
+    "structs": [{"name": "P", "doc": "d", "fields": [
+      {"name": "taps", "type": "int", "unit": "1", "doc": "d", "range": [1, 9], "default": 5},
+      {"name": "width", "type": "float", "unit": "m", "doc": "d"}]}],
+    "defaults": {"family": "f", "source": "s", "filter": {"file": "Box.hlsl", "function": "F", "parameters": "P"},
+                 "values": {"width": 2}, "keywords": ["_K"]},
+    "techniques": [{"name": "a", "title": "A"},
+                   {"name": "b", "title": "B", "family": "g", "values": {"taps": 3}, "keywords": []},
+                   {"name": "c", "title": "C", "values": {"width": 4}}]})");
+  const Technique& a = list.find("a");
+  EXPECT_EQ(a.family, "f");
+  EXPECT_EQ(a.source, "s");
+  EXPECT_EQ(a.values, (std::map<std::string, std::vector<double>>{{"taps", {5.0}}, {"width", {2.0}}}));
+  EXPECT_EQ(a.keywords, std::vector<std::string>{"_K"});
+  EXPECT_EQ(a.graph.filter()->arguments, std::vector<std::string>{"shadowMap"});
+  const Technique& b = list.find("b");
+  EXPECT_EQ(b.family, "g");
+  EXPECT_EQ(b.values.at("taps"), std::vector<double>{3.0});
+  EXPECT_EQ(b.values.at("width"), std::vector<double>{2.0});
+  EXPECT_TRUE(b.keywords.empty());
+  EXPECT_EQ(list.find("c").values.at("width"), std::vector<double>{4.0});
+}
+
+TEST_F(TechniqueListTest, WrongDefaultsAreNamedWithTheirPlace) {
+  EXPECT_THAT(problem("\"techniques\"", "\"defaults\": {\"famly\": \"a\"}, \"techniques\""),
+              HasSubstr("unknown key 'famly'"));
+  EXPECT_THAT(problem("\"techniques\"", "\"defaults\": {\"values\": {\"tups\": 1}}, \"techniques\""),
+              HasSubstr("unknown key 'tups'"));
+  EXPECT_THAT(problem("\"range\": [1, 9]", "\"range\": [1, 9], \"default\": 11"),
+              HasSubstr("'taps' is a whole number from 1 to 9, not 11"));
+}
+
+TEST_F(TechniqueListTest, WrongEntriesAreNamedWithTheirPlaceAndAWayOut) {
+  EXPECT_THAT(problem("\"family\"", "\"famly\""), HasSubstr("'family' is missing or empty"));
+  EXPECT_THAT(problem("\"targets_absent\"", "\"targets_absnt\""),
+              AllOf(HasSubstr("box.technique.json:13:37: "), HasSubstr("unknown key 'targets_absnt'"),
+                    HasSubstr("did you mean 'targets_absent'?")));
+  EXPECT_THAT(problem("\"parameters\": \"BoxParameters\"", "\"parameters\": \"BoxParameter\""),
+              AllOf(HasSubstr("box.technique.json:10:"), HasSubstr("unknown struct 'BoxParameter'"),
+                    HasSubstr("did you mean 'BoxParameters'?")));
+  EXPECT_THAT(problem("\"taps\": 3", "\"tap\": 3"), HasSubstr("no value for 'taps' of 'box-3'"));
+  EXPECT_THAT(problem("\"taps\": 3", "\"taps\": 3, \"radius\": 1"), HasSubstr("unknown key 'radius'"));
+  EXPECT_THAT(problem("\"taps\": 3", "\"taps\": 2.5"), HasSubstr("must be a whole number"));
+  EXPECT_THAT(problem("\"taps\": 3", "\"taps\": 11"),
+              HasSubstr("'taps' is a whole number from 1 to 9, not 11"));
+  EXPECT_THAT(problem("[1, 9]", "[9, 1]"), HasSubstr("the smallest value comes after the largest"));
+  EXPECT_THAT(problem("[1, 9]", "[1]"), HasSubstr("array of 2 numbers"));
+  EXPECT_THAT(problem("[1.0, 0.5]", "[1.0]"), HasSubstr("array of 2 numbers"));
+  EXPECT_THAT(problem("Box.hlsl", "Bax.hlsl"), HasSubstr("there is no file"));
+  EXPECT_THAT(problem("\"pointSampler\"", "\"pointSamplr\""),
+              HasSubstr("'pointSamplr' is no argument of a filter"));
+  EXPECT_THAT(problem("\"int\"", "\"uint\""), HasSubstr("unknown type 'uint'"));
+  EXPECT_THAT(problem("\"hlsl50\"", "\"hlsl51\""), HasSubstr("unknown target 'hlsl51'"));
+  EXPECT_THAT(problem("\"hlsl50\": \"too long\"", "\"hlsl50\": \"\""), HasSubstr("missing or empty"));
+  EXPECT_THAT(problem("\"FilterBox\"", "\"Filter Box\""), HasSubstr("not an HLSL identifier"));
+  EXPECT_THAT(problem("[\"UNITY_REVERSED_Z\"]", "\"UNITY_REVERSED_Z\""),
+              HasSubstr("array of arrays of strings"));
+  EXPECT_THAT(problem("\"_WIDE\"", "\"_WIDE 1\""), HasSubstr("'_WIDE 1' is not a keyword"));
+  EXPECT_THAT(problem("\"taps\": \"4096\"", "\"taps\": \"many\""), HasSubstr("'many' is not a number"));
+  EXPECT_THAT(problem("\"taps\": \"4096\"", "\"tops\": \"4096\""), HasSubstr("did you mean 'taps'?"));
+  EXPECT_THAT(problem("\"name\": \"scale\"", "\"name\": \"taps\""), HasSubstr("two fields 'taps'"));
+}
+
+TEST_F(TechniqueListTest, NamesMayNotRepeat) {
+  std::string text = good;
+  const std::size_t start = text.find("    {\"name\": \"box-3\"");
+  const std::size_t end = text.find("  ]\n}", start);
+  const std::string technique = text.substr(start, end - start);
+  EXPECT_THAT(refusal_of(text.insert(end, "," + technique)),
+              AllOf(HasSubstr("two techniques 'box-3'"), HasSubstr("the other one is at ")));
+}
+
+TEST_F(TechniqueListTest, APackagesManifestsComeInTheirOrderAndShareStructs) {
+  const auto entry = [](const std::string& name) {
+    return R"({"name": ")" + name + R"(", "title": "T", "family": "f", "source": "s", "values": {"taps": 2},
+               "filter": {"file": "Box.hlsl", "function": "F", "parameters": "P"}})";
+  };
+  files_.write("ShaderLibrary/Filters/Box.hlsl", "// box\n");
+  files_.write("ShaderLibrary/Filters/A.technique.json",
+               R"({"order": 2, "techniques": [)" + entry("a") + "]}");
+  files_.write("ShaderLibrary/Filters/B.technique.json", R"({"order": 1, "techniques": [)" + entry("b") +
+                                                             R"(], "structs": [{"name": "P", "doc": "d",
+                      "fields": [{"name": "taps", "type": "int", "unit": "1", "doc": "d"}]}]})");
+  files_.write("ShaderLibrary/Other.json", "not a manifest");
+  const TechniqueList list = read_technique_list(files_.path("."));
+  ASSERT_EQ(list.techniques.size(), 2U);
+  EXPECT_EQ(list.techniques[0].name, "b");
+  EXPECT_EQ(list.techniques[1].name, "a");
+  EXPECT_EQ(list.techniques[1].file(), "ShaderLibrary/Filters/Box.hlsl");
+}
+
+class LookListTest : public TechniqueListTest {
+ protected:
+  static std::string look(const std::string& name, const std::string& degrees, const std::string& metres) {
+    return R"({"name": ")" + name +
+           R"(", "title": "Look \"A\"", "doc": "A light.", "angularDiameterDegrees": )" + degrees +
+           R"(, "maxPenumbraMetres": )" + metres + "}";
+  }
+  static std::string text_with(const std::string& looks) {
+    return with("\"techniques\": [", "\"looks\": [" + looks + "],\n  \"techniques\": [");
+  }
+  std::string refusal(const std::string& looks) const { return refusal_of(text_with(looks)); }
+};
+
+TEST_F(LookListTest, AreReadAndWrittenAsCSharp) {
+  const std::string text = emit_looks_csharp(read(text_with(look("low-sun", "1.5", "3"))));
+  EXPECT_THAT(text, HasSubstr("        /// <summary>A light.</summary>\n"
+                              "        [InspectorName(\"Look \\\"A\\\"\")]\n        LowSun,\n"));
+  EXPECT_THAT(text, HasSubstr("new LookValues(\"Look \\\"A\\\"\", 1.5f, 3.0f,\n"));
+}
+
+TEST_F(LookListTest, WrongOnesAreNamedWithTheirPlace) {
+  for (const char* degrees : {"0", "-1", "30.5"})
+    EXPECT_THAT(refusal(look("a", degrees, "1")),
+                HasSubstr("'angularDiameterDegrees' is not above 0 and at most 30"));
+  EXPECT_THAT(refusal(look("a", "1", "101")),
+              HasSubstr("'maxPenumbraMetres' is not above 0 and at most 100"));
+  EXPECT_THAT(refusal(look("a", "1", "1") + "," + look("a", "2", "1")), HasSubstr("two looks 'a'"));
+  EXPECT_THAT(refusal(look("a", "1", "1") + "," + look("b", "1", "1")),
+              HasSubstr("'b' has the values of 'a'"));
+}
+
+TEST_F(TechniqueListTest, EmptyListsAndOtherJsonAreRefused) {
+  EXPECT_THROW(read(""), InputError);
+  EXPECT_THROW(read("[]"), InputError);
+  EXPECT_THROW(read("{}"), InputError);
+  EXPECT_THROW(read_technique_list(files_.path("gone.technique.json")), InputError);
+  EXPECT_THROW(read_technique_list(files_.path(".")), InputError) << "a folder without manifests";
+}
+
+TEST_F(TechniqueListTest, UnknownTechniqueNamesTheNearest) {
+  const TechniqueList list = read(good);
+  try {
+    (void)list.find("bax-3");
+    FAIL() << "found";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("did you mean 'box-3'?"));
+  }
+}
+
+TEST_F(TechniqueListTest, CallPassesArgumentsThenReceiverTileAndParameters) {
+  const TechniqueList list = read(good);
+  const TechniqueCall call = emit_technique_call(list, list.find("box-3"), "_P");
+  EXPECT_EQ(call.includes, "#include \"Box.hlsl\"\n");
+  EXPECT_THAT(call.declarations,
+              HasSubstr("TEXTURE2D_SHADOW(_ShadowMap);\nSAMPLER_CMP(sampler_ShadowMap);\n"));
+  EXPECT_THAT(call.declarations, HasSubstr("int _PBoxParameters_taps;\nfloat2 _PBoxParameters_scale;\n"));
+  EXPECT_EQ(call.function,
+            "float ResolveTechnique(ShadowReceiver receiver, ShadowTile tile)\n{\n"
+            "    BoxParameters parameters;\n"
+            "    parameters.taps = _PBoxParameters_taps;\n"
+            "    parameters.scale = _PBoxParameters_scale;\n"
+            "    return FilterBox(TEXTURE2D_SHADOW_ARGS(_ShadowMap, sampler_ShadowMap), sampler_PointClamp, "
+            "receiver, tile, parameters);\n}\n");
+}
+
+std::string checked_in(const char* name) {
+  std::ifstream file(std::filesystem::path(PENUMBRA_SOURCE_DIR) / name, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+TechniqueList library() {
+  return read_technique_list(PENUMBRA_SOURCE_DIR);
+}
+
+TEST(LibraryTechniques, CheckedInParameterStructsAreTheEmittedOnes) {
+  EXPECT_EQ(checked_in("ShaderLibrary/Core/TechniqueParameters.hlsl"), emit_parameter_structs_hlsl(library()))
+      << "write it anew: penumbra validate --emit-parameters ShaderLibrary/Core/TechniqueParameters.hlsl";
+}
+
+TEST(LibraryTechniques, CheckedInPresetsAreTheEmittedOnes) {
+  EXPECT_EQ(checked_in("Runtime/Settings/PresetTable.cs"), emit_presets_csharp(library()))
+      << "write it anew: penumbra validate --emit-presets Runtime/Settings/PresetTable.cs";
+}
+
+TEST(LibraryTechniques, CheckedInLooksAreTheEmittedOnes) {
+  EXPECT_EQ(checked_in("Runtime/Settings/ShadowLook.cs"), emit_looks_csharp(library()))
+      << "write it anew: penumbra validate --emit-looks Runtime/Settings/ShadowLook.cs";
+}
+
+TEST(LibraryTechniques, CheckedInTechniquesAreTheEmittedOnes) {
+  EXPECT_EQ(checked_in("tests/golden/techniques.json"), techniques_json(library()))
+      << "write it anew: penumbra validate --emit-techniques tests/golden/techniques.json";
+}
+
+TEST(LibraryTechniques, APresetThatTheFeatureHasNotIsRefused) {
+  TechniqueList list = library();
+  for (Technique& technique : list.techniques)
+    if (technique.name == "preset-high") technique.keywords = {"_PENUMBRA_OTHER"};
+  EXPECT_THROW((void)emit_presets_csharp(list), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace penumbra::techniques

@@ -1,0 +1,14 @@
+// Numbers and texts as the package's C# writes them.
+#pragma once
+
+#include <string>
+
+namespace penumbra::techniques {
+
+// The shortest literal that is this float: 0.53f, 100.0f.
+std::string csharp_float(double value);
+
+// In quotes, with what C# reads otherwise escaped; for texts on one line.
+std::string csharp_text(const std::string& text);
+
+}  // namespace penumbra::techniques

@@ -1,0 +1,200 @@
+#include "techniques/graph_reader.h"
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+namespace penumbra::techniques {
+namespace {
+
+template <typename Value>
+Value chosen(JsonObject& object, const std::string& key, const std::string& fallback, const std::string& what,
+             const std::vector<std::pair<std::string, Value>>& choices) {
+  const std::string text = object.text(key, fallback);
+  std::vector<std::string> known;
+  for (const auto& [name, value] : choices) {
+    if (name == text) return value;
+    known.push_back(name);
+  }
+  require_known(object, key, what, text, known);
+  return {};
+}
+
+std::vector<std::pair<std::string, std::string>> read_bindings(JsonObject object) {
+  std::vector<std::pair<std::string, std::string>> bindings;
+  for (const std::string& key : object.keys()) bindings.emplace_back(key, required_text(object, key));
+  return bindings;
+}
+
+GraphTexture read_texture(JsonObject object) {
+  GraphTexture texture;
+  texture.name = required_identifier(object, "name");
+  texture.where = object.where("name");
+  texture.extent = chosen<ExtentOf>(object, "extent", "screen", "extent",
+                                    {{"screen", ExtentOf::screen},
+                                     {"map", ExtentOf::map},
+                                     {"tile", ExtentOf::tile},
+                                     {"fixed", ExtentOf::fixed}});
+  texture.divisor = object.integer("divisor", 1);
+  if (texture.extent == ExtentOf::fixed) {
+    const std::vector<double> size = object.numbers("size", 3);
+    for (std::size_t i = 0; i < 3; ++i)
+      texture.size[i] = static_cast<int>(std::clamp(size[i], -1.0, 65536.0));
+  }
+  texture.format = required_text(object, "format");
+  texture.mips = object.integer("mips", 1);
+  texture.layers = object.integer("layers", 1);
+  texture.samples = object.integer("samples", 1);
+  object.finish();
+  return texture;
+}
+
+GraphBuffer read_buffer(JsonObject object) {
+  GraphBuffer buffer;
+  buffer.name = required_identifier(object, "name");
+  buffer.where = object.where("name");
+  buffer.words = object.integer("words", 0);
+  buffer.words_per_texel = object.integer("words_per_texel", 0);
+  buffer.texture = object.text("texture", "");
+  buffer.indirect = object.boolean("indirect", false);
+  constexpr int kMost = 1 << 24;
+  if (buffer.words < 0 || buffer.words > kMost || buffer.words_per_texel < 0 || buffer.words_per_texel > 64)
+    object.fail("name", "'" + buffer.name + "' has 0 to 2^24 words and 0 to 64 words per texel");
+  if (buffer.words + buffer.words_per_texel == 0)
+    object.fail("name", "'" + buffer.name + "' has no words",
+                "give \"words\", or \"words_per_texel\" and \"texture\"");
+  if ((buffer.words_per_texel > 0) == buffer.texture.empty())
+    object.fail("name", "\"words_per_texel\" and \"texture\" must be used together");
+  if (buffer.indirect && buffer.words < 3)
+    object.fail("name", "numbers of groups take three words: '" + buffer.name + "' has " +
+                            std::to_string(buffer.words));
+  object.finish();
+  return buffer;
+}
+
+GroupCount read_groups(JsonObject object) {
+  GroupCount groups;
+  if (object.has("fixed")) {
+    const std::vector<double> fixed = object.numbers("fixed", 3);
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!(fixed[i] >= 1.0 && fixed[i] <= 65535.0)) object.fail("fixed", "numbers of groups are 1 to 65535");
+      groups.fixed[i] = static_cast<int>(fixed[i]);
+    }
+  }
+  groups.texels_of = object.text("texels_of", "");
+  groups.indirect = object.text("indirect", "");
+  object.finish();
+  return groups;
+}
+
+void require_structs(JsonObject& object, const TechniqueList& list, const std::vector<std::string>& names) {
+  std::vector<std::string> known;
+  for (const ParameterStruct& parameters : list.structs) known.push_back(parameters.name);
+  for (const std::string& name : names) require_known(object, "parameters", "struct", name, known);
+}
+
+GraphPass read_pass(JsonObject object, const TechniqueList& list, const ManifestFiles& files) {
+  GraphPass pass;
+  pass.name = required_text(object, "name");
+  pass.where = object.where("name");
+  pass.kind = chosen<PassKind>(object, "kind", "", "kind of pass",
+                               {{"filter", PassKind::filter},
+                                {"raster", PassKind::raster},
+                                {"casters", PassKind::casters},
+                                {"compute", PassKind::compute}});
+  pass.frequency = chosen<Frequency>(
+      object, "runs", "frame", "frequency",
+      {{"frame", Frequency::frame}, {"cascade", Frequency::cascade}, {"bake", Frequency::bake}});
+  if (object.has("filter")) pass.filter = read_filter(object.object("filter"), list, files);
+  if (pass.kind != PassKind::filter) {
+    const bool kernel = pass.kind == PassKind::compute;
+    pass.file = files.required(object, kernel ? "compute" : "shader");
+    pass.program = object.text(kernel ? "kernel" : "pass", pass.name);
+    pass.reads = read_bindings(object.object("reads"));
+    if (kernel)
+      pass.writes = read_bindings(object.object("writes"));
+    else
+      for (const std::string& target : object.texts("writes")) pass.writes.emplace_back("", target);
+    pass.parameters = object.texts("parameters");
+    require_structs(object, list, pass.parameters);
+    pass.each_mip = object.boolean("each_mip", false);
+    if (kernel) pass.groups = read_groups(object.object("groups"));
+  }
+  object.finish();
+  return pass;
+}
+
+template <typename Item>
+void append(std::vector<Item>& items, const std::vector<Item>& more) {
+  items.insert(items.end(), more.begin(), more.end());
+}
+
+void add(PassGraph& graph, const PassGraph& part) {
+  append(graph.textures, part.textures);
+  append(graph.buffers, part.buffers);
+  append(graph.passes, part.passes);
+  append(graph.keywords, part.keywords);
+  if (!part.visibility.empty()) graph.visibility = part.visibility;
+  if (!part.mask.empty()) graph.mask = part.mask;
+}
+
+}  // namespace
+
+ManifestFiles::ManifestFiles(const std::filesystem::path& manifest, const std::filesystem::path& package)
+    : folder_(std::filesystem::absolute(manifest).parent_path()),
+      package_(std::filesystem::absolute(package)) {}
+
+std::string ManifestFiles::required(JsonObject& object, const std::string& key) const {
+  const std::filesystem::path file = (folder_ / required_text(object, key)).lexically_normal();
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error))
+    object.fail(key, "there is no file '" + file.string() + "'", "files are named relative to the manifest");
+  const std::filesystem::path inside = file.lexically_relative(package_);
+  const bool outside = inside.empty() || *inside.begin() == "..";
+  return (outside ? file : inside).generic_string();
+}
+
+FilterCall read_filter(JsonObject object, const TechniqueList& list, const ManifestFiles& files) {
+  FilterCall filter;
+  filter.file = files.required(object, "file");
+  filter.function = required_identifier(object, "function");
+  filter.arguments =
+      object.has("arguments") ? object.texts("arguments") : std::vector<std::string>{"shadowMap"};
+  filter.parameters = object.text("parameters", "");
+  if (!filter.parameters.empty()) require_structs(object, list, {filter.parameters});
+  object.finish();
+  return filter;
+}
+
+PassGraph graph_of(FilterCall filter, const std::string& where) {
+  PassGraph graph;
+  GraphPass pass;
+  pass.name = filter.function;
+  pass.where = where;
+  pass.filter = std::move(filter);
+  graph.passes.push_back(std::move(pass));
+  return graph;
+}
+
+PassGraph read_graph(JsonObject& object, const TechniqueList& list, const ManifestFiles& files,
+                     const std::map<std::string, PassGraph>& known) {
+  PassGraph graph;
+  for (const std::string& part : object.texts("parts")) {
+    std::vector<std::string> names;
+    for (const auto& [name, other] : known) names.push_back(name);
+    require_known(object, "parts", "graph", part, names);
+    add(graph, known.at(part));
+  }
+  for (const JsonObject& texture : object.objects("textures"))
+    graph.textures.push_back(read_texture(texture));
+  for (const JsonObject& buffer : object.objects("buffers")) graph.buffers.push_back(read_buffer(buffer));
+  for (const JsonObject& pass : object.objects("passes"))
+    graph.passes.push_back(read_pass(pass, list, files));
+  append(graph.keywords, object.texts("keywords"));
+  graph.visibility = object.text("visibility", graph.visibility);
+  graph.mask = object.text("mask", graph.mask);
+  object.finish();
+  return graph;
+}
+
+}  // namespace penumbra::techniques

@@ -1,0 +1,42 @@
+// Reads and checks one graph of a manifest. Internal to this room.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "techniques/manifest_reader.h"
+
+namespace penumbra::techniques {
+
+// The files that a manifest names: relative to its folder, and in the list relative to the package's where
+// they lie in that.
+class ManifestFiles {
+ public:
+  ManifestFiles(const std::filesystem::path& manifest, const std::filesystem::path& package);
+
+  std::string required(JsonObject& object, const std::string& key) const;  // throws where there is none
+
+ private:
+  std::filesystem::path folder_;
+  std::filesystem::path package_;
+};
+
+// {name, parts: [graphs above it, whose content it takes over],
+//  textures: [{name, extent, divisor, size, format, mips, layers, samples}],
+//  buffers: [{name, words, words_per_texel, texture, indirect}],
+//  passes: [{name, kind, runs, shader and pass | compute and kernel | filter (pass and kernel: else the
+//  name), reads: {name in the shader: name},
+//            writes: [names], or of a kernel {name in the shader: name}, parameters, each_mip,
+//            groups: {fixed | texels_of | indirect}}],
+//  keywords, visibility, mask}
+PassGraph read_graph(JsonObject& object, const TechniqueList& list, const ManifestFiles& files,
+                     const std::map<std::string, PassGraph>& known);
+
+// {file, function, arguments, parameters}
+FilterCall read_filter(JsonObject object, const TechniqueList& list, const ManifestFiles& files);
+
+// A graph of that filter alone.
+PassGraph graph_of(FilterCall filter, const std::string& where);
+
+}  // namespace penumbra::techniques

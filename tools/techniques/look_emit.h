@@ -1,0 +1,14 @@
+// The package's looks: what the manifests list under "looks", as the C# that the renderer feature and the
+// Volume read them from (Runtime/Settings/ShadowLook.cs).
+#pragma once
+
+#include <string>
+
+#include "techniques/technique_list.h"
+
+namespace penumbra::techniques {
+
+// An enumeration of them in the list's order with Custom behind, and the table of their values in that order.
+std::string emit_looks_csharp(const TechniqueList& list);
+
+}  // namespace penumbra::techniques

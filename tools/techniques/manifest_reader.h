@@ -1,0 +1,32 @@
+// Reads one manifest. Internal to this room.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "input/located_json.h"
+#include "techniques/technique_list.h"
+
+namespace penumbra::techniques {
+
+// A manifest whose structs are known and whose techniques are not read yet: they may use another's structs.
+struct Manifest {
+  std::filesystem::path file;
+  LocatedJson document;
+  int order = 0;  // among the manifests of a package
+};
+
+// Throws InputError with file:line:column, as all of this file does.
+Manifest open_manifest(const std::filesystem::path& file);
+
+// Adds what the manifest has to the list. All manifests' structs come before the first's techniques.
+void add_structs(const Manifest& manifest, TechniqueList& list);
+void add_techniques(const Manifest& manifest, TechniqueList& list);
+
+// What several readers of a manifest's objects need.
+std::string required_text(JsonObject& object, const std::string& key);
+std::string required_identifier(JsonObject& object, const std::string& key);
+void require_known(JsonObject& object, const std::string& key, const std::string& what,
+                   const std::string& name, const std::vector<std::string>& known);
+
+}  // namespace penumbra::techniques

@@ -1,0 +1,34 @@
+// What the passes of a technique are told: structs of numbers, declared in its manifest.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace penumbra::techniques {
+
+struct ParameterRange {
+  double smallest = 0.0;
+  double largest = 0.0;
+};
+
+// One field of a parameter struct; `unit` and `doc` go into the emitted HLSL.
+struct ParameterField {
+  std::string name;
+  std::string type;  // float, float2, float4 or int
+  std::string unit;
+  std::string doc;
+  std::optional<ParameterRange> range;  // absent: any finite value
+  std::vector<double> otherwise;        // where a technique gives no value; empty: it has to
+};
+
+struct ParameterStruct {
+  std::string name;
+  std::string doc;
+  std::vector<ParameterField> fields;
+};
+
+std::size_t component_count(const ParameterField& field);  // 1, 2 or 4
+
+}  // namespace penumbra::techniques

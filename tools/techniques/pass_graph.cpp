@@ -1,0 +1,338 @@
+#include "techniques/pass_graph.h"
+
+#include <algorithm>
+#include <set>
+
+#include "input/nearest_name.h"
+#include "techniques/texel_formats.h"
+
+namespace penumbra::techniques {
+namespace {
+
+template <typename Item>
+const Item* named(const std::vector<Item>& items, const std::string& name) {
+  const auto found =
+      std::find_if(items.begin(), items.end(), [&](const Item& item) { return item.name == name; });
+  return found == items.end() ? nullptr : &*found;
+}
+
+// Names of the graph's textures and buffers that a pass needs written before it runs.
+std::vector<std::string> inputs(const PassGraph& graph, const GraphPass& pass) {
+  std::vector<std::string> names;
+  for (const auto& [shader_name, name] : pass.reads) names.push_back(name);
+  if (pass.kind == PassKind::filter && pass.filter)
+    for (const std::string& argument : pass.filter->arguments)
+      if (graph.texture(argument) != nullptr) names.push_back(argument);
+  if (!pass.groups.indirect.empty()) names.push_back(pass.groups.indirect);
+  return names;
+}
+
+bool writes(const GraphPass& pass, const std::string& name) {
+  return std::any_of(pass.writes.begin(), pass.writes.end(),
+                     [&](const auto& written) { return written.second == name; });
+}
+
+bool reads(const PassGraph& graph, const GraphPass& pass, const std::string& name) {
+  const std::vector<std::string> names = inputs(graph, pass);
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// Whether `later` has to wait for `earlier`: it reads what that writes, or makes the mip levels of it.
+bool waits_for(const PassGraph& graph, const GraphPass& later, const GraphPass& earlier) {
+  for (const std::string& name : inputs(graph, later)) {
+    if (!writes(earlier, name)) continue;
+    const bool own = writes(later, name);  // the level before its own
+    if (!own || (later.each_mip && !earlier.each_mip)) return true;
+  }
+  return false;
+}
+
+bool made_once(const PassGraph& graph, const std::string& name) {
+  return std::count_if(graph.passes.begin(), graph.passes.end(),
+                       [&](const GraphPass& pass) { return writes(pass, name) && !pass.each_mip; }) == 1;
+}
+
+bool is_output(const PassGraph& graph, const std::string& name) {
+  return name == graph.visibility || name == graph.mask;
+}
+
+// The checks, one idea each. All return the first problem.
+
+using Found = std::optional<GraphProblem>;
+
+Found repeated_name(const PassGraph& graph) {
+  std::set<std::string> seen;
+  const auto check = [&](const auto& items, const char* what) -> Found {
+    for (const auto& item : items)
+      if (!seen.insert(item.name).second)
+        return GraphProblem{item.where, "there are two of the name '" + item.name + "', one a " + what, ""};
+    return std::nullopt;
+  };
+  if (Found found = check(graph.textures, "texture")) return found;
+  if (Found found = check(graph.buffers, "buffer")) return found;
+  seen.clear();
+  return check(graph.passes, "pass");
+}
+
+std::string known_names(const PassGraph& graph) {
+  std::string text;
+  for (const GraphTexture& texture : graph.textures) text += (text.empty() ? "" : ", ") + texture.name;
+  for (const GraphBuffer& buffer : graph.buffers) text += (text.empty() ? "" : ", ") + buffer.name;
+  return text.empty() ? "the graph has no textures and no buffers" : "the graph has: " + text;
+}
+
+Found unknown_name(const PassGraph& graph) {
+  const auto known = [&](const std::string& name) {
+    return graph.texture(name) != nullptr || graph.buffer(name) != nullptr;
+  };
+  for (const GraphPass& pass : graph.passes) {
+    for (const auto* bindings : {&pass.reads, &pass.writes})
+      for (const auto& [shader_name, name] : *bindings)
+        if (!known(name))
+          return GraphProblem{pass.where, "'" + pass.name + "' names '" + name + "', which is not declared",
+                              known_names(graph)};
+    if (pass.kind == PassKind::filter && pass.filter)
+      for (const std::string& argument : pass.filter->arguments)
+        if (argument != "shadowMap" && argument != "pointSampler" && argument != "linearSampler" &&
+            graph.texture(argument) == nullptr)
+          return GraphProblem{
+              pass.where, "'" + argument + "' is no argument of a filter",
+              "arguments are shadowMap, pointSampler, linearSampler and the graph's textures"};
+    const GroupCount& groups = pass.groups;
+    if (!groups.texels_of.empty() && graph.texture(groups.texels_of) == nullptr)
+      return GraphProblem{pass.where, "there is no texture '" + groups.texels_of + "'", known_names(graph)};
+    const GraphBuffer* indirect = graph.buffer(groups.indirect);
+    if (!groups.indirect.empty() && (indirect == nullptr || !indirect->indirect))
+      return GraphProblem{pass.where, "there is no buffer '" + groups.indirect + "' of numbers of groups",
+                          "declare it with \"indirect\": true"};
+  }
+  for (const GraphBuffer& buffer : graph.buffers)
+    if (!buffer.texture.empty() && graph.texture(buffer.texture) == nullptr)
+      return GraphProblem{buffer.where, "there is no texture '" + buffer.texture + "'", known_names(graph)};
+  for (const std::string& name : {graph.visibility, graph.mask})
+    if (!name.empty() && graph.texture(name) == nullptr)
+      return GraphProblem{"", "there is no texture '" + name + "'", known_names(graph)};
+  return std::nullopt;
+}
+
+// Of one texture or buffer: one writer, a reader.
+Found wrong_use(const PassGraph& graph, const std::string& name, const std::string& where) {
+  const bool written = std::any_of(graph.passes.begin(), graph.passes.end(),
+                                   [&](const GraphPass& pass) { return writes(pass, name); });
+  if (!written)
+    return GraphProblem{where, "no pass writes '" + name + "'", "delete it, or let a pass write it"};
+  if (!made_once(graph, name)) {
+    std::string passes;
+    for (const GraphPass& pass : graph.passes)
+      if (writes(pass, name) && !pass.each_mip) passes += (passes.empty() ? "'" : ", '") + pass.name + "'";
+    if (passes.empty())
+      return GraphProblem{where, "no pass writes the first mip level of '" + name + "'", ""};
+    return GraphProblem{where, "more than one pass writes '" + name + "': " + passes,
+                        "give each pass a texture of its own"};
+  }
+  const bool read = std::any_of(graph.passes.begin(), graph.passes.end(), [&](const GraphPass& pass) {
+    return reads(graph, pass, name) && !writes(pass, name);
+  });
+  if (!read && !is_output(graph, name))
+    return GraphProblem{where, "nothing reads '" + name + "'", "delete it, and what writes it alone"};
+  return std::nullopt;
+}
+
+Found wrong_texture(const GraphTexture& texture) {
+  const auto problem = [&](const std::string& text, const std::string& way_out = "") {
+    return GraphProblem{texture.where, "texture '" + texture.name + "': " + text, way_out};
+  };
+  if (find_texel_format(texture.format) == nullptr) {
+    std::vector<std::string> known;
+    for (const TexelFormat& format : texel_formats()) known.emplace_back(format.name);
+    return problem("unknown format '" + texture.format + "'", unknown_name_way_out(texture.format, known));
+  }
+  if (texture.divisor < 1 || texture.divisor > 64) return problem("a divisor is 1 to 64");
+  if (texture.extent == ExtentOf::fixed)
+    for (const int size : texture.size)
+      if (size < 1 || size > 16384) return problem("a fixed size is 1 to 16384 texels along each axis");
+  if (texture.mips < 0 || texture.mips > 15) return problem("mip levels are 1 to 15, or 0 for all");
+  if (texture.layers < 1 || texture.layers > 256) return problem("layers are 1 to 256");
+  if (texture.samples != 1 && texture.samples != 2 && texture.samples != 4 && texture.samples != 8)
+    return problem("samples are 1, 2, 4 or 8");
+  const bool flat = texture.extent != ExtentOf::fixed || texture.size[2] == 1;
+  if (texture.samples > 1 && (texture.mips != 1 || texture.layers != 1 || !flat))
+    return problem("a texture with several samples has one mip level, one layer and no depth");
+  if (texture.layers > 1 && !flat) return problem("a 3D texture has one layer");
+  return std::nullopt;
+}
+
+bool same_extent(const GraphTexture& a, const GraphTexture& b) {
+  return a.extent == b.extent && a.divisor == b.divisor && a.size == b.size && a.samples == b.samples;
+}
+
+// Targets of one draw, and what their formats can be.
+Found wrong_targets(const PassGraph& graph, const GraphPass& pass) {
+  const GraphTexture* first = nullptr;
+  for (const auto& [shader_name, name] : pass.writes) {
+    const GraphTexture* texture = graph.texture(name);
+    const auto problem = [&](const std::string& text) {
+      return GraphProblem{pass.where, "'" + pass.name + "' " + text, ""};
+    };
+    if (pass.kind == PassKind::compute) {
+      if (texture != nullptr && texture->samples > 1)
+        return problem("is a compute shader, which cannot write '" + name + "' of several samples");
+      if (texture != nullptr && texture->format.starts_with("depth"))
+        return problem("is a compute shader, which cannot write the depth texture '" + name + "'");
+      continue;
+    }
+    if (texture == nullptr) return problem("draws into '" + name + "', which is a buffer");
+    if (texture->format.starts_with("depth") && pass.kind != PassKind::casters)
+      return problem("draws over its whole target '" + name + "', which has a depth format");
+    if (first != nullptr && !same_extent(*first, *texture))
+      return problem("draws into '" + first->name + "' and '" + name + "', which differ in size or samples");
+    first = texture;
+  }
+  return std::nullopt;
+}
+
+Found wrong_pass(const PassGraph& graph, const GraphPass& pass) {
+  const auto problem = [&](const std::string& text, const std::string& way_out = "") {
+    return GraphProblem{pass.where, "'" + pass.name + "' " + text, way_out};
+  };
+  if (pass.kind == PassKind::filter) {
+    if (!pass.filter) return problem("names no function of the library", "add \"filter\": {...}");
+    if (!pass.writes.empty()) return problem("calls a filter, whose result is the graph's visibility");
+    if (pass.frequency != Frequency::frame) return problem("calls a filter, which runs every frame");
+    return std::nullopt;
+  }
+  if (pass.writes.empty()) return problem("writes nothing");
+  if (pass.each_mip) {
+    if (pass.kind == PassKind::casters) return problem("draws casters: it cannot do so for each mip level");
+    for (const auto& [shader_name, name] : pass.writes) {
+      const GraphTexture* texture = graph.texture(name);
+      if (texture == nullptr || texture->mips == 1 || !reads(graph, pass, name))
+        return problem("runs for each mip level of '" + name + "'",
+                       "that is a texture with several levels which the pass also reads");
+    }
+  } else {
+    for (const auto& [shader_name, name] : pass.writes)
+      if (reads(graph, pass, name))
+        return problem("reads '" + name + "', which it writes", "only with \"each_mip\": true");
+  }
+  if (pass.kind == PassKind::compute) {
+    const GroupCount& groups = pass.groups;
+    const int given = (groups.fixed != std::array<int, 3>{} ? 1 : 0) + (groups.texels_of.empty() ? 0 : 1) +
+                      (groups.indirect.empty() ? 0 : 1);
+    if (given != 1)
+      return problem(
+          "needs one number of groups",
+          "give \"groups\": {\"fixed\": [x, y, z]}, {\"texels_of\": texture} or {\"indirect\": buffer}");
+  }
+  return wrong_targets(graph, pass);
+}
+
+// A pass that runs once cannot read what every frame has anew.
+Found too_rare(const PassGraph& graph) {
+  for (const GraphPass& pass : graph.passes)
+    for (const GraphPass& source : graph.passes)
+      if (pass.frequency < source.frequency && waits_for(graph, pass, source))
+        return GraphProblem{
+            pass.where,
+            "'" + pass.name + "' runs more rarely than '" + source.name + "', whose output it reads", ""};
+  return std::nullopt;
+}
+
+Found wrong_result(const PassGraph& graph) {
+  std::vector<const GraphPass*> filters;
+  for (const GraphPass& pass : graph.passes)
+    if (pass.kind == PassKind::filter) filters.push_back(&pass);
+  if (filters.size() > 1)
+    return GraphProblem{filters[1]->where,
+                        "there are two filters: '" + filters[0]->name + "' and '" + filters[1]->name + "'",
+                        "a graph ends in one"};
+  if (graph.visibility.empty() == filters.empty())
+    return GraphProblem{filters.empty() ? "" : filters[0]->where,
+                        "the graph's visibility is that of a filter or a texture: one of the two",
+                        filters.empty() ? "add a pass of kind \"filter\", or \"visibility\": texture" : ""};
+  if (!filters.empty()) return std::nullopt;
+  const GraphTexture& visibility = *graph.texture(graph.visibility);
+  if (visibility.extent != ExtentOf::screen || visibility.divisor != 1 || visibility.samples != 1)
+    return GraphProblem{visibility.where, "the visibility has not one texel for each pixel of the screen",
+                        "add a pass that brings it to the screen's size"};
+  return std::nullopt;
+}
+
+}  // namespace
+
+const GraphTexture* PassGraph::texture(const std::string& name) const {
+  return named(textures, name);
+}
+
+const GraphBuffer* PassGraph::buffer(const std::string& name) const {
+  return named(buffers, name);
+}
+
+const GraphPass* PassGraph::filter_pass() const {
+  const auto found = std::find_if(passes.begin(), passes.end(),
+                                  [](const GraphPass& pass) { return pass.kind == PassKind::filter; });
+  return found == passes.end() ? nullptr : &*found;
+}
+
+const FilterCall* PassGraph::filter() const {
+  const auto found = std::find_if(passes.rbegin(), passes.rend(),
+                                  [](const GraphPass& pass) { return pass.filter.has_value(); });
+  return found == passes.rend() ? nullptr : &*found->filter;
+}
+
+std::optional<std::vector<GraphPass>> in_running_order(const PassGraph& graph) {
+  std::vector<GraphPass> waiting = graph.passes;
+  std::vector<GraphPass> ordered;
+  while (!waiting.empty()) {
+    const auto next = std::find_if(waiting.begin(), waiting.end(), [&](const GraphPass& pass) {
+      return std::none_of(waiting.begin(), waiting.end(), [&](const GraphPass& other) {
+        return other.name != pass.name && waits_for(graph, pass, other);
+      });
+    });
+    if (next == waiting.end()) return std::nullopt;
+    ordered.push_back(std::move(*next));
+    waiting.erase(next);
+  }
+  return ordered;
+}
+
+std::optional<GraphProblem> graph_problem(const PassGraph& graph) {
+  if (graph.passes.empty()) return GraphProblem{"", "the graph has no passes", ""};
+  if (Found found = repeated_name(graph)) return found;
+  if (Found found = unknown_name(graph)) return found;
+  for (const GraphTexture& texture : graph.textures)
+    if (Found found = wrong_texture(texture)) return found;
+  for (const GraphPass& pass : graph.passes)
+    if (Found found = wrong_pass(graph, pass)) return found;
+  for (const GraphTexture& texture : graph.textures)
+    if (Found found = wrong_use(graph, texture.name, texture.where)) return found;
+  for (const GraphBuffer& buffer : graph.buffers)
+    if (Found found = wrong_use(graph, buffer.name, buffer.where)) return found;
+  if (!in_running_order(graph)) {
+    std::string names;
+    for (const GraphPass& pass : graph.passes) names += (names.empty() ? "'" : ", '") + pass.name + "'";
+    return GraphProblem{graph.passes.front().where, "passes wait for each other in a circle, among: " + names,
+                        "let one of them read what an earlier one wrote"};
+  }
+  if (Found found = too_rare(graph)) return found;
+  return wrong_result(graph);
+}
+
+std::vector<GraphProblem> target_problems(const PassGraph& graph, const std::string& target) {
+  std::vector<GraphProblem> problems;
+  if (target != "essl310") return problems;
+  for (const GraphPass& pass : graph.passes) {
+    if (pass.kind != PassKind::compute) continue;
+    for (const auto& [shader_name, name] : pass.writes) {
+      const GraphTexture* texture = graph.texture(name);
+      if (texture == nullptr || find_texel_format(texture->format)->essl_storage) continue;
+      problems.push_back({texture->where,
+                          "compute shaders of OpenGL ES 3.1 cannot write '" + texture->format +
+                              "', the format of '" + name + "'",
+                          "r32f, rgba16f, rgba32f, rgba8, r32ui and rgba32ui they can"});
+    }
+  }
+  return problems;
+}
+
+}  // namespace penumbra::techniques

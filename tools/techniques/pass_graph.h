@@ -1,0 +1,119 @@
+// The passes of a technique and the textures and buffers between them, as data.
+//
+// A graph ends in visibility: either in a filter, a library function that is called for each receiver, or in
+// a texture of the screen's size. A filter alone is the shortest graph.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace penumbra::techniques {
+
+// What an extent is a share of: the camera's picture, the shadow map with all cascades, one cascade's tile of
+// it (a layer for each cascade), or a size of its own.
+enum class ExtentOf { screen, map, tile, fixed };
+
+struct GraphTexture {
+  std::string name;
+  std::string where;  // file:line:column of its name, for messages; may be empty
+  ExtentOf extent = ExtentOf::screen;
+  int divisor = 1;            // texels of the extent per texel of the texture, along each axis; rounded up
+  std::array<int, 3> size{};  // texels, of a fixed extent; a depth above 1: a 3D texture
+  std::string format = "r8";  // of texel_formats.h
+  int mips = 1;               // 0: down to one texel
+  int layers = 1;             // of a tile: one for each cascade, whatever this says
+  int samples = 1;            // of each texel
+};
+
+// Words of 32 bits: as many as a fixed number and so many for each texel of a texture.
+struct GraphBuffer {
+  std::string name;
+  std::string where;
+  int words = 0;
+  int words_per_texel = 0;
+  std::string texture;    // whose texels count; empty: none
+  bool indirect = false;  // the first three words are the numbers of groups of dispatches
+};
+
+// A function of the shader library: visibility of a receiver. Its arguments are these in order, then
+// ShadowReceiver, ShadowTile and, where `parameters` is not empty, that struct.
+struct FilterCall {
+  std::string file;  // relative to the package's folder where it lies in it
+  std::string function;
+  std::vector<std::string> arguments;  // "shadowMap" (with its comparison sampler), "pointSampler",
+                                       // "linearSampler", or a texture of the graph
+  std::string parameters;              // struct name, may be empty
+};
+
+enum class PassKind {
+  filter,   // calls a FilterCall for each receiver; the last of its graph
+  raster,   // a pass of a .shader, drawn over all of its targets
+  casters,  // a pass of a .shader, drawn with the shadow casters' triangles
+  compute   // a kernel of a .compute
+};
+
+enum class Frequency { bake, cascade, frame };  // once; for each cascade that was drawn anew; every frame
+
+// How many groups of threads a kernel is started with.
+struct GroupCount {
+  std::array<int, 3> fixed{};  // all 0: not fixed
+  std::string texels_of;       // one thread per texel of this texture
+  std::string indirect;        // as this buffer says
+};
+
+struct GraphPass {
+  std::string name;
+  std::string where;
+  PassKind kind = PassKind::filter;
+  Frequency frequency = Frequency::frame;
+  std::string file;     // .shader or .compute, relative to the package's folder; empty: a filter
+  std::string program;  // pass of the .shader or kernel of the .compute
+  // What the program calls a texture or buffer, and which one of the graph it is.
+  std::vector<std::pair<std::string, std::string>> reads;
+  std::vector<std::pair<std::string, std::string>> writes;  // of raster passes the targets in order, unnamed
+  std::vector<std::string> parameters;                      // structs
+  bool each_mip = false;  // once for each mip level but the first, from the level before
+  GroupCount groups;
+  // What it computes at a receiver: always of a filter, of others where they call one.
+  std::optional<FilterCall> filter;
+};
+
+struct PassGraph {
+  std::vector<GraphTexture> textures;
+  std::vector<GraphBuffer> buffers;
+  std::vector<GraphPass> passes;      // in the order in which they run
+  std::vector<std::string> keywords;  // on in every program that declares them
+  std::string visibility;             // the texture that holds it; empty: a filter's
+  std::string mask;                   // the texture that is 0 where no penumbra is; may be empty
+
+  const GraphTexture* texture(const std::string& name) const;
+  const GraphBuffer* buffer(const std::string& name) const;
+  const GraphPass* filter_pass() const;  // of kind filter; null: none
+  const FilterCall* filter() const;      // of the last pass that has one
+  bool over_screen() const { return !visibility.empty(); }
+};
+
+struct GraphProblem {
+  std::string where;  // of the texture, buffer or pass; may be empty
+  std::string text;
+  std::string way_out;  // may be empty
+};
+
+// The first thing that is wrong: names that nothing has or two have, a texture that nothing or two passes
+// write, or nothing reads, passes that wait for each other, a pass that runs more rarely than what it reads,
+// targets of different extents, uses that a format does not have anywhere, no visibility or one of another
+// size than the screen's.
+std::optional<GraphProblem> graph_problem(const PassGraph& graph);
+
+// The passes such that each comes after those whose output it reads, else in the order given; absent where
+// passes wait for each other.
+std::optional<std::vector<GraphPass>> in_running_order(const PassGraph& graph);
+
+// What this target lacks of what the graph needs, by the texture that needs it: formats that its compute
+// shaders cannot write. Targets as `penumbra validate` names them.
+std::vector<GraphProblem> target_problems(const PassGraph& graph, const std::string& target);
+
+}  // namespace penumbra::techniques

@@ -1,0 +1,87 @@
+#include "techniques/preset_emit.h"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <utility>
+
+#include "techniques/csharp_literal.h"
+
+namespace penumbra::techniques {
+
+namespace {
+
+constexpr const char* preset_table_begin =
+    R"(namespace Penumbra
+{
+    // The options of the quality presets, in QualityPreset's order.
+    // Written by `penumbra validate --emit-presets` from Shaders/PenumbraShadows.technique.json; do not edit.
+    internal static class PresetTable
+    {
+        internal static readonly ShadowOptions[] Rows =
+        {
+)";
+
+constexpr const char* preset_table_end = R"(        };
+    }
+}
+)";
+
+// By the keyword that a technique switches on; without one the shader filters by the tent of 5 x 5.
+constexpr std::array<std::pair<const char*, const char*>, 6> techniques{
+    {{"", "Tent5x5"},
+     {"_PENUMBRA_TENT_3X3", "Tent3x3"},
+     {"_PENUMBRA_TENT_7X7", "Tent7x7"},
+     {"_PENUMBRA_PCSS", "Pcss"},
+     {"_PENUMBRA_PCSS_POISSON", "PcssPoisson"},
+     {"_PENUMBRA_PCSS_HDRP", "PcssHdrp"}}};
+
+std::string technique_of(const Technique& preset) {
+  const std::string keyword = preset.keywords.empty() ? "" : preset.keywords.front();
+  const auto* found = std::find_if(techniques.begin(), techniques.end(),
+                                   [&](const auto& technique) { return keyword == technique.first; });
+  if (found == techniques.end() || preset.keywords.size() > 1)
+    throw std::invalid_argument(preset.name + ": the feature has no technique for its keywords");
+  return found->second;
+}
+
+std::string value_or(const Technique& preset, const char* field, const std::string& otherwise) {
+  const auto found = preset.values.find(field);
+  if (found == preset.values.end()) return otherwise;
+  const double value = found->second.front();
+  return otherwise.ends_with("f") ? csharp_float(value) : std::to_string(static_cast<int>(value));
+}
+
+std::string row(const Technique& preset) {
+  const auto flag = [](bool on) { return std::string(on ? "true" : "false"); };
+  std::string text = "            new ShadowOptions  // " + preset.title + "\n            {\n";
+  const auto set = [&](const std::string& field, const std::string& value) {
+    text.append("                ").append(field).append(" = ").append(value).append(",\n");
+  };
+  set("technique", "ShadowTechnique." + technique_of(preset));
+  set("angularDiameterDegrees", "AngularDiameter.SunDegrees");
+  set("blockerSamples", value_or(preset, "blockerSamples", "1"));
+  set("filterSamples", value_or(preset, "filterSamples", "1"));
+  set("softnessCapMetres", value_or(preset, "maxPenumbraMetres", "100.0f"));
+  set("minFilterTexels", value_or(preset, "minFilterTexels", "1.25f"));
+  const auto has_pass = [&](const std::string& program) {
+    const std::vector<GraphPass>& passes = preset.graph.passes;
+    return std::any_of(passes.begin(), passes.end(),
+                       [&](const GraphPass& pass) { return pass.program == program; });
+  };
+  set("mask", flag(has_pass("PenumbraMask")));
+  set("halfResolution", flag(has_pass("Upsample")));
+  set("denoise", flag(has_pass("DenoiseHorizontal")));
+  return text + "            },\n";
+}
+
+}  // namespace
+
+std::string emit_presets_csharp(const TechniqueList& list) {
+  std::string text = preset_table_begin;
+  for (const Technique& technique : list.techniques)
+    if (technique.name.starts_with(preset_prefix)) text += row(technique);
+  return text + preset_table_end;
+}
+
+}  // namespace penumbra::techniques

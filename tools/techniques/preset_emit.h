@@ -1,0 +1,17 @@
+// The package's quality presets: the techniques called preset-..., as the C# that the
+// renderer feature reads them from (Runtime/Settings/PresetTable.cs).
+#pragma once
+
+#include <string>
+
+#include "techniques/technique_list.h"
+
+namespace penumbra::techniques {
+
+inline constexpr const char* preset_prefix = "preset-";
+
+// The row order is the list's; QualityPreset names the rows in that order. Throws std::invalid_argument for a
+// preset that ShadowOptions cannot express: a chain or a technique that the feature does not have.
+std::string emit_presets_csharp(const TechniqueList& list);
+
+}  // namespace penumbra::techniques

@@ -1,0 +1,114 @@
+#include "techniques/technique_json.h"
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace penumbra::techniques {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* name_of(ExtentOf extent) {
+  switch (extent) {
+    case ExtentOf::screen:
+      return "screen";
+    case ExtentOf::map:
+      return "map";
+    case ExtentOf::tile:
+      return "tile";
+    case ExtentOf::fixed:
+      break;
+  }
+  return "fixed";
+}
+
+const char* name_of(PassKind kind) {
+  switch (kind) {
+    case PassKind::filter:
+      return "filter";
+    case PassKind::raster:
+      return "raster";
+    case PassKind::casters:
+      return "casters";
+    case PassKind::compute:
+      break;
+  }
+  return "compute";
+}
+
+const char* name_of(Frequency frequency) {
+  switch (frequency) {
+    case Frequency::bake:
+      return "bake";
+    case Frequency::cascade:
+      return "cascade";
+    case Frequency::frame:
+      break;
+  }
+  return "frame";
+}
+
+Json of(const GraphTexture& texture) {
+  return {{"name", texture.name},     {"extent", name_of(texture.extent)}, {"divisor", texture.divisor},
+          {"size", texture.size},     {"format", texture.format},          {"mips", texture.mips},
+          {"layers", texture.layers}, {"samples", texture.samples}};
+}
+
+Json of(const GraphPass& pass) {
+  Json reads = Json::object();
+  for (const auto& [shader_name, name] : pass.reads) reads[shader_name] = name;
+  Json writes = Json::array();
+  for (const auto& [shader_name, name] : pass.writes) writes.push_back(name);
+  return {{"name", pass.name},
+          {"kind", name_of(pass.kind)},
+          {"runs", name_of(pass.frequency)},
+          {"file", pass.file},
+          {"program", pass.program},
+          {"reads", std::move(reads)},
+          {"writes", std::move(writes)},
+          {"function", pass.filter ? pass.filter->function : ""}};
+}
+
+Json of(const Technique& technique) {
+  Json values = Json::object();
+  for (const auto& [field, numbers] : technique.values) {
+    if (numbers.size() == 1)
+      values[field] = numbers.front();
+    else
+      values[field] = numbers;
+  }
+  Json textures = Json::array();
+  for (const GraphTexture& texture : technique.graph.textures) textures.push_back(of(texture));
+  Json passes = Json::array();
+  for (const GraphPass& pass : technique.graph.passes) passes.push_back(of(pass));
+  return {{"name", technique.name},
+          {"title", technique.title},
+          {"family", technique.family},
+          {"source", technique.source},
+          {"keywords", technique.all_keywords()},
+          {"values", std::move(values)},
+          {"textures", std::move(textures)},
+          {"passes", std::move(passes)}};
+}
+
+}  // namespace
+
+std::string techniques_json(const TechniqueList& list) {
+  Json json{{"structs", Json::array()}, {"techniques", Json::array()}, {"looks", Json::array()}};
+  for (const ParameterStruct& parameters : list.structs) {
+    Json fields = Json::array();
+    for (const ParameterField& field : parameters.fields)
+      fields.push_back({{"name", field.name}, {"type", field.type}});
+    json["structs"].push_back({{"name", parameters.name}, {"fields", std::move(fields)}});
+  }
+  for (const Technique& technique : list.techniques) json["techniques"].push_back(of(technique));
+  for (const Look& look : list.looks)
+    json["looks"].push_back({{"name", look.name},
+                             {"title", look.title},
+                             {"doc", look.doc},
+                             {"angularDiameterDegrees", look.angular_diameter_degrees},
+                             {"maxPenumbraMetres", look.max_penumbra_metres}});
+  return json.dump(1) + "\n";
+}
+
+}  // namespace penumbra::techniques

@@ -1,0 +1,102 @@
+#include "techniques/technique_list.h"
+
+#include <algorithm>
+#include <system_error>
+
+#include "input/input_error.h"
+#include "input/nearest_name.h"
+#include "platform/data_directory.h"
+#include "techniques/manifest_reader.h"
+
+namespace penumbra::techniques {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> manifests_in(const fs::path& package) {
+  std::vector<fs::path> files;
+  for (const char* folder : {"ShaderLibrary", "Shaders"}) {
+    std::error_code error;
+    for (fs::recursive_directory_iterator entry(package / folder, error), end; !error && entry != end;
+         entry.increment(error))
+      if (entry->path().filename().string().ends_with(manifest_ending)) files.push_back(entry->path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+}  // namespace
+
+const std::string& Technique::file() const {
+  const GraphPass& last = graph.passes.back();
+  return last.kind == PassKind::filter ? last.filter->file : last.file;
+}
+
+std::vector<std::string> Technique::all_keywords() const {
+  std::vector<std::string> all = keywords;
+  all.insert(all.end(), graph.keywords.begin(), graph.keywords.end());
+  return all;
+}
+
+const Technique& TechniqueList::find(const std::string& name) const {
+  std::vector<std::string> known;
+  for (const Technique& technique : techniques) {
+    if (technique.name == name) return technique;
+    known.push_back(technique.name);
+  }
+  throw InputError("", "unknown technique '" + name + "'", unknown_name_way_out(name, known));
+}
+
+const ParameterStruct* TechniqueList::find_struct(const std::string& name) const {
+  const auto found = std::find_if(structs.begin(), structs.end(),
+                                  [&](const ParameterStruct& parameters) { return parameters.name == name; });
+  return found == structs.end() ? nullptr : &*found;
+}
+
+std::vector<fs::path> TechniqueList::include_directories() const {
+  std::error_code error;
+  const bool has_library = fs::is_directory(package / "ShaderLibrary", error);
+  return {package, (has_library ? package : platform::data_directory()) / "ShaderLibrary"};
+}
+
+std::vector<const ParameterStruct*> TechniqueList::structs_of(const Technique& technique) const {
+  std::vector<const ParameterStruct*> used;
+  const auto add = [&](const std::string& name) {
+    const ParameterStruct* parameters = find_struct(name);
+    if (parameters != nullptr && std::find(used.begin(), used.end(), parameters) == used.end())
+      used.push_back(parameters);
+  };
+  for (const GraphPass& pass : technique.graph.passes) {
+    for (const std::string& name : pass.parameters) add(name);
+    if (pass.filter) add(pass.filter->parameters);
+  }
+  return used;
+}
+
+TechniqueList read_technique_list(const fs::path& package_or_manifest) {
+  TechniqueList list;
+  std::vector<fs::path> files{package_or_manifest};
+  std::error_code error;
+  if (fs::is_directory(package_or_manifest, error)) {
+    list.package = package_or_manifest;
+    files = manifests_in(package_or_manifest);
+  } else {
+    list.package = package_or_manifest.parent_path();
+  }
+  std::vector<Manifest> manifests;
+  for (const fs::path& file : files) manifests.push_back(open_manifest(file));
+  std::stable_sort(manifests.begin(), manifests.end(),
+                   [](const Manifest& a, const Manifest& b) { return a.order < b.order; });
+  for (const Manifest& manifest : manifests) add_structs(manifest, list);
+  for (const Manifest& manifest : manifests) add_techniques(manifest, list);
+  if (list.techniques.empty())
+    throw InputError(package_or_manifest.string(), "there are no techniques",
+                     std::string("a manifest, NAME") + manifest_ending + ", lists them under \"techniques\"");
+  return list;
+}
+
+TechniqueList read_own_techniques() {
+  return read_technique_list(platform::data_directory());
+}
+
+}  // namespace penumbra::techniques

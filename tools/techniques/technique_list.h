@@ -1,0 +1,77 @@
+// Which techniques there are, what their passes are and what they need: the manifests.
+//
+// A manifest, NAME.technique.json, stands beside the HLSL that it is about, so that a technique is added by
+// adding its files. Its keys are the members' names below and those of graph_reader.h. Files that it names
+// are relative to it.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "techniques/parameter_struct.h"
+#include "techniques/pass_graph.h"
+
+namespace penumbra::techniques {
+
+// The package's advice to its users: filters that follow the receiver's plane need no normal bias.
+struct TechniqueBias {
+  double depth = 1.0;  // URP's settings of the casters
+  double normal = 0.0;
+  std::string soft_quality = "medium";  // off, low, medium or high: what scales both
+
+  bool operator==(const TechniqueBias&) const = default;
+};
+
+struct Technique {
+  std::string name;    // for example pcss-angular-24-16
+  std::string title;   // for tables
+  std::string family;  // techniques of one family differ in parameters alone
+  std::string source;  // paper, year
+  TechniqueBias bias;  // the casters' that it should have, and is measured at
+  PassGraph graph;
+  std::map<std::string, std::vector<double>> values;   // parameter values by field
+  std::vector<std::string> keywords;                   // that this technique switches on
+  std::vector<std::vector<std::string>> keyword_sets;  // every set validate compiles
+  std::map<std::string, std::string> unlimited;        // fields to override for T3 -> value
+  std::map<std::string, std::string> targets_absent;   // target -> reason
+  std::string where;                                   // file:line:column of its name
+
+  // The file that reports name: of its filter, or where it runs over the screen of its last pass.
+  const std::string& file() const;
+  std::vector<std::string> all_keywords() const;  // its own, then its graph's
+};
+
+// How a light looks, whatever technique draws its shadows: an artist's choice beside the quality presets.
+struct Look {
+  std::string name;                       // for example crisp-noon
+  std::string title;                      // for inspectors and pages
+  std::string doc;                        // one sentence: what it stands for
+  double angular_diameter_degrees = 0.0;  // full angle of the light's disc, above 0 to 30
+  double max_penumbra_metres = 0.0;       // widest penumbra, full width, above 0 to 100
+};
+
+struct TechniqueList {
+  std::filesystem::path package;  // its folder; files that lie in it are named relative to it
+  std::vector<ParameterStruct> structs;
+  std::vector<Technique> techniques;
+  std::vector<Look> looks;
+
+  const Technique& find(const std::string& name) const;  // throws InputError with the nearest name
+  const ParameterStruct* find_struct(const std::string& name) const;
+  std::vector<std::filesystem::path> include_directories() const;  // of technique_call.h
+  // Of the technique's passes, each once, in their order.
+  std::vector<const ParameterStruct*> structs_of(const Technique& technique) const;
+};
+
+inline constexpr const char* manifest_ending = ".technique.json";
+
+// Every manifest in ShaderLibrary/ and Shaders/ of a package's folder, in the order that they give, and its
+// looks; or one manifest alone. Throws InputError with file:line:column.
+TechniqueList read_technique_list(const std::filesystem::path& package_or_manifest);
+
+// Those of this program's own package.
+TechniqueList read_own_techniques();
+
+}  // namespace penumbra::techniques

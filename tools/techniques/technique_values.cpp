@@ -1,0 +1,63 @@
+#include "techniques/technique_values.h"
+
+#include <cmath>
+#include <sstream>
+
+#include "input/input_error.h"
+#include "input/nearest_name.h"
+
+namespace penumbra::techniques {
+namespace {
+
+std::vector<ParameterField> fields_of(const TechniqueList& list, const Technique& technique) {
+  std::vector<ParameterField> fields;
+  for (const ParameterStruct* parameters : list.structs_of(technique))
+    fields.insert(fields.end(), parameters->fields.begin(), parameters->fields.end());
+  return fields;
+}
+
+// The nearest name and all of them: which there are differs from technique to technique.
+std::string known_parameters(const std::string& given, const std::vector<ParameterField>& fields) {
+  if (fields.empty()) return "it has no parameters";
+  std::vector<std::string> names;
+  std::string list;
+  for (const ParameterField& field : fields) {
+    names.push_back(field.name);
+    list += (list.empty() ? "" : ", ") + field.name;
+  }
+  const std::string nearest = nearest_name(given, names);
+  return (nearest.empty() ? "" : "did you mean '" + nearest + "'? ") + "its parameters are: " + list;
+}
+
+}  // namespace
+
+std::string value_problem(const ParameterField& field, double value) {
+  const bool whole = field.type != "int" || value == std::floor(value);
+  const bool within = !field.range || (value >= field.range->smallest && value <= field.range->largest);
+  if (std::isfinite(value) && whole && within) return {};
+  std::ostringstream text;
+  text << "'" << field.name << "' is a " << (field.type == "int" ? "whole number" : "number");
+  if (field.range) text << " from " << field.range->smallest << " to " << field.range->largest;
+  text << ", not " << value;
+  return text.str();
+}
+
+Technique with_value(const TechniqueList& list, Technique technique, const std::string& parameter,
+                     double value) {
+  const std::vector<ParameterField> fields = fields_of(list, technique);
+  for (const ParameterField& field : fields) {
+    if (field.name != parameter) continue;
+    if (technique.values.at(parameter).size() != 1) {
+      throw InputError("", "'" + parameter + "' of technique '" + technique.name + "' is a " + field.type +
+                               ", and only single numbers can be set");
+    }
+    const std::string problem = value_problem(field, value);
+    if (!problem.empty()) throw InputError("", "technique '" + technique.name + "': " + problem);
+    technique.values[parameter] = {value};
+    return technique;
+  }
+  throw InputError("", "technique '" + technique.name + "' has no parameter '" + parameter + "'",
+                   known_parameters(parameter, fields));
+}
+
+}  // namespace penumbra::techniques

@@ -1,0 +1,20 @@
+// The formats that a graph's textures may have, by the names that gpu/format.h gives them, and where compute
+// shaders can write them.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace penumbra::techniques {
+
+struct TexelFormat {
+  std::string_view name;
+  std::string_view unity;     // of UnityEngine.Experimental.Rendering.GraphicsFormat
+  bool depth = false;         // a target of casters alone
+  bool essl_storage = false;  // one of the image formats of OpenGL ES 3.1, section 8.5
+};
+
+std::span<const TexelFormat> texel_formats();
+const TexelFormat* find_texel_format(std::string_view name);  // null: there is none
+
+}  // namespace penumbra::techniques
