@@ -10,10 +10,8 @@
 //             _PENUMBRA_HARD, _PENUMBRA_BILINEAR, _PENUMBRA_FOUR_TAP, _PENUMBRA_TENT_3X3, _PENUMBRA_TENT_7X7,
 //             _PENUMBRA_PCSS, _PENUMBRA_PCSS_POISSON, _PENUMBRA_PCSS_HDRP; without a keyword, tent 5 x 5.
 // Source:     see each filter's file.
-// Inputs:     positionWS, metres; normalWS: the geometric normal, unit; pixel: screen coordinate. Uniforms
-//             _PenumbraSamples: blocker samples, filter samples, blockerClump, smallest filter radius (texels);
-//             _PenumbraLimits: widest penumbra (m), cone height (m), search radius of classic PCSS (m); HDRP's tangents
-//             in _PenumbraHdrp.xy.
+// Inputs:     positionWS, metres; normalWS: the geometric normal, unit; pixel: screen coordinate. The uniforms of
+//             Pipelines/Urp.hlsl and, of PCSS, of Pipelines/TechniqueByKeyword.hlsl.
 // Cost:       the technique's fetches; none outside of the shadow map.
 // Guarantees: [0, 1]; 1 beyond the shadow distance. URP's shadow strength is applied, its distance fade is not.
 // Use it:     in forward shaders, and in screen passes. Not: for additional lights, whose shadows remain URP's.

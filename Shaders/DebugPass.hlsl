@@ -102,7 +102,8 @@ float WidthOfPenumbra(PenumbraMainLight shadow)
 #if defined(PENUMBRA_USES_PCSS)
     if (!shadow.covered) return 0.0;
     return PenumbraWidthAngular(TEXTURE2D_ARGS(_MainLightShadowmapTexture, sampler_PenumbraPointClamp),
-                                shadow.receiver, shadow.tile, PcssAngularOfUniforms());
+                                shadow.receiver, shadow.tile,
+                                PenumbraPcssAngular());
 #else
     return 0.0;
 #endif

@@ -2,9 +2,8 @@
 //
 // Computes:   Screen/EdgeDenoise.hlsl at this pixel.
 // Source:     see there.
-// Inputs:     those of ScreenPass.hlsl; source: visibility, of the screen's size; _PenumbraDenoiseParams: radius
-//             (pixels, at most 8), distance from the surface from which a neighbour counts as another surface (pixel
-//             widths), difference of visibility from which it counts as an edge instead of noise.
+// Inputs:     those of ScreenPass.hlsl; source: visibility, of the screen's size;
+//             _PenumbraDenoiseParameters0, of Screen/DenoiseParameters.hlsl.
 // Cost:       2 radius + 1 fetches, twice that in penumbrae and up to 4 more.
 // Guarantees: [0, 1]; exactly 0 and 1 where the neighbourhood is.
 // Use it:     DenoiseHorizontal, then DenoiseVertical, last of all.
@@ -14,16 +13,12 @@
 #include "ScreenPass.hlsl"
 #include "../ShaderLibrary/Screen/EdgeDenoise.hlsl"
 
-float4 _PenumbraDenoiseParams;
+float4 _PenumbraDenoiseParameters0;
 
 float DenoiseAlong(float4 positionCS, int2 direction)
 {
-    DenoiseParameters parameters;
-    parameters.denoiseRadius = int(_PenumbraDenoiseParams.x);
-    parameters.planeTolerance = _PenumbraDenoiseParams.y;
-    parameters.noiseAmplitude = _PenumbraDenoiseParams.z;
     return DenoiseEdges(_PenumbraSourceTexture, _CameraDepthTexture, ViewOfThisEye(), int2(positionCS.xy), direction,
-                        parameters);
+                        UnpackDenoiseParameters(_PenumbraDenoiseParameters0));
 }
 
 float4 DenoiseHorizontal(ScreenVaryings input) : SV_Target

@@ -2,9 +2,8 @@
 //
 // Computes:   1 where a penumbra may be, else 0, a quarter of the screen's size.
 // Source:     Screen/PenumbraMask.hlsl, Screen/MaskBlur.hlsl.
-// Inputs:     those of ScreenPass.hlsl and Shadows.hlsl; _PenumbraMaskParams: widest penumbra from 0 to 1 (m, 0: that
-//             of a fixed filter), smallest filter radius (texels of the shadow map), largest radius of the blur (texels
-//             of the mask). Target and source: the screen's size over 4, rounded up.
+// Inputs:     those of ScreenPass.hlsl and Shadows.hlsl; _PenumbraMaskParameters0, of
+//             Screen/MaskParameters.hlsl. Target and source: the screen's size over 4, rounded up.
 // Cost:       8 fetches per texel of the mask; the dilations 4 depths each and their own.
 // Guarantees: exactly 0 or 1, so 8 bits hold it. 0 on the sky.
 // Use it:     PenumbraMask, MaskBlurHorizontal, MaskBlurVertical; then Resolve with _PENUMBRA_MASK.
@@ -15,7 +14,7 @@
 #include "SingleTap.hlsl"
 #include "../ShaderLibrary/Screen/MaskBlur.hlsl"
 
-float4 _PenumbraMaskParams;
+float4 _PenumbraMaskParameters0;
 
 PenumbraMainLight MainLightAt(CameraSurface surface)
 {
@@ -42,10 +41,7 @@ float4 PenumbraMask(ScreenVaryings input) : SV_Target
 // The block's radius is the largest that one of its taps needs.
 int RadiusOfBlock(int2 block, ScreenView view)
 {
-    MaskParameters parameters;
-    parameters.maskPenumbraMetres = _PenumbraMaskParams.x;
-    parameters.maskFilterTexels = _PenumbraMaskParams.y;
-    parameters.maskLargestRadius = int(_PenumbraMaskParams.z);
+    const MaskParameters parameters = UnpackMaskParameters(_PenumbraMaskParameters0);
     int radius = 0;
     UNITY_UNROLL
     for (int tap = 0; tap < kMaskTaps; ++tap)

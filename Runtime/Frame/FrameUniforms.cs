@@ -11,9 +11,6 @@ namespace Penumbra
     {
         internal static readonly int AtlasTexelSize = Shader.PropertyToID("_PenumbraMainLightAtlasTexelSize");
         internal static readonly int MainLightParams = Shader.PropertyToID("_PenumbraMainLightParams");
-        internal static readonly int Samples = Shader.PropertyToID("_PenumbraSamples");
-        internal static readonly int Limits = Shader.PropertyToID("_PenumbraLimits");
-        internal static readonly int Hdrp = Shader.PropertyToID("_PenumbraHdrp");
         internal static readonly int ScreenToWorldMatrices = Shader.PropertyToID("_PenumbraScreenToWorld");
         internal static readonly int ScreenSize = Shader.PropertyToID("_PenumbraScreenSize");
         internal static readonly int TargetSize = Shader.PropertyToID("_PenumbraTargetSize");
@@ -27,9 +24,9 @@ namespace Penumbra
         {
             commands.SetGlobalVector(AtlasTexelSize, frame.uniforms.MainLightAtlasTexelSize);
             commands.SetGlobalVector(MainLightParams, frame.uniforms.MainLightParams);
-            commands.SetGlobalVector(Samples, frame.uniforms.Samples);
-            commands.SetGlobalVector(Limits, frame.uniforms.Limits);
-            commands.SetGlobalVector(Hdrp, frame.uniforms.Hdrp);
+            frame.uniforms.PcssAngular.SetGlobal(commands);
+            frame.uniforms.PcssClassic.SetGlobal(commands);
+            frame.uniforms.PcssHdrp.SetGlobal(commands);
             commands.SetGlobalVector(ScreenSize, Size(frame, ChainTexture.OfScreen(1)));
             screenToWorld[0] = frame.screenToWorld0;
             screenToWorld[1] = frame.screenToWorld1;

@@ -18,6 +18,9 @@ namespace Penumbra
     {
         // Even over the area; HDRP goes no lower.
         private const float SmallestClump = 1.0f;
+        private const float LargestClump = 8.0f;
+        private const float LongestMetres = 1e6f;
+        private const float WidestFilterTexels = 64.0f;
 
         public readonly Vector4 Params0;
         public readonly Vector4 Params1;
@@ -27,14 +30,14 @@ namespace Penumbra
         {
             var radialPerDepth = scales.IsMapped ? 2.0 * scales.UvPerMetreInDouble / scales.DepthPerMetreInDouble : 0.0;
             var cones = new HdrpCones(parameters, scales.TanHalf);
-            var widest = Bounded.OrLow(parameters.MaxPenumbraMetres, 0.0f, ShadowUniforms.LongestMetres);
+            var widest = Bounded.OrLow(parameters.MaxPenumbraMetres, 0.0f, LongestMetres);
             var farthest = widest / (2.0 * scales.TanHalf);
-            var clump = Bounded.OrLow(parameters.BlockerClump, SmallestClump, ShadowUniforms.LargestClump);
+            var clump = Bounded.OrLow(parameters.BlockerClump, SmallestClump, LargestClump);
             Params0 = new Vector4((float)(scales.TanHalf * radialPerDepth), Inverse(scales.TanHalf * radialPerDepth),
                                   (float)(Bounded.FitsFloat(farthest) ? farthest : scales.DepthRangeMetres),
-                                  Bounded.OrLow(parameters.MaxSamplingMetres, 0.0f, ShadowUniforms.LongestMetres));
+                                  Bounded.OrLow(parameters.MaxSamplingMetres, 0.0f, LongestMetres));
             Params1 = new Vector4(
-                Bounded.OrLow(parameters.MinFilterTexels, 0.0f, ShadowUniforms.WidestFilterTexels),
+                Bounded.OrLow(parameters.MinFilterTexels, 0.0f, WidestFilterTexels),
                 Inverse(cones.MinFilterTanHalf * radialPerDepth), Inverse(cones.SearchTanHalf * radialPerDepth),
                 0.5f * clump);
         }

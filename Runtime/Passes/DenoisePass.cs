@@ -1,4 +1,3 @@
-using UnityEngine;
 using UnityEngine.Rendering;
 using UnityEngine.Scripting;
 
@@ -11,13 +10,6 @@ namespace Penumbra
     [Preserve]
     internal sealed class DenoisePass : ShadowPass
     {
-        // The defaults of ShaderLibrary/Screen/EdgeDenoise.technique.json.
-        internal const float Radius = 2.0f;
-        internal const float PlaneTolerance = 2.0f;
-        internal const float NoiseAmplitude = 0.25f;
-
-        private static readonly int Params = Shader.PropertyToID("_PenumbraDenoiseParams");
-
         internal override int Order => 400;
 
         /// <summary>Tents have no noise.</summary>
@@ -30,8 +22,7 @@ namespace Penumbra
             chain.SetVisibility(chain.Draw("DenoiseVertical", 1, rows));
         }
 
-        /// <summary>Radius (pixels), distance to another surface (pixel widths), difference that is no noise.</summary>
         internal override void SetUniforms(CommandBuffer commands, in ShadowFrame frame) =>
-            commands.SetGlobalVector(Params, new Vector4(Radius, PlaneTolerance, NoiseAmplitude, 0.0f));
+            DenoiseParameters.Default.SetGlobal(commands);
     }
 }

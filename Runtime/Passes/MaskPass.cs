@@ -14,12 +14,7 @@ namespace Penumbra
         internal const int Divisor = 4;
         internal const string KeywordName = "_PENUMBRA_MASK";
 
-        // The defaults of ShaderLibrary/Screen/MaskBlur.technique.json.
-        internal const float FilterTexels = 2.0f;
-        internal const float LargestRadius = 32.0f;
-
         internal static readonly int Texture = Shader.PropertyToID("_PenumbraMaskTexture");
-        private static readonly int Params = Shader.PropertyToID("_PenumbraMaskParams");
 
         internal override int Order => 100;
 
@@ -37,8 +32,12 @@ namespace Penumbra
             chain.Publish(chain.Draw("MaskBlurVertical", Divisor, wide), Texture);
         }
 
-        /// <summary>Widest penumbra (m), smallest filter radius (texels), largest radius of the blur (mask texels).</summary>
-        internal override void SetUniforms(CommandBuffer commands, in ShadowFrame frame) =>
-            commands.SetGlobalVector(Params, new Vector4(frame.uniforms.Limits.x, FilterTexels, LargestRadius, 0.0f));
+        /// <summary>The mask covers the penumbrae that the filter draws.</summary>
+        internal override void SetUniforms(CommandBuffer commands, in ShadowFrame frame)
+        {
+            MaskParameters parameters = MaskParameters.Default;
+            parameters.maskPenumbraMetres = frame.uniforms.PcssAngular.maxPenumbraMetres;
+            parameters.SetGlobal(commands);
+        }
     }
 }

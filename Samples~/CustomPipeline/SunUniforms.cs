@@ -15,8 +15,6 @@ namespace Penumbra.Samples.CustomPipeline
         private static readonly int tiles = Shader.PropertyToID("_SunTiles");
         private static readonly int scales = Shader.PropertyToID("_SunScales");
         private static readonly int atlasTexelSize = Shader.PropertyToID("_SunAtlasTexelSize");
-        private static readonly int samples = Shader.PropertyToID("_SunSamples");
-        private static readonly int limits = Shader.PropertyToID("_SunLimits");
         private static readonly int cascadeCount = Shader.PropertyToID("_SunCascades");
         private static readonly int casterBias = Shader.PropertyToID("_SunCasterBias");
 
@@ -42,8 +40,7 @@ namespace Penumbra.Samples.CustomPipeline
             // The library's own packing bounds what a person may have typed.
             var packed = new ShadowUniforms(settings.Parameters, layout, 0);
             commands.SetGlobalVector(atlasTexelSize, packed.MainLightAtlasTexelSize);
-            commands.SetGlobalVector(samples, packed.Samples);
-            commands.SetGlobalVector(limits, packed.Limits);
+            packed.PcssAngular.SetGlobal(commands);
             // The noise stands still: without a temporal filter a moving one would flicker.
             commands.SetGlobalVector(cascadeCount, new Vector4(count, 0.0f, 0.0f, 0.0f));
         }

@@ -16,9 +16,6 @@ namespace Penumbra.Samples.ForwardShader
     {
         private static readonly int atlasTexelSize = Shader.PropertyToID("_PenumbraMainLightAtlasTexelSize");
         private static readonly int mainLightParams = Shader.PropertyToID("_PenumbraMainLightParams");
-        private static readonly int samples = Shader.PropertyToID("_PenumbraSamples");
-        private static readonly int limits = Shader.PropertyToID("_PenumbraLimits");
-        private static readonly int hdrp = Shader.PropertyToID("_PenumbraHdrp");
 
         [Tooltip("Full angle of the sun's disc in degrees: the real one's is 0.53, a hazy sky is like several.")]
         [Range(AngularDiameter.SmallestDegrees, AngularDiameter.LargestDegrees)]
@@ -58,9 +55,11 @@ namespace Penumbra.Samples.ForwardShader
             var uniforms = new ShadowUniforms(parameters, layout, 0);
             Shader.SetGlobalVector(atlasTexelSize, uniforms.MainLightAtlasTexelSize);
             Shader.SetGlobalVector(mainLightParams, uniforms.MainLightParams);
-            Shader.SetGlobalVector(samples, uniforms.Samples);
-            Shader.SetGlobalVector(limits, uniforms.Limits);
-            Shader.SetGlobalVector(hdrp, uniforms.Hdrp);
+            Shader.SetGlobalVector(PcssAngularParameters.Uniform0, uniforms.PcssAngular.Vector0);
+            Shader.SetGlobalVector(PcssAngularParameters.Uniform1, uniforms.PcssAngular.Vector1);
+            Shader.SetGlobalVector(PcssClassicParameters.Uniform0, uniforms.PcssClassic.Vector0);
+            Shader.SetGlobalVector(PcssHdrpParameters.Uniform0, uniforms.PcssHdrp.Vector0);
+            Shader.SetGlobalVector(PcssHdrpParameters.Uniform1, uniforms.PcssHdrp.Vector1);
         }
     }
 }

@@ -18,7 +18,7 @@
 
 #include "CompareFetch.hlsl"
 #include "../Core/Penumbra.hlsl"
-#include "../Core/TechniqueParameters.hlsl"
+#include "BoxParameters.hlsl"
 
 float FilterBilinear(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), ShadowReceiver receiver, ShadowTile tile)
 {

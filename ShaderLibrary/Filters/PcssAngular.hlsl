@@ -32,7 +32,7 @@
 
 #include "TexelQuad.hlsl"
 #include "../Core/Disk.hlsl"
-#include "../Core/TechniqueParameters.hlsl"
+#include "PcssAngularParameters.hlsl"
 
 // A texel's half diagonal: with less slack a texel's own centre could miss the cone that its square lies in.
 static const float kSmallestSlackTexels = 0.75;

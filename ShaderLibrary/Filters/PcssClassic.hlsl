@@ -16,7 +16,7 @@
 
 #include "TexelQuad.hlsl"
 #include "../Core/Disk.hlsl"
-#include "../Core/TechniqueParameters.hlsl"
+#include "PcssClassicParameters.hlsl"
 
 float FilterPcssClassic(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SAMPLER(sampler_point),
                         ShadowReceiver receiver, ShadowTile tile, PcssClassicParameters parameters)

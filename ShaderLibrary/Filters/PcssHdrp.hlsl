@@ -15,7 +15,7 @@
 
 #include "TexelQuad.hlsl"
 #include "../Core/Disk.hlsl"
-#include "../Core/TechniqueParameters.hlsl"
+#include "PcssHdrpParameters.hlsl"
 
 // |m00 / m22| of a depth range 0..1 is 2 |row0| / |row2| of the world-to-tile matrix.
 static const float kHdrpScale = 2.0;

@@ -159,7 +159,7 @@ ShadowTile PenumbraHdrpTile(HDShadowData data, float tanHalf)
 //   shadowFilterParams0   y blocker samples, z filter samples: integers by their bits
 PcssHdrpParameters PenumbraHdrpParametersOf(HDShadowData data)
 {
-    PcssHdrpParameters parameters = PcssHdrpOfUniforms();
+    PcssHdrpParameters parameters = PenumbraPcssHdrp();
 #if PENUMBRA_HDRP_PACKED_PCSS
     if (PenumbraHdrpIsPacked(data))
     {

@@ -4,10 +4,9 @@
 //             _PENUMBRA_FOUR_TAP, _PENUMBRA_TENT_3X3, _PENUMBRA_TENT_7X7, _PENUMBRA_PCSS, _PENUMBRA_PCSS_POISSON,
 //             _PENUMBRA_PCSS_HDRP; without a keyword, tent 5 x 5.
 // Source:     see each filter's file.
-// Inputs:     shadow map, its comparison and point samplers, ShadowReceiver, ShadowTile; uniforms
-//             _PenumbraSamples: blocker samples, filter samples, blockerClump, smallest filter radius (texels);
-//             _PenumbraLimits: widest penumbra (m), cone height (m), search radius of classic PCSS (m); HDRP's tangents
-//             in _PenumbraHdrp.xy. Runtime/Parameters/ShadowUniforms.cs packs them.
+// Inputs:     shadow map, its comparison and point samplers, ShadowReceiver, ShadowTile; of PCSS the uniforms
+//             _PenumbraPcssAngularParameters0, _PenumbraPcssClassicParameters0, _PenumbraPcssHdrpParameters0 and their like,
+//             which the C# structs of these names in Runtime/Parameters fill.
 // Cost:       the technique's fetches.
 // Guarantees: [0, 1]. Only the file of the selected filter is included.
 // Use it:     after a pipeline's bindings, as Shadows.hlsl and Hdrp.hlsl do. Not: directly from a shader.
@@ -15,7 +14,6 @@
 #define PENUMBRA_TECHNIQUE_BY_KEYWORD_HLSL
 
 #include "../Core/ShadowStructs.hlsl"
-#include "../Core/TechniqueParameters.hlsl"
 
 // PCSS reads depths by gather from a texture whose sampler compares. That is undefined in OpenGL, OpenGL ES and WebGL,
 // and before ES 3.1 there is no gather: the widest tent is used instead. Who binds the map without a comparison there
@@ -51,53 +49,48 @@
 #include "../Filters/TentPcf.hlsl"
 #endif
 
-float4 _PenumbraSamples;
-float4 _PenumbraLimits;
-float4 _PenumbraHdrp;
+#if defined(PENUMBRA_USES_PCSS)
+#include "../Filters/PcssAngularParameters.hlsl"
+float4 _PenumbraPcssAngularParameters0;
+float4 _PenumbraPcssAngularParameters1;
 
-PcssAngularParameters PcssAngularOfUniforms()
+PcssAngularParameters PenumbraPcssAngular()
 {
-    PcssAngularParameters angular;
-    angular.blockerSamples = int(_PenumbraSamples.x);
-    angular.filterSamples = int(_PenumbraSamples.y);
-    angular.blockerClump = _PenumbraSamples.z;
-    angular.minFilterTexels = _PenumbraSamples.w;
-    angular.maxPenumbraMetres = _PenumbraLimits.x;
-    angular.maxSamplingMetres = _PenumbraLimits.y;
-    return angular;
+    return UnpackPcssAngularParameters(_PenumbraPcssAngularParameters0, _PenumbraPcssAngularParameters1);
+}
+#endif
+
+#include "../Filters/PcssHdrpParameters.hlsl"
+float4 _PenumbraPcssHdrpParameters0;
+float4 _PenumbraPcssHdrpParameters1;
+
+PcssHdrpParameters PenumbraPcssHdrp()
+{
+    return UnpackPcssHdrpParameters(_PenumbraPcssHdrpParameters0, _PenumbraPcssHdrpParameters1);
 }
 
-PcssHdrpParameters PcssHdrpOfUniforms()
+#if defined(PENUMBRA_USES_PCSS) && defined(_PENUMBRA_PCSS_POISSON)
+float4 _PenumbraPcssClassicParameters0;
+
+PcssClassicParameters PenumbraPcssClassic()
 {
-    PcssHdrpParameters hdrp;
-    hdrp.blockerSamples = int(_PenumbraSamples.x);
-    hdrp.filterSamples = int(_PenumbraSamples.y);
-    hdrp.blockerClump = _PenumbraSamples.z;
-    hdrp.minFilterTexels = _PenumbraSamples.w;
-    hdrp.maxPenumbraMetres = _PenumbraLimits.x;
-    hdrp.maxSamplingMetres = _PenumbraLimits.y;
-    hdrp.searchTanHalf = _PenumbraHdrp.x;
-    hdrp.minFilterTanHalf = _PenumbraHdrp.y;
-    return hdrp;
+    return UnpackPcssClassicParameters(_PenumbraPcssClassicParameters0);
 }
+#endif
 
 #if defined(PENUMBRA_USES_PCSS)
 float PcssByKeyword(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SAMPLER(sampler_point),
                     ShadowReceiver receiver, ShadowTile tile)
 {
 #if defined(_PENUMBRA_PCSS_POISSON)
-    PcssClassicParameters classic;
-    classic.samples = int(_PenumbraSamples.x);
-    classic.searchRadiusMetres = _PenumbraLimits.z;
-    classic.minFilterTexels = _PenumbraSamples.w;
     return FilterPcssClassic(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), sampler_point, receiver, tile,
-                             classic);
+                             PenumbraPcssClassic());
 #elif defined(_PENUMBRA_PCSS_HDRP)
     return FilterPcssHdrp(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), sampler_point, receiver, tile,
-                          PcssHdrpOfUniforms());
+                          PenumbraPcssHdrp());
 #else
     return FilterPcssAngular(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), sampler_point, receiver, tile,
-                             PcssAngularOfUniforms());
+                             PenumbraPcssAngular());
 #endif
 }
 #endif

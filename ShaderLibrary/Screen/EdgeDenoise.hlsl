@@ -21,7 +21,7 @@
 #define PENUMBRA_EDGE_DENOISE_HLSL
 
 #include "CameraSurface.hlsl"
-#include "../Core/TechniqueParameters.hlsl"
+#include "DenoiseParameters.hlsl"
 
 static const int kLargestDenoiseRadius = 8;
 

@@ -136,9 +136,8 @@ std::vector<std::byte> loose_uniforms(const shaders::Resource& block, const Hdrp
       {"_CascadeShadowCount", {std::bit_cast<float>(static_cast<std::uint32_t>(frame.spheres.size()))}},
       {"_DirectionalShadowIndex", {std::bit_cast<float>(frame.shadow_index)}},
       {"_PenumbraMainLightParams", Words().add(frame.main_light_params).get()},
-      {"_PenumbraSamples", Words().add(frame.samples).get()},
-      {"_PenumbraLimits", Words().add(frame.limits).get()},
-      {"_PenumbraHdrp", Words().add(frame.hdrp).get()}};
+      {"_PenumbraPcssHdrpParameters0", Words().add(frame.pcss[0]).get()},
+      {"_PenumbraPcssHdrpParameters1", Words().add(frame.pcss[1]).get()}};
   std::vector<std::byte> bytes(block.size);
   for (const shaders::UniformMember& member : block.members) {
     const auto value = values.find(member.name);

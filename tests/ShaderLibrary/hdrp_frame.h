@@ -59,9 +59,7 @@ struct HdrpFrame {
   glm::vec3 forward{0.0f, -1.0f, 0.0f};
   float dimmer = 1.0f;
   glm::vec4 main_light_params{};
-  glm::vec4 samples{};
-  glm::vec4 limits{};
-  glm::vec4 hdrp{};
+  std::array<glm::vec4, 2> pcss{};  // of ShaderLibrary/Filters/PcssHdrpParameters.hlsl
 };
 
 struct HdrpFunction {

@@ -78,9 +78,7 @@ std::vector<float> run_one(const HdrpFunction& function, HdrpVersion version, co
   HdrpFrame frame;
   frame.shadows = {golden.shadow};
   frame.atlas_texels = golden.atlas_texels;
-  frame.samples = {7.0f, 9.0f, 3.0f, 2.0f};
-  frame.limits = {0.25f, 0.75f, 0.0f, 0.0f};
-  frame.hdrp = {0.125f, 0.375f, 0.0f, 0.0f};
+  frame.pcss = {glm::vec4(7.0f, 9.0f, 3.0f, 2.0f), glm::vec4(0.25f, 0.75f, 0.125f, 0.375f)};
   const auto tan_half = static_cast<float>(parameters::tan_half_of(golden.record.at("degrees")));
   return run(function, version, DepthDirection::reversed, frame, {tan_half});
 }

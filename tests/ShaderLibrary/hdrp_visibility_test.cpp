@@ -27,9 +27,7 @@ HdrpFrame two_tiles(DepthDirection direction, float first_tile, float second_til
   }
   frame.forward = {0.0f, 0.0f, 1.0f};
   frame.main_light_params = {0.0f, 0.05f, 0.0f, 0.0f};
-  frame.samples = {24.0f, 16.0f, 2.0f, 1.5f};
-  frame.limits = {0.56f, 0.5f, 0.5f, 0.0f};
-  frame.hdrp = {0.105f, 0.105f, 0.0f, 0.0f};
+  frame.pcss = {glm::vec4(24.0f, 16.0f, 2.0f, 1.5f), glm::vec4(0.56f, 0.5f, 0.105f, 0.105f)};
   return frame;
 }
 

@@ -1,7 +1,7 @@
 // The list of techniques.
 #include "fuzz/fuzz_input.h"
 #include "fuzz/targets.h"
-#include "techniques/technique_call.h"
+#include "techniques/parameter_emit.h"
 #include "techniques/technique_list.h"
 
 namespace penumbra::fuzz {
@@ -12,7 +12,10 @@ void targets::technique_list(std::string_view bytes) {
   const std::filesystem::path file = folder.write("fuzzed.technique.json", bytes);
   read([&] {
     const techniques::TechniqueList list = techniques::read_technique_list(file);
-    techniques::emit_parameter_structs_hlsl(list);
+    for (const techniques::ParameterStruct& parameters : list.structs) {
+      techniques::emit_hlsl(parameters);
+      techniques::emit_csharp(parameters);
+    }
     for (const techniques::Technique& technique : list.techniques)
       require(list.find(technique.name).name == technique.name, "a technique is found by its name");
   });

@@ -31,7 +31,7 @@ TEST(LintLibrary, EveryTechniqueWithEveryKeywordSet) {
   std::set<std::string> found;
   for (const techniques::Technique& technique : list.techniques)
     for (const std::vector<std::string>& keywords : technique.keyword_sets) {
-      const techniques::TechniqueCall call = techniques::emit_technique_call(list, technique, "_");
+      const techniques::TechniqueCall call = techniques::emit_technique_call(list, technique);
       shaders::CompileRequest request;
       request.file = technique.name;
       request.text = "#include \"Platform/Platform.hlsl\"\n" + call.includes +

@@ -56,11 +56,10 @@ class AngularFilter : public testing::TestWithParam<bool> {
     }
     const scene::Frame frame =
         testing_frames::make_frame(setup_, map, receivers, static_cast<int>(receivers.size()));
-    ShadowShader shader = technique_shader(
-        library_techniques(), library_techniques().find("pcss-angular-24-16"), Taps::as_listed, GetParam());
-    for (const auto& [name, count] : counts) {
-      shader.parameters.set("_PenumbraPcssAngularParameters_" + name, count);
-    }
+    techniques::Technique technique = library_techniques().find("pcss-angular-24-16");
+    for (const auto& [name, count] : counts) technique.values.at(name) = {static_cast<double>(count)};
+    const ShadowShader shader =
+        technique_shader(library_techniques(), technique, Taps::as_listed, GetParam());
     Resolver resolver(test_device(), compile(shader));
     return resolver.resolve(
         FrameOnDevice(test_device(), frame),

@@ -34,7 +34,8 @@ ScreenChain& screen_chain_of(const techniques::Technique& technique, bool revers
   static const shaders::PackageShader shader(shaders::package_shader_file());
   static KeptOnDevice<std::map<std::pair<std::string, bool>, ScreenChain>> chains;
   return chains
-      ->try_emplace({technique.name, reversed_z}, test_device(), shader, screen_chain(technique), reversed_z)
+      ->try_emplace({technique.name, reversed_z}, test_device(), shader,
+                    screen_chain(library_techniques(), technique), reversed_z)
       .first->second;
 }
 
@@ -50,7 +51,8 @@ struct Views {
 
   Colours draw(const std::string& view, std::optional<RowOrder> picture = std::nullopt) const {
     return debug_view(view, frame.settings.shadows.reversed_z)
-        .draw(on_device, camera, visibility(), chain.masked_out, shadows_uniforms(technique), picture);
+        .draw(on_device, camera, visibility(), chain.masked_out,
+              parameter_uniforms(library_techniques(), technique), picture);
   }
 
   bool seen(std::size_t pixel) const { return frame.receivers.position_ws[pixel].w != 0.0f; }

@@ -116,15 +116,12 @@ class EveryFilter : public testing::TestWithParam<Case> {
 
   // Sets the field of whatever parameter struct the technique has, if it has it.
   UniformValues with_counts(int count) const {
-    UniformValues values;
-    const techniques::Technique& technique = library_techniques().find(GetParam().technique);
-    for (const techniques::ParameterStruct* fields : library_techniques().structs_of(technique)) {
-      for (const techniques::ParameterField& field : fields->fields) {
-        const bool is_count = field.type == "int" && field.name.find("amples") != std::string::npos;
-        if (is_count) values.set("_Penumbra" + fields->name + "_" + field.name, count);
-      }
-    }
-    return values;
+    techniques::Technique technique = library_techniques().find(GetParam().technique);
+    for (const techniques::ParameterStruct* fields : library_techniques().structs_of(technique))
+      for (const techniques::ParameterField& field : fields->fields)
+        if (field.type == "int" && field.name.find("amples") != std::string::npos)
+          technique.values[field.name] = {static_cast<double>(count)};
+    return parameter_uniforms(library_techniques(), technique);
   }
 };
 

@@ -136,14 +136,12 @@ class GeometricScale : public testing::Test {
   // Limits that are there for speed or looks are lifted: geometry alone decides.
   static std::array<ResolvePass, 2> unlimited_passes() {
     const techniques::TechniqueList& list = library_techniques();
-    const techniques::Technique& technique = list.find("pcss-angular-64-64");
+    techniques::Technique technique = list.find("pcss-angular-64-64");
+    technique.unlimited["maxPenumbraMetres"] = "1e4";
+    technique.unlimited["maxSamplingMetres"] = "1e4";
     const auto pass = [&](bool reversed_z) {
-      ShadowShader shader = technique_shader(list, technique, Taps::unlimited, reversed_z);
-      shader.parameters.set("_PenumbraPcssAngularParameters_blockerSamples", 1024);
-      shader.parameters.set("_PenumbraPcssAngularParameters_filterSamples", 1024);
-      shader.parameters.set("_PenumbraPcssAngularParameters_maxPenumbraMetres", 1e4f);
-      shader.parameters.set("_PenumbraPcssAngularParameters_maxSamplingMetres", 1e4f);
-      return ResolvePass(test_device(), compile(shader));
+      return ResolvePass(test_device(),
+                         compile(technique_shader(list, technique, Taps::unlimited, reversed_z)));
     };
     return {pass(false), pass(true)};
   }

@@ -173,7 +173,7 @@ TEST_F(Upsample, StaysInRangeWhateverItReads) {
 
 UniformValues denoise_params(float radius, float tolerance = 2.0f, float amplitude = 0.25f) {
   UniformValues values;
-  values.set("_PenumbraDenoiseParams", glm::vec4(radius, tolerance, amplitude, 0.0f));
+  values.set("_PenumbraDenoiseParameters0", glm::vec4(radius, tolerance, amplitude, 0.0f));
   return values;
 }
 

@@ -55,9 +55,9 @@ class ScreenMask : public testing::TestWithParam<Case> {
     static KeptOnDevice<std::map<std::pair<std::string, bool>, std::unique_ptr<ScreenChain>>> chains;
     std::unique_ptr<ScreenChain>& made = (*chains)[{name, GetParam().reversed_z}];
     if (made == nullptr) {
-      made =
-          std::make_unique<ScreenChain>(test_device(), shaders::PackageShader(shaders::package_shader_file()),
-                                        screen_chain(technique(name)), GetParam().reversed_z);
+      made = std::make_unique<ScreenChain>(
+          test_device(), shaders::PackageShader(shaders::package_shader_file()),
+          screen_chain(library_techniques(), technique(name)), GetParam().reversed_z);
     }
     return *made;
   }
@@ -102,7 +102,7 @@ std::vector<bool> edges_of(const std::vector<float>& taps, const CameraImage& ca
 }
 
 TEST_P(ScreenMask, MarksTheBlocksWhoseComparisonsDisagree) {
-  ScreenChainDescription description = screen_chain(technique("screen-tent-5-masked"));
+  ScreenChainDescription description = screen_chain(library_techniques(), technique("screen-tent-5-masked"));
   description.steps = {{"PenumbraMask", kBlock, -1}, {"Resolve", 1, -1}};
   description.mask = 0;
   ScreenChain edges_only(test_device(), shaders::PackageShader(shaders::package_shader_file()), description,

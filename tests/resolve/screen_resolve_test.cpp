@@ -55,7 +55,7 @@ class ScreenResolve : public testing::TestWithParam<Case> {
     ScreenChainDescription description;
     description.steps = {{"Resolve", 1, -1}};
     description.keywords = {GetParam().keyword};
-    description.parameters = shadows_uniforms(technique_);
+    description.parameters = parameter_uniforms(library_techniques(), technique_);
     return description;
   }
 

@@ -20,9 +20,11 @@ std::string text_of(const ScreenChainDescription& chain) {
 }
 
 TEST(ScreenTechnique, PassesFollowTheChain) {
-  EXPECT_EQ(text_of(screen_chain(library_techniques().find("screen-tent-5"))), "Resolve/1<-1 mask -1");
+  EXPECT_EQ(text_of(screen_chain(library_techniques(), library_techniques().find("screen-tent-5"))),
+            "Resolve/1<-1 mask -1");
   EXPECT_EQ(
-      text_of(screen_chain(library_techniques().find("screen-pcss-angular-24-16-half-masked-denoised"))),
+      text_of(screen_chain(library_techniques(),
+                           library_techniques().find("screen-pcss-angular-24-16-half-masked-denoised"))),
       "PenumbraMask/4<-1 MaskBlurHorizontal/4<0 MaskBlurVertical/4<1 Resolve/2<-1 Upsample/1<3 "
       "DenoiseHorizontal/1<4 DenoiseVertical/1<5 _PENUMBRA_PCSS _PENUMBRA_MASK mask 2");
 }
@@ -87,7 +89,7 @@ TEST_P(EveryScreenTechnique, StaysInRangeOverCamerasThatSeeRubbish) {
   const float infinity = std::numeric_limits<float>::infinity();
   for (const bool reversed_z : {true, false}) {
     ScreenChain chain(test_device(), shaders::PackageShader(shaders::package_shader_file()),
-                      screen_chain(library_techniques().find(GetParam())), reversed_z);
+                      screen_chain(library_techniques(), library_techniques().find(GetParam())), reversed_z);
     for (const RowOrder rows : {RowOrder::top_first, RowOrder::bottom_first}) {
       const scene::Frame& frame = drawn("colonnade", 3, reversed_z);
       const FrameOnDevice on_device(test_device(), frame);

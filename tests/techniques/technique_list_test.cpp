@@ -9,6 +9,8 @@
 #include "input/input_error.h"
 #include "shaders/shader_files.h"
 #include "techniques/look_emit.h"
+#include "techniques/packing_cases.h"
+#include "techniques/parameter_emit.h"
 #include "techniques/preset_emit.h"
 #include "techniques/technique_call.h"
 #include "techniques/technique_json.h"
@@ -257,18 +259,15 @@ TEST_F(TechniqueListTest, UnknownTechniqueNamesTheNearest) {
 
 TEST_F(TechniqueListTest, CallPassesArgumentsThenReceiverTileAndParameters) {
   const TechniqueList list = read(good);
-  const TechniqueCall call = emit_technique_call(list, list.find("box-3"), "_P");
+  const TechniqueCall call = emit_technique_call(list, list.find("box-3"));
   EXPECT_EQ(call.includes, "#include \"Box.hlsl\"\n");
   EXPECT_THAT(call.declarations,
               HasSubstr("TEXTURE2D_SHADOW(_ShadowMap);\nSAMPLER_CMP(sampler_ShadowMap);\n"));
-  EXPECT_THAT(call.declarations, HasSubstr("int _PBoxParameters_taps;\nfloat2 _PBoxParameters_scale;\n"));
+  EXPECT_THAT(call.declarations, HasSubstr("float4 _PenumbraBoxParameters0;\n"));
   EXPECT_EQ(call.function,
             "float ResolveTechnique(ShadowReceiver receiver, ShadowTile tile)\n{\n"
-            "    BoxParameters parameters;\n"
-            "    parameters.taps = _PBoxParameters_taps;\n"
-            "    parameters.scale = _PBoxParameters_scale;\n"
             "    return FilterBox(TEXTURE2D_SHADOW_ARGS(_ShadowMap, sampler_ShadowMap), sampler_PointClamp, "
-            "receiver, tile, parameters);\n}\n");
+            "receiver, tile, UnpackBoxParameters(_PenumbraBoxParameters0));\n}\n");
 }
 
 std::string checked_in(const char* name) {
@@ -281,8 +280,17 @@ TechniqueList library() {
 }
 
 TEST(LibraryTechniques, CheckedInParameterStructsAreTheEmittedOnes) {
-  EXPECT_EQ(checked_in("ShaderLibrary/Core/TechniqueParameters.hlsl"), emit_parameter_structs_hlsl(library()))
-      << "write it anew: penumbra validate --emit-parameters ShaderLibrary/Core/TechniqueParameters.hlsl";
+  const TechniqueList list = library();
+  EXPECT_GE(list.structs.size(), 6U);
+  for (const ParameterStruct& parameters : list.structs)
+    for (const EmittedFile& emitted : {emit_hlsl(parameters), emit_csharp(parameters)})
+      EXPECT_EQ(checked_in(emitted.file.c_str()), emitted.text)
+          << "write it anew: penumbra validate --emit-parameters .";
+}
+
+TEST(LibraryTechniques, CheckedInPackingCasesAreTheEmittedOnes) {
+  EXPECT_EQ(checked_in("tests/golden/parameter_packing.json"), packing_cases_json(library()))
+      << "write it anew: penumbra validate --emit-packing tests/golden/parameter_packing.json";
 }
 
 TEST(LibraryTechniques, CheckedInPresetsAreTheEmittedOnes) {

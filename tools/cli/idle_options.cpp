@@ -23,8 +23,7 @@ void refuse_idle_options(const CLI::App& command, const ValidateOptions& options
               "with --count");
   refuse_idle(command, {"--minimize", "--sample", "--shard", "--format", "--root", "--verbose"},
               options.explain.has_value(), "with --explain");
-  const bool emits = !options.emit_parameters.empty() || !options.emit_presets.empty() ||
-                     !options.emit_looks.empty() || !options.emit_programs.empty();
+  const bool emits = options.emitted.any();
   refuse_idle(command, {"--target", "--minimize", "--shard", "--format", "--root", "--verbose"}, emits,
               "with --emit-...");
   const std::string& form = options.report.form;

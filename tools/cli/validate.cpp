@@ -24,11 +24,7 @@
 #include "project/unity_project.h"
 #include "shaders/cross_compile.h"
 #include "shaders/package_shader.h"
-#include "techniques/look_emit.h"
-#include "techniques/preset_emit.h"
-#include "techniques/preset_programs.h"
-#include "techniques/technique_call.h"
-#include "techniques/technique_json.h"
+#include "techniques/technique_list.h"
 #include "validation/explain.h"
 #include "validation/shader_sources.h"
 #include "validation/spirv_target.h"
@@ -320,9 +316,8 @@ void check_list(const ValidateOptions& options, bool sources_given) {
 }
 
 void check_outputs(const ValidateOptions& options, const Context& context) {
-  for (const std::string& file : {options.report.output, options.emit_parameters, options.emit_presets,
-                                  options.emit_looks, options.emit_programs})
-    check_output_file(file);
+  check_output_file(options.report.output);
+  check_emitted(options.emitted);
   if (!options.no_cache) check_cache_folder(options.cache, validation::default_cache(), context);
   check_output_folder(options.keep);
 }
@@ -346,21 +341,9 @@ void run_validate(const CLI::App& command, const ValidateOptions& options, Conte
     request.include_directories.assign(options.include_directories.begin(),
                                        options.include_directories.end());
   }
-  if (!options.emit_parameters.empty() || !options.emit_presets.empty() || !options.emit_looks.empty() ||
-      !options.emit_techniques.empty() || !options.emit_programs.empty()) {
+  if (options.emitted.any()) {
     if (!request.techniques) throw InputError("--emit-...", "needs a technique list, not files alone");
-    if (!options.emit_parameters.empty())
-      write_output(options.emit_parameters, techniques::emit_parameter_structs_hlsl(*request.techniques));
-    if (!options.emit_presets.empty())
-      write_output(options.emit_presets, techniques::emit_presets_csharp(*request.techniques));
-    if (!options.emit_looks.empty())
-      write_output(options.emit_looks, techniques::emit_looks_csharp(*request.techniques));
-    if (!options.emit_techniques.empty())
-      write_output(options.emit_techniques, techniques::techniques_json(*request.techniques));
-    if (!options.emit_programs.empty())
-      write_output(options.emit_programs,
-                   techniques::preset_programs_json(*request.techniques,
-                                                    shaders::PackageShader(shaders::package_shader_file())));
+    write_emitted(options.emitted, *request.techniques);
     return;
   }
   if (options.explain && !sources_given) throw InputError("--explain", "needs a shader file");

@@ -129,22 +129,6 @@ void add_how(CLI::App& command, ValidateOptions& options) {
   add_worker_limits(command, options.worker, "one variant");
 }
 
-void add_written(CLI::App& command, ValidateOptions& options) {
-  const auto add = [&](const char* name, std::string& file, const char* description) {
-    command.add_option(name, file, description)
-        ->type_name("FILE")
-        ->default_str("none")
-        ->group("Write a file (- is standard output) instead of validating");
-  };
-  add("--emit-parameters", options.emit_parameters, "The techniques' parameter structs as HLSL");
-  add("--emit-presets", options.emit_presets, "The quality presets as C#");
-  add("--emit-looks", options.emit_looks, "The looks as C#");
-  add("--emit-techniques", options.emit_techniques,
-      "The techniques with all defaults, passes and textures, as JSON");
-  add("--emit-programs", options.emit_programs,
-      "Programs of the renderer feature's shader that each quality preset keeps in a player build, as JSON");
-}
-
 }  // namespace
 
 void add_validate_options(CLI::App& command, ValidateOptions& options) {
@@ -153,7 +137,7 @@ void add_validate_options(CLI::App& command, ValidateOptions& options) {
   add_narrowing(command, options);
   add_checks(command, options);
   add_how(command, options);
-  add_written(command, options);
+  add_emitted_options(command, options.emitted);
 }
 
 }  // namespace penumbra::cli

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/emitted_files.h"
 #include "cli/report_output.h"
 #include "cli/shared_options.h"
 
@@ -54,11 +55,7 @@ struct ValidateOptions {
   std::string keep;
   WorkerOptions worker;
   ReportOptions report;
-  std::string emit_parameters;
-  std::string emit_presets;
-  std::string emit_looks;
-  std::string emit_techniques;
-  std::string emit_programs;
+  EmittedFiles emitted;
 };
 
 void add_validate_options(CLI::App& command, ValidateOptions& options);

@@ -119,9 +119,8 @@ Records uniforms(int count, SetupGenerator& generator) {
     add_parameters(record, given).add("resolution", resolution).add("cascades", cascades).add("frame", frame);
     record.add_vector("atlas_texel_size", packed.atlas_texel_size)
         .add_vector("main_light_params", packed.main_light_params)
-        .add_vector("samples", packed.samples)
-        .add_vector("limits", packed.limits)
-        .add_vector("hdrp", packed.hdrp);
+        .add("hdrp_search_tan_half", packed.hdrp_tan_half.x)
+        .add("hdrp_min_filter_tan_half", packed.hdrp_tan_half.y);
     records.push_back(record.text());
   }
   return records;

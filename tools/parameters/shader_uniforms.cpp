@@ -65,13 +65,7 @@ ShaderUniforms shader_uniforms(const SoftShadowParameters& parameters, const Atl
   const int frame = ((frame_index % 64) + 64) % 64;
   return {.atlas_texel_size = {1.0 / layout.width, 1.0 / layout.height, layout.width, layout.height},
           .main_light_params = {cascades, static_cast<double>(cones.light), frame, 0},
-          .samples = {std::clamp(parameters.blocker_samples, 1, 128),
-                      std::clamp(parameters.filter_samples, 1, 128),
-                      bounded(parameters.blocker_clump, 0.0, kLargestClump),
-                      bounded(parameters.min_filter_texels, 0.0, kWidestFilterTexels)},
-          .limits = {metres(parameters.max_penumbra_metres), metres(parameters.max_sampling_metres),
-                     metres(parameters.search_radius_metres), 0},
-          .hdrp = {static_cast<double>(cones.search), static_cast<double>(cones.min_filter), 0, 0}};
+          .hdrp_tan_half = {static_cast<double>(cones.search), static_cast<double>(cones.min_filter)}};
 }
 
 HdrpVectors hdrp_vectors(const Cascade& cascade, const SoftShadowParameters& parameters) {

@@ -1,4 +1,5 @@
-// The vectors that Shadows.hlsl and HDRP's shadow filter read, packed from settings a person can state.
+// What Shadows.hlsl and HDRP's shadow filter read of settings that a person can state. Parameters that the
+// filters take as they are stated are packed by techniques/parameter_packing.h.
 //
 // Units: degrees, metres, texels as named. Whatever the settings hold, every component is finite and in the
 // range the shaders take: NaN counts as a range's low end.
@@ -28,9 +29,7 @@ struct SoftShadowParameters {
 struct ShaderUniforms {
   glm::dvec4 atlas_texel_size;   // 1/width, 1/height, width, height
   glm::dvec4 main_light_params;  // cascade count, tan(a/2), frame index modulo 64, 0
-  glm::dvec4 samples;            // blocker samples, filter samples, clump, smallest filter radius (texels)
-  glm::dvec4 limits;             // widest penumbra, cone height, classic search radius (m), 0
-  glm::dvec4 hdrp;               // tan of half the search's angle, of half the smallest filter's, 0, 0
+  glm::dvec2 hdrp_tan_half;      // of HDRP's blocker search and of its smallest filter's cone
 };
 
 ShaderUniforms shader_uniforms(const SoftShadowParameters& parameters, const AtlasLayout& layout,

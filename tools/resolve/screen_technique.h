@@ -7,10 +7,8 @@
 
 namespace penumbra::resolve {
 
-// The values of a technique as Shadows.hlsl reads them: _PenumbraSamples, _PenumbraLimits, _PenumbraHdrp.
-UniformValues shadows_uniforms(const techniques::Technique& technique);
-
 // The passes of a technique that runs over the screen.
-ScreenChainDescription screen_chain(const techniques::Technique& technique);
+ScreenChainDescription screen_chain(const techniques::TechniqueList& list,
+                                    const techniques::Technique& technique);
 
 }  // namespace penumbra::resolve

@@ -1,7 +1,6 @@
 #include "resolve/shadow_shader.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "input/input_error.h"
 #include "platform/data_directory.h"
@@ -12,41 +11,9 @@
 namespace penumbra::resolve {
 namespace {
 
-constexpr const char* kUniformPrefix = "_Penumbra";
-
 std::vector<std::pair<std::string, std::string>> depth_defines(bool reversed_z) {
   if (reversed_z) return {{"UNITY_REVERSED_Z", "1"}};
   return {};
-}
-
-// A field's value as its uniform reads it: int, or one to four floats.
-void set_parameter(UniformValues& values, const techniques::ParameterField& field, const std::string& uniform,
-                   const std::vector<double>& value) {
-  if (field.type == "int") {
-    values.set(uniform, static_cast<int>(std::lround(value.at(0))));
-    return;
-  }
-  glm::vec4 vector(0.0f);
-  for (std::size_t i = 0; i < std::min<std::size_t>(4, value.size()); ++i) {
-    vector[static_cast<int>(i)] = static_cast<float>(value[i]);
-  }
-  values.set(uniform, vector);
-}
-
-UniformValues parameter_values(const techniques::TechniqueList& list, const techniques::Technique& technique,
-                               Taps taps) {
-  UniformValues values;
-  for (const techniques::ParameterStruct* parameters : list.structs_of(technique)) {
-    for (const techniques::ParameterField& field : parameters->fields) {
-      std::vector<double> value = technique.values.at(field.name);
-      const auto unlimited = technique.unlimited.find(field.name);
-      if (taps == Taps::unlimited && unlimited != technique.unlimited.end()) {
-        value = {std::stod(unlimited->second)};
-      }
-      set_parameter(values, field, kUniformPrefix + parameters->name + "_" + field.name, value);
-    }
-  }
-  return values;
 }
 
 // The platform macros come with the body, so that an adapter may bring its pipeline's instead; where it
@@ -98,7 +65,7 @@ shaders::CompileRequest triangle_request() {
 
 ShadowShader technique_shader(const techniques::TechniqueList& list, const techniques::Technique& technique,
                               Taps taps, bool reversed_z) {
-  const techniques::TechniqueCall call = techniques::emit_technique_call(list, technique, kUniformPrefix);
+  const techniques::TechniqueCall call = techniques::emit_technique_call(list, technique);
   ShadowShader shader;
   shader.name = technique.name;
   shader.body = "#include \"Platform/Platform.hlsl\"\n" + call.includes +
@@ -106,7 +73,7 @@ ShadowShader technique_shader(const techniques::TechniqueList& list, const techn
   shader.defines = depth_defines(reversed_z);
   for (const std::string& keyword : technique.keywords) shader.defines.emplace_back(keyword, "1");
   if (taps == Taps::unlimited) shader.defines.emplace_back("PENUMBRA_UNLIMITED", "1");
-  shader.parameters = parameter_values(list, technique, taps);
+  shader.parameters = parameter_uniforms(list, technique, taps);
   shader.uses_noise = !technique.unlimited.empty() && taps == Taps::as_listed;
   return shader;
 }

@@ -14,6 +14,7 @@
 #include "parameters/cascades.h"
 #include "platform/worker_pool.h"
 #include "resolve/adapter_resources.h"
+#include "resolve/technique_uniforms.h"
 #include "resolve/uniform_numbers.h"
 #include "resolve/uniform_values.h"
 #include "shaders/compile.h"
@@ -39,8 +40,6 @@ struct ShadowShader {
   bool prepare = false;     // what only Unity's compilers accept is rewritten first
   bool uses_noise = false;  // the result depends on the noise seed
 };
-
-enum class Taps { as_listed, unlimited };  // unlimited: the technique's own T3 overrides
 
 ShadowShader technique_shader(const techniques::TechniqueList& list, const techniques::Technique& technique,
                               Taps taps = Taps::as_listed, bool reversed_z = true);

@@ -13,7 +13,7 @@ Subject technique_subject(const techniques::TechniqueList& list, const technique
   subject.bias = {technique.bias.depth, technique.bias.normal,
                   parameters::soft_quality_named(technique.bias.soft_quality)};
   subject.shader = resolve::technique_shader(list, technique, resolve::Taps::as_listed, reversed_z);
-  if (technique.graph.over_screen()) subject.screen = resolve::screen_chain(technique);
+  if (technique.graph.over_screen()) subject.screen = resolve::screen_chain(list, technique);
   if (!technique.unlimited.empty()) {
     subject.unlimited = resolve::technique_shader(list, technique, resolve::Taps::unlimited, reversed_z);
   }

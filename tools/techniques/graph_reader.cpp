@@ -142,16 +142,21 @@ void add(PassGraph& graph, const PassGraph& part) {
 
 ManifestFiles::ManifestFiles(const std::filesystem::path& manifest, const std::filesystem::path& package)
     : folder_(std::filesystem::absolute(manifest).parent_path()),
-      package_(std::filesystem::absolute(package)) {}
+      package_(std::filesystem::absolute(package).lexically_normal()) {}
 
 std::string ManifestFiles::required(JsonObject& object, const std::string& key) const {
   const std::filesystem::path file = (folder_ / required_text(object, key)).lexically_normal();
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error))
     object.fail(key, "there is no file '" + file.string() + "'", "files are named relative to the manifest");
-  const std::filesystem::path inside = file.lexically_relative(package_);
+  return named(file);
+}
+
+std::string ManifestFiles::named(const std::filesystem::path& file) const {
+  const std::filesystem::path whole = std::filesystem::absolute(file).lexically_normal();
+  const std::filesystem::path inside = whole.lexically_relative(package_);
   const bool outside = inside.empty() || *inside.begin() == "..";
-  return (outside ? file : inside).generic_string();
+  return (outside ? whole : inside).generic_string();
 }
 
 FilterCall read_filter(JsonObject object, const TechniqueList& list, const ManifestFiles& files) {

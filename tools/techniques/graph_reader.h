@@ -16,6 +16,7 @@ class ManifestFiles {
   ManifestFiles(const std::filesystem::path& manifest, const std::filesystem::path& package);
 
   std::string required(JsonObject& object, const std::string& key) const;  // throws where there is none
+  std::string named(const std::filesystem::path& file) const;
 
  private:
   std::filesystem::path folder_;

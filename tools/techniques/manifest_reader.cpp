@@ -56,7 +56,7 @@ ParameterField read_field(JsonObject object) {
 }
 
 ParameterStruct read_struct(JsonObject object) {
-  ParameterStruct parameters{required_identifier(object, "name"), required_text(object, "doc"), {}};
+  ParameterStruct parameters{required_identifier(object, "name"), required_text(object, "doc"), {}, {}};
   std::set<std::string> seen;
   for (JsonObject& field : object.objects("fields")) {
     parameters.fields.push_back(read_field(field));
@@ -313,6 +313,7 @@ void add_structs(const Manifest& manifest, TechniqueList& list) {
     ParameterStruct parameters = read_struct(object);
     if (list.find_struct(parameters.name) != nullptr)
       object.fail("name", "there are two structs '" + parameters.name + "'");
+    parameters.manifest = ManifestFiles(manifest.file, list.package).named(manifest.file);
     list.structs.push_back(std::move(parameters));
   }
 }

@@ -18,8 +18,8 @@ std::size_t vector_count(const ParameterStruct& parameters) {
   return parameters.fields.empty() ? 0 : packed_places(parameters).back().vector + 1;
 }
 
-std::string uniform_name(const ParameterStruct& parameters) {
-  return "_Penumbra" + parameters.name;
+std::string uniform_name(const ParameterStruct& parameters, std::size_t vector) {
+  return "_Penumbra" + parameters.name + std::to_string(vector);
 }
 
 std::vector<std::array<float, 4>> packed(const ParameterStruct& parameters,

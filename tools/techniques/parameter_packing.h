@@ -1,8 +1,8 @@
-// How a parameter struct lies in the vectors that the shaders' uniform holds.
+// How a parameter struct lies in the vectors that the shaders' uniforms hold.
 //
 // Fields in order, each in the next free components; one that does not fit into what is left of a vector
 // begins the next, as in HLSL's constant buffers. Whole numbers are stored as floats, exact to 2^24. The
-// uniform is float4 _Penumbra<Struct>[vector_count]; the emitted HLSL unpacks it, the emitted C# packs it.
+// uniforms are float4 _Penumbra<Struct>0, 1, ...; the emitted HLSL unpacks them, the emitted C# packs them.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ struct PackedPlace {
 
 std::vector<PackedPlace> packed_places(const ParameterStruct& parameters);  // of the fields, in order
 std::size_t vector_count(const ParameterStruct& parameters);
-std::string uniform_name(const ParameterStruct& parameters);  // _PenumbraMaskParameters
+std::string uniform_name(const ParameterStruct& parameters, std::size_t vector);  // _PenumbraMaskParameters0
 
 // Components that no field has are 0. Throws std::out_of_range where a field has no value.
 std::vector<std::array<float, 4>> packed(const ParameterStruct& parameters,

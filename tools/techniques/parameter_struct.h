@@ -27,6 +27,7 @@ struct ParameterStruct {
   std::string name;
   std::string doc;
   std::vector<ParameterField> fields;
+  std::string manifest{};  // that declares it, relative to the package's folder where it lies in it
 };
 
 std::size_t component_count(const ParameterField& field);  // 1, 2 or 4

@@ -1,36 +1,12 @@
 #include "techniques/technique_call.h"
 
+#include <cctype>
 #include <stdexcept>
 
+#include "techniques/parameter_packing.h"
+
 namespace penumbra::techniques {
-
 namespace {
-
-constexpr const char* structs_header =
-    R"(// Parameter structs of the techniques, one per family of filters.
-// Written by `penumbra validate --emit-parameters` from the techniques' manifests; do not edit.
-//
-// Each comment gives the field's unit, then its meaning. Cost: no fetch.
-#ifndef PENUMBRA_TECHNIQUE_PARAMETERS_HLSL
-#define PENUMBRA_TECHNIQUE_PARAMETERS_HLSL
-)";
-
-std::string emit_struct(const ParameterStruct& parameters) {
-  std::string text = "\n// " + parameters.doc + "\nstruct " + parameters.name + "\n{\n";
-  for (const ParameterField& field : parameters.fields)
-    text += "    " + field.type + " " + field.name + "; // " + field.unit + ": " + field.doc + "\n";
-  return text + "};\n";
-}
-
-std::string uniform(const std::string& prefix, const ParameterStruct& parameters,
-                    const ParameterField& field) {
-  return prefix + parameters.name + "_" + field.name;
-}
-
-// A texture of the graph by its name in the call.
-std::string argument_name(const std::string& texture) {
-  return "_Penumbra_" + texture;
-}
 
 std::string argument_declaration(const std::string& argument) {
   if (argument == "shadowMap") return "TEXTURE2D_SHADOW(_ShadowMap);\nSAMPLER_CMP(sampler_ShadowMap);\n";
@@ -48,17 +24,15 @@ std::string argument_expression(const std::string& argument) {
 
 }  // namespace
 
-std::string emit_parameter_structs_hlsl(const TechniqueList& list) {
-  std::string text = structs_header;
-  for (const ParameterStruct& parameters : list.structs) text += emit_struct(parameters);
-  return text + "\n#endif\n";
+std::string argument_name(const std::string& texture) {
+  std::string name = texture;
+  name.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
+  return "_Penumbra" + name + "Texture";
 }
 
-TechniqueCall emit_technique_call(const TechniqueList& list, const Technique& technique,
-                                  const std::string& uniform_prefix) {
+TechniqueCall emit_technique_call(const TechniqueList& list, const Technique& technique) {
   const FilterCall* filter = technique.graph.filter();
   if (filter == nullptr) throw std::invalid_argument("'" + technique.name + "' calls no filter");
-  const ParameterStruct* parameters = list.find_struct(filter->parameters);
   TechniqueCall call;
   call.includes = "#include \"" + filter->file + "\"\n";
   std::string arguments;
@@ -67,17 +41,16 @@ TechniqueCall emit_technique_call(const TechniqueList& list, const Technique& te
     arguments += argument_expression(argument) + ", ";
   }
   arguments += "receiver, tile";
-  call.function = "float ResolveTechnique(ShadowReceiver receiver, ShadowTile tile)\n{\n";
-  if (parameters != nullptr) {
-    call.function += "    " + parameters->name + " parameters;\n";
-    for (const ParameterField& field : parameters->fields) {
-      const std::string name = uniform(uniform_prefix, *parameters, field);
-      call.declarations += field.type + " " + name + ";\n";
-      call.function += "    parameters." + field.name + " = " + name + ";\n";
+  if (const ParameterStruct* parameters = list.find_struct(filter->parameters)) {
+    std::string vectors;
+    for (std::size_t i = 0; i < vector_count(*parameters); ++i) {
+      call.declarations += "float4 " + uniform_name(*parameters, i) + ";\n";
+      vectors += (i == 0 ? "" : ", ") + uniform_name(*parameters, i);
     }
-    arguments += ", parameters";
+    arguments += ", Unpack" + parameters->name + "(" + vectors + ")";
   }
-  call.function += "    return " + filter->function + "(" + arguments + ");\n}\n";
+  call.function = "float ResolveTechnique(ShadowReceiver receiver, ShadowTile tile)\n{\n    return " +
+                  filter->function + "(" + arguments + ");\n}\n";
   return call;
 }
 

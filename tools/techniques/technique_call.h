@@ -1,4 +1,4 @@
-// The HLSL that calls a technique's filter, and the structs that it is told.
+// The HLSL that calls a technique's filter.
 #pragma once
 
 #include <string>
@@ -7,18 +7,17 @@
 
 namespace penumbra::techniques {
 
-// The checked-in copy of the parameter structs, ShaderLibrary/Core/TechniqueParameters.hlsl.
-std::string emit_parameter_structs_hlsl(const TechniqueList& list);
-
 // The text that defines float ResolveTechnique(ShadowReceiver receiver, ShadowTile tile).
 struct TechniqueCall {
   std::string includes;      // #include lines, resolved in the package's folder
-  std::string declarations;  // resources, and uniforms, one per field: <prefix><Struct>_<field>
+  std::string declarations;  // resources, and the uniforms of its parameters (parameter_packing.h)
   std::string function;
 };
 
 // Throws std::invalid_argument for a technique without a filter.
-TechniqueCall emit_technique_call(const TechniqueList& list, const Technique& technique,
-                                  const std::string& uniform_prefix);
+TechniqueCall emit_technique_call(const TechniqueList& list, const Technique& technique);
+
+// What the call names a texture of the graph: _PenumbraMomentsTexture of "moments".
+std::string argument_name(const std::string& texture);
 
 }  // namespace penumbra::techniques

@@ -55,7 +55,7 @@ shaders::CompileRequest base_request(const ValidationRequest& request,
 SourceVariant technique_variant(const ValidationRequest& request, const techniques::Technique& technique,
                                 hlsl::Stage stage, const std::vector<std::string>& keywords) {
   const techniques::TechniqueList& list = *request.techniques;
-  const techniques::TechniqueCall call = techniques::emit_technique_call(list, technique, "_Penumbra");
+  const techniques::TechniqueCall call = techniques::emit_technique_call(list, technique);
   SourceVariant variant;
   variant.technique = &technique;
   variant.unit.technique = technique.name;

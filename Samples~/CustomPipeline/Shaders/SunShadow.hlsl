@@ -26,8 +26,8 @@ float4 _SunSpheres[4];         // xyz: centre, world space; w: squared radius, 0
 float4 _SunTiles[4];           // xy: origin, zw: extent, in atlas UV
 float4 _SunScales[4];          // uvPerMetre, depthPerMetre, depthToRadial, radialToDepth of ShadowTile
 float4 _SunAtlasTexelSize;     // 1/width, 1/height, width, height
-float4 _SunSamples;            // blocker samples, filter samples, search clump, smallest filter radius in texels
-float4 _SunLimits;             // widest penumbra (m), cone height (m)
+float4 _PenumbraPcssAngularParameters0; // packed by the library's PcssAngularParameters.cs
+float4 _PenumbraPcssAngularParameters1;
 float4 _SunCascades;           // x: count, 0 without a shadow map; y: frame of the noise
 
 CascadeSpheres SunSpheres()
@@ -53,18 +53,6 @@ ShadowTile SunTile(int cascade)
     return tile;
 }
 
-PcssAngularParameters SunParameters()
-{
-    PcssAngularParameters parameters;
-    parameters.blockerSamples = int(_SunSamples.x);
-    parameters.filterSamples = int(_SunSamples.y);
-    parameters.blockerClump = _SunSamples.z;
-    parameters.minFilterTexels = _SunSamples.w;
-    parameters.maxPenumbraMetres = _SunLimits.x;
-    parameters.maxSamplingMetres = _SunLimits.y;
-    return parameters;
-}
-
 float SunVisibility(float3 positionWS, float3 normalWS, float2 pixel)
 {
     const int count = int(_SunCascades.x);
@@ -79,7 +67,8 @@ float SunVisibility(float3 positionWS, float3 normalWS, float2 pixel)
     if (!(receiver.shadowCoord.z > 0.0 && receiver.shadowCoord.z < 1.0)) return 1.0;
 
     return FilterPcssAngular(TEXTURE2D_SHADOW_ARGS(_SunShadowMap, sampler_SunLinearClampCompare),
-                             sampler_SunPointClamp, receiver, SunTile(cascade), SunParameters());
+                             sampler_SunPointClamp, receiver, SunTile(cascade), UnpackPcssAngularParameters(_PenumbraPcssAngularParameters0,
+                                                         _PenumbraPcssAngularParameters1));
 }
 
 #endif

@@ -116,9 +116,8 @@ namespace Penumbra.Tests
             var uniforms = new ShadowUniforms(record.Parameters, record.Layout, record.Int("frame"));
             Check(record, "atlas_texel_size", uniforms.MainLightAtlasTexelSize, Product);
             Check(record, "main_light_params", uniforms.MainLightParams, Tangent);
-            Check(record, "samples", uniforms.Samples, Product);
-            Check(record, "limits", uniforms.Limits, Product);
-            Check(record, "hdrp", uniforms.Hdrp, Tangent);
+            Check(record, "hdrp_search_tan_half", uniforms.PcssHdrp.searchTanHalf, Tangent);
+            Check(record, "hdrp_min_filter_tan_half", uniforms.PcssHdrp.minFilterTanHalf, Tangent);
         });
 
         [Test]

@@ -45,9 +45,9 @@ namespace Penumbra.Tests
         public void HdrpsAnglesAreTheTechniqueLists()
         {
             var values = ValuesOf("pcss-angular-24-16-hdrp");
-            var angles = new ShadowUniforms(SoftShadowParameters.HdrpDefault, Layout, 0).Hdrp;
-            Assert.That(angles.x, Is.EqualTo(values.GetProperty("searchTanHalf").GetSingle()).Within(1e-8));
-            Assert.That(angles.y, Is.EqualTo(values.GetProperty("minFilterTanHalf").GetSingle()).Within(1e-8));
+            var hdrp = new ShadowUniforms(SoftShadowParameters.HdrpDefault, Layout, 0).PcssHdrp;
+            Assert.That(hdrp.searchTanHalf, Is.EqualTo(values.GetProperty("searchTanHalf").GetSingle()).Within(1e-8));
+            Assert.That(hdrp.minFilterTanHalf, Is.EqualTo(values.GetProperty("minFilterTanHalf").GetSingle()).Within(1e-8));
         }
 
         [Test]
@@ -62,10 +62,18 @@ namespace Penumbra.Tests
             var uniforms = new ShadowUniforms(parameters, Layout, 9);
             Assert.That(uniforms.MainLightAtlasTexelSize, Is.EqualTo(Layout.TexelSize));
             Assert.That(uniforms.MainLightParams, Is.EqualTo(new Vector4(3, AngularDiameter.TanHalf(2.0f), 9, 0)));
-            Assert.That(uniforms.Samples, Is.EqualTo(new Vector4(11, 12, 1.5f, 1.75f)));
-            Assert.That(uniforms.Limits, Is.EqualTo(new Vector4(21, 22, 23, 0)));
-            Assert.That(uniforms.Hdrp, Is.EqualTo(new Vector4(AngularDiameter.TanHalf(5.0f),
-                                                              AngularDiameter.TanHalf(7.0f), 0, 0)));
+            Assert.That(new[] { uniforms.PcssAngular.Vector0, uniforms.PcssAngular.Vector1 },
+                        Is.EqualTo(new[] { new Vector4(11, 12, 1.5f, 1.75f), new Vector4(21, 22, 0, 0) }));
+            Assert.That(new[] { uniforms.PcssHdrp.Vector0, uniforms.PcssHdrp.Vector1 },
+                        Is.EqualTo(new[]
+                        {
+                            new Vector4(11, 12, 1.5f, 1.75f),
+                            new Vector4(21, 22, AngularDiameter.TanHalf(5.0f), AngularDiameter.TanHalf(7.0f)),
+                        }));
+            parameters.BlockerSamples = 32;
+            uniforms = new ShadowUniforms(parameters, Layout, 9);
+            Assert.That(new[] { uniforms.PcssClassic.Vector0 },
+                        Is.EqualTo(new[] { new Vector4(32, 23, 1.75f, 0) }));
         }
 
         // The shaders take the index modulo 64; a float would lose its last bits after some days.
@@ -96,10 +104,18 @@ namespace Penumbra.Tests
                 };
                 var uniforms = new ShadowUniforms(parameters, Layout, Count());
                 AssertWithin(uniforms.MainLightParams, new Vector4(3, 0.26795f, 63, 0));
-                AssertWithin(uniforms.Samples, new Vector4(128, 128, 8, 64));
-                AssertWithin(uniforms.Limits, new Vector4(1e6f, 1e6f, 1e6f, 0));
-                AssertWithin(uniforms.Hdrp, new Vector4(1, 1, 0, 0));
+                AssertWithin(new[] { uniforms.PcssAngular.Vector0, uniforms.PcssAngular.Vector1 },
+                             new Vector4(64, 64, 8, 64), new Vector4(1e6f, 1e6f, 0, 0));
+                AssertWithin(new[] { uniforms.PcssClassic.Vector0 },
+                             new Vector4(128, 1e6f, 64, 0));
+                AssertWithin(new[] { uniforms.PcssHdrp.Vector0, uniforms.PcssHdrp.Vector1 },
+                             new Vector4(64, 64, 8, 64), new Vector4(1e6f, 1e6f, 1000, 1000));
             }
+        }
+
+        private static void AssertWithin(Vector4[] vectors, params Vector4[] largest)
+        {
+            for (var i = 0; i < vectors.Length; ++i) AssertWithin(vectors[i], largest[i]);
         }
 
         private static void AssertWithin(Vector4 v, Vector4 largest) =>

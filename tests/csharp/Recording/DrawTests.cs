@@ -173,11 +173,10 @@ namespace Penumbra.Tests
             options.denoise = true;
             Use(options);
             urp.Render(new FakeScene(), feature);
-            Assert.That(Vector(Draw("MaskBlurHorizontal"), "_PenumbraMaskParams"),
-                        Is.EqualTo(new Vector4(0.75f, MaskPass.FilterTexels, MaskPass.LargestRadius, 0.0f)));
-            Assert.That(Vector(Draw("DenoiseVertical"), "_PenumbraDenoiseParams"),
-                        Is.EqualTo(new Vector4(DenoisePass.Radius, DenoisePass.PlaneTolerance,
-                                               DenoisePass.NoiseAmplitude, 0.0f)));
+            Assert.That(Vector(Draw("MaskBlurHorizontal"), "_PenumbraMaskParameters0"),
+                        Is.EqualTo(new Vector4(0.75f, 2.0f, 32.0f, 0.0f)));
+            Assert.That(Vector(Draw("DenoiseVertical"), "_PenumbraDenoiseParameters0"),
+                        Is.EqualTo(new Vector4(2.0f, 2.0f, 0.25f, 0.0f)));
         }
 
         private static RenderTextureDescriptor[] Textures(int samples)

@@ -65,8 +65,8 @@ namespace Penumbra.Tests
         [TestCase("preset-ultra")]
         public void TheMaskIsTheStudys(string preset)
         {
-            Assert.That(MaskPass.FilterTexels, Is.EqualTo(Value(preset, "maskFilterTexels")));
-            Assert.That(MaskPass.LargestRadius, Is.EqualTo(Value(preset, "maskLargestRadius")));
+            Assert.That(MaskParameters.Default.maskFilterTexels, Is.EqualTo(Value(preset, "maskFilterTexels")));
+            Assert.That((float)MaskParameters.Default.maskLargestRadius, Is.EqualTo(Value(preset, "maskLargestRadius")));
             // The pass takes the cap of the filter for it.
             Assert.That(Value(preset, "maskPenumbraMetres"), Is.EqualTo(Value(preset, "maxPenumbraMetres")));
         }
@@ -74,9 +74,9 @@ namespace Penumbra.Tests
         [Test]
         public void TheDenoiserIsTheStudys()
         {
-            Assert.That(DenoisePass.Radius, Is.EqualTo(Value("screen-pcss-angular-24-16-denoised", "denoiseRadius")));
-            Assert.That(DenoisePass.PlaneTolerance, Is.EqualTo(Value("screen-pcss-angular-24-16-denoised", "planeTolerance")));
-            Assert.That(DenoisePass.NoiseAmplitude, Is.EqualTo(Value("screen-pcss-angular-24-16-denoised", "noiseAmplitude")));
+            Assert.That((float)DenoiseParameters.Default.denoiseRadius, Is.EqualTo(Value("screen-pcss-angular-24-16-denoised", "denoiseRadius")));
+            Assert.That(DenoiseParameters.Default.planeTolerance, Is.EqualTo(Value("screen-pcss-angular-24-16-denoised", "planeTolerance")));
+            Assert.That(DenoiseParameters.Default.noiseAmplitude, Is.EqualTo(Value("screen-pcss-angular-24-16-denoised", "noiseAmplitude")));
         }
 
         private static IEnumerable<QualityPreset> Presets() =>

@@ -44,11 +44,13 @@ namespace Penumbra.Samples.ForwardShader
                         Is.EqualTo(new Vector4(1.0f / 2048.0f, 1.0f / 1024.0f, 2048.0f, 1024.0f)));
             var expected = new ShadowUniforms(SoftShadowParameters.Default, new AtlasLayout(2048, 2), 0);
             Assert.That(Shader.Globals["_PenumbraMainLightParams"], Is.EqualTo(expected.MainLightParams));
-            Assert.That(Shader.Globals["_PenumbraSamples"], Is.EqualTo(expected.Samples));
-            Assert.That(Shader.Globals["_PenumbraLimits"], Is.EqualTo(expected.Limits));
-            Assert.That(Shader.Globals["_PenumbraHdrp"], Is.EqualTo(expected.Hdrp));
+            Assert.That(Shader.Globals["_PenumbraPcssAngularParameters0"], Is.EqualTo(expected.PcssAngular.Vector0));
+            Assert.That(Shader.Globals["_PenumbraPcssAngularParameters1"], Is.EqualTo(expected.PcssAngular.Vector1));
+            Assert.That(Shader.Globals["_PenumbraPcssClassicParameters0"], Is.EqualTo(expected.PcssClassic.Vector0));
+            Assert.That(Shader.Globals["_PenumbraPcssHdrpParameters0"], Is.EqualTo(expected.PcssHdrp.Vector0));
+            Assert.That(Shader.Globals["_PenumbraPcssHdrpParameters1"], Is.EqualTo(expected.PcssHdrp.Vector1));
             Assert.That(expected.MainLightParams.x, Is.EqualTo(2.0f));
-            Assert.That(expected.Samples.x, Is.EqualTo(24.0f));
+            Assert.That(expected.PcssAngular.Vector0.x, Is.EqualTo(24.0f));
         }
 
         [Test]

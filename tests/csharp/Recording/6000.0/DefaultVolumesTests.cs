@@ -49,7 +49,7 @@ namespace Penumbra.Tests
             var urp = new FakeUrp();
             urp.Render(new FakeScene(), feature);
             feature.Dispose();
-            Assert.That(((Vector4)urp.Device.Draws[0].Uniforms["_PenumbraSamples"]).y, Is.EqualTo(5.0f));
+            Assert.That(((Vector4)urp.Device.Draws[0].Uniforms["_PenumbraPcssAngularParameters0"]).y, Is.EqualTo(5.0f));
         }
     }
 }

@@ -1,0 +1,38 @@
+using System;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Penumbra
+{
+    // Written by `penumbra validate --emit-parameters` from ShaderLibrary/Filters/FixedPcf.technique.json; do not edit.
+    /// <summary>Kernel of N x N bilinear comparisons with equal weights.</summary>
+    [Serializable]
+    public struct BoxParameters
+    {
+        public static readonly int Uniform0 = Shader.PropertyToID("_PenumbraBoxParameters0");
+
+        /// <summary>N, odd, 1 to 9. Unit: taps.</summary>
+        [Tooltip("N, odd, 1 to 9. Unit: taps.")]
+        [Range(1, 9)]
+        public int tapsPerSide;
+
+        /// <summary>As the manifest has them; what it gives no default is 0, or the low end of its range.</summary>
+        public static BoxParameters Default => new BoxParameters
+        {
+            tapsPerSide = 1,
+        };
+
+        /// <summary>What _PenumbraBoxParameters0 holds. Every value is kept in its range; NaN counts as the low end.</summary>
+        public Vector4 Vector0 =>
+                new Vector4(Bounded.Count(tapsPerSide, 1, 9),
+                            0.0f,
+                            0.0f,
+                            0.0f);
+
+        /// <summary>Sets the uniforms for all draws behind it. Does not allocate.</summary>
+        public void SetGlobal(CommandBuffer commands)
+        {
+            commands.SetGlobalVector(Uniform0, Vector0);
+        }
+    }
+}

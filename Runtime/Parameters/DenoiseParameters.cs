@@ -1,0 +1,50 @@
+using System;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Penumbra
+{
+    // Written by `penumbra validate --emit-parameters` from ShaderLibrary/Screen/EdgeDenoise.technique.json; do not edit.
+    /// <summary>Smoothing of visibility in penumbrae.</summary>
+    [Serializable]
+    public struct DenoiseParameters
+    {
+        public static readonly int Uniform0 = Shader.PropertyToID("_PenumbraDenoiseParameters0");
+
+        /// <summary>Radius of the neighbourhood, 0 to 8. Unit: pixels.</summary>
+        [Tooltip("Radius of the neighbourhood, 0 to 8. Unit: pixels.")]
+        [Range(0, 8)]
+        public int denoiseRadius;
+
+        /// <summary>Plane distance threshold, in pixel footprints: beyond it a neighbour lies on another surface. Unit: pixels.</summary>
+        [Tooltip("Plane distance threshold, in pixel footprints: beyond it a neighbour lies on another surface. Unit: pixels.")]
+        [Range(0.0f, 1e+06f)]
+        public float planeTolerance;
+
+        /// <summary>Bilateral range threshold: a larger difference of visibility is an edge and no noise.</summary>
+        [Tooltip("Bilateral range threshold: a larger difference of visibility is an edge and no noise.")]
+        [Range(0.0f, 1.0f)]
+        public float noiseAmplitude;
+
+        /// <summary>As the manifest has them; what it gives no default is 0, or the low end of its range.</summary>
+        public static DenoiseParameters Default => new DenoiseParameters
+        {
+            denoiseRadius = 2,
+            planeTolerance = 2.0f,
+            noiseAmplitude = 0.25f,
+        };
+
+        /// <summary>What _PenumbraDenoiseParameters0 holds. Every value is kept in its range; NaN counts as the low end.</summary>
+        public Vector4 Vector0 =>
+                new Vector4(Bounded.Count(denoiseRadius, 0, 8),
+                            Bounded.OrLow(planeTolerance, 0.0f, 1e+06f),
+                            Bounded.OrLow(noiseAmplitude, 0.0f, 1.0f),
+                            0.0f);
+
+        /// <summary>Sets the uniforms for all draws behind it. Does not allocate.</summary>
+        public void SetGlobal(CommandBuffer commands)
+        {
+            commands.SetGlobalVector(Uniform0, Vector0);
+        }
+    }
+}

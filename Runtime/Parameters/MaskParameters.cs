@@ -1,0 +1,50 @@
+using System;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Penumbra
+{
+    // Written by `penumbra validate --emit-parameters` from ShaderLibrary/Screen/MaskBlur.technique.json; do not edit.
+    /// <summary>How far the penumbra mask extends beyond the edges that it found.</summary>
+    [Serializable]
+    public struct MaskParameters
+    {
+        public static readonly int Uniform0 = Shader.PropertyToID("_PenumbraMaskParameters0");
+
+        /// <summary>Largest penumbra width, from visibility 0 to 1, that the mask must cover; 0 for fixed filters. Unit: m.</summary>
+        [Tooltip("Largest penumbra width, from visibility 0 to 1, that the mask must cover; 0 for fixed filters. Unit: m.")]
+        [Range(0.0f, 1e+06f)]
+        public float maskPenumbraMetres;
+
+        /// <summary>Smallest filter radius that the mask must cover, in texels of the shadow map. Unit: texels.</summary>
+        [Tooltip("Smallest filter radius that the mask must cover, in texels of the shadow map. Unit: texels.")]
+        [Range(0.0f, 64.0f)]
+        public float maskFilterTexels;
+
+        /// <summary>Largest radius of the dilation, in texels of the mask. Unit: texels.</summary>
+        [Tooltip("Largest radius of the dilation, in texels of the mask. Unit: texels.")]
+        [Range(0, 1024)]
+        public int maskLargestRadius;
+
+        /// <summary>As the manifest has them; what it gives no default is 0, or the low end of its range.</summary>
+        public static MaskParameters Default => new MaskParameters
+        {
+            maskPenumbraMetres = 100.0f,
+            maskFilterTexels = 2.0f,
+            maskLargestRadius = 32,
+        };
+
+        /// <summary>What _PenumbraMaskParameters0 holds. Every value is kept in its range; NaN counts as the low end.</summary>
+        public Vector4 Vector0 =>
+                new Vector4(Bounded.OrLow(maskPenumbraMetres, 0.0f, 1e+06f),
+                            Bounded.OrLow(maskFilterTexels, 0.0f, 64.0f),
+                            Bounded.Count(maskLargestRadius, 0, 1024),
+                            0.0f);
+
+        /// <summary>Sets the uniforms for all draws behind it. Does not allocate.</summary>
+        public void SetGlobal(CommandBuffer commands)
+        {
+            commands.SetGlobalVector(Uniform0, Vector0);
+        }
+    }
+}

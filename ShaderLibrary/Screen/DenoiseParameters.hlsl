@@ -1,0 +1,25 @@
+// Smoothing of visibility in penumbrae.
+// Written by `penumbra validate --emit-parameters` from ShaderLibrary/Screen/EdgeDenoise.technique.json; do not edit.
+//
+// Each comment gives the field's unit, then its meaning. Cost: no fetch.
+#ifndef PENUMBRA_DENOISE_PARAMETERS_HLSL
+#define PENUMBRA_DENOISE_PARAMETERS_HLSL
+
+struct DenoiseParameters
+{
+    int denoiseRadius; // pixels: radius of the neighbourhood, 0 to 8
+    float planeTolerance; // pixels: plane distance threshold, in pixel footprints: beyond it a neighbour lies on another surface
+    float noiseAmplitude; // 1: bilateral range threshold: a larger difference of visibility is an edge and no noise
+};
+
+// Of the uniforms _PenumbraDenoiseParameters0, which the package's C# struct of the same name fills.
+DenoiseParameters UnpackDenoiseParameters(float4 packed0)
+{
+    DenoiseParameters parameters;
+    parameters.denoiseRadius = int(packed0.x);
+    parameters.planeTolerance = packed0.y;
+    parameters.noiseAmplitude = packed0.z;
+    return parameters;
+}
+
+#endif

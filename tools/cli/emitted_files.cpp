@@ -1,0 +1,95 @@
+#include "cli/emitted_files.h"
+
+#include <array>
+#include <filesystem>
+#include <functional>
+#include <utility>
+
+#include "cli/subcommand.h"
+#include "shaders/package_shader.h"
+#include "techniques/look_emit.h"
+#include "techniques/packing_cases.h"
+#include "techniques/parameter_emit.h"
+#include "techniques/preset_emit.h"
+#include "techniques/preset_programs.h"
+#include "techniques/technique_json.h"
+
+namespace penumbra::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kGroup = "Write a file (- is standard output) instead of validating";
+
+struct EmittedFile {
+  const char* option;
+  std::string EmittedFiles::*file;
+  const char* description;
+  std::function<std::string(const techniques::TechniqueList&)> text;
+};
+
+std::string programs(const techniques::TechniqueList& list) {
+  return techniques::preset_programs_json(list, shaders::PackageShader(shaders::package_shader_file()));
+}
+
+const std::array<EmittedFile, 5>& emitted_files() {
+  static const std::array<EmittedFile, 5> files{
+      {{"--emit-presets", &EmittedFiles::presets, "The quality presets as C#",
+        techniques::emit_presets_csharp},
+       {"--emit-looks", &EmittedFiles::looks, "The looks as C#", techniques::emit_looks_csharp},
+       {"--emit-techniques", &EmittedFiles::techniques,
+        "The techniques with all defaults, passes and textures, as JSON", techniques::techniques_json},
+       {"--emit-packing", &EmittedFiles::packing,
+        "Values of every parameter struct and the vectors they are packed into, as JSON",
+        techniques::packing_cases_json},
+       {"--emit-programs", &EmittedFiles::programs,
+        "Programs of the renderer feature's shader that each quality preset keeps in a player build, as JSON",
+        programs}}};
+  return files;
+}
+
+}  // namespace
+
+bool EmittedFiles::any() const {
+  bool asked = !parameters.empty();
+  for (const EmittedFile& emitted : emitted_files()) asked = asked || !(this->*emitted.file).empty();
+  return asked;
+}
+
+void add_emitted_options(CLI::App& command, EmittedFiles& files) {
+  command
+      .add_option(
+          "--emit-parameters", files.parameters,
+          "Every parameter struct as HLSL beside its manifest and as C# in Runtime/Parameters, in this "
+          "folder of a package")
+      ->type_name("FOLDER")
+      ->default_str("none")
+      ->group(kGroup);
+  for (const EmittedFile& emitted : emitted_files())
+    command.add_option(emitted.option, files.*emitted.file, emitted.description)
+        ->type_name("FILE")
+        ->default_str("none")
+        ->group(kGroup);
+}
+
+void check_emitted(const EmittedFiles& files) {
+  if (!files.parameters.empty()) check_output_folder(files.parameters);
+  for (const EmittedFile& emitted : emitted_files()) check_output_file(files.*emitted.file);
+}
+
+void write_emitted(const EmittedFiles& files, const techniques::TechniqueList& list) {
+  if (!files.parameters.empty()) {
+    for (const techniques::ParameterStruct& parameters : list.structs) {
+      for (const techniques::EmittedFile& emitted :
+           {techniques::emit_hlsl(parameters), techniques::emit_csharp(parameters)}) {
+        const fs::path file = fs::path(files.parameters) / emitted.file;
+        fs::create_directories(file.parent_path());
+        write_output(file.string(), emitted.text);
+      }
+    }
+  }
+  for (const EmittedFile& emitted : emitted_files())
+    if (!(files.*emitted.file).empty()) write_output(files.*emitted.file, emitted.text(list));
+}
+
+}  // namespace penumbra::cli

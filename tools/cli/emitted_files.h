@@ -1,0 +1,27 @@
+// The files that `penumbra validate` writes from the techniques' manifests instead of validating.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "techniques/technique_list.h"
+
+namespace penumbra::cli {
+
+// Each a file, - for standard output; empty: not asked for.
+struct EmittedFiles {
+  std::string parameters;  // a folder
+  std::string presets;
+  std::string looks;
+  std::string techniques;
+  std::string packing;
+  std::string programs;
+
+  bool any() const;
+};
+
+void add_emitted_options(CLI::App& command, EmittedFiles& files);
+void check_emitted(const EmittedFiles& files);  // throws InputError where one cannot be written
+void write_emitted(const EmittedFiles& files, const techniques::TechniqueList& list);
+
+}  // namespace penumbra::cli

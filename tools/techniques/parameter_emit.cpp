@@ -1,0 +1,219 @@
+#include "techniques/parameter_emit.h"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <filesystem>
+
+#include "techniques/csharp_literal.h"
+#include "techniques/parameter_packing.h"
+
+namespace penumbra::techniques {
+namespace {
+
+constexpr std::string_view kComponents = "xyzw";
+
+constexpr const char* kHlsl = R"(// {doc}
+// Written by `penumbra validate --emit-parameters` from {manifest}; do not edit.
+//
+// Each comment gives the field's unit, then its meaning. Cost: no fetch.
+#ifndef {guard}
+#define {guard}
+
+struct {name}
+{{
+{fields}}};
+
+// Of the uniforms {uniforms}, which the package's C# struct of the same name fills.
+{name} Unpack{name}({vectors})
+{{
+    {name} parameters;
+{unpacked}    return parameters;
+}}
+
+#endif
+)";
+
+constexpr const char* kCsharp = R"(using System;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Penumbra
+{{
+    // Written by `penumbra validate --emit-parameters` from {manifest}; do not edit.
+    /// <summary>{doc}</summary>
+    [Serializable]
+    public struct {name}
+    {{
+{ids}{fields}        /// <summary>As the manifest has them; what it gives no default is 0, or the low end of its range.</summary>
+        public static {name} Default => new {name}
+        {{
+{defaults}        }};
+
+{packed}        /// <summary>Sets the uniforms for all draws behind it. Does not allocate.</summary>
+        public void SetGlobal(CommandBuffer commands)
+        {{
+{sets}        }}
+    }}
+}}
+)";
+
+// PENUMBRA_PCSS_ANGULAR_PARAMETERS_HLSL
+std::string guard(const std::string& name) {
+  std::string text = "PENUMBRA";
+  for (const char character : name) {
+    if (std::isupper(static_cast<unsigned char>(character)) != 0) text += '_';
+    text += static_cast<char>(std::toupper(static_cast<unsigned char>(character)));
+  }
+  return text + "_HLSL";
+}
+
+std::string sentence(std::string text) {
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  return text;
+}
+
+std::string escaped(const std::string& text) {
+  std::string safe;
+  for (const char character : text)
+    safe += character == '<' ? "&lt;" : character == '&' ? "&amp;" : std::string(1, character);
+  return safe;
+}
+
+std::string swizzle(const PackedPlace& place, std::size_t count) {
+  return std::string(kComponents.substr(place.component, count));
+}
+
+std::string csharp_type(const ParameterField& field) {
+  return component_count(field) == 1 ? field.type : "Vector" + std::to_string(component_count(field));
+}
+
+std::string csharp_number(const ParameterField& field, double value) {
+  return field.type == "int" ? std::to_string(static_cast<long long>(value)) : csharp_float(value);
+}
+
+std::string csharp_default(const ParameterField& field) {
+  const double low = field.range ? field.range->smallest : 0.0;
+  const auto component = [&](std::size_t i) {
+    return csharp_number(field, field.otherwise.empty() ? low : field.otherwise[i]);
+  };
+  if (component_count(field) == 1) return component(0);
+  std::string text = "new " + csharp_type(field) + "(";
+  for (std::size_t i = 0; i < component_count(field); ++i) text += (i == 0 ? "" : ", ") + component(i);
+  return text + ")";
+}
+
+// One component as the vector holds it.
+std::string csharp_bounded(const ParameterField& field, const std::string& expression) {
+  if (!field.range)
+    return field.type == "int" ? expression
+                               : "Bounded.OrLow(" + expression + ", float.MinValue, float.MaxValue)";
+  return std::string(field.type == "int" ? "Bounded.Count(" : "Bounded.OrLow(") + expression + ", " +
+         csharp_number(field, field.range->smallest) + ", " + csharp_number(field, field.range->largest) +
+         ")";
+}
+
+std::string hlsl_fields(const ParameterStruct& parameters) {
+  std::string text;
+  for (const ParameterField& field : parameters.fields)
+    text += "    " + field.type + " " + field.name + "; // " + field.unit + ": " + field.doc + "\n";
+  return text;
+}
+
+std::string hlsl_unpacked(const ParameterStruct& parameters) {
+  std::string text;
+  const std::vector<PackedPlace> places = packed_places(parameters);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const ParameterField& field = parameters.fields[i];
+    const std::string components =
+        fmt::format("packed{}.{}", places[i].vector, swizzle(places[i], component_count(field)));
+    text += "    parameters." + field.name + " = " +
+            (field.type == "int" ? "int(" + components + ")" : components) + ";\n";
+  }
+  return text;
+}
+
+std::string csharp_fields(const ParameterStruct& parameters) {
+  std::string text;
+  for (const ParameterField& field : parameters.fields) {
+    const std::string summary =
+        sentence(field.doc) + (field.unit == "1" ? "." : ". Unit: " + field.unit + ".");
+    text += "        /// <summary>" + escaped(summary) + "</summary>\n        [Tooltip(" +
+            csharp_text(summary) + ")]\n";
+    if (field.range && component_count(field) == 1)
+      text += "        [Range(" + csharp_number(field, field.range->smallest) + ", " +
+              csharp_number(field, field.range->largest) + ")]\n";
+    text += "        public " + csharp_type(field) + " " + field.name + ";\n\n";
+  }
+  return text;
+}
+
+std::string csharp_packed(const ParameterStruct& parameters) {
+  std::vector<std::array<std::string, 4>> vectors(vector_count(parameters), {"0.0f", "0.0f", "0.0f", "0.0f"});
+  const std::vector<PackedPlace> places = packed_places(parameters);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const ParameterField& field = parameters.fields[i];
+    const std::size_t count = component_count(field);
+    for (std::size_t k = 0; k < count; ++k)
+      vectors[places[i].vector][places[i].component + k] =
+          csharp_bounded(field, count == 1 ? field.name : field.name + "." + kComponents[k]);
+  }
+  std::string text;
+  for (std::size_t i = 0; i < vectors.size(); ++i) {
+    const std::string indent(16 + std::string("new Vector4(").size(), ' ');
+    text += fmt::format(
+        "        /// <summary>What {} holds. Every value is kept in its range; NaN counts as the low "
+        "end.</summary>\n"
+        "        public Vector4 Vector{} =>\n                new Vector4({},\n{}{},\n{}{},\n{}{});\n\n",
+        uniform_name(parameters, i), i, vectors[i][0], indent, vectors[i][1], indent, vectors[i][2], indent,
+        vectors[i][3]);
+  }
+  return text;
+}
+
+// Something of each vector, by its number.
+template <typename Of>
+std::string of_each_vector(const ParameterStruct& parameters, const char* between, Of of) {
+  std::string text;
+  for (std::size_t i = 0; i < vector_count(parameters); ++i) text += (i == 0 ? "" : between) + of(i);
+  return text;
+}
+
+std::string csharp_ids(const ParameterStruct& parameters) {
+  return of_each_vector(parameters, "", [&](std::size_t i) {
+    return fmt::format("        public static readonly int Uniform{} = Shader.PropertyToID(\"{}\");\n{}", i,
+                       uniform_name(parameters, i), i + 1 == vector_count(parameters) ? "\n" : "");
+  });
+}
+
+}  // namespace
+
+EmittedFile emit_hlsl(const ParameterStruct& parameters) {
+  const std::filesystem::path folder = std::filesystem::path(parameters.manifest).parent_path();
+  const auto uniform = [&](std::size_t i) { return uniform_name(parameters, i); };
+  const auto argument = [](std::size_t i) { return "float4 packed" + std::to_string(i); };
+  return {(folder / (parameters.name + ".hlsl")).generic_string(),
+          fmt::format(kHlsl, fmt::arg("doc", parameters.doc), fmt::arg("manifest", parameters.manifest),
+                      fmt::arg("guard", guard(parameters.name)), fmt::arg("name", parameters.name),
+                      fmt::arg("fields", hlsl_fields(parameters)),
+                      fmt::arg("uniforms", of_each_vector(parameters, ", ", uniform)),
+                      fmt::arg("vectors", of_each_vector(parameters, ", ", argument)),
+                      fmt::arg("unpacked", hlsl_unpacked(parameters)))};
+}
+
+EmittedFile emit_csharp(const ParameterStruct& parameters) {
+  std::string defaults;
+  for (const ParameterField& field : parameters.fields)
+    defaults += "            " + field.name + " = " + csharp_default(field) + ",\n";
+  const auto set = [](std::size_t i) {
+    return fmt::format("            commands.SetGlobalVector(Uniform{}, Vector{});\n", i, i);
+  };
+  return {"Runtime/Parameters/" + parameters.name + ".cs",
+          fmt::format(kCsharp, fmt::arg("doc", escaped(parameters.doc)),
+                      fmt::arg("manifest", parameters.manifest), fmt::arg("name", parameters.name),
+                      fmt::arg("ids", csharp_ids(parameters)), fmt::arg("fields", csharp_fields(parameters)),
+                      fmt::arg("defaults", defaults), fmt::arg("packed", csharp_packed(parameters)),
+                      fmt::arg("sets", of_each_vector(parameters, "", set)))};
+}
+
+}  // namespace penumbra::techniques

@@ -1,0 +1,19 @@
+// The checked-in texts of a parameter struct: in HLSL beside its manifest, in C# in Runtime/Parameters. Both
+// hold the struct and the same packing (parameter_packing.h).
+#pragma once
+
+#include <string>
+
+#include "techniques/parameter_struct.h"
+
+namespace penumbra::techniques {
+
+struct EmittedFile {
+  std::string file;  // relative to the package's folder
+  std::string text;
+};
+
+EmittedFile emit_hlsl(const ParameterStruct& parameters);
+EmittedFile emit_csharp(const ParameterStruct& parameters);
+
+}  // namespace penumbra::techniques
