@@ -159,7 +159,7 @@ void tracer_to_bare(benchmark::State& state) {
   const scene::Scene scene = scene::built_in(name);
   const parameters::Light light{scene.light_direction, 0.01 * static_cast<double>(state.range(1))};
   const DiscLight disc = disc_light(light);
-  const EmbreeScene embree(scene.mesh);
+  const EmbreeScene embree(scene);
   const scene::Receivers receivers = seen_by_camera(scene, embree);
   const BareLoop bare(embree, receivers, disc);
   const DiscTracer tracer(embree, disc, samples, 1);

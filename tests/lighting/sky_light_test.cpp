@@ -125,6 +125,31 @@ TEST(SkyLight, IsTheSameOnAnyNumberOfThreadsAndFromTheFolderThatKeepsIt) {
       << "another colour is another light";
 }
 
+// Cut-out triangles are asked about apart from the others; the colours that rays bring stay those of what
+// they meet.
+TEST(SkyLight, CutOutsKeepTheirPlaceAndOpenOnesLetThrough) {
+  scene::Scene scene = floor_scene();
+  scene.materials.push_back({.name = "red", .base_colour = {1.0F, 0.0F, 0.0F}});
+  hand_made::add_square(scene, {3, 3, 0}, {0, 0, 3}, {0, 3, 0}, 1);
+  hand_made::add_square(scene, {-3, 3, 0}, {0, 0, 3}, {0, 3, 0}, 0);
+  const SeenMaterials seen = seen_materials(scene, hand_made::frame_of(scene, 8, 8));
+  const SkyDome sky = uniform(1.0);
+  const Surroundings surroundings{sky, glm::vec3(kToSun), glm::vec3(3.0F)};
+  const reference::ScratchFolder folder;
+  const auto light = [&] { return kept_sky_light(scene, seen, surroundings, 64, folder.path(), {}); };
+  const std::vector<glm::vec3> solid = light();
+  scene.materials[1].cut_out = scene::CutOut{.factor = 1.0F, .cutoff = 0.5F};
+  EXPECT_EQ(light(), solid);
+  scene.materials[1].cut_out->factor = 0.0F;
+  const std::vector<glm::vec3> open = light();
+  EXPECT_NE(open, solid);
+  scene.materials[1].cut_out.reset();
+  scene.mesh.indices.erase(scene.mesh.indices.begin() + 6, scene.mesh.indices.begin() + 12);
+  scene.mesh.triangle_materials.erase(scene.mesh.triangle_materials.begin() + 2,
+                                      scene.mesh.triangle_materials.begin() + 4);
+  EXPECT_EQ(light(), open) << "as if the red wall were not there";
+}
+
 TEST(SmoothedLight, LeavesConstantLightAndEdgesAlone) {
   scene::Scene scene = floor_scene();
   hand_made::add_square(scene, {2, 1, 0}, {1.5, 0, 0}, {0, 0, 1.5});

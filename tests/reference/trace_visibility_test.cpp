@@ -94,7 +94,7 @@ TEST(TraceVisibility, EveryPixelTurnsItsPoints) {
   scene::Scene scene;
   hand_built::add_rectangle(scene.mesh, setting, {-40.0, 0.0, -40.0, 40.0}, gap);
   const DiscLight disc = setting.disc();
-  const EmbreeScene embree(scene.mesh);
+  const EmbreeScene embree(scene);
   const DiscTracer tracer(embree, disc, 1024, 1);
   const DiscSamples samples(1024, 1);
   const LitReceiver receiver{setting.at(0.2 * gap * disc.tan_half, 0.0, 0.001), disc.to_light};

@@ -28,6 +28,8 @@ class SceneMessage : public ImportTest {
 TEST_F(SceneMessage, GivesBackAllOfAScene) {
   Scene scene = textured();
   scene.notes = {"one", "two"};
+  scene.materials[0].cut_out = CutOut{
+      AlphaPattern::leaf, 0, TextureChannel::red, TextureWrap::mirror, TextureWrap::clamp, 0.75F, 0.25F};
   const Scene back = decode_scene(encode(scene));
   EXPECT_EQ(content_hash(back), content_hash(scene));
   EXPECT_EQ(back.name, scene.name);
@@ -42,6 +44,7 @@ TEST_F(SceneMessage, GivesBackAllOfAScene) {
         std::tie(a.name, a.base_colour, a.roughness, a.base_colour_texture, a.normal_texture, a.translucency),
         std::tie(b.name, b.base_colour, b.roughness, b.base_colour_texture, b.normal_texture,
                  b.translucency));
+    EXPECT_EQ(a.cut_out, b.cut_out);
   }
   ASSERT_EQ(back.textures.size(), 1U);
   EXPECT_EQ(back.textures[0].width, 2);
@@ -92,6 +95,19 @@ TEST_F(SceneMessage, WhatNoImportSaysIsRefused) {
        [](Scene& scene) { scene.materials[0].base_colour_texture = 1; }},
       {"a material of a texture that is not there",
        [](Scene& scene) { scene.materials[0].normal_texture = -2; }},
+      {"a material of a texture that is not there",
+       [](Scene& scene) { scene.materials[0].cut_out = CutOut{.texture = 1}; }},
+      {"a cut-out without texture coordinates",
+       [](Scene& scene) {
+         scene.materials[0].cut_out = CutOut{.texture = 0};
+         scene.mesh.uvs.clear();
+       }},
+      {"a cut-out with a number that is not finite",
+       [nan](Scene& scene) { scene.materials[0].cut_out = CutOut{.cutoff = nan}; }},
+      {"damaged",
+       [](Scene& scene) { scene.materials[0].cut_out = CutOut{.pattern = static_cast<AlphaPattern>(4)}; }},
+      {"damaged",
+       [](Scene& scene) { scene.materials[0].cut_out = CutOut{.wrap_v = static_cast<TextureWrap>(3)}; }},
       {"without all of its pixels", [](Scene& scene) { scene.textures[0].rgba.pop_back(); }},
       {"a texture of no size", [](Scene& scene) { scene.textures[0].height = 8193; }},
       {"a texture of no size", [](Scene& scene) { scene.textures[0].width = -2; }},

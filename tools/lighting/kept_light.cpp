@@ -8,6 +8,7 @@
 #include "platform/content_hash.h"
 #include "platform/terminal.h"
 #include "reference/cache_entry.h"
+#include "scene/cut_out.h"
 
 namespace penumbra::lighting {
 namespace {
@@ -21,6 +22,7 @@ std::string key_of(const scene::Scene& scene, const SeenMaterials& seen, const S
   hash.update(std::span<const glm::vec3>(scene.mesh.positions));
   hash.update(std::span<const std::uint32_t>(scene.mesh.indices));
   hash.update(std::span<const std::uint16_t>(scene.mesh.triangle_materials));
+  scene::CutOuts(scene).add_to(hash);
   hash.update(std::span<const glm::vec3>(mean_colours(scene)));
   for (const scene::Material& material : scene.materials) hash.update(double(material.translucency));
   hash.update(surroundings.sky.table());

@@ -64,7 +64,7 @@ class Gatherer {
   Gatherer(const scene::Scene& scene, const Surroundings& surroundings, int rays)
       : scene_(scene),
         surroundings_(surroundings),
-        embree_(scene.mesh),
+        embree_(scene),
         colours_(mean_colours(scene)),
         packets_((rays + kPacket - 1) / kPacket) {}
 
@@ -159,7 +159,7 @@ class Gatherer {
   }
 
   Met met_by(const RTCRayHit16& rays, int lane, const glm::vec3& direction) const {
-    const std::size_t triangle = rays.hit.primID[lane];
+    const std::size_t triangle = embree_.triangle(rays.hit.geomID[lane], rays.hit.primID[lane]);
     const glm::vec3 origin(rays.ray.org_x[lane], rays.ray.org_y[lane], rays.ray.org_z[lane]);
     glm::vec3 normal(rays.hit.Ng_x[lane], rays.hit.Ng_y[lane], rays.hit.Ng_z[lane]);
     normal = glm::normalize(glm::dot(normal, direction) > 0.0F ? -normal : normal);

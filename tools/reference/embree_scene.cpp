@@ -3,13 +3,15 @@
 #include <embree3/rtcore.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <string>
 
 #include "input/input_error.h"
 
 namespace penumbra::reference {
 namespace {
+
+constexpr unsigned kSolid = 0;  // geometries
+constexpr unsigned kCutOut = 1;
 
 template <typename Element>
 void fill_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format,
@@ -28,34 +30,69 @@ void check_indices(const scene::Mesh& mesh) {
   }
 }
 
+// Takes back the hits where the surface is open.
+void pass_openings(const RTCFilterFunctionNArguments* asked) {
+  const auto& scene = *static_cast<const EmbreeScene*>(asked->geometryUserPtr);
+  for (unsigned lane = 0; lane < asked->N; ++lane) {
+    if (asked->valid[lane] == 0) continue;
+    const std::size_t triangle = scene.triangle(kCutOut, RTCHitN_primID(asked->hit, asked->N, lane));
+    const float u = RTCHitN_u(asked->hit, asked->N, lane), v = RTCHitN_v(asked->hit, asked->N, lane);
+    if (scene.cut_outs().open(triangle, u, v)) asked->valid[lane] = 0;
+  }
+}
+
 }  // namespace
 
-EmbreeScene::EmbreeScene(const scene::Mesh& mesh) {
+EmbreeScene::EmbreeScene(const scene::Scene& scene)
+    : cut_outs_(scene), device_(nullptr, rtcReleaseDevice), scene_(nullptr, rtcReleaseScene) {
+  const scene::Mesh& mesh = scene.mesh;
   check_indices(mesh);
-  device_ = rtcNewDevice(nullptr);
-  if (device_ == nullptr) throw EnvironmentError("Embree cannot start on this machine");
-  scene_ = rtcNewScene(device_);
-  rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
-  rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_HIGH);
-  if (!mesh.indices.empty()) {
-    RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-    fill_buffer(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, mesh.positions, 1);
-    fill_buffer(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, mesh.indices, 3);
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene_, geometry);
-    rtcReleaseGeometry(geometry);
+  device_.reset(rtcNewDevice(nullptr));
+  if (!device_) throw EnvironmentError("Embree cannot start on this machine");
+  scene_.reset(rtcNewScene(device_.get()));
+  rtcSetSceneFlags(handle(), RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneBuildQuality(handle(), RTC_BUILD_QUALITY_HIGH);
+  if (cut_outs_.any()) {
+    attach_apart(mesh);
+  } else if (!mesh.indices.empty()) {
+    attach(mesh, mesh.indices, kSolid);
   }
-  rtcCommitScene(scene_);
-  if (const RTCError error = rtcGetDeviceError(device_); error != RTC_ERROR_NONE) {
-    rtcReleaseScene(scene_);
-    rtcReleaseDevice(device_);
+  rtcCommitScene(handle());
+  if (const RTCError error = rtcGetDeviceError(device_.get()); error != RTC_ERROR_NONE) {
     throw EnvironmentError("Embree could not build the scene, error " + std::to_string(error));
   }
 }
 
-EmbreeScene::~EmbreeScene() {
-  rtcReleaseScene(scene_);
-  rtcReleaseDevice(device_);
+void EmbreeScene::attach(const scene::Mesh& mesh, const std::vector<std::uint32_t>& indices,
+                         unsigned geometry_id) {
+  const std::unique_ptr<RTCGeometryTy, void (*)(RTCGeometry)> geometry(
+      rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE), rtcReleaseGeometry);
+  fill_buffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, mesh.positions, 1);
+  fill_buffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, indices, 3);
+  if (geometry_id == kCutOut) {
+    rtcSetGeometryUserData(geometry.get(), this);
+    rtcSetGeometryIntersectFilterFunction(geometry.get(), pass_openings);
+    rtcSetGeometryOccludedFilterFunction(geometry.get(), pass_openings);
+  }
+  rtcCommitGeometry(geometry.get());
+  rtcAttachGeometryByID(handle(), geometry.get(), geometry_id);
+}
+
+void EmbreeScene::attach_apart(const scene::Mesh& mesh) {
+  if (rtcGetDeviceProperty(device_.get(), RTC_DEVICE_PROPERTY_FILTER_FUNCTION_SUPPORTED) == 0) {
+    throw EnvironmentError("this Embree was built without filter functions, which cut-outs need");
+  }
+  std::vector<std::uint32_t> indices[2];
+  triangles_.resize(2);
+  for (std::size_t triangle = 0; triangle < mesh.triangle_count(); ++triangle) {
+    const unsigned geometry = cut_outs_.cuts(triangle) ? kCutOut : kSolid;
+    const auto corner = mesh.indices.begin() + static_cast<std::ptrdiff_t>(3 * triangle);
+    indices[geometry].insert(indices[geometry].end(), corner, corner + 3);
+    triangles_[geometry].push_back(static_cast<std::uint32_t>(triangle));
+  }
+  for (const unsigned geometry : {kSolid, kCutOut}) {
+    if (!indices[geometry].empty()) attach(mesh, indices[geometry], geometry);
+  }
 }
 
 }  // namespace penumbra::reference

@@ -1,9 +1,17 @@
 // A mesh in Embree 3: built once, asked from many threads.
 //
 // Built with RTC_SCENE_FLAG_ROBUST, so that rays do not slip between triangles that share an edge. Space:
-// relative to the scene's origin, metres. Both faces of a triangle block.
+// relative to the scene's origin, metres. Both faces of a triangle block. Where a material is cut out rays
+// pass, by a filter that Embree asks about each hit; cut-out triangles are a geometry of their own, so that
+// no other hit is asked about.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "scene/cut_out.h"
 #include "scene/scene.h"
 
 struct RTCDeviceTy;
@@ -13,17 +21,29 @@ namespace penumbra::reference {
 
 class EmbreeScene {
  public:
-  // Throws InputError for an index outside the vertices, EnvironmentError when Embree fails.
-  explicit EmbreeScene(const scene::Mesh& mesh);
-  ~EmbreeScene();
+  // Keeps a reference to the scene's mesh. Throws InputError for an index outside the vertices and as
+  // scene::CutOuts does, EnvironmentError when Embree fails or was built without filters and the scene has
+  // cut-outs.
+  explicit EmbreeScene(const scene::Scene& scene);
   EmbreeScene(const EmbreeScene&) = delete;
   EmbreeScene& operator=(const EmbreeScene&) = delete;
 
-  RTCSceneTy* handle() const { return scene_; }
+  RTCSceneTy* handle() const { return scene_.get(); }
+  const scene::CutOuts& cut_outs() const { return cut_outs_; }
+
+  // The mesh's triangle of a hit's geomID and primID.
+  std::size_t triangle(unsigned geometry, unsigned primitive) const {
+    return triangles_.empty() ? primitive : triangles_[geometry][primitive];
+  }
 
  private:
-  RTCDeviceTy* device_ = nullptr;
-  RTCSceneTy* scene_ = nullptr;
+  void attach(const scene::Mesh& mesh, const std::vector<std::uint32_t>& indices, unsigned geometry_id);
+  void attach_apart(const scene::Mesh& mesh);
+
+  scene::CutOuts cut_outs_;
+  std::vector<std::vector<std::uint32_t>> triangles_;  // of each geometry; none at all without cut-outs
+  std::unique_ptr<RTCDeviceTy, void (*)(RTCDeviceTy*)> device_;
+  std::unique_ptr<RTCSceneTy, void (*)(RTCSceneTy*)> scene_;
 };
 
 }  // namespace penumbra::reference

@@ -13,19 +13,20 @@
 #include "reference/disc_tracer.h"
 #include "reference/embree_scene.h"
 #include "reference/lit_receiver.h"
-#include "scene/content_hash.h"
+#include "scene/cut_out.h"
 
 namespace penumbra::reference {
 namespace {
 
 constexpr int tracing_version = 1;  // a change of any result takes the next number
 
-std::string key_of(const scene::Mesh& mesh, const scene::Receivers& receivers, const parameters::Light& light,
-                   const TraceOptions& options) {
+std::string key_of(const scene::Scene& scene, const scene::Receivers& receivers,
+                   const parameters::Light& light, const TraceOptions& options) {
   platform::ContentHash hash;
   hash.update(std::string_view("T1")).update(tracing_version);
-  hash.update(std::span<const glm::vec3>(mesh.positions));
-  hash.update(std::span<const std::uint32_t>(mesh.indices));
+  hash.update(std::span<const glm::vec3>(scene.mesh.positions));
+  hash.update(std::span<const std::uint32_t>(scene.mesh.indices));
+  scene::CutOuts(scene).add_to(hash);
   hash.update(receivers.width).update(receivers.height);
   hash.update(std::span<const glm::vec4>(receivers.position_relative));
   hash.update(std::span<const glm::vec4>(receivers.position_ws));
@@ -55,11 +56,11 @@ VisibilityImage trace_visibility(const scene::Scene& scene, const scene::Receive
   RowJob job;
   job.size = {receivers.width, receivers.height};
   job.valid = valid_receivers(receivers, disc);
-  job.key = key_of(scene.mesh, receivers, light, options);
+  job.key = key_of(scene, receivers, light, options);
   if (cache != nullptr) {
     if (std::optional<VisibilityImage> known = cache->find(job.key)) return *std::move(known);
   }
-  const EmbreeScene embree(scene.mesh);
+  const EmbreeScene embree(scene);
   const DiscTracer tracer(embree, disc, options.samples, options.seed);
   job.samples = options.samples;
   job.rays_per_pixel = tracer.rays_per_pixel();

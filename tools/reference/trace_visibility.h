@@ -2,7 +2,8 @@
 //
 // What: for each receiver, the share of the light's disc that no triangle hides, by Embree 3 (robust
 // intersection) over a low-discrepancy set of points of the disc, uniform by area on the disc perpendicular
-// to the light (reference/lit_receiver.h has the formula, the ray offset, and who is a receiver).
+// to the light (reference/lit_receiver.h has the formula, the ray offset, and who is a receiver). Cut-outs let
+// rays pass where they are open (reference/embree_scene.h).
 // Spaces: receivers and mesh relative to the scene's origin, metres; the scene's place in the world does not
 // enter. Receivers::position_relative is used, position_ws only for its w.
 // Guarantees: unbiased up to the ray offset; the same seed gives the same bytes on one machine, whatever the

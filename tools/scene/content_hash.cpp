@@ -3,6 +3,7 @@
 #include <glm/vec3.hpp>
 
 #include "platform/content_hash.h"
+#include "scene/cut_out.h"
 #include "scene/scene.h"
 
 namespace penumbra::scene {
@@ -31,6 +32,7 @@ std::string content_hash(const Scene& scene) {
                               scene.shadow_distance_metres}) {
     hash.update(number);
   }
+  CutOuts(scene).add_to(hash);
   return hash.hex();
 }
 

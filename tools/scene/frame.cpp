@@ -42,7 +42,10 @@ parameters::ShadowSettings with_caster_bounds(parameters::ShadowSettings shadows
 
 struct Rasteriser::State {
   State(gpu::Device& device, const Scene& given)
-      : scene(given), mesh(device, checked(given)), shadow_map(device, mesh), seen(device, mesh) {}
+      : scene(given),
+        mesh(device, checked(given), CutOuts(given)),
+        shadow_map(device, mesh),
+        seen(device, mesh) {}
 
   const Scene& scene;
   MeshOnDevice mesh;

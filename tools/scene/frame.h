@@ -93,11 +93,14 @@ struct Frame {
 // Without depth_range_metres and caster_bounds in the settings, the scene's bounds are the caster bounds: no
 // caster is clamped to the near plane, so that no blocker's depth gap is cut short.
 //
+// Where a material is cut out (CutOut, material.h), neither the map nor the camera sees the surface.
+//
 // Receivers lie on their triangle's plane to the rounding of the float. The shadow distance is measured from
 // the camera, as URP fades by it.
 class Rasteriser {
  public:
-  // Keeps a reference to both. Throws InputError for a mesh without triangles or with an index out of range.
+  // Keeps a reference to both. Throws InputError for a mesh without triangles or with an index out of range,
+  // and for cut-outs as CutOuts does.
   Rasteriser(gpu::Device& device, const Scene& scene);
   ~Rasteriser();
   Rasteriser(Rasteriser&&) noexcept;

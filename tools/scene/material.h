@@ -1,20 +1,51 @@
-// What a surface looks like: colour, roughness and the textures of both. Only pictures of light read it; no
-// shadow depends on it.
+// What a surface looks like: colour, roughness and the textures of both, which pictures of light alone read;
+// and where it is open, which shadows depend on.
 #pragma once
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace penumbra::scene {
 
 // 8 bits a channel as the file stores them, rows from the top. Texture coordinate (0, 0) is the first row's
-// first corner, as in glTF, and coordinates outside 0..1 repeat the texture.
+// first corner, as in glTF; coordinates outside 0..1 repeat the texture, but for a cut-out that says
+// otherwise.
 struct Texture {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> rgba;
+};
+
+// Alpha by a formula: one shape per unit square of texture coordinates, repeated. Clamped to 0..1; lengths
+// are in those coordinates.
+enum class AlphaPattern : std::uint32_t {
+  none,       // 1
+  wire_grid,  // 1 - 8 d, d to the nearest edge of the square: at a cutoff of 1/2 wires 1/8 wide, 49/64 open
+  leaf,       // 1/2 + 4 (u (1 - u) - |v - 1/2|): pointed at u = 0 and 1; at a cutoff of 1/2, 2/3 open
+  holes,      // 1/2 + 4 (d - 3/8), d to the square's centre: at a cutoff of 1/2 round holes, 9 pi / 64 open
+};
+
+enum class TextureWrap : std::uint32_t { repeat, mirror, clamp };  // of coordinates outside 0..1
+enum class TextureChannel : std::uint32_t { red, alpha };
+
+// Holes in a surface: it is open, for light and for the camera, where
+//   factor * alpha of the pattern * alpha of the texture < cutoff.
+// The texture is read bilinearly and without smaller versions, whatever the distance: one silhouette for the
+// shadow map, the camera and the rays.
+struct CutOut {
+  AlphaPattern pattern = AlphaPattern::none;
+  int texture = -1;  // index into Scene::textures; -1 is none: 1
+  TextureChannel channel = TextureChannel::alpha;
+  TextureWrap wrap_u = TextureWrap::repeat;
+  TextureWrap wrap_v = TextureWrap::repeat;
+  float factor = 1.0F;
+  float cutoff = 0.5F;
+
+  bool reads_coordinates() const { return pattern != AlphaPattern::none || texture >= 0; }
+  bool operator==(const CutOut&) const = default;
 };
 
 struct Material {
@@ -24,6 +55,7 @@ struct Material {
   int base_colour_texture = -1;  // index into Scene::textures, whose colours are sRGB; -1 is none
   int normal_texture = -1;       // tangent space, +Y up, as glTF has it
   float translucency = 0.0F;  // share of the diffuse light that passes through, as through leaves and cloth
+  std::optional<CutOut> cut_out{};
 };
 
 }  // namespace penumbra::scene

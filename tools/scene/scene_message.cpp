@@ -52,14 +52,42 @@ Texture read_texture(ByteReader& in) {
   return texture;
 }
 
+void write(ByteWriter& out, const CutOut& cut_out) {
+  const auto& [pattern, texture, channel, wrap_u, wrap_v, factor, cutoff] = cut_out;
+  out.number(static_cast<std::uint64_t>(pattern));
+  out.value(texture);
+  out.number(static_cast<std::uint64_t>(channel));
+  out.number(static_cast<std::uint64_t>(wrap_u));
+  out.number(static_cast<std::uint64_t>(wrap_v));
+  out.value(factor);
+  out.value(cutoff);
+}
+
+CutOut read_cut_out(ByteReader& in) {
+  CutOut cut_out;
+  cut_out.pattern = in.enumerator(AlphaPattern::holes);
+  cut_out.texture = in.value<int>();
+  cut_out.channel = in.enumerator(TextureChannel::alpha);
+  cut_out.wrap_u = in.enumerator(TextureWrap::clamp);
+  cut_out.wrap_v = in.enumerator(TextureWrap::clamp);
+  cut_out.factor = in.value<float>();
+  cut_out.cutoff = in.value<float>();
+  require(std::isfinite(cut_out.factor) && std::isfinite(cut_out.cutoff),
+          "a cut-out with a number that is not finite");
+  return cut_out;
+}
+
 void write(ByteWriter& out, const Material& material) {
-  const auto& [name, base_colour, roughness, base_colour_texture, normal_texture, translucency] = material;
+  const auto& [name, base_colour, roughness, base_colour_texture, normal_texture, translucency, cut_out] =
+      material;
   out.text(name);
   out.value(base_colour);
   out.value(roughness);
   out.value(base_colour_texture);
   out.value(normal_texture);
   out.value(translucency);
+  out.number(cut_out ? 1 : 0);
+  if (cut_out) write(out, *cut_out);
 }
 
 Material read_material(ByteReader& in) {
@@ -70,6 +98,7 @@ Material read_material(ByteReader& in) {
   material.base_colour_texture = in.value<int>();
   material.normal_texture = in.value<int>();
   material.translucency = in.value<float>();
+  if (in.flag()) material.cut_out = read_cut_out(in);
   require(is_finite(material.base_colour) && std::isfinite(material.roughness) &&
               std::isfinite(material.translucency),
           "a material with a number that is not finite");
@@ -115,9 +144,13 @@ void check(const Scene& scene) {
   require(!scene.materials.empty(), "a scene without materials");
   check(scene.mesh, scene.materials.size());
   const auto textures = static_cast<int>(scene.textures.size());
-  for (const Material& material : scene.materials)
-    for (const int texture : {material.base_colour_texture, material.normal_texture})
+  for (const Material& material : scene.materials) {
+    const int cut_out_texture = material.cut_out ? material.cut_out->texture : -1;
+    for (const int texture : {material.base_colour_texture, material.normal_texture, cut_out_texture})
       require(texture >= -1 && texture < textures, "a material of a texture that is not there");
+    require(!material.cut_out || !material.cut_out->reads_coordinates() || !scene.mesh.uvs.empty(),
+            "a cut-out without texture coordinates");
+  }
   const parameters::Camera& camera = scene.camera;
   for (const glm::dvec3& v :
        {scene.origin, camera.position, camera.forward, camera.up, scene.light_direction})

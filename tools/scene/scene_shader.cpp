@@ -5,14 +5,15 @@
 
 namespace penumbra::scene {
 
-std::vector<std::uint32_t> compile_scene_shader(const std::string& file, const std::string& entry,
-                                                hlsl::Stage stage, bool reversed_z) {
+std::vector<std::uint32_t> compile_scene_shader(const SceneShader& shader) {
   const std::filesystem::path root = platform::data_directory();
+  const auto flag = [](bool value) { return std::string(value ? "1" : "0"); };
   shaders::CompileRequest request;
-  request.file = root / "tools" / "scene" / "shaders" / file;
-  request.entry = entry;
-  request.stage = stage;
-  request.defines = {{"UNITY_REVERSED_Z", reversed_z ? "1" : "0"}};
+  request.file = root / "tools" / "scene" / "shaders" / shader.file;
+  request.entry = shader.entry;
+  request.stage = shader.stage;
+  request.defines = {{"UNITY_REVERSED_Z", flag(shader.reversed_z)},
+                     {"PENUMBRA_CUT_OUTS", flag(shader.cut_outs)}};
   request.include_directories = {root / "ShaderLibrary"};
   shaders::CompileResult result = shaders::compile(request);
   if (!hlsl::has_errors(result.diagnostics)) return std::move(result.spirv);

@@ -9,8 +9,15 @@
 
 namespace penumbra::scene {
 
+struct SceneShader {
+  std::string file;
+  std::string entry;
+  hlsl::Stage stage;
+  bool reversed_z;
+  bool cut_outs = false;  // of a scene that has some
+};
+
 // Throws EnvironmentError with the compiler's messages: these files are ours, not the user's.
-std::vector<std::uint32_t> compile_scene_shader(const std::string& file, const std::string& entry,
-                                                hlsl::Stage stage, bool reversed_z);
+std::vector<std::uint32_t> compile_scene_shader(const SceneShader& shader);
 
 }  // namespace penumbra::scene

@@ -81,10 +81,11 @@ Receivers receivers_of(const Scene& scene, const FrameSettings& settings,
   return receivers;
 }
 
-gpu::RasterShaders shaders_of_pass() {
+gpu::RasterShaders shaders_of_pass(bool cut_outs) {
   gpu::RasterShaders shaders;
-  shaders.vertex = compile_scene_shader("SeenSurface.hlsl", "Vertex", hlsl::Stage::vertex, true);
-  shaders.fragment = compile_scene_shader("SeenSurface.hlsl", "Fragment", hlsl::Stage::fragment, true);
+  shaders.vertex = compile_scene_shader({"SeenSurface.hlsl", "Vertex", hlsl::Stage::vertex, true, cut_outs});
+  shaders.fragment =
+      compile_scene_shader({"SeenSurface.hlsl", "Fragment", hlsl::Stage::fragment, true, cut_outs});
   shaders.vertex_entry = "Vertex";
   shaders.fragment_entry = "Fragment";
   shaders.colours = {gpu::Format::rgba32f};
@@ -97,7 +98,7 @@ gpu::RasterShaders shaders_of_pass() {
 
 Receivers SeenSurfacesPass::draw(const Scene& scene, const FrameSettings& settings) {
   if (!pass_) {
-    pass_.emplace(device_, shaders_of_pass());
+    pass_.emplace(device_, shaders_of_pass(mesh_.cut_outs.has_value()));
     mesh_.bind_to(pass_->bindings());
   }
   const gpu::Image seen(device_, gpu::Format::rgba32f, settings.width, settings.height);

@@ -78,7 +78,14 @@ gpu::RasterPass& ShadowMapPasses::pass(const Key& key) {
   const auto [format, reversed_z, constant_bias, slope_bias] = key;
   const float away_from_light = reversed_z ? -1.0F : 1.0F;
   gpu::RasterShaders shaders;
-  shaders.vertex = compile_scene_shader("ShadowCaster.hlsl", "Main", hlsl::Stage::vertex, reversed_z);
+  SceneShader shader{"ShadowCaster.hlsl", "Main", hlsl::Stage::vertex, reversed_z,
+                     mesh_.cut_outs.has_value()};
+  shaders.vertex = compile_scene_shader(shader);
+  if (shader.cut_outs) {
+    shader.entry = shaders.fragment_entry = "Fragment";
+    shader.stage = hlsl::Stage::fragment;
+    shaders.fragment = compile_scene_shader(shader);
+  }
   shaders.depth = gpu_format(format);
   shaders.depth_test = reversed_z ? gpu::DepthTest::greater : gpu::DepthTest::less;
   shaders.constant_depth_bias = away_from_light * static_cast<float>(constant_bias);
