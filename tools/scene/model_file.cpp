@@ -14,11 +14,14 @@
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
+#include <map>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "input/input_error.h"
+#include "scene/cut_out.h"
 
 namespace penumbra::scene {
 namespace {
@@ -96,6 +99,12 @@ bool finite(const glm::dvec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
+void check_material_count(const ModelMaterials& surface, const std::filesystem::path& file) {
+  if (surface.materials.size() <= kMostMaterials) return;
+  refuse(file, "has " + std::to_string(surface.materials.size()) + " materials; the limit is " +
+                   std::to_string(kMostMaterials));
+}
+
 struct PlacedMesh {
   const aiMesh* mesh;
   glm::dmat4 to_model;
@@ -128,14 +137,51 @@ std::size_t triangles_in(const aiMesh& mesh) {
                                                 [](const aiFace& face) { return face.mNumIndices == 3; }));
 }
 
+bool has_coordinates(const aiMesh& mesh, const ModelMaterials& surface) {
+  const unsigned channel = surface.uv_channels.at(mesh.mMaterialIndex);
+  return channel < AI_MAX_NUMBER_OF_TEXTURECOORDS && mesh.HasTextureCoords(channel);
+}
+
 // The importer counts rows from the bottom.
 glm::dvec2 uv_of(const aiMesh& mesh, unsigned vertex, const ModelMaterials& surface) {
-  const unsigned channel = surface.uv_channels.at(mesh.mMaterialIndex);
-  if (channel >= AI_MAX_NUMBER_OF_TEXTURECOORDS || !mesh.HasTextureCoords(channel)) return glm::dvec2(0.0);
-  const aiVector3D& uv = mesh.mTextureCoords[channel][vertex];
-  if (!std::isfinite(uv.x) || !std::isfinite(uv.y)) return glm::dvec2(0.0);
-  return {uv.x, 1.0F - uv.y};
+  if (!has_coordinates(mesh, surface)) return glm::dvec2(0.0);
+  const aiVector3D& uv = mesh.mTextureCoords[surface.uv_channels[mesh.mMaterialIndex]][vertex];
+  const glm::vec2 from_top(uv.x, 1.0F - uv.y);
+  const bool usable = std::abs(from_top.x) <= kLargestTexCoord && std::abs(from_top.y) <= kLargestTexCoord;
+  return usable ? glm::dvec2(from_top) : glm::dvec2(0.0);
 }
+
+bool reads_coordinates(const Material& material) {
+  return material.cut_out && material.cut_out->reads_coordinates();
+}
+
+// The material of each of the file's where a mesh has no texture coordinates: one that is not cut out, made
+// when first needed.
+class SolidMaterials {
+ public:
+  SolidMaterials(ModelMaterials& surface, const std::filesystem::path& file)
+      : surface_(surface), file_(file) {}
+
+  std::size_t material_of(const aiMesh& mesh) {
+    const std::size_t index = mesh.mMaterialIndex;
+    if (!reads_coordinates(surface_.materials.at(index)) || has_coordinates(mesh, surface_)) return index;
+    const auto [known, is_new] = solid_.try_emplace(index, surface_.materials.size());
+    if (!is_new) return known->second;
+    Material solid = surface_.materials[index];
+    surface_.notes.push_back(file_.string() + ": mesh '" + mesh.mName.C_Str() + "' is solid: material '" +
+                             solid.name + "' cuts it out and it has no texture coordinates");
+    solid.cut_out.reset();
+    surface_.materials.push_back(std::move(solid));
+    surface_.uv_channels.push_back(surface_.uv_channels[index]);
+    check_material_count(surface_, file_);
+    return known->second;
+  }
+
+ private:
+  ModelMaterials& surface_;
+  const std::filesystem::path& file_;
+  std::map<std::size_t, std::size_t> solid_;
+};
 
 void append_vertices(ModelFile& model, const PlacedMesh& placed, const std::filesystem::path& file) {
   const aiMesh& mesh = *placed.mesh;
@@ -162,9 +208,15 @@ void append_vertices(ModelFile& model, const PlacedMesh& placed, const std::file
     model.uvs.push_back(uv_of(mesh, i, model.surface));
     model.has_uvs = model.has_uvs || model.uvs.back() != glm::dvec2(0.0);
   }
+  model.has_uvs = model.has_uvs || reads_coordinates(model.surface.materials.at(mesh.mMaterialIndex));
 }
 
-void append_triangles(ModelFile& model, const PlacedMesh& placed, std::size_t first,
+struct TrianglesOf {
+  std::size_t first_vertex;
+  std::size_t material;
+};
+
+void append_triangles(ModelFile& model, const PlacedMesh& placed, const TrianglesOf& of,
                       const std::filesystem::path& file) {
   const aiMesh& mesh = *placed.mesh;
   const bool mirrored = glm::determinant(glm::dmat3(placed.to_model)) < 0.0;
@@ -178,9 +230,9 @@ void append_triangles(ModelFile& model, const PlacedMesh& placed, std::size_t fi
                          "' refers to vertex " + std::to_string(index) + " of " +
                          std::to_string(mesh.mNumVertices));
       }
-      model.indices.push_back(static_cast<std::uint32_t>(first + index));
+      model.indices.push_back(static_cast<std::uint32_t>(of.first_vertex + index));
     }
-    model.triangle_materials.push_back(static_cast<std::uint16_t>(mesh.mMaterialIndex));
+    model.triangle_materials.push_back(static_cast<std::uint16_t>(of.material));
   }
 }
 
@@ -211,14 +263,12 @@ ModelFile read_model_file(const std::filesystem::path& file, std::size_t triangl
   }
   ModelFile model;
   model.surface = read_model_materials(*scene, file);
-  if (model.surface.materials.size() > kMostMaterials) {
-    refuse(file, "has " + std::to_string(model.surface.materials.size()) + " materials; the limit is " +
-                     std::to_string(kMostMaterials));
-  }
+  check_material_count(model.surface, file);
+  SolidMaterials solid(model.surface, file);
   for (const PlacedMesh& placed : meshes) {
     const std::size_t first = model.positions.size();
     append_vertices(model, placed, file);
-    append_triangles(model, placed, first, file);
+    append_triangles(model, placed, {first, solid.material_of(*placed.mesh)}, file);
   }
   return model;
 }

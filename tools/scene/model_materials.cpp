@@ -8,7 +8,9 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <span>
+#include <string_view>
 #include <system_error>
 
 #include "input/input_error.h"
@@ -73,6 +75,18 @@ Texture embedded_texture(const aiTexture& texture, const std::string& name) {
   return read;
 }
 
+TextureWrap wrap_of(aiTextureMapMode mode) {
+  if (mode == aiTextureMapMode_Mirror) return TextureWrap::mirror;
+  return mode == aiTextureMapMode_Wrap ? TextureWrap::repeat : TextureWrap::clamp;
+}
+
+bool has_alpha(const Texture& texture) {
+  for (std::size_t at = 3; at < texture.rgba.size(); at += 4) {
+    if (texture.rgba[at] != 255) return true;
+  }
+  return false;
+}
+
 class Reader {
  public:
   Reader(const aiScene& scene, const fs::path& file) : scene_(scene), file_(file) {}
@@ -80,6 +94,10 @@ class Reader {
   ModelMaterials read() {
     for (unsigned i = 0; i < scene_.mNumMaterials; ++i) add(*scene_.mMaterials[i]);
     if (result_.materials.empty()) add(aiMaterial{});
+    if (blended_ > 0) {
+      note(std::to_string(blended_) + " of its materials, '" + first_blended_ +
+           "' for one, are transparent (alphaMode BLEND) and cast the shadows of solid ones");
+    }
     return std::move(result_);
   }
 
@@ -87,12 +105,16 @@ class Reader {
   struct Slot {
     int texture = -1;
     unsigned uv_channel = 0;
+    TextureWrap wrap_u = TextureWrap::repeat;
+    TextureWrap wrap_v = TextureWrap::repeat;
+    bool lost = false;         // the material names one that cannot be had
+    bool transformed = false;  // its coordinates are
   };
 
   void add(const aiMaterial& material) {
     Material made;
     made.name = material.GetName().length == 0 ? "unnamed" : material.GetName().C_Str();
-    aiColor4D colour;
+    aiColor4D colour(1.0F, 1.0F, 1.0F, 1.0F);
     if (material.Get(AI_MATKEY_BASE_COLOR, colour) == aiReturn_SUCCESS ||
         material.Get(AI_MATKEY_COLOR_DIFFUSE, colour) == aiReturn_SUCCESS) {
       made.base_colour = {factor(colour.r), factor(colour.g), factor(colour.b)};
@@ -101,30 +123,81 @@ class Reader {
     if (material.Get(AI_MATKEY_ROUGHNESS_FACTOR, roughness) == aiReturn_SUCCESS)
       made.roughness = factor(roughness);
     Slot base = slot(material, aiTextureType_BASE_COLOR);
-    if (base.texture < 0) base = slot(material, aiTextureType_DIFFUSE);
-    const Slot normal = slot(material, aiTextureType_NORMALS);
-    made.base_colour_texture = base.texture;
-    const bool same_coordinates = base.texture < 0 || normal.uv_channel == base.uv_channel;
-    if (same_coordinates) {
-      made.normal_texture = normal.texture;
-    } else if (normal.texture >= 0) {
-      note("material '" + made.name +
-           "': its normal map uses other texture coordinates than its colour and is left out");
+    if (base.texture < 0) {
+      const Slot diffuse = slot(material, aiTextureType_DIFFUSE);
+      if (diffuse.texture >= 0 || !base.lost) base = diffuse;
     }
-    result_.uv_channels.push_back(base.texture >= 0 ? base.uv_channel : normal.uv_channel);
+    Slot normal = slot(material, aiTextureType_NORMALS);
+    Slot cut = base;  // what the cut-out reads
+    made.cut_out = cut_out(material, made.name, colour.a, cut);
+    if (!made.cut_out) cut.texture = -1;
+    const Slot& first = cut.texture >= 0 ? cut : base.texture >= 0 ? base : normal;
+    const char* first_name = cut.texture >= 0 ? "opacity map" : "colour";
+    keep_with(first, first_name, base, "colour texture", made);
+    keep_with(first, first_name, normal, "normal map", made);
+    made.base_colour_texture = base.texture;
+    made.normal_texture = normal.texture;
+    result_.uv_channels.push_back(first.uv_channel);
     result_.materials.push_back(std::move(made));
+  }
+
+  // A mesh has one set of coordinates here: what reads others than the first is left out.
+  void keep_with(const Slot& first, const char* first_name, Slot& slot, const char* name,
+                 const Material& material) {
+    if (slot.texture < 0 || slot.uv_channel == first.uv_channel) return;
+    slot.texture = -1;
+    note("material '" + material.name + "': its " + name + " uses other texture coordinates than its " +
+         first_name + " and is left out");
+  }
+
+  // slot: of the colour; of the opacity map after.
+  std::optional<CutOut> cut_out(const aiMaterial& material, const std::string& name, float colour_alpha,
+                                Slot& slot) {
+    CutOut made;
+    if (aiString mode; material.Get(AI_MATKEY_GLTF_ALPHAMODE, mode) == aiReturn_SUCCESS) {
+      if (std::string_view(mode.C_Str()) == "BLEND" && blended_++ == 0) first_blended_ = name;
+      if (std::string_view(mode.C_Str()) != "MASK") return std::nullopt;
+      material.Get(AI_MATKEY_GLTF_ALPHACUTOFF, made.cutoff);
+      if (!std::isfinite(made.cutoff)) made.cutoff = 0.5F;
+      made.factor = std::isfinite(colour_alpha) ? std::clamp(colour_alpha, 0.0F, 1.0F) : 1.0F;
+    } else {
+      slot = this->slot(material, aiTextureType_OPACITY);
+      if (slot.texture < 0 && !slot.lost) return std::nullopt;
+      if (slot.texture >= 0 && !has_alpha(result_.textures[static_cast<std::size_t>(slot.texture)])) {
+        made.channel = TextureChannel::red;
+      }
+    }
+    if (slot.lost) {
+      note("material '" + name + "': without the texture that cuts it out it is solid");
+      return std::nullopt;
+    }
+    if (slot.texture >= 0 && slot.transformed) {
+      note("material '" + name +
+           "': the transform of its coordinates is not read, its holes may be elsewhere");
+    }
+    made.texture = slot.texture;
+    made.wrap_u = slot.wrap_u;
+    made.wrap_v = slot.wrap_v;
+    return made;
   }
 
   Slot slot(const aiMaterial& material, aiTextureType type) {
     aiString path;
     Slot found;
+    aiTextureMapMode wrap[2] = {aiTextureMapMode_Wrap, aiTextureMapMode_Wrap};
     if (material.GetTextureCount(type) == 0 ||
-        material.GetTexture(type, 0, &path, nullptr, &found.uv_channel) != aiReturn_SUCCESS) {
+        material.GetTexture(type, 0, &path, nullptr, &found.uv_channel, nullptr, nullptr, wrap) !=
+            aiReturn_SUCCESS) {
       return {};
     }
     const auto [known, is_new] = indices_.try_emplace(path.C_Str(), -1);
     if (is_new) known->second = texture(path.C_Str());
     found.texture = known->second;
+    found.lost = found.texture < 0;
+    found.wrap_u = wrap_of(wrap[0]);
+    found.wrap_v = wrap_of(wrap[1]);
+    aiUVTransform transform;
+    found.transformed = material.Get(AI_MATKEY_UVTRANSFORM(type, 0), transform) == aiReturn_SUCCESS;
     return found;
   }
 
@@ -156,6 +229,8 @@ class Reader {
   ModelMaterials result_;
   std::map<std::string, int> indices_;
   std::size_t pixels_ = 0;
+  int blended_ = 0;
+  std::string first_blended_;
 };
 
 }  // namespace

@@ -18,14 +18,18 @@ struct ModelMaterials {
   std::vector<Material> materials;    // one for each of the file's
   std::vector<unsigned> uv_channels;  // for each material, which of a mesh's coordinates its textures use
   std::vector<Texture> textures;
-  std::vector<std::string> notes;  // a line for each texture that is left out, with the file and the reason
+  std::vector<std::string> notes;  // a line for whatever is left out, with the file and the reason
 };
 
 // Base colour (glTF) or diffuse colour (others) as linear numbers, the roughness factor, and the textures of
 // base colour and normals, embedded or beside the file. A texture's path resolves inside the model's own
 // folder only, links followed. A texture that is missing, broken, too large or elsewhere is left out with a
-// note: shadows need none. Not read: metals, transparency and cut-outs, heights, transforms of coordinates,
-// repeat modes.
+// note.
+// Cut-outs: alphaMode MASK of glTF, with its cutoff, the alpha of factor and texture, and the sampler's
+// repeat modes; of other formats the opacity map, at a cutoff of 1/2, its alpha channel where it has one and
+// else its red one, white being solid. A cut-out whose texture is left out is solid, with a note. Not read:
+// metals, alphaMode BLEND and opacity factors, heights, transforms of coordinates (with a note where they
+// move a cut-out), repeat modes of colours and normals.
 ModelMaterials read_model_materials(const aiScene& scene, const std::filesystem::path& file);
 
 }  // namespace penumbra::scene
