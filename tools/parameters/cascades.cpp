@@ -9,6 +9,7 @@
 
 #include "input/input_error.h"
 #include "parameters/half_angle.h"
+#include "parameters/light_axes.h"
 #include "parameters/settings_check.h"
 
 namespace penumbra::parameters {
@@ -19,29 +20,6 @@ struct Sphere {
   glm::dvec3 centre;
   double radius = 0.0;
 };
-
-// Right, up and forward (the way the light travels) as Unity's transforms have them: cross(right, up) =
-// forward.
-struct LightAxes {
-  glm::dvec3 right;
-  glm::dvec3 up;
-  glm::dvec3 forward;
-
-  glm::dvec3 into(const glm::dvec3& world) const {
-    return {glm::dot(right, world), glm::dot(up, world), glm::dot(forward, world)};
-  }
-  glm::dvec3 out_of(const glm::dvec3& light) const {
-    return right * light.x + up * light.y + forward * light.z;
-  }
-};
-
-LightAxes axes_of(const glm::dvec3& direction) {
-  const glm::dvec3 forward = glm::normalize(direction);
-  // World up, but for a light within 8 degrees of the vertical: there the cross product loses its digits.
-  const glm::dvec3 hint = std::abs(forward.y) < 0.99 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1);
-  const glm::dvec3 right = glm::normalize(glm::cross(hint, forward));
-  return {right, glm::cross(forward, right), forward};
-}
 
 // The smallest sphere around the part of the view frustum between two distances. Its centre lies on the view
 // axis; c is where the near and the far corners are equally far, unless that is beyond the far plane, where

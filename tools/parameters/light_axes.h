@@ -1,0 +1,33 @@
+// The axes of a light's own space. Internal to this room.
+#pragma once
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+namespace penumbra::parameters {
+
+// Right, up and forward (the way the light travels) as Unity's transforms have them: cross(right, up) =
+// forward.
+struct LightAxes {
+  glm::dvec3 right;
+  glm::dvec3 up;
+  glm::dvec3 forward;
+
+  glm::dvec3 into(const glm::dvec3& world) const {
+    return {glm::dot(right, world), glm::dot(up, world), glm::dot(forward, world)};
+  }
+  glm::dvec3 out_of(const glm::dvec3& light) const {
+    return right * light.x + up * light.y + forward * light.z;
+  }
+};
+
+inline LightAxes axes_of(const glm::dvec3& direction) {
+  const glm::dvec3 forward = glm::normalize(direction);
+  // World up, but for a light within 8 degrees of the vertical: there the cross product loses its digits.
+  const glm::dvec3 hint = std::abs(forward.y) < 0.99 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1);
+  const glm::dvec3 right = glm::normalize(glm::cross(hint, forward));
+  return {right, glm::cross(forward, right), forward};
+}
+
+}  // namespace penumbra::parameters
