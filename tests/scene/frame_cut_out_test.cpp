@@ -101,6 +101,39 @@ TEST_F(RasterisedFrame, TheMapIsOpenWhereACutOutIs) {
   }
 }
 
+// In perspective: coordinates are interpolated by the depth.
+TEST_F(RasterisedFrame, ASpotLightsMapIsOpenWhereACutOutIs) {
+  for (const NamedCutOut& one : cut_outs_of_all_kinds()) {
+    Scene scene = card_scene(one.cut_out);
+    scene.spot_light.emplace();
+    scene.spot_light->position = {-0.5, 4.5, 4.0};
+    scene.spot_light->direction = {0.2, -1.0, 0.8};
+    scene.spot_light->outer_angle_degrees = 90.0;
+    scene.spot_light->range_metres = 20.0;
+    const Frame frame = rasterise(*device, scene, unbiased_settings(false, DepthFormat::d32, 1));
+    const glm::dmat4 to_world = glm::inverse(frame.spot_shadow->world_to_shadow);
+    const glm::dvec3 light = scene.spot_light->position;
+    Counts counts;
+    for (int row = 0; row < frame.atlas.height; ++row) {
+      for (int column = 0; column < frame.atlas.width; ++column) {
+        const double depth = frame.atlas.depth[texel_index(row, frame.atlas.width, column)];
+        const glm::dvec2 uv((column + 0.5) / frame.atlas.width, (row + 0.5) / frame.atlas.height);
+        const glm::dvec4 homogeneous = to_world * glm::dvec4(uv, depth, 1.0);
+        const glm::dvec3 caster = glm::dvec3(homogeneous) / homogeneous.w;
+        const Seen seen = seen_of(scene, one.cut_out, kCard.uv(light, caster - light), 1e-3L);
+        counts.add(seen);
+        if (seen == Seen::undecided) continue;
+        const bool on_card =
+            std::abs(glm::dot(caster - kCard.centre, kCard.normal())) < 1e-3 && caster.y > 0.1;
+        ASSERT_EQ(on_card, seen == Seen::solid) << one.name << ", texel " << column << ", " << row;
+      }
+    }
+    EXPECT_GT(counts.solid, 400) << one.name;
+    EXPECT_GT(counts.open, 400) << one.name;
+    EXPECT_LT(counts.undecided, (counts.solid + counts.open) / 40) << one.name;
+  }
+}
+
 TEST_F(RasterisedFrame, TheCameraSeesThroughOpenings) {
   for (const NamedCutOut& one : cut_outs_of_all_kinds()) {
     const Scene scene = card_scene(one.cut_out);

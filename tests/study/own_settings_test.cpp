@@ -2,6 +2,7 @@
 // tracing.
 #include <gmock/gmock.h>
 
+#include "input/input_error.h"
 #include "reference/scratch_folder.h"
 #include "resolve/test_device.h"
 #include "study/study.h"
@@ -39,6 +40,17 @@ TEST(OwnSettings, TheListSaysTheBiasOfEachTechnique) {
   EXPECT_EQ(subject("tent-7", "a").bias, (parameters::CasterBias{1.0, 1.0, parameters::SoftQuality::high}));
   EXPECT_EQ(subject("preset-high", "a").bias,
             (parameters::CasterBias{1.0, 0.0, parameters::SoftQuality::medium}));
+}
+
+TEST(OwnSettings, ASpotLightIsRefusedBeforeAnyWork) {
+  StudySettings settings;
+  settings.scenes = {scene::built_in("contact-boxes")};
+  settings.scenes[0].spot_light.emplace();
+  const auto run = [&] {
+    run_study(test_device(), {subject("tent-7", "a")}, settings, [](auto&&...) { FAIL() << "it began"; });
+  };
+  EXPECT_THAT(run, testing::ThrowsMessage<InputError>(
+                       testing::HasSubstr("scene 'contact-boxes' is lit by a spot light")));
 }
 
 TEST(OwnSettings, SubjectsOfOneRunHaveTheirOwnCasters) {

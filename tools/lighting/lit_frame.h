@@ -41,7 +41,8 @@ using LitProgress =
 class LitFrame {
  public:
   // Everything but the sun's visibility. Kept on disk by content where it takes long. Throws InputError for
-  // what seen_materials refuses and a supersampling that does not divide the frame; platform::Interrupted.
+  // what seen_materials refuses, a spot light, and a supersampling that does not divide the frame;
+  // platform::Interrupted.
   LitFrame(const scene::Scene& scene, const scene::Frame& frame, const LitSettings& settings,
            const LitProgress& progress);
 

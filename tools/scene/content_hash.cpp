@@ -1,6 +1,7 @@
 #include "scene/content_hash.h"
 
 #include <glm/vec3.hpp>
+#include <string_view>
 
 #include "platform/content_hash.h"
 #include "scene/cut_out.h"
@@ -13,6 +14,16 @@ using platform::ContentHash;
 
 void update(ContentHash& hash, const glm::dvec3& vector) {
   hash.update(vector.x).update(vector.y).update(vector.z);
+}
+
+void update(ContentHash& hash, const parameters::SpotLight& light) {
+  const auto& [position, direction, inner_angle, outer_angle, source_radius, range, near_plane, guard] =
+      light;
+  hash.update(std::string_view("spot light"));
+  update(hash, position);
+  update(hash, direction);
+  for (const double number : {inner_angle, outer_angle, source_radius, range, near_plane, guard})
+    hash.update(number);
 }
 
 }  // namespace
@@ -33,6 +44,7 @@ std::string content_hash(const Scene& scene) {
     hash.update(number);
   }
   CutOuts(scene).add_to(hash);
+  if (scene.spot_light) update(hash, *scene.spot_light);
   return hash.hex();
 }
 

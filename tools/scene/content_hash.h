@@ -8,7 +8,7 @@ namespace penumbra::scene {
 struct Scene;
 
 // Of all that decides where shadows fall and what is seen of them: the mesh's geometry and cut-outs, origin,
-// camera, light direction, shadow distance. Not of the name or the description, nor of the rest of materials
+// camera, light, shadow distance. Not of the name or the description, nor of the rest of materials
 // and textures: the same reference holds for a scene painted anew. Throws InputError as CutOuts does.
 std::string content_hash(const Scene& scene);
 

@@ -38,6 +38,23 @@ parameters::ShadowSettings with_caster_bounds(parameters::ShadowSettings shadows
   return shadows;
 }
 
+parameters::SpotShadow spot_shadow_of(const Scene& scene, const parameters::ShadowSettings& shadows) {
+  parameters::SpotLight light = scene.spot_light.value();
+  light.position += scene.origin;
+  return parameters::spot_shadow(light, shadows);
+}
+
+parameters::CascadeSet conventions_of(const parameters::SpotShadow& shadow) {
+  parameters::CascadeSet set;
+  set.reversed_z = shadow.reversed_z;
+  set.clip_depth = shadow.clip_depth;
+  set.angular_diameter_degrees = 0.0;
+  set.light_direction = shadow.light.direction;
+  set.atlas_width = set.atlas_height = set.tile_resolution = shadow.resolution;
+  set.depth_range_source = "the spot light's near plane and range";
+  return set;
+}
+
 }  // namespace
 
 struct Rasteriser::State {
@@ -66,9 +83,16 @@ Frame Rasteriser::frame(const FrameSettings& settings) {
   frame.settings = settings;
   frame.camera = scene.camera;
   frame.camera.position += scene.origin;
-  const parameters::Light light{scene.light_direction, settings.angular_diameter_degrees};
-  frame.cascades = parameters::fit_cascades(frame.camera, light, with_caster_bounds(settings.shadows, scene));
-  frame.atlas = state_->shadow_map.draw(frame.cascades, scene.origin, settings);
+  if (scene.spot_light) {
+    frame.spot_shadow = spot_shadow_of(scene, settings.shadows);
+    frame.cascades = conventions_of(*frame.spot_shadow);
+    frame.atlas = state_->shadow_map.draw(*frame.spot_shadow, scene.origin, settings);
+  } else {
+    const parameters::Light light{scene.light_direction, settings.angular_diameter_degrees};
+    frame.cascades =
+        parameters::fit_cascades(frame.camera, light, with_caster_bounds(settings.shadows, scene));
+    frame.atlas = state_->shadow_map.draw(frame.cascades, scene.origin, settings);
+  }
   frame.receivers = state_->seen.draw(scene, settings);
   return frame;
 }

@@ -8,10 +8,12 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "parameters/cascades.h"
+#include "parameters/spot_light.h"
 #include "scene/scene.h"
 
 namespace penumbra::gpu {
@@ -63,8 +65,8 @@ inline constexpr RasterBias kUnityRasterBias{1.0, 2.5};
 
 struct FrameSettings {
   parameters::ShadowSettings shadows;
-  double angular_diameter_degrees = 0.53;
-  RasterBias raster_bias;  // none
+  double angular_diameter_degrees = 0.53;  // of the sun
+  RasterBias raster_bias;                  // none
   DepthFormat format = DepthFormat::d32;
   int width = 480;  // of the receivers
   int height = 270;
@@ -76,7 +78,10 @@ struct FrameSettings {
 struct Frame {
   std::string scene_name;
   parameters::Camera camera;  // world space (origin added)
+  // With a spot light: no cascade, and of the rest the size of the map, its conventions and the light's
+  // direction.
   parameters::CascadeSet cascades;
+  std::optional<parameters::SpotShadow> spot_shadow;  // world space (origin added)
   FrameSettings settings;
   ShadowAtlas atlas;
   Receivers receivers;
@@ -94,6 +99,10 @@ struct Frame {
 // caster is clamped to the near plane, so that no blocker's depth gap is cut short.
 //
 // Where a material is cut out (CutOut, material.h), neither the map nor the camera sees the surface.
+//
+// A spot light's map is one tile of shadows.resolution texels (parameters/spot_light.h); of the settings it
+// has biases, depth direction and format. Its casters are biased along the way to its position and, as URP
+// does it, not clamped to the near plane: what is nearer casts no shadow.
 //
 // Receivers lie on their triangle's plane to the rounding of the float. The shadow distance is measured from
 // the camera, as URP fades by it.

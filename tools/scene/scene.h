@@ -1,15 +1,17 @@
-// What is seen and what casts: triangles in metres, a camera at human height, a sun.
+// What is seen and what casts: triangles in metres, a camera at human height, a sun or a spot light.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "parameters/cascades.h"
+#include "parameters/spot_light.h"
 #include "scene/material.h"
 #include "scene/reading_process.h"
 
@@ -39,7 +41,9 @@ struct Scene {
   std::vector<Texture> textures;
   glm::dvec3 origin{0.0};                       // world position of the mesh's own origin
   parameters::Camera camera;                    // position relative to origin, like the mesh
-  glm::dvec3 light_direction{0.4, -0.8, 0.45};  // the way the light travels
+  glm::dvec3 light_direction{0.4, -0.8, 0.45};  // the way the sun's light travels
+  // Instead of the sun; its position relative to origin, like the mesh.
+  std::optional<parameters::SpotLight> spot_light{};
   double shadow_distance_metres = 50.0;
 
   parameters::Bounds bounds() const;  // of the mesh, relative to origin

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "input/input_error.h"
 #include "scene/image_file.h"
 
 namespace penumbra::scene {
@@ -158,6 +159,11 @@ void check(const Scene& scene) {
   for (const double number : {camera.fov_y_degrees, camera.aspect, camera.near_plane, camera.far_plane,
                               scene.shadow_distance_metres})
     require(std::isfinite(number) && number > 0.0, "a camera that sees nothing");
+  try {
+    if (scene.spot_light) parameters::check_spot_light(*scene.spot_light);
+  } catch (const InputError& error) {
+    throw std::invalid_argument(error.what());
+  }
 }
 
 }  // namespace
@@ -191,7 +197,7 @@ std::string encode(const Texture& texture) {
 
 std::string encode(const Scene& scene) {
   const auto& [name, description, notes, mesh, materials, textures, origin, camera, light_direction,
-               shadow_distance_metres] = scene;
+               spot_light, shadow_distance_metres] = scene;
   ByteWriter out;
   out.text(name);
   out.text(description);
@@ -202,6 +208,8 @@ std::string encode(const Scene& scene) {
   out.value(origin);
   out.value(camera);
   out.value(light_direction);
+  out.number(spot_light ? 1 : 0);
+  if (spot_light) out.value(*spot_light);
   out.value(shadow_distance_metres);
   return out.take();
 }
@@ -225,6 +233,7 @@ Scene decode_scene(std::string_view bytes) {
   scene.origin = in.value<glm::dvec3>();
   scene.camera = in.value<parameters::Camera>();
   scene.light_direction = in.value<glm::dvec3>();
+  if (in.flag()) scene.spot_light = in.value<parameters::SpotLight>();
   scene.shadow_distance_metres = in.value<double>();
   require(in.exhausted(), "a damaged answer");
   check(scene);

@@ -14,7 +14,8 @@ struct SceneShader {
   std::string entry;
   hlsl::Stage stage;
   bool reversed_z;
-  bool cut_outs = false;  // of a scene that has some
+  bool cut_outs = false;    // of a scene that has some
+  bool spot_light = false;  // of one that is lit by one
 };
 
 // Throws EnvironmentError with the compiler's messages: these files are ours, not the user's.

@@ -15,6 +15,13 @@ struct CasterTile {
   glm::vec4 bias;
 };
 
+// The same with PENUMBRA_SPOT_LIGHT.
+struct SpotTile {
+  glm::vec4 shadow_row[4];
+  glm::vec4 light_position;
+  glm::vec4 bias;
+};
+
 gpu::Format gpu_format(DepthFormat format) {
   if (format == DepthFormat::d16) return gpu::Format::depth16;
   return format == DepthFormat::d24 ? gpu::Format::depth24 : gpu::Format::depth32;
@@ -30,6 +37,13 @@ glm::vec4 clip_row(const glm::dvec4& uv_row, double offset, double scale) {
   glm::dvec4 row = uv_row * (2.0 / scale);
   row.w -= 2.0 * offset / scale + 1.0;
   return glm::vec4(row);
+}
+
+template <typename Constants>
+std::vector<std::byte> bytes_of(const Constants& constants) {
+  std::vector<std::byte> bytes(sizeof(constants));
+  std::memcpy(bytes.data(), &constants, sizeof(constants));
+  return bytes;
 }
 
 gpu::RasterTile tile_of(const parameters::CascadeSet& set, const parameters::Cascade& cascade,
@@ -48,8 +62,27 @@ gpu::RasterTile tile_of(const parameters::CascadeSet& set, const parameters::Cas
   tile.y = static_cast<int>(std::lround(place.y * set.atlas_height));
   tile.width = tile.height = set.tile_resolution;
   tile.vertex_count = vertex_count;
-  tile.push_constants.resize(sizeof(constants));
-  std::memcpy(tile.push_constants.data(), &constants, sizeof(constants));
+  tile.push_constants = bytes_of(constants);
+  return tile;
+}
+
+// UV times w to clip space: 2 uv - 1, times w.
+gpu::RasterTile tile_of(const parameters::SpotShadow& spot, const glm::dvec3& origin,
+                        std::uint32_t vertex_count) {
+  glm::dvec4 rows[4];
+  for (int row = 0; row < 4; ++row) rows[row] = row_from_origin(spot.world_to_shadow, row, origin);
+  SpotTile constants;
+  constants.shadow_row[0] = glm::vec4(2.0 * rows[0] - rows[3]);
+  constants.shadow_row[1] = glm::vec4(2.0 * rows[1] - rows[3]);
+  constants.shadow_row[2] = glm::vec4(rows[2]);
+  constants.shadow_row[3] = glm::vec4(rows[3]);
+  constants.light_position = glm::vec4(glm::vec3(spot.light.position - origin), 0.0F);
+  constants.bias = {float(spot.depth_bias_metres), float(spot.normal_bias_metres), 0.0F, 0.0F};
+
+  gpu::RasterTile tile;
+  tile.width = tile.height = spot.resolution;
+  tile.vertex_count = vertex_count;
+  tile.push_constants = bytes_of(constants);
   return tile;
 }
 
@@ -75,11 +108,11 @@ float decode(DepthFormat format, const std::byte* texel) {
 gpu::RasterPass& ShadowMapPasses::pass(const Key& key) {
   const auto found = passes_.find(key);
   if (found != passes_.end()) return found->second;
-  const auto [format, reversed_z, constant_bias, slope_bias] = key;
+  const auto [format, spot_light, reversed_z, constant_bias, slope_bias] = key;
   const float away_from_light = reversed_z ? -1.0F : 1.0F;
   gpu::RasterShaders shaders;
-  SceneShader shader{"ShadowCaster.hlsl", "Main", hlsl::Stage::vertex, reversed_z,
-                     mesh_.cut_outs.has_value()};
+  SceneShader shader{"ShadowCaster.hlsl",        "Main",    hlsl::Stage::vertex, reversed_z,
+                     mesh_.cut_outs.has_value(), spot_light};
   shaders.vertex = compile_scene_shader(shader);
   if (shader.cut_outs) {
     shader.entry = shaders.fragment_entry = "Fragment";
@@ -97,24 +130,35 @@ gpu::RasterPass& ShadowMapPasses::pass(const Key& key) {
 
 ShadowAtlas ShadowMapPasses::draw(const parameters::CascadeSet& cascades, const glm::dvec3& origin,
                                   const FrameSettings& settings) {
-  const DepthFormat format = settings.format;
-  const gpu::Image target(device_, gpu_format(format), cascades.atlas_width, cascades.atlas_height);
   std::vector<gpu::RasterTile> tiles;
   for (const parameters::Cascade& cascade : cascades.cascades) {
     tiles.push_back(tile_of(cascades, cascade, origin, mesh_.vertex_count));
   }
+  return draw({cascades.atlas_width, cascades.atlas_height, cascades.reversed_z, false}, tiles, settings);
+}
+
+ShadowAtlas ShadowMapPasses::draw(const parameters::SpotShadow& spot, const glm::dvec3& origin,
+                                  const FrameSettings& settings) {
+  return draw({spot.resolution, spot.resolution, spot.reversed_z, true},
+              {tile_of(spot, origin, mesh_.vertex_count)}, settings);
+}
+
+ShadowAtlas ShadowMapPasses::draw(const Target& target, const std::vector<gpu::RasterTile>& tiles,
+                                  const FrameSettings& settings) {
+  const DepthFormat format = settings.format;
+  const gpu::Image image(device_, gpu_format(format), target.width, target.height);
   gpu::RasterTargets targets;
-  targets.depth = &target;
-  targets.clear_depth = cascades.reversed_z ? 0.0F : 1.0F;
+  targets.depth = &image;
+  targets.clear_depth = target.reversed_z ? 0.0F : 1.0F;
   const RasterBias& bias = settings.raster_bias;
-  pass({format, cascades.reversed_z, bias.constant, bias.slope}).draw(targets, tiles);
+  pass({format, target.spot_light, target.reversed_z, bias.constant, bias.slope}).draw(targets, tiles);
 
   ShadowAtlas atlas;
-  atlas.width = cascades.atlas_width;
-  atlas.height = cascades.atlas_height;
+  atlas.width = target.width;
+  atlas.height = target.height;
   atlas.format = format;
-  atlas.texels = target.download<std::byte>();
-  const std::size_t stride = gpu::texel_bytes(target.format());
+  atlas.texels = image.download<std::byte>();
+  const std::size_t stride = gpu::texel_bytes(image.format());
   atlas.depth.resize(atlas.texels.size() / stride);
   for (std::size_t texel = 0; texel < atlas.depth.size(); ++texel) {
     atlas.depth[texel] = decode(format, &atlas.texels[texel * stride]);

@@ -1,8 +1,9 @@
-// Draws the cascade atlas and reads it back.
+// Draws the cascade atlas, or the map of a spot light, and reads it back.
 #pragma once
 
 #include <map>
 #include <tuple>
+#include <vector>
 
 #include "gpu/raster_pass.h"
 #include "scene/frame.h"
@@ -10,7 +11,8 @@
 
 namespace penumbra::scene {
 
-// Passes by format, reversed Z, and the rasteriser's constant and slope bias, made when first asked for.
+// Passes by format, kind of light, reversed Z, and the rasteriser's constant and slope bias, made when first
+// asked for.
 class ShadowMapPasses {
  public:
   ShadowMapPasses(const gpu::Device& device, const MeshOnDevice& mesh) : device_(device), mesh_(mesh) {}
@@ -18,10 +20,21 @@ class ShadowMapPasses {
   // origin: the world position of the mesh's own origin.
   ShadowAtlas draw(const parameters::CascadeSet& cascades, const glm::dvec3& origin,
                    const FrameSettings& settings);
+  ShadowAtlas draw(const parameters::SpotShadow& spot, const glm::dvec3& origin,
+                   const FrameSettings& settings);
 
  private:
-  using Key = std::tuple<DepthFormat, bool, double, double>;
+  struct Target {
+    int width;
+    int height;
+    bool reversed_z;
+    bool spot_light;
+  };
+  using Key = std::tuple<DepthFormat, bool, bool, double, double>;
+
   gpu::RasterPass& pass(const Key& key);
+  ShadowAtlas draw(const Target& target, const std::vector<gpu::RasterTile>& tiles,
+                   const FrameSettings& settings);
 
   const gpu::Device& device_;
   const MeshOnDevice& mesh_;

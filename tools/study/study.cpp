@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 
+#include "input/input_error.h"
 #include "platform/interrupt.h"
 #include "reference/reference_cache.h"
 #include "resolve/debug_view.h"
@@ -15,6 +16,15 @@
 namespace penumbra::study {
 namespace {
 
+void check_lights(const std::vector<scene::Scene>& scenes) {
+  for (const scene::Scene& scene : scenes) {
+    if (!scene.spot_light) continue;
+    throw InputError("",
+                     "scene '" + scene.name + "' is lit by a spot light, for which there is no technique yet",
+                     "choose scenes that the sun lights");
+  }
+}
+
 class Study {
  public:
   Study(gpu::Device& device, const std::vector<Subject>& subjects, const StudySettings& settings,
@@ -24,6 +34,7 @@ class Study {
         progress_(progress),
         cache_(settings.cache),
         cases_(device, subjects, settings, progress, cache_) {
+    check_lights(settings.scenes);
     prepare(subjects);
   }
 

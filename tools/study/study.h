@@ -97,8 +97,8 @@ struct StudyOutcome {
       notes;  // uniforms nobody provides, pictures with too little penumbra, and the like
 };
 
-// Throws InputError for shaders that do not compile, platform::Interrupted when the user stops; answers that
-// were finished are kept either way.
+// Throws InputError for shaders that do not compile and for a scene with a spot light, platform::Interrupted
+// when the user stops; answers that were finished are kept either way.
 StudyOutcome run_study(gpu::Device& device, const std::vector<Subject>& subjects,
                        const StudySettings& settings, const StudyProgress& progress);
 
