@@ -4,16 +4,19 @@
 // looks at it, so that its shadows have penumbrae. The cone says where light is, not how visible it is: its
 // falloff is no part of a shadow.
 //
-//          source, radius R                An edge at axial depth d_b casts, on a receiver at d_r, a penumbra
-//           ____|____                      of radius
-//            \  |  /   : d_b                   w = R (d_r - d_b) / d_b,
-//         ----\ | /                        the distance from the shadow of the source's centre to where all
-//         of
-//              \|/                         the source is seen; from 0 to 1 it is 2 w wide. In the map's UV
-//              that
-//              /|\     : d_r               is w / (2 tan(angle / 2) d_r), linear in the stored depths.
-//          ___/_|_\___
-//            2 w
+//      ____|____    source, radius R
+//       \  |  /
+//   -----\ | /      d_b, an edge
+//         \|/
+//         /|\      all depths along the axis
+//    ____/_|_\____  d_r, a receiver
+//        2 w
+//
+// An edge at axial depth d_b casts on a receiver at d_r a penumbra of radius w = R (d_r - d_b) / d_b: so far
+// is the shadow of the source's centre from where all of the source is seen, and from where none of it is. In
+// the map's UV it is w / (2 tan(angle / 2) d_r), which is linear in the stored depths. That is on the axis;
+// at an angle t to it, the source, which faces the receiver, makes the penumbra 1 / cos t times as wide away
+// from the axis, to first order in R.
 //
 // Spaces: as parameters/cascades.h. Axial depth: metres from the light's position along its direction.
 #pragma once

@@ -19,18 +19,19 @@ class DiscTracer {
   static constexpr int packet_size = 16;
 
   // samples: as TraceOptions. The scene must outlive the tracer.
-  DiscTracer(const EmbreeScene& scene, const DiscLight& light, int samples, std::uint64_t seed);
+  DiscTracer(const EmbreeScene& scene, const LightSource& light, int samples, std::uint64_t seed);
 
-  // The halves are the two sets of the pair that pixel draws. At angular diameter 0 one ray decides both.
+  // The halves are the two sets of the pair that pixel draws. One ray to a point light decides both. A
+  // receiver without light sees none of it.
   HalfCounts lit_points(const LitReceiver& receiver, std::size_t pixel) const;
 
-  int rays_per_pixel() const { return light_.tan_half > 0.0 ? samples_ : 1; }
+  int rays_per_pixel() const { return light_.is_point() ? 1 : samples_; }
 
  private:
-  HalfCounts lit_by_point_light(const LitReceiver& receiver) const;
+  HalfCounts lit_by_point_light(const LitReceiver& receiver, const DiscLight& light) const;
 
   const EmbreeScene& scene_;
-  DiscLight light_;
+  LightSource light_;
   int samples_;
   DiscSamples points_;
 };

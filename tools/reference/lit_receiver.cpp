@@ -14,6 +14,17 @@ bool finite(const glm::dvec3& vector) {
   return std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z);
 }
 
+// Without a size yet.
+DiscLight facing(const glm::dvec3& to_light) {
+  DiscLight disc;
+  disc.to_light = to_light;
+  const glm::dvec3 aside =
+      std::abs(disc.to_light.y) < 0.9 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(1.0, 0.0, 0.0);
+  disc.right = glm::normalize(glm::cross(aside, disc.to_light));
+  disc.up = glm::cross(disc.to_light, disc.right);
+  return disc;
+}
+
 }  // namespace
 
 DiscLight disc_light(const parameters::Light& light) {
@@ -26,15 +37,30 @@ DiscLight disc_light(const parameters::Light& light) {
   if (!(diameter >= 0.0 && diameter <= 30.0)) {
     throw InputError("", "the light's angular diameter is outside 0 to 30 degrees", "the sun's is 0.53");
   }
-  DiscLight disc;
-  disc.to_light = -light.direction / length;
-  const glm::dvec3 aside =
-      std::abs(disc.to_light.y) < 0.9 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(1.0, 0.0, 0.0);
-  disc.right = glm::normalize(glm::cross(aside, disc.to_light));
-  disc.up = glm::cross(disc.to_light, disc.right);
   const double half = diameter * std::numbers::pi / 360.0;
+  DiscLight disc = facing(-light.direction / length);
   disc.sin_half = std::sin(half);
   disc.tan_half = std::tan(half);
+  return disc;
+}
+
+LightSource::LightSource(const parameters::SpotLight& spot) : spot_(spot) {
+  parameters::check_spot_light(spot);
+  spot_->direction = glm::normalize(spot.direction);
+  cos_outer_ = std::cos(spot.outer_angle_degrees * std::numbers::pi / 360.0);
+}
+
+std::optional<DiscLight> LightSource::seen_from(const glm::dvec3& position) const {
+  if (!spot_) return disc_;
+  const glm::dvec3 to_light = spot_->position - position;
+  const double distance = glm::length(to_light);
+  const double radius = spot_->source_radius_metres;
+  if (!(distance > radius) || distance > spot_->range_metres) return std::nullopt;
+  DiscLight disc = facing(to_light / distance);
+  if (glm::dot(-disc.to_light, spot_->direction) < cos_outer_) return std::nullopt;
+  disc.sin_half = radius / std::hypot(radius, distance);
+  disc.tan_half = radius / distance;
+  disc.distance = distance;
   return disc;
 }
 
@@ -44,7 +70,7 @@ double surface_offset(const glm::vec3& position) {
 }
 
 std::optional<LitReceiver> lit_receiver(const scene::Receivers& receivers, std::size_t pixel,
-                                        const DiscLight& light) {
+                                        const LightSource& light) {
   const glm::vec4& seen = receivers.position_relative[pixel];
   if (!(receivers.position_ws[pixel].w > 0.5F)) return std::nullopt;
   const glm::dvec3 position(seen);
@@ -52,11 +78,13 @@ std::optional<LitReceiver> lit_receiver(const scene::Receivers& receivers, std::
   const double length = glm::length(normal);
   if (!finite(position) || !finite(normal) || !(length > 0.5)) return std::nullopt;
   const glm::dvec3 unit = normal / length;
-  if (glm::dot(unit, light.to_light) <= light.sin_half) return std::nullopt;
-  return LitReceiver{position + unit * surface_offset(glm::vec3(seen)), unit};
+  const glm::dvec3 lifted = position + unit * surface_offset(glm::vec3(seen));
+  const std::optional<DiscLight> disc = light.seen_from(lifted);
+  if (!disc || glm::dot(unit, disc->to_light) <= disc->sin_half) return std::nullopt;
+  return LitReceiver{lifted, unit};
 }
 
-std::vector<std::uint8_t> valid_receivers(const scene::Receivers& receivers, const DiscLight& light) {
+std::vector<std::uint8_t> valid_receivers(const scene::Receivers& receivers, const LightSource& light) {
   const std::size_t pixels =
       static_cast<std::size_t>(receivers.width) * static_cast<std::size_t>(receivers.height);
   if (receivers.width <= 0 || receivers.height <= 0 || receivers.position_relative.size() != pixels ||

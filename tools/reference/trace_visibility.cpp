@@ -20,8 +20,26 @@ namespace {
 
 constexpr int tracing_version = 1;  // a change of any result takes the next number
 
-std::string key_of(const scene::Scene& scene, const scene::Receivers& receivers,
-                   const parameters::Light& light, const TraceOptions& options) {
+void add_to(platform::ContentHash& hash, const glm::dvec3& vector) {
+  hash.update(vector.x).update(vector.y).update(vector.z);
+}
+
+void add_to(platform::ContentHash& hash, const parameters::Light& light) {
+  add_to(hash, light.direction);
+  hash.update(light.angular_diameter_degrees);
+}
+
+// Of a spot light what decides visibility and who is a receiver.
+void add_to(platform::ContentHash& hash, const parameters::SpotLight& light) {
+  hash.update(std::string_view("spot light"));
+  add_to(hash, light.position);
+  add_to(hash, light.direction);
+  hash.update(light.outer_angle_degrees).update(light.source_radius_metres).update(light.range_metres);
+}
+
+template <typename Light>
+std::string key_of(const scene::Scene& scene, const scene::Receivers& receivers, const Light& light,
+                   const TraceOptions& options) {
   platform::ContentHash hash;
   hash.update(std::string_view("T1")).update(tracing_version);
   hash.update(std::span<const glm::vec3>(scene.mesh.positions));
@@ -31,9 +49,35 @@ std::string key_of(const scene::Scene& scene, const scene::Receivers& receivers,
   hash.update(std::span<const glm::vec4>(receivers.position_relative));
   hash.update(std::span<const glm::vec4>(receivers.position_ws));
   hash.update(std::span<const glm::vec4>(receivers.normal_ws));
-  hash.update(light.direction.x).update(light.direction.y).update(light.direction.z);
-  hash.update(light.angular_diameter_degrees).update(options.samples).update(options.seed);
+  add_to(hash, light);
+  hash.update(options.samples).update(options.seed);
   return hash.hex();
+}
+
+struct Traced {
+  const scene::Scene& scene;
+  const scene::Receivers& receivers;
+  LightSource light;
+  std::string key;
+};
+
+VisibilityImage trace(const Traced& traced, const TraceOptions& options, const RunOptions& run,
+                      const ReferenceCache* cache) {
+  RowJob job;
+  job.size = {traced.receivers.width, traced.receivers.height};
+  job.valid = valid_receivers(traced.receivers, traced.light);
+  job.key = traced.key;
+  if (cache != nullptr) {
+    if (std::optional<VisibilityImage> known = cache->find(job.key)) return *std::move(known);
+  }
+  const EmbreeScene embree(traced.scene);
+  const DiscTracer tracer(embree, traced.light, options.samples, options.seed);
+  job.samples = options.samples;
+  job.rays_per_pixel = tracer.rays_per_pixel();
+  job.count = [&](std::size_t pixel) {
+    return tracer.lit_points(lit_receiver(traced.receivers, pixel, traced.light).value(), pixel);
+  };
+  return run_rows(job, run, cache);
 }
 
 }  // namespace
@@ -53,21 +97,15 @@ VisibilityImage trace_visibility(const scene::Scene& scene, const scene::Receive
                                  const RunOptions& run, const ReferenceCache* cache) {
   check_samples(options.samples);
   const DiscLight disc = disc_light(light);
-  RowJob job;
-  job.size = {receivers.width, receivers.height};
-  job.valid = valid_receivers(receivers, disc);
-  job.key = key_of(scene, receivers, light, options);
-  if (cache != nullptr) {
-    if (std::optional<VisibilityImage> known = cache->find(job.key)) return *std::move(known);
-  }
-  const EmbreeScene embree(scene);
-  const DiscTracer tracer(embree, disc, options.samples, options.seed);
-  job.samples = options.samples;
-  job.rays_per_pixel = tracer.rays_per_pixel();
-  job.count = [&](std::size_t pixel) {
-    return tracer.lit_points(lit_receiver(receivers, pixel, disc).value(), pixel);
-  };
-  return run_rows(job, run, cache);
+  return trace({scene, receivers, disc, key_of(scene, receivers, light, options)}, options, run, cache);
+}
+
+VisibilityImage trace_visibility(const scene::Scene& scene, const scene::Receivers& receivers,
+                                 const parameters::SpotLight& light, const TraceOptions& options,
+                                 const RunOptions& run, const ReferenceCache* cache) {
+  check_samples(options.samples);
+  const LightSource source(light);
+  return trace({scene, receivers, source, key_of(scene, receivers, light, options)}, options, run, cache);
 }
 
 }  // namespace penumbra::reference
