@@ -29,7 +29,6 @@
 #include "shaders/source_shader.h"
 #include "shaders/spirv_module.h"
 #include "shaders/whole_matrices.h"
-#include "shaders/word_blocks.h"
 #include "shaders/written_arguments.h"
 #include "shaders/zero_divisions.h"
 #include "shaders/zeroed_statics.h"
@@ -145,11 +144,8 @@ bool finish_module(const Source& source, const hlsl::SourceFiles& sources, const
   const bool wanted = source.request.optimise;
   std::vector<std::uint32_t>* const kept = source.request.keep_unoptimised ? &result.legalised : nullptr;
   const bool divides = divides_by_zero(result.spirv);  // the optimiser takes the result for 0
-  const bool optimised = !wanted || optimise(result.spirv, source.request.vulkan, problems, kept);
-  number_bindings(result.spirv);  // after the unused ones are gone
-  if (optimised && wanted)
-    if (std::optional<SpirvModule> words = with_word_blocks(result.spirv, BlocksAsWords::not_for_vulkan))
-      result.spirv = *std::move(words);
+  const bool optimised = !wanted || finish(result.spirv, source.request.vulkan, problems, kept);
+  if (!wanted) number_bindings(result.spirv);
   if (optimised && wanted) tell_problems(source, sources, tree, divides, result);
   if (hlsl::has_errors(result.diagnostics)) return false;
   if (optimised) problems = validation_problems(result.spirv, source.request.vulkan, !wanted);

@@ -22,14 +22,18 @@ bool is_type(spv::Op op) {
   return op >= spv::OpTypeVoid && op <= spv::OpTypeForwardPointer;
 }
 
+// Types that type() may be asked for.
+bool is_there_once(spv::Op op) {
+  return op == spv::OpTypeVoid || op == spv::OpTypeBool || op == spv::OpTypeInt || op == spv::OpTypeFloat ||
+         op == spv::OpTypeVector || op == spv::OpTypePointer || op == spv::OpTypeFunction;
+}
+
 }  // namespace
 
 ModuleRewrite::ModuleRewrite(const SpirvModule& module) : module_(module), next_(module[3]) {
   spirv::for_each_instruction(module, [this](spirv::Words one) {
     const spv::Op op = spirv::opcode(one);
-    const bool once =
-        op == spv::OpTypeInt || op == spv::OpTypeFloat || op == spv::OpTypeVector || op == spv::OpTypePointer;
-    if (!once) return;
+    if (!is_there_once(op)) return;
     Words key{static_cast<std::uint32_t>(op)};
     key.insert(key.end(), one.begin() + 2, one.end());
     types_.emplace(std::move(key), one[1]);

@@ -18,6 +18,8 @@ class ModuleRewrite {
 
   explicit ModuleRewrite(const SpirvModule& module);
 
+  std::uint32_t new_id() { return next_++; }
+
   // As it stands, in the order of the module.
   void keep(spirv::Words instruction);
 

@@ -4,9 +4,11 @@
 #include <spirv-tools/libspirv.hpp>
 #include <spirv-tools/optimizer.hpp>
 #include <string_view>
+#include <utility>
 
 #include "shaders/debug_lines.h"
 #include "shaders/uncalled_functions.h"
+#include "shaders/word_blocks.h"
 #include "spirv/words.h"
 
 namespace penumbra::shaders {
@@ -154,6 +156,15 @@ bool optimise(SpirvModule& module, VulkanVersion vulkan, std::vector<std::string
   if (!run_passes(module, vulkan, legalise, problems)) return false;
   if (legalised != nullptr) *legalised = module;
   return run_passes(module, vulkan, optimise_legalised, problems);
+}
+
+bool finish(SpirvModule& module, VulkanVersion vulkan, std::vector<std::string>& problems,
+            SpirvModule* legalised) {
+  if (!optimise(module, vulkan, problems, legalised)) return false;
+  number_bindings(module);
+  if (std::optional<SpirvModule> words = with_word_blocks(module, BlocksAsWords::not_for_vulkan))
+    module = *std::move(words);
+  return true;
 }
 
 std::vector<std::string> validation_problems(const SpirvModule& module, VulkanVersion vulkan,

@@ -24,6 +24,11 @@ void move_sets(SpirvModule& module, std::uint32_t by);
 bool optimise(SpirvModule& module, VulkanVersion vulkan, std::vector<std::string>& problems,
               SpirvModule* legalised = nullptr);
 
+// The module that ships: optimise(), then number_bindings() without those that nothing uses, then uniform
+// blocks that Vulkan has no layout for as words (word_blocks.h).
+bool finish(SpirvModule& module, VulkanVersion vulkan, std::vector<std::string>& problems,
+            SpirvModule* legalised = nullptr);
+
 // The problems SPIRV-Tools finds for that version; empty when valid. Before legalisation resources may still
 // be passed by value, which is then not held against the module.
 std::vector<std::string> validation_problems(const SpirvModule& module, VulkanVersion vulkan,

@@ -1,0 +1,331 @@
+#include "shaders/counted_module.h"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <vector>
+
+#include "shaders/module_rewrite.h"
+#include "shaders/spirv_module.h"
+#include "spirv/code.h"
+#include "spirv/words.h"
+
+namespace penumbra::shaders {
+
+namespace {
+
+using spirv::Id;
+using Words = ModuleRewrite::Words;
+
+bool reads_a_texel(spv::Op op) {
+  const bool samples = op >= spv::OpImageSampleImplicitLod && op <= spv::OpImageRead;
+  const bool sparse = op >= spv::OpImageSparseSampleImplicitLod && op <= spv::OpImageSparseDrefGather;
+  return samples || sparse || op == spv::OpImageSparseRead || op == spv::OpImageTexelPointer;
+}
+
+// What an atomic operation works on is the result of OpImageTexelPointer.
+bool writes_a_texel(spv::Op op) {
+  return op == spv::OpImageWrite || op == spv::OpImageTexelPointer;
+}
+
+bool ends_the_invocation(spv::Op op) {
+  return op == spv::OpKill || op == spv::OpTerminateInvocation || op == spv::OpDemoteToHelperInvocationEXT;
+}
+
+bool tells_the_source(spv::Op op) {
+  return op == spv::OpLine || op == spv::OpNoLine || op == spv::OpSource || op == spv::OpSourceContinued ||
+         op == spv::OpString || op == spv::OpModuleProcessed;
+}
+
+// What the module says of the entry point.
+struct EntryFacts {
+  Id function = 0;
+  bool fragment = false;
+  Id position = 0;  // the variable with FragCoord or GlobalInvocationId; 0: none
+  std::uint32_t colour_outputs = 0;
+  bool tests_depth_first = false;
+};
+
+class FactReader {
+ public:
+  FactReader(const spirv::Code& code, const std::string& entry) : code_(code) {
+    for (const spirv::Instruction& one : code.instructions())
+      if (one.op == spv::OpEntryPoint && spirv::literal_text(one.operands.subspan(2)) == entry) entry_ = &one;
+    if (entry_ == nullptr) throw std::invalid_argument("the module has no entry point '" + entry + "'");
+    const std::uint32_t model = entry_->operands[0];
+    if (model != spv::ExecutionModelFragment && model != spv::ExecutionModelGLCompute)
+      throw std::invalid_argument("'" + entry + "' is neither a fragment nor a compute shader");
+  }
+
+  EntryFacts facts() const {
+    EntryFacts facts;
+    facts.function = entry_->operands[1];
+    facts.fragment = entry_->operands[0] == spv::ExecutionModelFragment;
+    facts.position = built_in(facts.fragment ? spv::BuiltInFragCoord : spv::BuiltInGlobalInvocationId,
+                              spv::StorageClassInput);
+    facts.colour_outputs = facts.fragment ? colour_outputs() : 0;
+    facts.tests_depth_first = facts.fragment && may_test_depth_first();
+    return facts;
+  }
+
+ private:
+  std::optional<spv::StorageClass> storage_of(Id id) const {
+    const spirv::Instruction* definition = code_.definition(id);
+    return definition == nullptr ? std::nullopt : code_.storage_class(definition->type);
+  }
+
+  std::vector<Id> interface(spv::StorageClass storage) const {
+    std::vector<Id> found;
+    for (const Id id : code_.ids(*entry_).subspan(1))
+      if (storage_of(id) == storage) found.push_back(id);
+    return found;
+  }
+
+  Id built_in(spv::BuiltIn which, spv::StorageClass storage) const {
+    for (const Id id : interface(storage))
+      if (code_.decoration(id, spv::DecorationBuiltIn) == which) return id;
+    return 0;
+  }
+
+  // The second colour for blending has the first one's location.
+  std::uint32_t colour_outputs() const {
+    std::set<std::uint32_t> locations;
+    for (const Id id : interface(spv::StorageClassOutput))
+      if (const auto location = code_.decoration(id, spv::DecorationLocation)) locations.insert(*location);
+    return static_cast<std::uint32_t>(locations.size());
+  }
+
+  bool may_test_depth_first() const {
+    if (built_in(spv::BuiltInFragDepth, spv::StorageClassOutput) != 0 ||
+        built_in(spv::BuiltInSampleMask, spv::StorageClassOutput) != 0)
+      return false;
+    return std::none_of(code_.instructions().begin(), code_.instructions().end(),
+                        [this](const spirv::Instruction& one) { return forbids_depth_first(one); });
+  }
+
+  bool forbids_depth_first(const spirv::Instruction& one) const {
+    if (ends_the_invocation(one.op) || writes_a_texel(one.op)) return true;
+    if (one.op >= spv::OpAtomicLoad && one.op <= spv::OpAtomicXor) return true;
+    if (one.op == spv::OpExecutionMode) return one.operands[1] == spv::ExecutionModeEarlyFragmentTests;
+    if (one.op != spv::OpStore && one.op != spv::OpCopyMemory) return false;
+    const std::optional<spv::StorageClass> to = storage_of(one.operands[0]);
+    return to && (*to == spv::StorageClassUniform || *to == spv::StorageClassStorageBuffer);
+  }
+
+  const spirv::Code& code_;
+  const spirv::Instruction* entry_ = nullptr;
+};
+
+Words name_words(Id id, const std::string& text) {
+  Words words{id};
+  words.resize(2 + text.size() / 4, 0);
+  for (std::size_t i = 0; i < text.size(); ++i)
+    words[1 + i / 4] |= static_cast<std::uint32_t>(static_cast<unsigned char>(text[i])) << (8 * (i % 4));
+  return words;
+}
+
+class Counting {
+ public:
+  Counting(const SpirvModule& module, const spirv::Code& code, const EntryFacts& facts)
+      : module_(module), code_(code), facts_(facts), rewrite_(module) {}
+
+  SpirvModule run() {
+    add_counts_ = rewrite_.new_id();
+    position_ = facts_.position != 0 ? facts_.position : rewrite_.new_id();
+    spirv::for_each_instruction(module_, [this](spirv::Words one) { visit(one); });
+    write_add_counts();
+    return rewrite_.finished();
+  }
+
+ private:
+  void visit(spirv::Words one) {
+    const spv::Op op = spirv::opcode(one);
+    if (tells_the_source(op)) return;
+    if (op == spv::OpEntryPoint && one[2] == facts_.function) return keep_entry_point(one);
+    if (op == spv::OpFunction) enter_function(one);
+    if (reads_a_texel(op)) add(fetches_, 1);
+    if (writes_a_texel(op)) add(written_, 1);
+    if (ends_the_invocation(op)) call_add_counts();
+    if (op == spv::OpReturn && function_ == facts_.function) {
+      if (facts_.colour_outputs != 0) add(written_, facts_.colour_outputs);
+      call_add_counts();
+    }
+    rewrite_.keep(one);
+    const bool of_entry = op == spv::OpExecutionMode && one[1] == facts_.function;
+    if (of_entry && facts_.tests_depth_first && !depth_first_told_) {
+      depth_first_told_ = true;
+      keep(spv::OpExecutionMode, {facts_.function, spv::ExecutionModeEarlyFragmentTests});
+    }
+  }
+
+  void keep(spv::Op op, const Words& operands) {
+    Words words{static_cast<std::uint32_t>((operands.size() + 1) << 16U) | op};
+    words.insert(words.end(), operands.begin(), operands.end());
+    rewrite_.keep(words);
+  }
+
+  // Since SPIR-V 1.4 the interface has all global variables, before it inputs and outputs alone.
+  void keep_entry_point(spirv::Words one) {
+    Words operands(one.begin() + 1, one.end());
+    if (facts_.position == 0) operands.push_back(position_);
+    if (module_[1] >= 0x00010400U) {
+      counts_ = rewrite_.new_id();
+      fetches_ = rewrite_.new_id();
+      written_ = rewrite_.new_id();
+      operands.insert(operands.end(), {counts_, fetches_, written_});
+    }
+    keep(spv::OpEntryPoint, operands);
+  }
+
+  void enter_function(spirv::Words one) {
+    function_ = one[2];
+    if (void_ != 0) return;
+    declare();
+  }
+
+  // All types and variables of the module are there when the first function begins.
+  void declare() {
+    const spirv::Instruction& entry = *code_.definition(facts_.function);
+    void_ = entry.type;
+    function_type_ = entry.operands[1];
+    uint_ = rewrite_.uint_type();
+    bool_ = rewrite_.type(spv::OpTypeBool, {});
+    declare_position();
+    fetches_ = private_counter(fetches_);
+    written_ = private_counter(written_);
+    declare_counts();
+    rewrite_.name(spv::OpName, name_words(add_counts_, "$AddTexelCounts"));
+  }
+
+  void declare_position() {
+    if (facts_.position != 0) {
+      position_type_ = code_.pointee(code_.definition(facts_.position)->type);
+      coordinate_type_ = code_.definition(position_type_)->operands[0];
+      return;
+    }
+    coordinate_type_ = facts_.fragment ? rewrite_.type(spv::OpTypeFloat, {32}) : uint_;
+    position_type_ = rewrite_.type(spv::OpTypeVector, {coordinate_type_, facts_.fragment ? 4U : 3U});
+    variable(position_type_, spv::StorageClassInput, position_);
+    const auto which = facts_.fragment ? spv::BuiltInFragCoord : spv::BuiltInGlobalInvocationId;
+    rewrite_.decoration(spv::OpDecorate,
+                        {position_, spv::DecorationBuiltIn, static_cast<std::uint32_t>(which)});
+  }
+
+  Id variable(Id type, spv::StorageClass storage, Id wanted, Id initial = 0) {
+    const Id pointer = rewrite_.type(spv::OpTypePointer, {static_cast<std::uint32_t>(storage), type});
+    const Id id = wanted != 0 ? wanted : rewrite_.new_id();
+    Words operands{pointer, id, static_cast<std::uint32_t>(storage)};
+    if (initial != 0) operands.push_back(initial);
+    rewrite_.global(spv::OpVariable, operands);
+    return id;
+  }
+
+  Id private_counter(Id wanted) { return variable(uint_, spv::StorageClassPrivate, wanted, uint(0)); }
+
+  // SPIR-V 1.3 has storage buffers, before it they are blocks of another kind among the uniforms.
+  void declare_counts() {
+    const bool own_class = module_[1] >= 0x00010300U;
+    storage_ = own_class ? spv::StorageClassStorageBuffer : spv::StorageClassUniform;
+    const Id words = rewrite_.new_type(spv::OpTypeRuntimeArray, {uint_});
+    const Id block = rewrite_.new_type(spv::OpTypeStruct, {words});
+    rewrite_.decoration(spv::OpDecorate, {words, spv::DecorationArrayStride, 4});
+    rewrite_.decoration(spv::OpMemberDecorate, {block, 0, spv::DecorationOffset, 0});
+    const auto kind = own_class ? spv::DecorationBlock : spv::DecorationBufferBlock;
+    rewrite_.decoration(spv::OpDecorate, {block, static_cast<std::uint32_t>(kind)});
+    counts_ = variable(block, storage_, counts_);
+    rewrite_.decoration(spv::OpDecorate, {counts_, spv::DecorationDescriptorSet, 0});
+    rewrite_.decoration(spv::OpDecorate, {counts_, spv::DecorationBinding, 0});  // numbered with the others
+    rewrite_.name(spv::OpName, name_words(block, texel_counts_name));
+    rewrite_.name(spv::OpName, name_words(counts_, texel_counts_name));
+  }
+
+  void add(Id counter, std::uint32_t amount) {
+    const Id before = rewrite_.result(spv::OpLoad, uint_, {counter});
+    const Id after = rewrite_.result(spv::OpIAdd, uint_, {before, uint(amount)});
+    rewrite_.code(spv::OpStore, {counter, after});
+  }
+
+  void call_add_counts() { rewrite_.result(spv::OpFunctionCall, void_, {add_counts_}); }
+
+  Id word_pointer(Id index) {
+    const Id pointer = rewrite_.type(spv::OpTypePointer, {static_cast<std::uint32_t>(storage_), uint_});
+    return rewrite_.result(spv::OpAccessChain, pointer, {counts_, uint(0), index});
+  }
+
+  Id size_of_grid(std::uint32_t axis) {
+    return rewrite_.result(spv::OpLoad, uint_, {word_pointer(uint(axis))});
+  }
+
+  // The source may declare SV_DispatchThreadID with a sign.
+  Id coordinate(Id position, std::uint32_t axis, Id size) {
+    Id at = rewrite_.result(spv::OpCompositeExtract, coordinate_type_, {position, axis});
+    if (facts_.fragment) {
+      at = rewrite_.result(spv::OpConvertFToU, uint_, {at});
+    } else if (coordinate_type_ != uint_) {
+      at = rewrite_.result(spv::OpBitcast, uint_, {at});
+    }
+    const Id last = rewrite_.result(spv::OpISub, uint_, {size, uint(1)});
+    const Id inside = rewrite_.result(spv::OpULessThan, bool_, {at, last});
+    return rewrite_.result(spv::OpSelect, uint_, {inside, at, last});
+  }
+
+  Id cell() {
+    const Id position = rewrite_.result(spv::OpLoad, position_type_, {position_});
+    Id index = 0;
+    for (std::uint32_t axis = facts_.fragment ? 2 : 3; axis-- > 0;) {
+      const Id size = size_of_grid(axis);
+      const Id at = coordinate(position, axis, size);
+      index = index == 0 ? at : rewrite_.result(spv::OpIAdd, uint_, {scaled(index, size), at});
+    }
+    return index;
+  }
+
+  Id scaled(Id index, Id size) { return rewrite_.result(spv::OpIMul, uint_, {index, size}); }
+
+  void write_add_counts() {
+    rewrite_.result(spv::OpFunction, void_, {spv::FunctionControlMaskNone, function_type_}, add_counts_);
+    rewrite_.code(spv::OpLabel, {rewrite_.new_id()});
+    const Id first = rewrite_.result(spv::OpIMul, uint_, {cell(), uint(texel_counts_per_cell)});
+    const Id fetches_at = rewrite_.result(spv::OpIAdd, uint_, {first, uint(texel_counts_header)});
+    const Id written_at = rewrite_.result(spv::OpIAdd, uint_, {first, uint(texel_counts_header + 1)});
+    add_atomically(fetches_at, fetches_);
+    add_atomically(written_at, written_);
+    rewrite_.code(spv::OpReturn, {});
+    rewrite_.code(spv::OpFunctionEnd, {});
+  }
+
+  Id uint(std::size_t value) { return rewrite_.uint_constant(static_cast<std::uint32_t>(value)); }
+
+  void add_atomically(Id index, Id counter) {
+    const Id count = rewrite_.result(spv::OpLoad, uint_, {counter});
+    rewrite_.result(spv::OpAtomicIAdd, uint_,
+                    {word_pointer(index), uint(spv::ScopeDevice), uint(spv::MemorySemanticsMaskNone), count});
+  }
+
+  const SpirvModule& module_;
+  const spirv::Code& code_;
+  const EntryFacts facts_;
+  ModuleRewrite rewrite_;
+  Id function_ = 0;  // that is visited
+  bool depth_first_told_ = false;
+  Id add_counts_ = 0;  // the function
+  Id position_ = 0, counts_ = 0, fetches_ = 0, written_ = 0;
+  Id position_type_ = 0, coordinate_type_ = 0;
+  Id void_ = 0, function_type_ = 0, uint_ = 0, bool_ = 0;
+  spv::StorageClass storage_ = spv::StorageClassStorageBuffer;
+};
+
+}  // namespace
+
+spirv::Module counted_module(const spirv::Module& unoptimised, const std::string& entry,
+                             VulkanVersion vulkan) {
+  const spirv::Code code(unoptimised);
+  SpirvModule module = Counting(unoptimised, code, FactReader(code, entry).facts()).run();
+  std::vector<std::string> problems;
+  if (finish(module, vulkan, problems)) problems = validation_problems(module, vulkan, false);
+  if (!problems.empty()) throw std::logic_error("the module that counts is not valid: " + problems.front());
+  return module;
+}
+
+}  // namespace penumbra::shaders
