@@ -5,9 +5,9 @@
 // Source:     the names are Unity's public interface (com.unity.render-pipelines.core); the definitions follow
 //             from HLSL's texture objects.
 // Inputs:     UNITY_COMMON_INCLUDED: Unity's own macros are defined, and this file does nothing.
-//             PENUMBRA_PLATFORM_INCLUDED: other macros are (those that count fetches, or an engine's own).
+//             PENUMBRA_PLATFORM_INCLUDED: other macros are (an engine's own).
 // Cost:       none.
-// Guarantees: a filter that reaches textures through these names only can be counted, and ported.
+// Guarantees: a filter that reaches textures through these names only can be ported.
 // Use it:     include it first when calling Filters/ from your own engine. Not: inside Unity, where Core.hlsl
 //             of the pipeline comes first.
 #ifndef PENUMBRA_PLATFORM_HLSL

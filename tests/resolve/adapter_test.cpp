@@ -182,16 +182,24 @@ float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
   EXPECT_THAT(result.fetches, ElementsAre(1u, 1u));
 }
 
-TEST_F(AdapterTest, AFetchPastTheMacrosIsRefusedByTheNameOfItsFunction) {
-  expect_refused(
-      R"(
+TEST_F(AdapterTest, ReadsWithoutTheMacrosAreCountedToo) {
+  const ResolveResult result = run(adapter_shader(adapter(R"(
 Texture2D _ShadowMap;
 SamplerComparisonState sampler_ShadowMap;
-float PeekAtMap(float2 uv) { return _ShadowMap.SampleCmpLevelZero(sampler_ShadowMap, uv, 0.5); }
-float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel) { return PeekAtMap(pixel); }
-)",
-      AllOf(HasSubstr("Mine.hlsl:4: "), HasSubstr("'PeekAtMap'"), HasSubstr("cannot be counted"),
-            HasSubstr("SAMPLE_TEXTURE2D_SHADOW")));
+SamplerState sampler_PointClamp;
+float4x4 _PenumbraWorldToShadow[5];
+float PeekAtMap(float3 at) { return _ShadowMap.SampleCmpLevelZero(sampler_ShadowMap, at.xy, at.z); }
+float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
+{
+    const float3 at = mul(_PenumbraWorldToShadow[0], float4(positionWS, 1.0)).xyz;
+    float visibility = PeekAtMap(at);
+    if (visibility > 0.5) visibility += 0.0 * _ShadowMap.GatherRed(sampler_PointClamp, at.xy).x;
+    return visibility;
+}
+)")),
+                                   half_plane({10, 50}, true));
+  EXPECT_THAT(result.visibility.at(0), ElementsAre(0.0f, 1.0f));
+  EXPECT_THAT(result.fetches, ElementsAre(1u, 2u));
 }
 
 // glslang takes the reads of a comparison sampler that do not compare, or crashes on them.
@@ -295,10 +303,7 @@ float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel) { retur
                  AllOf(HasSubstr("Mine.hlsl:3:"), HasSubstr("only 2D textures are provided")));
   // As a pipeline's macros declare and read it; the picture would be bound in the cube's place.
   Adapter sky = adapter(R"(
-#define SAMPLE_TEXTURECUBE_LOD(map, sampler_map, coord, lod) PenumbraCountedSample(map, sampler_map, coord, lod)
-#ifndef PENUMBRA_COUNT_FETCHES
-float4 PenumbraCountedSample(TextureCube map, SamplerState s, float3 at, float lod) { return map.SampleLevel(s, at, lod); }
-#endif
+#define SAMPLE_TEXTURECUBE_LOD(map, sampler_map, coord, lod) map.SampleLevel(sampler_map, coord, lod)
 #include "Platform/Platform.hlsl"
 TextureCube _Sky;
 SAMPLER(sampler_Sky);
@@ -309,7 +314,7 @@ float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
 )");
   sky.textures = {adapter_texture("_Sky", "white")};
   expect_input_error([&] { run(adapter_shader(sky), half_plane({0}, true)); },
-                     AllOf(HasSubstr("Mine.hlsl:7: "), HasSubstr("'_Sky' is not a plain 2D texture")));
+                     AllOf(HasSubstr("Mine.hlsl:4: "), HasSubstr("'_Sky' is not a plain 2D texture")));
 }
 
 TEST_F(AdapterTest, AFunctionThatReturnsAVectorIsRefused) {

@@ -11,6 +11,8 @@
 #include "resolve/camera_image.h"
 #include "resolve/screen_pass.h"
 #include "resolve/test_device.h"
+#include "resolve/texel_counter.h"
+#include "shaders/counted_module.h"
 
 namespace penumbra::resolve {
 
@@ -59,6 +61,7 @@ struct HandCamera {
 struct PassAnswer {
   HandImage image;
   std::vector<int> fetches;
+  std::vector<int> written;
 };
 
 // Runs a pass with a depth image and a source, both rounds: as it ships, and counting.
@@ -87,11 +90,13 @@ class PassRunner {
     const gpu::Image counted(test_device(), ScreenPass::target_format(ScreenPass::Module::counting), width,
                              height);
     plain_.draw(plain, resources, values);
+    const TexelCounter counter(test_device(), width, height);
+    resources.buffers = {{shaders::texel_counts_name, &counter.buffer()}};
     counting_.draw(counted, resources, values);
-    PassAnswer answer{{width, height, plain.download<float>()}, {}};
-    for (const glm::vec4& texel : counted.download<glm::vec4>())
-      answer.fetches.push_back(static_cast<int>(texel.y));
-    return answer;
+    const TexelCounts counts = counter.counts();
+    return {{width, height, plain.download<float>()},
+            {counts.fetches.begin(), counts.fetches.end()},
+            {counts.written.begin(), counts.written.end()}};
   }
 
  private:

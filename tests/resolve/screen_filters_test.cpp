@@ -102,6 +102,7 @@ TEST_F(Upsample, InterpolatesOverAPlaneAndCopiesWhatWasSeen) {
     const HandImage depth = plane(width, height, {0.1, 0.2, -1.0}, 5.0);
     const HandImage halved = random_image(half(width), half(height), 71);
     const PassAnswer answer = run(depth, halved);
+    EXPECT_THAT(answer.written, testing::Each(1));
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x < width; ++x) {
         if (x % 2 == 1 && y % 2 == 1) {

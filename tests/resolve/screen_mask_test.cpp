@@ -256,6 +256,7 @@ TEST_P(ScreenMask, CostsLittle) {
   EXPECT_LE(result.fetches[0], 8.0 * share);
   EXPECT_LE(result.fetches[1], (4.0 + 65.0) * share);
   EXPECT_NEAR(result.fetches_of_others, result.fetches[0] + result.fetches[1] + result.fetches[2], 1e-9);
+  EXPECT_EQ(result.texels_written, (std::vector<double>{share, share, share, 1.0}));
 }
 
 INSTANTIATE_TEST_SUITE_P(Package, ScreenMask, testing::ValuesIn(all_cases()), [](const auto& instance) {

@@ -135,7 +135,6 @@ FrameOnDevice::FrameOnDevice(const gpu::Device& device, const scene::Frame& fram
       positions_(device, std::span<const glm::vec4>(frame.receivers.position_ws)),
       normals_(device, std::span<const glm::vec4>(frame.receivers.normal_ws)),
       visibility_(device, frame.receivers.position_ws.size() * sizeof(float)),
-      fetches_(device, frame.receivers.position_ws.size() * sizeof(std::uint32_t)),
       uniforms_(cascade_uniforms(frame)),
       main_light_params_(main_light_params(frame.cascades)) {
   atlas_.upload_bytes(frame.atlas.texels);
@@ -155,8 +154,7 @@ UniformValues FrameOnDevice::uniforms(int noise_frame) const {
 std::map<std::string, const gpu::Buffer*> FrameOnDevice::buffers() const {
   return {{"_PenumbraReceiverPositionWS", &positions_},
           {"_PenumbraReceiverNormalWS", &normals_},
-          {"_PenumbraVisibility", &visibility_},
-          {"_PenumbraFetches", &fetches_}};
+          {"_PenumbraVisibility", &visibility_}};
 }
 
 std::map<std::string, const gpu::Image*> FrameOnDevice::images() const {

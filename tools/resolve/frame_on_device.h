@@ -29,7 +29,6 @@ class FrameOnDevice {
   UniformValues uniforms(int noise_frame) const;
 
   const gpu::Buffer& visibility() const { return visibility_; }
-  const gpu::Buffer& fetches() const { return fetches_; }
 
  private:
   int width_;
@@ -41,7 +40,6 @@ class FrameOnDevice {
   gpu::Buffer positions_;
   gpu::Buffer normals_;
   gpu::Buffer visibility_;
-  gpu::Buffer fetches_;
   UniformValues uniforms_;
   glm::vec4 main_light_params_;  // of Pipelines/Urp.hlsl, at frame 0
 };

@@ -6,10 +6,11 @@
 #include "platform/byte_stream.h"
 #include "platform/worker_answer.h"
 #include "resolve/adapter_checks.h"
-#include "resolve/counted_modules.h"
 #include "resolve/named_places.h"
+#include "resolve/required_module.h"
 #include "shaders/compile_message.h"
 #include "shaders/compiler_failure.h"
+#include "shaders/counted_module.h"
 #include "shaders/spirv_module.h"
 
 namespace penumbra::resolve {
@@ -25,26 +26,26 @@ const MissingName kAdapterFunction{
 
 CompiledModules compile_here(const ModuleOrder& order) {
   CompiledModules made;
-  if (order.vertex) made.vertex = compile_or_throw(*order.vertex);
+  if (order.vertex) made.vertex = required_module(*order.vertex);
+  shaders::CompileRequest plain = order.plain;
+  plain.keep_unoptimised = true;
   hlsl::SourceFiles sources;
   std::vector<std::uint32_t> unoptimised;
-  made.plain = compile_or_throw(order.plain, &made.notes, &kAdapterFunction, &sources, &unoptimised);
+  made.plain = required_module(plain, &made.notes, &kAdapterFunction, &sources, &unoptimised);
   if (order.names_places) made.named_at = named_places(made.plain, sources, kAdapterFunction.name);
-  if (order.is_adapter) check_adapter(std::move(unoptimised), order.name, made.named_at);
-  refuse_uncounted_fetches(order.counting, order.name);
-  made.counting = compile_or_throw(order.counting);
+  if (order.is_adapter) check_adapter(unoptimised, order.name, made.named_at);
+  made.counting = shaders::counted_module(unoptimised, plain.entry, plain.vulkan);
   return made;
 }
 
 std::string encode(const ModuleOrder& order) {
-  const auto& [name, file, vertex, plain, counting, names_places, is_adapter] = order;
+  const auto& [name, file, vertex, plain, names_places, is_adapter] = order;
   ByteWriter out;
   out.text(name);
   out.text(file);
   out.number(vertex ? 1 : 0);
   if (vertex) shaders::write(out, *vertex);
   shaders::write(out, plain);
-  shaders::write(out, counting);
   out.number(names_places ? 1 : 0);
   out.number(is_adapter ? 1 : 0);
   return out.take();
@@ -57,7 +58,6 @@ ModuleOrder decode_order(const std::string& bytes) {
   order.file = in.text();
   if (in.flag()) order.vertex = shaders::read_compile_request(in);
   order.plain = shaders::read_compile_request(in);
-  order.counting = shaders::read_compile_request(in);
   order.names_places = in.flag();
   order.is_adapter = in.flag();
   if (!in.exhausted()) throw std::logic_error("an order that cannot be read");

@@ -17,17 +17,16 @@ struct ModuleOrder {
   std::string name;  // what messages call it
   std::string file;  // what the message calls it when the compiler dies
   std::optional<shaders::CompileRequest> vertex;
-  shaders::CompileRequest plain;     // as it ships
-  shaders::CompileRequest counting;  // the same, counting its fetches
-  bool names_places = false;         // CompiledModules::named_at
-  bool is_adapter = false;           // then adapter_checks.h; plain keeps the unoptimised module
+  shaders::CompileRequest plain;
+  bool names_places = false;  // CompiledModules::named_at
+  bool is_adapter = false;    // then adapter_checks.h
 };
 
 struct CompiledModules {
-  std::vector<std::uint32_t> vertex;  // empty without a request
-  std::vector<std::uint32_t> plain;
-  std::vector<std::uint32_t> counting;
-  std::vector<std::string> notes;               // of `plain`
+  std::vector<std::uint32_t> vertex;    // empty without a request
+  std::vector<std::uint32_t> plain;     // as it ships
+  std::vector<std::uint32_t> counting;  // the same, with its texels counted: shaders/counted_module.h
+  std::vector<std::string> notes;
   std::map<std::string, std::string> named_at;  // "file:line" where a resource is first named
 };
 

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "resolve/provided.h"
+#include "shaders/counted_module.h"
 
 namespace penumbra::resolve {
 namespace {
@@ -49,9 +50,10 @@ void ResolvePass::bind_sampler(const shaders::Resource& resource, const FrameOnD
       own != nullptr ? *own : provided(samplers, resource, place_of(resource), "sampler", kSamplerNames));
 }
 
-void ResolvePass::bind(const FrameOnDevice& frame) {
+void ResolvePass::bind(const FrameOnDevice& frame, const TexelCounter* counter) {
   frame_ = &frame;
-  const auto buffers = frame.buffers();
+  auto buffers = frame.buffers();
+  if (counter != nullptr) buffers[shaders::texel_counts_name] = &counter->buffer();
   auto images = frame.images();
   for (const auto& [name, image] : own_.images()) images[name] = image;
   for (const shaders::Resource& resource : resources_) {
@@ -98,7 +100,8 @@ std::vector<std::string> ResolvePass::unset_uniforms() const {
 }
 
 Resolver::Resolver(const gpu::Device& device, const CompiledShadowShader& shader)
-    : uses_noise_(shader.source.uses_noise),
+    : device_(device),
+      uses_noise_(shader.source.uses_noise),
       plain_(device, shader),
       counting_(device, shader, ResolvePass::Module::counting) {}
 
@@ -112,9 +115,10 @@ ResolveResult Resolver::resolve(const FrameOnDevice& frame, const ResolveOptions
   }
   if (options.timing_repeats > 0) result.time_ns = plain_.run(0, options.timing_repeats);
   if (options.count_fetches) {
-    counting_.bind(frame);
+    const TexelCounter counter(device_, frame.width(), frame.height());
+    counting_.bind(frame, &counter);
     counting_.run(0);
-    result.fetches = frame.fetches().download<std::uint32_t>();
+    result.fetches = counter.counts().fetches;
   }
   result.unset_uniforms = plain_.unset_uniforms();
   return result;

@@ -11,6 +11,7 @@
 #include "resolve/frame_on_device.h"
 #include "resolve/receiver_pass.h"
 #include "resolve/shadow_shader.h"
+#include "resolve/texel_counter.h"
 #include "shaders/reflect.h"
 
 namespace penumbra::resolve {
@@ -38,9 +39,10 @@ class ResolvePass {
   ResolvePass(const gpu::Device& device, const CompiledShadowShader& shader,
               Module module = Module::as_shipped);
 
-  // The frame must outlive its use here. Throws InputError when the shader binds a texture, sampler or buffer
-  // the harness does not provide. The shader's own parameters win over the frame's uniforms.
-  void bind(const FrameOnDevice& frame);
+  // The frame must outlive its use here. A counting module adds to `counter`. Throws InputError when the
+  // shader binds a texture, sampler or buffer the harness does not provide. The shader's own parameters win
+  // over the frame's uniforms.
+  void bind(const FrameOnDevice& frame, const TexelCounter* counter = nullptr);
   void set_parameters(const UniformValues& parameters) { parameters_.merge(parameters); }
 
   // Times in nanoseconds, one per repeat; the answer lies in the frame's buffers.
@@ -73,6 +75,7 @@ class Resolver {
   ResolveResult resolve(const FrameOnDevice& frame, const ResolveOptions& options = {});
 
  private:
+  const gpu::Device& device_;
   bool uses_noise_;
   ResolvePass plain_;
   ResolvePass counting_;

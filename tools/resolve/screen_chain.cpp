@@ -6,19 +6,14 @@
 #include <stdexcept>
 
 #include "resolve/screen_uniforms.h"
+#include "resolve/texel_counter.h"
+#include "shaders/counted_module.h"
 
 namespace penumbra::resolve {
 namespace {
 
 int rounded_up(int size, int scale) {
   return (size + scale - 1) / scale;
-}
-
-std::vector<std::uint32_t> green(const std::vector<glm::vec4>& texels) {
-  std::vector<std::uint32_t> counts;
-  counts.reserve(texels.size());
-  for (const glm::vec4& texel : texels) counts.push_back(static_cast<std::uint32_t>(texel.y));
-  return counts;
 }
 
 double sum(const std::vector<std::uint32_t>& counts) {
@@ -53,7 +48,7 @@ void add(std::vector<float>& sums, const std::vector<float>& terms) {
 
 }  // namespace
 
-// One image per step, kept for a run.
+// One image per step, kept for a run, and of counting passes the counts.
 struct ScreenChain::Targets {
   Targets(const gpu::Device& device, const ScreenChainDescription& description,
           const FrameOnDevice& on_device, const CameraImage& camera_image, ScreenPass::Module module)
@@ -64,6 +59,8 @@ struct ScreenChain::Targets {
     for (const ScreenStep& step : description.steps) {
       images.emplace_back(device, ScreenPass::target_format(module), rounded_up(camera.width, step.scale),
                           rounded_up(camera.height, step.scale));
+      if (module == ScreenPass::Module::counting)
+        counters.emplace_back(device, images.back().width(), images.back().height());
     }
   }
 
@@ -71,6 +68,7 @@ struct ScreenChain::Targets {
   const CameraImage& camera;
   gpu::Image depth;
   std::vector<gpu::Image> images;
+  std::vector<TexelCounter> counters;
 };
 
 ScreenChain::ScreenChain(const gpu::Device& device, const shaders::PackageShader& shader,
@@ -104,6 +102,8 @@ double ScreenChain::draw(std::vector<ScreenPass>& passes, Targets& targets, int 
       resources.images["_PenumbraSourceTexture"] = &read;
       values.set("_PenumbraSourceSize", texture_size(read));
     }
+    if (!targets.counters.empty())
+      resources.buffers[shaders::texel_counts_name] = &targets.counters[i].buffer();
     nanoseconds += passes[i].draw(target, resources, values);
     if (static_cast<int>(i) == description_.mask) resources.images["_PenumbraMaskTexture"] = &target;
   }
@@ -141,10 +141,11 @@ ScreenChainResult ScreenChain::run(const FrameOnDevice& frame, const CameraImage
   result.image.fetches.assign(camera.depth.size(), 0);
   result.fetches_of_others_at.assign(camera.depth.size(), 0.0f);
   for (std::size_t i = 0; i < counting_.size(); ++i) {
-    const std::vector<std::uint32_t> counts = green(counted.images[i].download<glm::vec4>());
+    const auto [counts, written] = counted.counters[i].counts();
     const int width = counted.images[i].width();
     const int scale = description_.steps[i].scale;
     result.fetches.push_back(sum(counts) / pixels);
+    result.texels_written.push_back(sum(written) / pixels);
     if (scale == 1) {
       const std::vector<std::uint32_t> rows = rows_from_top(counts, width, camera.rows);
       for (std::size_t pixel = 0; pixel < rows.size(); ++pixel) result.image.fetches[pixel] += rows[pixel];

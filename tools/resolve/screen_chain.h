@@ -1,5 +1,5 @@
-// The renderer feature's passes one after the other, over a frame: what Unity would draw, with every fetch of
-// every pass counted.
+// The renderer feature's passes one after the other, over a frame: what Unity would draw, with every fetch
+// and every written texel of every pass counted.
 #pragma once
 
 #include <cstdint>
@@ -35,6 +35,7 @@ struct ScreenChainResult {
   double fetches_of_others = 0.0;  // of steps at lower resolution, per pixel of the screen
   std::vector<float> fetches_of_others_at;  // the same at each pixel: its share of their texels' fetches
   std::vector<double> fetches;              // of each step, per pixel of the screen
+  std::vector<double> texels_written;       // the same; outputs and stores of the step's fragments
   std::vector<std::uint8_t> masked_out;     // per pixel: the mask is 0 there; empty without a mask
 };
 

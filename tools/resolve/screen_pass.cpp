@@ -8,12 +8,11 @@ namespace penumbra::resolve {
 namespace {
 
 gpu::RasterShaders shaders_of(const CompiledScreenPass& compiled, ScreenPass::Module module) {
-  const bool counting = module == ScreenPass::Module::counting;
   gpu::RasterShaders shaders;
   shaders.vertex = compiled.vertex;
-  shaders.fragment = counting ? compiled.counting : compiled.fragment;
+  shaders.fragment = module == ScreenPass::Module::counting ? compiled.counting : compiled.fragment;
   shaders.vertex_entry = compiled.vertex_entry;
-  shaders.fragment_entry = counting ? CompiledScreenPass::counting_entry : compiled.fragment_entry;
+  shaders.fragment_entry = compiled.fragment_entry;
   shaders.colours = {ScreenPass::target_format(module)};
   return shaders;
 }
@@ -21,7 +20,7 @@ gpu::RasterShaders shaders_of(const CompiledScreenPass& compiled, ScreenPass::Mo
 }  // namespace
 
 gpu::Format ScreenPass::target_format(Module module) {
-  return module == Module::as_shipped ? gpu::Format::r32f : gpu::Format::rgba32f;
+  return module == Module::in_colour ? gpu::Format::rgba32f : gpu::Format::r32f;
 }
 
 ScreenPass::ScreenPass(const gpu::Device& device, const CompiledScreenPass& compiled, Module module)
@@ -49,7 +48,7 @@ double ScreenPass::draw(const gpu::Image& target, const ScreenResources& resourc
         pass_.bindings().sampler(resource.name, provided(resources.samplers, resource, name_, "sampler"));
         break;
       case shaders::ResourceKind::storage_buffer:
-        provided(std::map<std::string, const gpu::Buffer*>(), resource, name_, "buffer");
+        pass_.bindings().buffer(resource.name, provided(resources.buffers, resource, name_, "buffer"));
         break;
       case shaders::ResourceKind::storage_image:
         provided(std::map<std::string, const gpu::Image*>(), resource, name_, "writable texture");

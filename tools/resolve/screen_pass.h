@@ -12,24 +12,26 @@
 
 namespace penumbra::resolve {
 
-// What a pass may bind, by the names shaders use.
+// What a pass may bind, by the names shaders use. Passes of the package read no buffers; a counting one adds
+// to that of a TexelCounter.
 struct ScreenResources {
   std::map<std::string, const gpu::Image*> images;
   std::map<std::string, const gpu::Sampler*> samplers;
+  std::map<std::string, const gpu::Buffer*> buffers{};
 };
 
 class ScreenPass {
  public:
   enum class Module { as_shipped, in_colour, counting };
 
-  // Targets of the shipped module are r32f, or rgba32f in colour; those of the counting one rgba32f: red, and
-  // in green the fetches. Throws InputError when the vertex stage binds anything: it has nothing to read.
+  // Targets are r32f, or rgba32f in colour. Throws InputError when the vertex stage binds anything: it has
+  // nothing to read.
   ScreenPass(const gpu::Device& device, const CompiledScreenPass& compiled, Module module);
 
   static gpu::Format target_format(Module module);
 
-  // The time in nanoseconds. Throws InputError for a texture or sampler that `resources` lacks. Uniforms
-  // without a value are zero, and named by unset_uniforms().
+  // The time in nanoseconds. Throws InputError for a texture, sampler or buffer that `resources` lacks.
+  // Uniforms without a value are zero, and named by unset_uniforms().
   double draw(const gpu::Image& target, const ScreenResources& resources, const UniformValues& values);
 
   std::vector<std::string> unset_uniforms() const;

@@ -1,19 +1,8 @@
 #include "resolve/screen_shader.h"
 
-#include "resolve/counted_modules.h"
 #include "resolve/module_order.h"
 
 namespace penumbra::resolve {
-namespace {
-
-// A second entry point for the counting module: runs the pass and returns its red channel and the count.
-std::string counting_function(const std::string& entry) {
-  return "\nfloat4 " + std::string(CompiledScreenPass::counting_entry) +
-         "(ScreenVaryings input) : SV_Target\n{\n    penumbraFetchCount = 0;\n    const float red = " +
-         entry + "(input).x;\n    return float4(red, float(penumbraFetchCount), 0.0, 0.0);\n}\n";
-}
-
-}  // namespace
 
 CompiledScreenPass compile(const shaders::PackageShader& shader, const std::string& pass,
                            const std::vector<std::string>& keywords, bool reversed_z,
@@ -23,10 +12,6 @@ CompiledScreenPass compile(const shaders::PackageShader& shader, const std::stri
   order.plain = shader.request(pass, hlsl::Stage::fragment, keywords, reversed_z);
   order.file = order.plain.file.string();
   order.name = order.file + ": " + pass;
-  order.counting = order.plain;
-  order.counting.entry = CompiledScreenPass::counting_entry;
-  *order.counting.text += counting_function(order.plain.entry);
-  count_fetches(order.counting);
   CompiledModules modules = compile_modules(order, process);
   CompiledScreenPass compiled;
   compiled.name = pass;

@@ -4,7 +4,6 @@
 
 #include "input/input_error.h"
 #include "platform/data_directory.h"
-#include "resolve/counted_modules.h"
 #include "resolve/module_order.h"
 #include "techniques/technique_call.h"
 
@@ -31,10 +30,10 @@ std::vector<shaders::PackageRoot> with_own_package(std::vector<shaders::PackageR
   return roots;
 }
 
-shaders::CompileRequest request(const ShadowShader& shader, bool counting) {
+shaders::CompileRequest request(const ShadowShader& shader) {
   const std::filesystem::path root = platform::data_directory();
   shaders::CompileRequest request;
-  request.file = shader.name + (counting ? " (counting).hlsl" : ".hlsl");
+  request.file = shader.name + ".hlsl";
   request.text = whole_source(shader);
   request.defines = shader.defines;
   request.package_roots = with_own_package(shader.package_roots);
@@ -49,7 +48,6 @@ shaders::CompileRequest request(const ShadowShader& shader, bool counting) {
     request.stage = hlsl::Stage::fragment;
     request.entry = "ResolveFragment";
   }
-  if (counting) count_fetches(request);
   return request;
 }
 
@@ -105,12 +103,10 @@ CompiledShadowShader compile(const ShadowShader& shader, const platform::WorkerP
   ModuleOrder order;
   order.name = shader.name;
   order.file = shader.file.empty() ? shader.name : shader.file.string();
-  order.plain = request(shader, false);
-  order.counting = request(shader, true);
+  order.plain = request(shader);
   order.names_places = true;
   if (shader.fragment) {
     order.vertex = triangle_request();
-    order.plain.keep_unoptimised = true;
     order.is_adapter = true;
   }
   CompiledModules modules = compile_modules(order, process);

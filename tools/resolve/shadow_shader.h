@@ -64,7 +64,7 @@ struct Adapter {
 };
 ShadowShader adapter_shader(const Adapter& adapter, bool reversed_z = true);
 
-// One shader, compiled twice: as it ships, and with every texture fetch counted.
+// One shader: as it ships, and with its texels counted (shaders/counted_module.h).
 struct CompiledShadowShader {
   ShadowShader source;
   std::vector<std::uint32_t> vertex;  // empty for a compute shader
@@ -76,10 +76,9 @@ struct CompiledShadowShader {
 };
 
 // In `process`, whose arguments start this program as serve_modules(); here, where it has none. Throws
-// InputError with the compiler's messages when the shader does not compile, and when it reaches a texture
-// past the counting macros (a raw .Sample would count as nothing). Of a user's function also when it compares
-// through a sampler that does not, or reads through one that does. A compiler that dies, hangs or takes more
-// than the limits is an InputError that names the user's file.
+// InputError with the compiler's messages when the shader does not compile, and of a user's function also
+// when it compares through a sampler that does not, or reads through one that does. A compiler that dies,
+// hangs or takes more than the limits is an InputError that names the user's file.
 CompiledShadowShader compile(const ShadowShader& shader, const platform::WorkerPool& process = {});
 
 }  // namespace penumbra::resolve

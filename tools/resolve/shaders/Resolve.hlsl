@@ -6,7 +6,6 @@
 //
 // Inputs: receivers in world space, metres; cascade constants as URP uploads them. Receivers with w = 0 saw no
 // surface and get visibility 1. Receivers past every cascade are lit, as in URP.
-// With PENUMBRA_COUNT_FETCHES the counting macros stand in and _PenumbraFetches receives each pixel's count.
 
 #include "Core/ShadowStructs.hlsl"
 #include "Core/CascadeSelection.hlsl"
@@ -16,9 +15,6 @@
 StructuredBuffer<float4> _PenumbraReceiverPositionWS;
 StructuredBuffer<float4> _PenumbraReceiverNormalWS;
 RWStructuredBuffer<float> _PenumbraVisibility;
-#if defined(PENUMBRA_COUNT_FETCHES)
-RWStructuredBuffer<uint> _PenumbraFetches;
-#endif
 
 int2 _PenumbraImageSize;
 
@@ -65,17 +61,11 @@ void Resolve(uint index, float2 pixel)
 {
     const float4 position = _PenumbraReceiverPositionWS[index];
     float visibility = 1.0;
-#if defined(PENUMBRA_COUNT_FETCHES)
-    penumbraFetchCount = 0;
-#endif
     if (position.w > 0.0)
     {
         visibility = ShadowVisibility(position.xyz, _PenumbraReceiverNormalWS[index].xyz, pixel);
     }
     _PenumbraVisibility[index] = visibility;
-#if defined(PENUMBRA_COUNT_FETCHES)
-    _PenumbraFetches[index] = penumbraFetchCount;
-#endif
 }
 
 #if defined(PENUMBRA_ADAPTER)

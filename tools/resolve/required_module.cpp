@@ -1,0 +1,42 @@
+#include "resolve/required_module.h"
+
+#include "input/input_error.h"
+
+namespace penumbra::resolve {
+namespace {
+
+// Of what the compiler does not know.
+std::string way_out_of(const std::string& messages, const MissingName& needed) {
+  if (messages.find("'" + needed.name + "'") != std::string::npos) return needed.way_out;
+  for (const char* macro : {"'TEXTURE2D_ARRAY'", "'TEXTURECUBE'", "'TEXTURECUBE_ARRAY'", "'TEXTURE3D'"}) {
+    if (messages.find(macro) != std::string::npos) return "only 2D textures are provided: TEXTURE2D";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> required_module(const shaders::CompileRequest& request,
+                                           std::vector<std::string>* notes, const MissingName* needed,
+                                           hlsl::SourceFiles* sources,
+                                           std::vector<std::uint32_t>* unoptimised) {
+  shaders::CompileResult result = shaders::compile(request);
+  if (unoptimised != nullptr) *unoptimised = std::move(result.unoptimised);
+  if (sources != nullptr) *sources = result.sources;
+  for (const hlsl::Diagnostic& diagnostic : result.diagnostics) {
+    if (notes != nullptr && diagnostic.severity == hlsl::Severity::note) {
+      notes->push_back(hlsl::format(diagnostic));
+    }
+  }
+  if (!hlsl::has_errors(result.diagnostics)) return std::move(result.spirv);
+  std::string messages;
+  for (const hlsl::Diagnostic& diagnostic : result.diagnostics) {
+    if (diagnostic.severity == hlsl::Severity::error)
+      messages += (messages.empty() ? "" : "\n") + hlsl::format(diagnostic);
+  }
+  const std::string way_out = needed == nullptr ? "" : way_out_of(messages, *needed);
+  throw InputError(request.file.string(), "does not compile:",
+                   messages + (way_out.empty() ? "" : "\n  " + way_out));  // lines stay lines there alone
+}
+
+}  // namespace penumbra::resolve

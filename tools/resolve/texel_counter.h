@@ -1,0 +1,34 @@
+// Counts of fetches and written texels on a device: the buffer that a counted module adds to
+// (shaders/counted_module.h).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "gpu/resources.h"
+
+namespace penumbra::resolve {
+
+// Per cell of the grid, x first, then y and z. Of a fragment shader a cell is a pixel of its target, of a
+// compute shader a value of SV_DispatchThreadID.
+struct TexelCounts {
+  std::vector<std::uint32_t> fetches;
+  std::vector<std::uint32_t> written;
+};
+
+class TexelCounter {
+ public:
+  // All 0. A grid of one cell has the totals of any pass, up to 2^32 - 1. Throws std::invalid_argument for an
+  // extent below 1.
+  explicit TexelCounter(const gpu::Device& device, int width = 1, int height = 1, int depth = 1);
+
+  // For the binding of the name shaders::texel_counts_name.
+  const gpu::Buffer& buffer() const { return buffer_; }
+
+  TexelCounts counts() const;
+
+ private:
+  gpu::Buffer buffer_;
+};
+
+}  // namespace penumbra::resolve
