@@ -180,30 +180,6 @@ TEST(Include, MainFileThatCannotBeReadIsBadInput) {
   EXPECT_THROW(compile(files.request("")), InputError);
 }
 
-TEST(Include, OverlayFollowsTheFileItNames) {
-  const ShaderFiles files;
-  files.write("lib/API/D3D11.hlsl", "#define LOAD(x) original_has_no_meaning");
-  files.write("overlay.hlsl", "#undef LOAD\n#define LOAD(x) (2.0 * (x))\n");
-  files.write("main.hlsl", compute_shader("LOAD(3.0)", "#include \"lib/API/D3D11.hlsl\"\n"));
-  CompileRequest request = files.request("main.hlsl");
-  EXPECT_TRUE(hlsl::has_errors(compile(request).diagnostics));
-  request.overlays = {{"/API/D3D11.hlsl", files.path("overlay.hlsl")}};
-  const CompileResult result = compile(request);
-  EXPECT_FALSE(hlsl::has_errors(result.diagnostics));
-  EXPECT_THAT(result.dependencies, Contains(files.path("overlay.hlsl")));
-}
-
-TEST(Include, MistakeInAnOverlayNamesTheOverlay) {
-  const ShaderFiles files;
-  files.write("lib.hlsl", "#define A 1\n");
-  files.write("overlay.hlsl", "float F() { return $; }\n");
-  files.write("main.hlsl", compute_shader("A", "#include \"lib.hlsl\"\n"));
-  CompileRequest request = files.request("main.hlsl");
-  request.overlays = {{"/lib.hlsl", files.path("overlay.hlsl")}};
-  EXPECT_THAT(only_message(compile(request)),
-              HasSubstr(files.path("overlay.hlsl").string() + ":1:20: error"));
-}
-
 TEST(Include, ProjectEditorFolderAndVersionedPackageResolve) {
   const ShaderFiles files;
   files.write("Assets/Lib/A.hlsl", "\xEF\xBB\xBF#define A 1\r\n");

@@ -30,7 +30,6 @@ UnitJob full_job() {
   unit.compile.include_directories = {"i", "j"};
   unit.compile.project = "project";
   unit.compile.cginc_root = "cginc";
-  unit.compile.overlays = {{"suffix", "file"}};
   unit.compile.prepare = true;
   unit.compile.optimise = false;
   unit.compile.keep_unoptimised = true;
@@ -91,7 +90,7 @@ TEST(UnitEncoding, GoesThereAndBack) {
 TEST(UnitEncoding, KeepsEveryMember) {
   const UnitJob job = *decode_job(encode(full_job()));
   EXPECT_EQ(job.unit.compile.stage, hlsl::Stage::hull);
-  EXPECT_EQ(job.unit.compile.overlays.at(0).file, "file");
+  EXPECT_EQ(job.unit.compile.cginc_root, "cginc");
   EXPECT_FALSE(job.unit.compile.optimise);
   EXPECT_TRUE(job.unit.compile.prepare);
   EXPECT_TRUE(job.unit.compile.keep_unoptimised);

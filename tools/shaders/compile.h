@@ -19,13 +19,6 @@ namespace penumbra::shaders {
 
 using project::PackageRoot;
 
-// After the file whose resolved path ends in `suffix` has been included, the text of `file` follows it: how
-// the fetch-counting macros replace a pipeline's own without touching its sources.
-struct IncludeOverlay {
-  std::string suffix;
-  std::filesystem::path file;
-};
-
 struct CompileRequest {
   std::filesystem::path file;  // names the source in messages; read from disk unless text is given
   std::optional<std::string> text;
@@ -36,7 +29,6 @@ struct CompileRequest {
   std::vector<std::filesystem::path> include_directories;
   std::filesystem::path project;     // "#include "Assets/..." resolves under it; empty: no project
   std::filesystem::path cginc_root;  // the Unity editor's CGIncludes; empty: not at hand
-  std::vector<IncludeOverlay> overlays;
   // The stage in which what Unity's compilers accept and glslang does not is rewritten
   // (preparation/prepare.h). The library's own shaders do without.
   bool prepare = false;

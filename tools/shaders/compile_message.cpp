@@ -49,8 +49,8 @@ int read_place(ByteReader& in) {
 
 // The members by name and all of them: one more in the struct, and this does not compile until it is written.
 void write(ByteWriter& out, const shaders::CompileRequest& request) {
-  const auto& [file, text, entry, stage, defines, roots, directories, project, cginc_root, overlays, prepare,
-               optimise, debug_lines, keep_unoptimised, vulkan, entry_place, dxc] = request;
+  const auto& [file, text, entry, stage, defines, roots, directories, project, cginc_root, prepare, optimise,
+               debug_lines, keep_unoptimised, vulkan, entry_place, dxc] = request;
   out.text(file.string());
   out.number(text ? 1 : 0);
   out.text(text.value_or(""));
@@ -64,10 +64,6 @@ void write(ByteWriter& out, const shaders::CompileRequest& request) {
   out.list(directories, [&](const std::filesystem::path& directory) { out.text(directory.string()); });
   out.text(project.string());
   out.text(cginc_root.string());
-  out.list(overlays, [&](const shaders::IncludeOverlay& overlay) {
-    out.text(overlay.suffix);
-    out.text(overlay.file.string());
-  });
   out.number(prepare ? 1 : 0);
   out.number(optimise ? 1 : 0);
   out.number(debug_lines ? 1 : 0);
@@ -97,7 +93,6 @@ CompileRequest read_compile_request(ByteReader& in) {
       in.list<std::filesystem::path>([&] { return std::filesystem::path(in.text()); });
   request.project = in.text();
   request.cginc_root = in.text();
-  for (auto& [suffix, file] : read_pairs(in)) request.overlays.push_back({suffix, file});
   request.prepare = in.flag();
   request.optimise = in.flag();
   request.debug_lines = in.flag();

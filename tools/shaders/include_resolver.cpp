@@ -40,13 +40,11 @@ Place place_of_include(std::string_view text, std::string_view asked) {
 }
 
 project::IncludeRoots roots_of(const CompileRequest& request) {
-  project::IncludeRoots roots{request.package_roots,
-                              request.include_directories,
-                              request.project,
-                              request.cginc_root,
-                              {project::own_tree(request.file)}};
-  for (const IncludeOverlay& overlay : request.overlays) roots.own.push_back(overlay.file);
-  return roots;
+  return {request.package_roots,
+          request.include_directories,
+          request.project,
+          request.cginc_root,
+          {project::own_tree(request.file)}};
 }
 
 }  // namespace
@@ -87,7 +85,7 @@ IncludeResolver::IncludeResult* IncludeResolver::includeLocal(const char* header
                                                               std::size_t /*depth*/) {
   const std::optional<std::string> name = open(header, includer);
   if (!name) return nullptr;
-  auto* text = new std::string(with_overlays(*name, text_to_read(*name)));
+  auto* text = new std::string(text_to_read(*name));
   return new IncludeResult(*name, text->data(), text->size(), text);
 }
 
@@ -160,17 +158,6 @@ void IncludeResolver::warn(const std::string& includer, const std::string& asked
   if (known) return;
   warnings_.push_back({includer, place.line, place.column, hlsl::Severity::warning, problem,
                        sources_.line(includer, place.line)});
-}
-
-std::string IncludeResolver::with_overlays(const std::string& name, std::string text) const {
-  for (const IncludeOverlay& overlay : request_.overlays) {
-    const bool matches =
-        name.size() >= overlay.suffix.size() &&
-        name.compare(name.size() - overlay.suffix.size(), std::string::npos, overlay.suffix) == 0;
-    // An include of its own, so that messages in the overlay name the overlay.
-    if (matches) text += "\n#include \"" + fs::absolute(overlay.file).generic_string() + "\"\n";
-  }
-  return text;
 }
 
 // "a.hlsl -> b.hlsl -> a.hlsl": the shortest tail of the open files that closes on itself.

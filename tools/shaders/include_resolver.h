@@ -32,7 +32,7 @@ class IncludeResolver final : public glslang::TShader::Includer, public preproce
   IncludeResult* includeSystem(const char* header, const char* includer, std::size_t depth) override;
   void releaseInclude(IncludeResult* result) override;
 
-  // Of a request that is prepared and has no overlays.
+  // Of a request that is prepared.
   std::optional<preprocessing::IncludedFile> enter(const std::string& asked,
                                                    const std::string& includer) override;
   void leave() override { open_.pop_back(); }
@@ -56,7 +56,6 @@ class IncludeResolver final : public glslang::TShader::Includer, public preproce
   bool fail(const std::string& problem);
   const SourceToExpand* to_read(const std::string& name);
   std::string text_to_read(const std::string& name);
-  std::string with_overlays(const std::string& name, std::string text) const;
   std::string chain_to(const std::string& name) const;
 
   const CompileRequest& request_;

@@ -91,7 +91,7 @@ class MacroExpansion {
   // Nothing where glslang's preprocessor is to read the source.
   std::optional<Reading> read_by_own() {
     const CompileRequest& request = source_.request;
-    if (memory_.glslang_alone() || !request.prepare || !request.overlays.empty()) return std::nullopt;
+    if (memory_.glslang_alone() || !request.prepare) return std::nullopt;
     hlsl::SourceFiles sources = out_.sources;
     IncludeResolver resolver(request, sources, memory_, arguments_,
                              preparation::undefined_macros(source_.text));

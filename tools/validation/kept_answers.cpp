@@ -32,7 +32,6 @@ std::string text_key(const AnswerContext& context, const CompileUnit& unit,
   rest.include_directories.clear();
   rest.project.clear();
   rest.cginc_root.clear();
-  rest.overlays.clear();
   return keyed("text", context)
       .update(encode(rest))
       .update(encode(unit.lint))
