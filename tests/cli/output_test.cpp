@@ -18,7 +18,6 @@ class Output : public ProgramTest {
             {"validate", none, "-o"},
             {"validate", none, "--emit-presets"},
             {"validate", none, "--emit-looks"},
-            {"validate", none, "--emit-parameters"},
             {"validate", none, "--emit-programs"},
             {"merge", none, "-o"},
             {"cost", "--from", none, "-o"},

@@ -8,7 +8,7 @@
 #include "input/input_error_matcher.h"
 #include "platform/data_directory.h"
 #include "reference/scratch_folder.h"
-#include "resolve/resolve.h"
+#include "resolve/graph_runner.h"
 #include "resolve/synthetic_frame.h"
 #include "resolve/test_device.h"
 
@@ -119,10 +119,10 @@ class AdapterTest : public testing::Test {
     return testing_frames::make_frame(setup, map, receivers, static_cast<int>(texels.size()));
   }
 
-  static ResolveResult run(const ShadowShader& shader, const scene::Frame& frame) {
+  static GraphResult run(const ShadowShader& shader, const scene::Frame& frame) {
     const FrameOnDevice on_device(test_device(), frame);
-    return Resolver(test_device(), compile(shader))
-        .resolve(on_device, {.noise_seeds = 1, .timing_repeats = 0});
+    return GraphRunner(test_device(), compile(shader))
+        .run(on_device, {.noise_seeds = 1, .timing_repeats = 0});
   }
 
   void expect_refused(const std::string& text, const testing::Matcher<std::string>& message) const {
@@ -136,7 +136,7 @@ class AdapterTest : public testing::Test {
 TEST_F(AdapterTest, APipelinesOwnMacrosAreCountedAndItsAnswerIsRight) {
   for (const bool reversed_z : {true, false}) {
     const scene::Frame frame = half_plane({30, 31, 32, 33}, reversed_z);
-    const ResolveResult result = run(adapter_shader(adapter_of_nine(), reversed_z), frame);
+    const GraphResult result = run(adapter_shader(adapter_of_nine(), reversed_z), frame);
     const float expected[] = {0.0f, 1.0f / 3.0f, 2.0f / 3.0f, 1.0f};
     for (std::size_t i = 0; i < 4; ++i) {
       // The way through world space moves the samples off their texels' centres by 1e-4 texels.
@@ -147,26 +147,26 @@ TEST_F(AdapterTest, APipelinesOwnMacrosAreCountedAndItsAnswerIsRight) {
 }
 
 TEST_F(AdapterTest, TwinsAreNotedWithTheBodyThatIsKept) {
-  const CompiledShadowShader compiled = compile(adapter_shader(adapter_of_nine()));
+  const CompiledGraph compiled = compile(adapter_shader(adapter_of_nine()));
   EXPECT_THAT(compiled.notes, ElementsAre(AllOf(HasSubstr("Common.hlsl:7: note: 'Mean3(half, half, half)'"),
                                                 HasSubstr("Common.hlsl:8 is used for both"))));
 }
 
 TEST_F(AdapterTest, OnlyUniformsThatAreReadAndNotProvidedAreNamed) {
-  const ResolveResult result = run(adapter_shader(adapter_of_nine()), half_plane({0}, true));
+  const GraphResult result = run(adapter_shader(adapter_of_nine()), half_plane({0}, true));
   EXPECT_THAT(result.unset_uniforms, ElementsAre("_NobodyProvidesThis"));
 }
 
 TEST_F(AdapterTest, AUniformOfTheAdapterIsRead) {
   Adapter nine = adapter_of_nine();
   nine.uniforms["_NobodyProvidesThis"] = {0.25, 0.0, 0.0, 0.0};
-  const ResolveResult result = run(adapter_shader(nine), half_plane({30}, true));
+  const GraphResult result = run(adapter_shader(nine), half_plane({30}, true));
   EXPECT_NEAR(result.visibility.at(0).at(0), 0.25f, 1e-3);
   EXPECT_THAT(result.unset_uniforms, testing::IsEmpty());
 }
 
 TEST_F(AdapterTest, ThePlatformMacrosOfTheLibraryServeToo) {
-  const ResolveResult result = run(adapter_shader(adapter(R"(
+  const GraphResult result = run(adapter_shader(adapter(R"(
 #include "Platform/Platform.hlsl"
 TEXTURE2D_SHADOW(_ShadowMap);
 SAMPLER_CMP(sampler_ShadowMap);
@@ -177,13 +177,13 @@ float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
     return SAMPLE_TEXTURE2D_SHADOW(_ShadowMap, sampler_ShadowMap, at);
 }
 )")),
-                                   half_plane({10, 50}, true));
+                                 half_plane({10, 50}, true));
   EXPECT_THAT(result.visibility.at(0), ElementsAre(0.0f, 1.0f));
   EXPECT_THAT(result.fetches, ElementsAre(1u, 1u));
 }
 
 TEST_F(AdapterTest, ReadsWithoutTheMacrosAreCountedToo) {
-  const ResolveResult result = run(adapter_shader(adapter(R"(
+  const GraphResult result = run(adapter_shader(adapter(R"(
 Texture2D _ShadowMap;
 SamplerComparisonState sampler_ShadowMap;
 SamplerState sampler_PointClamp;
@@ -197,7 +197,7 @@ float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
     return visibility;
 }
 )")),
-                                   half_plane({10, 50}, true));
+                                 half_plane({10, 50}, true));
   EXPECT_THAT(result.visibility.at(0), ElementsAre(0.0f, 1.0f));
   EXPECT_THAT(result.fetches, ElementsAre(1u, 2u));
 }
@@ -247,11 +247,11 @@ float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
 }
 
 TEST_F(AdapterTest, ADiscardThatIsNotReachedIsAllowed) {
-  const ResolveResult result = run(adapter_shader(adapter(R"(
+  const GraphResult result = run(adapter_shader(adapter(R"(
 void Unused(float x) { clip(x); }
 float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel) { return 0.5; }
 )")),
-                                   half_plane({0}, true));
+                                 half_plane({0}, true));
   EXPECT_THAT(result.visibility.at(0), ElementsAre(0.5F));
 }
 
@@ -326,14 +326,14 @@ TEST_F(AdapterTest, AFunctionThatReturnsAVectorIsRefused) {
 
 // Receivers stand at x of the row's texels: from pixel to pixel the map's u rises by a texel.
 TEST_F(AdapterTest, DerivativesAreThoseBetweenPixels) {
-  const ResolveResult result = run(adapter_shader(adapter(R"(
+  const GraphResult result = run(adapter_shader(adapter(R"(
 float4x4 _PenumbraWorldToShadow[5];
 float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
 {
     return ddx(mul(_PenumbraWorldToShadow[0], float4(positionWS, 1.0)).x) * 64.0;
 }
 )")),
-                                   half_plane({10, 11, 12, 13}, true));
+                                 half_plane({10, 11, 12, 13}, true));
   for (const float steps : result.visibility.at(0)) EXPECT_NEAR(steps, 1.0F, 1e-3F);
   EXPECT_THAT(result.fetches, Each(0U));
 }
@@ -363,7 +363,7 @@ TEST_F(AdapterTest, ATextureOfTheUsersIsReadByTheSamplerThatItsNameSays) {
     reads.textures = {{"_Picture", picture}};
     ShadowShader shader = adapter_shader(reads);
     shader.defines.emplace_back("SAMPLER_NAME", sampler);
-    const ResolveResult result = run(shader, half_plane({0}, true));
+    const GraphResult result = run(shader, half_plane({0}, true));
     EXPECT_EQ(result.visibility.at(0).at(0), red + 2.0F) << sampler;
     EXPECT_THAT(result.fetches, ElementsAre(1U)) << sampler;
   }
@@ -408,7 +408,7 @@ TEST_F(AdapterTest, NumbersFillStructsArraysAndMatricesInTheOrderOfTheirDeclarat
   reads.uniforms["_Lights[1].turn"] = {0, 0, 0, 5, 0, 4};  // row by row
   reads.uniforms["_Taps"] = {0, 0, 6};
   reads.uniforms["_Count"] = {7};
-  const ResolveResult result = run(adapter_shader(reads), half_plane({0}, true));
+  const GraphResult result = run(adapter_shader(reads), half_plane({0}, true));
   EXPECT_EQ(result.visibility.at(0).at(0), 7654321.0F);
   EXPECT_THAT(result.unset_uniforms, testing::IsEmpty());
 }

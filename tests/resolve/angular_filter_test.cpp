@@ -7,7 +7,7 @@
 #include <functional>
 #include <numeric>
 
-#include "resolve/resolve.h"
+#include "resolve/graph_runner.h"
 #include "resolve/synthetic_frame.h"
 #include "resolve/test_device.h"
 
@@ -48,8 +48,8 @@ class AngularFilter : public testing::TestWithParam<bool> {
   }
 
   // Receivers along the tile's middle, at these texels from its centre line.
-  ResolveResult resolve(const TexelDepth& map, const std::vector<double>& texels,
-                        const std::vector<std::pair<std::string, int>>& counts, int seeds) const {
+  GraphResult resolve(const TexelDepth& map, const std::vector<double>& texels,
+                      const std::vector<std::pair<std::string, int>>& counts, int seeds) const {
     std::vector<TilePoint> receivers;
     for (const double x : texels) {
       receivers.emplace_back(0.5 + x / kTileTexels, 0.5 + 0.3 / kTileTexels, depth(kReceiverDistance));
@@ -60,10 +60,9 @@ class AngularFilter : public testing::TestWithParam<bool> {
     for (const auto& [name, count] : counts) technique.values.at(name) = {static_cast<double>(count)};
     const ShadowShader shader =
         technique_shader(library_techniques(), technique, Taps::as_listed, GetParam());
-    Resolver resolver(test_device(), compile(shader));
-    return resolver.resolve(
-        FrameOnDevice(test_device(), frame),
-        {.noise_seeds = seeds, .first_seed = 0, .timing_repeats = 0, .count_fetches = true});
+    GraphRunner runner(test_device(), compile(shader));
+    return runner.run(FrameOnDevice(test_device(), frame),
+                      {.noise_seeds = seeds, .first_seed = 0, .timing_repeats = 0, .count_fetches = true});
   }
 
   static std::vector<double> steps(double first, double last, int count) {
@@ -72,7 +71,7 @@ class AngularFilter : public testing::TestWithParam<bool> {
     return all;
   }
 
-  static std::vector<double> means(const ResolveResult& result) {
+  static std::vector<double> means(const GraphResult& result) {
     std::vector<double> sums(result.visibility.front().size(), 0.0);
     for (const std::vector<float>& seen : result.visibility) {
       for (std::size_t i = 0; i < seen.size(); ++i)
@@ -92,7 +91,7 @@ TEST_P(AngularFilter, LetsNoLightThroughBetweenAHighRoofAndALowWall) {
   constexpr double kWall = 0.05;
   set_light(kRoof, 24.0);
   const auto map = [this](double u, double, int) { return u < 0.5 ? blocker(kRoof) : blocker(kWall); };
-  const ResolveResult result = resolve(map, steps(0.5, 12.0, 24), {}, 4);
+  const GraphResult result = resolve(map, steps(0.5, 12.0, 24), {}, 4);
   for (const std::vector<float>& seen : result.visibility) EXPECT_THAT(seen, Each(Le(0.01f)));
 }
 
@@ -110,7 +109,7 @@ TEST_P(AngularFilter, ALowBlockerKeepsItsShadowBelowHighLeaves) {
   const auto both = [&](double u, double v, int) {
     return is_leaf(u, v) ? blocker(kLeaves) : (u < 0.5 ? blocker(kBoard) : nothing());
   };
-  const ResolveResult below = resolve(both, steps(-40.0, -1.5, 78), {}, 4);
+  const GraphResult below = resolve(both, steps(-40.0, -1.5, 78), {}, 4);
   for (const std::vector<float>& seen : below.visibility) EXPECT_THAT(seen, Each(Le(0.02f)));
   const std::vector<double> beside = steps(2.0, 40.0, 77);
   const std::vector<double> with_board = means(resolve(both, beside, {}, 4));
@@ -150,7 +149,7 @@ TEST_P(AngularFilter, ANarrowPenumbraCostsFourFetchesHasNoNoiseAndNoSteps) {
   constexpr double kGap = 0.1;
   set_light(kGap, 0.5);
   const auto map = [this](double u, double, int) { return u < 0.5 ? blocker(kGap) : nothing(); };
-  const ResolveResult result = resolve(map, steps(-2.5, 2.5, 161), {}, 4);
+  const GraphResult result = resolve(map, steps(-2.5, 2.5, 161), {}, 4);
   EXPECT_THAT(result.fetches, Each(testing::AnyOf(24u, 28u)));
   EXPECT_THAT(result.fetches, testing::Contains(28u));
   const std::vector<float>& first = result.visibility.front();

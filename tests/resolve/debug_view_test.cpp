@@ -2,6 +2,7 @@
 // worked out here in double from the frame itself.
 #include "resolve/debug_view.h"
 #include "resolve/colour_vision.h"
+#include "resolve/graph_runner.h"
 
 #include <gmock/gmock.h>
 
@@ -12,13 +13,12 @@
 
 #include "input/input_error.h"
 #include "resolve/drawn_scenes.h"
-#include "resolve/screen_technique.h"
 #include "scene/mesh_builder.h"
 
 namespace penumbra::resolve {
 namespace {
 
-constexpr ResolveOptions kOnce{.noise_seeds = 1, .timing_repeats = 0, .count_fetches = false};
+constexpr RunOptions kOnce{.noise_seeds = 1, .timing_repeats = 0, .count_fetches = false};
 constexpr double kShadeOfLight = 0.4;  // what is left of a colour where all light is blocked
 
 using Colours = std::vector<glm::vec3>;
@@ -30,12 +30,11 @@ DebugView& debug_view(const std::string& name, bool reversed_z) {
   return views->try_emplace({name, reversed_z}, test_device(), shader, name, reversed_z).first->second;
 }
 
-ScreenChain& screen_chain_of(const techniques::Technique& technique, bool reversed_z) {
-  static const shaders::PackageShader shader(shaders::package_shader_file());
-  static KeptOnDevice<std::map<std::pair<std::string, bool>, ScreenChain>> chains;
-  return chains
-      ->try_emplace({technique.name, reversed_z}, test_device(), shader,
-                    screen_chain(library_techniques(), technique), reversed_z)
+GraphRunner& runner_of(const techniques::Technique& technique, bool reversed_z) {
+  static KeptOnDevice<std::map<std::pair<std::string, bool>, GraphRunner>> runners;
+  return runners
+      ->try_emplace({technique.name, reversed_z}, test_device(),
+                    compile(technique_graph(library_techniques(), technique, Taps::as_listed, reversed_z)))
       .first->second;
 }
 
@@ -45,9 +44,9 @@ struct Views {
         on_device(test_device(), frame),
         camera(camera_image(frame, row_order)),
         technique(library_techniques().find(preset)),
-        chain(screen_chain_of(technique, frame.settings.shadows.reversed_z).run(on_device, camera, kOnce)) {}
+        chain(runner_of(technique, frame.settings.shadows.reversed_z).run(on_device, &camera, kOnce)) {}
 
-  const std::vector<float>& visibility() const { return chain.image.visibility.front(); }
+  const std::vector<float>& visibility() const { return chain.visibility.front(); }
 
   Colours draw(const std::string& view, std::optional<RowOrder> picture = std::nullopt) const {
     return debug_view(view, frame.settings.shadows.reversed_z)
@@ -68,7 +67,7 @@ struct Views {
   FrameOnDevice on_device;
   CameraImage camera;
   const techniques::Technique& technique;
-  ScreenChainResult chain;
+  GraphResult chain;
 };
 
 bool near(const glm::vec3& a, const glm::dvec3& b, double tolerance = 2e-3) {

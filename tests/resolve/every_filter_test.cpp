@@ -8,7 +8,7 @@
 #include <map>
 #include <memory>
 
-#include "resolve/resolve.h"
+#include "resolve/graph_runner.h"
 #include "resolve/synthetic_frame.h"
 #include "resolve/test_device.h"
 
@@ -69,23 +69,22 @@ class EveryFilter : public testing::TestWithParam<Case> {
 
   std::vector<float> visibility(const scene::Frame& frame, const UniformValues& parameters = {}) const {
     // Pipelines are kept: building one costs more than running it.
-    static KeptOnDevice<std::map<std::string, std::unique_ptr<ResolvePass>>> passes;
+    static KeptOnDevice<std::map<std::string, std::unique_ptr<GraphRunner>>> passes;
     const std::string key = GetParam().technique + (GetParam().reversed_z ? " reversed" : " conventional");
-    std::unique_ptr<ResolvePass>& pass = (*passes)[key];
+    std::unique_ptr<GraphRunner>& pass = (*passes)[key];
     if (pass == nullptr) {
       const techniques::Technique& technique = library_techniques().find(GetParam().technique);
-      pass = std::make_unique<ResolvePass>(
+      pass = std::make_unique<GraphRunner>(
           test_device(),
           compile(technique_shader(library_techniques(), technique, Taps::as_listed, GetParam().reversed_z)));
     }
     const FrameOnDevice on_device(test_device(), frame);
-    pass->bind(on_device);
     UniformValues all =
         technique_shader(library_techniques(), library_techniques().find(GetParam().technique)).parameters;
     all.merge(parameters);
     pass->set_parameters(all);
-    pass->run(0);
-    return on_device.visibility().download<float>();
+    return pass->run(on_device, {.noise_seeds = 1, .timing_repeats = 0, .count_fetches = false})
+        .visibility.front();
   }
 
   std::vector<float> visibility(const FrameSetup& setup, const TexelDepth& map,

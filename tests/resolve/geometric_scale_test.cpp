@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "resolve/resolve.h"
+#include "resolve/graph_runner.h"
 #include "resolve/synthetic_frame.h"
 #include "resolve/test_device.h"
 
@@ -134,13 +134,13 @@ std::vector<glm::vec4> tile_scales(const scene::Frame& frame, float radial_facto
 class GeometricScale : public testing::Test {
  protected:
   // Limits that are there for speed or looks are lifted: geometry alone decides.
-  static std::array<ResolvePass, 2> unlimited_passes() {
+  static std::array<GraphRunner, 2> unlimited_passes() {
     const techniques::TechniqueList& list = library_techniques();
     techniques::Technique technique = list.find("pcss-angular-64-64");
     technique.unlimited["maxPenumbraMetres"] = "1e4";
     technique.unlimited["maxSamplingMetres"] = "1e4";
     const auto pass = [&](bool reversed_z) {
-      return ResolvePass(test_device(),
+      return GraphRunner(test_device(),
                          compile(technique_shader(list, technique, Taps::unlimited, reversed_z)));
     };
     return {pass(false), pass(true)};
@@ -148,7 +148,7 @@ class GeometricScale : public testing::Test {
 };
 
 TEST_F(GeometricScale, PenumbraWidthIsTwiceTanHalfTimesTheGap) {
-  std::array<ResolvePass, 2> passes = unlimited_passes();
+  std::array<GraphRunner, 2> passes = unlimited_passes();
   std::mt19937 random(1);
   double worst = 0.0;
   int hdrp_within = 0;
@@ -156,14 +156,14 @@ TEST_F(GeometricScale, PenumbraWidthIsTwiceTanHalfTimesTheGap) {
     const EdgeCase edge = random_case(random, index);
     ASSERT_GE(edge.expected_width, kNarrowestTexels * edge.texel) << edge.description;
     const FrameOnDevice frame(test_device(), edge.frame);
-    ResolvePass& pass = passes[edge.setup.shadows.reversed_z ? 1 : 0];
-    pass.bind(frame);
+    GraphRunner& pass = passes[edge.setup.shadows.reversed_z ? 1 : 0];
     const auto width = [&](float radial_factor) {
       UniformValues scales;
       scales.set("_PenumbraTileScales", std::span<const glm::vec4>(tile_scales(edge.frame, radial_factor)));
       pass.set_parameters(scales);
-      pass.run(index);
-      return measured_width(frame.visibility().download<float>(), edge.spacing);
+      const RunOptions once{
+          .noise_seeds = 1, .first_seed = index, .timing_repeats = 0, .count_fetches = false};
+      return measured_width(pass.run(frame, once).visibility.front(), edge.spacing);
     };
     const double tolerance = std::max(edge.texel, 0.03 * edge.expected_width);
     const double error = std::abs(width(1.0f) - edge.expected_width);

@@ -7,7 +7,7 @@
 #include "input/input_error_matcher.h"
 #include "parameters/shader_uniforms.h"
 #include "platform/data_directory.h"
-#include "resolve/resolve.h"
+#include "resolve/graph_runner.h"
 #include "resolve/synthetic_frame.h"
 #include "resolve/test_device.h"
 
@@ -83,16 +83,16 @@ scene::Frame half_plane(const FrameSetup& setup, double metres_above, const std:
   return testing_frames::make_frame(setup, map, receivers, static_cast<int>(receivers.size()));
 }
 
-ResolveResult run(const Adapter& hdrp, const scene::Frame& frame, int seeds = 1) {
+GraphResult run(const Adapter& hdrp, const scene::Frame& frame, int seeds = 1) {
   const FrameOnDevice on_device(test_device(), frame);
-  return Resolver(test_device(), compile(adapter_shader(hdrp)))
-      .resolve(on_device, {.noise_seeds = seeds, .timing_repeats = 0});
+  return GraphRunner(test_device(), compile(adapter_shader(hdrp)))
+      .run(on_device, {.noise_seeds = seeds, .timing_repeats = 0});
 }
 
 TEST(HdrpAdapter, LitIsOneAndShadowedIsZeroInEveryCascadeAndFetchesAreCounted) {
   for (int cascade = 0; cascade < 4; ++cascade) {
     const scene::Frame frame = half_plane(four_cascades(0.53, cascade), 1.0, {0.1, 0.9});
-    const ResolveResult result = run(adapter(), frame);
+    const GraphResult result = run(adapter(), frame);
     EXPECT_THAT(result.visibility.at(0), ElementsAre(0.0f, 1.0f)) << cascade;
     EXPECT_THAT(result.fetches, ElementsAre(kBlockerSamples + kFilterSamples, kBlockerSamples)) << cascade;
     EXPECT_THAT(result.unset_uniforms, testing::IsEmpty());
@@ -109,7 +109,7 @@ TEST(HdrpAdapter, ThePenumbraIsTwiceAsWideAsTheLightMakesItUntilItsCap) {
     const double geometric = parameters::tan_half_of(degrees) * kMetresAbove;
     const double radius = std::min(2.0 * geometric, kWidestRadius) * cascade.uv_per_metre;
     const double outside = radius + 2.0 * setup.shadows.cascades / kTexels;
-    const ResolveResult result =
+    const GraphResult result =
         run(adapter(), half_plane(setup, kMetresAbove,
                                   {0.5 - outside, 0.5 - 0.8 * radius, 0.5 + 0.8 * radius, 0.5 + outside}));
     EXPECT_THAT(result.visibility.at(0),
@@ -124,7 +124,7 @@ TEST(HdrpAdapter, TheShaderDataIsWhatHdrpPacks) {
   const scene::Frame frame = testing_frames::make_frame(
       setup, [](double, double, int) { return 0.0f; },
       std::vector<TilePoint>(4 * kNumbers, TilePoint(0.5, 0.5, kReceiverDepth)), kNumbers);
-  const ResolveResult result = run(adapter_with_normal_bias({"STAND_IN_TELLS_DATA"}), frame);
+  const GraphResult result = run(adapter_with_normal_bias({"STAND_IN_TELLS_DATA"}), frame);
 
   parameters::SoftShadowParameters defaults;
   defaults.angular_diameter_degrees = 2.0;
@@ -163,7 +163,7 @@ TEST(HdrpAdapter, TheNormalBiasMovesTheReceiver) {
 }
 
 TEST(HdrpAdapter, TheFrameOfTheNoiseReachesHdrp) {
-  const ResolveResult result = run(adapter(), half_plane(four_cascades(4.0), 4.0, {0.49, 0.5, 0.51}), 2);
+  const GraphResult result = run(adapter(), half_plane(four_cascades(4.0), 4.0, {0.49, 0.5, 0.51}), 2);
   EXPECT_NE(result.visibility.at(0), result.visibility.at(1));
 }
 
@@ -177,7 +177,7 @@ TEST(HdrpAdapter, OutsideAllSpheresIsLitWithoutAskingHdrp) {
     return run(adapter(), frame);
   };
   EXPECT_THAT(with_radius(1.1 * kMetresFromCentre).visibility.at(0), ElementsAre(0.0f));
-  const ResolveResult outside = with_radius(0.9 * kMetresFromCentre);
+  const GraphResult outside = with_radius(0.9 * kMetresFromCentre);
   EXPECT_THAT(outside.visibility.at(0), ElementsAre(1.0f));
   EXPECT_THAT(outside.fetches, Each(0u));
 }

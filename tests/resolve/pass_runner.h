@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "resolve/camera_image.h"
-#include "resolve/screen_pass.h"
+#include "resolve/program_on_device.h"
 #include "resolve/test_device.h"
 #include "resolve/texel_counter.h"
 #include "shaders/counted_module.h"
@@ -68,9 +68,9 @@ struct PassAnswer {
 class PassRunner {
  public:
   explicit PassRunner(const std::string& pass)
-      : compiled_(compile(shaders::PackageShader(shaders::package_shader_file()), pass, {}, true)),
-        plain_(test_device(), compiled_, ScreenPass::Module::as_shipped),
-        counting_(test_device(), compiled_, ScreenPass::Module::counting) {}
+      : compiled_(compile_pass(shaders::PackageShader(shaders::package_shader_file()), pass, {}, true)),
+        plain_(test_device(), compiled_, ProgramOnDevice::Module::as_shipped, kTarget),
+        counting_(test_device(), compiled_, ProgramOnDevice::Module::counting, kTarget) {}
 
   PassAnswer run(const HandImage& depth, const HandImage& source, int width, int height,
                  const UniformValues& more = {}) {
@@ -83,16 +83,14 @@ class PassRunner {
     values.merge(more);
     const gpu::Image depth_image = uploaded(depth);
     const gpu::Image source_image = uploaded(source);
-    ScreenResources resources;
-    resources.images = {{"_CameraDepthTexture", &depth_image}, {"_PenumbraSourceTexture", &source_image}};
-    const gpu::Image plain(test_device(), ScreenPass::target_format(ScreenPass::Module::as_shipped), width,
-                           height);
-    const gpu::Image counted(test_device(), ScreenPass::target_format(ScreenPass::Module::counting), width,
-                             height);
-    plain_.draw(plain, resources, values);
+    NamedResources resources;
+    resources.images = {{"_CameraDepthTexture", {&depth_image}}, {"_PenumbraSourceTexture", {&source_image}}};
+    const gpu::Image plain(test_device(), gpu::Format::r32f, width, height);
+    const gpu::Image counted(test_device(), gpu::Format::r32f, width, height);
+    draw(plain_, plain, resources, values);
     const TexelCounter counter(test_device(), width, height);
     resources.buffers = {{shaders::texel_counts_name, &counter.buffer()}};
-    counting_.draw(counted, resources, values);
+    draw(counting_, counted, resources, values);
     const TexelCounts counts = counter.counts();
     return {{width, height, plain.download<float>()},
             {counts.fetches.begin(), counts.fetches.end()},
@@ -106,9 +104,19 @@ class PassRunner {
     return made;
   }
 
-  CompiledScreenPass compiled_;
-  ScreenPass plain_;
-  ScreenPass counting_;
+  static void draw(const ProgramOnDevice& program, const gpu::Image& target, const NamedResources& resources,
+                   const UniformValues& values) {
+    gpu::Sequence sequence(test_device());
+    gpu::Bindings bindings = program.bind(resources);
+    program.set_uniforms(bindings, values);
+    program.draw(sequence, bindings, {{&target}, nullptr, 0.0F}, whole_of(target));
+    sequence.run();
+  }
+
+  static inline const TargetFormats kTarget{.colours = {gpu::Format::r32f}};
+  CompiledProgram compiled_;
+  ProgramOnDevice plain_;
+  ProgramOnDevice counting_;
 };
 
 }  // namespace penumbra::resolve

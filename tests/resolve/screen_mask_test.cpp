@@ -6,14 +6,14 @@
 #include <glm/trigonometric.hpp>
 
 #include "resolve/drawn_scenes.h"
-#include "resolve/resolve.h"
-#include "resolve/screen_technique.h"
+#include "resolve/graph_runner.h"
+#include "resolve/hand_graph.h"
 
 namespace penumbra::resolve {
 namespace {
 
 constexpr int kBlock = 4;
-constexpr ResolveOptions kOnce{.noise_seeds = 1, .timing_repeats = 0};
+constexpr RunOptions kOnce{.noise_seeds = 1, .timing_repeats = 0};
 
 struct Case {
   std::string scene;
@@ -50,14 +50,14 @@ class ScreenMask : public testing::TestWithParam<Case> {
     return library_techniques().find(name);
   }
 
-  // Chains are kept: their pipelines cost more than running them.
-  ScreenChain& chain(const std::string& name) const {
-    static KeptOnDevice<std::map<std::pair<std::string, bool>, std::unique_ptr<ScreenChain>>> chains;
-    std::unique_ptr<ScreenChain>& made = (*chains)[{name, GetParam().reversed_z}];
+  // Kept: their pipelines cost more than running them.
+  GraphRunner& chain(const std::string& name) const {
+    static KeptOnDevice<std::map<std::pair<std::string, bool>, std::unique_ptr<GraphRunner>>> runners;
+    std::unique_ptr<GraphRunner>& made = (*runners)[{name, GetParam().reversed_z}];
     if (made == nullptr) {
-      made = std::make_unique<ScreenChain>(
-          test_device(), shaders::PackageShader(shaders::package_shader_file()),
-          screen_chain(library_techniques(), technique(name)), GetParam().reversed_z);
+      made = std::make_unique<GraphRunner>(
+          test_device(), compile(technique_graph(library_techniques(), technique(name), Taps::as_listed,
+                                                 GetParam().reversed_z)));
     }
     return *made;
   }
@@ -67,9 +67,9 @@ class ScreenMask : public testing::TestWithParam<Case> {
     scene::Frame seen = frame_;
     seen.receivers = SeenByDepth(camera_).receivers();
     const FrameOnDevice on_device(test_device(), seen);
-    return Resolver(test_device(), compile(technique_shader(library_techniques(), technique("bilinear"),
-                                                            Taps::as_listed, GetParam().reversed_z)))
-        .resolve(on_device, kOnce)
+    return GraphRunner(test_device(), compile(technique_shader(library_techniques(), technique("bilinear"),
+                                                               Taps::as_listed, GetParam().reversed_z)))
+        .run(on_device, kOnce)
         .visibility.front();
   }
 
@@ -102,12 +102,10 @@ std::vector<bool> edges_of(const std::vector<float>& taps, const CameraImage& ca
 }
 
 TEST_P(ScreenMask, MarksTheBlocksWhoseComparisonsDisagree) {
-  ScreenChainDescription description = screen_chain(library_techniques(), technique("screen-tent-5-masked"));
-  description.steps = {{"PenumbraMask", kBlock, -1}, {"Resolve", 1, -1}};
-  description.mask = 0;
-  ScreenChain edges_only(test_device(), shaders::PackageShader(shaders::package_shader_file()), description,
-                         GetParam().reversed_z);
-  const ScreenChainResult result = edges_only.run(on_device_, camera_, kOnce);
+  ShadowGraph graph = hand_graph({{"PenumbraMask", kBlock}, {"Resolve"}}, GetParam().reversed_z,
+                                 technique("screen-tent-5-masked").all_keywords(), 0);
+  graph.parameters = parameter_uniforms(library_techniques(), technique("screen-tent-5-masked"));
+  const GraphResult result = GraphRunner(test_device(), compile(graph)).run(on_device_, &camera_, kOnce);
   const std::vector<std::uint8_t> masked_out =
       rows_from_top(result.masked_out, camera_.width, GetParam().rows);  // back to the image's order
   const std::vector<bool> edges = edges_of(single_taps(), camera_);
@@ -162,7 +160,7 @@ class Widening {
 };
 
 TEST_P(ScreenMask, WidensByTheReachOfThePenumbra) {
-  const ScreenChainResult result = chain("screen-tent-5-masked").run(on_device_, camera_, kOnce);
+  const GraphResult result = chain("screen-tent-5-masked").run(on_device_, &camera_, kOnce);
   const std::vector<std::uint8_t> masked_out =
       rows_from_top(result.masked_out, camera_.width, GetParam().rows);
   const std::vector<bool> edges = edges_of(single_taps(), camera_);
@@ -221,26 +219,26 @@ TEST_P(ScreenMask, WidensByTheReachOfThePenumbra) {
 
 TEST_P(ScreenMask, ResolvesPenumbraeInFullAndTheRestByOneComparison) {
   for (const char* name : {"screen-tent-5", "screen-pcss-angular-24-16"}) {
-    const ScreenChainResult whole = chain(name).run(on_device_, camera_, kOnce);
-    const ScreenChainResult masked = chain(std::string(name) + "-masked").run(on_device_, camera_, kOnce);
+    const GraphResult whole = chain(name).run(on_device_, &camera_, kOnce);
+    const GraphResult masked = chain(std::string(name) + "-masked").run(on_device_, &camera_, kOnce);
     const std::vector<float> taps = rows_from_top(single_taps(), camera_.width, GetParam().rows);
     int apart = 0;
     int outside = 0;
     for (std::size_t i = 0; i < taps.size(); ++i) {
       if (frame_.receivers.position_ws[i].w == 0.0f) {
-        ASSERT_EQ(masked.image.visibility[0][i], 1.0f);
+        ASSERT_EQ(masked.visibility[0][i], 1.0f);
         continue;
       }
       if (masked.masked_out[i] == 0) {
-        ASSERT_EQ(masked.image.visibility[0][i], whole.image.visibility[0][i]) << name;
-        ASSERT_EQ(masked.image.fetches[i], whole.image.fetches[i] + 1) << name;
+        ASSERT_EQ(masked.visibility[0][i], whole.visibility[0][i]) << name;
+        ASSERT_EQ(masked.fetches[i], whole.fetches[i] + 1) << name;
         continue;
       }
       ++outside;
-      apart += std::abs(masked.image.visibility[0][i] - taps[i]) > 0.01f ? 1 : 0;
+      apart += std::abs(masked.visibility[0][i] - taps[i]) > 0.01f ? 1 : 0;
       // Mask, depth, comparison; no comparison past the last cascade.
-      ASSERT_LE(masked.image.fetches[i], 3u) << name;
-      ASSERT_GE(masked.image.fetches[i], 2u) << name;
+      ASSERT_LE(masked.fetches[i], 3u) << name;
+      ASSERT_GE(masked.fetches[i], 2u) << name;
     }
     EXPECT_GT(outside, 0) << name;
     EXPECT_LE(apart, 4) << name;
@@ -249,14 +247,17 @@ TEST_P(ScreenMask, ResolvesPenumbraeInFullAndTheRestByOneComparison) {
 
 // Half a fetch for the taps, and for each blur its depths and at most two reads a step.
 TEST_P(ScreenMask, CostsLittle) {
-  const ScreenChainResult result = chain("screen-tent-5-masked").run(on_device_, camera_, kOnce);
+  const GraphResult result = chain("screen-tent-5-masked").run(on_device_, &camera_, kOnce);
   const double share =
       double(blocks(camera_.width)) * blocks(camera_.height) / (camera_.width * camera_.height);
-  ASSERT_EQ(result.fetches.size(), 4u);
-  EXPECT_LE(result.fetches[0], 8.0 * share);
-  EXPECT_LE(result.fetches[1], (4.0 + 65.0) * share);
-  EXPECT_NEAR(result.fetches_of_others, result.fetches[0] + result.fetches[1] + result.fetches[2], 1e-9);
-  EXPECT_EQ(result.texels_written, (std::vector<double>{share, share, share, 1.0}));
+  ASSERT_EQ(result.passes.size(), 4u);
+  EXPECT_LE(result.passes[0].fetches, 8.0 * share);
+  EXPECT_LE(result.passes[1].fetches, (4.0 + 65.0) * share);
+  EXPECT_NEAR(result.fetches_of_others,
+              result.passes[0].fetches + result.passes[1].fetches + result.passes[2].fetches, 1e-9);
+  std::vector<double> written;
+  for (const PassCounts& pass : result.passes) written.push_back(pass.texels_written);
+  EXPECT_EQ(written, (std::vector<double>{share, share, share, 1.0}));
 }
 
 INSTANTIATE_TEST_SUITE_P(Package, ScreenMask, testing::ValuesIn(all_cases()), [](const auto& instance) {

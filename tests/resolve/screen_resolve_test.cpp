@@ -9,8 +9,8 @@
 
 #include "reference/trace_visibility.h"
 #include "resolve/drawn_scenes.h"
-#include "resolve/resolve.h"
-#include "resolve/screen_technique.h"
+#include "resolve/graph_runner.h"
+#include "resolve/hand_graph.h"
 
 namespace penumbra::resolve {
 namespace {
@@ -46,30 +46,28 @@ class ScreenResolve : public testing::TestWithParam<Case> {
  protected:
   ScreenResolve()
       : technique_(library_techniques().find(GetParam().technique)),
-        resolver_(test_device(), compile(technique_shader(library_techniques(), technique_, Taps::as_listed,
-                                                          GetParam().reversed_z))),
-        chain_(test_device(), shaders::PackageShader(shaders::package_shader_file()), description(),
-               GetParam().reversed_z) {}
+        library_(test_device(), compile(technique_shader(library_techniques(), technique_, Taps::as_listed,
+                                                         GetParam().reversed_z))),
+        package_(test_device(), compile(graph())) {}
 
-  ScreenChainDescription description() const {
-    ScreenChainDescription description;
-    description.steps = {{"Resolve", 1, -1}};
-    description.keywords = {GetParam().keyword};
-    description.parameters = parameter_uniforms(library_techniques(), technique_);
-    return description;
+  ShadowGraph graph() const {
+    ShadowGraph graph = hand_graph({{"Resolve"}}, GetParam().reversed_z, {GetParam().keyword});
+    graph.parameters = parameter_uniforms(library_techniques(), technique_);
+    return graph;
   }
 
   std::vector<float> by_shader(const scene::Frame& frame, RowOrder rows) {
     const FrameOnDevice on_device(test_device(), frame);
-    const ResolveOptions options{.noise_seeds = 1, .timing_repeats = 0, .count_fetches = false};
-    const ScreenChainResult result = chain_.run(on_device, camera_image(frame, rows), options);
-    EXPECT_THAT(result.image.unset_uniforms, testing::IsEmpty());
-    return result.image.visibility.front();
+    const RunOptions options{.noise_seeds = 1, .timing_repeats = 0, .count_fetches = false};
+    const CameraImage camera = camera_image(frame, rows);
+    const GraphResult result = package_.run(on_device, &camera, options);
+    EXPECT_THAT(result.unset_uniforms, testing::IsEmpty());
+    return result.visibility.front();
   }
 
   std::vector<float> by_library(const scene::Frame& frame) {
     const FrameOnDevice on_device(test_device(), frame);
-    return resolver_.resolve(on_device, {.noise_seeds = 1, .timing_repeats = 0, .count_fetches = false})
+    return library_.run(on_device, {.noise_seeds = 1, .timing_repeats = 0, .count_fetches = false})
         .visibility.front();
   }
 
@@ -82,8 +80,8 @@ class ScreenResolve : public testing::TestWithParam<Case> {
   }
 
   const techniques::Technique& technique_;
-  Resolver resolver_;
-  ScreenChain chain_;
+  GraphRunner library_;
+  GraphRunner package_;
 };
 
 struct Difference {

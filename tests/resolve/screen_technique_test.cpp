@@ -3,31 +3,13 @@
 
 #include "input/input_error.h"
 #include "resolve/drawn_scenes.h"
-#include "resolve/screen_technique.h"
+#include "resolve/graph_runner.h"
+#include "resolve/hand_graph.h"
 
 namespace penumbra::resolve {
 namespace {
 
-constexpr ResolveOptions kOnce{.noise_seeds = 1, .timing_repeats = 0};
-
-std::string text_of(const ScreenChainDescription& chain) {
-  std::string text;
-  for (const ScreenStep& step : chain.steps) {
-    text += step.pass + "/" + std::to_string(step.scale) + "<" + std::to_string(step.source) + " ";
-  }
-  for (const std::string& keyword : chain.keywords) text += keyword + " ";
-  return text + "mask " + std::to_string(chain.mask);
-}
-
-TEST(ScreenTechnique, PassesFollowTheChain) {
-  EXPECT_EQ(text_of(screen_chain(library_techniques(), library_techniques().find("screen-tent-5"))),
-            "Resolve/1<-1 mask -1");
-  EXPECT_EQ(
-      text_of(screen_chain(library_techniques(),
-                           library_techniques().find("screen-pcss-angular-24-16-half-masked-denoised"))),
-      "PenumbraMask/4<-1 MaskBlurHorizontal/4<0 MaskBlurVertical/4<1 Resolve/2<-1 Upsample/1<3 "
-      "DenoiseHorizontal/1<4 DenoiseVertical/1<5 _PENUMBRA_PCSS _PENUMBRA_MASK mask 2");
-}
+constexpr RunOptions kOnce{.noise_seeds = 1, .timing_repeats = 0};
 
 TEST(ScreenTechnique, PassesAreThoseOfTheShaderInItsOrder) {
   const shaders::PackageShader shader(shaders::package_shader_file());
@@ -38,7 +20,7 @@ TEST(ScreenTechnique, PassesAreThoseOfTheShaderInItsOrder) {
 
 TEST(ScreenTechnique, APassThatIsNotThereIsNamedWithTheNearest) {
   try {
-    compile(shaders::PackageShader(shaders::package_shader_file()), "Resolv", {}, true);
+    compile_pass(shaders::PackageShader(shaders::package_shader_file()), "Resolv", {}, true);
     FAIL() << "compiled";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), testing::AllOf(testing::HasSubstr("PenumbraShadows.shader"),
@@ -52,26 +34,22 @@ TEST(ScreenTechnique, APassThatIsNotThereIsNamedWithTheNearest) {
 TEST(ScreenTechnique, HalfResolutionKeepsThePixelsItSaw) {
   const scene::Frame& frame = drawn("trees", 4, true);
   const FrameOnDevice on_device(test_device(), frame);
-  const shaders::PackageShader shader(shaders::package_shader_file());
-  ScreenChainDescription whole;
-  whole.steps = {{"Resolve", 1, -1}};
-  ScreenChainDescription halved;
-  halved.steps = {{"Resolve", 2, -1}, {"Upsample", 1, 0}};
   const CameraImage camera = camera_image(frame);
-  const ScreenChainResult full =
-      ScreenChain(test_device(), shader, whole, true).run(on_device, camera, kOnce);
-  const ScreenChainResult half =
-      ScreenChain(test_device(), shader, halved, true).run(on_device, camera, kOnce);
+  const GraphResult full =
+      GraphRunner(test_device(), compile(hand_graph({{"Resolve"}}))).run(on_device, &camera, kOnce);
+  const GraphResult half =
+      GraphRunner(test_device(), compile(hand_graph({{"Resolve", 2}, {"Upsample", 1, true}})))
+          .run(on_device, &camera, kOnce);
   for (int y = 1; y < camera.height; y += 2) {
     for (int x = 1; x < camera.width; x += 2) {
       const auto at = static_cast<std::size_t>(y * camera.width + x);
-      ASSERT_EQ(half.image.visibility[0][at], full.image.visibility[0][at]) << x << ", " << y;
-      ASSERT_EQ(4.0f * half.fetches_of_others_at[at], static_cast<float>(full.image.fetches[at]))
+      ASSERT_EQ(half.visibility[0][at], full.visibility[0][at]) << x << ", " << y;
+      ASSERT_EQ(4.0f * half.fetches_of_others_at[at], static_cast<float>(full.fetches[at]))
           << "a quarter of a texel's";
     }
   }
-  EXPECT_LT(half.fetches[0], 0.3 * full.fetches[0]);
-  EXPECT_EQ(half.fetches_of_others, half.fetches[0]);
+  EXPECT_LT(half.passes[0].fetches, 0.3 * full.passes[0].fetches);
+  EXPECT_EQ(half.fetches_of_others, half.passes[0].fetches);
 }
 
 std::vector<std::string> screen_techniques() {
@@ -88,21 +66,20 @@ TEST_P(EveryScreenTechnique, StaysInRangeOverCamerasThatSeeRubbish) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float infinity = std::numeric_limits<float>::infinity();
   for (const bool reversed_z : {true, false}) {
-    ScreenChain chain(test_device(), shaders::PackageShader(shaders::package_shader_file()),
-                      screen_chain(library_techniques(), library_techniques().find(GetParam())), reversed_z);
+    GraphRunner runner(test_device(),
+                       compile(technique_graph(library_techniques(), library_techniques().find(GetParam()),
+                                               Taps::as_listed, reversed_z)));
     for (const RowOrder rows : {RowOrder::top_first, RowOrder::bottom_first}) {
       const scene::Frame& frame = drawn("colonnade", 3, reversed_z);
       const FrameOnDevice on_device(test_device(), frame);
       CameraImage camera = camera_image(frame, rows);
-      const ScreenChainResult right = chain.run(on_device, camera, kOnce);
-      EXPECT_THAT(right.image.unset_uniforms, testing::IsEmpty());
-      EXPECT_THAT(right.image.visibility[0],
-                  testing::Each(testing::AllOf(testing::Ge(0.0f), testing::Le(1.0f))));
+      const GraphResult right = runner.run(on_device, &camera, kOnce);
+      EXPECT_THAT(right.unset_uniforms, testing::IsEmpty());
+      EXPECT_THAT(right.visibility[0], testing::Each(testing::AllOf(testing::Ge(0.0f), testing::Le(1.0f))));
       const float rubbish[] = {nan, -nan, infinity, -infinity, -1.0f, 2.0f, 0.0f, 1.0f, 1e-30f};
       for (std::size_t i = 0; i < camera.depth.size(); i += 3) camera.depth[i] = rubbish[i % 9];
-      const ScreenChainResult broken = chain.run(on_device, camera, kOnce);
-      EXPECT_THAT(broken.image.visibility[0],
-                  testing::Each(testing::AllOf(testing::Ge(0.0f), testing::Le(1.0f))));
+      const GraphResult broken = runner.run(on_device, &camera, kOnce);
+      EXPECT_THAT(broken.visibility[0], testing::Each(testing::AllOf(testing::Ge(0.0f), testing::Le(1.0f))));
     }
   }
 }

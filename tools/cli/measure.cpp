@@ -161,7 +161,8 @@ void print_headlines(const std::filesystem::path& folder, const study::Results& 
 std::vector<study::PackageNote> packages_of(const std::vector<study::Subject>& subjects) {
   std::vector<study::PackageNote> packages;
   for (const study::Subject& subject : subjects) {
-    for (const shaders::PackageRoot& root : subject.shader.package_roots) {
+    if (!subject.graph.filter) continue;
+    for (const shaders::PackageRoot& root : subject.graph.filter->package_roots) {
       study::PackageNote note{root.name, std::nullopt};
       if (!root.version.empty()) note.version = root.version;
       if (std::find(packages.begin(), packages.end(), note) == packages.end()) packages.push_back(note);

@@ -88,11 +88,11 @@ std::vector<std::string> shown_names() {
 }
 
 bool runs_over_the_screen(const study::Subject& subject) {
-  return subject.screen.has_value();
+  return subject.graph.graph.over_screen();
 }
 
 bool has_mask(const study::Subject& subject) {
-  return subject.screen && subject.screen->mask >= 0;
+  return !subject.graph.graph.mask.empty();
 }
 
 void refuse_without_a_place(const std::filesystem::path& file) {

@@ -34,7 +34,8 @@ gpu::Image mask_texture(const gpu::Device& device, const CameraImage& camera,
 DebugView::DebugView(const gpu::Device& device, const shaders::PackageShader& shader, const std::string& view,
                      bool reversed_z, const platform::WorkerPool& process)
     : device_(device),
-      pass_(device, compile(shader, view, {}, reversed_z, process), ScreenPass::Module::in_colour) {}
+      program_(device, compile_pass(shader, view, {}, reversed_z, process),
+               ProgramOnDevice::Module::as_shipped, {.colours = {gpu::Format::rgba32f}}) {}
 
 std::vector<glm::vec3> DebugView::draw(const FrameOnDevice& frame, const CameraImage& camera,
                                        const std::vector<float>& visibility,
@@ -46,8 +47,7 @@ std::vector<glm::vec3> DebugView::draw(const FrameOnDevice& frame, const CameraI
   gpu::Image seen(device_, gpu::Format::r32f, camera.width, camera.height);
   seen.upload(rows_from_top(visibility, camera.width, camera.rows));
   const gpu::Image mask = mask_texture(device_, camera, masked_out);
-  const gpu::Image target(device_, ScreenPass::target_format(ScreenPass::Module::in_colour), camera.width,
-                          camera.height);
+  const gpu::Image target(device_, gpu::Format::rgba32f, camera.width, camera.height);
 
   UniformValues values = frame.uniforms(0);
   values.merge(parameters);
@@ -55,11 +55,17 @@ std::vector<glm::vec3> DebugView::draw(const FrameOnDevice& frame, const CameraI
   values.set("_PenumbraTargetSize", texture_size(target));
   values.set("_PenumbraDebugParams", glm::vec4(masked_out.empty() ? 0.0f : 1.0f, 0.0f,
                                                picture_rows == camera.rows ? 0.0f : 1.0f, 0.0f));
-  ScreenResources resources{frame.images(), frame.samplers()};
-  resources.images["_CameraDepthTexture"] = &depth;
-  resources.images["_ScreenSpaceShadowmapTexture"] = &seen;
-  resources.images["_PenumbraMaskTexture"] = &mask;
-  pass_.draw(target, resources, values);
+  NamedResources resources;
+  for (const auto& [name, image] : frame.images()) resources.images[name] = {image};
+  resources.images["_CameraDepthTexture"] = {&depth};
+  resources.images["_ScreenSpaceShadowmapTexture"] = {&seen};
+  resources.images["_PenumbraMaskTexture"] = {&mask};
+  resources.samplers = frame.samplers();
+  gpu::Sequence sequence(device_);
+  gpu::Bindings bindings = program_.bind(resources);
+  program_.set_uniforms(bindings, values);
+  program_.draw(sequence, bindings, {{&target}, nullptr, 0.0F}, whole_of(target));
+  sequence.run();
 
   std::vector<glm::vec3> colours;
   for (const glm::vec4& texel : target.download<glm::vec4>()) colours.emplace_back(texel);

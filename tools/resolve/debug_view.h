@@ -9,7 +9,7 @@
 
 #include "resolve/camera_image.h"
 #include "resolve/frame_on_device.h"
-#include "resolve/screen_pass.h"
+#include "resolve/program_on_device.h"
 #include "shaders/package_shader.h"
 
 namespace penumbra::resolve {
@@ -30,7 +30,7 @@ class DebugView {
 
  private:
   const gpu::Device& device_;
-  ScreenPass pass_;
+  ProgramOnDevice program_;
 };
 
 }  // namespace penumbra::resolve

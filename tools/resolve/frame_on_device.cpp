@@ -117,6 +117,15 @@ void add_light_uniforms(const scene::Frame& frame, UniformValues& values) {
   values.set("_ScreenParams", glm::vec4(width, height, 1.0f + 1.0f / width, 1.0f + 1.0f / height));
 }
 
+MapLayout layout_of(const scene::Frame& frame) {
+  const parameters::CascadeSet& set = frame.cascades;
+  MapLayout layout{frame.atlas.width, frame.atlas.height, set.tile_resolution, {}};
+  for (const parameters::Cascade& cascade : set.cascades)
+    layout.origins.push_back({static_cast<int>(std::lround(cascade.offset_scale.x * frame.atlas.width)),
+                              static_cast<int>(std::lround(cascade.offset_scale.y * frame.atlas.height))});
+  return layout;
+}
+
 glm::vec4 main_light_params(const parameters::CascadeSet& set) {
   const double tan_half = parameters::tan_half(set.angular_diameter_degrees);
   return {static_cast<float>(set.cascades.size()), static_cast<float>(tan_half), 0.0f, 0.0f};
@@ -127,6 +136,7 @@ glm::vec4 main_light_params(const parameters::CascadeSet& set) {
 FrameOnDevice::FrameOnDevice(const gpu::Device& device, const scene::Frame& frame)
     : width_(frame.receivers.width),
       height_(frame.receivers.height),
+      map_layout_(layout_of(frame)),
       atlas_(device, gpu_format(frame.atlas.format), frame.atlas.width, frame.atlas.height),
       compare_(device, frame.cascades.reversed_z ? gpu::SamplerKind::compare_greater_equal
                                                  : gpu::SamplerKind::compare_less_equal),

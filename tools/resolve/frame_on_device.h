@@ -8,6 +8,7 @@
 #include <string>
 
 #include "gpu/resources.h"
+#include "resolve/map_layout.h"
 #include "resolve/uniform_values.h"
 #include "scene/frame.h"
 
@@ -27,12 +28,14 @@ class FrameOnDevice {
   // Whether the one of that name compares; empty for names that samplers() lacks.
   static std::optional<bool> sampler_compares(const std::string& name);
   UniformValues uniforms(int noise_frame) const;
+  const MapLayout& map_layout() const { return map_layout_; }
 
   const gpu::Buffer& visibility() const { return visibility_; }
 
  private:
   int width_;
   int height_;
+  MapLayout map_layout_;
   gpu::Image atlas_;
   gpu::Sampler compare_;
   gpu::Sampler point_;

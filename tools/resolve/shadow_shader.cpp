@@ -4,7 +4,6 @@
 
 #include "input/input_error.h"
 #include "platform/data_directory.h"
-#include "resolve/module_order.h"
 #include "techniques/technique_call.h"
 
 namespace penumbra::resolve {
@@ -39,7 +38,6 @@ shaders::CompileRequest request(const ShadowShader& shader) {
   request.package_roots = with_own_package(shader.package_roots);
   request.include_directories = shader.include_directories;
   request.include_directories.push_back(root / "ShaderLibrary");
-  request.include_directories.push_back(root);  // the package's folder: filters are named relative to it
   request.include_directories.push_back(root / "tools" / "resolve" / "shaders");
   request.project = shader.project;
   request.cginc_root = shader.cginc_root;
@@ -66,6 +64,7 @@ ShadowShader technique_shader(const techniques::TechniqueList& list, const techn
   const techniques::TechniqueCall call = techniques::emit_technique_call(list, technique);
   ShadowShader shader;
   shader.name = technique.name;
+  shader.include_directories = list.include_directories();
   shader.body = "#include \"Platform/Platform.hlsl\"\n" + call.includes +
                 "#include \"Core/ShadowStructs.hlsl\"\n" + call.declarations + call.function;
   shader.defines = depth_defines(reversed_z);
@@ -99,7 +98,7 @@ ShadowShader adapter_shader(const Adapter& adapter, bool reversed_z) {
   return shader;
 }
 
-CompiledShadowShader compile(const ShadowShader& shader, const platform::WorkerPool& process) {
+ModuleOrder module_order(const ShadowShader& shader) {
   ModuleOrder order;
   order.name = shader.name;
   order.file = shader.file.empty() ? shader.name : shader.file.string();
@@ -109,13 +108,7 @@ CompiledShadowShader compile(const ShadowShader& shader, const platform::WorkerP
     order.vertex = triangle_request();
     order.is_adapter = true;
   }
-  CompiledModules modules = compile_modules(order, process);
-  return {shader,
-          std::move(modules.vertex),
-          std::move(modules.plain),
-          std::move(modules.counting),
-          std::move(modules.notes),
-          std::move(modules.named_at)};
+  return order;
 }
 
 }  // namespace penumbra::resolve

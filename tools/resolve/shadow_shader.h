@@ -14,6 +14,7 @@
 #include "parameters/cascades.h"
 #include "platform/worker_pool.h"
 #include "resolve/adapter_resources.h"
+#include "resolve/module_order.h"
 #include "resolve/technique_uniforms.h"
 #include "resolve/uniform_numbers.h"
 #include "resolve/uniform_values.h"
@@ -64,21 +65,8 @@ struct Adapter {
 };
 ShadowShader adapter_shader(const Adapter& adapter, bool reversed_z = true);
 
-// One shader: as it ships, and with its texels counted (shaders/counted_module.h).
-struct CompiledShadowShader {
-  ShadowShader source;
-  std::vector<std::uint32_t> vertex;  // empty for a compute shader
-  std::vector<std::uint32_t> plain;
-  std::vector<std::uint32_t> counting;
-  std::vector<std::string> notes;  // the compiler's, for example which body of two was kept
-  // "file:line" where a resource is first named, for messages about it.
-  std::map<std::string, std::string> named_at;
-};
-
-// In `process`, whose arguments start this program as serve_modules(); here, where it has none. Throws
-// InputError with the compiler's messages when the shader does not compile, and of a user's function also
-// when it compares through a sampler that does not, or reads through one that does. A compiler that dies,
-// hangs or takes more than the limits is an InputError that names the user's file.
-CompiledShadowShader compile(const ShadowShader& shader, const platform::WorkerPool& process = {});
+// How to compile it: a compute shader with the entry point Main, or of a user's function the fragment shader
+// ResolveFragment over a triangle.
+ModuleOrder module_order(const ShadowShader& shader);
 
 }  // namespace penumbra::resolve

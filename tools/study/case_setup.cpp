@@ -142,8 +142,8 @@ std::vector<FrameOfCase> CaseBuilder::pan_frames(const scene::FrameSettings& set
 // The camera's image only for those who read it.
 FrameOfCase CaseBuilder::on_device_frame(const scene::Frame& frame) const {
   const bool read = std::any_of(subjects_.begin(), subjects_.end(),
-                                [](const Subject& subject) { return subject.screen.has_value(); });
-  return {{device_, frame}, read ? resolve::camera_image(frame) : resolve::CameraImage{}};
+                                [](const Subject& subject) { return subject.graph.graph.over_screen(); });
+  return {{device_, frame}, read ? std::optional(resolve::camera_image(frame)) : std::nullopt};
 }
 
 reference::RunOptions CaseBuilder::run_options(const std::string& work, const std::string& unit) const {

@@ -18,10 +18,10 @@
 
 namespace penumbra::study {
 
-// A frame on the device, and as the camera's depth image for passes over the screen.
+// A frame on the device, and as the camera's depth image where a subject runs over the screen.
 struct FrameOfCase {
   resolve::FrameOnDevice on_device;
-  resolve::CameraImage camera;
+  std::optional<resolve::CameraImage> camera;
 };
 
 // The caster bias and the light that a subject runs with.

@@ -10,10 +10,12 @@ namespace {
 constexpr int kUnlimitedVersion = 1;
 constexpr int kUnlimitedSeeds = 4;  // rotations averaged: thousands of taps leave little for them to do
 
-std::string unlimited_key(const View& view, const resolve::CompiledShadowShader& shader) {
+std::string unlimited_key(const View& view, const resolve::CompiledGraph& graph) {
   platform::ContentHash hash;
-  hash.update(kUnlimitedVersion).update(view.key).update(std::span<const std::uint32_t>(shader.plain));
-  hash.update(shader.source.parameters.fingerprint());
+  hash.update(kUnlimitedVersion).update(view.key);
+  for (const resolve::CompiledProgram& program : graph.programs)
+    hash.update(std::span<const std::uint32_t>(program.plain));
+  hash.update(graph.source.parameters.fingerprint());
   return hash.hex();
 }
 
@@ -30,25 +32,16 @@ std::vector<float> mean_image(const std::vector<std::vector<float>>& images) {
 }
 
 PreparedSubject::PreparedSubject(const gpu::Device& device, const Subject& subject,
-                                 const StudySettings& settings,
-                                 const std::function<const shaders::PackageShader&()>& package)
-    : subject_(&subject) {
-  if (subject.screen) {
-    chain_.emplace(device, package(), *subject.screen, settings.frame.shadows.reversed_z, settings.compiler);
-  } else {
-    resolver_.emplace(device, resolve::compile(subject.shader, settings.compiler));
-  }
+                                 const StudySettings& settings)
+    : subject_(&subject), runner_(device, resolve::compile(subject.graph, settings.compiler)) {
   if (settings.split_error && subject.unlimited) {
     unlimited_ = resolve::compile(*subject.unlimited, settings.compiler);
-    unlimited_resolver_.emplace(device, *unlimited_);
+    unlimited_runner_.emplace(device, *unlimited_);
   }
 }
 
-Answer PreparedSubject::answer(const FrameOfCase& frame, const resolve::ResolveOptions& options) {
-  if (resolver_) return {resolver_->resolve(frame.on_device, options), 0.0, {}, {}};
-  resolve::ScreenChainResult result = chain_->run(frame.on_device, frame.camera, options);
-  return {std::move(result.image), result.fetches_of_others, std::move(result.fetches_of_others_at),
-          std::move(result.masked_out)};
+Answer PreparedSubject::answer(const FrameOfCase& frame, const resolve::RunOptions& options) {
+  return runner_.run(frame.on_device, frame.camera ? &*frame.camera : nullptr, options);
 }
 
 std::optional<reference::VisibilityImage> PreparedSubject::unlimited_answer(
@@ -57,14 +50,14 @@ std::optional<reference::VisibilityImage> PreparedSubject::unlimited_answer(
   const resolve::FrameOnDevice& frame = view.on_device_frame.on_device;
   const std::string key = unlimited_key(view, *unlimited_);
   if (std::optional<reference::VisibilityImage> kept = cache.find(key)) return kept;
-  resolve::ResolveOptions options;
+  resolve::RunOptions options;
   options.noise_seeds = kUnlimitedSeeds;
   options.timing_repeats = 0;
   options.count_fetches = false;
   reference::VisibilityImage answer;
   answer.width = frame.width();
   answer.height = frame.height();
-  answer.visibility = mean_image(unlimited_resolver_->resolve(frame, options).visibility);
+  answer.visibility = mean_image(unlimited_runner_->run(frame, options).visibility);
   answer.valid = setup.t1.valid;
   answer.samples = kUnlimitedSeeds;
   cache.store(key, answer);
@@ -75,9 +68,9 @@ Shimmer PreparedSubject::shimmer(const CaseSetup& setup, const std::vector<Frame
   const auto of = [&](bool noise_moves) {
     std::vector<std::vector<float>> pictures;
     for (std::size_t k = 0; k < pan.size(); ++k) {
-      resolve::ResolveOptions options{.noise_seeds = 1, .timing_repeats = 0, .count_fetches = false};
+      resolve::RunOptions options{.noise_seeds = 1, .timing_repeats = 0, .count_fetches = false};
       options.first_seed = noise_moves ? static_cast<int>(k) : 0;
-      pictures.push_back(answer(pan[k], options).image.visibility.front());
+      pictures.push_back(answer(pan[k], options).visibility.front());
     }
     return shimmer_of(pictures, setup.t1.width, setup.t1.visibility, setup.t1.valid);
   };

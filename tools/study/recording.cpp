@@ -50,7 +50,7 @@ double fetches_of_others(const Answer& answer, int width, const std::optional<Pi
 
 // Of every pass at each pixel.
 std::vector<std::uint32_t> all_fetches(const Answer& answer) {
-  std::vector<std::uint32_t> all = answer.image.fetches;
+  std::vector<std::uint32_t> all = answer.fetches;
   for (std::size_t i = 0; i < answer.fetches_of_others_at.size(); ++i) {
     all[i] += static_cast<std::uint32_t>(std::lround(answer.fetches_of_others_at[i]));
   }
@@ -82,7 +82,6 @@ RunSettings run_settings(const View& view) {
 Metrics metrics_of(const CaseSetup& setup, const View& view, const Answer& answer,
                    const std::optional<PictureWindow>& window,
                    const std::optional<reference::VisibilityImage>& unlimited) {
-  const resolve::ResolveResult& result = answer.image;
   MeasuredImages images;
   const std::vector<std::uint8_t> counted = counted_receivers(setup.t1, window);
   images.preprocess_fetches_per_pixel = fetches_of_others(answer, setup.t1.width, window);
@@ -90,8 +89,8 @@ Metrics metrics_of(const CaseSetup& setup, const View& view, const Answer& answe
   images.width = setup.t1.width;
   images.t1 = setup.t1.visibility;
   images.valid = counted;
-  for (const std::vector<float>& image : result.visibility) images.results.emplace_back(image);
-  images.fetches.emplace_back(result.fetches);
+  for (const std::vector<float>& image : answer.visibility) images.results.emplace_back(image);
+  images.fetches.emplace_back(answer.fetches);
   if (view.t2) {
     images.t2 = view.t2->visibility;
     images.t3 = unlimited ? std::span<const float>(unlimited->visibility) : images.results.front();
@@ -129,7 +128,7 @@ Record record_of(const CaseSetup& setup, const View& view, const Subject& subjec
   record.settings = run_settings(view);
   record.device = device;
   record.metrics = metrics_of(setup, view, answer, window, unlimited);
-  std::vector<double> milliseconds = answer.image.time_ns;
+  std::vector<double> milliseconds = answer.time_ns;
   for (double& time : milliseconds) time *= 1e-6;
   record.time = summarise(std::move(milliseconds));
   record.reference = {"ray-traced disc light", setup.t1.samples, setup.t1.noise_floor};
@@ -137,15 +136,14 @@ Record record_of(const CaseSetup& setup, const View& view, const Subject& subjec
 }
 
 PictureRow pictures_of(const CaseSetup& setup, const Subject& subject, const Answer& answer) {
-  const resolve::ResolveResult& result = answer.image;
   const PixelGrid grid{setup.t1.width, setup.t1.height, setup.t1.valid};
   PictureRow row;
   row.scene = setup.scene.name;
   row.technique = subject.name;
   row.light_degrees = setup.light_degrees;
   row.reference = visibility_picture(grid, setup.t1.visibility);
-  row.result = visibility_picture(grid, result.visibility.front());
-  row.error = error_picture(grid, result.visibility.front(), setup.t1.visibility, kErrorScale);
+  row.result = visibility_picture(grid, answer.visibility.front());
+  row.error = error_picture(grid, answer.visibility.front(), setup.t1.visibility, kErrorScale);
   row.fetches = fetch_picture(grid, all_fetches(answer), kFetchScale);
   row.fetch_counts = count_picture(grid, all_fetches(answer));
   if (!answer.masked_out.empty()) row.mask = mask_picture(grid, answer.masked_out);

@@ -61,14 +61,10 @@ class Study {
 
  private:
   void prepare(const std::vector<Subject>& subjects) {
-    std::optional<shaders::PackageShader> parsed;  // once, when a subject needs it
-    const auto package = [&]() -> const shaders::PackageShader& {
-      return parsed ? *parsed : parsed.emplace(shaders::package_shader_file());
-    };
     for (std::size_t i = 0; i < subjects.size(); ++i) {
       progress_("compiling " + subjects[i].name, static_cast<double>(i), static_cast<double>(subjects.size()),
                 " techniques");
-      subjects_.emplace_back(device_, subjects[i], settings_, package);
+      subjects_.emplace_back(device_, subjects[i], settings_);
       platform::throw_if_interrupted();
     }
     if (settings_.debug_views.empty()) return;
@@ -90,38 +86,37 @@ class Study {
   void measure_subject(const CaseSetup& setup, const View& view, PreparedSubject& prepared) {
     const Subject& subject = prepared.subject();
     const bool averaged = subject.averaged_frames > 1;
-    resolve::ResolveOptions options;
+    resolve::RunOptions options;
     options.noise_seeds = averaged ? subject.averaged_frames : settings_.noise_seeds;
     options.timing_repeats = settings_.timing_repeats;
     Answer answer = prepared.answer(view.on_device_frame, options);
-    if (averaged) answer.image.visibility = {mean_image(answer.image.visibility)};
+    if (averaged) answer.visibility = {mean_image(answer.visibility)};
     outcome_.records.push_back(record_of(setup, view, subject, answer, settings_.window,
                                          prepared.unlimited_answer(setup, view, cache_),
                                          device_.info().name));
     outcome_.pictures.push_back(pictures_of(setup, subject, answer));
-    if (subject.screen)
-      outcome_.pictures.back().debug_views = debug_views(view.on_device_frame, *subject.screen, answer);
+    if (subject.graph.graph.over_screen())
+      outcome_.pictures.back().debug_views =
+          debug_views(view.on_device_frame, subject.graph.parameters, answer);
     if (settings_.answered) {
       settings_.answered(
-          {setup.scene, view.frame, setup.t1, outcome_.records.back(), answer.image.visibility.front()});
+          {setup.scene, view.frame, setup.t1, outcome_.records.back(), answer.visibility.front()});
     }
-    note_unset(subject, answer.image);
+    note_unset(subject, answer);
   }
 
   std::map<std::string, Picture> debug_views(const FrameOfCase& frame,
-                                             const resolve::ScreenChainDescription& chain,
-                                             const Answer& answer) {
+                                             const resolve::UniformValues& parameters, const Answer& answer) {
     std::map<std::string, Picture> pictures;
     for (auto& [name, view] : debug_views_) {
       const std::vector<glm::vec3> colours =
-          view.draw(frame.on_device, frame.camera, answer.image.visibility.front(), answer.masked_out,
-                    chain.parameters);
-      pictures.emplace(name, colour_picture(frame.camera.width, frame.camera.height, colours));
+          view.draw(frame.on_device, *frame.camera, answer.visibility.front(), answer.masked_out, parameters);
+      pictures.emplace(name, colour_picture(frame.camera->width, frame.camera->height, colours));
     }
     return pictures;
   }
 
-  void note_unset(const Subject& subject, const resolve::ResolveResult& result) {
+  void note_unset(const Subject& subject, const Answer& result) {
     if (result.unset_uniforms.empty()) return;
     std::string note = subject.name + " reads uniforms that are not provided and are therefore 0:";
     for (const std::string& name : result.unset_uniforms) note += " " + name;

@@ -18,8 +18,7 @@
 #include "gpu/device.h"
 #include "platform/worker_pool.h"
 #include "reference/visibility_image.h"
-#include "resolve/screen_chain.h"
-#include "resolve/shadow_shader.h"
+#include "resolve/compiled_graph.h"
 #include "scene/frame.h"
 #include "scene/scene.h"
 #include "study/picture.h"
@@ -33,13 +32,10 @@ struct Subject {
   std::string name;
   std::string title;
   std::map<std::string, std::vector<double>> parameters;
-  resolve::ShadowShader shader;
-  parameters::CasterBias bias{};  // that its casters are drawn with
-  double light_scale = 1.0;       // the diameter that it is told, over the light's
-  // The passes of the package's .shader, from the camera's depth image, instead of `shader` over known
-  // surfaces.
-  std::optional<resolve::ScreenChainDescription> screen;
-  std::optional<resolve::ShadowShader> unlimited;  // absent: the subject takes no samples and is its own T3
+  resolve::ShadowGraph graph;
+  parameters::CasterBias bias{};                    // that its casters are drawn with
+  double light_scale = 1.0;                         // the diameter that it is told, over the light's
+  std::optional<resolve::ShadowGraph> unlimited{};  // absent: the subject takes no samples and is its own T3
   // Frames, each with noise of its own, whose mean counts as the subject's one answer: what an antialiasing
   // over time comes to where nothing moves. 1: every noise seed is an answer.
   int averaged_frames = 1;

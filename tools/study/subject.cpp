@@ -1,5 +1,4 @@
 #include "parameters/settings_input.h"
-#include "resolve/screen_technique.h"
 #include "study/study.h"
 
 namespace penumbra::study {
@@ -12,10 +11,9 @@ Subject technique_subject(const techniques::TechniqueList& list, const technique
   subject.parameters = technique.values;
   subject.bias = {technique.bias.depth, technique.bias.normal,
                   parameters::soft_quality_named(technique.bias.soft_quality)};
-  subject.shader = resolve::technique_shader(list, technique, resolve::Taps::as_listed, reversed_z);
-  if (technique.graph.over_screen()) subject.screen = resolve::screen_chain(list, technique);
+  subject.graph = resolve::technique_graph(list, technique, resolve::Taps::as_listed, reversed_z);
   if (!technique.unlimited.empty()) {
-    subject.unlimited = resolve::technique_shader(list, technique, resolve::Taps::unlimited, reversed_z);
+    subject.unlimited = resolve::technique_graph(list, technique, resolve::Taps::unlimited, reversed_z);
   }
   return subject;
 }
@@ -26,7 +24,7 @@ Subject adapter_subject(const resolve::Adapter& adapter, bool reversed_z) {
   subject.title = adapter.name + " (" + adapter.file.filename().string() + ")";
   subject.bias = adapter.bias;
   subject.light_scale = adapter.light_scale;
-  subject.shader = resolve::adapter_shader(adapter, reversed_z);
+  subject.graph = resolve::adapter_graph(adapter, reversed_z);
   return subject;
 }
 

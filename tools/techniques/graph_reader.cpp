@@ -171,16 +171,6 @@ FilterCall read_filter(JsonObject object, const TechniqueList& list, const Manif
   return filter;
 }
 
-PassGraph graph_of(FilterCall filter, const std::string& where) {
-  PassGraph graph;
-  GraphPass pass;
-  pass.name = filter.function;
-  pass.where = where;
-  pass.filter = std::move(filter);
-  graph.passes.push_back(std::move(pass));
-  return graph;
-}
-
 PassGraph read_graph(JsonObject& object, const TechniqueList& list, const ManifestFiles& files,
                      const std::map<std::string, PassGraph>& known) {
   PassGraph graph;

@@ -37,7 +37,4 @@ PassGraph read_graph(JsonObject& object, const TechniqueList& list, const Manife
 // {file, function, arguments, parameters}
 FilterCall read_filter(JsonObject object, const TechniqueList& list, const ManifestFiles& files);
 
-// A graph of that filter alone.
-PassGraph graph_of(FilterCall filter, const std::string& where);
-
 }  // namespace penumbra::techniques

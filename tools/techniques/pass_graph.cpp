@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "input/nearest_name.h"
 #include "techniques/texel_formats.h"
@@ -278,6 +279,16 @@ const FilterCall* PassGraph::filter() const {
   const auto found = std::find_if(passes.rbegin(), passes.rend(),
                                   [](const GraphPass& pass) { return pass.filter.has_value(); });
   return found == passes.rend() ? nullptr : &*found->filter;
+}
+
+PassGraph graph_of(FilterCall filter, const std::string& where) {
+  PassGraph graph;
+  GraphPass pass;
+  pass.name = filter.function;
+  pass.where = where;
+  pass.filter = std::move(filter);
+  graph.passes.push_back(std::move(pass));
+  return graph;
 }
 
 std::optional<std::vector<GraphPass>> in_running_order(const PassGraph& graph) {

@@ -96,6 +96,9 @@ struct PassGraph {
   bool over_screen() const { return !visibility.empty(); }
 };
 
+// A graph of that filter alone.
+PassGraph graph_of(FilterCall filter, const std::string& where);
+
 struct GraphProblem {
   std::string where;  // of the texture, buffer or pass; may be empty
   std::string text;

@@ -1,0 +1,115 @@
+#include "resolve/compiled_graph.h"
+
+#include <utility>
+
+#include "platform/data_directory.h"
+#include "resolve/module_order.h"
+
+namespace penumbra::resolve {
+namespace {
+
+using techniques::GraphPass;
+using techniques::PassKind;
+
+CompiledProgram program_of(const std::string& name, const ModuleOrder& order, CompiledModules modules,
+                           std::vector<std::string>* notes = nullptr) {
+  CompiledProgram program;
+  program.name = name;
+  program.entry = order.plain.entry;
+  if (order.vertex) program.vertex_entry = order.vertex->entry;
+  program.named_at = std::move(modules.named_at);
+  program.vertex = std::move(modules.vertex);
+  program.plain = std::move(modules.plain);
+  program.counting = std::move(modules.counting);
+  if (notes != nullptr) notes->insert(notes->end(), modules.notes.begin(), modules.notes.end());
+  return program;
+}
+
+CompiledProgram compile_kernel(const ShadowGraph& graph, const GraphPass& pass,
+                               const platform::WorkerPool& process) {
+  ModuleOrder order;
+  order.plain.file = (graph.package / pass.file).lexically_normal();
+  order.plain.entry = pass.program;
+  order.plain.stage = hlsl::Stage::compute;
+  order.plain.prepare = true;
+  order.plain.include_directories = {platform::data_directory() / "ShaderLibrary"};
+  order.plain.package_roots = {{"com.penumbra.shadows", platform::data_directory()}};
+  for (const std::string& keyword : graph.keywords) order.plain.defines.emplace_back(keyword, "1");
+  if (graph.reversed_z) order.plain.defines.emplace_back("UNITY_REVERSED_Z", "1");
+  order.file = order.plain.file.string();
+  order.name = order.file + ": " + pass.program;
+  return program_of(order.name, order, compile_modules(order, process));
+}
+
+}  // namespace
+
+ShadowGraph filter_graph(const ShadowShader& shader) {
+  ShadowGraph graph;
+  graph.name = shader.name;
+  graph.graph = techniques::graph_of({}, "");
+  graph.filter = shader;
+  graph.parameters = shader.parameters;
+  graph.uses_noise = shader.uses_noise;
+  return graph;
+}
+
+ShadowGraph technique_graph(const techniques::TechniqueList& list, const techniques::Technique& technique,
+                            Taps taps, bool reversed_z) {
+  ShadowGraph graph;
+  graph.name = technique.name;
+  graph.graph = technique.graph;
+  graph.package = list.package;
+  graph.keywords = technique.all_keywords();
+  graph.reversed_z = reversed_z;
+  // Unlimited samples are the filter's alone, exactly known surfaces included.
+  const bool filter_alone = taps == Taps::unlimited && technique.graph.filter_pass() == nullptr;
+  if (filter_alone) graph.graph = techniques::graph_of(*technique.graph.filter(), technique.where);
+  if (graph.graph.filter_pass() != nullptr)
+    graph.filter = technique_shader(list, technique, taps, reversed_z);
+  graph.parameters = parameter_uniforms(list, technique, taps);
+  graph.uses_noise = !technique.unlimited.empty() && taps == Taps::as_listed;
+  return graph;
+}
+
+ShadowGraph adapter_graph(const Adapter& adapter, bool reversed_z) {
+  return filter_graph(adapter_shader(adapter, reversed_z));
+}
+
+CompiledProgram compile_pass(const shaders::PackageShader& shader, const std::string& pass,
+                             const std::vector<std::string>& keywords, bool reversed_z,
+                             const platform::WorkerPool& process) {
+  ModuleOrder order;
+  order.vertex = shader.request(pass, hlsl::Stage::vertex, keywords, reversed_z);
+  order.plain = shader.request(pass, hlsl::Stage::fragment, keywords, reversed_z);
+  order.file = order.plain.file.string();
+  order.name = order.file + ": " + pass;
+  return program_of(pass, order, compile_modules(order, process));
+}
+
+CompiledGraph compile(const ShadowGraph& graph, const platform::WorkerPool& process) {
+  CompiledGraph compiled{graph, {}, {}};
+  std::map<std::filesystem::path, shaders::PackageShader> parsed;
+  for (const GraphPass& pass : graph.graph.passes) {
+    switch (pass.kind) {
+      case PassKind::filter: {
+        const ModuleOrder order = module_order(*graph.filter);
+        compiled.programs.push_back(
+            program_of(graph.name, order, compile_modules(order, process), &compiled.notes));
+        break;
+      }
+      case PassKind::raster:
+      case PassKind::casters: {
+        const std::filesystem::path file = (graph.package / pass.file).lexically_normal();
+        compiled.programs.push_back(compile_pass(parsed.try_emplace(file, file).first->second, pass.program,
+                                                 graph.keywords, graph.reversed_z, process));
+        break;
+      }
+      case PassKind::compute:
+        compiled.programs.push_back(compile_kernel(graph, pass, process));
+        break;
+    }
+  }
+  return compiled;
+}
+
+}  // namespace penumbra::resolve

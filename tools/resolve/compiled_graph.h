@@ -1,0 +1,69 @@
+// A technique, or a function of the user's own, as the graph that is run: described, and compiled.
+//
+// A technique that ends in a filter runs it once per receiver; one that runs over the screen is the passes of
+// its .shader files. A user's function is the shortest graph: a filter alone.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "platform/worker_pool.h"
+#include "resolve/shadow_shader.h"
+#include "shaders/package_shader.h"
+#include "techniques/pass_graph.h"
+
+namespace penumbra::resolve {
+
+struct ShadowGraph {
+  std::string name;
+  techniques::PassGraph graph;
+  std::filesystem::path package;      // whose files the passes name
+  std::vector<std::string> keywords;  // on in the passes' programs
+  bool reversed_z = true;
+  std::optional<ShadowShader> filter;  // the text of the graph's filter pass
+  UniformValues parameters;
+  bool uses_noise = false;  // the result depends on the noise seed
+};
+
+ShadowGraph technique_graph(const techniques::TechniqueList& list, const techniques::Technique& technique,
+                            Taps taps = Taps::as_listed, bool reversed_z = true);
+ShadowGraph adapter_graph(const Adapter& adapter, bool reversed_z = true);
+ShadowGraph filter_graph(const ShadowShader& shader);
+
+// The program of one pass, compiled as it ships and with its texels counted.
+struct CompiledProgram {
+  std::string name;                             // what messages call it
+  std::map<std::string, std::string> named_at;  // "file:line" where a resource is first named
+  std::vector<std::uint32_t> vertex;            // empty: a compute shader
+  std::vector<std::uint32_t> plain;
+  std::vector<std::uint32_t> counting;  // shaders/counted_module.h
+  std::string vertex_entry{};
+  std::string entry;
+};
+
+struct CompiledGraph {
+  ShadowGraph source;
+  std::vector<CompiledProgram> programs;  // of source.graph.passes
+  std::vector<std::string> notes;         // the compiler's, for example which body of two was kept
+};
+
+// In `process`, whose arguments start this program as serve_modules(); here, where it has none. Throws
+// InputError with the compiler's messages, and for a pass or kernel that its file does not have. Of a user's
+// function also when it compares through a sampler that does not, or reads through one that does. A compiler
+// that dies, hangs or takes more than the limits is an InputError that names the user's file.
+CompiledGraph compile(const ShadowGraph& graph, const platform::WorkerPool& process = {});
+
+inline CompiledGraph compile(const ShadowShader& shader, const platform::WorkerPool& process = {}) {
+  return compile(filter_graph(shader), process);
+}
+
+// One pass of a .shader.
+CompiledProgram compile_pass(const shaders::PackageShader& shader, const std::string& pass,
+                             const std::vector<std::string>& keywords, bool reversed_z,
+                             const platform::WorkerPool& process = {});
+
+}  // namespace penumbra::resolve

@@ -1,0 +1,87 @@
+#include "resolve/graph_resources.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "input/input_error.h"
+
+namespace penumbra::resolve {
+namespace {
+
+int rounded_up(int size, int divisor) {
+  return std::max(1, (size + divisor - 1) / divisor);
+}
+
+void fill_with_zeros(gpu::Image& image) {
+  for (int mip = 0; mip < image.shape().mips; ++mip) {
+    const std::vector<std::byte> zeros(image.size_bytes(mip));
+    for (int layer = 0; layer < image.shape().layers; ++layer)
+      image.upload_bytes(zeros, {.mip = mip, .layer = layer});
+  }
+}
+
+gpu::Image made(const gpu::Device& device, const techniques::GraphTexture& texture,
+                const GraphExtents& extents) {
+  const auto [width, height, depth] = texture_size_of(texture, extents);
+  gpu::ImageShape shape;
+  shape.format = measured_format(texture);
+  shape.width = width;
+  shape.height = height;
+  shape.depth = depth;
+  shape.layers = texture.extent == techniques::ExtentOf::tile ? static_cast<int>(extents.map.origins.size())
+                                                              : texture.layers;
+  const int most = gpu::mip_count(width, height, depth);
+  shape.mips = texture.mips == 0 ? most : std::min(texture.mips, most);
+  shape.samples = texture.samples;
+  try {
+    gpu::Image image(device, shape);
+    if (shape.samples == 1) fill_with_zeros(image);
+    return image;
+  } catch (const EnvironmentError& error) {
+    throw InputError(texture.where, "texture '" + texture.name + "': " + error.what());
+  }
+}
+
+}  // namespace
+
+std::array<int, 3> texture_size_of(const techniques::GraphTexture& texture, const GraphExtents& extents) {
+  const auto share = [&](int width, int height) {
+    return std::array{rounded_up(width, texture.divisor), rounded_up(height, texture.divisor), 1};
+  };
+  switch (texture.extent) {
+    case techniques::ExtentOf::screen:
+      return share(extents.screen_width, extents.screen_height);
+    case techniques::ExtentOf::map:
+      return share(extents.map.width, extents.map.height);
+    case techniques::ExtentOf::tile:
+      return share(extents.map.tile, extents.map.tile);
+    case techniques::ExtentOf::fixed:
+      break;
+  }
+  return texture.size;
+}
+
+gpu::Format measured_format(const techniques::GraphTexture& texture) {
+  if (texture.format == "r8") return gpu::Format::r32f;
+  if (texture.format == "rg8") return gpu::Format::rg32f;
+  if (texture.format == "rgba8") return gpu::Format::rgba32f;
+  return gpu::find_format(texture.format).value();
+}
+
+GraphResources::GraphResources(const gpu::Device& device, const techniques::PassGraph& graph,
+                               const GraphExtents& extents) {
+  for (const techniques::GraphTexture& texture : graph.textures)
+    textures_.emplace(texture.name, made(device, texture, extents));
+  for (const techniques::GraphBuffer& buffer : graph.buffers) {
+    std::size_t words = static_cast<std::size_t>(buffer.words);
+    if (!buffer.texture.empty()) {
+      const auto [width, height, depth] = texture_size_of(*graph.texture(buffer.texture), extents);
+      words += static_cast<std::size_t>(buffer.words_per_texel) * static_cast<std::size_t>(width) *
+               static_cast<std::size_t>(height) * static_cast<std::size_t>(depth);
+    }
+    const std::vector<std::uint32_t> zeros(words);
+    buffers_.emplace(buffer.name, gpu::Buffer(device, std::span<const std::uint32_t>(zeros)));
+  }
+}
+
+}  // namespace penumbra::resolve

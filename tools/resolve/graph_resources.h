@@ -1,0 +1,44 @@
+// The textures and buffers of a graph, made for one frame. Internal to this room.
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "gpu/resources.h"
+#include "resolve/map_layout.h"
+#include "techniques/pass_graph.h"
+
+namespace penumbra::resolve {
+
+// What the extents of a graph are shares of, in texels.
+struct GraphExtents {
+  int screen_width = 0;
+  int screen_height = 0;
+  MapLayout map;
+};
+
+// Width, height and depth of a texture at its first mip level.
+std::array<int, 3> texture_size_of(const techniques::GraphTexture& texture, const GraphExtents& extents);
+
+// Textures of 8 bits for each channel are measured in floats: what is compared with ray tracing is what the
+// passes compute, without the rounding of the texture that holds it, at most 1/510. All others are as
+// declared.
+gpu::Format measured_format(const techniques::GraphTexture& texture);
+
+class GraphResources {
+ public:
+  // Contents are 0. Throws InputError, at the texture's place, for one that the device lacks.
+  GraphResources(const gpu::Device& device, const techniques::PassGraph& graph, const GraphExtents& extents);
+
+  const gpu::Image& texture(const std::string& name) const { return textures_.at(name); }
+  const gpu::Buffer& buffer(const std::string& name) const { return buffers_.at(name); }
+  bool is_texture(const std::string& name) const { return textures_.count(name) != 0; }
+
+ private:
+  std::map<std::string, gpu::Image> textures_;
+  std::map<std::string, gpu::Buffer> buffers_;
+};
+
+}  // namespace penumbra::resolve

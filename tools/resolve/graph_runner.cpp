@@ -1,0 +1,449 @@
+#include "resolve/graph_runner.h"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+#include <stdexcept>
+
+#include "resolve/graph_resources.h"
+#include "resolve/screen_uniforms.h"
+#include "resolve/texel_counter.h"
+#include "shaders/counted_module.h"
+#include "techniques/technique_call.h"
+
+namespace penumbra::resolve {
+namespace {
+
+using techniques::GraphPass;
+using techniques::GraphTexture;
+using techniques::PassGraph;
+using techniques::PassKind;
+
+double sum(const std::vector<std::uint32_t>& counts) {
+  return std::accumulate(counts.begin(), counts.end(), 0.0);
+}
+
+// Per pixel of the screen, rows from the top: what `of` says of the texel of a smaller image that covers it.
+template <typename Texel, typename Of>
+auto at_each_pixel(const std::vector<Texel>& texels, int width, int divisor, const CameraImage& camera,
+                   Of of) {
+  std::vector<decltype(of(texels.front()))> pixels;
+  pixels.reserve(camera.depth.size());
+  for (int y = 0; y < camera.height; ++y) {
+    for (int x = 0; x < camera.width; ++x) {
+      pixels.push_back(of(texels[static_cast<std::size_t>(y / divisor) * static_cast<std::size_t>(width) +
+                                 static_cast<std::size_t>(x / divisor)]));
+    }
+  }
+  return rows_from_top(pixels, camera.width, camera.rows);
+}
+
+void add(std::vector<float>& sums, const std::vector<float>& terms) {
+  if (sums.empty()) sums.resize(terms.size());
+  for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += terms[i];
+}
+
+TargetFormats target_formats(const PassGraph& graph, const GraphPass& pass) {
+  TargetFormats formats;
+  if (pass.kind == PassKind::filter)
+    formats.colours = {gpu::Format::r32f};  // of a function in a fragment shader
+  if (pass.kind != PassKind::raster) return formats;
+  for (const auto& [shader_name, name] : pass.writes) {
+    formats.colours.push_back(measured_format(*graph.texture(name)));
+    formats.samples = graph.texture(name)->samples;
+  }
+  // The other cascades' tiles.
+  formats.keep = pass.frequency == techniques::Frequency::cascade &&
+                 graph.texture(pass.writes.front().second)->extent == techniques::ExtentOf::map;
+  return formats;
+}
+
+// _PenumbraSourceSize of _PenumbraSourceTexture.
+std::string size_uniform(const std::string& texture) {
+  constexpr std::string_view kEnding = "Texture";
+  const bool ends = texture.ends_with(kEnding);
+  return (ends ? texture.substr(0, texture.size() - kEnding.size()) : texture) + "Size";
+}
+
+// A user's numbers for uniforms that the function reads.
+void check_numbers_of(const ShadowShader& shader, const CompiledProgram& program,
+                      const ProgramOnDevice& on_device) {
+  const auto function = program.named_at.find("ShadowVisibility");
+  check_numbers(shader.numbers, on_device.resources(),
+                function == program.named_at.end() ? shader.name : function->second, program.named_at);
+}
+
+}  // namespace
+
+// One frame: the graph's textures, and the steps of both modules.
+class GraphRunner::Run {
+ public:
+  Run(GraphRunner& runner, const FrameOnDevice& frame, const CameraImage* camera,
+      ProgramOnDevice::Module module)
+      : runner_(runner),
+        frame_(frame),
+        camera_(camera),
+        extents_{camera == nullptr ? frame.width() : camera->width,
+                 camera == nullptr ? frame.height() : camera->height, frame.map_layout()},
+        resources_(*runner.device_, runner.graph(), extents_),
+        sequence_(*runner.device_),
+        counting_(module == ProgramOnDevice::Module::counting) {
+    if (runner.graph().over_screen() && camera == nullptr)
+      throw std::invalid_argument("a graph over the screen needs a camera");
+    if (camera != nullptr) {
+      depth_.emplace(*runner.device_, gpu::Format::r32f, camera->width, camera->height);
+      depth_->upload(camera->depth);
+    }
+    for (std::size_t i = 0; i < runner.graph().passes.size(); ++i) add_pass(i);
+  }
+
+  // The sum of the steps' times in nanoseconds.
+  double run(int seed) {
+    UniformValues values = frame_.uniforms(seed);
+    values.merge(runner_.own_.uniforms());
+    values.merge(runner_.graph_.source.parameters);
+    if (camera_ != nullptr) set_screen(values, *camera_);
+    for (Step& step : steps_) {
+      UniformValues all = values;
+      all.merge(step.uniforms);
+      const bool is_filter = runner_.graph().passes[step.pass].kind == PassKind::filter;
+      for (const std::string& name :
+           program(step.pass).set_uniforms(step.bindings, all, is_filter ? numbers() : UniformNumbers{}))
+        unset_.insert(name);
+    }
+    const std::vector<double> times = sequence_.run();
+    return std::accumulate(times.begin(), times.end(), 0.0);
+  }
+
+  // That a run has found: read as zero because nobody provides them.
+  const std::set<std::string>& unset_uniforms() const { return unset_; }
+
+  std::vector<float> visibility() const {
+    const std::string& name = runner_.graph().visibility;
+    if (name.empty()) return frame_.visibility().download<float>();
+    return rows_from_top(texels(name), camera_->width, camera_->rows);
+  }
+
+  std::vector<std::uint8_t> masked_out() const {
+    const std::string& name = runner_.graph().mask;
+    if (name.empty()) return {};
+    return at_each_pixel(texels(name), resources_.texture(name).width(),
+                         runner_.graph().texture(name)->divisor, *camera_,
+                         [](float texel) { return static_cast<std::uint8_t>(texel == 0.0f ? 1 : 0); });
+  }
+
+  // After a run of the counting modules.
+  void add_counts(GraphResult& result) const {
+    const double pixels = static_cast<double>(extents_.screen_width) * extents_.screen_height;
+    const auto receivers = static_cast<std::size_t>(pixels);
+    result.fetches.assign(receivers, 0);
+    for (std::size_t i = 0; i < runner_.graph().passes.size(); ++i) {
+      const GraphPass& pass = runner_.graph().passes[i];
+      PassCounts counts{pass.name, pass.frequency, 0.0, 0.0};
+      for (const Step& step : steps_) {
+        if (step.pass != i) continue;
+        const auto [fetches, written] = step.counter.buffer->counts();
+        counts.fetches += sum(fetches) / pixels;
+        counts.texels_written += sum(written) / pixels;
+        add_per_pixel(step, fetches, pixels, result);
+      }
+      result.passes.push_back(std::move(counts));
+    }
+  }
+
+ private:
+  struct Counter {
+    std::optional<TexelCounter> buffer;  // of counting modules
+    int divisor = 0;  // pixels of the screen per cell of the grid of counts, each way; 0: one cell for all
+  };
+
+  struct Step {
+    std::size_t pass = 0;
+    gpu::Bindings bindings;
+    UniformValues uniforms;  // of this step alone
+    Counter counter;
+  };
+
+  ProgramOnDevice& program(std::size_t pass) {
+    return counting_ ? runner_.counting_[pass] : runner_.plain_[pass];
+  }
+  const UniformNumbers& numbers() const {
+    static const UniformNumbers none;
+    return runner_.graph_.source.filter ? runner_.graph_.source.filter->numbers : none;
+  }
+
+  std::vector<float> texels(const std::string& name) const {
+    if (resources_.texture(name).format() != gpu::Format::r32f)
+      throw InputError(runner_.graph().texture(name)->where,
+                       "'" + name + "' is read back as visibility or mask, which are of format r8 or r32f");
+    return resources_.texture(name).download<float>();
+  }
+
+  void add_per_pixel(const Step& step, const std::vector<std::uint32_t>& fetches, double pixels,
+                     GraphResult& result) const {
+    if (step.counter.divisor == 1) {
+      const std::vector<std::uint32_t> rows =
+          camera_ == nullptr || runner_.graph().passes[step.pass].kind == PassKind::filter
+              ? fetches
+              : rows_from_top(fetches, camera_->width, camera_->rows);
+      for (std::size_t i = 0; i < rows.size(); ++i) result.fetches[i] += rows[i];
+      return;
+    }
+    result.fetches_of_others += sum(fetches) / pixels;
+    if (step.counter.divisor > 1) {
+      const auto area = static_cast<float>(step.counter.divisor * step.counter.divisor);
+      const int width = (extents_.screen_width + step.counter.divisor - 1) / step.counter.divisor;
+      add(result.fetches_of_others_at,
+          at_each_pixel(fetches, width, step.counter.divisor, *camera_,
+                        [area](std::uint32_t count) { return static_cast<float>(count) / area; }));
+    } else {
+      add(result.fetches_of_others_at,
+          std::vector<float>(result.fetches.size(), static_cast<float>(sum(fetches) / pixels)));
+    }
+  }
+
+  // What every program may bind, and of the graph what the pass names.
+  NamedResources named_resources(const GraphPass& pass, int mip) {
+    NamedResources named;
+    for (const auto& [name, image] : frame_.images()) named.images[name] = {image};
+    for (const auto& [name, image] : runner_.own_.images()) named.images[name] = {image};
+    if (depth_) named.images["_CameraDepthTexture"] = {&*depth_};
+    named.samplers = frame_.samplers();
+    named.buffers = frame_.buffers();
+    if (pass.filter && pass.kind == PassKind::filter)
+      for (const std::string& argument : pass.filter->arguments)
+        if (resources_.is_texture(argument))
+          named.images[techniques::argument_name(argument)] = {&resources_.texture(argument)};
+    for (const auto& [shader_name, name] : pass.reads) {
+      if (!resources_.is_texture(name)) {
+        named.buffers[shader_name] = &resources_.buffer(name);
+        continue;
+      }
+      const bool level_before = pass.each_mip && writes(pass, name);
+      named.images[shader_name] = {
+          &resources_.texture(name),
+          level_before ? gpu::ImageRange{.first_mip = mip - 1, .mips = 1} : gpu::ImageRange{}};
+    }
+    if (pass.kind == PassKind::compute)
+      for (const auto& [shader_name, name] : pass.writes) {
+        if (resources_.is_texture(name))
+          named.images[shader_name] = {&resources_.texture(name), {.first_mip = mip, .mips = 1}};
+        else
+          named.buffers[shader_name] = &resources_.buffer(name);
+      }
+    return named;
+  }
+
+  static bool writes(const GraphPass& pass, const std::string& name) {
+    return std::any_of(pass.writes.begin(), pass.writes.end(),
+                       [&](const auto& written) { return written.second == name; });
+  }
+
+  // Inline samplers and those of textures of the user's, by the names that the program has.
+  void add_own_samplers(const ProgramOnDevice& program, NamedResources& named) {
+    for (const shaders::Resource& resource : program.resources())
+      if (resource.kind == shaders::ResourceKind::sampler && named.samplers.count(resource.name) == 0)
+        if (const gpu::Sampler* own = runner_.own_.sampler(resource.name))
+          named.samplers[resource.name] = own;
+  }
+
+  glm::vec4 size_at(const std::string& name, int mip) const {
+    const gpu::Image& image = resources_.texture(name);
+    return texture_size(gpu::mip_size(image.width(), mip), gpu::mip_size(image.height(), mip));
+  }
+
+  UniformValues own_uniforms(const GraphPass& pass, int cascade, int mip) const {
+    UniformValues values;
+    for (const auto& [shader_name, name] : pass.reads) {
+      if (!resources_.is_texture(name)) continue;
+      const bool level_before = pass.each_mip && writes(pass, name);
+      values.set(size_uniform(shader_name), size_at(name, level_before ? mip - 1 : 0));
+    }
+    for (const auto& [shader_name, name] : pass.writes) {
+      if (!resources_.is_texture(name)) continue;
+      values.set("_PenumbraTargetSize", size_at(name, mip));
+      break;
+    }
+    if (pass.each_mip) values.set("_PenumbraMip", mip);
+    if (pass.frequency == techniques::Frequency::cascade) {
+      values.set("_PenumbraCascade", cascade);
+      const gpu::RasterTile tile = tile_of(pass, cascade, mip);
+      values.set("_PenumbraTile", glm::vec4(static_cast<float>(tile.x), static_cast<float>(tile.y),
+                                            static_cast<float>(tile.width), static_cast<float>(tile.height)));
+    }
+    return values;
+  }
+
+  const GraphTexture* first_written_texture(const GraphPass& pass) const {
+    for (const auto& [shader_name, name] : pass.writes)
+      if (resources_.is_texture(name)) return runner_.graph().texture(name);
+    return nullptr;
+  }
+
+  // What a pass draws of its target: all of it, or one cascade's tile of the map.
+  gpu::RasterTile tile_of(const GraphPass& pass, int cascade, int mip) const {
+    gpu::RasterTile tile;
+    tile.vertex_count = 3;  // one triangle over all of it
+    const GraphTexture* texture = first_written_texture(pass);
+    if (texture == nullptr) return tile;
+    const gpu::Image& image = resources_.texture(texture->name);
+    tile.width = gpu::mip_size(image.width(), mip);
+    tile.height = gpu::mip_size(image.height(), mip);
+    if (pass.frequency != techniques::Frequency::cascade || texture->extent != techniques::ExtentOf::map)
+      return tile;
+    const int scale = texture->divisor << mip;
+    const std::array<int, 2>& origin = extents_.map.origins.at(static_cast<std::size_t>(cascade));
+    tile.x = origin[0] / scale;
+    tile.y = origin[1] / scale;
+    tile.width = std::max(1, extents_.map.tile / scale);
+    tile.height = tile.width;
+    return tile;
+  }
+
+  std::array<std::uint32_t, 3> groups_of(const GraphPass& pass, const ProgramOnDevice& program,
+                                         int mip) const {
+    if (pass.groups.texels_of.empty())
+      return {static_cast<std::uint32_t>(pass.groups.fixed[0]),
+              static_cast<std::uint32_t>(pass.groups.fixed[1]),
+              static_cast<std::uint32_t>(pass.groups.fixed[2])};
+    const gpu::ImageShape& shape = resources_.texture(pass.groups.texels_of).shape();
+    const std::array<int, 3> texels{gpu::mip_size(shape.width, mip), gpu::mip_size(shape.height, mip),
+                                    std::max(gpu::mip_size(shape.depth, mip), shape.layers)};
+    std::array<std::uint32_t, 3> groups{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t threads = program.workgroup_size()[k];
+      groups[k] = (static_cast<std::uint32_t>(texels[k]) + threads - 1) / threads;
+    }
+    return groups;
+  }
+
+  // One cell for each pixel of a target, or thread, that covers a fixed share of the screen; else one for
+  // all.
+  Counter counter_of(const GraphPass& pass, int mip) const {
+    Counter counter;
+    int width = 1, height = 1;
+    if (pass.kind == PassKind::filter) {
+      width = frame_.width();
+      height = frame_.height();
+      counter.divisor = 1;
+    } else {
+      const GraphTexture* like = pass.kind == PassKind::compute
+                                     ? runner_.graph().texture(pass.groups.texels_of)
+                                     : first_written_texture(pass);
+      if (like != nullptr && like->extent == techniques::ExtentOf::screen && mip == 0) {
+        counter.divisor = like->divisor;
+        width = resources_.texture(like->name).width();
+        height = resources_.texture(like->name).height();
+      }
+    }
+    if (counting_) counter.buffer.emplace(*runner_.device_, width, height);
+    return counter;
+  }
+
+  void add_pass(std::size_t index) {
+    const GraphPass& pass = runner_.graph().passes[index];
+    const int cascades =
+        pass.frequency == techniques::Frequency::cascade ? static_cast<int>(extents_.map.origins.size()) : 1;
+    const GraphTexture* written = first_written_texture(pass);
+    const int mips = pass.each_mip ? resources_.texture(written->name).shape().mips : 1;
+    for (int mip = pass.each_mip ? 1 : 0; mip < mips; ++mip)
+      for (int cascade = 0; cascade < cascades; ++cascade) add_step(index, cascade, mip);
+  }
+
+  void add_step(std::size_t index, int cascade, int mip) {
+    const GraphPass& pass = runner_.graph().passes[index];
+    ProgramOnDevice& used = program(index);
+    NamedResources named = named_resources(pass, mip);
+    add_own_samplers(used, named);
+    Counter counter = counter_of(pass, mip);
+    if (counter.buffer) named.buffers[shaders::texel_counts_name] = &counter.buffer->buffer();
+    steps_.push_back({index, used.bind(named), own_uniforms(pass, cascade, mip), std::move(counter)});
+    gpu::Bindings& bindings = steps_.back().bindings;
+    used.set_uniforms(bindings, {});  // a sequence wants everything bound; run() sets their values
+    switch (pass.kind) {
+      case PassKind::filter:
+        add_filter(used, bindings);
+        break;
+      case PassKind::compute:
+        if (!pass.groups.indirect.empty())
+          used.dispatch_indirect(sequence_, bindings, resources_.buffer(pass.groups.indirect));
+        else
+          used.dispatch(sequence_, bindings, groups_of(pass, used, mip));
+        break;
+      case PassKind::raster:
+        used.draw(sequence_, bindings, targets_of(pass, cascade, mip), tile_of(pass, cascade, mip));
+        break;
+      case PassKind::casters:
+        throw InputError(pass.where, "passes that draw the casters are not run yet");
+    }
+  }
+
+  // Once per receiver: a compute shader, or a user's function as a fragment shader over the picture.
+  void add_filter(ProgramOnDevice& used, const gpu::Bindings& bindings) {
+    if (!used.is_raster()) {
+      const auto groups = [&](int pixels, std::size_t axis) {
+        return (static_cast<std::uint32_t>(pixels) + used.workgroup_size()[axis] - 1) /
+               used.workgroup_size()[axis];
+      };
+      used.dispatch(sequence_, bindings, {groups(frame_.width(), 0), groups(frame_.height(), 1), 1});
+      return;
+    }
+    picture_.emplace(*runner_.device_, gpu::Format::r32f, frame_.width(), frame_.height());
+    used.draw(sequence_, bindings, {{&*picture_}, nullptr, 0.0F}, whole_of(*picture_));
+  }
+
+  gpu::RasterTargets targets_of(const GraphPass& pass, int cascade, int mip) const {
+    gpu::RasterTargets targets;
+    for (const auto& [shader_name, name] : pass.writes) {
+      const bool layers = runner_.graph().texture(name)->extent == techniques::ExtentOf::tile;
+      targets.colours.push_back({&resources_.texture(name), mip, layers ? cascade : 0});
+    }
+    return targets;
+  }
+
+  GraphRunner& runner_;
+  const FrameOnDevice& frame_;
+  const CameraImage* camera_;
+  GraphExtents extents_;
+  GraphResources resources_;
+  std::optional<gpu::Image> depth_;
+  std::optional<gpu::Image> picture_;  // its content means nothing
+  gpu::Sequence sequence_;
+  bool counting_;
+  std::vector<Step> steps_;
+  std::set<std::string> unset_;
+};
+
+GraphRunner::GraphRunner(const gpu::Device& device, CompiledGraph graph)
+    : device_(&device),
+      graph_(std::move(graph)),
+      own_(device, graph_.source.filter ? graph_.source.filter->textures : std::vector<AdapterTexture>{}) {
+  for (std::size_t i = 0; i < graph_.programs.size(); ++i) {
+    const TargetFormats targets = target_formats(this->graph(), this->graph().passes[i]);
+    plain_.emplace_back(device, graph_.programs[i], ProgramOnDevice::Module::as_shipped, targets);
+    counting_.emplace_back(device, graph_.programs[i], ProgramOnDevice::Module::counting, targets);
+    if (this->graph().passes[i].kind == PassKind::filter && graph_.source.filter)
+      check_numbers_of(*graph_.source.filter, graph_.programs[i], plain_.back());
+  }
+}
+
+GraphResult GraphRunner::run(const FrameOnDevice& frame, const CameraImage* camera,
+                             const RunOptions& options) {
+  GraphResult result;
+  Run plain(*this, frame, camera, ProgramOnDevice::Module::as_shipped);
+  const int seeds = graph_.source.uses_noise ? std::max(1, options.noise_seeds) : 1;
+  for (int seed = 0; seed < seeds; ++seed) {
+    plain.run(options.first_seed + seed);
+    result.visibility.push_back(plain.visibility());
+  }
+  for (int repeat = 0; repeat < options.timing_repeats; ++repeat) result.time_ns.push_back(plain.run(0));
+  result.masked_out = plain.masked_out();
+  result.unset_uniforms.assign(plain.unset_uniforms().begin(), plain.unset_uniforms().end());
+  if (!options.count_fetches) return result;
+  Run counted(*this, frame, camera, ProgramOnDevice::Module::counting);
+  counted.run(0);
+  counted.add_counts(result);
+  return result;
+}
+
+}  // namespace penumbra::resolve

@@ -1,0 +1,72 @@
+// Runs a graph over the receivers of a frame: visibility per noise seed, fetches and written texels of every
+// pass, time.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gpu/device.h"
+#include "resolve/adapter_resources.h"
+#include "resolve/camera_image.h"
+#include "resolve/compiled_graph.h"
+#include "resolve/frame_on_device.h"
+#include "resolve/program_on_device.h"
+
+namespace penumbra::resolve {
+
+struct RunOptions {
+  int noise_seeds = 16;  // visibility images; graphs without noise are run once
+  int first_seed = 0;
+  int timing_repeats = 5;  // further runs whose times are kept; 0: none
+  bool count_fetches = true;
+};
+
+// What a pass reads and writes in a frame, of all its draws or dispatches.
+struct PassCounts {
+  std::string pass;
+  techniques::Frequency frequency = techniques::Frequency::frame;
+  double fetches = 0.0;         // per pixel of the screen
+  double texels_written = 0.0;  // the same
+};
+
+// Images have one value per receiver, row 0 at the top.
+struct GraphResult {
+  std::vector<std::vector<float>> visibility;  // per seed; 1 = lit
+  std::vector<std::uint32_t> fetches;  // of the filter, or of passes at the screen's resolution; of seed 0
+  double fetches_of_others = 0.0;      // of all other passes, per pixel of the screen
+  std::vector<float> fetches_of_others_at;  // the same at each pixel: its share; empty without such passes
+  std::vector<PassCounts> passes;           // in the order in which they run
+  std::vector<std::uint8_t> masked_out;     // the mask is 0 there; empty without a mask
+  std::vector<double> time_ns;              // of the graph as it ships, without counting
+  std::vector<std::string> unset_uniforms;  // read as zero because nobody provides them
+};
+
+class GraphRunner {
+ public:
+  GraphRunner(const gpu::Device& device, CompiledGraph graph);
+
+  const techniques::PassGraph& graph() const { return graph_.source.graph; }
+
+  void set_parameters(const UniformValues& parameters) { graph_.source.parameters.merge(parameters); }
+
+  // The camera is read by graphs that run over the screen. Throws InputError when a program binds a texture,
+  // sampler or buffer that neither the graph nor the harness provides; std::invalid_argument without a camera
+  // that is needed.
+  GraphResult run(const FrameOnDevice& frame, const CameraImage* camera, const RunOptions& options = {});
+  GraphResult run(const FrameOnDevice& frame, const RunOptions& options = {}) {
+    return run(frame, nullptr, options);
+  }
+
+ private:
+  class Run;
+
+  const gpu::Device* device_;
+  CompiledGraph graph_;
+  std::vector<ProgramOnDevice> plain_;
+  std::vector<ProgramOnDevice> counting_;
+  AdapterResources own_;
+};
+
+}  // namespace penumbra::resolve

@@ -1,0 +1,131 @@
+#include "resolve/program_on_device.h"
+
+#include <stdexcept>
+
+#include "resolve/provided.h"
+
+namespace penumbra::resolve {
+namespace {
+
+constexpr const char* kSamplerNames =
+    "a name with 'point' or 'linear' and with 'clamp' or 'repeat' (sampler_LinearClamp) is a sampler of that "
+    "kind, and 'sampler' followed by the name of a texture of yours is linear and repeating";
+
+std::string texture_way_out(const std::string& name) {
+  return "give it one behind the adapter's file: ';" + name + "=picture.png' or ';" + name + "=white'";
+}
+
+gpu::RasterShaders raster_shaders(const CompiledProgram& program, const std::vector<std::uint32_t>& fragment,
+                                  const TargetFormats& targets) {
+  gpu::RasterShaders shaders;
+  shaders.vertex = program.vertex;
+  shaders.fragment = fragment;
+  shaders.vertex_entry = program.vertex_entry;
+  shaders.fragment_entry = program.entry;
+  shaders.colours = targets.colours;
+  shaders.samples = targets.samples;
+  shaders.keep = targets.keep;
+  return shaders;
+}
+
+void refuse_bindings_of_the_vertex_stage(const CompiledProgram& program) {
+  const std::vector<shaders::Resource> bound = shaders::reflect(program.vertex).resources;
+  if (bound.empty()) return;
+  throw InputError(program.name, "the vertex stage reads '" + bound.front().name + "'",
+                   "the vertex stage of a pass over its whole target needs only SV_VertexID");
+}
+
+// As pointers, which is what provided() takes.
+std::map<std::string, const BoundImage*> pointers(const std::map<std::string, BoundImage>& images) {
+  std::map<std::string, const BoundImage*> result;
+  for (const auto& [name, image] : images) result[name] = &image;
+  return result;
+}
+
+}  // namespace
+
+gpu::RasterTile whole_of(const gpu::Image& target) {
+  gpu::RasterTile tile;
+  tile.width = target.width();
+  tile.height = target.height();
+  tile.vertex_count = 3;
+  return tile;
+}
+
+ProgramOnDevice::ProgramOnDevice(const gpu::Device& device, const CompiledProgram& program, Module module,
+                                 const TargetFormats& targets)
+    : name_(program.name), named_at_(program.named_at) {
+  const std::vector<std::uint32_t>& words = module == Module::counting ? program.counting : program.plain;
+  const shaders::Reflection reflection = shaders::reflect(words);
+  resources_ = reflection.resources;
+  workgroup_size_ = reflection.workgroup_size;
+  if (program.vertex.empty()) {
+    compute_.emplace(device, gpu::ComputeShader{.spirv = words, .entry = program.entry});
+  } else {
+    refuse_bindings_of_the_vertex_stage(program);
+    raster_.emplace(device, raster_shaders(program, words, targets));
+  }
+}
+
+const std::string& ProgramOnDevice::place_of(const shaders::Resource& resource) const {
+  const auto found = named_at_.find(resource.name);
+  return found == named_at_.end() ? name_ : found->second;
+}
+
+gpu::Bindings ProgramOnDevice::bind(const NamedResources& resources) const {
+  gpu::Bindings bindings = compute_ ? compute_->more_bindings() : raster_->more_bindings();
+  const std::map<std::string, const BoundImage*> images = pointers(resources.images);
+  for (const shaders::Resource& resource : resources_) {
+    const std::string& place = place_of(resource);
+    switch (resource.kind) {
+      case shaders::ResourceKind::uniform_block:
+        break;  // set_uniforms()
+      case shaders::ResourceKind::storage_buffer:
+        bindings.buffer(resource.name, provided(resources.buffers, resource, place, "buffer"));
+        break;
+      case shaders::ResourceKind::sampled_image:
+      case shaders::ResourceKind::storage_image: {
+        const bool written = resource.kind == shaders::ResourceKind::storage_image;
+        const BoundImage& image = provided(images, resource, place, written ? "writable texture" : "texture",
+                                           written ? "" : texture_way_out(resource.name));
+        bindings.image(resource.name, *image.image, image.range);
+        break;
+      }
+      case shaders::ResourceKind::sampler:
+        bindings.sampler(resource.name,
+                         provided(resources.samplers, resource, place, "sampler", kSamplerNames));
+        break;
+    }
+  }
+  return bindings;
+}
+
+std::vector<std::string> ProgramOnDevice::set_uniforms(gpu::Bindings& bindings, const UniformValues& values,
+                                                       const UniformNumbers& numbers) const {
+  std::vector<std::string> unset;
+  for (const shaders::Resource& resource : resources_) {
+    if (resource.kind != shaders::ResourceKind::uniform_block) continue;
+    std::vector<std::byte> bytes = values.pack(resource, unset);
+    write_numbers(numbers, resource, bytes);
+    bindings.uniform_bytes(resource.name, bytes);
+  }
+  std::erase_if(unset, [&numbers](const std::string& name) { return has_numbers(numbers, name); });
+  return unset;
+}
+
+void ProgramOnDevice::dispatch(gpu::Sequence& sequence, const gpu::Bindings& bindings,
+                               std::array<std::uint32_t, 3> groups) const {
+  sequence.dispatch(compute_.value(), bindings, groups);
+}
+
+void ProgramOnDevice::dispatch_indirect(gpu::Sequence& sequence, const gpu::Bindings& bindings,
+                                        const gpu::Buffer& groups) const {
+  sequence.dispatch_indirect(compute_.value(), bindings, groups);
+}
+
+void ProgramOnDevice::draw(gpu::Sequence& sequence, const gpu::Bindings& bindings,
+                           const gpu::RasterTargets& targets, const gpu::RasterTile& tile) const {
+  sequence.draw(raster_.value(), bindings, targets, {tile});
+}
+
+}  // namespace penumbra::resolve

@@ -1,0 +1,81 @@
+// One program of a graph on a device, as it ships or with its texels counted: what it binds and its uniforms,
+// by the names that its shader gives them. Internal to this room.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gpu/sequence.h"
+#include "resolve/compiled_graph.h"
+#include "resolve/uniform_values.h"
+#include "shaders/reflect.h"
+
+namespace penumbra::resolve {
+
+struct BoundImage {
+  const gpu::Image* image = nullptr;
+  gpu::ImageRange range{};
+};
+
+// What a program may bind.
+struct NamedResources {
+  std::map<std::string, BoundImage> images;
+  std::map<std::string, const gpu::Sampler*> samplers;
+  std::map<std::string, const gpu::Buffer*> buffers;
+};
+
+// What a raster program draws into.
+struct TargetFormats {
+  std::vector<gpu::Format> colours;
+  int samples = 1;
+  bool keep = false;  // what the targets hold outside of the tiles that are drawn
+};
+
+// All of an image, by one triangle.
+gpu::RasterTile whole_of(const gpu::Image& target);
+
+class ProgramOnDevice {
+ public:
+  enum class Module { as_shipped, counting };
+
+  // `targets`: of a raster program. Throws InputError when a raster program's vertex stage binds anything.
+  ProgramOnDevice(const gpu::Device& device, const CompiledProgram& program, Module module,
+                  const TargetFormats& targets = {});
+
+  std::array<std::uint32_t, 3> workgroup_size() const { return workgroup_size_; }
+
+  // For one more step of a sequence. Throws InputError, naming the line or else the program, for a texture,
+  // sampler or buffer that `resources` lacks; `way_out` says of a missing texture how to provide it.
+  gpu::Bindings bind(const NamedResources& resources) const;
+
+  // Uniforms without a value are zero; those of them that the program reads are returned. `numbers` win over
+  // `values`.
+  std::vector<std::string> set_uniforms(gpu::Bindings& bindings, const UniformValues& values,
+                                        const UniformNumbers& numbers = {}) const;
+
+  bool is_raster() const { return raster_.has_value(); }
+  void dispatch(gpu::Sequence& sequence, const gpu::Bindings& bindings,
+                std::array<std::uint32_t, 3> groups) const;
+  void dispatch_indirect(gpu::Sequence& sequence, const gpu::Bindings& bindings,
+                         const gpu::Buffer& groups) const;
+  void draw(gpu::Sequence& sequence, const gpu::Bindings& bindings, const gpu::RasterTargets& targets,
+            const gpu::RasterTile& tile) const;
+
+  const std::vector<shaders::Resource>& resources() const { return resources_; }
+
+ private:
+  const std::string& place_of(const shaders::Resource& resource) const;
+
+  std::string name_;
+  std::map<std::string, std::string> named_at_;
+  std::vector<shaders::Resource> resources_;
+  std::array<std::uint32_t, 3> workgroup_size_{};
+  std::optional<gpu::ComputePass> compute_;  // this or
+  std::optional<gpu::RasterPass> raster_;    // that
+};
+
+}  // namespace penumbra::resolve
