@@ -23,7 +23,7 @@ shaders::CompileResult compile_umbrella(const Defines& defines) {
   request.defines = defines;
   request.package_roots = {{"com.penumbra.shadows", PENUMBRA_SOURCE_DIR}};
   request.include_directories = {std::string(PENUMBRA_SOURCE_DIR) + "/ShaderLibrary",
-                                 std::string(PENUMBRA_SOURCE_DIR) + "/tests/platform"};
+                                 std::string(PENUMBRA_SOURCE_DIR) + "/tools/shaders/unity"};
   return shaders::compile(request);
 }
 

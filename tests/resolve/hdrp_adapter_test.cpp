@@ -31,7 +31,7 @@ constexpr double kReceiverDepth = 0.5;
 // Of the HDRP stand-in without further keywords: version 14.
 Adapter adapter_on_hdrp_14() {
   const std::filesystem::path root = platform::data_directory();
-  const std::filesystem::path stand_ins = root / "tests" / "platform" / "unity";
+  const std::filesystem::path stand_ins = root / "tools" / "shaders" / "unity";
   Adapter hdrp;
   hdrp.name = "hdrp-pcss";
   hdrp.file = root / "tools" / "resolve" / "adapters" / "HdrpPcss.hlsl";

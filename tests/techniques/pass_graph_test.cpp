@@ -226,12 +226,15 @@ TEST_F(PassGraphTest, APartsTexturesAndPassesAreTakenOver) {
 
 TEST_F(PassGraphTest, WhatATargetLacksIsSaidOfTheTextureThatNeedsIt) {
   const PassGraph tiles = read(kTiles);
-  const std::vector<GraphProblem> essl = target_problems(tiles, "essl310");
+  const GraphPass& shade = tiles.passes[2];
+  const std::vector<GraphProblem> essl = target_problems(tiles, shade, "essl310");
   ASSERT_EQ(essl.size(), 1U);
   EXPECT_THAT(essl[0].text, HasSubstr("cannot write 'r16f', the format of 'visibility'"));
   EXPECT_THAT(essl[0].where, HasSubstr("t.technique.json:3:"));
-  EXPECT_THAT(target_problems(tiles, "spirv"), IsEmpty());
-  EXPECT_THAT(target_problems(read(kVariance), "essl310"), IsEmpty()) << "no kernel writes one";
+  EXPECT_THAT(target_problems(tiles, tiles.passes[0], "essl310"), IsEmpty()) << "r32ui";
+  EXPECT_THAT(target_problems(tiles, shade, "spirv"), IsEmpty());
+  const PassGraph variance = read(kVariance);
+  EXPECT_THAT(target_problems(variance, variance.passes[0], "essl310"), IsEmpty()) << "drawn, not stored";
 }
 
 TEST(TexelFormats, AreThoseOfTheDeviceRoom) {

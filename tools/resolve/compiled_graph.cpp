@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "platform/data_directory.h"
 #include "resolve/module_order.h"
 
 namespace penumbra::resolve {
@@ -28,14 +27,8 @@ CompiledProgram program_of(const std::string& name, const ModuleOrder& order, Co
 CompiledProgram compile_kernel(const ShadowGraph& graph, const GraphPass& pass,
                                const platform::WorkerPool& process) {
   ModuleOrder order;
-  order.plain.file = (graph.package / pass.file).lexically_normal();
-  order.plain.entry = pass.program;
-  order.plain.stage = hlsl::Stage::compute;
-  order.plain.prepare = true;
-  order.plain.include_directories = {platform::data_directory() / "ShaderLibrary"};
-  order.plain.package_roots = {{"com.penumbra.shadows", platform::data_directory()}};
-  for (const std::string& keyword : graph.keywords) order.plain.defines.emplace_back(keyword, "1");
-  if (graph.reversed_z) order.plain.defines.emplace_back("UNITY_REVERSED_Z", "1");
+  order.plain = shaders::kernel_request((graph.package / pass.file).lexically_normal(), pass.program,
+                                        graph.keywords, graph.reversed_z);
   order.file = order.plain.file.string();
   order.name = order.file + ": " + pass.program;
   return program_of(order.name, order, compile_modules(order, process));

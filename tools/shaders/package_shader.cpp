@@ -73,14 +73,7 @@ PackageShader::PackageShader(const std::filesystem::path& file, std::vector<Pack
       programs_(first_programs(*shader_)),
       package_roots_(std::move(package_roots)),
       prepare_(has_root(package_roots_, kUrp)) {
-  const std::filesystem::path root = platform::data_directory();
-  const std::filesystem::path stand_ins = root / "tests" / "platform" / "unity";
-  if (!has_root(package_roots_, kPackage)) package_roots_.push_back({kPackage, root});
-  for (const char* package : {kUrp, kCore}) {
-    if (!prepare_ && !has_root(package_roots_, package)) {
-      package_roots_.push_back({package, stand_ins / package});
-    }
-  }
+  package_roots_ = with_stand_ins(std::move(package_roots_));
 }
 
 const shaderlab::Program& PackageShader::program(const std::string& pass) const {
@@ -132,6 +125,35 @@ std::vector<std::string> PackageShader::declared(const std::string& pass,
 std::uint64_t PackageShader::variant_count(const std::string& pass) const {
   const variants::KeywordSpace space(pragmas_of(program(pass), {}));
   return space.whole_program().count().value();
+}
+
+std::vector<PackageRoot> with_stand_ins(std::vector<PackageRoot> package_roots) {
+  const std::filesystem::path root = platform::data_directory();
+  const std::filesystem::path stand_ins = root / "tools" / "shaders" / "unity";
+  const bool real = has_root(package_roots, kUrp);
+  if (!has_root(package_roots, kPackage)) package_roots.push_back({kPackage, root});
+  for (const char* package : {kUrp, kCore})
+    if (!real && !has_root(package_roots, package)) package_roots.push_back({package, stand_ins / package});
+  return package_roots;
+}
+
+CompileRequest kernel_request(const std::filesystem::path& file, const std::string& kernel,
+                              const std::vector<std::string>& keywords, bool reversed_z,
+                              std::vector<PackageRoot> package_roots) {
+  CompileRequest compile;
+  compile.file = file;
+  compile.entry = kernel;
+  compile.stage = hlsl::Stage::compute;
+  compile.prepare = true;
+  constexpr int kComputeTarget = 50;
+  const variants::Platform platform{reversed_z ? variants::GraphicsApi::vulkan
+                                               : variants::GraphicsApi::glcore};
+  for (const auto& [name, value] : variants::platform_defines(platform, hlsl::Stage::compute, kComputeTarget))
+    compile.defines.emplace_back(name, value);
+  for (const std::string& keyword : keywords)
+    if (keyword != "UNITY_REVERSED_Z") compile.defines.emplace_back(keyword, "1");
+  compile.package_roots = with_stand_ins(std::move(package_roots));
+  return compile;
 }
 
 std::filesystem::path package_shader_file() {

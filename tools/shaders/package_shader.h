@@ -43,6 +43,14 @@ class PackageShader {
   bool prepare_;
 };
 
+// With this library, and stand-ins of URP's interface where there is no root for URP.
+std::vector<PackageRoot> with_stand_ins(std::vector<PackageRoot> package_roots);
+
+// How to compile a kernel of a .compute file with these roots. Depth runs as PackageShader::request() says.
+CompileRequest kernel_request(const std::filesystem::path& file, const std::string& kernel,
+                              const std::vector<std::string>& keywords, bool reversed_z,
+                              std::vector<PackageRoot> package_roots = {});
+
 // Those that ship: the passes of a frame, and the debug views.
 std::filesystem::path package_shader_file();
 std::filesystem::path debug_shader_file();

@@ -329,19 +329,17 @@ std::optional<GraphProblem> graph_problem(const PassGraph& graph) {
   return wrong_result(graph);
 }
 
-std::vector<GraphProblem> target_problems(const PassGraph& graph, const std::string& target) {
+std::vector<GraphProblem> target_problems(const PassGraph& graph, const GraphPass& pass,
+                                          const std::string& target) {
   std::vector<GraphProblem> problems;
-  if (target != "essl310") return problems;
-  for (const GraphPass& pass : graph.passes) {
-    if (pass.kind != PassKind::compute) continue;
-    for (const auto& [shader_name, name] : pass.writes) {
-      const GraphTexture* texture = graph.texture(name);
-      if (texture == nullptr || find_texel_format(texture->format)->essl_storage) continue;
-      problems.push_back({texture->where,
-                          "compute shaders of OpenGL ES 3.1 cannot write '" + texture->format +
-                              "', the format of '" + name + "'",
-                          "r32f, rgba16f, rgba32f, rgba8, r32ui and rgba32ui they can"});
-    }
+  if (target != "essl310" || pass.kind != PassKind::compute) return problems;
+  for (const auto& [shader_name, name] : pass.writes) {
+    const GraphTexture* texture = graph.texture(name);
+    if (texture == nullptr || find_texel_format(texture->format)->essl_storage) continue;
+    problems.push_back({texture->where,
+                        "compute shaders of OpenGL ES 3.1 cannot write '" + texture->format +
+                            "', the format of '" + name + "'",
+                        "r32f, rgba16f, rgba32f, rgba8, r32ui and rgba32ui they can"});
   }
   return problems;
 }

@@ -115,8 +115,9 @@ std::optional<GraphProblem> graph_problem(const PassGraph& graph);
 // passes wait for each other.
 std::optional<std::vector<GraphPass>> in_running_order(const PassGraph& graph);
 
-// What this target lacks of what the graph needs, by the texture that needs it: formats that its compute
+// What this target lacks of what the pass needs, at the texture that needs it: formats that its compute
 // shaders cannot write. Targets as `penumbra validate` names them.
-std::vector<GraphProblem> target_problems(const PassGraph& graph, const std::string& target);
+std::vector<GraphProblem> target_problems(const PassGraph& graph, const GraphPass& pass,
+                                          const std::string& target);
 
 }  // namespace penumbra::techniques

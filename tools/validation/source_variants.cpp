@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "techniques/technique_call.h"
-#include "validation/screen_variants.h"
+#include "validation/pass_variants.h"
 #include "validation/spirv_target.h"
 
 namespace penumbra::validation {
@@ -85,9 +85,11 @@ std::vector<std::string> with_own_keywords(const techniques::Technique& techniqu
 std::vector<SourceVariant> technique_variants(const ValidationRequest& request,
                                               const techniques::Technique& technique,
                                               const std::vector<std::string>& keywords) {
-  if (technique.graph.over_screen()) return screen_variants(request, technique, keywords);
-  return {technique_variant(request, technique, hlsl::Stage::fragment, keywords),
-          technique_variant(request, technique, hlsl::Stage::compute, keywords)};
+  std::vector<SourceVariant> variants = pass_variants(request, technique, keywords);
+  if (technique.graph.filter_pass() != nullptr)
+    for (const hlsl::Stage stage : {hlsl::Stage::fragment, hlsl::Stage::compute})
+      variants.push_back(technique_variant(request, technique, stage, keywords));
+  return variants;
 }
 
 // One for each version of Vulkan that the request's targets are for.

@@ -1,6 +1,7 @@
 #include "validation/validate_techniques.h"
 
 #include <chrono>
+#include <cstdlib>
 #include <set>
 #include <utility>
 
@@ -31,6 +32,31 @@ void judge(VariantRecord& record, const techniques::Technique* technique) {
   }
 }
 
+// "file:line:column" of a manifest.
+hlsl::Diagnostic diagnostic_at(const std::string& where, std::string message) {
+  hlsl::Diagnostic diagnostic{where, 0, 0, hlsl::Severity::error, std::move(message), {}};
+  const std::size_t column = where.rfind(':');
+  const std::size_t line = column == std::string::npos ? column : where.rfind(':', column - 1);
+  if (line == std::string::npos) return diagnostic;
+  diagnostic.file = where.substr(0, line);
+  diagnostic.line = std::atoi(where.c_str() + line + 1);
+  diagnostic.column = std::atoi(where.c_str() + column + 1);
+  return diagnostic;
+}
+
+// What the target lacks of what the technique's graph asks of it fails, although the program compiles.
+void add_target_problems(VariantRecord& record, const techniques::Technique* technique) {
+  if (technique == nullptr || record.status == VariantStatus::unreached) return;
+  for (const techniques::GraphPass& pass : technique->graph.passes) {
+    if (pass.program != record.pass || record.stage != hlsl::Stage::compute) continue;
+    for (const techniques::GraphProblem& problem :
+         techniques::target_problems(technique->graph, pass, record.target)) {
+      record.status = VariantStatus::failed;
+      record.diagnostics.push_back(diagnostic_at(problem.where, problem.text + "; " + problem.way_out));
+    }
+  }
+}
+
 void add_records(const SourceVariant& variant, const UnitResult& result, std::size_t report_place,
                  ValidationReport& report) {
   const CompileUnit& unit = variant.unit;
@@ -57,6 +83,7 @@ void add_records(const SourceVariant& variant, const UnitResult& result, std::si
       record.reason = why_absent(record.stage, record.target);
       if (!record.reason.empty()) record.status = VariantStatus::absent;
     }
+    add_target_problems(record, variant.technique);
     judge(record, variant.technique);
     report.records.push_back(std::move(record));
   }
