@@ -1,15 +1,15 @@
-// Graphs that are nothing but their files: passes over the map for each cascade, mip levels, and a chain of
-// kernels with an indirect dispatch, against the same sums in C++.
+// Graphs that are nothing but their files (tests/techniques/added): passes over the map for each cascade, mip
+// levels, and a chain of kernels with an indirect dispatch, against the same sums in C++.
 #include "resolve/graph_runner.h"
 
 #include <gmock/gmock.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "resolve/synthetic_frame.h"
 #include "resolve/test_device.h"
-#include "shaders/shader_files.h"
 
 namespace penumbra::resolve {
 namespace {
@@ -17,99 +17,6 @@ namespace {
 using testing::ElementsAre;
 
 constexpr RunOptions kOnce{.noise_seeds = 1, .timing_repeats = 0};
-
-// Mean depth of 5 x 5 texels and, a level higher, of 2 x 2 of these: no filter for shadows, but every number
-// is known.
-constexpr const char* kMeansManifest = R"({
-"graphs": [{"name": "means",
-  "textures": [
-    {"name": "depths", "extent": "map", "format": "r32f"},
-    {"name": "rows", "extent": "map", "format": "r32f"},
-    {"name": "blurred", "extent": "map", "format": "r32f", "mips": 2}],
-  "passes": [
-    {"name": "filter", "kind": "filter",
-     "filter": {"file": "Means.hlsl", "function": "FilterMeans", "arguments": ["blurred"], "parameters": "MeansParameters"}},
-    {"name": "Mips", "kind": "raster", "shader": "Means.shader", "runs": "cascade",
-     "reads": {"_PenumbraSourceTexture": "blurred"}, "writes": ["blurred"], "each_mip": true},
-    {"name": "Columns", "kind": "raster", "shader": "Means.shader", "runs": "cascade",
-     "reads": {"_PenumbraSourceTexture": "rows"}, "writes": ["blurred"]},
-    {"name": "Rows", "kind": "raster", "shader": "Means.shader", "runs": "cascade",
-     "reads": {"_PenumbraSourceTexture": "depths"}, "writes": ["rows"]},
-    {"name": "Depths", "kind": "raster", "shader": "Means.shader", "runs": "cascade", "writes": ["depths"]}]}],
-"structs": [{"name": "MeansParameters", "doc": "Of the test.",
-             "fields": [{"name": "level", "type": "int", "unit": "1", "doc": "mip level", "range": [0, 1]},
-                        {"name": "scale", "type": "float", "unit": "1", "doc": "of the result"}]}],
-"techniques": [{"name": "means", "title": "Means", "family": "means", "source": "s", "graph": "means",
-                "values": {"level": 1, "scale": 0.5}}]})";
-
-constexpr const char* kMeansShader = R"(Shader "Hidden/Means" { SubShader {
-Pass { Name "Depths" HLSLPROGRAM
-#pragma vertex ScreenTriangle
-#pragma fragment Depths
-#include "MeansPasses.hlsl"
-ENDHLSL }
-Pass { Name "Rows" HLSLPROGRAM
-#pragma vertex ScreenTriangle
-#pragma fragment Rows
-#include "MeansPasses.hlsl"
-ENDHLSL }
-Pass { Name "Columns" HLSLPROGRAM
-#pragma vertex ScreenTriangle
-#pragma fragment Columns
-#include "MeansPasses.hlsl"
-ENDHLSL }
-Pass { Name "Mips" HLSLPROGRAM
-#pragma vertex ScreenTriangle
-#pragma fragment Mips
-#include "MeansPasses.hlsl"
-ENDHLSL } } }
-)";
-
-constexpr const char* kMeansPasses = R"(
-#include "Packages/com.penumbra.shadows/Shaders/ScreenPass.hlsl"
-#include "Packages/com.penumbra.shadows/ShaderLibrary/Pipelines/Urp.hlsl"
-float4 _PenumbraTile;
-float4 Depths(ScreenVaryings input) : SV_Target
-{
-    return LOAD_TEXTURE2D(_MainLightShadowmapTexture, int2(input.positionCS.xy)).x;
-}
-float MeanAlong(int2 texel, int2 direction)
-{
-    const int2 low = int2(_PenumbraTile.xy);
-    const int2 high = low + int2(_PenumbraTile.zw) - 1;
-    float sum = 0.0;
-    for (int i = -2; i <= 2; ++i)
-        sum += LOAD_TEXTURE2D_X(_PenumbraSourceTexture, min(max(texel + i * direction, low), high)).x;
-    return sum / 5.0;
-}
-float4 Rows(ScreenVaryings input) : SV_Target { return MeanAlong(int2(input.positionCS.xy), int2(1, 0)); }
-float4 Columns(ScreenVaryings input) : SV_Target { return MeanAlong(int2(input.positionCS.xy), int2(0, 1)); }
-float4 Mips(ScreenVaryings input) : SV_Target
-{
-    const int2 first = 2 * int2(input.positionCS.xy);
-    float sum = 0.0;
-    for (int i = 0; i < 4; ++i)
-        sum += LOAD_TEXTURE2D_X(_PenumbraSourceTexture, first + int2(i % 2, i / 2)).x;
-    return 0.25 * sum;
-}
-)";
-
-constexpr const char* kMeansFilter = R"(
-#include "Core/ShadowStructs.hlsl"
-struct MeansParameters { int level; float scale; };
-MeansParameters UnpackMeansParameters(float4 packed0)
-{
-    MeansParameters parameters;
-    parameters.level = int(packed0.x);
-    parameters.scale = packed0.y;
-    return parameters;
-}
-float FilterMeans(TEXTURE2D(blurred), ShadowReceiver receiver, ShadowTile tile, MeansParameters parameters)
-{
-    const float2 texel = receiver.shadowCoord.xy * tile.atlasTexelSize.zw * exp2(-float(parameters.level));
-    return parameters.scale * LOAD_TEXTURE2D_LOD(blurred, int2(texel), parameters.level).x;
-}
-)";
 
 float depth_of(double u, double v, int tile) {
   return static_cast<float>(0.1 + 0.2 * u * u + 0.3 * v * u + 0.1 * tile);
@@ -140,19 +47,13 @@ struct Means {
   }
 };
 
-class GraphRunnerTest : public testing::Test {
- protected:
-  techniques::TechniqueList read(const std::string& name, const std::string& text) const {
-    return techniques::read_technique_list(files_.write(name + ".technique.json", text));
-  }
-  shaders::ShaderFiles files_;
-};
+techniques::TechniqueList added(const std::string& name) {
+  return techniques::read_technique_list(std::filesystem::path(PENUMBRA_SOURCE_DIR) / "tests" / "techniques" /
+                                         "added" / (name + ".technique.json"));
+}
 
-TEST_F(GraphRunnerTest, PassesOverTheMapRunForEachCascadeAndMipLevel) {
-  files_.write("Means.shader", kMeansShader);
-  files_.write("MeansPasses.hlsl", kMeansPasses);
-  files_.write("Means.hlsl", kMeansFilter);
-  const techniques::TechniqueList list = read("Means", kMeansManifest);
+TEST(GraphRunner, PassesOverTheMapRunForEachCascadeAndMipLevel) {
+  const techniques::TechniqueList list = added("Means");
   testing_frames::FrameSetup setup;
   setup.shadows.resolution = 128;
   setup.shadows.cascades = 4;
@@ -191,90 +92,8 @@ TEST_F(GraphRunnerTest, PassesOverTheMapRunForEachCascadeAndMipLevel) {
   EXPECT_THAT(result.fetches, testing::Each(1U));
 }
 
-// Blocks of 8 x 8 pixels that a kernel marks are listed by another, and the listed ones alone are written.
-constexpr const char* kBlocksManifest = R"({
-"graphs": [{"name": "blocks",
-  "textures": [{"name": "visibility", "format": "r32f"}, {"name": "marks", "divisor": 8, "format": "r32ui"},
-               {"name": "halves", "divisor": 8, "format": "r32ui", "mips": 2}],
-  "buffers": [{"name": "groups", "words": 3, "indirect": true},
-              {"name": "list", "words_per_texel": 1, "texture": "marks"}],
-  "passes": [
-    {"name": "Shade", "kind": "compute", "compute": "Blocks.compute", "reads": {"_List": "list", "_Halves": "halves"},
-     "writes": {"_Visibility": "visibility"}, "groups": {"indirect": "groups"}},
-    {"name": "Collect", "kind": "compute", "compute": "Blocks.compute", "reads": {"_MarksRead": "marks"},
-     "writes": {"_Groups": "groups", "_List": "list"}, "groups": {"fixed": [1, 1, 1]}},
-    {"name": "Sum", "kind": "compute", "compute": "Blocks.compute", "reads": {"_Before": "halves"},
-     "writes": {"_Sums": "halves"}, "each_mip": true, "groups": {"texels_of": "halves"}},
-    {"name": "Mark", "kind": "compute", "compute": "Blocks.compute", "writes": {"_Marks": "marks", "_Sums": "halves"},
-     "groups": {"texels_of": "marks"}}],
-  "visibility": "visibility"}],
-"techniques": [{"name": "blocks", "title": "Blocks", "family": "blocks", "source": "s", "graph": "blocks"}]})";
-
-constexpr const char* kBlocks = R"(
-#pragma kernel Mark
-#pragma kernel Sum
-#pragma kernel Collect
-#pragma kernel Shade
-float4 _PenumbraTargetSize;
-float4 _MarksReadSize;
-float4 _BeforeSize;
-RWTexture2D<uint> _Marks;
-RWTexture2D<uint> _Sums;
-Texture2D<uint> _Before;
-Texture2D<uint> _Halves;
-Texture2D<uint> _MarksRead;
-RWStructuredBuffer<uint> _Groups;
-RWStructuredBuffer<uint> _List;
-RWTexture2D<float> _Visibility;
-
-[numthreads(4, 4, 1)]
-void Mark(uint3 id : SV_DispatchThreadID)
-{
-    if (any(id.xy >= uint2(_PenumbraTargetSize.xy))) return;
-    const uint marked = (id.x + 2 * id.y) % 3 == 0 ? 1 : 0;
-    _Marks[id.xy] = marked;
-    _Sums[id.xy] = marked;
-}
-
-[numthreads(4, 4, 1)]
-void Sum(uint3 id : SV_DispatchThreadID)
-{
-    if (any(id.xy >= uint2(_PenumbraTargetSize.xy))) return;
-    uint sum = 0;
-    for (uint i = 0; i < 4; ++i) sum += _Before.Load(int3(2 * id.xy + uint2(i % 2, i / 2), 0));
-    _Sums[id.xy] = sum;
-}
-
-[numthreads(1, 1, 1)]
-void Collect(uint3 id : SV_DispatchThreadID)
-{
-    const uint2 size = uint2(_MarksReadSize.xy);
-    uint count = 0;
-    for (uint y = 0; y < size.y; ++y)
-        for (uint x = 0; x < size.x; ++x)
-            if (_MarksRead.Load(int3(x, y, 0)) != 0)
-            {
-                _List[count] = x + (y << 16);
-                ++count;
-            }
-    _Groups[0] = count;
-    _Groups[1] = 1;
-    _Groups[2] = 1;
-}
-
-[numthreads(8, 8, 1)]
-void Shade(uint3 group : SV_GroupID, uint3 thread : SV_GroupThreadID)
-{
-    const uint2 block = uint2(_List[group.x] & 0xffff, _List[group.x] >> 16);
-    const uint2 pixel = 8 * block + thread.xy;
-    if (any(pixel >= uint2(_PenumbraTargetSize.xy))) return;
-    _Visibility[pixel] = float(_Halves.Load(int3(block / 2, 1))) / 4.0;
-}
-)";
-
-TEST_F(GraphRunnerTest, KernelsFollowEachOtherOverAPyramidAndAnIndirectDispatch) {
-  files_.write("Blocks.compute", kBlocks);
-  const techniques::TechniqueList list = read("Blocks", kBlocksManifest);
+TEST(GraphRunner, KernelsFollowEachOtherOverAPyramidAndAnIndirectDispatch) {
+  const techniques::TechniqueList list = added("Blocks");
   testing_frames::FrameSetup setup;
   setup.shadows.resolution = 64;
   constexpr int kWidth = 40, kHeight = 32;
@@ -308,9 +127,8 @@ TEST_F(GraphRunnerTest, KernelsFollowEachOtherOverAPyramidAndAnIndirectDispatch)
   EXPECT_DOUBLE_EQ(result.passes[3].fetches, 64.0 * blocks / pixels);
 }
 
-TEST_F(GraphRunnerTest, AGraphOverTheScreenNeedsACamera) {
-  files_.write("Blocks.compute", kBlocks);
-  const techniques::TechniqueList list = read("Blocks", kBlocksManifest);
+TEST(GraphRunner, AGraphOverTheScreenNeedsACamera) {
+  const techniques::TechniqueList list = added("Blocks");
   testing_frames::FrameSetup setup;
   setup.shadows.resolution = 64;
   const scene::Frame frame = testing_frames::make_frame(

@@ -36,6 +36,7 @@ namespace fs = std::filesystem;
 struct CostOptions {
   std::vector<std::string> files;
   std::vector<std::string> techniques;
+  std::string technique_list;
   std::vector<std::string> families;
   std::string entry = "Main";
   std::string stage = "fragment";
@@ -65,9 +66,9 @@ std::vector<std::string> families_of(const CostOptions& options) {
   return options.families.empty() ? cost::default_families() : each_once(options.families);
 }
 
-void add_techniques(const CostOptions& options, const fs::path& library, cost::CostRequest& request) {
-  if (!options.files.empty() && options.techniques.empty()) return;
-  request.techniques = techniques::read_technique_list(library);
+void add_techniques(const CostOptions& options, cost::CostRequest& request) {
+  if (!options.files.empty() && options.techniques.empty() && options.technique_list.empty()) return;
+  request.techniques = chosen_technique_list(options.technique_list);
   if (options.techniques.empty()) return;
   std::vector<techniques::Technique> chosen;
   for (const std::string& name : each_once(options.techniques))
@@ -78,7 +79,7 @@ void add_techniques(const CostOptions& options, const fs::path& library, cost::C
 cost::CostRequest make_request(const CostOptions& options) {
   cost::CostRequest request;
   const fs::path library = platform::data_directory();
-  add_techniques(options, library, request);
+  add_techniques(options, request);
   for (const std::string& file : options.files) {
     project::require_shader_file(file);
     cost::ShaderFile shader{file, options.entry, *hlsl::find_stage(options.stage), {}};
@@ -111,6 +112,8 @@ std::string reproducing_command(const CostOptions& options) {
   };
   if (!options.files.empty()) add("--entry", {options.entry});
   if (!options.files.empty()) add("--stage", {options.stage});
+  if (!options.technique_list.empty())
+    command += " --technique-list " + shell_word(fs::path(options.technique_list).filename().string());
   add("--technique", options.techniques);
   add("--family", families_of(options));
   add("--keyword-set", options.keywords);
@@ -193,6 +196,7 @@ void add_what(CLI::App& command, CostOptions& options) {
   command.add_option("files", options.files, "Your own .shader, .compute and .hlsl files")
       ->type_name("FILE")
       ->default_str("the library's techniques");
+  add_technique_list_option(command, options.technique_list);
   add_technique_option(command, options.techniques, "all, without files");
   command.add_option("--entry", options.entry, "Entry point of .hlsl files")->type_name("NAME");
   command.add_option("--stage", options.stage, "Stage of .hlsl files")
@@ -267,8 +271,8 @@ void add_cost(CLI::App& app, Context& context) {
             {"penumbra cost --format json -o cost.json", "a baseline to commit"},
             {"penumbra cost --baseline cost.json", "exit code 1 if a figure is worse"}});
   command->callback([command, options, &context] {
-    refuse_beside_from(*command, {"files", "--technique", "--family", "--format", "--output", "--baseline",
-                                  "--tolerance", "--any-driver", "--readme"});
+    refuse_beside_from(*command, {"files", "--technique", "--technique-list", "--family", "--format",
+                                  "--output", "--baseline", "--tolerance", "--any-driver", "--readme"});
     refuse_idle(*command, {"--entry", "--stage", "--keyword-set"}, options->files.empty(), "without a file");
     refuse_idle(*command, {"--tolerance", "--any-driver"}, options->baseline.empty(), "without --baseline");
     run_cost(*options, context);

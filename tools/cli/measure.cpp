@@ -86,7 +86,7 @@ std::string reproducing_command(const std::vector<std::string>& arguments) {
 std::vector<study::Subject> chosen_subjects(const MeasureOptions& options) {
   StudyOptions choice = options;
   if (choice.techniques.empty() && choice.adapters.empty() && options.varied.set.empty()) {
-    const techniques::TechniqueList list = techniques::read_own_techniques();
+    const techniques::TechniqueList list = chosen_technique_list(options.technique_list);
     for (const techniques::Technique& technique : list.techniques)
       choice.techniques.push_back(technique.name);
   }
@@ -258,6 +258,7 @@ void add_measure(CLI::App& app, Context& context) {
   auto options = std::make_shared<MeasureOptions>();
   options->lights = {0.53, 2.0, 5.0};
   add_study_options(*command, *options, "all");
+  add_technique_list_option(*command, options->technique_list)->group("What to measure");
   add_technique_option(*command, options->techniques, "all, without --adapter and --set")
       ->group("What to measure");
   add_adapters(*command, options->adapters)->group("What to measure");

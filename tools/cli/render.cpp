@@ -99,6 +99,7 @@ void add_render(CLI::App& app, Context& context) {
   auto options = std::make_shared<RenderOptions>();
   options->lights = {2.0};
   add_study_options(*command, *options, "contact-boxes");
+  add_technique_list_option(*command, options->technique_list)->group("What to render");
   add_technique_option(*command, options->techniques, "pcss-angular-24-16")->group("What to render");
   add_adapters(*command, options->adapters)->group("What to render");
   add_set_option(*command, "What to render", options->varied);

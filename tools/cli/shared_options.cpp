@@ -55,6 +55,20 @@ std::vector<std::string> worker_arguments(const std::string& mode) {
   return {mode};
 }
 
+CLI::Option* add_technique_list_option(CLI::App& command, std::string& list) {
+  return command
+      .add_option(
+          "--technique-list", list,
+          "A technique manifest (NAME.technique.json), or the folder of a package, whose techniques take "
+          "the place of the library's")
+      ->type_name("FILE")
+      ->default_str("the library's");
+}
+
+techniques::TechniqueList chosen_technique_list(const std::string& list) {
+  return list.empty() ? techniques::read_own_techniques() : techniques::read_technique_list(list);
+}
+
 CLI::Option* add_technique_option(CLI::App& command, std::vector<std::string>& techniques,
                                   const std::string& without) {
   CLI::Option* option = as_list(

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "platform/worker_pool.h"
+#include "techniques/technique_list.h"
 
 namespace penumbra::cli {
 
@@ -25,6 +26,10 @@ void add_worker_limits(CLI::App& command, WorkerOptions& options, const std::str
 platform::WorkerLimits worker_limits(const WorkerOptions& options);
 // The arguments that start this program as a worker; none where there are no worker processes.
 std::vector<std::string> worker_arguments(const std::string& mode);
+
+// A manifest, or the folder of a package that has some, instead of the library's own.
+CLI::Option* add_technique_list_option(CLI::App& command, std::string& list);
+techniques::TechniqueList chosen_technique_list(const std::string& list);
 
 CLI::Option* add_technique_option(CLI::App& command, std::vector<std::string>& techniques,
                                   const std::string& without);

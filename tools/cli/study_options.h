@@ -24,6 +24,7 @@ struct StudyOptions {
   std::vector<std::string> scenes;
   std::vector<double> lights;
   std::vector<std::string> techniques;
+  std::string technique_list;              // a manifest or a package's folder; empty: the library's own
   std::vector<std::string> adapters;       // as parse_adapter() reads them
   std::vector<std::string> package_roots;  // NAME=FOLDER
   std::string project;                     // of Unity; empty: none

@@ -334,8 +334,7 @@ void run_validate(const CLI::App& command, const ValidateOptions& options, Conte
   for (const std::string& define : options.defines) request.defines.push_back(parse_define(define));
   if (!options.techniques.empty() || !sources_given) {
     const fs::path library = platform::data_directory();
-    request.techniques =
-        techniques::read_technique_list(options.techniques.empty() ? library : fs::path(options.techniques));
+    request.techniques = chosen_technique_list(options.techniques);
     request.package_roots = given_roots(options);
     request.package_roots.push_back({"com.penumbra.shadows", library});
     request.include_directories.assign(options.include_directories.begin(),

@@ -24,9 +24,7 @@ void add_what(CLI::App& command, ValidateOptions& options) {
   as_list(command.add_option("--skip", options.skip, "Pattern of files to exclude"))
       ->type_name("PATTERN")
       ->default_str("none");
-  command.add_option("--technique-list", options.techniques, "JSON list of techniques to validate")
-      ->type_name("FILE")
-      ->default_str("the library's");
+  add_technique_list_option(command, options.techniques);
   command.add_option("--entry", options.entry, "Entry point of .hlsl files")->type_name("NAME");
   command.add_option("--stage", options.stage, "Stage of .hlsl files")
       ->type_name("STAGE")

@@ -154,12 +154,13 @@ void add_title_option(CLI::App& command, const std::string& group, VariedSubject
 
 std::vector<study::Subject> varied_subjects(const StudyOptions& options, const VariedSubjects& varied) {
   const bool reversed_z = options.reversed_z;
-  const techniques::TechniqueList list = techniques::read_own_techniques();
+  const techniques::TechniqueList list = chosen_technique_list(options.technique_list);
   std::vector<std::string> names = options.techniques;
   drop_repetitions(names);
   std::vector<int> frames = varied.frames;
   drop_repetitions(frames);
-  if (names.empty() && options.adapters.empty()) names.emplace_back(kDefaultTechnique);
+  if (names.empty() && options.adapters.empty())
+    names.push_back(options.technique_list.empty() ? kDefaultTechnique : list.techniques.front().name);
   if (names.empty() && !varied.set.empty()) {
     throw InputError("", "--set applies to techniques, and only adapters are given",
                      "set an adapter's uniforms with --adapter 'NAME=FILE;UNIFORM=a,b,c,d'");

@@ -28,17 +28,25 @@ struct Source {
   CostVariant variant;
 };
 
-// Techniques are per-pixel functions: their cost is that of the fragment shader that calls them, or of each
-// pass that runs over the screen, and their file is the library's, without the folder it happens to lie in.
+// Without the folder that the package happens to lie in.
+std::string file_in_package(const techniques::Technique& technique, const std::string& program) {
+  for (const techniques::GraphPass& pass : technique.graph.passes)
+    if (!program.empty() && pass.program == program) return pass.file;
+  return technique.file();
+}
+
+// The cost of a technique is that of each program of its passes, and of its filter that of the fragment
+// shader which calls it.
 std::vector<Source> sources_of(const CostRequest& request) {
   const validation::ValidationRequest validated = as_validated(request);
   std::vector<Source> sources;
   for (validation::SourceVariant& variant : validation::source_variants(validated)) {
     validation::CompileUnit& unit = variant.unit;
-    if (unit.compile.stage != hlsl::Stage::fragment) continue;
-    sources.push_back({std::move(unit.compile),
-                       variant.technique->file(),
-                       {variant.technique->name, std::move(unit.keywords)}});
+    const bool kernel = unit.compile.stage == hlsl::Stage::compute && !unit.pass.empty();
+    if (unit.compile.stage != hlsl::Stage::fragment && !kernel) continue;
+    std::string file = file_in_package(*variant.technique, unit.pass);
+    sources.push_back(
+        {std::move(unit.compile), std::move(file), {variant.technique->name, std::move(unit.keywords)}});
   }
   return sources;
 }

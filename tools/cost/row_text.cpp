@@ -48,8 +48,8 @@ std::string row_name(const CostRow& row) {
   const std::vector<std::string> names = technique_names(row);
   std::string name = names.empty() ? row.file + " " + row.entry : names.front();
   if (names.size() > 1) name += fmt::format(" (and {} more)", names.size() - 1);
-  // A technique over the screen has a row for each of its passes.
-  if (!names.empty() && row.file.ends_with(".shader")) name += ": " + row.entry;
+  // A technique has a row for each of its programs.
+  if (!names.empty() && !row.file.ends_with(".hlsl")) name += ": " + row.entry;
   return name + keywords_text(row);
 }
 

@@ -1,0 +1,65 @@
+// A technique of the user's own is its files alone: validate, measure and cost take them as they are.
+#include "cli/program.h"
+
+#include <nlohmann/json.hpp>
+
+namespace penumbra {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+std::string added(const std::string& name) {
+  return std::string(PENUMBRA_SOURCE_DIR) + "/tests/techniques/added/" + name + ".technique.json";
+}
+
+class TechniqueListCommand : public ProgramTest {};
+
+TEST_F(TechniqueListCommand, PassesOverTheMapAndAFilterAreValidatedMeasuredAndCosted) {
+  const auto valid = run({"validate", "--technique-list", added("Means"), "--no-cache"});
+  EXPECT_EQ(valid.exit_code, 0) << valid.output;
+  EXPECT_THAT(valid.output, HasSubstr("20 variants for 5 targets: 100 results"));
+
+  const auto measured =
+      run({"measure", "--technique-list", added("Means"), "--scene", "trees", "--light", "2", "--map-size",
+           "128", "--size", "32x16", "--reference-samples", "32", "--timing-repeats", "0", "--no-split"});
+  ASSERT_EQ(measured.exit_code, 0) << measured.errors;
+  const nlohmann::json record = nlohmann::json::parse(measured.output).at("records").at(0);
+  EXPECT_EQ(record.at("technique"), "means");
+  EXPECT_EQ(record.at("fetches_mean"), 1.0);
+  // 1 + 5 + 5 for each of 128 x 128 texels, and 4 for each of 64 x 64.
+  EXPECT_EQ(record.at("preprocess_fetches_per_pixel"), (11.0 * 128 * 128 + 4.0 * 64 * 64) / (32 * 16));
+
+  const auto cost = run({"cost", "--technique-list", added("Means"), "--family", "navi21"});
+  EXPECT_EQ(cost.exit_code, 0) << cost.errors;
+  for (const char* pass : {"means: Depths", "means: Rows", "means: Columns", "means: Mips"})
+    EXPECT_THAT(cost.output, HasSubstr(pass));
+}
+
+TEST_F(TechniqueListCommand, KernelsAreValidatedMeasuredAndCosted) {
+  const auto valid = run({"validate", "--technique-list", added("Blocks"), "--no-cache"});
+  EXPECT_EQ(valid.exit_code, 0) << valid.output;
+  EXPECT_THAT(valid.output, HasSubstr("8 variants for 5 targets: 40 results"));
+  const auto measured =
+      run({"measure", "--technique-list", added("Blocks"), "--scene", "trees", "--light", "2", "--map-size",
+           "128", "--size", "32x16", "--reference-samples", "32", "--timing-repeats", "0", "--no-split"});
+  EXPECT_EQ(measured.exit_code, 0) << measured.errors;
+  const auto cost = run({"cost", "--technique-list", added("Blocks"), "--family", "navi21"});
+  EXPECT_EQ(cost.exit_code, 0) << cost.errors;
+  for (const char* kernel : {"blocks: Mark", "blocks: Collect", "blocks: Sum", "blocks: Shade"})
+    EXPECT_THAT(cost.output, HasSubstr(kernel));
+}
+
+TEST_F(TechniqueListCommand, AMistakeIsNamedAtItsLine) {
+  const std::string manifest =
+      write("a.technique.json", "{\"techniques\": [\n {\"name\": \"a\", \"tilte\": \"A\"}]}").string();
+  for (const char* subcommand : {"validate", "measure", "render", "cost"}) {
+    const auto result = run({subcommand, "--technique-list", manifest});
+    EXPECT_EQ(result.exit_code, 2) << subcommand;
+    EXPECT_THAT(result.errors, AllOf(HasSubstr("a.technique.json:2:"), HasSubstr("'title' is missing")))
+        << subcommand;
+  }
+}
+
+}  // namespace
+}  // namespace penumbra
