@@ -22,8 +22,10 @@ shaders::CompileResult compile_umbrella(const Defines& defines) {
   request.stage = hlsl::Stage::fragment;
   request.defines = defines;
   request.package_roots = {{"com.penumbra.shadows", PENUMBRA_SOURCE_DIR}};
-  request.include_directories = {std::string(PENUMBRA_SOURCE_DIR) + "/ShaderLibrary",
-                                 std::string(PENUMBRA_SOURCE_DIR) + "/tools/shaders/unity"};
+  request.include_directories = {
+      std::string(PENUMBRA_SOURCE_DIR) + "/ShaderLibrary",
+      std::string(PENUMBRA_SOURCE_DIR) +
+          "/tools/shaders/unity/com.unity.render-pipelines.universal/ShaderLibrary"};
   return shaders::compile(request);
 }
 

@@ -30,6 +30,13 @@ TEST_F(TechniqueListCommand, PassesOverTheMapAndAFilterAreValidatedMeasuredAndCo
   // 1 + 5 + 5 for each of 128 x 128 texels, and 4 for each of 64 x 64.
   EXPECT_EQ(record.at("preprocess_fetches_per_pixel"), (11.0 * 128 * 128 + 4.0 * 64 * 64) / (32 * 16));
 
+  const nlohmann::json& rows = record.at("passes").at(1);
+  EXPECT_EQ(rows.at("pass"), "Rows");
+  EXPECT_EQ(rows.at("runs"), "cascade");
+  EXPECT_EQ(rows.at("fetches_per_pixel"), 5.0 * 128 * 128 / (32 * 16));
+  EXPECT_EQ(rows.at("texels_written_per_pixel"), 128.0 * 128 / (32 * 16));
+  EXPECT_EQ(rows.at("fetches_per_cascade"), 5.0 * 64 * 64);
+
   const auto cost = run({"cost", "--technique-list", added("Means"), "--family", "navi21"});
   EXPECT_EQ(cost.exit_code, 0) << cost.errors;
   for (const char* pass : {"means: Depths", "means: Rows", "means: Columns", "means: Mips"})

@@ -137,8 +137,8 @@ class GeometricScale : public testing::Test {
   static std::array<GraphRunner, 2> unlimited_passes() {
     const techniques::TechniqueList& list = library_techniques();
     techniques::Technique technique = list.find("pcss-angular-64-64");
-    technique.unlimited["maxPenumbraMetres"] = "1e4";
-    technique.unlimited["maxSamplingMetres"] = "1e4";
+    technique.unlimited["maxPenumbraMetres"] = 1e4;
+    technique.unlimited["maxSamplingMetres"] = 1e4;
     const auto pass = [&](bool reversed_z) {
       return GraphRunner(test_device(),
                          compile(technique_shader(list, technique, Taps::unlimited, reversed_z)));

@@ -87,6 +87,9 @@ class RandomResults {
     if (coin()) metrics.mask = MaskShares{share(), figure()};
     if (coin()) metrics.split.map = ErrorShare{-share(), share()};
     if (coin()) record.shimmer = Shimmer{static_cast<int>(random_() % 9), figure(), figure()};
+    if (coin())
+      record.passes = {{"Rows", "cascade", share(), share(), 64.0 * share()},
+                       {"Resolve", "frame", share(), share(), {}}};
     if (coin()) record.time = std::nullopt;
     if (coin()) record.parameters.clear();
     record.cascades = 1 + static_cast<int>(random_() % 4);

@@ -43,7 +43,7 @@ constexpr const char* kVariance = R"({
 // Marked tiles of the screen are shaded by an indirect dispatch.
 constexpr const char* kTiles = R"({
 "graphs": [{"name": "tiles",
-  "textures": [{"name": "visibility", "format": "r16f"}, {"name": "marks", "divisor": 8, "format": "r32ui"}],
+  "textures": [{"name": "visibility", "format": "r32f"}, {"name": "marks", "divisor": 8, "format": "r16ui"}],
   "buffers": [{"name": "groups", "words": 3, "indirect": true},
               {"name": "list", "words_per_texel": 1, "texture": "marks"}],
   "passes": [
@@ -170,11 +170,16 @@ TEST_F(PassGraphTest, TexturesThatNoDeviceHasAreFound) {
   EXPECT_THAT(of_rows(R"("divisor": 0, "format": "rg32f")"), HasSubstr("a divisor is 1 to 64"));
   EXPECT_THAT(of_rows(R"("extent": "fixed", "format": "rg32f")"), HasSubstr("array of 3 numbers"));
   EXPECT_THAT(of_rows(R"("extent": "fixed", "size": [4, 4, 0], "format": "rg32f")"),
-              HasSubstr("a fixed size is"));
+              HasSubstr("'size' has whole numbers from 1 to 16384"));
+  EXPECT_THAT(of_rows(R"("extent": "fixed", "size": [9000, 9000, 1], "format": "rg32f")"),
+              HasSubstr("takes more than 1 GiB"));
+  EXPECT_THAT(of_rows(R"("extent": "fixed", "divisor": 2, "size": [4, 4, 1], "format": "rg32f")"),
+              HasSubstr("a fixed size has no divisor"));
   EXPECT_THAT(of_rows(R"("samples": 3, "format": "rg32f")"), HasSubstr("samples are 1, 2, 4 or 8"));
   EXPECT_THAT(of_rows(R"("samples": 4, "mips": 2, "format": "rg32f")"), HasSubstr("one mip level"));
-  EXPECT_THAT(of_rows(R"("extent": "map", "format": "depth32")"), HasSubstr("which has a depth format"));
-  EXPECT_THAT(problem(kTiles, R"("format": "r32ui")", R"("format": "r32ui", "samples": 4)"),
+  EXPECT_THAT(of_rows(R"("extent": "map", "format": "depth32")"),
+              HasSubstr("only the casters' map has a depth format"));
+  EXPECT_THAT(problem(kTiles, R"("format": "r16ui")", R"("format": "r16ui", "samples": 4)"),
               HasSubstr("cannot write 'marks' of several samples"));
 }
 
@@ -188,32 +193,59 @@ TEST_F(PassGraphTest, TargetsOfOneDrawHaveOneSize) {
               HasSubstr("'Moments' draws into 'moments' and 'extra', which differ in size or samples"));
 }
 
+TEST_F(PassGraphTest, WhatOneDrawCannotWriteIsFound) {
+  EXPECT_THAT(problem(kVariance, R"(, "writes": ["moments"])", R"(, "writes": ["moments", "moments"])"),
+              HasSubstr("'Moments' writes 'moments' twice"));
+  EXPECT_THAT(problem(kVariance, R"({"name": "moments", "extent": "map")",
+                      R"({"name": "moments", "extent": "map", "layers": 2)"),
+              HasSubstr("'moments', which has several layers"));
+  EXPECT_THAT(problem(kVariance, R"({"name": "Rows")",
+                      R"({"name": "Mips2", "kind": "raster", "shader": "V.shader", "runs": "cascade",
+     "reads": {"_Source": "blurred"}, "writes": ["blurred"], "each_mip": true}, {"name": "Rows")"),
+              HasSubstr("more than one pass makes the mip levels of 'blurred'"));
+}
+
 TEST_F(PassGraphTest, KernelsNeedOneNumberOfGroups) {
   EXPECT_THAT(problem(kTiles, R"("groups": {"fixed": [1, 1, 1]})", R"("groups": {})"),
               HasSubstr("'Collect' needs one number of groups"));
   EXPECT_THAT(problem(kTiles, R"({"fixed": [1, 1, 1]})", R"({"fixed": [1, 1, 1], "texels_of": "marks"})"),
               HasSubstr("'Collect' needs one number of groups"));
   EXPECT_THAT(problem(kTiles, R"({"fixed": [1, 1, 1]})", R"({"fixed": [0, 1, 1]})"),
-              HasSubstr("numbers of groups are 1 to 65535"));
+              HasSubstr("'fixed' has whole numbers from 1 to 65535"));
   EXPECT_THAT(problem(kTiles, R"("words": 3, )", R"("words": 2, )"),
               HasSubstr("numbers of groups take three words"));
 }
 
 TEST_F(PassGraphTest, AGraphEndsInOneVisibility) {
-  EXPECT_THAT(problem(kTiles, R"(,
+  EXPECT_THAT(
+      problem(kTiles, R"(,
   "visibility": "visibility"})",
-                      "}"),
-              AnyOf(HasSubstr("nothing reads 'visibility'"), HasSubstr("one of the two")));
+              "}"),
+      AllOf(HasSubstr("nothing reads 'visibility'"), HasSubstr("add \"visibility\": \"visibility\"")));
   EXPECT_THAT(problem(kTiles, R"({"name": "visibility", )", R"({"name": "visibility", "divisor": 2, )"),
               HasSubstr("the visibility has not one texel for each pixel of the screen"));
+  EXPECT_THAT(problem(kTiles, R"({"name": "visibility", "format": "r32f"})",
+                      R"({"name": "visibility", "format": "rgba8"})"),
+              HasSubstr("the visibility 'visibility' has the format rgba8"));
+  EXPECT_THAT(problem(kTiles, R"({"name": "visibility", )", R"({"name": "visibility", "layers": 2, )"),
+              HasSubstr("is not a plain texture of the screen"));
+  EXPECT_THAT(
+      problem(kTiles, R"("visibility": "visibility"}])", R"("visibility": "visibility", "mask": "marks"}])"),
+      HasSubstr("the mask 'marks' has the format r16ui"));
   EXPECT_THAT(problem(kVariance, R"("passes": [)",
                       R"("passes": [{"name": "second", "kind": "filter",
                          "filter": {"file": "V.hlsl", "function": "F"}},)"),
               HasSubstr("there are two filters"));
-  EXPECT_THAT(problem(kVariance, R"("graph": "variance")",
-                      R"("filter": {"file": "V.hlsl", "function": "F"}, "graph": "")"),
-              HasSubstr("no error"))
-      << "a filter alone is a graph";
+  EXPECT_THAT(problem(kVariance, R"("passes": [)", R"("visibility": "rows", "passes": [)"),
+              HasSubstr("that of a filter or a texture: one of the two"));
+}
+
+TEST_F(PassGraphTest, AGraphThatEndsInAFilterHasNoScreen) {
+  EXPECT_THAT(
+      problem(kVariance, R"({"name": "rows", "extent": "map")", R"({"name": "rows", "extent": "screen")"),
+      AnyOf(HasSubstr("which is not of the map or a tile"), HasSubstr("is of the screen")));
+  EXPECT_THAT(problem(kVariance, R"("passes": [)", R"("mask": "rows", "passes": [)"),
+              HasSubstr("a graph that ends in a filter has no mask"));
 }
 
 TEST_F(PassGraphTest, APartsTexturesAndPassesAreTakenOver) {
@@ -222,17 +254,20 @@ TEST_F(PassGraphTest, APartsTexturesAndPassesAreTakenOver) {
   text.replace(text.find("\"graph\": \"variance\""), 19, "\"graph\": \"whole\"");
   EXPECT_EQ(read(text).passes.size(), 5U);
   EXPECT_THAT(problem(text, "[\"variance\"]", "[\"variants\"]"), HasSubstr("unknown graph 'variants'"));
+  std::string many = "\"variance\"";
+  for (int i = 0; i < 40; ++i) many += ", \"variance\"";
+  EXPECT_THAT(problem(text, "[\"variance\"]", "[" + many + "]"), HasSubstr("at most 256 passes"));
 }
 
 TEST_F(PassGraphTest, WhatATargetLacksIsSaidOfTheTextureThatNeedsIt) {
   const PassGraph tiles = read(kTiles);
-  const GraphPass& shade = tiles.passes[2];
-  const std::vector<GraphProblem> essl = target_problems(tiles, shade, "essl310");
+  const GraphPass& mark = tiles.passes[0];
+  const std::vector<GraphProblem> essl = target_problems(tiles, mark, "essl310");
   ASSERT_EQ(essl.size(), 1U);
-  EXPECT_THAT(essl[0].text, HasSubstr("cannot write 'r16f', the format of 'visibility'"));
+  EXPECT_THAT(essl[0].text, HasSubstr("cannot write 'r16ui', the format of 'marks'"));
   EXPECT_THAT(essl[0].where, HasSubstr("t.technique.json:3:"));
-  EXPECT_THAT(target_problems(tiles, tiles.passes[0], "essl310"), IsEmpty()) << "r32ui";
-  EXPECT_THAT(target_problems(tiles, shade, "spirv"), IsEmpty());
+  EXPECT_THAT(target_problems(tiles, tiles.passes[2], "essl310"), IsEmpty()) << "r32f";
+  EXPECT_THAT(target_problems(tiles, mark, "spirv"), IsEmpty());
   const PassGraph variance = read(kVariance);
   EXPECT_THAT(target_problems(variance, variance.passes[0], "essl310"), IsEmpty()) << "drawn, not stored";
 }

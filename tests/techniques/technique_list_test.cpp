@@ -35,7 +35,7 @@ constexpr const char* good = R"({
                 "arguments": ["shadowMap", "pointSampler"], "parameters": "BoxParameters"},
      "values": {"taps": 3, "scale": [1.0, 0.5]},
      "keywords": ["_WIDE"], "keyword_sets": [[], ["UNITY_REVERSED_Z"]],
-     "unlimited": {"taps": "4096"}, "targets_absent": {"hlsl50": "too long"}}
+     "unlimited": {"taps": 4096}, "targets_absent": {"hlsl50": "too long"}}
   ]
 })";
 
@@ -91,7 +91,7 @@ TEST_F(TechniqueListTest, ReadsWhatIsThere) {
   EXPECT_EQ(box.values.at("scale"), (std::vector<double>{1.0, 0.5}));
   EXPECT_EQ(box.keyword_sets, (std::vector<std::vector<std::string>>{{}, {"UNITY_REVERSED_Z"}}));
   EXPECT_EQ(box.keywords, std::vector<std::string>{"_WIDE"});
-  EXPECT_EQ(box.unlimited.at("taps"), "4096");
+  EXPECT_EQ(box.unlimited.at("taps"), 4096.0);
   EXPECT_EQ(box.targets_absent.at("hlsl50"), "too long");
   EXPECT_EQ(box.file(), "Box.hlsl");
   EXPECT_FALSE(box.graph.over_screen());
@@ -104,8 +104,14 @@ TEST_F(TechniqueListTest, ReadsWhatIsThere) {
   EXPECT_FALSE(fields[1].range);
 }
 
-TEST_F(TechniqueListTest, UnlimitedMayBeANumber) {
-  EXPECT_EQ(read(with("\"4096\"", "4096")).find("box-3").unlimited.at("taps"), "4096");
+TEST_F(TechniqueListTest, UnlimitedExceedsTheUpperEndAlone) {
+  const auto refusal = [this](const std::string& value) { return problem("\"taps\": 4096", value); };
+  EXPECT_THAT(refusal("\"taps\": \"4096\""), HasSubstr("must be a number"));
+  EXPECT_THAT(refusal("\"taps\": 1e999"), HasSubstr("box.technique.json:13:"));
+  EXPECT_THAT(refusal("\"taps\": 1.5"), HasSubstr("'taps' is a whole number"));
+  EXPECT_THAT(refusal("\"taps\": -100"), HasSubstr("'taps' is a whole number from 1 to "));
+  EXPECT_THAT(refusal("\"taps\": 16777217"), HasSubstr("'taps' is a whole number"));
+  EXPECT_THAT(refusal("\"scale\": 1"), HasSubstr("'scale' is a float2"));
 }
 
 TEST_F(TechniqueListTest, UsualKeywordSetsAreBothDirectionsOfDepthAndUnlimitedSamples) {
@@ -152,7 +158,7 @@ TEST_F(TechniqueListTest, WrongDefaultsAreNamedWithTheirPlace) {
 TEST_F(TechniqueListTest, WrongEntriesAreNamedWithTheirPlaceAndAWayOut) {
   EXPECT_THAT(problem("\"family\"", "\"famly\""), HasSubstr("'family' is missing or empty"));
   EXPECT_THAT(problem("\"targets_absent\"", "\"targets_absnt\""),
-              AllOf(HasSubstr("box.technique.json:13:37: "), HasSubstr("unknown key 'targets_absnt'"),
+              AllOf(HasSubstr("box.technique.json:13:35: "), HasSubstr("unknown key 'targets_absnt'"),
                     HasSubstr("did you mean 'targets_absent'?")));
   EXPECT_THAT(problem("\"parameters\": \"BoxParameters\"", "\"parameters\": \"BoxParameter\""),
               AllOf(HasSubstr("box.technique.json:10:"), HasSubstr("unknown struct 'BoxParameter'"),
@@ -175,9 +181,31 @@ TEST_F(TechniqueListTest, WrongEntriesAreNamedWithTheirPlaceAndAWayOut) {
   EXPECT_THAT(problem("[\"UNITY_REVERSED_Z\"]", "\"UNITY_REVERSED_Z\""),
               HasSubstr("array of arrays of strings"));
   EXPECT_THAT(problem("\"_WIDE\"", "\"_WIDE 1\""), HasSubstr("'_WIDE 1' is not a keyword"));
-  EXPECT_THAT(problem("\"taps\": \"4096\"", "\"taps\": \"many\""), HasSubstr("'many' is not a number"));
-  EXPECT_THAT(problem("\"taps\": \"4096\"", "\"tops\": \"4096\""), HasSubstr("did you mean 'taps'?"));
+  EXPECT_THAT(problem("\"taps\": 4096", "\"tops\": 4096"), HasSubstr("did you mean 'taps'?"));
   EXPECT_THAT(problem("\"name\": \"scale\"", "\"name\": \"taps\""), HasSubstr("two fields 'taps'"));
+}
+
+TEST_F(TechniqueListTest, WhatIsEmittedIsPlainText) {
+  EXPECT_THAT(problem("Even kernel.", "x\\n#error"), HasSubstr("'doc' is one line"));
+  EXPECT_THAT(problem("per side", "ends in \\\\"), HasSubstr("'doc' is one line"));
+  EXPECT_THAT(problem("\"Box\"", "\"B\\u001b\""), HasSubstr("'title' is one line"));
+  EXPECT_THAT(problem("\"name\": \"scale\"", "\"name\": \"class\""), HasSubstr("'class' is a word of C#"));
+  EXPECT_THAT(problem("\"name\": \"scale\"", "\"name\": \"Vector0\""), HasSubstr("of the emitted struct"));
+  EXPECT_THAT(problem("\"box-3\"", "\"../box\""), HasSubstr("a name has letters, digits"));
+  EXPECT_THAT(problem("[1, 9]", "[1, 1e18]"), HasSubstr("'taps' is a whole number"));
+  EXPECT_THAT(problem("[1.0, 0.5]", "[1.0, 1e300]"), HasSubstr("'scale' is a number"));
+  EXPECT_THAT(problem("\"_WIDE\"", "\"UNITY_REVERSED_Z\""), HasSubstr("is the platform's to define"));
+  EXPECT_THAT(problem("Box.hlsl", "a\\\\b.hlsl"), HasSubstr("no backslashes"));
+  EXPECT_THAT(problem("\"filter\"", "\"graph\": \"g\", \"filter\""),
+              HasSubstr("has both a graph and a filter"));
+}
+
+TEST_F(TechniqueListTest, AManifestIsNamedFromItsOwnFolder) {
+  files_.write("box.technique.json", good);
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(files_.path("."));
+  EXPECT_EQ(read_technique_list("box.technique.json").techniques.size(), 1U);
+  std::filesystem::current_path(before);
 }
 
 TEST_F(TechniqueListTest, NamesMayNotRepeat) {
@@ -312,7 +340,7 @@ TEST(LibraryTechniques, APresetThatTheFeatureHasNotIsRefused) {
   TechniqueList list = library();
   for (Technique& technique : list.techniques)
     if (technique.name == "preset-high") technique.keywords = {"_PENUMBRA_OTHER"};
-  EXPECT_THROW((void)emit_presets_csharp(list), std::invalid_argument);
+  EXPECT_THROW((void)emit_presets_csharp(list), InputError);
 }
 
 }  // namespace

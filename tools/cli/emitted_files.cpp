@@ -3,9 +3,11 @@
 #include <array>
 #include <filesystem>
 #include <functional>
+#include <system_error>
 #include <utility>
 
 #include "cli/subcommand.h"
+#include "input/input_error.h"
 #include "shaders/package_shader.h"
 #include "techniques/look_emit.h"
 #include "techniques/packing_cases.h"
@@ -48,6 +50,21 @@ const std::array<EmittedFile, 5>& emitted_files() {
   return files;
 }
 
+// All folders are there before the first file is written.
+void write_parameters(const fs::path& package, const techniques::TechniqueList& list) {
+  std::vector<std::pair<fs::path, std::string>> texts;
+  for (const techniques::ParameterStruct& parameters : list.structs)
+    for (const techniques::EmittedFile& emitted :
+         std::array{techniques::emit_hlsl(parameters), techniques::emit_csharp(parameters)})
+      texts.emplace_back(package / emitted.file, emitted.text);
+  for (const auto& [file, text] : texts) {
+    std::error_code error;
+    fs::create_directories(file.parent_path(), error);
+    if (error) throw InputError(file.parent_path().string(), "the folder cannot be made: " + error.message());
+  }
+  for (const auto& [file, text] : texts) write_output(file.string(), text);
+}
+
 }  // namespace
 
 bool EmittedFiles::any() const {
@@ -78,16 +95,7 @@ void check_emitted(const EmittedFiles& files) {
 }
 
 void write_emitted(const EmittedFiles& files, const techniques::TechniqueList& list) {
-  if (!files.parameters.empty()) {
-    for (const techniques::ParameterStruct& parameters : list.structs) {
-      for (const techniques::EmittedFile& emitted :
-           {techniques::emit_hlsl(parameters), techniques::emit_csharp(parameters)}) {
-        const fs::path file = fs::path(files.parameters) / emitted.file;
-        fs::create_directories(file.parent_path());
-        write_output(file.string(), emitted.text);
-      }
-    }
-  }
+  if (!files.parameters.empty()) write_parameters(files.parameters, list);
   for (const EmittedFile& emitted : emitted_files())
     if (!(files.*emitted.file).empty()) write_output(files.*emitted.file, emitted.text(list));
 }

@@ -90,8 +90,7 @@ CompiledGraph compile(const ShadowGraph& graph, const platform::WorkerPool& proc
             program_of(graph.name, order, compile_modules(order, process), &compiled.notes));
         break;
       }
-      case PassKind::raster:
-      case PassKind::casters: {
+      case PassKind::raster: {
         const std::filesystem::path file = (graph.package / pass.file).lexically_normal();
         compiled.programs.push_back(compile_pass(parsed.try_emplace(file, file).first->second, pass.program,
                                                  graph.keywords, graph.reversed_z, process));

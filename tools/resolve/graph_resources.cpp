@@ -1,6 +1,7 @@
 #include "resolve/graph_resources.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "input/input_error.h"
@@ -20,6 +21,14 @@ void fill_with_zeros(gpu::Image& image) {
   }
 }
 
+constexpr double kMostBytes = 4.0 * 1024.0 * 1024.0 * 1024.0;
+
+void require_size(const std::string& where, const std::string& name, double bytes) {
+  if (bytes > kMostBytes)
+    throw InputError(where, "'" + name + "' takes " + std::to_string(std::llround(bytes / 1048576.0)) +
+                                " MiB, more than 4096");
+}
+
 gpu::Image made(const gpu::Device& device, const techniques::GraphTexture& texture,
                 const GraphExtents& extents) {
   const auto [width, height, depth] = texture_size_of(texture, extents);
@@ -33,6 +42,9 @@ gpu::Image made(const gpu::Device& device, const techniques::GraphTexture& textu
   const int most = gpu::mip_count(width, height, depth);
   shape.mips = texture.mips == 0 ? most : std::min(texture.mips, most);
   shape.samples = texture.samples;
+  require_size(texture.where, texture.name,
+               4.0 / 3.0 * static_cast<double>(gpu::texel_bytes(shape.format)) * width * height * depth *
+                   shape.layers * shape.samples);
   try {
     gpu::Image image(device, shape);
     if (shape.samples == 1) fill_with_zeros(image);
@@ -79,6 +91,7 @@ GraphResources::GraphResources(const gpu::Device& device, const techniques::Pass
       words += static_cast<std::size_t>(buffer.words_per_texel) * static_cast<std::size_t>(width) *
                static_cast<std::size_t>(height) * static_cast<std::size_t>(depth);
     }
+    require_size(buffer.where, buffer.name, 4.0 * static_cast<double>(words));
     const std::vector<std::uint32_t> zeros(words);
     buffers_.emplace(buffer.name, gpu::Buffer(device, std::span<const std::uint32_t>(zeros)));
   }

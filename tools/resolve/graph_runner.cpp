@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "resolve/graph_resources.h"
+#include "resolve/pass_geometry.h"
 #include "resolve/screen_uniforms.h"
 #include "resolve/texel_counter.h"
 #include "shaders/counted_module.h"
@@ -58,13 +59,6 @@ TargetFormats target_formats(const PassGraph& graph, const GraphPass& pass) {
   return formats;
 }
 
-// _PenumbraSourceSize of _PenumbraSourceTexture.
-std::string size_uniform(const std::string& texture) {
-  constexpr std::string_view kEnding = "Texture";
-  const bool ends = texture.ends_with(kEnding);
-  return (ends ? texture.substr(0, texture.size() - kEnding.size()) : texture) + "Size";
-}
-
 // A user's numbers for uniforms that the function reads.
 void check_numbers_of(const ShadowShader& shader, const CompiledProgram& program,
                       const ProgramOnDevice& on_device) {
@@ -86,6 +80,7 @@ class GraphRunner::Run {
         extents_{camera == nullptr ? frame.width() : camera->width,
                  camera == nullptr ? frame.height() : camera->height, frame.map_layout()},
         resources_(*runner.device_, runner.graph(), extents_),
+        geometry_(runner.graph(), resources_, extents_),
         sequence_(*runner.device_),
         counting_(module == ProgramOnDevice::Module::counting) {
     if (runner.graph().over_screen() && camera == nullptr)
@@ -139,7 +134,9 @@ class GraphRunner::Run {
     result.fetches.assign(receivers, 0);
     for (std::size_t i = 0; i < runner_.graph().passes.size(); ++i) {
       const GraphPass& pass = runner_.graph().passes[i];
-      PassCounts counts{pass.name, pass.frequency, 0.0, 0.0};
+      PassCounts counts;
+      counts.pass = pass.name;
+      counts.frequency = pass.frequency;
       for (const Step& step : steps_) {
         if (step.pass != i) continue;
         const auto [fetches, written] = step.counter.buffer->counts();
@@ -147,6 +144,9 @@ class GraphRunner::Run {
         counts.texels_written += sum(written) / pixels;
         add_per_pixel(step, fetches, pixels, result);
       }
+      if (pass.frequency == techniques::Frequency::cascade)
+        counts.fetches_per_cascade =
+            counts.fetches * pixels / static_cast<double>(extents_.map.origins.size());
       result.passes.push_back(std::move(counts));
     }
   }
@@ -219,7 +219,7 @@ class GraphRunner::Run {
         named.buffers[shader_name] = &resources_.buffer(name);
         continue;
       }
-      const bool level_before = pass.each_mip && writes(pass, name);
+      const bool level_before = pass.each_mip && techniques::writes_to(pass, name);
       named.images[shader_name] = {
           &resources_.texture(name),
           level_before ? gpu::ImageRange{.first_mip = mip - 1, .mips = 1} : gpu::ImageRange{}};
@@ -234,87 +234,12 @@ class GraphRunner::Run {
     return named;
   }
 
-  static bool writes(const GraphPass& pass, const std::string& name) {
-    return std::any_of(pass.writes.begin(), pass.writes.end(),
-                       [&](const auto& written) { return written.second == name; });
-  }
-
   // Inline samplers and those of textures of the user's, by the names that the program has.
   void add_own_samplers(const ProgramOnDevice& program, NamedResources& named) {
     for (const shaders::Resource& resource : program.resources())
       if (resource.kind == shaders::ResourceKind::sampler && named.samplers.count(resource.name) == 0)
         if (const gpu::Sampler* own = runner_.own_.sampler(resource.name))
           named.samplers[resource.name] = own;
-  }
-
-  glm::vec4 size_at(const std::string& name, int mip) const {
-    const gpu::Image& image = resources_.texture(name);
-    return texture_size(gpu::mip_size(image.width(), mip), gpu::mip_size(image.height(), mip));
-  }
-
-  UniformValues own_uniforms(const GraphPass& pass, int cascade, int mip) const {
-    UniformValues values;
-    for (const auto& [shader_name, name] : pass.reads) {
-      if (!resources_.is_texture(name)) continue;
-      const bool level_before = pass.each_mip && writes(pass, name);
-      values.set(size_uniform(shader_name), size_at(name, level_before ? mip - 1 : 0));
-    }
-    for (const auto& [shader_name, name] : pass.writes) {
-      if (!resources_.is_texture(name)) continue;
-      values.set("_PenumbraTargetSize", size_at(name, mip));
-      break;
-    }
-    if (pass.each_mip) values.set("_PenumbraMip", mip);
-    if (pass.frequency == techniques::Frequency::cascade) {
-      values.set("_PenumbraCascade", cascade);
-      const gpu::RasterTile tile = tile_of(pass, cascade, mip);
-      values.set("_PenumbraTile", glm::vec4(static_cast<float>(tile.x), static_cast<float>(tile.y),
-                                            static_cast<float>(tile.width), static_cast<float>(tile.height)));
-    }
-    return values;
-  }
-
-  const GraphTexture* first_written_texture(const GraphPass& pass) const {
-    for (const auto& [shader_name, name] : pass.writes)
-      if (resources_.is_texture(name)) return runner_.graph().texture(name);
-    return nullptr;
-  }
-
-  // What a pass draws of its target: all of it, or one cascade's tile of the map.
-  gpu::RasterTile tile_of(const GraphPass& pass, int cascade, int mip) const {
-    gpu::RasterTile tile;
-    tile.vertex_count = 3;  // one triangle over all of it
-    const GraphTexture* texture = first_written_texture(pass);
-    if (texture == nullptr) return tile;
-    const gpu::Image& image = resources_.texture(texture->name);
-    tile.width = gpu::mip_size(image.width(), mip);
-    tile.height = gpu::mip_size(image.height(), mip);
-    if (pass.frequency != techniques::Frequency::cascade || texture->extent != techniques::ExtentOf::map)
-      return tile;
-    const int scale = texture->divisor << mip;
-    const std::array<int, 2>& origin = extents_.map.origins.at(static_cast<std::size_t>(cascade));
-    tile.x = origin[0] / scale;
-    tile.y = origin[1] / scale;
-    tile.width = std::max(1, extents_.map.tile / scale);
-    tile.height = tile.width;
-    return tile;
-  }
-
-  std::array<std::uint32_t, 3> groups_of(const GraphPass& pass, const ProgramOnDevice& program,
-                                         int mip) const {
-    if (pass.groups.texels_of.empty())
-      return {static_cast<std::uint32_t>(pass.groups.fixed[0]),
-              static_cast<std::uint32_t>(pass.groups.fixed[1]),
-              static_cast<std::uint32_t>(pass.groups.fixed[2])};
-    const gpu::ImageShape& shape = resources_.texture(pass.groups.texels_of).shape();
-    const std::array<int, 3> texels{gpu::mip_size(shape.width, mip), gpu::mip_size(shape.height, mip),
-                                    std::max(gpu::mip_size(shape.depth, mip), shape.layers)};
-    std::array<std::uint32_t, 3> groups{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t threads = program.workgroup_size()[k];
-      groups[k] = (static_cast<std::uint32_t>(texels[k]) + threads - 1) / threads;
-    }
-    return groups;
   }
 
   // One cell for each pixel of a target, or thread, that covers a fixed share of the screen; else one for
@@ -329,7 +254,7 @@ class GraphRunner::Run {
     } else {
       const GraphTexture* like = pass.kind == PassKind::compute
                                      ? runner_.graph().texture(pass.groups.texels_of)
-                                     : first_written_texture(pass);
+                                     : geometry_.first_written_texture(pass);
       if (like != nullptr && like->extent == techniques::ExtentOf::screen && mip == 0) {
         counter.divisor = like->divisor;
         width = resources_.texture(like->name).width();
@@ -344,8 +269,8 @@ class GraphRunner::Run {
     const GraphPass& pass = runner_.graph().passes[index];
     const int cascades =
         pass.frequency == techniques::Frequency::cascade ? static_cast<int>(extents_.map.origins.size()) : 1;
-    const GraphTexture* written = first_written_texture(pass);
-    const int mips = pass.each_mip ? resources_.texture(written->name).shape().mips : 1;
+    const GraphTexture* written = geometry_.first_written_texture(pass);
+    const int mips = pass.each_mip ? geometry_.mips(*written, cascades) : 1;
     for (int mip = pass.each_mip ? 1 : 0; mip < mips; ++mip)
       for (int cascade = 0; cascade < cascades; ++cascade) add_step(index, cascade, mip);
   }
@@ -357,7 +282,7 @@ class GraphRunner::Run {
     add_own_samplers(used, named);
     Counter counter = counter_of(pass, mip);
     if (counter.buffer) named.buffers[shaders::texel_counts_name] = &counter.buffer->buffer();
-    steps_.push_back({index, used.bind(named), own_uniforms(pass, cascade, mip), std::move(counter)});
+    steps_.push_back({index, used.bind(named), geometry_.uniforms(pass, cascade, mip), std::move(counter)});
     gpu::Bindings& bindings = steps_.back().bindings;
     used.set_uniforms(bindings, {});  // a sequence wants everything bound; run() sets their values
     switch (pass.kind) {
@@ -368,13 +293,12 @@ class GraphRunner::Run {
         if (!pass.groups.indirect.empty())
           used.dispatch_indirect(sequence_, bindings, resources_.buffer(pass.groups.indirect));
         else
-          used.dispatch(sequence_, bindings, groups_of(pass, used, mip));
+          used.dispatch(sequence_, bindings, geometry_.groups(pass, used.workgroup_size(), mip));
         break;
       case PassKind::raster:
-        used.draw(sequence_, bindings, targets_of(pass, cascade, mip), tile_of(pass, cascade, mip));
+        used.draw(sequence_, bindings, geometry_.targets(pass, cascade, mip),
+                  geometry_.tile(pass, cascade, mip));
         break;
-      case PassKind::casters:
-        throw InputError(pass.where, "passes that draw the casters are not run yet");
     }
   }
 
@@ -392,20 +316,12 @@ class GraphRunner::Run {
     used.draw(sequence_, bindings, {{&*picture_}, nullptr, 0.0F}, whole_of(*picture_));
   }
 
-  gpu::RasterTargets targets_of(const GraphPass& pass, int cascade, int mip) const {
-    gpu::RasterTargets targets;
-    for (const auto& [shader_name, name] : pass.writes) {
-      const bool layers = runner_.graph().texture(name)->extent == techniques::ExtentOf::tile;
-      targets.colours.push_back({&resources_.texture(name), mip, layers ? cascade : 0});
-    }
-    return targets;
-  }
-
   GraphRunner& runner_;
   const FrameOnDevice& frame_;
   const CameraImage* camera_;
   GraphExtents extents_;
   GraphResources resources_;
+  PassGeometry geometry_;
   std::optional<gpu::Image> depth_;
   std::optional<gpu::Image> picture_;  // its content means nothing
   gpu::Sequence sequence_;

@@ -27,8 +27,9 @@ struct RunOptions {
 struct PassCounts {
   std::string pass;
   techniques::Frequency frequency = techniques::Frequency::frame;
-  double fetches = 0.0;         // per pixel of the screen
-  double texels_written = 0.0;  // the same
+  double fetches = 0.0;              // per pixel of the screen
+  double texels_written = 0.0;       // the same
+  double fetches_per_cascade = 0.0;  // of a pass that runs for each cascade: in one of them
 };
 
 // Images have one value per receiver, row 0 at the top.

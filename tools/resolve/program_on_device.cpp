@@ -35,6 +35,17 @@ void refuse_bindings_of_the_vertex_stage(const CompiledProgram& program) {
                    "the vertex stage of a pass over its whole target needs only SV_VertexID");
 }
 
+void require_shape(const shaders::Resource& resource, const gpu::ImageShape& shape,
+                   const std::string& place) {
+  const bool deep = (resource.image.dimensions == 3) == (shape.depth > 1);
+  const bool layered = resource.image.arrayed || shape.layers == 1;
+  const bool sampled = resource.image.multisampled == (shape.samples > 1);
+  if (deep && layered && sampled) return;
+  throw InputError(place,
+                   "'" + resource.name + "' is declared as another kind of texture than is bound to it",
+                   "3D, array and multisampled textures have types of their own");
+}
+
 // As pointers, which is what provided() takes.
 std::map<std::string, const BoundImage*> pointers(const std::map<std::string, BoundImage>& images) {
   std::map<std::string, const BoundImage*> result;
@@ -88,6 +99,7 @@ gpu::Bindings ProgramOnDevice::bind(const NamedResources& resources) const {
         const bool written = resource.kind == shaders::ResourceKind::storage_image;
         const BoundImage& image = provided(images, resource, place, written ? "writable texture" : "texture",
                                            written ? "" : texture_way_out(resource.name));
+        require_shape(resource, image.image->shape(), place);
         bindings.image(resource.name, *image.image, image.range);
         break;
       }

@@ -10,7 +10,7 @@ UniformValues parameter_uniforms(const techniques::TechniqueList& list,
                                  const techniques::Technique& technique, Taps taps) {
   std::map<std::string, std::vector<double>> values = technique.values;
   if (taps == Taps::unlimited)
-    for (const auto& [field, number] : technique.unlimited) values[field] = {std::stod(number)};
+    for (const auto& [field, number] : technique.unlimited) values[field] = {number};
   UniformValues uniforms;
   for (const techniques::ParameterStruct* parameters : list.structs_of(technique)) {
     const std::vector<std::array<float, 4>> vectors = techniques::packed(*parameters, values);

@@ -98,6 +98,14 @@ Metrics metrics_of(const CaseSetup& setup, const View& view, const Answer& answe
   return measure(images);
 }
 
+PassRecord pass_record(const resolve::PassCounts& counts) {
+  PassRecord record{counts.pass, techniques::name_of(counts.frequency), counts.fetches, counts.texels_written,
+                    std::nullopt};
+  if (counts.frequency == techniques::Frequency::cascade)
+    record.fetches_per_cascade = counts.fetches_per_cascade;
+  return record;
+}
+
 }  // namespace
 
 MeasuredFrame measured_frame(const CaseSetup& setup) {
@@ -128,6 +136,8 @@ Record record_of(const CaseSetup& setup, const View& view, const Subject& subjec
   record.settings = run_settings(view);
   record.device = device;
   record.metrics = metrics_of(setup, view, answer, window, unlimited);
+  if (answer.passes.size() > 1)
+    for (const resolve::PassCounts& pass : answer.passes) record.passes.push_back(pass_record(pass));
   std::vector<double> milliseconds = answer.time_ns;
   for (double& time : milliseconds) time *= 1e-6;
   record.time = summarise(std::move(milliseconds));

@@ -66,6 +66,17 @@ struct PackageNote {
   bool operator==(const PackageNote&) const = default;
 };
 
+// What one pass of a technique reads and writes in a frame.
+struct PassRecord {
+  std::string pass;
+  std::string runs;                // frame, cascade or bake
+  double fetches_per_pixel = 0.0;  // of the picture
+  double texels_written_per_pixel = 0.0;
+  std::optional<double> fetches_per_cascade;  // where it runs for each cascade: in one of them, all texels
+
+  bool operator==(const PassRecord&) const = default;
+};
+
 struct Record {
   std::string scene;
   std::string technique;
@@ -78,6 +89,7 @@ struct Record {
   RunSettings settings;
   std::string device;
   Metrics metrics;
+  std::vector<PassRecord> passes;  // in the order in which they run; empty: the technique is a filter alone
   std::optional<Shimmer> shimmer;  // when the study panned
   std::optional<Timing> time;
   ReferenceNote reference;

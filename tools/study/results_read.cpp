@@ -73,6 +73,12 @@ class StrictObject {
     return document_.at(at_ / key).size();
   }
 
+  std::vector<StrictObject> objects(const std::string& key) {
+    std::vector<StrictObject> result;
+    for (std::size_t i = 0; i < array_size(key); ++i) result.emplace_back(document_, at_ / key / i);
+    return result;
+  }
+
   std::vector<double> numbers(const std::string& key, std::size_t count) {
     require(key);
     return object_.numbers(key, count);
@@ -193,6 +199,23 @@ std::optional<Shimmer> read_shimmer(StrictObject& record) {
   return result;
 }
 
+std::vector<PassRecord> read_passes(StrictObject& record) {
+  std::vector<PassRecord> passes;
+  if (!record.has("passes")) return passes;
+  for (StrictObject& pass : record.objects("passes")) {
+    PassRecord result;
+    result.pass = pass.text("pass");
+    result.runs = pass.text("runs");
+    result.fetches_per_pixel = pass.number("fetches_per_pixel", 0.0, kAnything);
+    result.texels_written_per_pixel = pass.number("texels_written_per_pixel", 0.0, kAnything);
+    if (pass.has("fetches_per_cascade"))
+      result.fetches_per_cascade = pass.number("fetches_per_cascade", 0.0, kAnything);
+    pass.finish();
+    passes.push_back(std::move(result));
+  }
+  return passes;
+}
+
 RunSettings read_settings(StrictObject settings, int cascades) {
   RunSettings result;
   result.depth_bias = settings.number("depth_bias", 0.0, kAnything);
@@ -252,6 +275,7 @@ Record read_record(StrictObject record, std::string_view kind) {
   result.settings = read_settings(record.object("settings"), result.cascades);
   result.device = record.text("device");
   result.metrics = read_metrics(record);
+  result.passes = read_passes(record);
   result.shimmer = read_shimmer(record);
   result.time = read_time(record, kind);
   StrictObject reference = record.object("reference");

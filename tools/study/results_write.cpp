@@ -92,6 +92,15 @@ void add_metrics(Json& record, const Metrics& metrics) {
   record["intervals"] = json_of(metrics.intervals);
 }
 
+Json json_of(const PassRecord& pass) {
+  Json json{{"pass", pass.pass},
+            {"runs", pass.runs},
+            {"fetches_per_pixel", pass.fetches_per_pixel},
+            {"texels_written_per_pixel", pass.texels_written_per_pixel}};
+  if (pass.fetches_per_cascade) json["fetches_per_cascade"] = *pass.fetches_per_cascade;
+  return json;
+}
+
 Json json_of(const Record& record, std::string_view kind) {
   Json json;
   json["scene"] = record.scene;
@@ -106,6 +115,10 @@ Json json_of(const Record& record, std::string_view kind) {
   json["settings"] = json_of(record.settings);
   json["device"] = record.device;
   add_metrics(json, record.metrics);
+  if (!record.passes.empty()) {
+    json["passes"] = Json::array();
+    for (const PassRecord& pass : record.passes) json["passes"].push_back(json_of(pass));
+  }
   if (record.shimmer) {
     json["shimmer"] = {{"frames", record.shimmer->frames},
                        {"static_noise", json_of(record.shimmer->static_noise)},

@@ -1,6 +1,7 @@
 #include "techniques/graph_reader.h"
 
 #include <algorithm>
+#include <cmath>
 #include <system_error>
 #include <utility>
 
@@ -11,6 +12,7 @@ template <typename Value>
 Value chosen(JsonObject& object, const std::string& key, const std::string& fallback, const std::string& what,
              const std::vector<std::pair<std::string, Value>>& choices) {
   const std::string text = object.text(key, fallback);
+  if (text.empty()) object.fail(key, "'" + key + "' is missing");
   std::vector<std::string> known;
   for (const auto& [name, value] : choices) {
     if (name == text) return value;
@@ -26,6 +28,12 @@ std::vector<std::pair<std::string, std::string>> read_bindings(JsonObject object
   return bindings;
 }
 
+int whole(JsonObject& object, const std::string& key, double value, int most) {
+  if (value != std::floor(value) || value < 1.0 || value > most)
+    object.fail(key, "'" + key + "' has whole numbers from 1 to " + std::to_string(most));
+  return static_cast<int>(value);
+}
+
 GraphTexture read_texture(JsonObject object) {
   GraphTexture texture;
   texture.name = required_identifier(object, "name");
@@ -38,8 +46,8 @@ GraphTexture read_texture(JsonObject object) {
   texture.divisor = object.integer("divisor", 1);
   if (texture.extent == ExtentOf::fixed) {
     const std::vector<double> size = object.numbers("size", 3);
-    for (std::size_t i = 0; i < 3; ++i)
-      texture.size[i] = static_cast<int>(std::clamp(size[i], -1.0, 65536.0));
+    if (object.has("divisor")) object.fail("divisor", "a fixed size has no divisor");
+    for (std::size_t i = 0; i < 3; ++i) texture.size[i] = whole(object, "size", size[i], 16384);
   }
   texture.format = required_text(object, "format");
   texture.mips = object.integer("mips", 1);
@@ -77,8 +85,7 @@ GroupCount read_groups(JsonObject object) {
   if (object.has("fixed")) {
     const std::vector<double> fixed = object.numbers("fixed", 3);
     for (std::size_t i = 0; i < 3; ++i) {
-      if (!(fixed[i] >= 1.0 && fixed[i] <= 65535.0)) object.fail("fixed", "numbers of groups are 1 to 65535");
-      groups.fixed[i] = static_cast<int>(fixed[i]);
+      groups.fixed[i] = whole(object, "fixed", fixed[i], 65535);
     }
   }
   groups.texels_of = object.text("texels_of", "");
@@ -97,11 +104,9 @@ GraphPass read_pass(JsonObject object, const TechniqueList& list, const Manifest
   GraphPass pass;
   pass.name = required_text(object, "name");
   pass.where = object.where("name");
-  pass.kind = chosen<PassKind>(object, "kind", "", "kind of pass",
-                               {{"filter", PassKind::filter},
-                                {"raster", PassKind::raster},
-                                {"casters", PassKind::casters},
-                                {"compute", PassKind::compute}});
+  pass.kind = chosen<PassKind>(
+      object, "kind", "", "kind of pass",
+      {{"filter", PassKind::filter}, {"raster", PassKind::raster}, {"compute", PassKind::compute}});
   pass.frequency = chosen<Frequency>(
       object, "runs", "frame", "frequency",
       {{"frame", Frequency::frame}, {"cascade", Frequency::cascade}, {"bake", Frequency::bake}});
@@ -124,9 +129,17 @@ GraphPass read_pass(JsonObject object, const TechniqueList& list, const Manifest
   return pass;
 }
 
+constexpr std::size_t kMostItems = 256;
+
 template <typename Item>
 void append(std::vector<Item>& items, const std::vector<Item>& more) {
   items.insert(items.end(), more.begin(), more.end());
+}
+
+void require_bounded(JsonObject& object, const PassGraph& graph) {
+  if (graph.passes.size() + graph.textures.size() + graph.buffers.size() > kMostItems)
+    object.fail("name",
+                "a graph has at most " + std::to_string(kMostItems) + " passes, textures and buffers");
 }
 
 void add(PassGraph& graph, const PassGraph& part) {
@@ -145,10 +158,14 @@ ManifestFiles::ManifestFiles(const std::filesystem::path& manifest, const std::f
       package_(std::filesystem::absolute(package).lexically_normal()) {}
 
 std::string ManifestFiles::required(JsonObject& object, const std::string& key) const {
-  const std::filesystem::path file = (folder_ / required_text(object, key)).lexically_normal();
+  const std::string name = required_line(object, key);
+  if (name.find_first_of("\"\\") != std::string::npos)
+    object.fail(key, "a file's name has no quotes and no backslashes", "folders are separated by /");
+  const std::filesystem::path file = (folder_ / name).lexically_normal();
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error))
-    object.fail(key, "there is no file '" + file.string() + "'", "files are named relative to the manifest");
+    object.fail(key, "there is no file '" + name + "' in '" + folder_.string() + "'",
+                "files are named relative to the manifest");
   return named(file);
 }
 
@@ -179,13 +196,15 @@ PassGraph read_graph(JsonObject& object, const TechniqueList& list, const Manife
     for (const auto& [name, other] : known) names.push_back(name);
     require_known(object, "parts", "graph", part, names);
     add(graph, known.at(part));
+    require_bounded(object, graph);
   }
   for (const JsonObject& texture : object.objects("textures"))
     graph.textures.push_back(read_texture(texture));
   for (const JsonObject& buffer : object.objects("buffers")) graph.buffers.push_back(read_buffer(buffer));
   for (const JsonObject& pass : object.objects("passes"))
     graph.passes.push_back(read_pass(pass, list, files));
-  append(graph.keywords, object.texts("keywords"));
+  require_bounded(object, graph);
+  append(graph.keywords, read_keywords(object, "keywords"));
   graph.visibility = object.text("visibility", graph.visibility);
   graph.mask = object.text("mask", graph.mask);
   object.finish();

@@ -1,10 +1,9 @@
 #include "techniques/manifest_reader.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <map>
 #include <set>
-#include <sstream>
+#include <string_view>
 #include <utility>
 
 #include "hlsl/identifier.h"
@@ -35,16 +34,38 @@ std::vector<double> components(JsonObject& object, const std::string& key, const
   return {value};
 }
 
+// Of C# and HLSL, and what an emitted struct has besides its fields.
+bool is_reserved(const std::string& name) {
+  static const std::set<std::string> words{
+      "Default",  "SetGlobal", "abstract", "as",        "base",      "bool",      "break",      "byte",
+      "case",     "catch",     "char",     "checked",   "class",     "const",     "continue",   "decimal",
+      "default",  "delegate",  "do",       "double",    "else",      "enum",      "event",      "explicit",
+      "extern",   "false",     "finally",  "fixed",     "float",     "for",       "foreach",    "goto",
+      "half",     "if",        "implicit", "in",        "inout",     "int",       "interface",  "internal",
+      "is",       "lock",      "long",     "matrix",    "namespace", "new",       "null",       "object",
+      "operator", "out",       "override", "params",    "private",   "protected", "public",     "readonly",
+      "ref",      "return",    "sbyte",    "sealed",    "short",     "sizeof",    "stackalloc", "static",
+      "string",   "struct",    "switch",   "texture",   "this",      "throw",     "true",       "try",
+      "typeof",   "uint",      "ulong",    "unchecked", "uniform",   "unsafe",    "ushort",     "using",
+      "vector",   "virtual",   "void",     "volatile",  "while"};
+  const auto numbered = [&name](std::string_view word) {
+    return name.starts_with(word) && name.size() > word.size() &&
+           name.find_first_not_of("0123456789", word.size()) == std::string::npos;
+  };
+  return words.count(name) != 0 || numbered("Vector") || numbered("Uniform");
+}
+
 ParameterField read_field(JsonObject object) {
   ParameterField field;
   field.name = required_identifier(object, "name");
   field.type = required_text(object, "type");
-  field.unit = required_text(object, "unit");
-  field.doc = required_text(object, "doc");
+  field.unit = required_line(object, "unit");
+  field.doc = required_line(object, "doc");
   require_known(object, "type", "type", field.type, field_types);
   if (object.has("range")) {
     const std::vector<double> ends = object.numbers("range", 2);
     if (ends[0] > ends[1]) object.fail("range", "the smallest value comes after the largest");
+    require_value(object, "range", field, ends);
     field.range = {ends[0], ends[1]};
   }
   if (object.has("default")) {
@@ -56,12 +77,15 @@ ParameterField read_field(JsonObject object) {
 }
 
 ParameterStruct read_struct(JsonObject object) {
-  ParameterStruct parameters{required_identifier(object, "name"), required_text(object, "doc"), {}, {}};
+  ParameterStruct parameters{required_identifier(object, "name"), required_line(object, "doc"), {}, {}};
   std::set<std::string> seen;
   for (JsonObject& field : object.objects("fields")) {
     parameters.fields.push_back(read_field(field));
     const std::string& name = parameters.fields.back().name;
     if (!seen.insert(name).second) field.fail("name", "there are two fields '" + name + "'");
+    if (name == parameters.name || is_reserved(name))
+      field.fail("name", "'" + name + "' is a word of C#, of HLSL or of the emitted struct",
+                 "choose another");
   }
   if (parameters.fields.empty()) object.fail("fields", "'" + parameters.name + "' has no fields");
   object.finish();
@@ -73,21 +97,6 @@ std::vector<ParameterField> fields_of(const std::vector<const ParameterStruct*>&
   for (const ParameterStruct* parameters : structs)
     fields.insert(fields.end(), parameters->fields.begin(), parameters->fields.end());
   return fields;
-}
-
-// A number, or a string that holds one, as text that reads back exactly.
-std::string number_text(JsonObject& object, const std::string& key, bool is_text) {
-  if (is_text) {
-    std::string text = object.text(key, "");
-    char* end = nullptr;
-    std::strtod(text.c_str(), &end);
-    if (text.empty() || *end != '\0') object.fail(key, "'" + text + "' is not a number");
-    return text;
-  }
-  std::ostringstream number;
-  number.precision(17);
-  number << object.number(key, 0.0);
-  return number.str();
 }
 
 double read_bias_setting(JsonObject& bias, const std::string& key) {
@@ -113,9 +122,20 @@ double number_up_to(JsonObject& object, const std::string& key, double largest) 
   return value;
 }
 
+// What commands and files call a technique or a look.
+std::string required_name(JsonObject& object) {
+  std::string name = required_text(object, "name");
+  const bool plain =
+      name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-") ==
+      std::string::npos;
+  if (!plain || name.size() > 100)
+    object.fail("name", "a name has letters, digits, '.', '_' and '-', at most 100 of them");
+  return name;
+}
+
 // The ranges are those of the renderer feature's options.
 Look read_look(JsonObject object) {
-  Look look{required_text(object, "name"), required_text(object, "title"), required_text(object, "doc"),
+  Look look{required_name(object), required_line(object, "title"), required_line(object, "doc"),
             number_up_to(object, "angularDiameterDegrees", 30.0),
             number_up_to(object, "maxPenumbraMetres", 100.0)};
   object.finish();
@@ -161,20 +181,24 @@ class TechniqueReader {
       return (object.has(key) ? at : LocatedJson::Pointer("/defaults")) / key;
     };
     Technique technique;
-    technique.name = required_text(object, "name");
+    technique.name = required_name(object);
     technique.where = object.where("name");
-    technique.title = required_text(object, "title");
-    technique.family = required_text(of("family"), "family");
-    technique.source = required_text(of("source"), "source");
+    technique.title = required_line(object, "title");
+    technique.family = required_line(of("family"), "family");
+    technique.source = required_line(of("source"), "source");
     if (of("bias").has("bias")) technique.bias = read_bias(of("bias").object("bias"));
+    if (object.has("graph") && object.has("filter"))
+      object.fail("graph", "'" + technique.name + "' has both a graph and a filter", "give one of the two");
     technique.graph = graph(object.has("graph") || object.has("filter") ? object : defaults_);
-    technique.keywords = of("keywords").texts("keywords");
-    for (const std::string& keyword : technique.keywords) check_keyword(of("keywords"), "keywords", keyword);
+    technique.keywords = read_keywords(of("keywords"), "keywords");
     const std::vector<const ParameterStruct*> structs = list_.structs_of(technique);
     read_values(object.object("values"), structs, technique);
     if (of("unlimited").has("unlimited"))
-      read_unlimited(of("unlimited").object("unlimited"), structs, technique,
-                     document_.at(place("unlimited")));
+      read_unlimited(of("unlimited").object("unlimited"), structs, technique);
+    if (!technique.unlimited.empty() && technique.graph.filter() == nullptr)
+      of("unlimited")
+          .fail("unlimited", "no pass of '" + technique.name + "' calls a filter",
+                "say which one a pass calls: \"filter\": {...}");
     technique.keyword_sets = usual_keyword_sets(technique);
     if (of("keyword_sets").has("keyword_sets"))
       technique.keyword_sets = keyword_sets(of("keyword_sets"), document_.at(place("keyword_sets")));
@@ -225,18 +249,23 @@ class TechniqueReader {
     own.finish();
   }
 
+  // Only the upper end of a field's range may be exceeded.
   static void read_unlimited(JsonObject object, const std::vector<const ParameterStruct*>& structs,
-                             Technique& technique, const nlohmann::json& values) {
+                             Technique& technique) {
     std::vector<std::string> known;
-    for (const ParameterField& field : fields_of(structs)) known.push_back(field.name);
+    const std::vector<ParameterField> fields = fields_of(structs);
+    for (const ParameterField& field : fields) known.push_back(field.name);
     for (const std::string& key : object.keys()) {
       require_known(object, key, "field", key, known);
-      technique.unlimited[key] = number_text(object, key, values.at(key).is_string());
+      ParameterField field =
+          fields[static_cast<std::size_t>(std::find(known.begin(), known.end(), key) - known.begin())];
+      if (component_count(field) > 1)
+        object.fail(key, "'" + key + "' is a " + field.type + ", and only numbers can be unlimited");
+      const double value = object.number(key, 0.0);
+      if (field.range) field.range->largest = std::max(field.range->largest, value);
+      require_value(object, key, field, {value});
+      technique.unlimited[key] = value;
     }
-  }
-
-  static void check_keyword(JsonObject& object, const std::string& key, const std::string& keyword) {
-    if (!hlsl::is_identifier(keyword)) object.fail(key, "'" + keyword + "' is not a keyword");
   }
 
   // Both directions of depth; of a filter also with unlimited samples, where it has those.
@@ -251,7 +280,8 @@ class TechniqueReader {
 
   static std::vector<std::vector<std::string>> keyword_sets(JsonObject& object, const nlohmann::json& sets) {
     const auto refuse = [&] { object.fail("keyword_sets", "must be an array of arrays of strings"); };
-    if (!sets.is_array() || sets.empty()) refuse();
+    if (!sets.is_array()) refuse();
+    if (sets.empty()) object.fail("keyword_sets", "'keyword_sets' is empty", "leave it out, or give [[]]");
     std::vector<std::vector<std::string>> result;
     for (const nlohmann::json& set : sets) {
       if (!set.is_array()) refuse();
@@ -259,7 +289,8 @@ class TechniqueReader {
       for (const nlohmann::json& keyword : set) {
         if (!keyword.is_string()) refuse();
         result.back().push_back(keyword.get<std::string>());
-        check_keyword(object, "keyword_sets", result.back().back());
+        if (!hlsl::is_identifier(result.back().back()))
+          object.fail("keyword_sets", "'" + result.back().back() + "' is not a keyword");
       }
     }
     return result;
@@ -286,6 +317,25 @@ std::string required_text(JsonObject& object, const std::string& key) {
   std::string text = object.text(key, "");
   if (text.empty()) object.fail(key, "'" + key + "' is missing or empty");
   return text;
+}
+
+std::string required_line(JsonObject& object, const std::string& key) {
+  std::string text = required_text(object, key);
+  const bool printable =
+      std::none_of(text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
+  if (!printable || text.back() == '\\')
+    object.fail(key,
+                "'" + key + "' is one line, without control characters, and does not end in a backslash");
+  return text;
+}
+
+std::vector<std::string> read_keywords(JsonObject& object, const std::string& key) {
+  std::vector<std::string> keywords = object.texts(key);
+  for (const std::string& keyword : keywords) {
+    if (!hlsl::is_identifier(keyword)) object.fail(key, "'" + keyword + "' is not a keyword");
+    if (keyword == "UNITY_REVERSED_Z") object.fail(key, "'UNITY_REVERSED_Z' is the platform's to define");
+  }
+  return keywords;
 }
 
 std::string required_identifier(JsonObject& object, const std::string& key) {

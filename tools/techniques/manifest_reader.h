@@ -25,6 +25,8 @@ void add_techniques(const Manifest& manifest, TechniqueList& list);
 
 // What several readers of a manifest's objects need.
 std::string required_text(JsonObject& object, const std::string& key);
+std::string required_line(JsonObject& object, const std::string& key);  // goes into one line of emitted text
+std::vector<std::string> read_keywords(JsonObject& object, const std::string& key);
 std::string required_identifier(JsonObject& object, const std::string& key);
 void require_known(JsonObject& object, const std::string& key, const std::string& what,
                    const std::string& name, const std::vector<std::string>& known);

@@ -28,11 +28,6 @@ std::vector<std::string> inputs(const PassGraph& graph, const GraphPass& pass) {
   return names;
 }
 
-bool writes(const GraphPass& pass, const std::string& name) {
-  return std::any_of(pass.writes.begin(), pass.writes.end(),
-                     [&](const auto& written) { return written.second == name; });
-}
-
 bool reads(const PassGraph& graph, const GraphPass& pass, const std::string& name) {
   const std::vector<std::string> names = inputs(graph, pass);
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -41,8 +36,8 @@ bool reads(const PassGraph& graph, const GraphPass& pass, const std::string& nam
 // Whether `later` has to wait for `earlier`: it reads what that writes, or makes the mip levels of it.
 bool waits_for(const PassGraph& graph, const GraphPass& later, const GraphPass& earlier) {
   for (const std::string& name : inputs(graph, later)) {
-    if (!writes(earlier, name)) continue;
-    const bool own = writes(later, name);  // the level before its own
+    if (!writes_to(earlier, name)) continue;
+    const bool own = writes_to(later, name);  // the level before its own
     if (!own || (later.each_mip && !earlier.each_mip)) return true;
   }
   return false;
@@ -50,7 +45,7 @@ bool waits_for(const PassGraph& graph, const GraphPass& later, const GraphPass& 
 
 bool made_once(const PassGraph& graph, const std::string& name) {
   return std::count_if(graph.passes.begin(), graph.passes.end(),
-                       [&](const GraphPass& pass) { return writes(pass, name) && !pass.each_mip; }) == 1;
+                       [&](const GraphPass& pass) { return writes_to(pass, name) && !pass.each_mip; }) == 1;
 }
 
 bool is_output(const PassGraph& graph, const std::string& name) {
@@ -119,24 +114,39 @@ Found unknown_name(const PassGraph& graph) {
 // Of one texture or buffer: one writer, a reader.
 Found wrong_use(const PassGraph& graph, const std::string& name, const std::string& where) {
   const bool written = std::any_of(graph.passes.begin(), graph.passes.end(),
-                                   [&](const GraphPass& pass) { return writes(pass, name); });
+                                   [&](const GraphPass& pass) { return writes_to(pass, name); });
   if (!written)
     return GraphProblem{where, "no pass writes '" + name + "'", "delete it, or let a pass write it"};
   if (!made_once(graph, name)) {
     std::string passes;
     for (const GraphPass& pass : graph.passes)
-      if (writes(pass, name) && !pass.each_mip) passes += (passes.empty() ? "'" : ", '") + pass.name + "'";
+      if (writes_to(pass, name) && !pass.each_mip) passes += (passes.empty() ? "'" : ", '") + pass.name + "'";
     if (passes.empty())
       return GraphProblem{where, "no pass writes the first mip level of '" + name + "'", ""};
     return GraphProblem{where, "more than one pass writes '" + name + "': " + passes,
                         "give each pass a texture of its own"};
   }
+  const auto makers = std::count_if(graph.passes.begin(), graph.passes.end(), [&](const GraphPass& pass) {
+    return pass.each_mip && writes_to(pass, name);
+  });
+  if (makers > 1) return GraphProblem{where, "more than one pass makes the mip levels of '" + name + "'", ""};
   const bool read = std::any_of(graph.passes.begin(), graph.passes.end(), [&](const GraphPass& pass) {
-    return reads(graph, pass, name) && !writes(pass, name);
+    return reads(graph, pass, name) && !writes_to(pass, name);
   });
   if (!read && !is_output(graph, name))
-    return GraphProblem{where, "nothing reads '" + name + "'", "delete it, and what writes it alone"};
+    return GraphProblem{where, "nothing reads '" + name + "'",
+                        graph.visibility.empty() && graph.filter_pass() == nullptr
+                            ? "where it is the graph's result, add \"visibility\": \"" + name + "\""
+                            : "delete it, and what writes it alone"};
   return std::nullopt;
+}
+
+constexpr double kMostBytes = 1024.0 * 1024.0 * 1024.0;
+
+// At most: of 16 bytes per texel and with all mip levels.
+double fixed_bytes(const GraphTexture& texture) {
+  return 16.0 * 4.0 / 3.0 * texture.size[0] * texture.size[1] * texture.size[2] * texture.layers *
+         texture.samples;
 }
 
 Found wrong_texture(const GraphTexture& texture) {
@@ -148,6 +158,8 @@ Found wrong_texture(const GraphTexture& texture) {
     for (const TexelFormat& format : texel_formats()) known.emplace_back(format.name);
     return problem("unknown format '" + texture.format + "'", unknown_name_way_out(texture.format, known));
   }
+  if (find_texel_format(texture.format)->depth)
+    return problem("only the casters' map has a depth format", "r32f holds depths, too");
   if (texture.divisor < 1 || texture.divisor > 64) return problem("a divisor is 1 to 64");
   if (texture.extent == ExtentOf::fixed)
     for (const int size : texture.size)
@@ -160,6 +172,8 @@ Found wrong_texture(const GraphTexture& texture) {
   if (texture.samples > 1 && (texture.mips != 1 || texture.layers != 1 || !flat))
     return problem("a texture with several samples has one mip level, one layer and no depth");
   if (texture.layers > 1 && !flat) return problem("a 3D texture has one layer");
+  if (texture.extent == ExtentOf::fixed && fixed_bytes(texture) > kMostBytes)
+    return problem("takes more than 1 GiB");
   return std::nullopt;
 }
 
@@ -167,26 +181,50 @@ bool same_extent(const GraphTexture& a, const GraphTexture& b) {
   return a.extent == b.extent && a.divisor == b.divisor && a.size == b.size && a.samples == b.samples;
 }
 
-// Targets of one draw, and what their formats can be.
+Found wrong_kernel_target(const GraphPass& pass, const GraphTexture& texture) {
+  if (texture.samples == 1) return std::nullopt;
+  return GraphProblem{
+      pass.where,
+      "'" + pass.name + "' is a compute shader, which cannot write '" + texture.name + "' of several samples",
+      ""};
+}
+
+Found wrong_raster_target(const GraphPass& pass, const GraphTexture& texture) {
+  const auto problem = [&](const std::string& text) {
+    return GraphProblem{pass.where, "'" + pass.name + "' draws into '" + texture.name + "', " + text, ""};
+  };
+  if (texture.extent == ExtentOf::fixed && texture.size[2] > 1) return problem("which is a 3D texture");
+  if (texture.layers > 1) return problem("which has several layers");
+  return std::nullopt;
+}
+
+// What a pass writes, together.
 Found wrong_targets(const PassGraph& graph, const GraphPass& pass) {
+  const auto problem = [&](const std::string& text) {
+    return GraphProblem{pass.where, "'" + pass.name + "' " + text, ""};
+  };
+  constexpr std::size_t kMostTargets = 8;  // of one draw, on every API
+  if (pass.kind == PassKind::raster && pass.writes.size() > kMostTargets)
+    return problem("draws into more than 8 targets");
   const GraphTexture* first = nullptr;
+  std::set<std::string> seen;
   for (const auto& [shader_name, name] : pass.writes) {
+    if (!seen.insert(name).second) return problem("writes '" + name + "' twice");
     const GraphTexture* texture = graph.texture(name);
-    const auto problem = [&](const std::string& text) {
-      return GraphProblem{pass.where, "'" + pass.name + "' " + text, ""};
-    };
-    if (pass.kind == PassKind::compute) {
-      if (texture != nullptr && texture->samples > 1)
-        return problem("is a compute shader, which cannot write '" + name + "' of several samples");
-      if (texture != nullptr && texture->format.starts_with("depth"))
-        return problem("is a compute shader, which cannot write the depth texture '" + name + "'");
-      continue;
-    }
-    if (texture == nullptr) return problem("draws into '" + name + "', which is a buffer");
-    if (texture->format.starts_with("depth") && pass.kind != PassKind::casters)
-      return problem("draws over its whole target '" + name + "', which has a depth format");
-    if (first != nullptr && !same_extent(*first, *texture))
+    if (texture == nullptr && pass.kind == PassKind::raster)
+      return problem("draws into '" + name + "', which is a buffer");
+    if (texture == nullptr) continue;
+    const bool in_cascades = texture->extent == ExtentOf::map || texture->extent == ExtentOf::tile;
+    if (pass.frequency == Frequency::cascade && !in_cascades)
+      return problem("runs for each cascade, and writes '" + name + "', which is not of the map or a tile");
+    Found found = pass.kind == PassKind::compute ? wrong_kernel_target(pass, *texture)
+                                                 : wrong_raster_target(pass, *texture);
+    if (found) return found;
+    if (first != nullptr && pass.kind == PassKind::raster && !same_extent(*first, *texture))
       return problem("draws into '" + first->name + "' and '" + name + "', which differ in size or samples");
+    if (first != nullptr && pass.each_mip && first->mips != texture->mips)
+      return problem("makes mip levels of '" + first->name + "' and '" + name +
+                     "', which have different ones");
     first = texture;
   }
   return std::nullopt;
@@ -204,7 +242,6 @@ Found wrong_pass(const PassGraph& graph, const GraphPass& pass) {
   }
   if (pass.writes.empty()) return problem("writes nothing");
   if (pass.each_mip) {
-    if (pass.kind == PassKind::casters) return problem("draws casters: it cannot do so for each mip level");
     for (const auto& [shader_name, name] : pass.writes) {
       const GraphTexture* texture = graph.texture(name);
       if (texture == nullptr || texture->mips == 1 || !reads(graph, pass, name))
@@ -239,6 +276,36 @@ Found too_rare(const PassGraph& graph) {
   return std::nullopt;
 }
 
+// What is read back, pixel by pixel.
+Found wrong_image(const GraphTexture& texture, const std::string& what) {
+  if (texture.extent != ExtentOf::screen || texture.mips != 1 || texture.layers != 1 || texture.samples != 1)
+    return GraphProblem{texture.where, what + " '" + texture.name + "' is not a plain texture of the screen",
+                        "extent screen, with one mip level, one layer and one sample"};
+  if (texture.format != "r8" && texture.format != "r32f")
+    return GraphProblem{texture.where, what + " '" + texture.name + "' has the format " + texture.format,
+                        "r8 or r32f"};
+  return std::nullopt;
+}
+
+// A filter is called for surfaces that are known exactly: there is no screen to draw over.
+Found wrong_filter_graph(const PassGraph& graph, const GraphPass& filter) {
+  for (const GraphTexture& texture : graph.textures)
+    if (texture.extent == ExtentOf::screen)
+      return GraphProblem{texture.where,
+                          "'" + texture.name + "' is of the screen, and the graph ends in a filter",
+                          "let a pass over the screen call the filter, and name its target \"visibility\""};
+  if (!graph.mask.empty()) return GraphProblem{filter.where, "a graph that ends in a filter has no mask", ""};
+  for (const std::string& argument : filter.filter->arguments) {
+    const GraphTexture* texture = graph.texture(argument);
+    if (texture == nullptr) continue;
+    const bool deep = texture->extent == ExtentOf::fixed && texture->size[2] > 1;
+    if (deep || texture->layers > 1 || texture->samples > 1 || texture->extent == ExtentOf::tile)
+      return GraphProblem{filter.where, "the filter's argument '" + argument + "' is no plain 2D texture",
+                          "of the map or a fixed size, with one layer and one sample"};
+  }
+  return std::nullopt;
+}
+
 Found wrong_result(const PassGraph& graph) {
   std::vector<const GraphPass*> filters;
   for (const GraphPass& pass : graph.passes)
@@ -251,15 +318,33 @@ Found wrong_result(const PassGraph& graph) {
     return GraphProblem{filters.empty() ? "" : filters[0]->where,
                         "the graph's visibility is that of a filter or a texture: one of the two",
                         filters.empty() ? "add a pass of kind \"filter\", or \"visibility\": texture" : ""};
-  if (!filters.empty()) return std::nullopt;
+  if (!filters.empty()) return wrong_filter_graph(graph, *filters.front());
+  if (Found found = wrong_image(*graph.texture(graph.visibility), "the visibility")) return found;
   const GraphTexture& visibility = *graph.texture(graph.visibility);
-  if (visibility.extent != ExtentOf::screen || visibility.divisor != 1 || visibility.samples != 1)
+  if (visibility.divisor != 1)
     return GraphProblem{visibility.where, "the visibility has not one texel for each pixel of the screen",
                         "add a pass that brings it to the screen's size"};
-  return std::nullopt;
+  return graph.mask.empty() ? std::nullopt : wrong_image(*graph.texture(graph.mask), "the mask");
 }
 
 }  // namespace
+
+bool writes_to(const GraphPass& pass, const std::string& name) {
+  return std::any_of(pass.writes.begin(), pass.writes.end(),
+                     [&](const auto& written) { return written.second == name; });
+}
+
+const char* name_of(Frequency frequency) {
+  switch (frequency) {
+    case Frequency::bake:
+      return "bake";
+    case Frequency::cascade:
+      return "cascade";
+    case Frequency::frame:
+      break;
+  }
+  return "frame";
+}
 
 const GraphTexture* PassGraph::texture(const std::string& name) const {
   return named(textures, name);

@@ -49,13 +49,14 @@ struct FilterCall {
 };
 
 enum class PassKind {
-  filter,   // calls a FilterCall for each receiver; the last of its graph
-  raster,   // a pass of a .shader, drawn over all of its targets
-  casters,  // a pass of a .shader, drawn with the shadow casters' triangles
-  compute   // a kernel of a .compute
+  filter,  // calls a FilterCall for each receiver; the last of its graph
+  raster,  // a pass of a .shader, drawn over all of its targets
+  compute  // a kernel of a .compute
 };
 
 enum class Frequency { bake, cascade, frame };  // once; for each cascade that was drawn anew; every frame
+
+const char* name_of(Frequency frequency);  // as manifests have it
 
 // How many groups of threads a kernel is started with.
 struct GroupCount {
@@ -80,6 +81,9 @@ struct GraphPass {
   // What it computes at a receiver: always of a filter, of others where they call one.
   std::optional<FilterCall> filter;
 };
+
+// A texture or buffer by its name in the graph.
+bool writes_to(const GraphPass& pass, const std::string& name);
 
 struct PassGraph {
   std::vector<GraphTexture> textures;

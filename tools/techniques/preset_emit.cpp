@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <stdexcept>
 #include <utility>
 
+#include "input/input_error.h"
 #include "techniques/csharp_literal.h"
 
 namespace penumbra::techniques {
@@ -41,7 +41,8 @@ std::string technique_of(const Technique& preset) {
   const auto* found = std::find_if(techniques.begin(), techniques.end(),
                                    [&](const auto& technique) { return keyword == technique.first; });
   if (found == techniques.end() || preset.keywords.size() > 1)
-    throw std::invalid_argument(preset.name + ": the feature has no technique for its keywords");
+    throw InputError(preset.where,
+                     "the renderer feature has no technique for the keywords of '" + preset.name + "'");
   return found->second;
 }
 

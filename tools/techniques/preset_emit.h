@@ -10,8 +10,8 @@ namespace penumbra::techniques {
 
 inline constexpr const char* preset_prefix = "preset-";
 
-// The row order is the list's; QualityPreset names the rows in that order. Throws std::invalid_argument for a
-// preset that ShadowOptions cannot express: a chain or a technique that the feature does not have.
+// The row order is the list's; QualityPreset names the rows in that order. Throws InputError for a preset
+// that ShadowOptions cannot express: a chain or a technique that the feature does not have.
 std::string emit_presets_csharp(const TechniqueList& list);
 
 }  // namespace penumbra::techniques

@@ -28,24 +28,10 @@ const char* name_of(PassKind kind) {
       return "filter";
     case PassKind::raster:
       return "raster";
-    case PassKind::casters:
-      return "casters";
     case PassKind::compute:
       break;
   }
   return "compute";
-}
-
-const char* name_of(Frequency frequency) {
-  switch (frequency) {
-    case Frequency::bake:
-      return "bake";
-    case Frequency::cascade:
-      return "cascade";
-    case Frequency::frame:
-      break;
-  }
-  return "frame";
 }
 
 Json of(const GraphTexture& texture) {

@@ -81,7 +81,7 @@ TechniqueList read_technique_list(const fs::path& package_or_manifest) {
     list.package = package_or_manifest;
     files = manifests_in(package_or_manifest);
   } else {
-    list.package = package_or_manifest.parent_path();
+    list.package = fs::absolute(package_or_manifest).parent_path();
   }
   std::vector<Manifest> manifests;
   for (const fs::path& file : files) manifests.push_back(open_manifest(file));

@@ -34,7 +34,7 @@ struct Technique {
   std::map<std::string, std::vector<double>> values;   // parameter values by field
   std::vector<std::string> keywords;                   // that this technique switches on
   std::vector<std::vector<std::string>> keyword_sets;  // every set validate compiles
-  std::map<std::string, std::string> unlimited;        // fields to override for T3 -> value
+  std::map<std::string, double> unlimited;             // fields to override for T3
   std::map<std::string, std::string> targets_absent;   // target -> reason
   std::string where;                                   // file:line:column of its name
 

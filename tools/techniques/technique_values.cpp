@@ -1,6 +1,7 @@
 #include "techniques/technique_values.h"
 
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 #include "input/input_error.h"
@@ -34,7 +35,9 @@ std::string known_parameters(const std::string& given, const std::vector<Paramet
 std::string value_problem(const ParameterField& field, double value) {
   const bool whole = field.type != "int" || value == std::floor(value);
   const bool within = !field.range || (value >= field.range->smallest && value <= field.range->largest);
-  if (std::isfinite(value) && whole && within) return {};
+  const double most =
+      field.type == "int" ? 16777216.0 : static_cast<double>(std::numeric_limits<float>::max());
+  if (std::abs(value) <= most && whole && within) return {};
   std::ostringstream text;
   text << "'" << field.name << "' is a " << (field.type == "int" ? "whole number" : "number");
   if (field.range) text << " from " << field.range->smallest << " to " << field.range->largest;

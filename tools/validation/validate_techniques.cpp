@@ -48,7 +48,8 @@ hlsl::Diagnostic diagnostic_at(const std::string& where, std::string message) {
 void add_target_problems(VariantRecord& record, const techniques::Technique* technique) {
   if (technique == nullptr || record.status == VariantStatus::unreached) return;
   for (const techniques::GraphPass& pass : technique->graph.passes) {
-    if (pass.program != record.pass || record.stage != hlsl::Stage::compute) continue;
+    const bool its = pass.program == record.pass && record.file.ends_with(pass.file);
+    if (!its || record.stage != hlsl::Stage::compute) continue;
     for (const techniques::GraphProblem& problem :
          techniques::target_problems(technique->graph, pass, record.target)) {
       record.status = VariantStatus::failed;

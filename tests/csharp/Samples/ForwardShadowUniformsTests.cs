@@ -64,7 +64,7 @@ namespace Penumbra.Samples.ForwardShader
             Assert.That(Shader.Globals, Is.Empty);
             Call("OnEnable");
             BeginCamera();
-            Assert.That(Shader.Globals.Count, Is.EqualTo(5));
+            Assert.That(Shader.Globals.Count, Is.EqualTo(7));
         }
     }
 }

@@ -80,8 +80,26 @@ namespace Penumbra.Samples
             new SortedSet<string>(files.SelectMany(file => Regex.Matches(File.ReadAllText(file), pattern))
                                        .Select(match => match.Groups[1].Value));
 
-        private static SortedSet<string> SetByCSharp(string sample) =>
-            Names(Files(Path.Combine(samples, sample), "*.cs"), @"PropertyToID\(""(\w+)""\)");
+        // By name, by the number of a parameter struct's vector (PcssAngularParameters.Uniform0), or all of a struct's at
+        // once (uniforms.PcssAngular.SetGlobal).
+        private static SortedSet<string> SetByCSharp(string sample)
+        {
+            string[] files = Files(Path.Combine(samples, sample), "*.cs").ToArray();
+            SortedSet<string> set = Names(files, @"PropertyToID\(""(\w+)""\)");
+            foreach (string text in files.Select(File.ReadAllText))
+            {
+                foreach (Match match in Regex.Matches(text, @"\b(\w+Parameters)\.Uniform(\d)"))
+                    set.Add("_Penumbra" + match.Groups[1].Value + match.Groups[2].Value);
+                foreach (Match match in Regex.Matches(text, @"\.(\w+)\.SetGlobal\("))
+                    set.UnionWith(UniformsOf(match.Groups[1].Value + "Parameters"));
+            }
+            return set;
+        }
+
+        private static IEnumerable<string> UniformsOf(string name) =>
+            typeof(ShadowUniforms).Assembly.GetType("Penumbra." + name, true).GetFields()
+                .Where(field => field.Name.StartsWith("Uniform"))
+                .Select(field => "_Penumbra" + name + field.Name.Substring("Uniform".Length));
 
         [Test]
         public void TheCustomPipelineSetsEveryUniformOfItsShadersAndNoOther()

@@ -1,2 +1,2 @@
 // Stands in for URP's Shadows.hlsl.
-#include "../../UrpGlobals.hlsl"
+#include "UrpGlobals.hlsl"

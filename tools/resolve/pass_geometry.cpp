@@ -1,0 +1,118 @@
+#include "resolve/pass_geometry.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "input/input_error.h"
+#include "resolve/screen_uniforms.h"
+
+namespace penumbra::resolve {
+namespace {
+
+using techniques::GraphPass;
+using techniques::GraphTexture;
+
+// _PenumbraSourceSize of _PenumbraSourceTexture.
+std::string size_uniform(const std::string& texture) {
+  constexpr std::string_view kEnding = "Texture";
+  const bool ends = texture.ends_with(kEnding);
+  return (ends ? texture.substr(0, texture.size() - kEnding.size()) : texture) + "Size";
+}
+
+bool runs_for_each_tile(const GraphPass& pass, const GraphTexture& target) {
+  return pass.frequency == techniques::Frequency::cascade && target.extent == techniques::ExtentOf::map;
+}
+
+}  // namespace
+
+const GraphTexture* PassGeometry::first_written_texture(const GraphPass& pass) const {
+  for (const auto& [shader_name, name] : pass.writes)
+    if (resources_.is_texture(name)) return graph_.texture(name);
+  return nullptr;
+}
+
+int PassGeometry::mips(const GraphTexture& texture, int cascades) const {
+  int levels = resources_.texture(texture.name).shape().mips;
+  if (cascades == 1 || texture.extent != techniques::ExtentOf::map) return levels;
+  while (levels > 1 && extents_.map.tile / (texture.divisor << (levels - 1)) < 1) --levels;
+  return levels;
+}
+
+gpu::RasterTargets PassGeometry::targets(const GraphPass& pass, int cascade, int mip) const {
+  gpu::RasterTargets targets;
+  for (const auto& [shader_name, name] : pass.writes) {
+    const bool layers = graph_.texture(name)->extent == techniques::ExtentOf::tile;
+    targets.colours.push_back({&resources_.texture(name), mip, layers ? cascade : 0});
+  }
+  return targets;
+}
+
+gpu::RasterTile PassGeometry::tile(const GraphPass& pass, int cascade, int mip) const {
+  gpu::RasterTile tile;
+  tile.vertex_count = 3;
+  const GraphTexture* texture = first_written_texture(pass);
+  if (texture == nullptr) return tile;
+  const gpu::Image& image = resources_.texture(texture->name);
+  tile.width = gpu::mip_size(image.width(), mip);
+  tile.height = gpu::mip_size(image.height(), mip);
+  if (!runs_for_each_tile(pass, *texture)) return tile;
+  if (extents_.map.tile % texture->divisor != 0)
+    throw InputError(texture->where, "the divisor " + std::to_string(texture->divisor) + " of '" +
+                                         texture->name + "' does not divide a cascade's tile of " +
+                                         std::to_string(extents_.map.tile) + " texels");
+  const int scale = texture->divisor << mip;
+  const std::array<int, 2>& origin = extents_.map.origins.at(static_cast<std::size_t>(cascade));
+  tile.x = origin[0] / scale;
+  tile.y = origin[1] / scale;
+  tile.width = std::max(1, extents_.map.tile / scale);
+  tile.height = tile.width;
+  return tile;
+}
+
+std::array<std::uint32_t, 3> PassGeometry::groups(const GraphPass& pass,
+                                                  const std::array<std::uint32_t, 3>& workgroup_size,
+                                                  int mip) const {
+  std::array<std::uint32_t, 3> groups{};
+  if (pass.groups.texels_of.empty()) {
+    for (std::size_t k = 0; k < 3; ++k) groups[k] = static_cast<std::uint32_t>(pass.groups.fixed[k]);
+    return groups;
+  }
+  const gpu::ImageShape& shape = resources_.texture(pass.groups.texels_of).shape();
+  const GraphTexture& texture = *graph_.texture(pass.groups.texels_of);
+  std::array<int, 3> texels{gpu::mip_size(shape.width, mip), gpu::mip_size(shape.height, mip),
+                            std::max(gpu::mip_size(shape.depth, mip), shape.layers)};
+  if (pass.frequency == techniques::Frequency::cascade) {
+    if (texture.extent == techniques::ExtentOf::tile) texels[2] = 1;
+    if (texture.extent == techniques::ExtentOf::map)
+      texels[0] = texels[1] = std::max(1, extents_.map.tile / (texture.divisor << mip));
+  }
+  for (std::size_t k = 0; k < 3; ++k)
+    groups[k] = (static_cast<std::uint32_t>(texels[k]) + workgroup_size[k] - 1) / workgroup_size[k];
+  return groups;
+}
+
+UniformValues PassGeometry::uniforms(const GraphPass& pass, int cascade, int mip) const {
+  UniformValues values;
+  for (const auto& [shader_name, name] : pass.reads) {
+    if (!resources_.is_texture(name)) continue;
+    const bool level_before = pass.each_mip && techniques::writes_to(pass, name);
+    values.set(size_uniform(shader_name), size_at(name, level_before ? mip - 1 : 0));
+  }
+  if (const GraphTexture* target = first_written_texture(pass))
+    values.set("_PenumbraTargetSize", size_at(target->name, mip));
+  if (pass.each_mip) values.set("_PenumbraMip", mip);
+  if (pass.frequency == techniques::Frequency::cascade) {
+    const gpu::RasterTile drawn = tile(pass, cascade, mip);
+    values.set("_PenumbraCascade", cascade);
+    values.set("_PenumbraTile", glm::vec4(static_cast<float>(drawn.x), static_cast<float>(drawn.y),
+                                          static_cast<float>(drawn.width), static_cast<float>(drawn.height)));
+  }
+  return values;
+}
+
+glm::vec4 PassGeometry::size_at(const std::string& texture, int mip) const {
+  const gpu::Image& image = resources_.texture(texture);
+  return texture_size(gpu::mip_size(image.width(), mip), gpu::mip_size(image.height(), mip));
+}
+
+}  // namespace penumbra::resolve

@@ -1,0 +1,51 @@
+// Where each step of a pass draws, for a cascade and a mip level, and what its program is told of it.
+// Internal to this room.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include "gpu/raster_pass.h"
+#include "resolve/graph_resources.h"
+#include "resolve/uniform_values.h"
+#include "techniques/pass_graph.h"
+
+namespace penumbra::resolve {
+
+class PassGeometry {
+ public:
+  // All of these have to outlive it.
+  PassGeometry(const techniques::PassGraph& graph, const GraphResources& resources,
+               const GraphExtents& extents)
+      : graph_(graph), resources_(resources), extents_(extents) {}
+
+  const techniques::GraphTexture* first_written_texture(const techniques::GraphPass& pass) const;
+
+  // Levels of a texture that is made for so many cascades: in the last no tile is smaller than a texel.
+  int mips(const techniques::GraphTexture& texture, int cascades) const;
+
+  gpu::RasterTargets targets(const techniques::GraphPass& pass, int cascade, int mip) const;
+
+  // All of the targets, or one cascade's tile of the map; one triangle over it. Throws InputError, at the
+  // texture, where its divisor does not divide the tile.
+  gpu::RasterTile tile(const techniques::GraphPass& pass, int cascade, int mip) const;
+
+  // Of a kernel whose number of groups no buffer holds; in a pass for each cascade of its tile or layer
+  // alone.
+  std::array<std::uint32_t, 3> groups(const techniques::GraphPass& pass,
+                                      const std::array<std::uint32_t, 3>& workgroup_size, int mip) const;
+
+  // _PenumbraTargetSize; of every texture that is read _NameSize of _NameTexture; _PenumbraMip,
+  // _PenumbraCascade and _PenumbraTile, where the pass runs for each.
+  UniformValues uniforms(const techniques::GraphPass& pass, int cascade, int mip) const;
+
+ private:
+  glm::vec4 size_at(const std::string& texture, int mip) const;
+
+  const techniques::PassGraph& graph_;
+  const GraphResources& resources_;
+  const GraphExtents& extents_;
+};
+
+}  // namespace penumbra::resolve
