@@ -92,13 +92,6 @@ ParameterStruct read_struct(JsonObject object) {
   return parameters;
 }
 
-std::vector<ParameterField> fields_of(const std::vector<const ParameterStruct*>& structs) {
-  std::vector<ParameterField> fields;
-  for (const ParameterStruct* parameters : structs)
-    fields.insert(fields.end(), parameters->fields.begin(), parameters->fields.end());
-  return fields;
-}
-
 double read_bias_setting(JsonObject& bias, const std::string& key) {
   const double value = bias.number(key, -1.0);
   if (value < 0.0 || value > 10.0) bias.fail(key, "'" + key + "' must be a number from 0 to 10");
@@ -191,10 +184,10 @@ class TechniqueReader {
       object.fail("graph", "'" + technique.name + "' has both a graph and a filter", "give one of the two");
     technique.graph = graph(object.has("graph") || object.has("filter") ? object : defaults_);
     technique.keywords = read_keywords(of("keywords"), "keywords");
-    const std::vector<const ParameterStruct*> structs = list_.structs_of(technique);
-    read_values(object.object("values"), structs, technique);
+    const std::vector<ParameterField> fields = list_.fields_of(technique);
+    read_values(object.object("values"), fields, technique);
     if (of("unlimited").has("unlimited"))
-      read_unlimited(of("unlimited").object("unlimited"), structs, technique);
+      read_unlimited(of("unlimited").object("unlimited"), fields, technique);
     if (!technique.unlimited.empty() && technique.graph.filter() == nullptr)
       of("unlimited")
           .fail("unlimited", "no pass of '" + technique.name + "' calls a filter",
@@ -233,8 +226,8 @@ class TechniqueReader {
   }
 
   // Every field has a value, and every value is a field's.
-  void read_values(JsonObject own, const std::vector<const ParameterStruct*>& structs, Technique& technique) {
-    for (const ParameterField& field : fields_of(structs)) {
+  void read_values(JsonObject own, const std::vector<ParameterField>& fields, Technique& technique) {
+    for (const ParameterField& field : fields) {
       JsonObject& from = own.has(field.name) ? own : shared_values_;
       if (from.has(field.name)) {
         technique.values[field.name] = components(from, field.name, field);
@@ -250,10 +243,9 @@ class TechniqueReader {
   }
 
   // Only the upper end of a field's range may be exceeded.
-  static void read_unlimited(JsonObject object, const std::vector<const ParameterStruct*>& structs,
+  static void read_unlimited(JsonObject object, const std::vector<ParameterField>& fields,
                              Technique& technique) {
     std::vector<std::string> known;
-    const std::vector<ParameterField> fields = fields_of(structs);
     for (const ParameterField& field : fields) known.push_back(field.name);
     for (const std::string& key : object.keys()) {
       require_known(object, key, "field", key, known);

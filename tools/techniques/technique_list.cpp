@@ -73,6 +73,13 @@ std::vector<const ParameterStruct*> TechniqueList::structs_of(const Technique& t
   return used;
 }
 
+std::vector<ParameterField> TechniqueList::fields_of(const Technique& technique) const {
+  std::vector<ParameterField> fields;
+  for (const ParameterStruct* parameters : structs_of(technique))
+    fields.insert(fields.end(), parameters->fields.begin(), parameters->fields.end());
+  return fields;
+}
+
 TechniqueList read_technique_list(const fs::path& package_or_manifest) {
   TechniqueList list;
   std::vector<fs::path> files{package_or_manifest};

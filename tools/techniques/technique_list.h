@@ -63,6 +63,7 @@ struct TechniqueList {
   std::vector<std::filesystem::path> include_directories() const;  // of technique_call.h
   // Of the technique's passes, each once, in their order.
   std::vector<const ParameterStruct*> structs_of(const Technique& technique) const;
+  std::vector<ParameterField> fields_of(const Technique& technique) const;  // of these structs
 };
 
 inline constexpr const char* manifest_ending = ".technique.json";

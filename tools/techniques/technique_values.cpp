@@ -10,13 +10,6 @@
 namespace penumbra::techniques {
 namespace {
 
-std::vector<ParameterField> fields_of(const TechniqueList& list, const Technique& technique) {
-  std::vector<ParameterField> fields;
-  for (const ParameterStruct* parameters : list.structs_of(technique))
-    fields.insert(fields.end(), parameters->fields.begin(), parameters->fields.end());
-  return fields;
-}
-
 // The nearest name and all of them: which there are differs from technique to technique.
 std::string known_parameters(const std::string& given, const std::vector<ParameterField>& fields) {
   if (fields.empty()) return "it has no parameters";
@@ -47,7 +40,7 @@ std::string value_problem(const ParameterField& field, double value) {
 
 Technique with_value(const TechniqueList& list, Technique technique, const std::string& parameter,
                      double value) {
-  const std::vector<ParameterField> fields = fields_of(list, technique);
+  const std::vector<ParameterField> fields = list.fields_of(technique);
   for (const ParameterField& field : fields) {
     if (field.name != parameter) continue;
     if (technique.values.at(parameter).size() != 1) {

@@ -1,0 +1,15 @@
+// What the passes of a graph read, and which waits for which. Internal to this room.
+#pragma once
+
+#include <string>
+
+#include "techniques/pass_graph.h"
+
+namespace penumbra::techniques {
+
+bool reads(const PassGraph& graph, const GraphPass& pass, const std::string& name);
+
+// Whether `later` has to wait for `earlier`: it reads what that writes, or makes the mip levels of it.
+bool waits_for(const PassGraph& graph, const GraphPass& later, const GraphPass& earlier);
+
+}  // namespace penumbra::techniques
