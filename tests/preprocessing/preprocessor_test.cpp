@@ -191,6 +191,8 @@ const Case left_to_glslang[] = {
     {"BadOctal", "08;\n"},
     {"WideNumber", "4294967296;\n"},
     {"JoinedInFirstColumn", "#define A b\nA\\\nc\n"},
+    {"JoinedRightBehindAMacro", "#define A b\n+A\\\n.c\n"},
+    {"JoinedRightBehindAnArgument", "#define F(x) x\n#define A F\n#define B b\n+A B\\\n.c\n"},
     {"NameOverJoinedLines", "ab\\\ncd\n"},
     {"DefinitionOfDefined", "#define defined 1\n"},
     {"DefinitionWithoutBlank", "#define A-1\nA\n"},

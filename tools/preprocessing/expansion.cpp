@@ -27,6 +27,7 @@ void Expansion::read_text(const Token* first, const Token* last, const Place* pl
 void Expansion::read_condition(const Token* first, const Token* last) {
   read_text(first, last, nullptr);
   line_ = column_ = 0;
+  joined_ = false;
 }
 
 Read Expansion::scan_bottom() {
@@ -42,6 +43,7 @@ Read Expansion::scan_bottom() {
   read.line = line_ = place.line;
   read.column = place.column;
   column_ = place.after;
+  joined_ = place.joined;
   return read;
 }
 
@@ -53,6 +55,7 @@ bool Expansion::scan_input(Read& out) {
     ++input.at;
     return true;
   }
+  if (joined_) throw Unusual("a macro's text at no known place");
   out = {*input.at++, line_, column_};
   if (input.source != Source::macro) return true;
   input.pasted_behind = input.at != input.last && input.at->kind == Kind::paste;

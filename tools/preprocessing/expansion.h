@@ -78,6 +78,7 @@ class Expansion {
   const Place* places_ = nullptr;  // of the token at `at_`; none of a condition
   int line_ = 0;                   // where glslang's scanner is
   int column_ = 0;
+  bool joined_ = false;  // Place::joined of the last token
   std::size_t scanned_ = 0;
   int depth_ = 0;  // of arguments that are being expanded
 };

@@ -33,11 +33,13 @@ struct Token {
 };
 
 // From 1. `after` is the column that glslang's scanner names once it has read the token; 0 where that is not
-// known here.
+// known here. `joined`: a line is joined on right behind the token, and glslang's scanner, which has looked
+// at its first character, names a place on that line.
 struct Place {
   int line = 0;
   int column = 0;
   int after = 0;
+  bool joined = false;
 };
 
 // Thrown inside this room: what follows is for glslang's preprocessor to read.

@@ -107,7 +107,7 @@ void TokenScan::block_comment() {
 Token TokenScan::next() {
   Token token;
   token.space = skip_gap();
-  place_ = {line_, static_cast<int>(at_ - line_begin_) + 1, 0};
+  place_ = {line_, static_cast<int>(at_ - line_begin_) + 1, 0, false};
   if (at_ >= text_.size()) return token;
   const std::size_t begin = at_;
   const char c = peek();
@@ -155,6 +155,7 @@ Token TokenScan::finish(Token token, std::size_t begin) {
   if (at_ >= text_.size() || near_end) place_.after = 0;
   if (at_join()) {
     unusual_ = unusual_ || goes_on(token.kind);
+    place_.joined = looked_ahead_;
     if (looked_ahead_) place_.after = 0;
   }
   return token;
