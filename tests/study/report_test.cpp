@@ -86,6 +86,20 @@ TEST_F(Report, AColumnWithoutAnyFigureIsLeftOut) {
   EXPECT_THAT(render_report(content), Not(HasSubstr(">False shadow<span")));
 }
 
+TEST_F(Report, ShowsTheFiguresOfEachCascade) {
+  EXPECT_THAT(render_report(*content_), Not(HasSubstr("By the cascade")));
+  ReportContent content = *content_;
+  CascadeRecord near;
+  near.penumbra_pixels = 1234;
+  near.rmse_penumbra = 0.0625;
+  near.leak_rate = 0.0125;
+  near.intervals.rmse_penumbra = Interval{0.051, 0.074, 0.006};
+  content.results.records[0].per_cascade = {near, {}, {}, {}};
+  EXPECT_THAT(render_report(content),
+              HasSubstr("<dt>cascade 0</dt><dd>1234 penumbra pixels, RMSE 0.0625 (0.051 to 0.074), leaks "
+                        "1.25 %</dd>\n<dt>cascade 1</dt><dd>0 penumbra pixels</dd>"));
+}
+
 TEST_F(Report, ExplainsEveryFigureAndReference) {
   const std::string html = render_report(*content_);
   for (const char* term :

@@ -75,6 +75,11 @@ class RandomResults {
     names.resize(1 + random_() % names.size());
     return names;
   }
+  CascadeRecord cascade() {
+    return {
+        random_() % 9, random_() % 9, figure(), figure(),
+        figure(),      figure(),      figure(), {interval(), interval(), interval(), interval(), interval()}};
+  }
   void vary(Record& record) {
     Metrics& metrics = record.metrics;
     for (std::optional<double> Metrics::*member :
@@ -93,6 +98,8 @@ class RandomResults {
     if (coin()) record.time = std::nullopt;
     if (coin()) record.parameters.clear();
     record.cascades = 1 + static_cast<int>(random_() % 4);
+    if (coin() && record.cascades > 1)
+      for (int i = 0; i < record.cascades; ++i) record.per_cascade.push_back(cascade());
     record.settings.splits.assign(static_cast<std::size_t>(record.cascades - 1), share());
     record.settings.normal_bias = 10.0 * share();
     record.settings.slope_bias = share();
@@ -253,6 +260,13 @@ TEST(ResultsReader, AnIntervalRunsUpwards) {
   Results results = synthetic::results();
   results.records[0].metrics.intervals.leak_rate = Interval{0.5, 0.25, 0.1};
   EXPECT_THAT(message_of(to_json(results)), HasSubstr("must not lie below 'low'"));
+}
+
+TEST(ResultsReader, EachCascadeHasItsEntry) {
+  Results results = synthetic::results();
+  results.records[0].per_cascade.resize(3);
+  EXPECT_THAT(message_of(to_json(results)),
+              HasSubstr("'per_cascade' must have one entry for each of the 4 cascades, not 3"));
 }
 
 TEST(ResultsReader, RefusesTheSameMeasurementTwice) {

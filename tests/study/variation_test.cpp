@@ -99,6 +99,41 @@ TEST(Answers, AreHandedOverAsNumbersInTheRecordsOrder) {
   for (std::size_t i = 0; i < drawn.size(); ++i) EXPECT_EQ(drawn[i], of.pictures[i].result);
 }
 
+// Errors and fetches of the cascades' pixels make up those of the picture.
+TEST(PerCascade, FiguresAreOfThePixelsThatReadIt) {
+  std::size_t in_first = 0;
+  const StudyOutcome of =
+      outcome({with("pcss-angular-24-16", {})}, std::nullopt, [&](const SubjectAnswer& answer) {
+        const glm::dvec4 sphere = answer.frame.cascades.cascades.front().split_sphere;
+        for (std::size_t i = 0; i < answer.reference.valid.size(); ++i) {
+          const glm::dvec3 surface{answer.frame.receivers.position_ws[i]};
+          const bool inside = glm::distance(surface, glm::dvec3(sphere)) < sphere.w;
+          in_first += inside && answer.reference.valid[i] != 0 ? 1U : 0U;
+        }
+      });
+  const Metrics& all = of.records.front().metrics;
+  const std::vector<CascadeRecord>& cascades = of.records.front().per_cascade;
+  ASSERT_EQ(cascades.size(), 4u);
+  EXPECT_EQ(cascades.front().pixels, in_first);
+  EXPECT_GT(cascades.front().penumbra_pixels, 0u);
+  EXPECT_NE(cascades.front().pixels, all.pixels);
+  std::size_t pixels = 0;
+  std::size_t penumbra_pixels = 0;
+  double fetches = 0.0;
+  double squares = 0.0;
+  for (const CascadeRecord& cascade : cascades) {
+    pixels += cascade.pixels;
+    penumbra_pixels += cascade.penumbra_pixels;
+    fetches += cascade.fetches_mean.value_or(0.0) * static_cast<double>(cascade.pixels);
+    squares +=
+        std::pow(cascade.rmse_penumbra.value_or(0.0), 2) * static_cast<double>(cascade.penumbra_pixels);
+  }
+  EXPECT_EQ(pixels, all.pixels);
+  EXPECT_EQ(penumbra_pixels, all.penumbra_pixels);
+  EXPECT_NEAR(fetches / static_cast<double>(pixels), *all.fetches_mean, 1e-9 * *all.fetches_mean);
+  EXPECT_NEAR(std::sqrt(squares / static_cast<double>(penumbra_pixels)), *all.rmse_penumbra, 1e-9);
+}
+
 // Both halves of the picture make up the whole, passes at lower resolution included.
 TEST(Window, FiguresAreOfItAlone) {
   const std::vector<Subject> subjects{with("screen-pcss-angular-24-16-half-masked-denoised", {})};

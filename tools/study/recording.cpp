@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "reference/same_map_estimate.h"
 #include "study/colour_map.h"
 #include "study/metrics.h"
 
@@ -79,18 +80,51 @@ RunSettings run_settings(const View& view) {
   return settings;
 }
 
-Metrics metrics_of(const CaseSetup& setup, const View& view, const Answer& answer,
-                   const std::optional<PictureWindow>& window,
-                   const std::optional<reference::VisibilityImage>& unlimited) {
+// At the counted pixels, which have to outlive it.
+MeasuredImages images_of(const CaseSetup& setup, const Answer& answer,
+                         std::span<const std::uint8_t> counted) {
   MeasuredImages images;
-  const std::vector<std::uint8_t> counted = counted_receivers(setup.t1, window);
-  images.preprocess_fetches_per_pixel = fetches_of_others(answer, setup.t1.width, window);
-  images.masked_out = answer.masked_out;
   images.width = setup.t1.width;
   images.t1 = setup.t1.visibility;
   images.valid = counted;
   for (const std::vector<float>& image : answer.visibility) images.results.emplace_back(image);
   images.fetches.emplace_back(answer.fetches);
+  return images;
+}
+
+// Those of them that read the cascade.
+std::vector<std::uint8_t> readers(const std::vector<std::uint8_t>& counted, const CaseSetup& setup,
+                                  const scene::Frame& frame, int cascade) {
+  std::vector<std::uint8_t> result = counted;
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    if (result[i] == 0) continue;
+    const glm::dvec3 surface = setup.scene.origin + glm::dvec3(frame.receivers.position_relative[i]);
+    if (reference::select_cascade(frame.cascades, surface) != cascade) result[i] = 0;
+  }
+  return result;
+}
+
+std::vector<CascadeRecord> per_cascade(const CaseSetup& setup, const View& view, const Answer& answer,
+                                       const std::vector<std::uint8_t>& counted) {
+  std::vector<CascadeRecord> records;
+  const auto cascades = static_cast<int>(view.frame.cascades.cascades.size());
+  if (cascades == 1) return records;
+  for (int cascade = 0; cascade < cascades; ++cascade) {
+    const std::vector<std::uint8_t> reading = readers(counted, setup, view.frame, cascade);
+    const Metrics metrics = measure(images_of(setup, answer, reading));
+    records.push_back({metrics.pixels, metrics.penumbra_pixels, metrics.rmse_penumbra, metrics.bias,
+                       metrics.leak_rate, metrics.false_shadow_rate, metrics.fetches_mean,
+                       metrics.intervals});
+  }
+  return records;
+}
+
+Metrics metrics_of(const CaseSetup& setup, const View& view, const Answer& answer,
+                   const std::vector<std::uint8_t>& counted, const std::optional<PictureWindow>& window,
+                   const std::optional<reference::VisibilityImage>& unlimited) {
+  MeasuredImages images = images_of(setup, answer, counted);
+  images.preprocess_fetches_per_pixel = fetches_of_others(answer, setup.t1.width, window);
+  images.masked_out = answer.masked_out;
   if (view.t2) {
     images.t2 = view.t2->visibility;
     images.t3 = unlimited ? std::span<const float>(unlimited->visibility) : images.results.front();
@@ -135,7 +169,9 @@ Record record_of(const CaseSetup& setup, const View& view, const Subject& subjec
   record.cascades = static_cast<int>(view.frame.cascades.cascades.size());
   record.settings = run_settings(view);
   record.device = device;
-  record.metrics = metrics_of(setup, view, answer, window, unlimited);
+  const std::vector<std::uint8_t> counted = counted_receivers(setup.t1, window);
+  record.metrics = metrics_of(setup, view, answer, counted, window, unlimited);
+  record.per_cascade = per_cascade(setup, view, answer, counted);
   if (answer.passes.size() > 1)
     for (const resolve::PassCounts& pass : answer.passes) record.passes.push_back(pass_record(pass));
   std::vector<double> milliseconds = answer.time_ns;

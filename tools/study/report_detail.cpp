@@ -125,6 +125,27 @@ std::string fetches(const Metrics& metrics) {
   return group.html();
 }
 
+std::string cascades(const Record& record) {
+  Group group("By the cascade that pixels read");
+  for (std::size_t i = 0; i < record.per_cascade.size(); ++i) {
+    const CascadeRecord& cascade = record.per_cascade[i];
+    std::string text = fmt::format("{} penumbra pixels", cascade.penumbra_pixels);
+    const auto add = [&text](const char* term, const std::optional<double>& value, const char* format,
+                             double scale = 1.0) {
+      if (value) text += fmt::format(", {} ", term) + fmt::format(fmt::runtime(format), *value * scale);
+    };
+    add("RMSE", cascade.rmse_penumbra, "{:.4f}");
+    if (cascade.intervals.rmse_penumbra)
+      text += fmt::format(" ({:.2g} to {:.2g})", cascade.intervals.rmse_penumbra->low,
+                          cascade.intervals.rmse_penumbra->high);
+    add("leaks", cascade.leak_rate, "{:.2f} %", 100.0);
+    add("false shadow", cascade.false_shadow_rate, "{:.2f} %", 100.0);
+    add("fetches", cascade.fetches_mean, "{:.1f}");
+    group.add_text(fmt::format("cascade {}", i), text);
+  }
+  return group.html();
+}
+
 std::string motion(const Record& record) {
   Group group("Shimmer");
   if (!record.shimmer) return {};
@@ -170,8 +191,8 @@ std::string provenance(const Results& results, const Record& record) {
 
 std::string record_detail(const Results& results, const Record& record, const std::string& about_id) {
   return "<div class=\"groups\">\n" + about(record, about_id) + intervals(record.metrics.intervals) +
-         errors(record.metrics) + split(record.metrics.split) + fetches(record.metrics) + motion(record) +
-         provenance(results, record) + "</div>\n";
+         errors(record.metrics) + split(record.metrics.split) + fetches(record.metrics) + cascades(record) +
+         motion(record) + provenance(results, record) + "</div>\n";
 }
 
 std::string mean_detail(const Results& results, const Record& any, const std::string& about_id) {

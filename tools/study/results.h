@@ -77,6 +77,20 @@ struct PassRecord {
   bool operator==(const PassRecord&) const = default;
 };
 
+// What the pixels that read one cascade show; each figure as in Metrics.
+struct CascadeRecord {
+  std::size_t pixels = 0;
+  std::size_t penumbra_pixels = 0;
+  std::optional<double> rmse_penumbra;
+  std::optional<double> bias;
+  std::optional<double> leak_rate;
+  std::optional<double> false_shadow_rate;
+  std::optional<double> fetches_mean;
+  MetricIntervals intervals;
+
+  bool operator==(const CascadeRecord&) const = default;
+};
+
 struct Record {
   std::string scene;
   std::string technique;
@@ -89,6 +103,7 @@ struct Record {
   RunSettings settings;
   std::string device;
   Metrics metrics;
+  std::vector<CascadeRecord> per_cascade;  // one for each of several; empty with one, and in older files
   std::vector<PassRecord> passes;  // in the order in which they run; empty: the technique is a filter alone
   std::optional<Shimmer> shimmer;  // when the study panned
   std::optional<Timing> time;

@@ -199,6 +199,28 @@ std::optional<Shimmer> read_shimmer(StrictObject& record) {
   return result;
 }
 
+std::vector<CascadeRecord> read_cascades(StrictObject& record, int cascades) {
+  std::vector<CascadeRecord> result;
+  if (!record.has("per_cascade")) return result;
+  for (StrictObject& cascade : record.objects("per_cascade")) {
+    CascadeRecord& figures = result.emplace_back();
+    figures.pixels = cascade.count("pixels");
+    figures.penumbra_pixels = cascade.count("penumbra_pixels");
+    figures.rmse_penumbra = cascade.figure("rmse_penumbra", 0.0, 1.0);
+    figures.bias = cascade.figure("bias", -1.0, 1.0);
+    figures.leak_rate = cascade.figure("leak_rate", 0.0, 1.0);
+    figures.false_shadow_rate = cascade.figure("false_shadow_rate", 0.0, 1.0);
+    figures.fetches_mean = cascade.figure("fetches_mean", 0.0, kAnything);
+    figures.intervals = read_intervals(cascade.object("intervals"));
+    cascade.finish();
+  }
+  if (result.size() != static_cast<std::size_t>(cascades))
+    record.fail("per_cascade",
+                fmt::format("'per_cascade' must have one entry for each of the {} cascades, not {}", cascades,
+                            result.size()));
+  return result;
+}
+
 std::vector<PassRecord> read_passes(StrictObject& record) {
   std::vector<PassRecord> passes;
   if (!record.has("passes")) return passes;
@@ -275,6 +297,7 @@ Record read_record(StrictObject record, std::string_view kind) {
   result.settings = read_settings(record.object("settings"), result.cascades);
   result.device = record.text("device");
   result.metrics = read_metrics(record);
+  result.per_cascade = read_cascades(record, result.cascades);
   result.passes = read_passes(record);
   result.shimmer = read_shimmer(record);
   result.time = read_time(record, kind);

@@ -92,6 +92,17 @@ void add_metrics(Json& record, const Metrics& metrics) {
   record["intervals"] = json_of(metrics.intervals);
 }
 
+Json json_of(const CascadeRecord& cascade) {
+  return {{"pixels", cascade.pixels},
+          {"penumbra_pixels", cascade.penumbra_pixels},
+          {"rmse_penumbra", json_of(cascade.rmse_penumbra)},
+          {"bias", json_of(cascade.bias)},
+          {"leak_rate", json_of(cascade.leak_rate)},
+          {"false_shadow_rate", json_of(cascade.false_shadow_rate)},
+          {"fetches_mean", json_of(cascade.fetches_mean)},
+          {"intervals", json_of(cascade.intervals)}};
+}
+
 Json json_of(const PassRecord& pass) {
   Json json{{"pass", pass.pass},
             {"runs", pass.runs},
@@ -115,6 +126,10 @@ Json json_of(const Record& record, std::string_view kind) {
   json["settings"] = json_of(record.settings);
   json["device"] = record.device;
   add_metrics(json, record.metrics);
+  if (!record.per_cascade.empty()) {
+    json["per_cascade"] = Json::array();
+    for (const CascadeRecord& cascade : record.per_cascade) json["per_cascade"].push_back(json_of(cascade));
+  }
   if (!record.passes.empty()) {
     json["passes"] = Json::array();
     for (const PassRecord& pass : record.passes) json["passes"].push_back(json_of(pass));
