@@ -73,6 +73,7 @@ TEST(ReferenceCache, AnEntryUnderAnotherNameIsNotBelieved) {
   const ReferenceCache cache(folder.path());
   cache.store(key, some_image());
   const std::string another(key.rbegin(), key.rend());
+  std::filesystem::create_directories(cache.image_file(another).parent_path());
   std::filesystem::copy_file(cache.image_file(key), cache.image_file(another));
   EXPECT_FALSE(cache.find(another).has_value());
 }
@@ -148,8 +149,8 @@ TEST(ReferenceCache, ProcessesMayShareADirectory) {
     }
   }
   EXPECT_TRUE(cache.find(key).has_value());
-  const auto files = std::distance(std::filesystem::directory_iterator(folder.path()), {});
-  EXPECT_EQ(files, 1) << "no temporary file is left";
+  const auto entry = cache.image_file(key).parent_path();
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(entry), {}), 1) << "no temporary file is left";
 }
 
 TEST(ReferenceCache, EveryInputOfATraceIsInItsKey) {
@@ -203,7 +204,8 @@ TEST(ReferenceCache, ADamagedTraceIsTracedAgain) {
   const scene::Receivers receivers =
       hand_built::receivers(setting, {4, 4}, [](int x, int y) { return glm::dvec2(0.02 * x, 0.1 * y); });
   const VisibilityImage first = trace_visibility(scene, receivers, setting.light, {}, {}, &cache);
-  const std::filesystem::path entry = std::filesystem::directory_iterator(folder.path())->path();
+  const std::filesystem::path part = std::filesystem::directory_iterator(folder.path())->path();
+  const std::filesystem::path entry = std::filesystem::directory_iterator(part)->path();
   const std::string whole = read(entry);
   write(entry, whole.substr(0, whole.size() / 2));
   EXPECT_EQ(trace_visibility(scene, receivers, setting.light, {}, {}, &cache), first);

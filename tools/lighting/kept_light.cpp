@@ -5,20 +5,22 @@
 #include <string>
 #include <string_view>
 
+#include "platform/byte_stream.h"
+#include "platform/cache_store.h"
 #include "platform/content_hash.h"
 #include "platform/terminal.h"
-#include "reference/cache_entry.h"
 #include "scene/cut_out.h"
 
 namespace penumbra::lighting {
 namespace {
 
-constexpr std::string_view kTitle = "penumbra sky light 1\n";  // a change of any result takes the next number
+constexpr std::string_view kKind = "light";
+constexpr int kVersion = 1;  // a change of any result takes the next number
 
 std::string key_of(const scene::Scene& scene, const SeenMaterials& seen, const Surroundings& surroundings,
                    int rays) {
   platform::ContentHash hash;
-  hash.update(kTitle).update(rays);
+  hash.update(kKind).update(kVersion).update(rays);
   hash.update(std::span<const glm::vec3>(scene.mesh.positions));
   hash.update(std::span<const std::uint32_t>(scene.mesh.indices));
   hash.update(std::span<const std::uint16_t>(scene.mesh.triangle_materials));
@@ -45,16 +47,16 @@ std::vector<glm::vec3> kept_sky_light(const scene::Scene& scene, const SeenMater
                                       const Surroundings& surroundings, int rays,
                                       const std::filesystem::path& folder, const reference::RunOptions& run) {
   const std::string key = key_of(scene, seen, surroundings, rays);
-  const std::filesystem::path file =
-      (folder.empty() ? platform::cache_directory() / "reference" : folder) / (key + ".light");
-  if (auto entry = reference::CacheEntryReader::open(file, kTitle, key)) {
-    std::vector<glm::vec3> kept = entry->take<glm::vec3>(seen.points.size());
-    if (entry->exhausted()) return kept;
+  const platform::CacheStore store(folder.empty() ? platform::cache_directory() / "reference" : folder);
+  if (const std::optional<std::string> entry = store.find(kKind, key)) {
+    platform::ByteReader reader(*entry);
+    std::vector<glm::vec3> kept = reader.values<glm::vec3>();
+    if (reader.exhausted() && kept.size() == seen.points.size()) return kept;
   }
   std::vector<glm::vec3> light = sky_light(scene, seen, surroundings, rays, run);
-  reference::CacheEntryWriter entry(kTitle, key);
-  entry.append(std::span<const glm::vec3>(light));
-  entry.write(file);
+  platform::ByteWriter writer;
+  writer.values(light);
+  store.store(kKind, key, writer.take());
   return light;
 }
 

@@ -4,71 +4,72 @@
 #include <string_view>
 #include <utility>
 
+#include "platform/byte_stream.h"
 #include "platform/terminal.h"
-#include "reference/cache_entry.h"
 
 namespace penumbra::reference {
 namespace {
 
-constexpr std::string_view image_title = "penumbra reference image 1\n";
-constexpr std::string_view beginning_title = "penumbra reference rows 1\n";
+constexpr std::string_view image_kind = "visibility";
+constexpr std::string_view beginning_kind = "rows";
 
 }  // namespace
 
 ReferenceCache::ReferenceCache(std::filesystem::path directory)
-    : directory_(directory.empty() ? platform::cache_directory() / "reference" : std::move(directory)) {}
+    : store_(directory.empty() ? platform::cache_directory() / "reference" : std::move(directory)) {}
 
 std::filesystem::path ReferenceCache::image_file(const std::string& key) const {
-  return directory_ / (key + ".visibility");
+  return store_.file(image_kind, key);
 }
 
 std::filesystem::path ReferenceCache::beginning_file(const std::string& key) const {
-  return directory_ / (key + ".rows");
+  return store_.file(beginning_kind, key);
 }
 
 std::optional<VisibilityImage> ReferenceCache::find(const std::string& key) const {
-  std::optional<CacheEntryReader> entry = CacheEntryReader::open(image_file(key), image_title, key);
+  const std::optional<std::string> entry = store_.find(image_kind, key);
   if (!entry) return std::nullopt;
-  CacheEntryReader& reader = *entry;
+  platform::ByteReader reader(*entry);
   VisibilityImage image;
-  image.width = reader.take<std::int32_t>();
-  image.height = reader.take<std::int32_t>();
-  image.samples = reader.take<std::int32_t>();
-  image.noise_floor = reader.take<double>();
-  if (image.width < 0 || image.height < 0) return std::nullopt;
+  image.width = reader.value<std::int32_t>();
+  image.height = reader.value<std::int32_t>();
+  image.samples = reader.value<std::int32_t>();
+  image.noise_floor = reader.value<double>();
+  image.visibility = reader.values<float>();
+  image.valid = reader.values<std::uint8_t>();
+  if (!reader.exhausted() || image.width < 0 || image.height < 0) return std::nullopt;
   const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
-  image.visibility = reader.take<float>(pixels);
-  image.valid = reader.take<std::uint8_t>(pixels);
-  if (!reader.exhausted()) return std::nullopt;
+  if (image.visibility.size() != pixels || image.valid.size() != pixels) return std::nullopt;
   return image;
 }
 
 bool ReferenceCache::store(const std::string& key, const VisibilityImage& image) const {
-  CacheEntryWriter entry(image_title, key);
-  entry.append(static_cast<std::int32_t>(image.width));
-  entry.append(static_cast<std::int32_t>(image.height));
-  entry.append(static_cast<std::int32_t>(image.samples));
-  entry.append(image.noise_floor);
-  entry.append(std::span<const float>(image.visibility));
-  entry.append(std::span<const std::uint8_t>(image.valid));
-  return entry.write(image_file(key));
+  platform::ByteWriter writer;
+  writer.value(static_cast<std::int32_t>(image.width));
+  writer.value(static_cast<std::int32_t>(image.height));
+  writer.value(static_cast<std::int32_t>(image.samples));
+  writer.value(image.noise_floor);
+  writer.values(image.visibility);
+  writer.values(image.valid);
+  return store_.store(image_kind, key, writer.take());
 }
 
 std::vector<HalfCounts> ReferenceCache::find_beginning(const std::string& key) const {
-  std::optional<CacheEntryReader> entry = CacheEntryReader::open(beginning_file(key), beginning_title, key);
-  if (!entry || entry->bytes_left() % sizeof(HalfCounts) != 0) return {};
-  return entry->take<HalfCounts>(entry->bytes_left() / sizeof(HalfCounts));
+  const std::optional<std::string> entry = store_.find(beginning_kind, key);
+  if (!entry) return {};
+  platform::ByteReader reader(*entry);
+  std::vector<HalfCounts> counts = reader.values<HalfCounts>();
+  return reader.exhausted() ? counts : std::vector<HalfCounts>{};
 }
 
 bool ReferenceCache::store_beginning(const std::string& key, std::span<const HalfCounts> counts) const {
-  CacheEntryWriter entry(beginning_title, key);
-  entry.append(counts);
-  return entry.write(beginning_file(key));
+  platform::ByteWriter writer;
+  writer.values(counts);
+  return store_.store(beginning_kind, key, writer.take());
 }
 
 void ReferenceCache::drop_beginning(const std::string& key) const {
-  std::error_code ignored;
-  std::filesystem::remove(beginning_file(key), ignored);
+  store_.drop(beginning_kind, key);
 }
 
 }  // namespace penumbra::reference

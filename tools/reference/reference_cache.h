@@ -1,9 +1,5 @@
-// References kept on disk under the hash of all they depend on, so that each is computed once.
-//
-// An entry is one file, written beside its place and renamed, so several processes may share a directory: a
-// reader sees a whole entry or none, and writers of one key write the same bytes. Each entry carries its key,
-// its sizes and a checksum of everything; one that is truncated, damaged, or of another version reads as
-// absent and is computed and written again.
+// References kept on disk (platform/cache_store.h) under the hash of all they depend on, so that each is
+// computed once. Several processes may share a directory: writers of one key write the same bytes.
 #pragma once
 
 #include <cstddef>
@@ -13,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "platform/cache_store.h"
 #include "reference/visibility_image.h"
 
 namespace penumbra::reference {
@@ -22,8 +19,8 @@ class ReferenceCache {
   // An empty path means "reference" in platform::cache_directory(). The directory is made on first write.
   explicit ReferenceCache(std::filesystem::path directory = {});
 
-  // key: letters and digits, such as platform::ContentHash::hex(). The caller puts everything into it that
-  // the image depends on, the version of its algorithm included.
+  // key: platform::ContentHash::hex(). The caller puts everything into it that the image depends on, the
+  // version of its algorithm included.
   std::optional<VisibilityImage> find(const std::string& key) const;
   // False when the file cannot be written (full disk, permissions); nothing partial is left.
   bool store(const std::string& key, const VisibilityImage& image) const;
@@ -37,7 +34,7 @@ class ReferenceCache {
   std::filesystem::path beginning_file(const std::string& key) const;
 
  private:
-  std::filesystem::path directory_;
+  platform::CacheStore store_;
 };
 
 }  // namespace penumbra::reference

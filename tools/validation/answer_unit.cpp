@@ -6,8 +6,8 @@
 
 #include "input/input_error.h"
 #include "shaders/source_memory.h"
-#include "validation/answer_cache.h"
 #include "validation/checked_declarations.h"
+#include "validation/entry_kind.h"
 #include "validation/kept_answers.h"
 #include "validation/source_record.h"
 #include "validation/spirv_target.h"
@@ -166,7 +166,7 @@ class UnitAtWork {
   shaders::SourceMemory& memory_;
   CheckedDeclarations& declarations_;
   LintedModules& linted_;
-  AnswerCache cache_;
+  platform::CacheStore cache_;
   shaders::PreprocessedSource source_;
   std::vector<std::uint32_t> spirv_;
   UnitReply reply_;

@@ -4,8 +4,8 @@
 
 #include "input/input_error.h"
 #include "platform/terminal.h"
-#include "validation/answer_cache.h"
 #include "validation/answer_unit.h"
+#include "validation/entry_kind.h"
 #include "validation/target_check.h"
 #include "validation/unit_run.h"
 
@@ -34,7 +34,7 @@ EngineRun run_units(const std::vector<CompileUnit>& units, const EngineOptions& 
   UnitRun run(units, options);
   run.recall();
   run.work();
-  trim_cache_when_due(options.cache, options.cache_limit, run.written());
+  platform::trim_cache_when_due(options.cache, entry_kinds, options.cache_limit, run.written());
   return run.take();
 }
 

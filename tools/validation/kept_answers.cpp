@@ -62,9 +62,9 @@ std::string emitted_key(const AnswerContext& context, const CompileUnit& unit, c
   return hash.hex();
 }
 
-std::optional<CompileAnswer> kept_compile_answer(AnswerCache& cache, const std::string& text_key,
+std::optional<CompileAnswer> kept_compile_answer(platform::CacheStore& cache, const std::string& text_key,
                                                  const HashNow& hash_now) {
-  const std::optional<std::string> entry = cache.find(EntryKind::compile, text_key);
+  const std::optional<std::string> entry = cache.find(name_of(EntryKind::compile), text_key);
   if (!entry) return std::nullopt;
   std::optional<CompileAnswer> answer = decode_compile_answer(*entry);
   if (!answer) return std::nullopt;
@@ -73,8 +73,8 @@ std::optional<CompileAnswer> kept_compile_answer(AnswerCache& cache, const std::
   return holds ? answer : std::nullopt;
 }
 
-std::optional<EmittedAnswer> kept_emitted_answer(AnswerCache& cache, const std::string& key) {
-  const std::optional<std::string> entry = cache.find(EntryKind::emitted, key);
+std::optional<EmittedAnswer> kept_emitted_answer(platform::CacheStore& cache, const std::string& key) {
+  const std::optional<std::string> entry = cache.find(name_of(EntryKind::emitted), key);
   return entry ? decode_emitted_answer(*entry) : std::nullopt;
 }
 

@@ -13,7 +13,7 @@
 #include <optional>
 #include <string>
 
-#include "validation/answer_cache.h"
+#include "validation/entry_kind.h"
 #include "validation/unit.h"
 
 namespace penumbra::validation {
@@ -37,9 +37,9 @@ std::string emitted_key(const AnswerContext& context, const CompileUnit& unit, c
 // The hash of what a file holds now (source_hash); nothing when it cannot be read.
 using HashNow = std::function<std::optional<std::string>(const std::string& file)>;
 
-std::optional<CompileAnswer> kept_compile_answer(AnswerCache& cache, const std::string& text_key,
+std::optional<CompileAnswer> kept_compile_answer(platform::CacheStore& cache, const std::string& text_key,
                                                  const HashNow& hash_now);
-std::optional<EmittedAnswer> kept_emitted_answer(AnswerCache& cache, const std::string& key);
+std::optional<EmittedAnswer> kept_emitted_answer(platform::CacheStore& cache, const std::string& key);
 
 bool emits(const CompileUnit& unit);  // has a target other than "spirv"
 

@@ -11,7 +11,8 @@ std::optional<UnitReply> Recall::reply_to(const CompileUnit& unit) {
   const std::string main = unit.compile.file.string();
   if (!unit.compile.text && !files_.hash(main))
     throw InputError(main, "cannot be read: " + hlsl::read_source(main).problem);
-  const std::optional<std::string> entry = cache_.find(EntryKind::sources, sources_key(context_, unit));
+  const std::optional<std::string> entry =
+      cache_.find(name_of(EntryKind::sources), sources_key(context_, unit));
   const std::optional<SourceRecord> record = entry ? decode_source_record(*entry) : std::nullopt;
   if (!record || !record->is_true(files_)) return std::nullopt;
 

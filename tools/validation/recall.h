@@ -22,7 +22,7 @@ class Recall {
 
  private:
   const AnswerContext& context_;
-  AnswerCache cache_;
+  platform::CacheStore cache_;
   FilesNow files_;
 };
 

@@ -122,7 +122,7 @@ void UnitRun::finished(std::size_t place, platform::WorkerOutcome outcome) {
 
 void UnitRun::keep(UnitReply& reply) {
   for (const EntryToKeep& entry : std::exchange(reply.to_keep, {}))
-    cache_.store(entry.kind, entry.key, entry.content);
+    cache_.store(name_of(entry.kind), entry.key, entry.content);
 }
 
 // Variants have few layouts among them.

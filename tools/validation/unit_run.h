@@ -73,7 +73,7 @@ class UnitRun final : public platform::WorkSource {
   std::map<std::string, std::shared_ptr<const std::string>> buffers_;
   std::size_t done_ = 0;
   std::size_t damaged_ = 0;
-  AnswerCache cache_;
+  platform::CacheStore cache_;
 };
 
 }  // namespace penumbra::validation

@@ -1,4 +1,6 @@
-#include "validation/answer_cache.h"
+#include "platform/cache_store.h"
+
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -9,32 +11,24 @@
 
 #include "platform/content_hash.h"
 
-namespace penumbra::validation {
+namespace penumbra::platform {
 
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view title = "penumbra validation 1\n";
+constexpr std::string_view title = "penumbra cache 1 ";
 constexpr std::string_view part_extension = ".part";
 constexpr std::size_t hash_size = 32;
 // A use is written down at most this often: the order of removal need be no finer.
 constexpr std::chrono::minutes use_grain{10};
 
-const char* extension(EntryKind kind) {
-  switch (kind) {
-    case EntryKind::sources:
-      return ".sources";
-    case EntryKind::compile:
-      return ".compile";
-    case EntryKind::emitted:
-      break;
-  }
-  return ".emitted";
+std::string head_of(std::string_view kind, const std::string& key) {
+  return std::string(title).append(kind).append("\n").append(key);
 }
 
 std::string hash_of(std::string_view content) {
-  return platform::ContentHash().update(content).hex();
+  return ContentHash().update(content).hex();
 }
 
 // A folder or a pipe in an entry's place is no answer.
@@ -51,14 +45,15 @@ std::optional<std::string> read_file(const fs::path& file) {
   return content;
 }
 
-// A name no other process and no other thread takes.
+// A name no other process and no other thread takes, be it forked from this one.
 std::string part_name() {
   static const std::uint64_t process = [] {
     std::random_device random;
     return (static_cast<std::uint64_t>(random()) << 32U) | random();
   }();
   static std::atomic<std::uint64_t> count{0};
-  return "." + std::to_string(process) + "-" + std::to_string(count++) + std::string(part_extension);
+  return "." + std::to_string(process) + "-" + std::to_string(::getpid()) + "-" + std::to_string(count++) +
+         std::string(part_extension);
 }
 
 // A file that is half-written until it is renamed, and gone if it never is: also where memory runs out.
@@ -114,7 +109,7 @@ struct KeptFile {
 };
 
 // Whether this file is ours to remove, whatever else lies in the folder.
-bool is_own(const fs::path& file) {
+bool is_own(const fs::path& file, std::span<const std::string_view> kinds) {
   const std::string extension = file.extension().string();
   const std::string folder = file.parent_path().filename().string();
   const std::string name = file.stem().string();
@@ -122,17 +117,18 @@ bool is_own(const fs::path& file) {
   if (folder.size() != 2 || folder.find_first_not_of(digits) != std::string::npos) return false;
   if (extension == part_extension) return name.front() == '.';
   return name.size() == hash_size - 2 && name.find_first_not_of(digits) == std::string::npos &&
-         (extension == ".sources" || extension == ".compile" || extension == ".emitted");
+         extension.starts_with('.') &&
+         std::find(kinds.begin(), kinds.end(), std::string_view(extension).substr(1)) != kinds.end();
 }
 
 // All entries; half-written ones of the dead are removed on the way.
-std::vector<KeptFile> entries_in(const fs::path& directory) {
+std::vector<KeptFile> entries_in(const fs::path& directory, std::span<const std::string_view> kinds) {
   const fs::file_time_type long_ago = fs::file_time_type::clock::now() - std::chrono::hours(1);
   std::vector<KeptFile> entries;
   std::error_code error;
   for (fs::recursive_directory_iterator it(directory, error), end; !error && it != end; it.increment(error)) {
     std::error_code gone;  // another process may remove it meanwhile
-    if (!it->is_regular_file(gone) || gone || !is_own(it->path())) continue;
+    if (!it->is_regular_file(gone) || gone || !is_own(it->path(), kinds)) continue;
     KeptFile entry{it->path(), it->last_write_time(gone), it->file_size(gone)};
     if (gone) continue;
     if (entry.file.extension() != part_extension)
@@ -145,39 +141,45 @@ std::vector<KeptFile> entries_in(const fs::path& directory) {
 
 }  // namespace
 
-fs::path AnswerCache::file(EntryKind kind, const std::string& key) const {
-  return directory_ / key.substr(0, 2) / (key.substr(2) + extension(kind));
+fs::path CacheStore::file(std::string_view kind, const std::string& key) const {
+  return directory_ / key.substr(0, 2) / key.substr(2).append(".").append(kind);
 }
 
-std::optional<std::string> AnswerCache::find(EntryKind kind, const std::string& key) {
+std::optional<std::string> CacheStore::find(std::string_view kind, const std::string& key) const {
   if (directory_.empty()) return std::nullopt;
   const fs::path place = file(kind, key);
-  std::optional<std::string> content = read_file(place);
+  const std::optional<std::string> content = read_file(place);
   if (!content) return std::nullopt;
-  const std::size_t head = title.size() + key.size();
+  const std::string head = head_of(kind, key);
   const std::string_view whole = *content;
   const bool sound =
-      whole.size() >= head + hash_size && whole.substr(0, title.size()) == title &&
-      whole.substr(title.size(), key.size()) == key &&
+      whole.size() >= head.size() + hash_size && whole.starts_with(head) &&
       hash_of(whole.substr(0, whole.size() - hash_size)) == whole.substr(whole.size() - hash_size);
   if (!sound) {
     ++damaged_;
     return std::nullopt;
   }
   mark_used(place);
-  return std::string(whole.substr(head, whole.size() - head - hash_size));
+  return std::string(whole.substr(head.size(), whole.size() - head.size() - hash_size));
 }
 
-void AnswerCache::store(EntryKind kind, const std::string& key, std::string_view content) {
-  if (directory_.empty()) return;
-  std::string entry(title);
-  entry.append(key).append(content);
+bool CacheStore::store(std::string_view kind, const std::string& key, std::string_view content) const {
+  if (directory_.empty()) return false;
+  std::string entry = head_of(kind, key).append(content);
   entry += hash_of(entry);
-  if (write_file(file(kind, key), entry)) written_ += entry.size();
+  if (!write_file(file(kind, key), entry)) return false;
+  written_ += entry.size();
+  return true;
 }
 
-std::uint64_t trim_cache(const fs::path& directory, std::uint64_t limit) {
-  std::vector<KeptFile> entries = entries_in(directory);
+void CacheStore::drop(std::string_view kind, const std::string& key) const {
+  std::error_code ignored;
+  if (!directory_.empty()) fs::remove(file(kind, key), ignored);
+}
+
+std::uint64_t trim_cache(const fs::path& directory, std::span<const std::string_view> kinds,
+                         std::uint64_t limit) {
+  std::vector<KeptFile> entries = entries_in(directory, kinds);
   std::sort(entries.begin(), entries.end(), [](const KeptFile& a, const KeptFile& b) {
     return a.used != b.used ? a.used < b.used : a.file < b.file;
   });
@@ -192,15 +194,16 @@ std::uint64_t trim_cache(const fs::path& directory, std::uint64_t limit) {
   return total;
 }
 
-void trim_cache_when_due(const fs::path& directory, std::uint64_t limit, std::uint64_t written) {
+void trim_cache_when_due(const fs::path& directory, std::span<const std::string_view> kinds,
+                         std::uint64_t limit, std::uint64_t written) {
   if (directory.empty() || written == 0) return;
   const fs::path stamp = directory / "trimmed";
   std::error_code error;
   const fs::file_time_type last = fs::last_write_time(stamp, error);
   const bool lately = !error && fs::file_time_type::clock::now() - last < std::chrono::hours(24);
   if (lately && written < limit / 64) return;
-  trim_cache(directory, limit);
+  trim_cache(directory, kinds, limit);
   write_file(stamp, "by the limit in force, at the date of this file\n");
 }
 
-}  // namespace penumbra::validation
+}  // namespace penumbra::platform
