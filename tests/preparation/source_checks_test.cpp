@@ -69,6 +69,11 @@ TEST(SwitchCases, MayShareCodeAndEndInManyWays) {
               IsEmpty());
 }
 
+// A closing bracket behind a keyword is no condition to go on behind.
+TEST(SwitchCases, ABrokenConditionIsPassedOnce) {
+  EXPECT_THAT(said_of_cases("case 0: { n = 1; if } v = 2; break;"), IsEmpty());
+}
+
 TEST(SwitchCases, EndInAStatementAndContinueNoLoopAround) {
   EXPECT_THAT(said_of_cases("case 0: return 1;\ndefault:"),
               ElementsAre("5: error: the last case of a switch is empty: write break"));

@@ -115,8 +115,8 @@ class SwitchCases {
   }
 
   std::size_t behind_condition(std::size_t keyword) const {
-    const std::size_t partner = text_.partner(keyword + 1);
-    return partner == npos ? keyword + 1 : partner + 1;
+    const bool has_condition = text_.is(keyword + 1, "(") && text_.partner(keyword + 1) != npos;
+    return has_condition ? text_.partner(keyword + 1) + 1 : keyword + 1;
   }
 
   // No way leads past the statement. Loops and conditions without names of their own are taken for constant,
