@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
-#include <map>
 #include <memory>
 
 #include "cli/help.h"
@@ -32,7 +31,7 @@
 #include "validation/variant_counts.h"
 #include "validation/variant_name.h"
 #include "variants/keyword_expression.h"
-#include "variants/stripping.h"
+#include "variants/narrowing.h"
 
 namespace penumbra::cli {
 
@@ -88,58 +87,6 @@ validation::LintOrder lint_order(const ValidateOptions& options) {
     if (lint::find_rule(rule) == nullptr)
       throw InputError("--disable-rule", "unknown rule '" + rule + "'", unknown_name_way_out(rule, known));
   return {!options.no_lint, 0, options.disabled_rules};
-}
-
-// The graphics API whose shaders a target is for.
-variants::GraphicsApi api_of(const std::string& target) {
-  const std::optional<shaders::Target> known = shaders::find_target(target);
-  if (!known) return variants::GraphicsApi::vulkan;
-  switch (shaders::target_language(*known)) {
-    case shaders::TargetLanguage::essl:
-      return variants::GraphicsApi::gles3;
-    case shaders::TargetLanguage::glsl:
-      return variants::GraphicsApi::glcore;
-    case shaders::TargetLanguage::msl:
-      return variants::GraphicsApi::metal;
-    case shaders::TargetLanguage::hlsl:
-      break;
-  }
-  return variants::GraphicsApi::d3d11;
-}
-
-std::vector<validation::PlatformTargets> platforms(const ValidateOptions& options,
-                                                   const std::vector<std::string>& targets,
-                                                   int unity_version) {
-  std::map<variants::GraphicsApi, std::vector<std::string>> of_api;
-  const std::optional<variants::GraphicsApi> one = variants::find_graphics_api(options.api);
-  for (const std::string& target : targets) of_api[one ? *one : api_of(target)].push_back(target);
-  std::vector<validation::PlatformTargets> list;
-  for (const auto& [api, made] : of_api) {
-    variants::Platform platform;
-    platform.api = api;
-    platform.mobile = options.mobile || api == variants::GraphicsApi::gles3;
-    platform.unity_version = unity_version;
-    for (auto& [vulkan, of_version] : validation::by_vulkan_version(made))
-      list.push_back({platform, std::move(of_version), vulkan});
-  }
-  return list;
-}
-
-variants::Narrowing narrowing(const ValidateOptions& options) {
-  variants::Narrowing narrowing;
-  if (!options.stripping.empty()) narrowing = variants::read_stripping(options.stripping);
-  if (!options.urp_assets.empty()) {
-    const variants::UrpSettings settings =
-        variants::read_urp_assets({options.urp_assets.begin(), options.urp_assets.end()});
-    for (variants::Clause& clause : variants::clauses_of(settings, "--urp-asset"))
-      narrowing.clauses.push_back(std::move(clause));
-    for (std::string& pass : variants::unused_passes(settings))
-      narrowing.unused_passes.push_back(std::move(pass));
-  }
-  for (const std::string& expression : options.keywords)
-    for (variants::Clause& clause : variants::parse_keyword_expression(expression))
-      narrowing.clauses.push_back(std::move(clause));
-  return narrowing;
 }
 
 std::vector<project::PackageRoot> given_roots(const ValidateOptions& options) {
@@ -271,8 +218,10 @@ void add_sources(const CLI::App& command, const ValidateOptions& options,
   for (const std::string& warning : idle_option_warnings(command, files)) say(context, warning);
 
   validation::SourceOptions source;
-  source.platforms = platforms(options, request.targets, found.unity_version);
-  source.narrowing = narrowing(options);
+  source.platforms = validation::platform_targets(
+      request.targets, {variants::find_graphics_api(options.api), options.mobile, found.unity_version});
+  source.narrowing = variants::read_narrowing(
+      {options.stripping, {options.urp_assets.begin(), options.urp_assets.end()}, options.keywords});
   source.roots = found.roots;
   source.defines = request.defines;
   source.lint = request.lint;

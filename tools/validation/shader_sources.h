@@ -13,6 +13,7 @@
 #include "hlsl/stage.h"
 #include "project/include_search.h"
 #include "project/shader_files.h"
+#include "validation/platform_targets.h"
 #include "validation/program_lint.h"
 #include "validation/report.h"
 #include "validation/unit.h"
@@ -22,14 +23,6 @@
 #include "variants/pragmas.h"
 
 namespace penumbra::validation {
-
-// One graphics API and what is made for it: sources are compiled once for each platform, with the macros
-// Unity defines there.
-struct PlatformTargets {
-  variants::Platform platform;
-  std::vector<std::string> targets;
-  shaders::VulkanVersion vulkan = shaders::VulkanVersion::v1_1;  // of the modules they are made from
-};
 
 struct SourceOptions {
   std::vector<PlatformTargets> platforms;
