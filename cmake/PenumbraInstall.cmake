@@ -10,7 +10,7 @@ foreach(room input parameters)
   target_compile_features(penumbra_${room} PUBLIC cxx_std_20)
   install(TARGETS penumbra_${room} EXPORT penumbraTargets
           ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT penumbra_parameters)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/tools/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/penumbra
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/tools/base/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/penumbra
           COMPONENT penumbra_parameters FILES_MATCHING PATTERN "*.h")
 endforeach()
 install(EXPORT penumbraTargets NAMESPACE penumbra:: DESTINATION ${penumbra_package}

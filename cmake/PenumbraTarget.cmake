@@ -27,9 +27,12 @@ endfunction()
 
 # penumbra_room(NAME SOURCES ... USES ... PUBLIC_LIBRARIES ... PRIVATE_LIBRARIES ... [LIGHTLY_OPTIMISED])
 #
-# Declares the static library penumbra_NAME (alias penumbra::NAME) of one folder under tools/.
+# Declares the static library penumbra_NAME (alias penumbra::NAME) of one folder in tools/ or one of its groups.
 # USES lists the rooms it may include; tests/architecture checks them against the one-way order.
 # LIGHTLY_OPTIMISED where no run takes long in its code, which reads options and writes texts: it compiles faster.
+set(penumbra_include_directories
+    ${PROJECT_SOURCE_DIR}/tools ${PROJECT_SOURCE_DIR}/tools/base ${PROJECT_SOURCE_DIR}/tools/programs
+    ${PROJECT_SOURCE_DIR}/tools/checking ${PROJECT_SOURCE_DIR}/tools/measurement)
 function(penumbra_room name)
   cmake_parse_arguments(ROOM "LIGHTLY_OPTIMISED" "" "SOURCES;USES;PUBLIC_LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
   add_library(penumbra_${name} STATIC ${ROOM_SOURCES})
@@ -41,7 +44,7 @@ function(penumbra_room name)
     target_compile_options(penumbra_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   endif()
   target_include_directories(penumbra_${name} PUBLIC
-    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/tools>
+    "$<BUILD_INTERFACE:${penumbra_include_directories}>"
     $<INSTALL_INTERFACE:include/penumbra>)
   foreach(used IN LISTS ROOM_USES)
     target_link_libraries(penumbra_${name} PUBLIC penumbra::${used})

@@ -190,7 +190,7 @@ HdrpDefines defines_of(HdrpVersion version) {
 }
 
 std::vector<project::PackageRoot> hdrp_package_roots() {
-  const std::string stand_ins = kSource + "/tools/shaders/unity/";
+  const std::string stand_ins = kSource + "/tools/programs/shaders/unity/";
   return {{"com.penumbra.shadows", kSource},
           {"com.unity.render-pipelines.core", stand_ins + "com.unity.render-pipelines.core"},
           {"com.unity.render-pipelines.high-definition",

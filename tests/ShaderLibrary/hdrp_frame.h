@@ -1,5 +1,5 @@
 // Runs HLSL of Pipelines/Hdrp.hlsl on the GPU with HDRP's globals filled in, by way of the stand-in
-// declarations of tools/shaders/unity.
+// declarations of tools/programs/shaders/unity.
 //
 //   HdrpFrame frame;
 //   frame.shadows = {cascade};

@@ -25,7 +25,7 @@ shaders::CompileResult compile_umbrella(const Defines& defines) {
   request.include_directories = {
       std::string(PENUMBRA_SOURCE_DIR) + "/ShaderLibrary",
       std::string(PENUMBRA_SOURCE_DIR) +
-          "/tools/shaders/unity/com.unity.render-pipelines.universal/ShaderLibrary"};
+          "/tools/programs/shaders/unity/com.unity.render-pipelines.universal/ShaderLibrary"};
   return shaders::compile(request);
 }
 

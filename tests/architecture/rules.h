@@ -12,10 +12,11 @@ namespace penumbra::architecture {
 using Tree = std::map<std::string, std::string>;
 using Violations = std::vector<std::string>;
 
-// tools/: an include of another room goes down cli, study, lighting, reference, resolve, scene, cost, gpu,
-// validation, lint, techniques, shaders, preprocessing, preparation, variants, shaderlab, project, hlsl,
-// spirv, parameters, platform, input; parameters stands on platform and input alone, and no room from
-// validation to spirv knows it.
+// tools/: an include of another room goes down cli, measurement (study, lighting, reference, resolve, scene),
+// checking (cost, validation, lint), programs (gpu, techniques, shaders, preprocessing, preparation,
+// variants, shaderlab, project, hlsl, spirv), base (parameters, platform, input). Measurement and checking
+// know nothing of each other, and checking and programs nothing of parameters. Every room stands in its
+// group's folder.
 Violations tool_includes_point_down(const Tree& tree);
 
 // The same for the rooms that a room's CMakeLists.txt names: after USES, or as penumbra::NAME.
@@ -25,12 +26,12 @@ Violations tool_links_point_down(const Tree& tree);
 // little as they know the pipelines), Core, Platform.
 Violations shader_includes_point_down(const Tree& tree);
 
-// Headers of an operating system stand in tools/platform alone.
+// Headers of an operating system stand in tools/base/platform alone.
 Violations system_headers_stay_in_platform(const Tree& tree);
 
 // A header that other rooms include brings no large third-party header with it, directly or through others.
-// tools/input/located_json.h is the exception: JSON is what it offers; and the headers of tools/spirv, for
-// SPIR-V's enumerations, as long as no other room's header brings them further.
+// tools/base/input/located_json.h is the exception: JSON is what it offers; and the headers of
+// tools/programs/spirv, for SPIR-V's enumerations, as long as no other room's header brings them further.
 Violations public_headers_stay_light(const Tree& tree);
 
 // Nothing is left unfinished: no word that marks work to be done.

@@ -18,8 +18,8 @@ const Tree& repository() {
 }
 
 TEST(Repository, IsReadWhole) {
-  EXPECT_TRUE(repository().contains("tools/scene/scene.h"));
-  EXPECT_TRUE(repository().contains("tools/scene/CMakeLists.txt"));
+  EXPECT_TRUE(repository().contains("tools/measurement/scene/scene.h"));
+  EXPECT_TRUE(repository().contains("tools/measurement/scene/CMakeLists.txt"));
   EXPECT_TRUE(repository().contains("ShaderLibrary/Shadows.hlsl"));
 }
 
@@ -46,36 +46,49 @@ TEST(Repository, NothingNamesAMachine) {
 }
 
 TEST(ToolIncludes, UpwardOnesAreFound) {
-  EXPECT_THAT(
-      tool_includes_point_down({{"tools/scene/a.cpp", "#include <vector>\n#include \"study/report.h\"\n"}}),
-      ElementsAre("tools/scene/a.cpp:2: scene must not include study/report.h"));
   EXPECT_THAT(tool_includes_point_down(
-                  {{"tools/scene/a.cpp", "#include \"scene/b.h\"\n#include \"gpu/device.h\"\n"}}),
+                  {{"tools/measurement/scene/a.cpp", "#include <vector>\n#include \"study/report.h\"\n"}}),
+              ElementsAre("tools/measurement/scene/a.cpp:2: scene must not include study/report.h"));
+  EXPECT_THAT(tool_includes_point_down(
+                  {{"tools/measurement/scene/a.cpp", "#include \"scene/b.h\"\n#include \"gpu/device.h\"\n"}}),
               IsEmpty());
 }
 
 TEST(ToolIncludes, ParametersAndShadersDoNotKnowEachOther) {
-  EXPECT_THAT(tool_includes_point_down({{"tools/shaders/a.h", "#include \"parameters/cascades.h\"\n"}}),
-              ElementsAre("tools/shaders/a.h:1: shaders must not include parameters/cascades.h"));
-  EXPECT_THAT(tool_includes_point_down({{"tools/parameters/a.h", "#include \"input/input_error.h\"\n"}}),
+  EXPECT_THAT(
+      tool_includes_point_down({{"tools/programs/shaders/a.h", "#include \"parameters/cascades.h\"\n"}}),
+      ElementsAre("tools/programs/shaders/a.h:1: shaders must not include parameters/cascades.h"));
+  EXPECT_THAT(tool_includes_point_down({{"tools/base/parameters/a.h", "#include \"input/input_error.h\"\n"}}),
               IsEmpty());
 }
 
+TEST(ToolIncludes, MeasurementAndCheckingDoNotKnowEachOther) {
+  EXPECT_THAT(
+      tool_includes_point_down({{"tools/measurement/study/a.h", "#include \"validation/report.h\"\n"}}),
+      ElementsAre("tools/measurement/study/a.h:1: study must not include validation/report.h"));
+  EXPECT_THAT(tool_includes_point_down({{"tools/checking/cost/a.h", "#include \"scene/scene.h\"\n"}}),
+              ElementsAre("tools/checking/cost/a.h:1: cost must not include scene/scene.h"));
+}
+
 TEST(ToolIncludes, RoomsWithoutAPlaceAndWaysAroundAreFound) {
+  EXPECT_THAT(tool_includes_point_down({{"tools/base/scene/a.h", "#include <vector>\n"},
+                                        {"tools/scene/a.h", "#include <vector>\n"}}),
+              ElementsAre("tools/base/scene/a.h:1: scene belongs into tools/measurement",
+                          "tools/scene/a.h:1: scene belongs into tools/measurement"));
   EXPECT_THAT(tool_includes_point_down({{"tools/helpers/a.h", "#include <vector>\n"}}),
               ElementsAre("tools/helpers/a.h:1: 'helpers' has no place in the order of rooms"));
-  EXPECT_THAT(tool_includes_point_down({{"tools/gpu/a.h", "#include \"../study/report.h\"\n"}}),
-              ElementsAre("tools/gpu/a.h:1: names a room by '..'; name it from tools/"));
+  EXPECT_THAT(tool_includes_point_down({{"tools/programs/gpu/a.h", "#include \"../study/report.h\"\n"}}),
+              ElementsAre("tools/programs/gpu/a.h:1: names a room by '..'; name it from tools/"));
 }
 
 TEST(ToolLinks, UpwardOnesAreFoundInUsesAndAsTargets) {
-  EXPECT_THAT(tool_links_point_down({{"tools/gpu/CMakeLists.txt",
+  EXPECT_THAT(tool_links_point_down({{"tools/programs/gpu/CMakeLists.txt",
                                       "penumbra_room(gpu\n  SOURCES study.cpp\n  USES shaders\n       scene\n"
                                       "  PRIVATE_LIBRARIES Vulkan::Vulkan)\n"}}),
-              ElementsAre("tools/gpu/CMakeLists.txt:4: gpu must not link scene"));
-  EXPECT_THAT(tool_links_point_down({{"tools/input/CMakeLists.txt",
+              ElementsAre("tools/programs/gpu/CMakeLists.txt:4: gpu must not link scene"));
+  EXPECT_THAT(tool_links_point_down({{"tools/base/input/CMakeLists.txt",
                                       "target_link_libraries(penumbra_input PUBLIC penumbra::platform)\n"}}),
-              ElementsAre("tools/input/CMakeLists.txt:1: input must not link platform"));
+              ElementsAre("tools/base/input/CMakeLists.txt:1: input must not link platform"));
   EXPECT_THAT(tool_links_point_down({{"tools/cli/CMakeLists.txt", "penumbra_room(cli USES study input)\n"}}),
               IsEmpty());
 }
@@ -100,39 +113,42 @@ TEST(ShaderIncludes, UpwardAndSidewardOnesAreFound) {
 TEST(SystemHeaders, OutsidePlatformAreFound) {
   const std::string text = "#include <cstdio>\n#include <unistd.h>\n#include <sys/stat.h>\n";
   EXPECT_THAT(system_headers_stay_in_platform({{"tools/cli/a.cpp", text}}), testing::SizeIs(2));
-  EXPECT_THAT(system_headers_stay_in_platform({{"tools/platform/a.cpp", text}}), IsEmpty());
+  EXPECT_THAT(system_headers_stay_in_platform({{"tools/base/platform/a.cpp", text}}), IsEmpty());
 }
 
 TEST(PublicHeaders, HeavyOnesAreFoundThroughOtherHeaders) {
-  Tree tree{{"tools/gpu/device.h", "#include \"gpu/state.h\"\n"},
-            {"tools/gpu/state.h", "#include <vulkan/vulkan.h>\n"},
-            {"tools/gpu/device.cpp", "#include \"gpu/device.h\"\n"},
+  Tree tree{{"tools/programs/gpu/device.h", "#include \"gpu/state.h\"\n"},
+            {"tools/programs/gpu/state.h", "#include <vulkan/vulkan.h>\n"},
+            {"tools/programs/gpu/device.cpp", "#include \"gpu/device.h\"\n"},
             {"tests/gpu/device_test.cpp", "#include \"gpu/state.h\"\n"}};
   EXPECT_THAT(public_headers_stay_light(tree), IsEmpty()) << "a room's own affair";
-  tree["tools/scene/frame.cpp"] = "#include \"gpu/device.h\"\n";
+  tree["tools/measurement/scene/frame.cpp"] = "#include \"gpu/device.h\"\n";
   EXPECT_THAT(
       public_headers_stay_light(tree),
-      ElementsAre("tools/gpu/state.h:1: <vulkan/vulkan.h> reaches every room that includes gpu/device.h"));
+      ElementsAre(
+          "tools/programs/gpu/state.h:1: <vulkan/vulkan.h> reaches every room that includes gpu/device.h"));
 }
 
 TEST(PublicHeaders, LocatedJsonAloneMayOfferJson) {
-  const Tree tree{{"tools/input/located_json.h", "#include <nlohmann/json.hpp>\n"},
-                  {"tools/input/other.h", "#include <nlohmann/json.hpp>\n"},
+  const Tree tree{{"tools/base/input/located_json.h", "#include <nlohmann/json.hpp>\n"},
+                  {"tools/base/input/other.h", "#include <nlohmann/json.hpp>\n"},
                   {"tools/cli/a.cpp", "#include \"input/located_json.h\"\n#include \"input/other.h\"\n"}};
   EXPECT_THAT(
       public_headers_stay_light(tree),
       ElementsAre(
-          "tools/input/other.h:1: <nlohmann/json.hpp> reaches every room that includes input/other.h"));
+          "tools/base/input/other.h:1: <nlohmann/json.hpp> reaches every room that includes input/other.h"));
 }
 
 TEST(PublicHeaders, OfSpirvAloneMayOfferItsEnumerations) {
-  const Tree tree{{"tools/spirv/words.h", "#include <glslang/SPIRV/spirv.hpp>\n"},
-                  {"tools/shaders/module.h", "#include \"spirv/words.h\"\n"},
-                  {"tools/shaders/a.cpp", "#include \"spirv/words.h\"\n"},
-                  {"tools/cost/a.cpp", "#include \"shaders/module.h\"\n"}};
-  EXPECT_THAT(public_headers_stay_light(tree),
-              ElementsAre("tools/spirv/words.h:1: <glslang/SPIRV/spirv.hpp> reaches every room that includes "
-                          "shaders/module.h"));
+  const Tree tree{{"tools/programs/spirv/words.h", "#include <glslang/SPIRV/spirv.hpp>\n"},
+                  {"tools/programs/shaders/module.h", "#include \"spirv/words.h\"\n"},
+                  {"tools/programs/shaders/a.cpp", "#include \"spirv/words.h\"\n"},
+                  {"tools/checking/cost/a.cpp", "#include \"shaders/module.h\"\n"}};
+  EXPECT_THAT(
+      public_headers_stay_light(tree),
+      ElementsAre(
+          "tools/programs/spirv/words.h:1: <glslang/SPIRV/spirv.hpp> reaches every room that includes "
+          "shaders/module.h"));
 }
 
 TEST(Words, OfUnfinishedWorkAreFound) {

@@ -24,7 +24,7 @@ void for_each_line(const std::string& text,
 
 std::string violation(const std::string& path, int line, const std::string& why);
 
-// "tools/scene/frame.cpp" -> "scene"; empty when the path has no folder below prefix.
+// "tools/measurement/scene/frame.cpp" -> "scene"; empty when the path has no folder below prefix.
 std::string folder_below(std::string_view path, std::string_view prefix);
 
 }  // namespace penumbra::architecture

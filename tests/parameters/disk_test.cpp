@@ -161,7 +161,7 @@ TEST(DiskTables, CheckedInCopiesAreWhatIsEmitted) {
   const DiskSet set = disk_set(false);
   EXPECT_EQ(checked_in("ShaderLibrary/Core/DiskTables.hlsl"), disks_source(set, Language::hlsl));
   EXPECT_EQ(checked_in("Runtime/DiskTables.cs"), disks_source(set, Language::csharp));
-  EXPECT_EQ(checked_in("tools/parameters/disk_tables.h"), disks_source(set, Language::cpp));
+  EXPECT_EQ(checked_in("tools/base/parameters/disk_tables.h"), disks_source(set, Language::cpp));
 }
 
 TEST(DiskTables, TableNamesEveryDisk) {

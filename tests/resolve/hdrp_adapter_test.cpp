@@ -31,10 +31,10 @@ constexpr double kReceiverDepth = 0.5;
 // Of the HDRP stand-in without further keywords: version 14.
 Adapter adapter_on_hdrp_14() {
   const std::filesystem::path root = platform::data_directory();
-  const std::filesystem::path stand_ins = root / "tools" / "shaders" / "unity";
+  const std::filesystem::path stand_ins = root / "tools" / "programs" / "shaders" / "unity";
   Adapter hdrp;
   hdrp.name = "hdrp-pcss";
-  hdrp.file = root / "tools" / "resolve" / "adapters" / "HdrpPcss.hlsl";
+  hdrp.file = root / "tools" / "measurement" / "resolve" / "adapters" / "HdrpPcss.hlsl";
   hdrp.package_roots = {{"com.penumbra.shadows", root}};
   for (const char* package :
        {"com.unity.render-pipelines.core", "com.unity.render-pipelines.high-definition"}) {

@@ -1,2 +1,2 @@
 // Stands in for the core package's file of this name.
-#include "../../../../../tools/shaders/unity/com.unity.render-pipelines.core/ShaderLibrary/UnityInstancing.hlsl"
+#include "../../../../../tools/programs/shaders/unity/com.unity.render-pipelines.core/ShaderLibrary/UnityInstancing.hlsl"

@@ -3,7 +3,7 @@
 #ifndef PENUMBRA_SAMPLES_CORE_INCLUDED
 #define PENUMBRA_SAMPLES_CORE_INCLUDED
 
-#include "../../../../../tools/shaders/unity/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
+#include "../../../../../tools/programs/shaders/unity/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
 
 // As URP 14 and 17.0 have it.
 #if defined(_FORWARD_PLUS)

@@ -3,7 +3,7 @@
 #define PENUMBRA_SAMPLES_SHADOWS_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
-#include "../../../../../tools/shaders/unity/com.unity.render-pipelines.universal/ShaderLibrary/UrpGlobals.hlsl"
+#include "../../../../../tools/programs/shaders/unity/com.unity.render-pipelines.universal/ShaderLibrary/UrpGlobals.hlsl"
 
 #if defined(_MAIN_LIGHT_SHADOWS) || defined(_MAIN_LIGHT_SHADOWS_CASCADE) || defined(_MAIN_LIGHT_SHADOWS_SCREEN)
 #define MAIN_LIGHT_CALCULATE_SHADOWS

@@ -8,7 +8,7 @@
 //             follows; in the place of _TowardLight is _LightPosition, in the mesh's space.
 // Cost:       no texture fetches; with PENUMBRA_CUT_OUTS, which needs the fragment shader, CutOut.hlsl's.
 // Guarantees: no caster between the sun and the near plane is lost. A spot light's are, as in URP.
-// Use it:     by the rasteriser (tools/scene).
+// Use it:     by the rasteriser (tools/measurement/scene).
 #include "SceneMesh.hlsl"
 #if PENUMBRA_CUT_OUTS
 #include "CutOut.hlsl"

@@ -129,7 +129,7 @@ std::uint64_t PackageShader::variant_count(const std::string& pass) const {
 
 std::vector<PackageRoot> with_stand_ins(std::vector<PackageRoot> package_roots) {
   const std::filesystem::path root = platform::data_directory();
-  const std::filesystem::path stand_ins = root / "tools" / "shaders" / "unity";
+  const std::filesystem::path stand_ins = root / "tools" / "programs" / "shaders" / "unity";
   const bool real = has_root(package_roots, kUrp);
   if (!has_root(package_roots, kPackage)) package_roots.push_back({kPackage, root});
   for (const char* package : {kUrp, kCore})

@@ -1,6 +1,6 @@
 // HDRP's own directional shadow at High quality, its PCSS by angular diameter, for comparison: penumbra measure
 //   --package-root com.unity.render-pipelines.core=DIR --package-root com.unity.render-pipelines.high-definition=DIR
-//   --adapter "hdrp-pcss=tools/resolve/adapters/HdrpPcss.hlsl;@depth-bias=0;@normal-bias=0;@light-scale=0.5"
+//   --adapter "hdrp-pcss=tools/measurement/resolve/adapters/HdrpPcss.hlsl;@depth-bias=0;@normal-bias=0;@light-scale=0.5"
 // HDRP moves the receiver, not the casters: hence their biases of 0. Its penumbra is twice as wide as a disc of the
 // diameter it is told makes it: a light scale of 0.5 gives it the light's own disc.
 //

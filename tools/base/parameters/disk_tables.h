@@ -6,7 +6,7 @@
 //   ((i + 0.5) / N)^exponent for more taps near the centre. One table works for every N up to its length.
 // Vogel<N>: the same with the equal-area radius applied, for one fixed N.
 // Poisson<N>: no two taps close together, no gaps; made by dart throwing, then optimised for straight
-//   shadow edges (tools/parameters/disk_generator.h). Ordered: the first n taps are well spread, too.
+//   shadow edges (tools/base/parameters/disk_generator.h). Ordered: the first n taps are well spread, too.
 //
 // Guarantees: the same floats in every language; all points within the unit disk. Cost: no fetch.
 // Use Fibonacci when the count varies at run time, Poisson when it is fixed.

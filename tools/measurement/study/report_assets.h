@@ -1,4 +1,5 @@
-// The style and the script that report.html carries: the files of tools/study/report, one after the other.
+// The style and the script that report.html carries: the files of tools/measurement/study/report, one after
+// the other.
 #pragma once
 
 #include <string_view>

@@ -38,7 +38,7 @@ shaders::CompileRequest request(const ShadowShader& shader) {
   request.package_roots = with_own_package(shader.package_roots);
   request.include_directories = shader.include_directories;
   request.include_directories.push_back(root / "ShaderLibrary");
-  request.include_directories.push_back(root / "tools" / "resolve" / "shaders");
+  request.include_directories.push_back(root / "tools" / "measurement" / "resolve" / "shaders");
   request.project = shader.project;
   request.cginc_root = shader.cginc_root;
   request.prepare = shader.prepare;
@@ -51,7 +51,8 @@ shaders::CompileRequest request(const ShadowShader& shader) {
 
 shaders::CompileRequest triangle_request() {
   shaders::CompileRequest request;
-  request.file = platform::data_directory() / "tools" / "resolve" / "shaders" / "ReceiverTriangle.hlsl";
+  request.file =
+      platform::data_directory() / "tools" / "measurement" / "resolve" / "shaders" / "ReceiverTriangle.hlsl";
   request.stage = hlsl::Stage::vertex;
   request.entry = "ReceiverTriangle";
   return request;

@@ -9,7 +9,7 @@ std::vector<std::uint32_t> compile_scene_shader(const SceneShader& shader) {
   const std::filesystem::path root = platform::data_directory();
   const auto flag = [](bool value) { return std::string(value ? "1" : "0"); };
   shaders::CompileRequest request;
-  request.file = root / "tools" / "scene" / "shaders" / shader.file;
+  request.file = root / "tools" / "measurement" / "scene" / "shaders" / shader.file;
   request.entry = shader.entry;
   request.stage = shader.stage;
   request.defines = {{"UNITY_REVERSED_Z", flag(shader.reversed_z)},

@@ -1,4 +1,4 @@
-// The rasteriser's own shaders, compiled from tools/scene/shaders below the data directory.
+// The rasteriser's own shaders, compiled from tools/measurement/scene/shaders below the data directory.
 #pragma once
 
 #include <cstdint>

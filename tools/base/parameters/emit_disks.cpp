@@ -58,7 +58,7 @@ std::string disks_table(const DiskSet& set) {
   return text +
          "\nfibonacci: directions under the uniform law r = sqrt((i + 1/2) / N). Definitions of the "
          "figures:\n"
-         "tools/parameters/disk_quality.h; 0 is best in all but spacing.\n";
+         "tools/base/parameters/disk_quality.h; 0 is best in all but spacing.\n";
 }
 
 std::string disks_json(const DiskSet& set) {
@@ -87,7 +87,8 @@ std::string disks_source(const DiskSet& set, Language language) {
       "length.",
       "Vogel<N>: the same with the equal-area radius applied, for one fixed N.",
       "Poisson<N>: no two taps close together, no gaps; made by dart throwing, then optimised for straight",
-      "  shadow edges (tools/parameters/disk_generator.h). Ordered: the first n taps are well spread, too.",
+      "  shadow edges (tools/base/parameters/disk_generator.h). Ordered: the first n taps are well spread, "
+      "too.",
       "",
       "Guarantees: the same floats in every language; all points within the unit disk. Cost: no fetch.",
       "Use Fibonacci when the count varies at run time, Poisson when it is fixed."};

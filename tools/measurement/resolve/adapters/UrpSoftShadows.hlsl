@@ -1,6 +1,6 @@
 // URP's own main light shadow, for comparison: penumbra measure
 //   --package-root com.unity.render-pipelines.core=DIR --package-root com.unity.render-pipelines.universal=DIR
-//   --adapter "urp-medium=tools/resolve/adapters/UrpSoftShadows.hlsl;_SHADOWS_SOFT;_SHADOWS_SOFT_MEDIUM"
+//   --adapter "urp-medium=tools/measurement/resolve/adapters/UrpSoftShadows.hlsl;_SHADOWS_SOFT;_SHADOWS_SOFT_MEDIUM"
 //
 // Computes:   MainLightRealtimeShadow of the URP whose package root is given: cascade selection, the comparison
 //             taps and the strength, nothing of ours; saturated, because URP's 5x5 weights add up to a little more

@@ -3,7 +3,7 @@
 // - By a comparison sampler, where the texture is a parameter, a local variable or a member of a struct and
 // is
 //   read otherwise too: glslang makes two variables of it and sets only one; the other reads are lost without
-//   a word (tools/shaders/lost_resources.h finds such modules).
+//   a word (tools/programs/shaders/lost_resources.h finds such modules).
 // - Of a texture in a struct that is a member itself, an element of an array or what a function returned,
 //   `Build(a).map.Sample(s, uv)`: "unable to find texture symbol".
 //
