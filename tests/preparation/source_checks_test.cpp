@@ -100,6 +100,32 @@ TEST(SwitchCases, OfAnyDepthAreReadWithoutHarm) {
   EXPECT_THAT(said_of_cases("case 0: " + deep + "break;"), ElementsAre(HasSubstr("4: error: this case")));
 }
 
+TEST(BaseStructs, AreDeclaredBefore) {
+  const std::string frag = "float4 Frag() : SV_Target { return 1; }";
+  EXPECT_THAT(said("struct A {\nint a; };\nstruct B :\nA { int b; };" + frag), ElementsAre());
+  EXPECT_THAT(
+      said("struct B :\nA { int b; };" + frag),
+      ElementsAre("2: error: 'A' is not a struct that is declared before 'B', which needs it as its base"));
+  EXPECT_THAT(
+      said("struct A :\nB { int a; }; struct B :\nA { int b; }; A f(B b) { return b; }" + frag),
+      ElementsAre("2: error: 'B' is not a struct that is declared before 'A', which needs it as its base"));
+  EXPECT_THAT(
+      said("struct A :\nA { int a; };" + frag),
+      ElementsAre("2: error: 'A' is not a struct that is declared before 'A', which needs it as its base"));
+}
+
+TEST(BaseStructs, AreSixteenAtMost) {
+  const auto chain = [](int bases) {
+    std::string text = "struct S0 { int a; };\n";
+    for (int i = 1; i <= bases; ++i)
+      text += "struct S" + std::to_string(i) + " : S" + std::to_string(i - 1) + " { int b" +
+              std::to_string(i) + "; };\n";
+    return text + "float4 Frag() : SV_Target { return 1; }";
+  };
+  EXPECT_THAT(said(chain(16)), ElementsAre());
+  EXPECT_THAT(said(chain(17)), ElementsAre("18: error: 'S17' has more than 16 bases one above the other"));
+}
+
 TEST(EntrySemantics, AreThereOnEveryInputAndOutput) {
   EXPECT_THAT(said("float4 Frag(float4 p : SV_Position,\nfloat2 uv) : SV_Target { return 1; }"),
               ElementsAre("2: error: 'uv' has no semantic, and is an input of the fragment program"));

@@ -14,7 +14,7 @@ namespace penumbra::preparation {
 
 namespace {
 
-constexpr int deepest = 16;  // bases one above the other; a text may have made a circle of them
+constexpr std::size_t most_bases = 16;  // of one struct; each one's members are written out in all above it
 
 class BaseMembers {
  public:
@@ -42,12 +42,26 @@ class BaseMembers {
     return types_.outline()[type.declaration];
   }
 
+  // A struct that is declared before, as the language asks: so there are no circles.
+  const StructType* base_of(const StructType& type) const {
+    const StructType* base = find(type.base);
+    const bool before = base != nullptr && declaration(*base).last < declaration(type).first;
+    return before ? base : nullptr;
+  }
+
   void write_out(const StructType& type) {
     const hlsl::Declaration& own = declaration(type);
+    if (base_of(type) == nullptr)
+      return text_.note(own.name + 2, hlsl::Severity::error,
+                        "'" + std::string(type.base) + "' is not a struct that is declared before '" +
+                            std::string(text_[own.name].spelling) + "', which needs it as its base");
     std::vector<const StructType*> line{&type};  // the heir, its base, the base of that
     std::string inherited;
-    for (int depth = 0; depth < deepest && find(line.back()->base) != nullptr; ++depth) {
-      const StructType* base = find(line.back()->base);
+    while (const StructType* base = base_of(*line.back())) {
+      if (line.size() > most_bases)
+        return text_.note(own.name, hlsl::Severity::error,
+                          "'" + std::string(text_[own.name].spelling) + "' has more than " +
+                              std::to_string(most_bases) + " bases one above the other");
       inherited.insert(0, members(*base, line));
       line.push_back(base);
     }
@@ -78,12 +92,8 @@ class BaseMembers {
   }
 
   bool inherits(std::string_view heir, std::string_view base) const {
-    for (int depth = 0; depth < deepest; ++depth) {
-      const StructType* type = find(heir);
-      if (type == nullptr || type->base.empty()) return false;
-      heir = type->base;
-      if (heir == base) return true;
-    }
+    for (const StructType* type = find(heir); type != nullptr; type = base_of(*type))
+      if (type->base == base) return base_of(*type) != nullptr;
     return false;
   }
 
@@ -149,8 +159,8 @@ class BaseMembers {
 
   void define(std::string_view to, std::string_view from, const std::string& name) {
     std::string copies;
-    for (std::string_view type = to; find(type) != nullptr; type = find(type)->base)
-      for (const std::size_t member : find(type)->members) {
+    for (const StructType* type = find(to); type != nullptr; type = base_of(*type))
+      for (const std::size_t member : type->members) {
         const std::string own(text_[types_.declared()[member].name].spelling);
         copies.append("to.").append(own).append(" = from.").append(own).append("; ");
       }
