@@ -21,7 +21,7 @@ float4 Fragment(float4 position : SV_Position, float3 shadowCoord : TEXCOORD0, f
     receiver.shadowCoord = shadowCoord;
     receiver.depthGradient = depthGradient;
     receiver.rotation = rotation;
-    return ResolveTechnique(receiver, _Tile);
+    return ResolveTechnique(receiver, _Tile, 0);
 }
 )";
 

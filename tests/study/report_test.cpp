@@ -94,10 +94,14 @@ TEST_F(Report, ShowsTheFiguresOfEachCascade) {
   near.rmse_penumbra = 0.0625;
   near.leak_rate = 0.0125;
   near.intervals.rmse_penumbra = Interval{0.051, 0.074, 0.006};
-  content.results.records[0].per_cascade = {near, {}, {}, {}};
+  CascadeRecord far;
+  far.technique = "tent-5";
+  far.parameters = {{"taps", {8.0}}};
+  content.results.records[0].per_cascade = {near, {}, far, far};
   EXPECT_THAT(render_report(content),
               HasSubstr("<dt>cascade 0</dt><dd>1234 penumbra pixels, RMSE 0.0625 (0.051 to 0.074), leaks "
-                        "1.25 %</dd>\n<dt>cascade 1</dt><dd>0 penumbra pixels</dd>"));
+                        "1.25 %</dd>\n<dt>cascade 1</dt><dd>0 penumbra pixels</dd>\n"
+                        "<dt>cascade 2</dt><dd>0 penumbra pixels, by tent-5, taps 8</dd>"));
 }
 
 TEST_F(Report, ExplainsEveryFigureAndReference) {

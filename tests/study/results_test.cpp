@@ -76,9 +76,13 @@ class RandomResults {
     return names;
   }
   CascadeRecord cascade() {
-    return {
+    CascadeRecord record{
         random_() % 9, random_() % 9, figure(), figure(),
         figure(),      figure(),      figure(), {interval(), interval(), interval(), interval(), interval()}};
+    if (coin()) record.technique = "tent-5";
+    if (!record.technique.empty() && coin())
+      record.parameters = {{"taps", {share()}}, {"offset", {1.0, share()}}};
+    return record;
   }
   void vary(Record& record) {
     Metrics& metrics = record.metrics;

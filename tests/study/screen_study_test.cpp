@@ -8,7 +8,7 @@
 namespace penumbra::study {
 namespace {
 
-std::map<std::string, Record> recorded(const std::vector<std::string>& techniques, bool reversed_z,
+std::map<std::string, Record> recorded(const std::vector<techniques::Technique>& techniques, bool reversed_z,
                                        int pan_frames = 0) {
   const reference::ScratchFolder cache;
   StudySettings settings;
@@ -26,10 +26,8 @@ std::map<std::string, Record> recorded(const std::vector<std::string>& technique
   settings.cache = cache.path();
   settings.pan_frames = pan_frames;
   std::vector<Subject> subjects;
-  for (const std::string& name : techniques) {
-    const techniques::TechniqueList& list = library_techniques();
-    subjects.push_back(technique_subject(list, list.find(name), reversed_z));
-  }
+  for (const techniques::Technique& technique : techniques)
+    subjects.push_back(technique_subject(library_techniques(), technique, reversed_z));
   const StudyOutcome outcome = run_study(test_device(), subjects, settings, [](auto&&...) {});
   EXPECT_THAT(outcome.notes, testing::IsEmpty());
   std::map<std::string, Record> records;
@@ -38,6 +36,13 @@ std::map<std::string, Record> recorded(const std::vector<std::string>& technique
     EXPECT_TRUE(record.time) << record.technique;
   }
   return records;
+}
+
+std::map<std::string, Record> recorded(const std::vector<std::string>& names, bool reversed_z,
+                                       int pan_frames = 0) {
+  std::vector<techniques::Technique> listed;
+  for (const std::string& name : names) listed.push_back(library_techniques().find(name));
+  return recorded(listed, reversed_z, pan_frames);
 }
 
 TEST(ScreenStudy, ARecordHoldsAllPassesTogether) {
@@ -85,6 +90,35 @@ TEST(ScreenStudy, OnlyNoiseShimmersUnderAPan) {
   EXPECT_GT(noisy.per_frame_noise.value(), 0.01);
   EXPECT_NE(noisy.static_noise, noisy.per_frame_noise);
   EXPECT_GT(of.at("screen-pcss-angular-24-16").shimmer.value().per_frame_noise.value(), 0.01);
+}
+
+// Of the same casters' bias, so that all draw the same map.
+TEST(ScreenStudy, ACascadeHasTheAnswerOfTheRuleForIt) {
+  const techniques::TechniqueList& list = library_techniques();
+  const techniques::Technique& pcss = list.find("pcss-angular-24-16");
+  const techniques::Technique& tent = list.find("tent-5-plane");
+  techniques::Technique fewer = pcss, mixed = pcss;
+  fewer.name = "fewer";
+  fewer.values["filterSamples"] = {5.0};
+  mixed.name = "mixed";
+  const techniques::FilterCall& own = *pcss.graph.filter();
+  mixed.cascades = {{1, "", own, {{"filterSamples", {5.0}}}, pcss.unlimited},
+                    {2, tent.name, *tent.graph.filter(), {}, {}}};
+  const auto of = recorded(std::vector<techniques::Technique>{pcss, fewer, tent, mixed}, true);
+  const std::vector<CascadeRecord>& cascades = of.at("mixed").per_cascade;
+  ASSERT_EQ(cascades.size(), 4U);
+  const char* const expected[] = {"pcss-angular-24-16", "fewer", "tent-5-plane", "tent-5-plane"};
+  for (std::size_t i = 0; i < cascades.size(); ++i) {
+    const CascadeRecord& alone = of.at(expected[i]).per_cascade.at(i);
+    EXPECT_GT(cascades[i].pixels, 0U) << i;
+    EXPECT_EQ(cascades[i].rmse_penumbra, alone.rmse_penumbra) << i;
+    EXPECT_EQ(cascades[i].fetches_mean, alone.fetches_mean) << i;
+    EXPECT_EQ(cascades[i].false_shadow_rate, alone.false_shadow_rate) << i;
+  }
+  EXPECT_EQ(cascades[0].technique, "");
+  EXPECT_EQ(cascades[1].technique, "mixed");
+  EXPECT_EQ(cascades[1].parameters.at("filterSamples"), std::vector<double>{5.0});
+  EXPECT_EQ(cascades[3].technique, "tent-5-plane");
 }
 
 }  // namespace

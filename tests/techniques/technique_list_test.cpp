@@ -293,9 +293,79 @@ TEST_F(TechniqueListTest, CallPassesArgumentsThenReceiverTileAndParameters) {
               HasSubstr("TEXTURE2D_SHADOW(_ShadowMap);\nSAMPLER_CMP(sampler_ShadowMap);\n"));
   EXPECT_THAT(call.declarations, HasSubstr("float4 _PenumbraBoxParameters0;\n"));
   EXPECT_EQ(call.function,
-            "float ResolveTechnique(ShadowReceiver receiver, ShadowTile tile)\n{\n"
+            "float ResolveTechnique(ShadowReceiver receiver, ShadowTile tile, int cascade)\n{\n"
             "    return FilterBox(TEXTURE2D_SHADOW_ARGS(_ShadowMap, sampler_ShadowMap), sampler_PointClamp, "
             "receiver, tile, UnpackBoxParameters(_PenumbraBoxParameters0));\n}\n");
+}
+
+constexpr const char* by_cascade = R"({
+  "structs": [
+    {"name": "BoxParameters", "doc": "Even kernel.", "fields": [
+      {"name": "taps", "type": "int", "unit": "taps", "doc": "per side", "range": [1, 9]},
+      {"name": "scale", "type": "float", "unit": "1", "doc": "stretch", "default": 1}]}
+  ],
+  "defaults": {"family": "box", "source": "Nobody 1900",
+    "filter": {"file": "Box.hlsl", "function": "FilterBox", "arguments": ["shadowMap"], "parameters": "BoxParameters"}},
+  "techniques": [
+    {"name": "plain", "title": "Plain", "filter": {"file": "Box.hlsl", "function": "FilterPlain"}},
+    {"name": "wide", "title": "Wide", "values": {"taps": 9}, "keywords": ["_WIDE"]},
+    {"name": "mixed", "title": "Mixed", "values": {"taps": 7}, "unlimited": {"taps": 99},
+     "cascades": [{"from": 1, "values": {"taps": 5}}, {"from": 3, "technique": "plain"}]}
+  ]
+})";
+
+TEST_F(TechniqueListTest, ATechniqueMayDifferFromACascadeOn) {
+  const TechniqueList list = read(by_cascade);
+  const Technique& mixed = list.find("mixed");
+  ASSERT_EQ(mixed.cascades.size(), 2U);
+  EXPECT_EQ(mixed.cascades[0].filter.function, "FilterBox");
+  EXPECT_EQ(mixed.cascades[0].values, (std::map<std::string, std::vector<double>>{{"taps", {5.0}}}));
+  EXPECT_EQ(mixed.cascades[0].unlimited, mixed.unlimited);
+  EXPECT_EQ(mixed.cascades[1].technique, "plain");
+  EXPECT_TRUE(mixed.cascades[1].unlimited.empty());
+  const TechniqueCall call = emit_technique_call(list, mixed);
+  EXPECT_EQ(call.includes, "#include \"Box.hlsl\"\n");
+  EXPECT_EQ(call.declarations,
+            "TEXTURE2D_SHADOW(_ShadowMap);\nSAMPLER_CMP(sampler_ShadowMap);\n"
+            "float4 _PenumbraBoxParameters0;\nfloat4 _PenumbraBoxParameters0From1;\n");
+  const std::string box =
+      "FilterBox(TEXTURE2D_SHADOW_ARGS(_ShadowMap, sampler_ShadowMap), receiver, tile, UnpackBoxParameters(";
+  EXPECT_EQ(call.function,
+            "float ResolveTechnique(ShadowReceiver receiver, ShadowTile tile, int cascade)\n{\n"
+            "    if (cascade >= 3) return FilterPlain(TEXTURE2D_SHADOW_ARGS(_ShadowMap, sampler_ShadowMap), receiver, tile);\n"
+            "    if (cascade >= 1) return " +
+                box +
+                "_PenumbraBoxParameters0From1));\n"
+                "    return " +
+                box + "_PenumbraBoxParameters0));\n}\n");
+  EXPECT_THAT(techniques_json(list), HasSubstr("\"from\": 3,\n     \"technique\": \"plain\""));
+}
+
+TEST_F(TechniqueListTest, RulesForCascadesAreChecked) {
+  const auto problem_of = [&](const std::string& rules) {
+    const std::string given = R"([{"from": 1, "values": {"taps": 5}}, {"from": 3, "technique": "plain"}])";
+    std::string text = by_cascade;
+    return refusal_of(text.replace(text.find(given), given.size(), rules));
+  };
+  const std::string line = "box.technique.json:13:";
+  for (const char* from : {"0", "4", "-1"})
+    EXPECT_THAT(problem_of("[{\"from\": " + std::string(from) + ", \"values\": {\"taps\": 5}}]"),
+                AllOf(HasSubstr(line), HasSubstr("the first cascade that the rule is for, from 1 to 3")));
+  EXPECT_THAT(problem_of(R"([{"from": 2, "technique": "plain"}, {"from": 2, "technique": "plain"}])"),
+              AllOf(HasSubstr(line), HasSubstr("the first cascade that the rule is for, from 3 to 3")));
+  EXPECT_THAT(problem_of(R"([{"from": 1}])"), AllOf(HasSubstr(line), HasSubstr("the rule changes nothing")));
+  EXPECT_THAT(problem_of(R"([{"from": 1, "technique": "plane"}])"),
+              AllOf(HasSubstr(line), HasSubstr("unknown technique 'plane'"), HasSubstr("'plain'")));
+  EXPECT_THAT(problem_of(R"([{"from": 1, "technique": "mixed"}])"), HasSubstr("unknown technique 'mixed'"));
+  EXPECT_THAT(problem_of(R"([{"from": 1, "technique": "wide"}])"),
+              AllOf(HasSubstr(line), HasSubstr("'wide' is compiled with other keywords than 'mixed'")));
+  EXPECT_THAT(problem_of(R"([{"from": 1, "values": {"taps": 10}}])"),
+              AllOf(HasSubstr(line), HasSubstr("'taps' is a whole number from 1 to 9, not 10")));
+  EXPECT_THAT(problem_of(R"([{"from": 1, "values": {"tops": 1}}])"),
+              AllOf(HasSubstr(line), HasSubstr("tops")));
+  EXPECT_THAT(problem_of(R"([{"from": 1, "technique": "plain", "values": {"taps": 1}}])"),
+              AllOf(HasSubstr(line), HasSubstr("taps")));
+  EXPECT_THAT(problem_of(R"([{"from": 1, "values": {"taps": 5}, "filter": "x"}])"), HasSubstr("filter"));
 }
 
 std::string checked_in(const char* name) {

@@ -15,13 +15,13 @@ constexpr const char* fragment_entry = R"(
 ShadowTile _PenumbraTile;
 
 float4 Fragment(float4 position : SV_Position, float3 shadowCoord : TEXCOORD0, float2 depthGradient : TEXCOORD1,
-                nointerpolation float2 rotation : TEXCOORD2) : SV_Target
+                nointerpolation float2 rotation : TEXCOORD2, nointerpolation int cascade : TEXCOORD3) : SV_Target
 {
     ShadowReceiver receiver;
     receiver.shadowCoord = shadowCoord;
     receiver.depthGradient = depthGradient;
     receiver.rotation = rotation;
-    return ResolveTechnique(receiver, _PenumbraTile);
+    return ResolveTechnique(receiver, _PenumbraTile, cascade);
 }
 )";
 
@@ -38,7 +38,7 @@ void Compute(uint3 id : SV_DispatchThreadID)
     receiver.shadowCoord = _PenumbraShadowCoord[id.x].xyz;
     receiver.depthGradient = _PenumbraGradientRotation[id.x].xy;
     receiver.rotation = _PenumbraGradientRotation[id.x].zw;
-    _PenumbraVisibility[id.x] = ResolveTechnique(receiver, _PenumbraTile);
+    _PenumbraVisibility[id.x] = ResolveTechnique(receiver, _PenumbraTile, int(_PenumbraShadowCoord[id.x].w));
 }
 )";
 

@@ -60,7 +60,7 @@ ShadowGraph technique_graph(const techniques::TechniqueList& list, const techniq
   if (graph.graph.filter_pass() != nullptr)
     graph.filter = technique_shader(list, technique, taps, reversed_z);
   graph.parameters = parameter_uniforms(list, technique, taps);
-  graph.uses_noise = !technique.unlimited.empty() && taps == Taps::as_listed;
+  graph.uses_noise = technique.is_sampled() && taps == Taps::as_listed;
   return graph;
 }
 

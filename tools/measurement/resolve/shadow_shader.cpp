@@ -72,7 +72,7 @@ ShadowShader technique_shader(const techniques::TechniqueList& list, const techn
   for (const std::string& keyword : technique.keywords) shader.defines.emplace_back(keyword, "1");
   if (taps == Taps::unlimited) shader.defines.emplace_back("PENUMBRA_UNLIMITED", "1");
   shader.parameters = parameter_uniforms(list, technique, taps);
-  shader.uses_noise = !technique.unlimited.empty() && taps == Taps::as_listed;
+  shader.uses_noise = technique.is_sampled() && taps == Taps::as_listed;
   return shader;
 }
 

@@ -104,8 +104,16 @@ std::vector<std::uint8_t> readers(const std::vector<std::uint8_t>& counted, cons
   return result;
 }
 
-std::vector<CascadeRecord> per_cascade(const CaseSetup& setup, const View& view, const Answer& answer,
-                                       const std::vector<std::uint8_t>& counted) {
+void name_rule(CascadeRecord& record, const Subject& subject, int cascade) {
+  for (const techniques::CascadeRule& rule : subject.cascades) {
+    if (rule.from > cascade) break;
+    record.technique = rule.technique.empty() ? subject.name : rule.technique;
+    record.parameters = rule.values;
+  }
+}
+
+std::vector<CascadeRecord> per_cascade(const CaseSetup& setup, const View& view, const Subject& subject,
+                                       const Answer& answer, const std::vector<std::uint8_t>& counted) {
   std::vector<CascadeRecord> records;
   const auto cascades = static_cast<int>(view.frame.cascades.cascades.size());
   if (cascades == 1) return records;
@@ -115,6 +123,7 @@ std::vector<CascadeRecord> per_cascade(const CaseSetup& setup, const View& view,
     records.push_back({metrics.pixels, metrics.penumbra_pixels, metrics.rmse_penumbra, metrics.bias,
                        metrics.leak_rate, metrics.false_shadow_rate, metrics.fetches_mean,
                        metrics.intervals});
+    name_rule(records.back(), subject, cascade);
   }
   return records;
 }
@@ -171,7 +180,7 @@ Record record_of(const CaseSetup& setup, const View& view, const Subject& subjec
   record.device = device;
   const std::vector<std::uint8_t> counted = counted_receivers(setup.t1, window);
   record.metrics = metrics_of(setup, view, answer, counted, window, unlimited);
-  record.per_cascade = per_cascade(setup, view, answer, counted);
+  record.per_cascade = per_cascade(setup, view, subject, answer, counted);
   if (answer.passes.size() > 1)
     for (const resolve::PassCounts& pass : answer.passes) record.passes.push_back(pass_record(pass));
   std::vector<double> milliseconds = answer.time_ns;

@@ -141,6 +141,10 @@ std::string cascades(const Record& record) {
     add("leaks", cascade.leak_rate, "{:.2f} %", 100.0);
     add("false shadow", cascade.false_shadow_rate, "{:.2f} %", 100.0);
     add("fetches", cascade.fetches_mean, "{:.1f}");
+    if (!cascade.technique.empty() && cascade.technique != record.technique)
+      text += ", by " + cascade.technique;
+    for (const auto& [name, values] : cascade.parameters)
+      text += fmt::format(", {} {}", name, fmt::join(values, " "));
     group.add_text(fmt::format("cascade {}", i), text);
   }
   return group.html();

@@ -87,6 +87,10 @@ struct CascadeRecord {
   std::optional<double> false_shadow_rate;
   std::optional<double> fetches_mean;
   MetricIntervals intervals;
+  // Where the technique has a rule for the cascade: whose filter runs there, and the values that the rule
+  // sets.
+  std::string technique{};
+  std::map<std::string, std::vector<double>> parameters{};
 
   bool operator==(const CascadeRecord&) const = default;
 };

@@ -212,6 +212,10 @@ std::vector<CascadeRecord> read_cascades(StrictObject& record, int cascades) {
     figures.false_shadow_rate = cascade.figure("false_shadow_rate", 0.0, 1.0);
     figures.fetches_mean = cascade.figure("fetches_mean", 0.0, kAnything);
     figures.intervals = read_intervals(cascade.object("intervals"));
+    if (cascade.has("technique")) {
+      figures.technique = cascade.text("technique");
+      figures.parameters = cascade.number_lists("parameters");
+    }
     cascade.finish();
   }
   if (result.size() != static_cast<std::size_t>(cascades))

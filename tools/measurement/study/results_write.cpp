@@ -92,15 +92,26 @@ void add_metrics(Json& record, const Metrics& metrics) {
   record["intervals"] = json_of(metrics.intervals);
 }
 
+Json json_of(const std::map<std::string, std::vector<double>>& parameters) {
+  Json json = Json::object();
+  for (const auto& [name, values] : parameters) json[name] = values;
+  return json;
+}
+
 Json json_of(const CascadeRecord& cascade) {
-  return {{"pixels", cascade.pixels},
-          {"penumbra_pixels", cascade.penumbra_pixels},
-          {"rmse_penumbra", json_of(cascade.rmse_penumbra)},
-          {"bias", json_of(cascade.bias)},
-          {"leak_rate", json_of(cascade.leak_rate)},
-          {"false_shadow_rate", json_of(cascade.false_shadow_rate)},
-          {"fetches_mean", json_of(cascade.fetches_mean)},
-          {"intervals", json_of(cascade.intervals)}};
+  Json json{{"pixels", cascade.pixels},
+            {"penumbra_pixels", cascade.penumbra_pixels},
+            {"rmse_penumbra", json_of(cascade.rmse_penumbra)},
+            {"bias", json_of(cascade.bias)},
+            {"leak_rate", json_of(cascade.leak_rate)},
+            {"false_shadow_rate", json_of(cascade.false_shadow_rate)},
+            {"fetches_mean", json_of(cascade.fetches_mean)},
+            {"intervals", json_of(cascade.intervals)}};
+  if (!cascade.technique.empty()) {
+    json["technique"] = cascade.technique;
+    json["parameters"] = json_of(cascade.parameters);
+  }
+  return json;
 }
 
 Json json_of(const PassRecord& pass) {
@@ -117,8 +128,7 @@ Json json_of(const Record& record, std::string_view kind) {
   json["scene"] = record.scene;
   json["technique"] = record.technique;
   json["title"] = record.title;
-  json["parameters"] = Json::object();
-  for (const auto& [name, values] : record.parameters) json["parameters"][name] = values;
+  json["parameters"] = json_of(record.parameters);
   json["light_degrees"] = record.light_degrees;
   json["map_size"] = record.map_size;
   json["map_format"] = record.map_format;

@@ -32,6 +32,7 @@ struct Subject {
   std::string name;
   std::string title;
   std::map<std::string, std::vector<double>> parameters;
+  std::vector<techniques::CascadeRule> cascades{};  // of the technique
   resolve::ShadowGraph graph;
   parameters::CasterBias bias{};                    // that its casters are drawn with
   double light_scale = 1.0;                         // the diameter that it is told, over the light's

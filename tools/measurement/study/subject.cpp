@@ -9,10 +9,11 @@ Subject technique_subject(const techniques::TechniqueList& list, const technique
   subject.name = technique.name;
   subject.title = technique.title;
   subject.parameters = technique.values;
+  subject.cascades = technique.cascades;
   subject.bias = {technique.bias.depth, technique.bias.normal,
                   parameters::soft_quality_named(technique.bias.soft_quality)};
   subject.graph = resolve::technique_graph(list, technique, resolve::Taps::as_listed, reversed_z);
-  if (!technique.unlimited.empty()) {
+  if (technique.is_sampled()) {
     subject.unlimited = resolve::technique_graph(list, technique, resolve::Taps::unlimited, reversed_z);
   }
   return subject;

@@ -21,14 +21,21 @@ Manifest open_manifest(const std::filesystem::path& file);
 
 // Adds what the manifest has to the list. All manifests' structs come before the first's techniques.
 void add_structs(const Manifest& manifest, TechniqueList& list);
-void add_techniques(const Manifest& manifest, TechniqueList& list);
+void add_techniques(const Manifest& manifest, TechniqueList& list);  // and its looks
 
 // What several readers of a manifest's objects need.
 std::string required_text(JsonObject& object, const std::string& key);
 std::string required_line(JsonObject& object, const std::string& key);  // goes into one line of emitted text
 std::vector<std::string> read_keywords(JsonObject& object, const std::string& key);
 std::string required_identifier(JsonObject& object, const std::string& key);
+std::string required_name(JsonObject& object);  // "name": what commands and files call a technique or a look
 void require_known(JsonObject& object, const std::string& key, const std::string& what,
                    const std::string& name, const std::vector<std::string>& known);
+void add_looks(JsonObject& root, TechniqueList& list);
+
+// A parameter's value: one number for each component. require_value throws where value_problem() has one.
+std::vector<double> components(JsonObject& object, const std::string& key, const ParameterField& field);
+void require_value(JsonObject& object, const std::string& key, const ParameterField& field,
+                   const std::vector<double>& components);
 
 }  // namespace penumbra::techniques

@@ -1,6 +1,8 @@
 #include "techniques/technique_call.h"
 
 #include <cctype>
+#include <functional>
+#include <set>
 #include <stdexcept>
 
 #include "techniques/parameter_packing.h"
@@ -22,7 +24,44 @@ std::string argument_expression(const std::string& argument) {
   return argument_name(argument);
 }
 
+using UniformName = std::function<std::string(const ParameterStruct&, std::size_t)>;
+
+// Declares what is not declared yet, and gives the call.
+class CallWriter {
+ public:
+  CallWriter(const TechniqueList& list, TechniqueCall& call) : list_(list), call_(call) {}
+
+  std::string expression(const FilterCall& filter, const UniformName& name) {
+    if (included_.insert(filter.file).second) call_.includes += "#include \"" + filter.file + "\"\n";
+    std::string arguments;
+    for (const std::string& argument : filter.arguments) {
+      if (declared_.insert(argument).second) call_.declarations += argument_declaration(argument);
+      arguments += argument_expression(argument) + ", ";
+    }
+    arguments += "receiver, tile";
+    if (const ParameterStruct* parameters = list_.find_struct(filter.parameters)) {
+      std::string vectors;
+      for (std::size_t i = 0; i < vector_count(*parameters); ++i) {
+        call_.declarations += "float4 " + name(*parameters, i) + ";\n";
+        vectors += (i == 0 ? "" : ", ") + name(*parameters, i);
+      }
+      arguments += ", Unpack" + parameters->name + "(" + vectors + ")";
+    }
+    return filter.function + "(" + arguments + ")";
+  }
+
+ private:
+  const TechniqueList& list_;
+  TechniqueCall& call_;
+  std::set<std::string> included_;
+  std::set<std::string> declared_;  // arguments
+};
+
 }  // namespace
+
+std::string uniform_name(const ParameterStruct& parameters, std::size_t vector, const CascadeRule& rule) {
+  return uniform_name(parameters, vector) + "From" + std::to_string(rule.from);
+}
 
 std::string argument_name(const std::string& texture) {
   std::string name = texture;
@@ -34,23 +73,19 @@ TechniqueCall emit_technique_call(const TechniqueList& list, const Technique& te
   const FilterCall* filter = technique.graph.filter();
   if (filter == nullptr) throw std::invalid_argument("'" + technique.name + "' calls no filter");
   TechniqueCall call;
-  call.includes = "#include \"" + filter->file + "\"\n";
-  std::string arguments;
-  for (const std::string& argument : filter->arguments) {
-    call.declarations += argument_declaration(argument);
-    arguments += argument_expression(argument) + ", ";
+  CallWriter writer(list, call);
+  const std::string first = writer.expression(
+      *filter, [](const ParameterStruct& parameters, std::size_t i) { return uniform_name(parameters, i); });
+  std::string branches;
+  for (const CascadeRule& rule : technique.cascades) {
+    const auto name = [&](const ParameterStruct& parameters, std::size_t i) {
+      return uniform_name(parameters, i, rule);
+    };
+    const std::string value = writer.expression(rule.filter, name);
+    branches.insert(0, "    if (cascade >= " + std::to_string(rule.from) + ") return " + value + ";\n");
   }
-  arguments += "receiver, tile";
-  if (const ParameterStruct* parameters = list.find_struct(filter->parameters)) {
-    std::string vectors;
-    for (std::size_t i = 0; i < vector_count(*parameters); ++i) {
-      call.declarations += "float4 " + uniform_name(*parameters, i) + ";\n";
-      vectors += (i == 0 ? "" : ", ") + uniform_name(*parameters, i);
-    }
-    arguments += ", Unpack" + parameters->name + "(" + vectors + ")";
-  }
-  call.function = "float ResolveTechnique(ShadowReceiver receiver, ShadowTile tile)\n{\n    return " +
-                  filter->function + "(" + arguments + ");\n}\n";
+  call.function = "float ResolveTechnique(ShadowReceiver receiver, ShadowTile tile, int cascade)\n{\n" +
+                  branches + "    return " + first + ";\n}\n";
   return call;
 }
 

@@ -55,26 +55,36 @@ Json of(const GraphPass& pass) {
           {"function", pass.filter ? pass.filter->function : ""}};
 }
 
-Json of(const Technique& technique) {
+Json of(const std::map<std::string, std::vector<double>>& numbers_by_field) {
   Json values = Json::object();
-  for (const auto& [field, numbers] : technique.values) {
+  for (const auto& [field, numbers] : numbers_by_field) {
     if (numbers.size() == 1)
       values[field] = numbers.front();
     else
       values[field] = numbers;
   }
+  return values;
+}
+
+Json of(const Technique& technique) {
   Json textures = Json::array();
   for (const GraphTexture& texture : technique.graph.textures) textures.push_back(of(texture));
   Json passes = Json::array();
   for (const GraphPass& pass : technique.graph.passes) passes.push_back(of(pass));
-  return {{"name", technique.name},
-          {"title", technique.title},
-          {"family", technique.family},
-          {"source", technique.source},
-          {"keywords", technique.all_keywords()},
-          {"values", std::move(values)},
-          {"textures", std::move(textures)},
-          {"passes", std::move(passes)}};
+  Json json{{"name", technique.name},
+            {"title", technique.title},
+            {"family", technique.family},
+            {"source", technique.source},
+            {"keywords", technique.all_keywords()},
+            {"values", of(technique.values)},
+            {"textures", std::move(textures)},
+            {"passes", std::move(passes)}};
+  for (const CascadeRule& rule : technique.cascades)
+    json["cascades"].push_back({{"from", rule.from},
+                                {"technique", rule.technique},
+                                {"function", rule.filter.function},
+                                {"values", of(rule.values)}});
+  return json;
 }
 
 }  // namespace

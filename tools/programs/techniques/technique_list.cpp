@@ -38,6 +38,11 @@ std::vector<std::string> Technique::all_keywords() const {
   return all;
 }
 
+bool Technique::is_sampled() const {
+  return !unlimited.empty() || std::any_of(cascades.begin(), cascades.end(),
+                                           [](const CascadeRule& rule) { return !rule.unlimited.empty(); });
+}
+
 const Technique& TechniqueList::find(const std::string& name) const {
   std::vector<std::string> known;
   for (const Technique& technique : techniques) {

@@ -24,6 +24,18 @@ struct TechniqueBias {
   bool operator==(const TechniqueBias&) const = default;
 };
 
+// What holds from a cascade on, up to the next rule: other values of the technique's parameters, or another
+// technique's filter with its own.
+struct CascadeRule {
+  int from = 1;                                       // index of the first cascade
+  std::string technique;                              // whose filter it is; empty: the same one
+  FilterCall filter;                                  // of that technique
+  std::map<std::string, std::vector<double>> values;  // of the same filter only those that differ
+  std::map<std::string, double> unlimited;            // as in Technique
+};
+
+inline constexpr int most_cascades = 4;  // of URP's main light
+
 struct Technique {
   std::string name;    // for example pcss-angular-24-16
   std::string title;   // for tables
@@ -35,12 +47,14 @@ struct Technique {
   std::vector<std::string> keywords;                   // that this technique switches on
   std::vector<std::vector<std::string>> keyword_sets;  // every set validate compiles
   std::map<std::string, double> unlimited;             // fields to override for T3
+  std::vector<CascadeRule> cascades;                   // by rising index; empty: all cascades are alike
   std::map<std::string, std::string> targets_absent;   // target -> reason
   std::string where;                                   // file:line:column of its name
 
   // The file that reports name: of its filter, or where it runs over the screen of its last pass.
   const std::string& file() const;
   std::vector<std::string> all_keywords() const;  // its own, then its graph's
+  bool is_sampled() const;                        // has unlimited values, in some cascade at least
 };
 
 // How a light looks, whatever technique draws its shadows: an artist's choice beside the quality presets.

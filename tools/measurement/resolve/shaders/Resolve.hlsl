@@ -1,7 +1,7 @@
 // Evaluates one shadow function at every receiver of a frame.
 //
 // Stands after the platform macros and the technique (or the user's file), which define
-//   float ResolveTechnique(ShadowReceiver receiver, ShadowTile tile)            a technique
+//   float ResolveTechnique(ShadowReceiver receiver, ShadowTile tile, int cascade)     a technique
 //   float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)    with PENUMBRA_ADAPTER
 //
 // Inputs: receivers in world space, metres; cascade constants as URP uploads them. Receivers with w = 0 saw no
@@ -52,7 +52,7 @@ float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
     tile.depthPerMetre = _PenumbraTileScales[cascade].y;
     tile.depthToRadial = _PenumbraTileScales[cascade].z;
     tile.radialToDepth = _PenumbraTileScales[cascade].w;
-    return ResolveTechnique(receiver, tile);
+    return ResolveTechnique(receiver, tile, cascade);
 }
 #endif
 
