@@ -99,7 +99,7 @@ float4 DebugShadowTexels(ScreenVaryings input) : SV_Target
 // Metres; 0 where nothing blocks, and on devices that cannot gather.
 float WidthOfPenumbra(PenumbraMainLight shadow)
 {
-#if defined(PENUMBRA_USES_PCSS)
+#if defined(PENUMBRA_READS_RAW_DEPTH)
     if (!shadow.covered) return 0.0;
     return PenumbraWidthAngular(TEXTURE2D_ARGS(_MainLightShadowmapTexture, sampler_PenumbraPointClamp),
                                 shadow.receiver, shadow.tile,

@@ -1,8 +1,8 @@
 // Penumbra: one comparison of the main light's shadow map, for pixels outside penumbrae.
 //
 // Computes:   the share of the four nearest texels, by bilinear weight, that do not block the receiver.
-// Source:     Filters/FixedPcf.hlsl; Filters/TexelQuad.hlsl with PCSS, because a comparison texture must not be read
-//             raw in the same program.
+// Source:     Filters/FixedPcf.hlsl; Filters/TexelQuad.hlsl beside a filter that reads raw depths, because a comparison
+//             texture must not be read raw in the same program.
 // Inputs:     PenumbraMainLight.
 // Cost:       1 fetch.
 // Guarantees: [0, 1]; 1 where no map covers the receiver. The shadow strength is not applied.
@@ -12,7 +12,7 @@
 
 #include "../ShaderLibrary/Shadows.hlsl"
 
-#if defined(PENUMBRA_USES_PCSS)
+#if defined(PENUMBRA_READS_RAW_DEPTH)
 #include "../ShaderLibrary/Filters/TexelQuad.hlsl"
 #else
 #include "../ShaderLibrary/Filters/FixedPcf.hlsl"
@@ -21,7 +21,7 @@
 float SingleTap(PenumbraMainLight shadow)
 {
     if (!shadow.covered) return 1.0;
-#if defined(PENUMBRA_USES_PCSS)
+#if defined(PENUMBRA_READS_RAW_DEPTH)
     const QuadReceiver receiver = PrepareQuads(shadow.receiver, shadow.tile);
     LightCone disc;
     disc.scales = ConeScalesOf(shadow.tile);

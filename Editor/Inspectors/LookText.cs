@@ -7,7 +7,7 @@ namespace Penumbra.Editor
     /// <summary>The looks as inspectors list them, and what is said under the list.</summary>
     internal static class LookText
     {
-        internal static readonly GUIContent Label = new GUIContent("Look", OptionTooltips.Look);
+        internal static readonly GUIContent Label = new GUIContent(OptionTable.Look.Label, OptionTable.Look.Tooltip);
 
         /// <summary>In ShadowLook's order, Custom included.</summary>
         internal static readonly string[] Names = LookTable.Rows.Select(look => look.title).Append("Custom").ToArray();

@@ -6,53 +6,55 @@ namespace Penumbra.Editor
     internal static class OptionFields
     {
         internal static readonly GUIContent Preset =
-            new GUIContent("Quality", OptionTooltips.Quality);
+            new GUIContent(OptionTable.Quality.Label, OptionTable.Quality.Tooltip);
 
         internal static readonly OptionField Technique = new OptionField(
-            nameof(ShadowOptions.technique), "Technique", OptionTooltips.Technique,
+            nameof(ShadowOptions.technique), OptionTable.Technique.Label, OptionTable.Technique.Tooltip,
             options => true, volume => volume.technique);
 
         internal static readonly OptionField AngularDiameter = new OptionField(
-            nameof(ShadowOptions.angularDiameterDegrees), "Angular Diameter", OptionTooltips.AngularDiameter,
+            nameof(ShadowOptions.angularDiameterDegrees), OptionTable.AngularDiameterDegrees.Label,
+            OptionTable.AngularDiameterDegrees.Tooltip,
             options => options.technique.TakesSamples(), volume => volume.angularDiameterDegrees);
 
         internal static readonly OptionField BlockerSamples = new OptionField(
-            nameof(ShadowOptions.blockerSamples), "Blocker Samples", OptionTooltips.BlockerSamples,
-            options => options.technique.TakesSamples(), volume => volume.blockerSamples);
+            nameof(ShadowOptions.blockerSamples), OptionTable.BlockerSamples.Label, OptionTable.BlockerSamples.Tooltip,
+            options => options.technique.Takes(nameof(ShadowOptions.blockerSamples)), volume => volume.blockerSamples);
 
         internal static readonly OptionField FilterSamples = new OptionField(
-            nameof(ShadowOptions.filterSamples), "Filter Samples", OptionTooltips.FilterSamples,
-            options => options.technique == ShadowTechnique.Pcss || options.technique == ShadowTechnique.PcssHdrp,
-            volume => volume.filterSamples);
+            nameof(ShadowOptions.filterSamples), OptionTable.FilterSamples.Label, OptionTable.FilterSamples.Tooltip,
+            options => options.technique.Takes(nameof(ShadowOptions.filterSamples)), volume => volume.filterSamples);
 
         // PCSS (Poisson) has no cap, but its mask looks no farther; HDRP's rules have a cap of their own.
         internal static readonly OptionField SoftnessCap = new OptionField(
-            nameof(ShadowOptions.softnessCapMetres), "Softness Cap", OptionTooltips.SoftnessCap,
+            nameof(ShadowOptions.softnessCapMetres), OptionTable.SoftnessCapMetres.Label,
+            OptionTable.SoftnessCapMetres.Tooltip,
             options => options.SamplesPenumbrae &&
-                       (options.technique == ShadowTechnique.Pcss ||
+                       (options.technique.Takes(nameof(ShadowOptions.softnessCapMetres)) ||
                         (options.technique == ShadowTechnique.PcssPoisson && options.mask)),
             volume => volume.softnessCapMetres);
 
         internal static readonly OptionField MinFilter = new OptionField(
-            nameof(ShadowOptions.minFilterTexels), "Min Filter", OptionTooltips.MinFilter,
-            options => options.technique == ShadowTechnique.Pcss || options.technique == ShadowTechnique.PcssPoisson,
+            nameof(ShadowOptions.minFilterTexels), OptionTable.MinFilterTexels.Label,
+            OptionTable.MinFilterTexels.Tooltip,
+            options => options.technique.Takes(nameof(ShadowOptions.minFilterTexels)),
             null);
 
         internal static readonly OptionField Mask = new OptionField(
-            nameof(ShadowOptions.mask), "Mask", OptionTooltips.Mask,
+            nameof(ShadowOptions.mask), OptionTable.Mask.Label, OptionTable.Mask.Tooltip,
             options => options.SamplesPenumbrae, volume => volume.mask);
 
         internal static readonly OptionField HalfResolution = new OptionField(
-            nameof(ShadowOptions.halfResolution), "Half Resolution", OptionTooltips.HalfResolution,
+            nameof(ShadowOptions.halfResolution), OptionTable.HalfResolution.Label, OptionTable.HalfResolution.Tooltip,
             options => true, volume => volume.halfResolution);
 
         internal static readonly OptionField Denoise = new OptionField(
-            nameof(ShadowOptions.denoise), "Denoise", OptionTooltips.Denoise,
+            nameof(ShadowOptions.denoise), OptionTable.Denoise.Label, OptionTable.Denoise.Tooltip,
             options => options.SamplesPenumbrae, volume => volume.denoise);
 
         /// <summary>Beside the options: of no preset, and the feature's own where no Volume overrides it.</summary>
         internal static readonly OptionField DebugView = new OptionField(
-            nameof(ShadowOptions.debugView), "Debug View", OptionTooltips.DebugView,
+            nameof(ShadowOptions.debugView), OptionTable.DebugView.Label, OptionTable.DebugView.Tooltip,
             options => true, volume => volume.debugView);
 
         internal static readonly OptionField[] All =

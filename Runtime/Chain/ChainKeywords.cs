@@ -6,7 +6,7 @@ namespace Penumbra
     internal static class ChainKeywords
     {
         /// <summary>All that a pass of the shader may declare.</summary>
-        internal static readonly IReadOnlyList<string> All = Of(TechniqueKeywords.Names, ShadowPassList.All);
+        internal static readonly IReadOnlyList<string> All = Of(TechniqueTable.Keywords, ShadowPassList.All);
 
         /// <summary>The ones there are; null stands for none.</summary>
         internal static List<string> Of(IEnumerable<string> techniques, IEnumerable<ShadowPass> passes)

@@ -75,7 +75,7 @@ namespace Penumbra
                 pass.AddSteps(chain, options);
             }
             chain.Finish();
-            chain.keywords = ChainKeywords.Of(new[] { TechniqueKeywords.Names[(int)options.technique] }, chain.passes);
+            chain.keywords = ChainKeywords.Of(new[] { TechniqueTable.Keywords[(int)options.technique] }, chain.passes);
             return chain;
         }
 

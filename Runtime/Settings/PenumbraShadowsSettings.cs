@@ -7,16 +7,16 @@ namespace Penumbra
     [Serializable]
     public sealed class PenumbraShadowsSettings
     {
-        [Tooltip(OptionTooltips.Quality)]
+        [Tooltip(OptionTable.Quality.Tooltip)]
         public QualityPreset preset = QualityPreset.Medium;
 
         /// <summary>Full angle of the light's disc in degrees, for every preset but Custom.</summary>
-        [Tooltip(OptionTooltips.AngularDiameter)]
+        [Tooltip(OptionTable.AngularDiameterDegrees.Tooltip)]
         [Range(0.0f, 30.0f)]
         public float angularDiameterDegrees = AngularDiameter.SunDegrees;
 
         /// <summary>Widest penumbra in metres, for every preset but Custom.</summary>
-        [Tooltip(OptionTooltips.SoftnessCap)]
+        [Tooltip(OptionTable.SoftnessCapMetres.Tooltip)]
         [Range(0.0f, 100.0f)]
         public float softnessCapMetres = 100.0f;
 
@@ -34,7 +34,7 @@ namespace Penumbra
         [Tooltip("Draws these shadows in realtime reflection probes too: six pictures each, seldom worth it.")]
         public bool reflectionProbes;
 
-        [Tooltip(OptionTooltips.DebugView)]
+        [Tooltip(OptionTable.DebugView.Tooltip)]
         public DebugView debugView;
 
         /// <summary>

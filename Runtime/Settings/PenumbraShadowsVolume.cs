@@ -19,35 +19,40 @@ namespace Penumbra
 #endif
     public sealed class PenumbraShadowsVolume : VolumeComponent
     {
-        [Tooltip(OptionTooltips.Quality)]
+        [Tooltip(OptionTable.Quality.Tooltip)]
         public QualityPresetParameter preset = new QualityPresetParameter(QualityPreset.Medium);
 
-        [Tooltip(OptionTooltips.AngularDiameter)]
+        [Tooltip(OptionTable.AngularDiameterDegrees.Tooltip)]
         public ClampedFloatParameter angularDiameterDegrees =
-            new ClampedFloatParameter(AngularDiameter.SunDegrees, 0.0f, 30.0f);
+            new ClampedFloatParameter(AngularDiameter.SunDegrees, OptionTable.AngularDiameterDegrees.Min,
+                                      OptionTable.AngularDiameterDegrees.Max);
 
-        [Tooltip(OptionTooltips.Technique)]
+        [Tooltip(OptionTable.Technique.Tooltip)]
         public ShadowTechniqueParameter technique = new ShadowTechniqueParameter(ShadowTechnique.Pcss);
 
-        [Tooltip(OptionTooltips.BlockerSamples)]
-        public ClampedIntParameter blockerSamples = new ClampedIntParameter(12, 1, 64);
+        [Tooltip(OptionTable.BlockerSamples.Tooltip)]
+        public ClampedIntParameter blockerSamples = new ClampedIntParameter(12, OptionTable.BlockerSamples.Min,
+                                                                            OptionTable.BlockerSamples.Max);
 
-        [Tooltip(OptionTooltips.FilterSamples)]
-        public ClampedIntParameter filterSamples = new ClampedIntParameter(8, 1, 64);
+        [Tooltip(OptionTable.FilterSamples.Tooltip)]
+        public ClampedIntParameter filterSamples = new ClampedIntParameter(8, OptionTable.FilterSamples.Min,
+                                                                           OptionTable.FilterSamples.Max);
 
-        [Tooltip(OptionTooltips.SoftnessCap)]
-        public ClampedFloatParameter softnessCapMetres = new ClampedFloatParameter(100.0f, 0.0f, 100.0f);
+        [Tooltip(OptionTable.SoftnessCapMetres.Tooltip)]
+        public ClampedFloatParameter softnessCapMetres = new ClampedFloatParameter(100.0f,
+                                                                                   OptionTable.SoftnessCapMetres.Min,
+                                                                                   OptionTable.SoftnessCapMetres.Max);
 
-        [Tooltip(OptionTooltips.Mask)]
+        [Tooltip(OptionTable.Mask.Tooltip)]
         public BoolParameter mask = new BoolParameter(true);
 
-        [Tooltip(OptionTooltips.HalfResolution)]
+        [Tooltip(OptionTable.HalfResolution.Tooltip)]
         public BoolParameter halfResolution = new BoolParameter(false);
 
-        [Tooltip(OptionTooltips.Denoise)]
+        [Tooltip(OptionTable.Denoise.Tooltip)]
         public BoolParameter denoise = new BoolParameter(true);
 
-        [Tooltip(OptionTooltips.DebugView)]
+        [Tooltip(OptionTable.DebugView.Tooltip)]
         public DebugViewParameter debugView = new DebugViewParameter(DebugView.None);
 
         /// <summary>

@@ -10,44 +10,44 @@ namespace Penumbra
     [Serializable]
     public struct ShadowOptions : IEquatable<ShadowOptions>
     {
-        [Tooltip(OptionTooltips.Technique)]
+        [Tooltip(OptionTable.Technique.Tooltip)]
         public ShadowTechnique technique;
 
         /// <summary>Full angle of the light's disc, 0 to 30; the sun's is 0.53. Penumbrae widen with it.</summary>
-        [Tooltip(OptionTooltips.AngularDiameter)]
-        [Range(0.0f, 30.0f)]
+        [Tooltip(OptionTable.AngularDiameterDegrees.Tooltip)]
+        [Range(OptionTable.AngularDiameterDegrees.Min, OptionTable.AngularDiameterDegrees.Max)]
         public float angularDiameterDegrees;
 
         /// <summary>Samples that look for blockers, 1 to 64. PCSS (Poisson) takes this many in both loops.</summary>
-        [Tooltip(OptionTooltips.BlockerSamples)]
-        [Range(1, 64)]
+        [Tooltip(OptionTable.BlockerSamples.Tooltip)]
+        [Range(OptionTable.BlockerSamples.Min, OptionTable.BlockerSamples.Max)]
         public int blockerSamples;
 
         /// <summary>Samples of the filter, 1 to 64.</summary>
-        [Tooltip(OptionTooltips.FilterSamples)]
-        [Range(1, 64)]
+        [Tooltip(OptionTable.FilterSamples.Tooltip)]
+        [Range(OptionTable.FilterSamples.Min, OptionTable.FilterSamples.Max)]
         public int filterSamples;
 
         /// <summary>Widest penumbra, full width, 0 to 100: what is wider is cut short, and costs less to look for.</summary>
-        [Tooltip(OptionTooltips.SoftnessCap)]
-        [Range(0.0f, 100.0f)]
+        [Tooltip(OptionTable.SoftnessCapMetres.Tooltip)]
+        [Range(OptionTable.SoftnessCapMetres.Min, OptionTable.SoftnessCapMetres.Max)]
         public float softnessCapMetres;
 
         /// <summary>Smallest filter radius in shadow-map texels, 0 to 8: hides the texels of contacts.</summary>
-        [Tooltip(OptionTooltips.MinFilter)]
-        [Range(0.0f, 8.0f)]
+        [Tooltip(OptionTable.MinFilterTexels.Tooltip)]
+        [Range(OptionTable.MinFilterTexels.Min, OptionTable.MinFilterTexels.Max)]
         public float minFilterTexels;
 
         /// <summary>Full filter only where the mask finds a penumbra; one look at the shadow map elsewhere.</summary>
-        [Tooltip(OptionTooltips.Mask)]
+        [Tooltip(OptionTable.Mask.Tooltip)]
         public bool mask;
 
         /// <summary>Resolve a quarter of the pixels and fill in the rest along edges.</summary>
-        [Tooltip(OptionTooltips.HalfResolution)]
+        [Tooltip(OptionTable.HalfResolution.Tooltip)]
         public bool halfResolution;
 
         /// <summary>Blur the noise of the samples away without crossing edges.</summary>
-        [Tooltip(OptionTooltips.Denoise)]
+        [Tooltip(OptionTable.Denoise.Tooltip)]
         public bool denoise;
 
         /// <summary>
@@ -81,11 +81,18 @@ namespace Penumbra
         public ShadowOptions Clamped()
         {
             ShadowOptions options = this;
-            options.angularDiameterDegrees = Mathf.Clamp(FiniteOr(angularDiameterDegrees, 0.53f), 0.0f, 30.0f);
-            options.blockerSamples = Mathf.Clamp(blockerSamples, 1, 64);
-            options.filterSamples = Mathf.Clamp(filterSamples, 1, 64);
-            options.softnessCapMetres = Mathf.Clamp(FiniteOr(softnessCapMetres, 100.0f), 0.0f, 100.0f);
-            options.minFilterTexels = Mathf.Clamp(FiniteOr(minFilterTexels, 1.0f), 0.0f, 8.0f);
+            options.angularDiameterDegrees = Mathf.Clamp(FiniteOr(angularDiameterDegrees, 0.53f),
+                                                                  OptionTable.AngularDiameterDegrees.Min,
+                                                         OptionTable.AngularDiameterDegrees.Max);
+            options.blockerSamples = Mathf.Clamp(blockerSamples, OptionTable.BlockerSamples.Min,
+                                                 OptionTable.BlockerSamples.Max);
+            options.filterSamples = Mathf.Clamp(filterSamples, OptionTable.FilterSamples.Min,
+                                                OptionTable.FilterSamples.Max);
+            options.softnessCapMetres = Mathf.Clamp(FiniteOr(softnessCapMetres, 100.0f),
+                                                             OptionTable.SoftnessCapMetres.Min,
+                                                    OptionTable.SoftnessCapMetres.Max);
+            options.minFilterTexels = Mathf.Clamp(FiniteOr(minFilterTexels, 1.0f), OptionTable.MinFilterTexels.Min,
+                                                  OptionTable.MinFilterTexels.Max);
             return options;
         }
 

@@ -220,7 +220,7 @@ float PenumbraHdrpVisibility(float3 positionRWS, float3 normalWS, float2 pixel)
 {
     const PenumbraHdrpLight light = PreparePenumbraHdrpLight(positionRWS, normalWS, pixel);
     if (!light.covered) return 1.0;
-#if defined(PENUMBRA_USES_PCSS) && defined(_PENUMBRA_PCSS_HDRP)
+#if defined(PENUMBRA_USES_PCSS_HDRP)
     const float visibility =
         FilterPcssHdrp(TEXTURE2D_SHADOW_ARGS(_ShadowmapCascadeAtlas, sampler_PenumbraLinearClampCompare),
                        sampler_PenumbraPointClamp, light.receiver, light.tile, light.pcss);

@@ -69,7 +69,7 @@ TEST(TechniqueEnum, ItsKeywordsAreTheLibrarysAndTheFirstIsTheOneWithout) {
 
 TEST(TechniqueEnum, HasAnEntryForEveryTechniqueOfTheRendererFeature) {
   const std::string settings = text_of("Runtime/Settings/ShadowTechnique.cs");
-  const std::string names = first_match(settings, R"re(Names =\s*\{([^}]*)\})re");
+  const std::string names = first_match(settings, R"re(Keywords =\s*\{([^}]*)\})re");
   const std::vector<std::string> keywords = keywords_of_enum();
   EXPECT_EQ(split(names, '"').size() / 2 + 1, keywords.size());
   for (std::size_t i = 1; i < keywords.size(); ++i) {

@@ -9,9 +9,12 @@
 #include "input/input_error.h"
 #include "shaders/shader_files.h"
 #include "techniques/look_emit.h"
+#include "techniques/option_emit.h"
 #include "techniques/packing_cases.h"
 #include "techniques/parameter_emit.h"
 #include "techniques/preset_emit.h"
+#include "techniques/selection_emit.h"
+#include "techniques/selection_hlsl.h"
 #include "techniques/technique_call.h"
 #include "techniques/technique_json.h"
 
@@ -332,7 +335,8 @@ TEST_F(TechniqueListTest, ATechniqueMayDifferFromACascadeOn) {
       "FilterBox(TEXTURE2D_SHADOW_ARGS(_ShadowMap, sampler_ShadowMap), receiver, tile, UnpackBoxParameters(";
   EXPECT_EQ(call.function,
             "float ResolveTechnique(ShadowReceiver receiver, ShadowTile tile, int cascade)\n{\n"
-            "    if (cascade >= 3) return FilterPlain(TEXTURE2D_SHADOW_ARGS(_ShadowMap, sampler_ShadowMap), receiver, tile);\n"
+            "    if (cascade >= 3) return FilterPlain(TEXTURE2D_SHADOW_ARGS(_ShadowMap, sampler_ShadowMap), "
+            "receiver, tile);\n"
             "    if (cascade >= 1) return " +
                 box +
                 "_PenumbraBoxParameters0From1));\n"
@@ -394,6 +398,16 @@ TEST(LibraryTechniques, CheckedInPackingCasesAreTheEmittedOnes) {
 TEST(LibraryTechniques, CheckedInPresetsAreTheEmittedOnes) {
   EXPECT_EQ(checked_in("Runtime/Settings/PresetTable.cs"), emit_presets_csharp(library()))
       << "write it anew: penumbra validate --emit-presets Runtime/Settings/PresetTable.cs";
+}
+
+TEST(LibraryTechniques, CheckedInSelectionsAndOptionsAreTheEmittedOnes) {
+  const TechniqueList list = library();
+  EXPECT_EQ(checked_in("ShaderLibrary/Pipelines/TechniqueByKeyword.hlsl"), emit_keywords_hlsl(list))
+      << "write it anew: penumbra validate --emit-keywords ShaderLibrary/Pipelines/TechniqueByKeyword.hlsl";
+  EXPECT_EQ(checked_in("Runtime/Settings/ShadowTechnique.cs"), emit_selections_csharp(list))
+      << "write it anew: penumbra validate --emit-selections Runtime/Settings/ShadowTechnique.cs";
+  EXPECT_EQ(checked_in("Runtime/Settings/OptionTable.cs"), emit_options_csharp(list))
+      << "write it anew: penumbra validate --emit-options Runtime/Settings/OptionTable.cs";
 }
 
 TEST(LibraryTechniques, CheckedInLooksAreTheEmittedOnes) {

@@ -10,10 +10,13 @@
 #include "input/input_error.h"
 #include "shaders/package_shader.h"
 #include "techniques/look_emit.h"
+#include "techniques/option_emit.h"
 #include "techniques/packing_cases.h"
 #include "techniques/parameter_emit.h"
 #include "techniques/preset_emit.h"
 #include "techniques/preset_programs.h"
+#include "techniques/selection_emit.h"
+#include "techniques/selection_hlsl.h"
 #include "techniques/technique_json.h"
 
 namespace penumbra::cli {
@@ -34,11 +37,18 @@ std::string programs(const techniques::TechniqueList& list) {
   return techniques::preset_programs_json(list, shaders::PackageShader(shaders::package_shader_file()));
 }
 
-const std::array<EmittedFile, 5>& emitted_files() {
-  static const std::array<EmittedFile, 5> files{
+const std::array<EmittedFile, 8>& emitted_files() {
+  static const std::array<EmittedFile, 8> files{
       {{"--emit-presets", &EmittedFiles::presets, "The quality presets as C#",
         techniques::emit_presets_csharp},
        {"--emit-looks", &EmittedFiles::looks, "The looks as C#", techniques::emit_looks_csharp},
+       {"--emit-keywords", &EmittedFiles::keywords,
+        "The include file that selects a technique by shader keyword, as HLSL",
+        techniques::emit_keywords_hlsl},
+       {"--emit-selections", &EmittedFiles::selections, "The techniques of the renderer feature as C#",
+        techniques::emit_selections_csharp},
+       {"--emit-options", &EmittedFiles::options, "Labels, tooltips and ranges of its options as C#",
+        techniques::emit_options_csharp},
        {"--emit-techniques", &EmittedFiles::techniques,
         "The techniques with all defaults, passes and textures, as JSON", techniques::techniques_json},
        {"--emit-packing", &EmittedFiles::packing,

@@ -13,6 +13,9 @@ struct EmittedFiles {
   std::string parameters;  // a folder
   std::string presets;
   std::string looks;
+  std::string keywords;
+  std::string selections;
+  std::string options;
   std::string techniques;
   std::string packing;
   std::string programs;

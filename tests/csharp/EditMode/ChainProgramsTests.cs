@@ -46,7 +46,7 @@ namespace Penumbra.Tests
                     yield return (pass, new string[0]);
                     continue;
                 }
-                foreach (string technique in TechniqueKeywords.Names)
+                foreach (string technique in TechniqueTable.Keywords)
                     foreach (string mask in new[] { null, MaskPass.KeywordName })
                         yield return (pass, new[] { technique, mask }.Where(name => name != null).ToArray());
             }

@@ -167,7 +167,7 @@ namespace Penumbra.Tests
 
         [Test]
         public void TheKeywordsAreTheTechniquesAndThePasses() =>
-            Assert.That(ChainKeywords.All, Is.EquivalentTo(TechniqueKeywords.Names.Where(name => name != null)
+            Assert.That(ChainKeywords.All, Is.EquivalentTo(TechniqueTable.Keywords.Where(name => name != null)
                                                                .Append("_PENUMBRA_MASK")));
 
         private sealed class WithoutVisibility : ShadowPass

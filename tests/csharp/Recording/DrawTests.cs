@@ -89,7 +89,7 @@ namespace Penumbra.Tests
                 Use(options);
                 urp.Device.Draws.Clear();
                 urp.Render(new FakeScene(), feature);
-                string keyword = TechniqueKeywords.Names[(int)technique];
+                string keyword = TechniqueTable.Keywords[(int)technique];
                 Assert.That(Draw("Resolve").Keywords,
                             Is.EqualTo(keyword == null ? new string[0] : new[] { keyword }), technique.ToString());
             }

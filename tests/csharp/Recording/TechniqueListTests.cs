@@ -119,7 +119,7 @@ namespace Penumbra.Tests
             options.halfResolution = true;
             foreach (ChainStep step in ShadowChain.Of(options, ShadowPassList.All).Steps)
                 Assert.That(shader, Does.Contain("Name \"" + step.shaderPass + "\""));
-            foreach (string keyword in TechniqueKeywords.Names.Where(name => name != null))
+            foreach (string keyword in TechniqueTable.Keywords.Where(name => name != null))
                 Assert.That(shader, Does.Contain(" " + keyword));
         }
     }

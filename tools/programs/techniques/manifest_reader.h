@@ -19,9 +19,11 @@ struct Manifest {
 // Throws InputError with file:line:column, as all of this file does.
 Manifest open_manifest(const std::filesystem::path& file);
 
-// Adds what the manifest has to the list. All manifests' structs come before the first's techniques.
+// Adds what the manifest has to the list. All manifests' structs and options come before the first's
+// techniques.
 void add_structs(const Manifest& manifest, TechniqueList& list);
-void add_techniques(const Manifest& manifest, TechniqueList& list);  // and its looks
+void add_options(const Manifest& manifest, TechniqueList& list);
+void add_techniques(const Manifest& manifest, TechniqueList& list);  // and its looks and selections
 
 // What several readers of a manifest's objects need.
 std::string required_text(JsonObject& object, const std::string& key);
@@ -32,6 +34,7 @@ std::string required_name(JsonObject& object);  // "name": what commands and fil
 void require_known(JsonObject& object, const std::string& key, const std::string& what,
                    const std::string& name, const std::vector<std::string>& known);
 void add_looks(JsonObject& root, TechniqueList& list);
+void add_selections(JsonObject& root, TechniqueList& list);  // after the techniques
 
 // A parameter's value: one number for each component. require_value throws where value_problem() has one.
 std::vector<double> components(JsonObject& object, const std::string& key, const ParameterField& field);

@@ -1,8 +1,6 @@
 #include "techniques/preset_emit.h"
 
 #include <algorithm>
-#include <array>
-#include <utility>
 
 #include "input/input_error.h"
 #include "techniques/csharp_literal.h"
@@ -27,23 +25,15 @@ constexpr const char* preset_table_end = R"(        };
 }
 )";
 
-// By the keyword that a technique switches on; without one the shader filters by the tent of 5 x 5.
-constexpr std::array<std::pair<const char*, const char*>, 6> techniques{
-    {{"", "Tent5x5"},
-     {"_PENUMBRA_TENT_3X3", "Tent3x3"},
-     {"_PENUMBRA_TENT_7X7", "Tent7x7"},
-     {"_PENUMBRA_PCSS", "Pcss"},
-     {"_PENUMBRA_PCSS_POISSON", "PcssPoisson"},
-     {"_PENUMBRA_PCSS_HDRP", "PcssHdrp"}}};
-
-std::string technique_of(const Technique& preset) {
+std::string technique_of(const TechniqueList& list, const Technique& preset) {
   const std::string keyword = preset.keywords.empty() ? "" : preset.keywords.front();
-  const auto* found = std::find_if(techniques.begin(), techniques.end(),
-                                   [&](const auto& technique) { return keyword == technique.first; });
-  if (found == techniques.end() || preset.keywords.size() > 1)
+  const auto found = std::find_if(
+      list.selections.begin(), list.selections.end(),
+      [&](const Selection& selection) { return selection.value && selection.keyword == keyword; });
+  if (found == list.selections.end() || preset.keywords.size() > 1)
     throw InputError(preset.where,
                      "the renderer feature has no technique for the keywords of '" + preset.name + "'");
-  return found->second;
+  return found->name;
 }
 
 std::string value_or(const Technique& preset, const char* field, const std::string& otherwise) {
@@ -53,13 +43,13 @@ std::string value_or(const Technique& preset, const char* field, const std::stri
   return otherwise.ends_with("f") ? csharp_float(value) : std::to_string(static_cast<int>(value));
 }
 
-std::string row(const Technique& preset) {
+std::string row(const TechniqueList& list, const Technique& preset) {
   const auto flag = [](bool on) { return std::string(on ? "true" : "false"); };
   std::string text = "            new ShadowOptions  // " + preset.title + "\n            {\n";
   const auto set = [&](const std::string& field, const std::string& value) {
     text.append("                ").append(field).append(" = ").append(value).append(",\n");
   };
-  set("technique", "ShadowTechnique." + technique_of(preset));
+  set("technique", "ShadowTechnique." + technique_of(list, preset));
   set("angularDiameterDegrees", "AngularDiameter.SunDegrees");
   set("blockerSamples", value_or(preset, "blockerSamples", "1"));
   set("filterSamples", value_or(preset, "filterSamples", "1"));
@@ -81,7 +71,7 @@ std::string row(const Technique& preset) {
 std::string emit_presets_csharp(const TechniqueList& list) {
   std::string text = preset_table_begin;
   for (const Technique& technique : list.techniques)
-    if (technique.name.starts_with(preset_prefix)) text += row(technique);
+    if (technique.name.starts_with(preset_prefix)) text += row(list, technique);
   return text + preset_table_end;
 }
 

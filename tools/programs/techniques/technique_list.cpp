@@ -100,6 +100,7 @@ TechniqueList read_technique_list(const fs::path& package_or_manifest) {
   std::stable_sort(manifests.begin(), manifests.end(),
                    [](const Manifest& a, const Manifest& b) { return a.order < b.order; });
   for (const Manifest& manifest : manifests) add_structs(manifest, list);
+  for (const Manifest& manifest : manifests) add_options(manifest, list);
   for (const Manifest& manifest : manifests) add_techniques(manifest, list);
   if (list.techniques.empty())
     throw InputError(package_or_manifest.string(), "there are no techniques",

@@ -12,6 +12,7 @@
 
 #include "techniques/parameter_struct.h"
 #include "techniques/pass_graph.h"
+#include "techniques/selection.h"
 
 namespace penumbra::techniques {
 
@@ -71,6 +72,8 @@ struct TechniqueList {
   std::vector<ParameterStruct> structs;
   std::vector<Technique> techniques;
   std::vector<Look> looks;
+  std::vector<FeatureOption> options;  // in the order in which inspectors show them
+  std::vector<Selection> selections;
 
   const Technique& find(const std::string& name) const;  // throws InputError with the nearest name
   const ParameterStruct* find_struct(const std::string& name) const;

@@ -241,7 +241,7 @@ class TechniqueReader {
 
 void add_techniques(const Manifest& manifest, TechniqueList& list) {
   JsonObject root(manifest.document);
-  for (const char* key : {"order", "structs", "defaults"}) root.has(key);  // read elsewhere
+  for (const char* key : {"order", "structs", "options", "defaults"}) root.has(key);  // read elsewhere
   const ManifestFiles files(manifest.file, list.package);
   std::map<std::string, PassGraph> graphs;
   for (JsonObject& object : root.objects("graphs")) {
@@ -260,6 +260,7 @@ void add_techniques(const Manifest& manifest, TechniqueList& list) {
     list.techniques.push_back(std::move(technique));
   }
   reader.finish();
+  add_selections(root, list);
   add_looks(root, list);
   root.finish();
 }

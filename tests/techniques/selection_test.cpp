@@ -1,0 +1,156 @@
+// What manifests say of the shader keywords and of the renderer feature's options, and what is emitted of it.
+#include "techniques/selection.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "input/input_error.h"
+#include "shaders/shader_files.h"
+#include "techniques/option_emit.h"
+#include "techniques/selection_emit.h"
+#include "techniques/selection_hlsl.h"
+#include "techniques/technique_list.h"
+
+namespace penumbra::techniques {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr const char* ring_manifest = R"({
+  "structs": [{"name": "RingParameters", "doc": "A ring.", "fields": [
+    {"name": "taps", "type": "int", "unit": "taps", "doc": "on it", "default": 8}]}],
+  "options": [
+    {"name": "ringTaps", "type": "int", "label": "Taps", "range": [4, 32], "tooltip": "On the ring, 4 to 32."},
+    {"name": "ringWidth", "type": "float", "label": "Width", "range": [0, 2], "tooltip": "Of the ring \"as is\"."},
+    {"name": "quiet", "type": "bool", "label": "Quiet", "tooltip": "Says nothing."}],
+  "defaults": {"family": "ring", "source": "Nobody 1900"},
+  "techniques": [
+    {"name": "plain", "title": "Plain", "filter": {"file": "Ring.hlsl", "function": "FilterPlain"}},
+    {"name": "wide", "title": "Wide", "filter": {"file": "Ring.hlsl", "function": "FilterWide"}},
+    {"name": "ring", "title": "Ring", "unlimited": {"taps": 99},
+     "filter": {"file": "Ring.hlsl", "function": "FilterRing", "arguments": ["shadowMap", "pointSampler"],
+                "parameters": "RingParameters"}}],
+  "selections": [
+    {"name": "Plain", "value": 1, "title": "Plain", "doc": "One tap.", "technique": "plain"},
+    {"name": "Wide", "keyword": "_PENUMBRA_WIDE", "technique": "wide"},
+    {"name": "Ring", "value": 0, "keyword": "_PENUMBRA_RING", "technique": "ring", "fallback": "Wide",
+     "title": "Ring", "doc": "A ring.", "options": {"ringTaps": "taps"}}]
+})";
+
+class SelectionTest : public testing::Test {
+ protected:
+  SelectionTest() { files_.write("Ring.hlsl", "// ring\n"); }
+
+  TechniqueList read(const std::string& text) const {
+    return read_technique_list(files_.write("ring.technique.json", text));
+  }
+  static std::string with(const std::string& from, const std::string& to) {
+    std::string text = ring_manifest;
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return text.replace(at, from.size(), to);
+  }
+  std::string problem(const std::string& from, const std::string& to) const {
+    try {
+      const TechniqueList list = read(with(from, to));
+      emit_keywords_hlsl(list);
+      emit_selections_csharp(list);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+
+  shaders::ShaderFiles files_;
+};
+
+TEST_F(SelectionTest, TakesTheFilterOfItsTechnique) {
+  const TechniqueList list = read(ring_manifest);
+  ASSERT_EQ(list.selections.size(), 3U);
+  const Selection& ring = list.selections[2];
+  EXPECT_EQ(ring.filter.function, "FilterRing");
+  EXPECT_TRUE(ring.is_sampled);
+  EXPECT_TRUE(ring.reads_raw_depth());
+  EXPECT_EQ(ring.options, (std::map<std::string, std::string>{{"ringTaps", "taps"}}));
+  EXPECT_FALSE(list.selections[1].value);
+}
+
+TEST_F(SelectionTest, IsEmittedAsTheLadderOfKeywords) {
+  const std::string text = emit_keywords_hlsl(read(ring_manifest));
+  EXPECT_THAT(text, HasSubstr("#if defined(PENUMBRA_WITHOUT_GATHER) && \\\n    (defined(_PENUMBRA_RING))\n"
+                              "#define PENUMBRA_USES_WIDE\n"
+                              "#elif defined(_PENUMBRA_WIDE)\n#define PENUMBRA_USES_WIDE\n"
+                              "#elif defined(_PENUMBRA_RING)\n#define PENUMBRA_USES_RING\n"
+                              "#define PENUMBRA_READS_RAW_DEPTH\n#endif\n"));
+  EXPECT_THAT(text, HasSubstr("float4 _PenumbraRingParameters0;\n\nRingParameters PenumbraRing()\n{\n"
+                              "    return UnpackRingParameters(_PenumbraRingParameters0);\n}\n"));
+  EXPECT_THAT(text,
+              HasSubstr("#elif defined(PENUMBRA_USES_RING)\n"
+                        "    return FilterRing(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), "
+                        "sampler_point, receiver, tile,\n                      PenumbraRing());\n#else\n"
+                        "    return FilterPlain(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), "
+                        "receiver, tile);\n#endif\n"));
+}
+
+TEST_F(SelectionTest, IsEmittedForTheFeatureByItsValue) {
+  const std::string text = emit_selections_csharp(read(ring_manifest));
+  EXPECT_THAT(text, HasSubstr("[InspectorName(\"Ring\")]\n        Ring = 0,\n"));
+  EXPECT_THAT(text, HasSubstr("Plain = 1,\n    }\n"));
+  EXPECT_THAT(text, HasSubstr("            \"_PENUMBRA_RING\",\n            null,\n        };\n"));
+  EXPECT_THAT(text, HasSubstr("Sampled = { true, false };"));
+  EXPECT_THAT(text,
+              HasSubstr("nameof(ShadowOptions.ringTaps),\n            },\n            new string[0],\n"));
+  EXPECT_THAT(text, Not(HasSubstr("Wide")));
+}
+
+TEST_F(SelectionTest, OptionsAreEmittedWithTheirRanges) {
+  const std::string text = emit_options_csharp(read(ring_manifest));
+  EXPECT_THAT(text, HasSubstr("internal static class RingTaps\n        {\n"
+                              "            internal const string Label = \"Taps\";\n"
+                              "            internal const string Tooltip =\n"
+                              "                \"On the ring, 4 to 32.\";\n"
+                              "            internal const int Min = 4;\n"
+                              "            internal const int Max = 32;\n"));
+  EXPECT_THAT(text,
+              HasSubstr("\"Of the ring \\\"as is\\\".\";\n            internal const float Min = 0.0f;\n"));
+}
+
+TEST_F(SelectionTest, MistakesAreNamedAtTheirLine) {
+  const auto at = [](const char* line) {
+    return HasSubstr(std::string("ring.technique.json:") + line + ":");
+  };
+  EXPECT_THAT(problem(R"("technique": "plain"})", R"("technique": "plane"})"),
+              AllOf(at("16"), HasSubstr("unknown technique 'plane'"), HasSubstr("did you mean 'plain'?")));
+  EXPECT_THAT(problem(R"("name": "Wide")", R"("name": "Plain")"),
+              AllOf(at("17"), HasSubstr("there are two selections 'Plain'")));
+  EXPECT_THAT(problem("_PENUMBRA_WIDE", "WIDE"), AllOf(at("17"), HasSubstr("begins with '_PENUMBRA_'")));
+  EXPECT_THAT(problem("_PENUMBRA_RING", "_PENUMBRA_WIDE"),
+              AllOf(at("18"), HasSubstr("'Wide' has the keyword '_PENUMBRA_WIDE'")));
+  EXPECT_THAT(problem(R"(, "fallback": "Wide")", ""), AllOf(HasSubstr("'fallback' is missing")));
+  EXPECT_THAT(problem(R"("fallback": "Wide")", R"("fallback": "Ring")"),
+              AllOf(at("18"), HasSubstr("unknown selection 'Ring'")));
+  EXPECT_THAT(problem(R"("technique": "wide"})", R"("technique": "wide", "fallback": "Plain"})"),
+              AllOf(at("17"), HasSubstr("'Wide' reads no raw depths")));
+  EXPECT_THAT(problem(R"("value": 0)", R"("value": 1)"),
+              AllOf(at("18"), HasSubstr("'Plain' has the value 1")));
+  EXPECT_THAT(problem(R"("value": 0)", R"("value": 2)"),
+              AllOf(at("16"), HasSubstr("no selection has the value 0")));
+  EXPECT_THAT(problem(R"("ringTaps": "taps")", R"("ringTapes": "taps")"),
+              AllOf(at("19"), HasSubstr("unknown option 'ringTapes'")));
+  EXPECT_THAT(problem(R"("ringTaps": "taps")", R"("ringTaps": "tapes")"),
+              AllOf(at("19"), HasSubstr("unknown field 'tapes'")));
+  EXPECT_THAT(
+      problem(R"(, "technique": "plain"})", R"(, "keyword": "_PENUMBRA_PLAIN", "technique": "plain"})"),
+      HasSubstr("no selection is without a keyword"));
+  EXPECT_THAT(problem(R"("range": [4, 32])", R"("range": [32, 4])"),
+              AllOf(at("5"), HasSubstr("the smallest value is not below the largest")));
+  EXPECT_THAT(problem(R"("type": "bool")", R"("type": "boolean")"),
+              AllOf(at("7"), HasSubstr("unknown type 'boolean'")));
+  EXPECT_THAT(problem(R"("name": "quiet")", R"("name": "ringTaps")"),
+              AllOf(at("7"), HasSubstr("there are two options 'ringTaps'")));
+}
+
+}  // namespace
+}  // namespace penumbra::techniques

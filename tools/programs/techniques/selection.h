@@ -1,0 +1,41 @@
+// What a project chooses from: the techniques that shader keywords select, and the options of the renderer
+// feature.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "techniques/parameter_struct.h"
+#include "techniques/pass_graph.h"
+
+namespace penumbra::techniques {
+
+// An option of the renderer feature: a field of ShadowOptions in C#, or what inspectors show beside these.
+struct FeatureOption {
+  std::string name;
+  std::string type;  // int, float, bool or enum
+  std::string label;
+  std::string tooltip;
+  std::optional<ParameterRange> range;  // of numbers
+};
+
+// A filter that a keyword selects in shaders, and, with a value, the renderer feature offers.
+struct Selection {
+  std::string name;          // in C#
+  std::string keyword;       // empty: what is selected without any
+  std::string technique;     // whose filter it is; a filter alone
+  FilterCall filter;         // of that technique
+  bool is_sampled = false;   // as Technique
+  std::string fallback;      // selection in its place where raw depths cannot be read; empty: it reads none
+  std::optional<int> value;  // serialised by assets: never changed; absent: shaders alone select it
+  std::string title;         // in inspectors; this and the next of selections with a value
+  std::string doc;
+  std::map<std::string, std::string> options;  // option -> field of the filter's parameters that it sets
+  std::string where;                           // file:line:column
+
+  bool reads_raw_depth() const;  // takes the point sampler
+};
+
+}  // namespace penumbra::techniques

@@ -1,0 +1,190 @@
+#include "techniques/selection_hlsl.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "input/input_error.h"
+#include "techniques/parameter_packing.h"
+
+namespace penumbra::techniques {
+namespace {
+
+constexpr const char* header = R"(// Penumbra: the technique that a shader keyword selects.
+// Written by `penumbra validate --emit-keywords` from the manifests, *.technique.json; do not edit.
+//
+// Computes:   visibility with the filter of the enabled keyword:
+)";
+
+constexpr const char* rest_of_header = R"(// Source:     see each filter's file.
+// Inputs:     shadow map, its comparison and point samplers, ShadowReceiver, ShadowTile; the uniforms below, which the C#
+//             structs of these names in Runtime/Parameters fill.
+// Cost:       the technique's fetches.
+// Guarantees: [0, 1]. Only the file of the selected filter is included.
+// Use it:     after a pipeline's bindings, as Shadows.hlsl and Hdrp.hlsl do. Not: directly from a shader.
+#ifndef PENUMBRA_TECHNIQUE_BY_KEYWORD_HLSL
+#define PENUMBRA_TECHNIQUE_BY_KEYWORD_HLSL
+
+)";
+
+constexpr const char* raw_depth_rule = R"(
+// These filters read depths by gather from a texture whose sampler compares. That is undefined in OpenGL, OpenGL ES and
+// WebGL, and before ES 3.1 there is no gather: a filter that only compares is used instead. Who binds the map without a
+// comparison there defines PENUMBRA_RAW_DEPTH_READS.
+#if !defined(PENUMBRA_RAW_DEPTH_READS) && \
+    (defined(SHADER_API_GLCORE) || defined(SHADER_API_GLES) || defined(SHADER_API_GLES3) || defined(SHADER_API_WEBGL))
+#define PENUMBRA_WITHOUT_GATHER
+#endif
+
+)";
+
+// "PENUMBRA_USES_PCSS" of "_PENUMBRA_PCSS".
+std::string macro_of(const Selection& selection) {
+  return "PENUMBRA_USES_" + selection.keyword.substr(std::string("_PENUMBRA_").size());
+}
+
+class KeywordWriter {
+ public:
+  explicit KeywordWriter(const TechniqueList& list) : list_(list) {
+    for (const Selection& selection : list.selections)
+      if (selection.keyword.empty())
+        otherwise_ = &selection;
+      else
+        by_keyword_.push_back(&selection);
+    if (otherwise_ == nullptr)
+      throw InputError(list.package.string(), "no selection is without a keyword",
+                       "give the one that shaders use without any: \"keyword\": \"\"");
+  }
+
+  std::string text() {
+    describe();
+    text_ += rest_of_header;
+    text_ += "#include \"../Core/ShadowStructs.hlsl\"\n";
+    text_ += raw_depth_rule;
+    choose();
+    include();
+    declare();
+    call();
+    return text_ + "\n#endif\n";
+  }
+
+ private:
+  static std::string file_of(const Selection& selection) {
+    constexpr std::string_view library = "ShaderLibrary/";
+    const std::string& file = selection.filter.file;
+    return file.starts_with(library) ? file.substr(library.size()) : file;
+  }
+
+  void describe() {
+    for (const Selection* selection : by_keyword_)
+      text_ += fmt::format("//               {:<24}{:<20}{}\n", selection->keyword,
+                           selection->filter.function, file_of(*selection));
+    text_ += fmt::format("//               {:<24}{:<20}{}\n", "none of them", otherwise_->filter.function,
+                         file_of(*otherwise_));
+  }
+
+  // One macro for the filter that is used, none for that without a keyword.
+  void choose() {
+    const char* directive = "#if";
+    for (const Selection* fallback : by_keyword_) {
+      std::string keywords;
+      for (const Selection* selection : by_keyword_)
+        if (selection->fallback == fallback->name)
+          keywords += (keywords.empty() ? "" : " || ") + ("defined(" + selection->keyword + ")");
+      if (keywords.empty()) continue;
+      text_ += fmt::format("{} defined(PENUMBRA_WITHOUT_GATHER) && \\\n    ({})\n#define {}\n", directive,
+                           keywords, macro_of(*fallback));
+      directive = "#elif";
+    }
+    for (const Selection* selection : by_keyword_) {
+      text_ +=
+          fmt::format("{} defined({})\n#define {}\n", directive, selection->keyword, macro_of(*selection));
+      if (selection->reads_raw_depth()) text_ += "#define PENUMBRA_READS_RAW_DEPTH\n";
+      directive = "#elif";
+    }
+    text_ += "#endif\n\n";
+  }
+
+  // A line for the filter that is used.
+  template <typename Line>
+  void branch(Line line) {
+    const char* directive = "#if";
+    for (const Selection* selection : by_keyword_) {
+      text_ += fmt::format("{} defined({})\n{}\n", directive, macro_of(*selection), line(*selection));
+      directive = "#elif";
+    }
+    text_ += fmt::format("#else\n{}\n#endif\n", line(*otherwise_));
+  }
+
+  void include() {
+    branch([](const Selection& selection) { return "#include \"../" + file_of(selection) + "\""; });
+  }
+
+  std::vector<const ParameterStruct*> structs() const {
+    std::vector<const ParameterStruct*> used;
+    for (const Selection& selection : list_.selections) {
+      const ParameterStruct* parameters = list_.find_struct(selection.filter.parameters);
+      if (parameters != nullptr && std::find(used.begin(), used.end(), parameters) == used.end())
+        used.push_back(parameters);
+    }
+    return used;
+  }
+
+  static std::string unpacker_of(const ParameterStruct& parameters) {
+    const std::size_t ending = parameters.name.rfind("Parameters");
+    return "Penumbra" + parameters.name.substr(0, ending == 0 ? std::string::npos : ending);
+  }
+
+  void declare() {
+    for (const ParameterStruct* parameters : structs()) {
+      std::string folder = parameters->manifest.substr(0, parameters->manifest.rfind('/') + 1);
+      constexpr std::string_view library = "ShaderLibrary/";
+      if (folder.starts_with(library)) folder.erase(0, library.size());
+      text_ += fmt::format("\n#include \"../{}{}.hlsl\"\n", folder, parameters->name);
+      std::string vectors;
+      for (std::size_t i = 0; i < vector_count(*parameters); ++i) {
+        text_ += "float4 " + uniform_name(*parameters, i) + ";\n";
+        vectors += (i == 0 ? "" : ", ") + uniform_name(*parameters, i);
+      }
+      text_ += fmt::format("\n{0} {1}()\n{{\n    return Unpack{0}({2});\n}}\n", parameters->name,
+                           unpacker_of(*parameters), vectors);
+    }
+  }
+
+  std::string call_of(const Selection& selection) const {
+    std::string call = "    return " + selection.filter.function + "(";
+    const std::string indent(call.size(), ' ');
+    std::string arguments;
+    for (const std::string& argument : selection.filter.arguments)
+      arguments += argument == "shadowMap" ? "TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), "
+                                           : "sampler_point, ";
+    arguments += "receiver, tile";
+    call += arguments;
+    if (const ParameterStruct* parameters = list_.find_struct(selection.filter.parameters))
+      call += ",\n" + indent + unpacker_of(*parameters) + "()";
+    return call + ");";
+  }
+
+  void call() {
+    text_ +=
+        "\nfloat FilterByKeyword(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), "
+        "SAMPLER(sampler_point),\n"
+        "                      ShadowReceiver receiver, ShadowTile tile)\n{\n";
+    branch([this](const Selection& selection) { return call_of(selection); });
+    text_ += "}\n";
+  }
+
+  const TechniqueList& list_;
+  std::vector<const Selection*> by_keyword_;
+  const Selection* otherwise_ = nullptr;
+  std::string text_ = header;
+};
+
+}  // namespace
+
+std::string emit_keywords_hlsl(const TechniqueList& list) {
+  return KeywordWriter(list).text();
+}
+
+}  // namespace penumbra::techniques
