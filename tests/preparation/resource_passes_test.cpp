@@ -101,6 +101,9 @@ TEST(UniformStructs, AreTakenApartAndPutTogether) {
   expect_error(take_apart_uniform_structs, type + " S many[3];", "'many'");
   expect_error(take_apart_uniform_structs, "struct S { Texture2D t; S a, b, c, d; }; S endless;",
                "too many members");
+  const std::string itself =
+      "struct S { Texture2D t" + std::string(4000, 'u') + "; S s" + std::string(4000, 'v');
+  expect_error(take_apart_uniform_structs, itself + "; }; S endless;", "too deeply nested");
 }
 
 TEST(MemberCalls, OnValuesGoThroughAFunction) {

@@ -16,6 +16,8 @@ namespace penumbra::preparation {
 
 namespace {
 
+constexpr int deepest_constant = 200;
+
 struct OpenSwitch {
   std::size_t close = npos;
   std::map<std::int64_t, std::size_t> labels;  // by value, those that are plain numbers
@@ -98,7 +100,7 @@ class CaseLabels {
     replace(first, end);
   }
 
-  bool varies(std::size_t at, int depth = 0) const {
+  bool varies(std::size_t at) {
     const bool scoped =
         (text_.is(at - 1, ":") && text_.is(at - 2, ":")) || (text_.is(at + 1, ":") && text_.is(at + 2, ":"));
     if (!text_.is_word(at) || text_.is(at - 1, ".") || scoped) return false;
@@ -110,10 +112,14 @@ class CaseLabels {
     const DeclaredValue& value = types_.declared()[named];
     if (!value.type.constant || value.place == DeclaredValue::Place::parameter) return true;
     if (value.place == DeclaredValue::Place::global && !value.is_static) return true;
-    constexpr int deepest = 16;
-    for (std::size_t part = value.end; part < value.last && depth < deepest; ++part)
-      if (varies(part, depth + 1)) return true;
-    return false;
+    if (const auto known = varying_.find(named); known != varying_.end()) return known->second;
+    if (depth_ == deepest_constant) return false;
+    varying_[named] = false;  // while its own value is looked at
+    ++depth_;
+    bool any = false;
+    for (std::size_t part = value.end; part < value.last && !any; ++part) any = varies(part);
+    --depth_;
+    return varying_[named] = any;
   }
 
   // Of a number, and of a constant that is one.
@@ -153,6 +159,8 @@ class CaseLabels {
   std::vector<std::string_view> functions_;
   std::vector<OpenSwitch> open_;
   int unused_label_ = 2147480000;
+  std::map<std::size_t, bool> varying_;  // of declared values: whether it is no constant
+  int depth_ = 0;                        // of constants that are made of others
 };
 
 }  // namespace

@@ -112,7 +112,7 @@ std::span<const Pass> passes() {
 PreparedShader prepare(std::string preprocessed, const std::string& main_file,
                        const std::optional<EntryPoint>& entry) {
   TokenText text(std::move(preprocessed), main_file);
-  if (!check_nesting(text)) return {{}, text.notes()};
+  if (!check_nesting(text) || !check_struct_sizes(text)) return {{}, text.notes()};
   if (entry) {
     check_semicolons(text);
     check_interfaces(text);

@@ -78,6 +78,10 @@ void check_array_sizes(TokenText& text, const EntryPoint& entry);
 // else should be asked of the text.
 bool check_nesting(TokenText& text);
 
+// A struct that contains itself, or has so many members, those of the structs in it included, that compilers
+// run out of time or memory: false, and nothing else should be asked of the text.
+bool check_struct_sizes(TokenText& text);
+
 // Members of a cbuffer whose packoffset() lies in another one's (FXC X4019), who cross the end of a register
 // or need the beginning of one; packoffset() outside of cbuffers.
 void check_packed_members(TokenText& text);

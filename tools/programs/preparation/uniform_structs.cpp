@@ -30,7 +30,14 @@ class UniformStructs {
     std::string declarations;
     std::string assignments;
     int left = 4096;  // structs and members to go into: more, and something is wrong with the text
+    int depth = 0;    // structs that are being gone into, one in the other
+
+    bool exceeded() const {
+      constexpr std::size_t most_text = 1U << 20U;
+      return left <= 0 || declarations.size() + assignments.size() > most_text;
+    }
   };
+  static constexpr int deepest = 32;  // a struct that contains itself has no depth
 
   std::string_view word(std::size_t at) const { return text_[at].spelling; }
 
@@ -43,11 +50,11 @@ class UniformStructs {
     Parts parts;
     const bool alone = value.type.dimensions == 0 && value.first != npos && text_.is(value.last, ";");
     if (alone) add_members(value.type.name, std::string(word(value.name)), "whole", parts);
-    if (!alone || parts.left <= 0) {
+    if (!alone || parts.exceeded()) {
       text_.note(
           value.name, hlsl::Severity::error,
           "'" + std::string(word(value.name)) +
-              (alone ? "' is a struct of resources with too many members"
+              (alone ? "' is a struct of resources with too many members, or too deeply nested"
                      : "' is one of several variables of a struct that holds resources; declare each alone, "
                        "and the resources of an array as arrays of their own"));
       return;
@@ -62,12 +69,19 @@ class UniformStructs {
   void add_members(std::string_view type, const std::string& name, const std::string& whole,
                    Parts& parts) const {
     const auto known = types_.structs().find(type);
-    if (parts.left <= 0 || known == types_.structs().end()) return;
+    if (parts.exceeded() || known == types_.structs().end()) return;
+    if (parts.depth >= deepest) {
+      parts.left = 0;
+      return;
+    }
     --parts.left;
+    ++parts.depth;
     add_members(known->second.base, name, whole, parts);
     for (const std::size_t index : known->second.members) {
       const DeclaredValue& member = types_.declared()[index];
-      if (member.type_at == npos || parts.left-- <= 0) continue;
+      if (parts.exceeded()) break;
+      --parts.left;
+      if (member.type_at == npos) continue;
       std::string part = text_.free_name(std::string(name).append("_").append(word(member.name)));
       std::string target = std::string(whole).append(".").append(word(member.name));
       if (carriers_.count(member.type.name) != 0) {
@@ -80,6 +94,7 @@ class UniformStructs {
           .append("; ");
       parts.assignments.append(target).append(" = ").append(part).append("; ");
     }
+    --parts.depth;
   }
 
   std::string function_name(std::size_t of) const {
