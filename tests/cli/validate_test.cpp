@@ -327,7 +327,7 @@ TEST_F(Validate, ExplainAsksForOneVariantThatThereIs) {
   EXPECT_THAT(run({"validate", "--explain", "Frag"}).errors, HasSubstr("--explain: needs a shader file"));
   const std::string broken = write("broken.shader", "Shader \"A\" {").string();
   EXPECT_THAT(run({"validate", broken, "--explain", "Frag"}).errors,
-              AllOf(HasSubstr("--explain: there is no entry point 'Frag', and no other"),
+              AllOf(HasSubstr("--explain: there is no entry point 'Frag', nor any other"),
                     Not(HasSubstr("known are:"))));
   write("Library.hlsl", "#include \"Missing.hlsl\"\n");
   const auto failed = run(command({"--explain", "Frag"}));

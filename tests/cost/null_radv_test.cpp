@@ -211,11 +211,11 @@ TEST_F(Ending, AHangingChildIsAFailureAfterTheTimeLimit) {
 
 TEST_F(Ending, AnAnswerThatIsNoneIsAFailure) {
   EXPECT_EQ(measure(worker("echo nonsense"), module_).failure,
-            "the worker ended with exit code 0 and without an answer");
+            "the worker ended with exit code 0 without a response");
   EXPECT_THAT(measure(worker("echo '{\"measured\": 3}'"), module_).failure, Not(IsEmpty()));
   EXPECT_THAT(measure(worker("echo '{\"measured\": {\"subgroup_size\": 64, \"statistics\": [{}]}}'"), module_)
                   .failure,
-              StartsWith("the worker's answer cannot be read"));
+              StartsWith("the worker's response cannot be parsed"));
 }
 
 TEST_F(Ending, AMissingWorkerIsTheEnvironments) {

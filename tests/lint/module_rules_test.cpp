@@ -87,9 +87,9 @@ TEST(LintModule, WhatIsTooLargeIsSaidAndNotFollowed) {
   for (int i = 0; i < 2'100; ++i) statements += "    if (uv.x > " + std::to_string(i) + ") a = uv.y;\n";
   std::vector<std::string> all;
   for (const Finding& finding : lint(fragment(statements, "a"))) all.push_back(told(finding));
-  EXPECT_THAT(all,
-              ElementsAre("0 note not-checked: the shader is too large for the rules that need it inlined",
-                          "1:8 note not-checked: 'Main' is too large to follow its variables"));
+  EXPECT_THAT(
+      all, ElementsAre("0 note not-checked: the shader is too large for the rules that need it inlined",
+                       "1:8 note not-checked: 'Main' is too large for data-flow analysis of its variables"));
 }
 
 TEST(LintModule, EveryStageIsTaken) {

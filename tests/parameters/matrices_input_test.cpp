@@ -242,7 +242,8 @@ TEST(Matrices, OtherMistakesAreNamed) {
   expect_input_error([&] { read(with(", \"depth_bais\": 1")); }, HasSubstr("did you mean 'depth_bias'"));
   expect_input_error([&] { read(with(", \"angular_diameter_degrees\": 40")); }, HasSubstr("outside 0 .. 30"));
   expect_input_error([&] { read(with(", \"depth_bias\": -1")); }, HasSubstr("outside 0 .. 1000"));
-  expect_input_error([&] { read(with(", \"light_direction\": [0, 0, 0]")); }, HasSubstr("no length"));
+  expect_input_error([&] { read(with(", \"light_direction\": [0, 0, 0]")); },
+                     HasSubstr("is the zero vector"));
   expect_input_error([&] { read(dump_text(set, {.pair = false, .shadow = false})); }, HasSubstr("no matrix"));
   expect_input_error([&] { read("{}"); }, HasSubstr("matrix_order"));
   expect_input_error([&] { read(""); }, HasSubstr("empty"));

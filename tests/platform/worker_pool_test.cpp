@@ -150,7 +150,7 @@ TEST(WorkerPool, OneWorkerFailsItsMessageAlone) {
     EXPECT_THAT(outcomes.at(healthy).answer, HasSubstr(messages[healthy] + " done by "));
   EXPECT_EQ(outcomes.at(3).failure, "crashed with SIGABRT");
   EXPECT_EQ(outcomes.at(4).failure, "ended with exit code 7");
-  EXPECT_EQ(outcomes.at(5).failure, "was killed from outside with SIGKILL");
+  EXPECT_EQ(outcomes.at(5).failure, "was killed externally by SIGKILL");
   EXPECT_TRUE(outcomes.at(5).from_outside);
   EXPECT_FALSE(outcomes.at(3).from_outside);
   EXPECT_EQ(outcomes.at(7).failure, "failed: not today");
@@ -212,7 +212,7 @@ TEST(WorkerPool, MemoryThatIsTakenAtOnceEndsAtTheLimitToo) {
 TEST(WorkerPool, AnAnswerThatIsTooLongIsAFailure) {
   WorkerPool pool = small_pool(1);
   pool.limits.answer = std::size_t{2} << 20U;
-  EXPECT_EQ(run_one("answer at length", pool).failure, "gave an answer of more than 2 MiB");
+  EXPECT_EQ(run_one("answer at length", pool).failure, "sent a response of more than 2 MiB");
   EXPECT_THAT(ask_worker(pool, "a").answer, HasSubstr("a done"));
 }
 

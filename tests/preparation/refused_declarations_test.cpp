@@ -47,10 +47,10 @@ TEST(WrittenComponents, AreNamedOnce) {
 }
 
 TEST(MatrixComponents, AreCountedInOneWay) {
-  EXPECT_THAT(refused_in("c = m._m00_m11;\nv.xy = m._m00_11;\nm._12_m01 = 1;"),
-              ElementsAre("4: '._m00_11' counts rows and columns from 0 and from 1: write _m00 or _11 "
-                          "throughout",
-                          HasSubstr("5: '._12_m01' counts")));
+  EXPECT_THAT(
+      refused_in("c = m._m00_m11;\nv.xy = m._m00_11;\nm._12_m01 = 1;"),
+      ElementsAre("4: '._m00_11' mixes zero-based and one-based subscripts: write _m00 or _11 throughout",
+                  HasSubstr("5: '._12_m01' mixes")));
 }
 
 TEST(Registers, AreOfTheTypesClassAndExist) {
@@ -73,10 +73,9 @@ TEST(Registers, AreOfTheTypesClassAndExist) {
 
 TEST(PackOffsets, AreInACbufferAndInOneRegister) {
   const auto of = [](const std::string& members) { return refused("cbuffer C {\n" + members + " };"); };
-  EXPECT_THAT(
-      of("float2 a : packoffset(c0.w);"),
-      ElementsAre("2: the packoffset of 'a' leaves room for 1 of its 2 components in the register, and "
-                  "a vector lies in one: begin further left"));
+  EXPECT_THAT(of("float2 a : packoffset(c0.w);"),
+              ElementsAre("2: the packoffset of 'a' leaves room for 1 of its 2 components in its register, "
+                          "and a vector must not straddle two: begin at an earlier component"));
   EXPECT_THAT(of("float4x4 m : packoffset(c0.y);"),
               ElementsAre(HasSubstr("not the beginning of a register")));
   EXPECT_THAT(of("float a[2] : packoffset(c0.z);"),
@@ -131,8 +130,8 @@ TEST(Semantics, OfSystemValuesAreOfTheirType) {
                    EntryPoint{"Frag", hlsl::Stage::vertex});
   };
   EXPECT_THAT(vertex("float id : SV_VertexID"),
-              ElementsAre("1: 'SV_VertexID' is a whole number: declare it as uint"));
-  EXPECT_THAT(vertex("uint2 id : SV_InstanceID"), ElementsAre(HasSubstr("'SV_InstanceID' is a whole")));
+              ElementsAre("1: 'SV_VertexID' is an integer: declare it as uint"));
+  EXPECT_THAT(vertex("uint2 id : SV_InstanceID"), ElementsAre(HasSubstr("'SV_InstanceID' is an integer")));
   EXPECT_THAT(vertex("int a : SV_VertexID, min16uint b : sv_instanceid"), IsEmpty());
   EXPECT_THAT(refused("float4 Frag(float face : SV_IsFrontFace) : SV_Target { return face; }"),
               ElementsAre("1: 'SV_IsFrontFace' is a bool: declare it as one"));
@@ -142,10 +141,11 @@ TEST(Semantics, OfSystemValuesAreOfTheirType) {
     return refused("[numthreads(1, 1, 1)] void Frag(" + input + ") {}",
                    EntryPoint{"Frag", hlsl::Stage::compute});
   };
-  EXPECT_THAT(compute("uint4 id : SV_DispatchThreadID"),
-              ElementsAre("1: 'SV_DispatchThreadID' is three whole numbers: declare it as uint3, uint2 or "
-                          "uint"));
-  EXPECT_THAT(compute("float3 id : SV_GroupID"), ElementsAre(HasSubstr("'SV_GroupID' is three")));
+  EXPECT_THAT(
+      compute("uint4 id : SV_DispatchThreadID"),
+      ElementsAre("1: 'SV_DispatchThreadID' is a vector of three integers: declare it as uint3, uint2 or "
+                  "uint"));
+  EXPECT_THAT(compute("float3 id : SV_GroupID"), ElementsAre(HasSubstr("'SV_GroupID' is a vector of three")));
   EXPECT_THAT(compute("uint2 a : SV_GroupThreadID, int3 b : SV_GroupID, uint c : SV_GroupIndex"), IsEmpty());
 }
 

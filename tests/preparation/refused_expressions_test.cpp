@@ -99,13 +99,13 @@ TEST(Nesting, HasALimit) {
     for (int i = 0; i < times; ++i) all += part;
     return all;
   };
-  const auto is_deep = ElementsAre("3: more than 1000 levels of nesting: write it in parts");
+  const auto is_deep = ElementsAre("3: more than 1000 levels of nesting: split it");
   EXPECT_THAT(errors_of("return " + repeated("(", 20000) + "p" + repeated(")", 20000) + ";"), is_deep);
   EXPECT_THAT(errors_of("return " + repeated("- ", 50000) + "p;"), is_deep);
   EXPECT_THAT(errors_of("return " + repeated("(int)", 20000) + "p;"), is_deep);
   EXPECT_THAT(errors_of(repeated("if (n) ", 20000) + ";"), is_deep);
   EXPECT_THAT(errors_of("return " + repeated("p + ", 20000) + "p;"),
-              ElementsAre("3: more than 8000 operators in one expression: write it in parts"));
+              ElementsAre("3: more than 8000 operators in one expression: split it"));
   EXPECT_THAT(errors_of("return " + repeated("(", 900) + "p" + repeated(")", 900) + ";"), IsEmpty());
   EXPECT_THAT(errors_of(repeated("n = -n * 2;", 20000)), IsEmpty());
 }

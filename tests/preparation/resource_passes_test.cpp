@@ -183,12 +183,12 @@ TEST(BufferAliases, OfTwoBuffersAreAnError) {
   const std::string head =
       "StructuredBuffer<int> A; StructuredBuffer<int> B; struct S { StructuredBuffer<int> b; }; ";
   expect_error(resolve_buffer_aliases, head + "void f() { S s; s.b = A; S t; t.b = B; }",
-               "'b' stands for 'A' and for 'B'");
+               "'b' is an alias of 'A' and of 'B'");
   expect_error(resolve_buffer_aliases,
                head + "void f(int A) { S s; s.b = B; } void g() { S s; s.b = A; s.b = A; }",
-               "'b' stands for");
+               "'b' is an alias of");
   expect_error(resolve_buffer_aliases, head + "void f(int A) { } void g() { S s; s.b = A; }",
-               "give that another name");
+               "rename that one");
 }
 
 TEST(ZeroedResourceStructs, AreMadeByAFunction) {
@@ -212,7 +212,7 @@ TEST(ResourceArrays, AreAssignedOneByOne) {
 
 TEST(ResourceArrays, AChoiceThatIsReadIsAnError) {
   expect_error(assign_resource_arrays, "Texture2D A, B; float4 f(bool c) { return (c ? A : B).Load(0); }",
-               "chosen at run time");
+               "selected at run time");
 }
 
 TEST(TextureReads, ByComparisonStandAloneWhereTheTextureIsReadOtherwise) {

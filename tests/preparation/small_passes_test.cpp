@@ -98,9 +98,10 @@ TEST(InterfaceTypes, ANumberOfTheFrontFaceIsWarnedOf) {
   ASSERT_EQ(notes.size(), 1U);
   EXPECT_EQ(notes[0].line, 2);
   EXPECT_EQ(notes[0].severity, hlsl::Severity::warning);
-  EXPECT_EQ(notes[0].message,
-            "'SV_IsFrontFace' as a number is 0xFFFFFFFF on Direct3D and 1 elsewhere: compare it with 0, or "
-            "declare a bool");
+  EXPECT_EQ(
+      notes[0].message,
+      "'SV_IsFrontFace' read as a number is 0xFFFFFFFF on Direct3D and 1 elsewhere: compare it with 0, or "
+      "declare a bool");
 }
 
 TEST(InterfaceTypes, CompileInBothStages) {

@@ -104,9 +104,8 @@ TEST(SwitchCases, OfAnyDepthAreReadWithoutHarm) {
 TEST(BaseStructs, AreDeclaredBefore) {
   const std::string frag = "float4 Frag() : SV_Target { return 1; }";
   EXPECT_THAT(said("struct A {\nint a; };\nstruct B :\nA { int b; };" + frag), ElementsAre());
-  EXPECT_THAT(
-      said("struct B :\nA { int b; };" + frag),
-      ElementsAre("2: error: 'A' is not a struct that is declared before 'B', which needs it as its base"));
+  EXPECT_THAT(said("struct B :\nA { int b; };" + frag),
+              ElementsAre("2: error: 'A' is not a struct declared before 'B', which derives from it"));
   EXPECT_THAT(said("struct A :\nB { int a; }; struct B :\nA { int b; }; A f(B b) { return b; }" + frag),
               ElementsAre("1: error: 'A' contains itself"));
   EXPECT_THAT(said("struct A :\nA { int a; };" + frag), ElementsAre("1: error: 'A' contains itself"));
@@ -121,7 +120,7 @@ TEST(BaseStructs, AreSixteenAtMost) {
     return text + "float4 Frag() : SV_Target { return 1; }";
   };
   EXPECT_THAT(said(chain(16)), ElementsAre());
-  EXPECT_THAT(said(chain(17)), ElementsAre("18: error: 'S17' has more than 16 bases one above the other"));
+  EXPECT_THAT(said(chain(17)), ElementsAre("18: error: 'S17' has more than 16 levels of base structs"));
 }
 
 // Each level eight of the level before: what looks at every path does not end.
@@ -191,7 +190,8 @@ TEST(EntrySemantics, AreTheStagesOwn) {
               ElementsAre(HasSubstr("1: error: 'TEXCOORD0' is not an input of a compute program")));
   EXPECT_THAT(
       said("float4 Frag(float4 p : POSITON) : SV_Position { return p; }", {"Frag", hlsl::Stage::vertex}),
-      ElementsAre("1: warning: 'POSITON' is nothing that Unity's meshes have; did you mean 'POSITION'?"));
+      ElementsAre(
+          "1: warning: 'POSITON' is not a vertex attribute of Unity's meshes; did you mean 'POSITION'?"));
 }
 
 TEST(EntrySemantics, OfSystemValuesAreThoseOfTheStage) {

@@ -91,10 +91,10 @@ TEST(ShaderFiles, LinksOutOfTheProjectAreLeftOutAndNamed) {
   fs::create_symlink(elsewhere.path("b.shader"), files.path("Assets/b.txt"));
   const ShaderFiles found = find_shader_files(files.path(), {});
   EXPECT_THAT(shown(found), ElementsAre("Assets/a.shader"));
-  EXPECT_THAT(
-      formatted(found.problems),
-      testing::UnorderedElementsAre(HasSubstr("Assets/linked: warning: is a link out of the project"),
-                                    HasSubstr("Assets/b.shader: warning: is a link out of the project")));
+  EXPECT_THAT(formatted(found.problems),
+              testing::UnorderedElementsAre(
+                  HasSubstr("Assets/linked: warning: is a symbolic link to outside of the project"),
+                  HasSubstr("Assets/b.shader: warning: is a symbolic link to outside of the project")));
   ShaderSelection selection;
   selection.places = {elsewhere.path()};
   EXPECT_EQ(find_shader_files(files.path(), selection).files.size(), 1u) << "named on the command line";

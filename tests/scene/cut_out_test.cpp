@@ -143,16 +143,20 @@ TEST(CutOuts, WhatCannotBeReadIsRefusedWithItsName) {
   EXPECT_THAT(problem_of([](Scene& s) { s.mesh.uvs.pop_back(); }),
               HasSubstr("texture coordinate per vertex"));
   EXPECT_THAT(problem_of([](Scene& s) { s.mesh.uvs[1].y = std::numeric_limits<float>::quiet_NaN(); }),
-              HasSubstr("not finite or beyond a million"));
-  EXPECT_THAT(problem_of([](Scene& s) { s.mesh.uvs[1].x = -2e6F; }), HasSubstr("beyond a million"));
+              HasSubstr("not finite or exceeds a million"));
+  EXPECT_THAT(problem_of([](Scene& s) { s.mesh.uvs[1].x = -2e6F; }), HasSubstr("exceeds a million"));
   EXPECT_THAT(problem_of([](Scene& s) { s.materials[1].cut_out->texture = 1; }),
-              HasSubstr("the scene lacks"));
-  EXPECT_THAT(problem_of([](Scene& s) { s.textures[0].rgba.pop_back(); }), HasSubstr("all of its texels"));
-  EXPECT_THAT(problem_of([](Scene& s) { s.textures[0] = {0, 3, {}}; }), HasSubstr("all of its texels"));
+              HasSubstr("with a texture index out of range"));
+  EXPECT_THAT(problem_of([](Scene& s) { s.textures[0].rgba.pop_back(); }),
+              HasSubstr("whose texture lacks texels"));
+  EXPECT_THAT(problem_of([](Scene& s) {
+                s.textures[0] = {0, 3, {}};
+              }),
+              HasSubstr("whose texture lacks texels"));
   EXPECT_THAT(problem_of([](Scene& s) { s.materials[1].cut_out->factor = INFINITY; }), HasSubstr("finite"));
   EXPECT_THAT(problem_of([](Scene& s) { s.materials[1].cut_out->cutoff = NAN; }), HasSubstr("finite"));
   EXPECT_THAT(problem_of([](Scene& s) { s.mesh.triangle_materials[0] = 2; }),
-              HasSubstr("a material it lacks"));
+              HasSubstr("a material index out of range"));
   EXPECT_THAT(problem_of([](Scene& s) { s.mesh.triangle_materials.push_back(0); }),
               HasSubstr("one material per triangle"));
 }

@@ -78,25 +78,25 @@ TEST_F(SceneMessage, TruncatedBytesAreRefusedAtEveryLength) {
 TEST_F(SceneMessage, WhatNoImportSaysIsRefused) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const std::vector<std::pair<std::string, std::function<void(Scene&)>>> changes{
-      {"a triangle of vertices that are not there",
+      {"a triangle with a vertex index out of range",
        [](Scene& scene) { scene.mesh.indices[1] = static_cast<std::uint32_t>(scene.mesh.positions.size()); }},
-      {"a triangle of a material that is not there",
+      {"a triangle with a material index out of range",
        [](Scene& scene) {
          scene.mesh.triangle_materials[0] = static_cast<std::uint16_t>(scene.materials.size());
        }},
-      {"parts do not fit", [](Scene& scene) { scene.mesh.normals.pop_back(); }},
-      {"parts do not fit", [](Scene& scene) { scene.mesh.uvs.pop_back(); }},
-      {"parts do not fit", [](Scene& scene) { scene.mesh.indices.pop_back(); }},
-      {"parts do not fit", [](Scene& scene) { scene.mesh.triangle_materials.pop_back(); }},
+      {"arrays differ in length", [](Scene& scene) { scene.mesh.normals.pop_back(); }},
+      {"arrays differ in length", [](Scene& scene) { scene.mesh.uvs.pop_back(); }},
+      {"arrays differ in length", [](Scene& scene) { scene.mesh.indices.pop_back(); }},
+      {"arrays differ in length", [](Scene& scene) { scene.mesh.triangle_materials.pop_back(); }},
       {"a vertex that is not finite", [nan](Scene& scene) { scene.mesh.positions[2].y = nan; }},
       {"a vertex that is not finite", [nan](Scene& scene) { scene.mesh.uvs[2].x = nan; }},
       {"a material with a number that is not finite",
        [nan](Scene& scene) { scene.materials[0].roughness = nan; }},
-      {"a material of a texture that is not there",
+      {"a material with a texture index out of range",
        [](Scene& scene) { scene.materials[0].base_colour_texture = 1; }},
-      {"a material of a texture that is not there",
+      {"a material with a texture index out of range",
        [](Scene& scene) { scene.materials[0].normal_texture = -2; }},
-      {"a material of a texture that is not there",
+      {"a material with a texture index out of range",
        [](Scene& scene) { scene.materials[0].cut_out = CutOut{.texture = 1}; }},
       {"a cut-out without texture coordinates",
        [](Scene& scene) {
@@ -110,13 +110,13 @@ TEST_F(SceneMessage, WhatNoImportSaysIsRefused) {
       {"damaged",
        [](Scene& scene) { scene.materials[0].cut_out = CutOut{.wrap_v = static_cast<TextureWrap>(3)}; }},
       {"without all of its pixels", [](Scene& scene) { scene.textures[0].rgba.pop_back(); }},
-      {"a texture of no size", [](Scene& scene) { scene.textures[0].height = 8193; }},
-      {"a texture of no size", [](Scene& scene) { scene.textures[0].width = -2; }},
+      {"a texture whose size is out of range", [](Scene& scene) { scene.textures[0].height = 8193; }},
+      {"a texture whose size is out of range", [](Scene& scene) { scene.textures[0].width = -2; }},
       {"a scene without materials", [](Scene& scene) { scene.materials.clear(); }},
-      {"a place that is not finite", [nan](Scene& scene) { scene.camera.position.x = nan; }},
+      {"a position or direction that is not finite", [nan](Scene& scene) { scene.camera.position.x = nan; }},
       {"the spot light's range is nan",
        [nan](Scene& scene) { scene.spot_light.emplace().range_metres = nan; }},
-      {"a camera that sees nothing", [](Scene& scene) { scene.camera.far_plane = 0.0; }},
+      {"a camera value that is not positive and finite", [](Scene& scene) { scene.camera.far_plane = 0.0; }},
   };
   for (const auto& [problem, change] : changes) {
     Scene scene = textured();

@@ -53,7 +53,7 @@ TEST(Compile, DefinesReachTheSource) {
 // What glslang's preprocessor throws at.
 TEST(Compile, AJoinedLineThatBeginsInItsFirstColumnIsAnError) {
   EXPECT_THAT(first_message(compile_text("#define B 1.5\nfloat x = B\\\n+2.0;\n")),
-              HasSubstr("joins to the one before begins a token in its first column"));
+              HasSubstr("a token begins in the first column of a line that"));
 }
 
 std::vector<std::string> errors_for(VulkanVersion vulkan, const std::string& text) {

@@ -81,9 +81,9 @@ TEST(TexelOffsets, AreConstantsFromMinus8To7) {
               ElementsAre(HasSubstr("3: the offset of a texture read is 9 texels")));
   EXPECT_THAT(fragment("return _Map.Load(int3(p.xy, 0), int2(8, 1));"),
               ElementsAre(HasSubstr("3: the offset of a texture read is 8 texels")));
-  EXPECT_THAT(
-      fragment("return _Map.Sample(sampler_Map, p.xy, _Texel);"),
-      ElementsAre(HasSubstr("3: the offset of a texture read must be a constant from -8 to 7; if a loop")));
+  EXPECT_THAT(fragment("return _Map.Sample(sampler_Map, p.xy, _Texel);"),
+              ElementsAre(HasSubstr("3: the offset of a texture read must be a constant from -8 to 7; if it "
+                                    "depends on a loop counter")));
 }
 
 TEST(TexelOffsets, AreFreeForGatherAndMayBeWorkedOut) {
@@ -122,7 +122,7 @@ TEST(ComparisonSamplers, AreForReadsThatCompare) {
 
 TEST(LostTextures, AreReportedAtTheirLine) {
   EXPECT_THAT(fragment("Texture2D t;\nreturn t.Load(0);"),
-              ElementsAre(HasSubstr("4: a texture that was never set")));
+              ElementsAre(HasSubstr("4: a texture is read uninitialised")));
 }
 
 // `body` begins in line 6.
@@ -137,7 +137,7 @@ std::vector<std::string> calling(const std::string& body) {
 TEST(WrittenArguments, AreNoValues) {
   const auto told = [](const std::string& function, const std::string& argument) {
     return ElementsAre("6: '" + function + "' writes to its argument " + argument +
-                       ", which is a value: give it a variable");
+                       ", which is not an lvalue: pass a variable");
   };
   EXPECT_THAT(calling("F(1.0); return 1;"), told("F", "1"));
   EXPECT_THAT(calling("F(p.x + 1); return 1;"), told("F", "1"));
@@ -148,10 +148,9 @@ TEST(WrittenArguments, AreNoValues) {
 
 // HLSL has no objection; glslang crashes.
 TEST(WrittenArguments, OfAnotherTypeAreToldInsteadOfCrashing) {
-  EXPECT_THAT(
-      calling("int i = 1; F(i); return i;"),
-      ElementsAre("6: 'F' writes to its argument 1, which is of another type: give it a variable of the "
-                  "parameter's type"));
+  EXPECT_THAT(calling("int i = 1; F(i); return i;"),
+              ElementsAre("6: 'F' writes to its argument 1, which has another type: pass a variable of the "
+                          "parameter's type"));
 }
 
 TEST(WrittenArguments, AreVariablesAndTheirParts) {
@@ -302,8 +301,7 @@ TEST(InterlockedFunctions, ChangeMemoryThatIsShared) {
 TEST(IntegerMatrices, AreNotInMemory) {
   const std::string body = "float4 Main(float4 p : SV_Position) : SV_Target {\nreturn _M[int(p.x)].xyxy; }\n";
   const std::string said =
-      " is a matrix of integers, of which SPIR-V, GLSL and Metal have none in memory: declare an array of "
-      "its "
+      " is an integer matrix, which SPIR-V, GLSL and Metal cannot store in memory: declare an array of its "
       "rows, such as int4 rows[4]";
   EXPECT_THAT(errors("cbuffer C { float a;\nint2x2 _M; };\n" + body, hlsl::Stage::fragment),
               ElementsAre("3: '_M'" + said));

@@ -47,14 +47,14 @@ std::vector<std::string> messages(const std::string& expression) {
 }
 
 TEST(LostResources, AreNotRead) {
-  EXPECT_THAT(messages("Both(A)"), ElementsAre(HasSubstr("a texture that was never set is read")));
-  EXPECT_THAT(messages("Unset()"), ElementsAre(HasSubstr("a texture that was never set is read")));
-  EXPECT_THAT(messages("UnsetSampler()"), ElementsAre(HasSubstr("a sampler that was never set is read")));
-  EXPECT_THAT(messages("OfUnsetPair()"), ElementsAre(HasSubstr("a sampler that was never set is read")));
+  EXPECT_THAT(messages("Both(A)"), ElementsAre(HasSubstr("a texture is read uninitialised")));
+  EXPECT_THAT(messages("Unset()"), ElementsAre(HasSubstr("a texture is read uninitialised")));
+  EXPECT_THAT(messages("UnsetSampler()"), ElementsAre(HasSubstr("a sampler is read uninitialised")));
+  EXPECT_THAT(messages("OfUnsetPair()"), ElementsAre(HasSubstr("a sampler is read uninitialised")));
 }
 
 TEST(LostResources, AreNotChosenAtRunTime) {
-  EXPECT_THAT(messages("Chosen(id.x)"), ElementsAre(HasSubstr("a texture is chosen at run time")));
+  EXPECT_THAT(messages("Chosen(id.x)"), ElementsAre(HasSubstr("a texture is selected at run time")));
 }
 
 TEST(LostResources, AreNotFoundWhereAllIsKnown) {
@@ -78,7 +78,7 @@ TEST(LostResources, AreFoundByTheirWords) {
   EXPECT_THAT(lost_resources(module), IsEmpty());  // nobody reads it
   module.insert(module.end(), {0x0005005F, 7, 3, 2, 6});
   ASSERT_THAT(lost_resources(module), SizeIs(1));
-  EXPECT_THAT(lost_resources(module)[0].message, HasSubstr("a texture that was never set"));
+  EXPECT_THAT(lost_resources(module)[0].message, HasSubstr("a texture is read uninitialised"));
 }
 
 // What glslang's back end leaves out, it says and returns success.

@@ -328,7 +328,7 @@ TEST_F(Isolation, AnEaterOfMemoryEndsAtItsLimit) {
 
 TEST_F(Isolation, AWorkerThatIsKilledEveryTimeFailsItsUnit) {
   const UnitResult result = run_with("kill@spirv").results[1];
-  EXPECT_EQ(result.targets[0].diagnostics.at(0).message, "the compiler was killed from outside with SIGKILL");
+  EXPECT_EQ(result.targets[0].diagnostics.at(0).message, "the compiler was killed externally by SIGKILL");
 }
 
 TEST_F(Isolation, AWorkerThatIsKilledOnceIsForgiven) {

@@ -173,7 +173,7 @@ TEST(MergeReports, ShardsOfDifferentRequestsAreRefused) {
   std::vector<NamedReport> shards = shards_of(whole_run(), 2);
   shards[1].report.fingerprint = "beef";
   EXPECT_THAT(refusal(shards),
-              HasSubstr("shard2.json: was made with other files or options than shard1.json"));
+              HasSubstr("shard2.json: was made with files or options that differ from those of shard1.json"));
   shards = shards_of(whole_run(), 2);
   shards[1].report.shards = 3;
   EXPECT_THAT(refusal(shards), HasSubstr("shard2.json: is shard 2/3, but shard1.json is shard 1/2"));
@@ -182,9 +182,10 @@ TEST(MergeReports, ShardsOfDifferentRequestsAreRefused) {
 TEST(MergeReports, ARecordInTwoShardsIsRefused) {
   std::vector<NamedReport> shards = shards_of(whole_run(), 2);
   shards[1].report.records.push_back(shards[0].report.records[2]);
-  EXPECT_THAT(refusal(shards),
-              HasSubstr("shard2.json: holds a result that shard1.json holds, too: Assets/Water.shader, pass "
-                        "ForwardLit of Custom/Water, fragment entry Frag with B, spirv"));
+  EXPECT_THAT(
+      refusal(shards),
+      HasSubstr("shard2.json: contains a result that shard1.json contains, too: Assets/Water.shader, pass "
+                "ForwardLit of Custom/Water, fragment entry Frag with B, spirv"));
 }
 
 TEST(MergeReports, ChecksOfDifferentMachinesAreBothNamed) {

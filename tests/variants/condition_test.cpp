@@ -126,8 +126,8 @@ TEST(Condition, MacrosWithParametersAreReplaced) {
 
 TEST(Condition, SaysWhichMacrosWithParametersItDoesNotReplace) {
   EXPECT_EQ(ask("F(1, 2) > 0", {{"F", {"(x) x", true}}}).problem, "'F' takes 1 argument and has 2");
-  EXPECT_EQ(ask("F(1", {{"F", {"(x) x", true}}}).problem, "'F' has no ')' behind its arguments");
-  EXPECT_EQ(ask("F(1)", {{"F", {"(x) x ## 2", true}}}).problem, "'F' joins or quotes its arguments");
+  EXPECT_EQ(ask("F(1", {{"F", {"(x) x", true}}}).problem, "'F' has no ')' after its arguments");
+  EXPECT_EQ(ask("F(1)", {{"F", {"(x) x ## 2", true}}}).problem, "'F' uses # or ## in its replacement list");
 }
 
 TEST(Condition, ArgumentsDoNotGrowWithoutBound) {

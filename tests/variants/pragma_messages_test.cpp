@@ -20,7 +20,7 @@ struct Case {
 
 TEST(PragmaMessages, NameThePlaceAndTheWayOut) {
   const Case cases[] = {
-      {"#pragma", "a.shader:1:1: warning: '#pragma' without a word after it has no effect"},
+      {"#pragma", "a.shader:1:1: warning: '#pragma' without a name after it has no effect"},
       {"#pragma multi_compil _ A",
        "a.shader:1:1: warning: unknown pragma 'multi_compil' has no effect; did you mean 'multi_compile'?"},
       {"#pragma multi_compile_fragmnt _ A",
@@ -69,7 +69,8 @@ TEST(PragmaMessages, NameThePlaceAndTheWayOut) {
       {"#include_with_pragmas \"gone.hlsl\"",
        "a.shader:1:1: warning: cannot find 'gone.hlsl': its pragmas are ignored"},
       {"#if 1 +\n#endif",
-       "a.shader:1:1: warning: this condition is not understood, and what it decides may be wrong: a value "
+       "a.shader:1:1: warning: this condition cannot be evaluated, and the pragmas it guards may be misread: "
+       "a value "
        "is "
        "missing after '+'"},
   };

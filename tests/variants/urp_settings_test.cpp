@@ -191,9 +191,9 @@ TEST(UrpAsset, QualityLevelsWidenAndTheirRendererAdds) {
 
 TEST(UrpAsset, SaysWhatIsWrong) {
   expect_input_error([] { read_urp_asset("a\n  m_SoftShadowsSupported: yes\n", "x.asset"); },
-                     "x.asset:2: 'm_SoftShadowsSupported' must be a whole number from 0 to 1, found 'yes'");
+                     "x.asset:2: 'm_SoftShadowsSupported' must be an integer from 0 to 1, found 'yes'");
   expect_input_error([] { read_urp_asset("  m_RenderingMode: 9\n", "x.asset"); },
-                     "x.asset:1: 'm_RenderingMode' must be a whole number from 0 to 3, found '9'");
+                     "x.asset:1: 'm_RenderingMode' must be an integer from 0 to 3, found '9'");
   expect_input_error([] { read_urp_asset("%YAML 1.1\n  m_Shader: 1\n", "x.mat"); },
                      "x.mat: contains no setting of the Universal Render Pipeline\n  use a "
                      "UniversalRenderPipelineAsset or UniversalRendererData, a text .asset file");

@@ -54,7 +54,7 @@ void require_plain_name(const std::string& option, const std::string& text) {
   for (const char* mark : {"<!--", "-->"}) {
     if (text.find(mark) == std::string::npos) continue;
     throw InputError("", option + ": the name '" + shown + "' holds '" + mark + "'",
-                     "that marks comments in Markdown, where names stand");
+                     "Markdown files mark comments with it; names are written into them");
   }
 }
 

@@ -26,7 +26,7 @@ std::string read_text_file(const fs::path& file, std::size_t largest) {
   std::error_code ignored;
   if (fs::is_directory(file, ignored)) throw InputError(file.string(), "is a folder, not a file");
   if (is_named_pipe(file))
-    throw InputError(file.string(), "is a named pipe, to which perhaps nobody writes",
+    throw InputError(file.string(), "is a named pipe, which may have no writer",
                      "give a regular file, or <(command) in the shell");
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw InputError(file.string(), "cannot be opened", "check the path and its permissions");
@@ -35,7 +35,7 @@ std::string read_text_file(const fs::path& file, std::size_t largest) {
     text.append(part.data(), static_cast<std::size_t>(stream.gcount()));
     if (text.size() > largest)
       throw InputError(file.string(),
-                       "has more than " + std::to_string(largest) + " bytes, the limit of such a file");
+                       "has more than " + std::to_string(largest) + " bytes, the size limit of such a file");
   }
   if (stream.bad()) throw InputError(file.string(), "cannot be read");
   return text;

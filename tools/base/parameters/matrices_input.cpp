@@ -213,7 +213,8 @@ std::optional<glm::dvec3> read_direction(JsonObject& root) {
   const std::vector<double> numbers = root.numbers("light_direction", 3);
   const glm::dvec3 direction(numbers[0], numbers[1], numbers[2]);
   const double length = glm::length(direction);
-  if (!(length > 1e-150 && length < 1e150)) root.fail("light_direction", "has no length");
+  if (!(length > 1e-150 && length < 1e150))
+    root.fail("light_direction", "is the zero vector or out of range");
   return direction / length;
 }
 

@@ -181,7 +181,7 @@ const int signal_of_processor_time = 0;
 
 ChildResult run_child(const ChildCommand& command) {
   throw EnvironmentError("'" + command.program +
-                         "' cannot be started: programs are run on POSIX systems only");
+                         "' cannot be started: child processes are supported on POSIX systems only");
 }
 
 #endif

@@ -75,11 +75,11 @@ void confine_process([[maybe_unused]] std::size_t memory) {
 #endif
   if (filter_is_unwanted()) return;
   if (const int error = filter_system_calls(); error != 0)
-    throw EnvironmentError(std::string("this kernel does not let a worker process give up system calls "
-                                       "(seccomp): ") +
-                           std::strerror(error) +
-                           "\n  for files that you trust, set the environment variable "
-                           "PENUMBRA_UNFILTERED_WORKERS to 1");
+    throw EnvironmentError(
+        std::string("this kernel does not let a worker process filter its system calls (seccomp): ") +
+        std::strerror(error) +
+        "\n  for files that you trust, set the environment variable "
+        "PENUMBRA_UNFILTERED_WORKERS to 1");
 }
 
 #else

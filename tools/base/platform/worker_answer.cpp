@@ -29,7 +29,7 @@ std::string taken_answer(std::string bytes) {
   if (kind == kAnswer) return bytes;
   const std::size_t way_out = bytes.find(kWayOut);
   if (kind != kInputError || bytes.empty() || way_out == 0)
-    throw std::invalid_argument("a worker gave an answer that cannot be read");
+    throw std::invalid_argument("a worker process sent a malformed response");
   if (way_out == std::string::npos) throw InputError("", bytes);
   throw InputError("", bytes.substr(0, way_out), bytes.substr(way_out + std::string_view(kWayOut).size()));
 }

@@ -134,9 +134,9 @@ class WorkerSlot {
       case FrameKind::settings:
       case FrameKind::message:
       case FrameKind::reply:
-        return fail("sent a message that makes no sense");  // these go the other way: memory was overwritten
+        return fail("sent a malformed message");  // these go the other way: memory was overwritten
     }
-    fail("sent a message that makes no sense");
+    fail("sent a malformed message");
   }
 
   // The worker has closed its end without being told to.
@@ -155,7 +155,7 @@ class WorkerSlot {
     if (signal == SIGXCPU)
       return fail("took more than " + seconds_text(pool_.limits.processor_time) + " of CPU time");
     outcome_.from_outside = signal == SIGKILL || signal == SIGTERM || signal == SIGHUP || signal == SIGINT;
-    fail((outcome_.from_outside ? "was killed from outside with " : "crashed with ") + signal_name(signal));
+    fail((outcome_.from_outside ? "was killed externally by " : "crashed with ") + signal_name(signal));
   }
 
   void fail(std::string reason) {
@@ -254,11 +254,11 @@ bool worker_processes_supported() {
 }
 
 void run_workers(const WorkerPool&, WorkSource&) {
-  throw EnvironmentError("worker processes are made on POSIX systems only");
+  throw EnvironmentError("worker processes are supported on POSIX systems only");
 }
 
 WorkerOutcome ask_worker(const WorkerPool&, std::string) {
-  throw EnvironmentError("worker processes are made on POSIX systems only");
+  throw EnvironmentError("worker processes are supported on POSIX systems only");
 }
 
 #endif

@@ -132,7 +132,7 @@ void handle(const WorkHandler& handler, const std::string& message, const Settin
     const std::string answer = handler(message, link);
     if (answer.size() > settings.answer)
       link.write(FrameKind::failure,
-                 "gave an answer of more than " + std::to_string(settings.answer >> 20U) + " MiB");
+                 "sent a response of more than " + std::to_string(settings.answer >> 20U) + " MiB");
     else
       link.write(FrameKind::answer, answer);
   } catch (const EnvironmentError& error) {
@@ -177,7 +177,7 @@ int serve_worker(const WorkHandler& handler, const std::function<void()>& prepar
 #else
 
 int serve_worker(const WorkHandler&, const std::function<void()>&) {
-  throw EnvironmentError("worker processes are made on POSIX systems only");
+  throw EnvironmentError("worker processes are supported on POSIX systems only");
 }
 
 #endif

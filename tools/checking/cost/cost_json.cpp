@@ -62,7 +62,7 @@ std::uint64_t read_count(JsonObject& json, const std::string& key) {
   const double number = json.number(key, 0.0);
   if (number < 0 || number > 9007199254740992.0 ||
       number != static_cast<double>(static_cast<std::uint64_t>(number)))
-    json.fail(key, "'" + key + "' is not a count");
+    json.fail(key, "'" + key + "' is not a non-negative integer");
   return static_cast<std::uint64_t>(number);
 }
 

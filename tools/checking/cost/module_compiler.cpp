@@ -70,7 +70,7 @@ CompiledModule decode_module(const std::string& bytes) {
   module.spirv = in.values<std::uint32_t>();
   module.counts = in.value<SpirvCounts>();
   module.diagnostics = shaders::read_diagnostics(in);
-  if (!in.exhausted()) throw std::invalid_argument("a compiled module that cannot be read");
+  if (!in.exhausted()) throw std::invalid_argument("malformed compiled module");
   return module;
 }
 

@@ -53,10 +53,10 @@ std::string sudden_end(const platform::ChildResult& result, const NullRadv& radv
     return fmt::format("the driver's compiler did not finish within {:g} s",
                        std::chrono::duration<double>(radv.time_limit).count());
   std::string reason =
-      result.overflowed ? "the driver printed without end"
+      result.overflowed ? "the driver's output exceeded its limit"
       : result.exit_code > 128
           ? "the driver's compiler was terminated by signal " + std::to_string(result.exit_code - 128)
-          : "the worker ended with exit code " + std::to_string(result.exit_code) + " and without an answer";
+          : "the worker ended with exit code " + std::to_string(result.exit_code) + " without a response";
   if (const std::string said = last_line(result.errors); !said.empty()) reason += ": " + said;
   return reason;
 }
@@ -108,7 +108,7 @@ Measurement measure(const NullRadv& radv, const ModuleToMeasure& module) {
   try {
     read_answer(answer_in(result), measurement);
   } catch (const nlohmann::json::exception& error) {
-    measurement.failure = std::string("the worker's answer cannot be read: ") + error.what();
+    measurement.failure = std::string("the worker's response cannot be parsed: ") + error.what();
   }
   if (measurement.failure.empty() && measurement.statistics.empty())
     measurement.failure = sudden_end(result, radv);

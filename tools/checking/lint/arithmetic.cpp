@@ -51,13 +51,12 @@ std::vector<Finding> arithmetic_findings(const LintedCode& linted) {
     } else if (instruction.op == spv::OpIsNan && tested_for_infinity.contains(instruction.operands[0])) {
       findings.push_back(
           finding_at(linted, "nan-check", instruction.place, {"isfinite", "isnan"},
-                     "compilers under fast mathematics remove this test for infinity and NaN: "
-                     "test the bits, (asuint(x) & 0x7F800000) != 0x7F800000 for finite numbers"));
+                     "compilers may remove this test for infinity and NaN under fast math: test the bits, "
+                     "(asuint(x) & 0x7F800000) != 0x7F800000 for finite numbers"));
     } else if (instruction.op == spv::OpIsNan || compares_with_itself(instruction)) {
-      findings.push_back(
-          finding_at(linted, "nan-check", instruction.place, {"isnan"},
-                     "compilers under fast mathematics remove this test for NaN: test the bits, "
-                     "(asuint(x) & 0x7FFFFFFF) > 0x7F800000"));
+      findings.push_back(finding_at(linted, "nan-check", instruction.place, {"isnan"},
+                                    "compilers may remove this test for NaN under fast math: test the bits, "
+                                    "(asuint(x) & 0x7FFFFFFF) > 0x7F800000"));
     }
   }
   return findings;

@@ -37,7 +37,7 @@ const std::vector<RuleInfo>& rules() {
        std::string("Direct3D X3511: ") + d3d_messages},
       {"negative-pow", Severity::warning, "The base of pow may be negative.",
        "Direct3D X3571; https://learn.microsoft.com/windows/win32/direct3dhlsl/dx-graphics-hlsl-pow"},
-      {"nan-check", Severity::warning, "A test for NaN that compilers under fast mathematics remove.",
+      {"nan-check", Severity::warning, "A test for NaN that compilers may remove under fast math.",
        std::string("Direct3D X3577: ") + d3d_messages},
       {"sampler-name", Severity::error,
        "A sampler's name identifies neither a texture nor sampler settings to Unity.",
@@ -55,7 +55,7 @@ const std::vector<RuleInfo>& rules() {
       {"unknown-rule", Severity::warning, "A comment disables a rule that does not exist.",
        "Documentation~/lint.md"},
       {"not-checked", Severity::note,
-       "A function or shader is too large for the rules that follow control flow.",
+       "A function or shader is too large for the rules that analyse control flow.",
        "Documentation~/lint.md"}};
   return all;
 }

@@ -119,9 +119,10 @@ std::vector<Finding> unset_values(const LintedCode& linted) {
               .second)
         findings.push_back(read_finding(linted, layout, read));
     if (found.too_large)
-      findings.push_back(finding_at_function(
-          linted, "not-checked", function.place, plain_name(linted.code.name(function.id)), "",
-          "'" + plain_name(linted.code.name(function.id)) + "' is too large to follow its variables"));
+      findings.push_back(finding_at_function(linted, "not-checked", function.place,
+                                             plain_name(linted.code.name(function.id)), "",
+                                             "'" + plain_name(linted.code.name(function.id)) +
+                                                 "' is too large for data-flow analysis of its variables"));
   }
   return findings;
 }

@@ -179,7 +179,7 @@ UnitService::~UnitService() = default;
 
 std::string UnitService::answer(const std::string& job, platform::WorkerLink& link) {
   const std::optional<UnitJob> decoded = decode_job(job);
-  if (!decoded) throw std::logic_error("a job that cannot be read");
+  if (!decoded) throw std::logic_error("malformed job");
   std::unique_ptr<Memory> memory;
   {
     const std::lock_guard<std::mutex> lock(mutex_);

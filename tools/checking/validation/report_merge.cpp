@@ -19,7 +19,7 @@ std::string shard_name(const ValidationReport& report) {
 
 void check_same_request(const NamedReport& first, const NamedReport& other) {
   if (other.report.fingerprint != first.report.fingerprint)
-    throw InputError(other.name, "was made with other files or options than " + first.name,
+    throw InputError(other.name, "was made with files or options that differ from those of " + first.name,
                      "make every shard with the same files and options, except --shard and --jobs");
   if (other.report.shards != first.report.shards)
     throw InputError(other.name, "is shard " + shard_name(other.report) + ", but " + first.name +
@@ -65,8 +65,9 @@ void check_overlap(const std::vector<NamedReport>& reports) {
       const auto [at, is_new] = owners.try_emplace(identity(record), &named);
       if (is_new || at->second == &named) continue;
       const std::string keywords = record.keywords.empty() ? "" : " with " + joined(record.keywords, " ");
-      throw InputError(named.name, "holds a result that " + at->second->name + " holds, too: " + record.file +
-                                       ", " + program_title(record) + keywords + ", " + record.target);
+      throw InputError(named.name, "contains a result that " + at->second->name +
+                                       " contains, too: " + record.file + ", " + program_title(record) +
+                                       keywords + ", " + record.target);
     }
 }
 

@@ -212,7 +212,7 @@ void ShaderSources::add_shader(const project::ShaderFile& file, const std::strin
     if (found.language == shaderlab::Language::glsl) {
       leave_unchecked(program, "a GLSLPROGRAM is for OpenGL only and is not compiled here");
     } else if (found.is_surface_shader) {
-      leave_unchecked(program, "a surface shader: the Unity editor writes its passes");
+      leave_unchecked(program, "a surface shader: the Unity editor generates its passes");
     } else if (found.is_ray_tracing) {
       leave_unchecked(program, "a ray tracing program: no target here supports its stages");
     } else {

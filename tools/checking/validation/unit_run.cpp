@@ -107,7 +107,7 @@ void UnitRun::finished(std::size_t place, platform::WorkerOutcome outcome) {
   std::optional<UnitReply> reply;
   if (outcome.failure.empty()) {
     reply = decode_reply(outcome.answer);
-    if (!reply) outcome.failure = "gave an answer that cannot be read";
+    if (!reply) outcome.failure = "sent a response that cannot be parsed";
   }
   if (!reply) {
     if (outcome.from_outside && !std::exchange(state.sent_again, true)) return send_first(place);

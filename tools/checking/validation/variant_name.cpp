@@ -63,7 +63,7 @@ NamedEntry find_entry(const ShaderSources& sources, const VariantName& name) {
   const std::vector<NamedEntry> all = all_entries(sources);
   const std::vector<NamedEntry> found = fitting(all, name);
   if (all.empty())
-    throw InputError("--explain", "there is no entry point '" + spelt(name) + "', and no other",
+    throw InputError("--explain", "there is no entry point '" + spelt(name) + "', nor any other",
                      "the messages above say which files could not be read; others name no entry point");
   if (found.empty()) {
     std::vector<std::string> known;

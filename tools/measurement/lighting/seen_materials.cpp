@@ -21,18 +21,20 @@ void check(const scene::Scene& scene) {
   const std::string name = "scene '" + scene.name + "': ";
   if (scene.materials.empty()) throw InputError("", name + "no material");
   if (!mesh.uvs.empty() && mesh.uvs.size() != mesh.positions.size()) {
-    throw InputError("", name + "not one texture coordinate per vertex");
+    throw InputError("", name + "must have one texture coordinate per vertex");
   }
   if (!mesh.triangle_materials.empty() && mesh.triangle_materials.size() != mesh.triangle_count()) {
-    throw InputError("", name + "not one material per triangle");
+    throw InputError("", name + "must have one material per triangle");
   }
   for (const std::uint16_t material : mesh.triangle_materials) {
-    if (material >= scene.materials.size()) throw InputError("", name + "a triangle of a material it lacks");
+    if (material >= scene.materials.size())
+      throw InputError("", name + "has a triangle with a material index out of range");
   }
   const int textures = static_cast<int>(scene.textures.size());
   for (const scene::Material& material : scene.materials) {
     if (material.base_colour_texture >= textures || material.normal_texture >= textures) {
-      throw InputError("", name + "material '" + material.name + "' has a texture it lacks");
+      throw InputError("",
+                       name + "material '" + material.name + "' refers to a texture that the scene lacks");
     }
   }
 }

@@ -27,37 +27,38 @@ bool has_cut_outs(const Scene& scene) {
 void check_mesh(const Scene& scene) {
   const Mesh& mesh = scene.mesh;
   if (!mesh.triangle_materials.empty() && mesh.triangle_materials.size() != mesh.triangle_count()) {
-    refuse(scene, "not one material per triangle");
+    refuse(scene, "must have one material per triangle");
   }
   for (const std::uint16_t material : mesh.triangle_materials) {
-    if (material >= scene.materials.size()) refuse(scene, "a triangle of a material it lacks");
+    if (material >= scene.materials.size())
+      refuse(scene, "has a triangle with a material index out of range");
   }
 }
 
 void check(const Scene& scene, const Material& material) {
   const CutOut& cut_out = *material.cut_out;
-  const std::string name = "material '" + material.name + "' is cut out ";
+  const std::string name = "material '" + material.name + "' has a cut-out ";
   if (!std::isfinite(cut_out.factor) || !std::isfinite(cut_out.cutoff)) {
-    refuse(scene, name + "by a factor or cutoff that is not finite");
+    refuse(scene, name + "whose factor or cutoff is not finite");
   }
   if (cut_out.reads_coordinates() && scene.mesh.uvs.size() != scene.mesh.positions.size()) {
-    refuse(scene, name + "and the mesh has not one texture coordinate per vertex");
+    refuse(scene, name + "but the mesh does not have one texture coordinate per vertex");
   }
   const bool usable = std::all_of(scene.mesh.uvs.begin(), scene.mesh.uvs.end(), [](const glm::vec2& uv) {
     return std::abs(uv.x) <= kLargestTexCoord && std::abs(uv.y) <= kLargestTexCoord;
   });
   if (cut_out.reads_coordinates() && !usable) {
-    refuse(scene, name + "and a texture coordinate is not finite or beyond a million");
+    refuse(scene, name + "but a texture coordinate is not finite or exceeds a million");
   }
   if (cut_out.texture < 0) return;
   if (static_cast<std::size_t>(cut_out.texture) >= scene.textures.size()) {
-    refuse(scene, name + "by a texture that the scene lacks");
+    refuse(scene, name + "with a texture index out of range");
   }
   const Texture& texture = scene.textures[static_cast<std::size_t>(cut_out.texture)];
   const bool whole = texture.width > 0 && texture.height > 0 &&
                      texture.rgba.size() == std::size_t{4} * static_cast<std::size_t>(texture.width) *
                                                 static_cast<std::size_t>(texture.height);
-  if (!whole) refuse(scene, name + "by a texture without all of its texels");
+  if (!whole) refuse(scene, name + "whose texture lacks texels");
 }
 
 float wrapped(float coordinate, TextureWrap wrap) {

@@ -46,7 +46,7 @@ Texture read_texture(ByteReader& in) {
   texture.height = in.value<int>();
   texture.rgba = in.values<std::uint8_t>();
   const auto fits = [](int side) { return side > 0 && side <= kLargestImageSide; };
-  require(fits(texture.width) && fits(texture.height), "a texture of no size");
+  require(fits(texture.width) && fits(texture.height), "a texture whose size is out of range");
   require(texture.rgba.size() == std::size_t{4} * static_cast<std::size_t>(texture.width) *
                                      static_cast<std::size_t>(texture.height),
           "a texture without all of its pixels");
@@ -130,15 +130,15 @@ void check(const Mesh& mesh, std::size_t materials) {
   require(mesh.normals.size() == vertices && (mesh.uvs.empty() || mesh.uvs.size() == vertices) &&
               mesh.indices.size() % 3 == 0 &&
               (mesh.triangle_materials.empty() || mesh.triangle_materials.size() == mesh.triangle_count()),
-          "a mesh whose parts do not fit together");
+          "a mesh whose arrays differ in length");
   require(all_finite(mesh.positions) && all_finite(mesh.normals) && all_finite(mesh.uvs),
           "a vertex that is not finite");
   require(std::all_of(mesh.indices.begin(), mesh.indices.end(),
                       [vertices](std::uint32_t index) { return index < vertices; }),
-          "a triangle of vertices that are not there");
+          "a triangle with a vertex index out of range");
   require(std::all_of(mesh.triangle_materials.begin(), mesh.triangle_materials.end(),
                       [materials](std::uint16_t material) { return material < materials; }),
-          "a triangle of a material that is not there");
+          "a triangle with a material index out of range");
 }
 
 void check(const Scene& scene) {
@@ -148,17 +148,17 @@ void check(const Scene& scene) {
   for (const Material& material : scene.materials) {
     const int cut_out_texture = material.cut_out ? material.cut_out->texture : -1;
     for (const int texture : {material.base_colour_texture, material.normal_texture, cut_out_texture})
-      require(texture >= -1 && texture < textures, "a material of a texture that is not there");
+      require(texture >= -1 && texture < textures, "a material with a texture index out of range");
     require(!material.cut_out || !material.cut_out->reads_coordinates() || !scene.mesh.uvs.empty(),
             "a cut-out without texture coordinates");
   }
   const parameters::Camera& camera = scene.camera;
   for (const glm::dvec3& v :
        {scene.origin, camera.position, camera.forward, camera.up, scene.light_direction})
-    require(is_finite(v), "a place that is not finite");
+    require(is_finite(v), "a position or direction that is not finite");
   for (const double number : {camera.fov_y_degrees, camera.aspect, camera.near_plane, camera.far_plane,
                               scene.shadow_distance_metres})
-    require(std::isfinite(number) && number > 0.0, "a camera that sees nothing");
+    require(std::isfinite(number) && number > 0.0, "a camera value that is not positive and finite");
   try {
     if (scene.spot_light) parameters::check_spot_light(*scene.spot_light);
   } catch (const InputError& error) {

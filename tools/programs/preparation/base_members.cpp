@@ -53,15 +53,15 @@ class BaseMembers {
     const hlsl::Declaration& own = declaration(type);
     if (base_of(type) == nullptr)
       return text_.note(own.name + 2, hlsl::Severity::error,
-                        "'" + std::string(type.base) + "' is not a struct that is declared before '" +
-                            std::string(text_[own.name].spelling) + "', which needs it as its base");
+                        "'" + std::string(type.base) + "' is not a struct declared before '" +
+                            std::string(text_[own.name].spelling) + "', which derives from it");
     std::vector<const StructType*> line{&type};  // the heir, its base, the base of that
     std::string inherited;
     while (const StructType* base = base_of(*line.back())) {
       if (line.size() > most_bases)
         return text_.note(own.name, hlsl::Severity::error,
                           "'" + std::string(text_[own.name].spelling) + "' has more than " +
-                              std::to_string(most_bases) + " bases one above the other");
+                              std::to_string(most_bases) + " levels of base structs");
       inherited.insert(0, members(*base, line));
       line.push_back(base);
     }

@@ -159,15 +159,15 @@ class Aliases {
       if (stands_for_[index] == several) {
         const auto two = others_.find(index);
         const std::string which = two == others_.end() ? "several buffers"
-                                                       : "'" + name_of(two->second.first) + "' and for '" +
+                                                       : "'" + name_of(two->second.first) + "' and of '" +
                                                              name_of(two->second.second) + "'";
         text_.note(value.name, hlsl::Severity::error,
-                   "'" + name_of(index) + "' stands for " + which +
-                       " in different places; pass the buffer as an argument of its own instead");
+                   "'" + name_of(index) + "' is an alias of " + which +
+                       " in different places; pass the buffer as a separate argument instead");
       } else if (is_resolved(index) && is_hidden(stands_for_[index])) {
         text_.note(value.name, hlsl::Severity::error,
-                   "'" + name_of(index) + "' stands for '" + name_of(stands_for_[index]) +
-                       "', a name that a parameter or a local variable has too; give that another name");
+                   "'" + name_of(index) + "' is an alias of '" + name_of(stands_for_[index]) +
+                       "', which is also the name of a parameter or local variable; rename that one");
       }
     }
   }

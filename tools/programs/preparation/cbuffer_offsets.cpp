@@ -47,9 +47,8 @@ class CbufferOffsets {
     const std::size_t name = types_.declared()[member].name;
     text_.note(name, hlsl::Severity::error,
                "not supported here: '" + std::string(text_[name].spelling) +
-                   "' begins in what the member before it leaves free of its last register, in a struct of a "
-                   "cbuffer; " +
-                   "put a float4 or a larger member behind that one");
+                   "' shares the last register of the member before it, in a struct of a cbuffer; " +
+                   "put a float4 or a larger member after that one");
   }
 
   TokenText& text_;

@@ -33,10 +33,11 @@ void pass_bools_as_numbers(TokenText& text) {
       text.replace(type, 1, type_of_shape(shape.of_base(Base::natural)));
     } else if (is_face && shape.is_scalar() && (shape.base == Base::natural || shape.base == Base::integer)) {
       text.replace(type, 1, "bool");
-      text.note(colon + 1, hlsl::Severity::warning,
-                "'" + std::string(text[colon + 1].spelling) +
-                    "' as a number is 0xFFFFFFFF on Direct3D and 1 elsewhere: compare it with 0, or declare "
-                    "a bool");
+      text.note(
+          colon + 1, hlsl::Severity::warning,
+          "'" + std::string(text[colon + 1].spelling) +
+              "' read as a number is 0xFFFFFFFF on Direct3D and 1 elsewhere: compare it with 0, or declare "
+              "a bool");
     }
   }
   text.apply();

@@ -112,10 +112,11 @@ class LoopVariables {
 
   void warn(std::size_t at) {
     const std::string name(text_[at].spelling);
-    text_.note(at, hlsl::Severity::warning,
-               "'" + name +
-                   "' is here the variable of the loop above, not the one declared before the loop; " +
-                   "give the loop's another name");
+    text_.note(
+        at, hlsl::Severity::warning,
+        "'" + name +
+            "' here refers to the variable of the loop above, not to the one declared before the loop; " +
+            "rename the loop's variable");
   }
 
   // One past the statement that begins here.

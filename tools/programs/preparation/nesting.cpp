@@ -19,10 +19,10 @@ class Nesting {
       count(at);
       const bool deep = brackets_ > deepest || prefixes_ > deepest || in_statement_ > deepest;
       if (!deep && operators_ <= most_operators) continue;
-      text_.note(at, hlsl::Severity::error,
-                 deep ? "more than " + std::to_string(deepest) + " levels of nesting: write it in parts"
-                      : "more than " + std::to_string(most_operators) +
-                            " operators in one expression: write it in parts");
+      text_.note(
+          at, hlsl::Severity::error,
+          deep ? "more than " + std::to_string(deepest) + " levels of nesting: split it"
+               : "more than " + std::to_string(most_operators) + " operators in one expression: split it");
       return false;
     }
     return true;

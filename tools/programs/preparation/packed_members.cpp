@@ -56,10 +56,11 @@ void check_place(TokenText& text, const PackedMember& member) {
                   " is not the beginning of a register, which matrices, arrays and structs need: write it "
                   "without the component, or with .x");
   } else if (!member.of_registers && component + member.size > kRegister) {
-    text.note(member.name, hlsl::Severity::error,
-              name + " leaves room for " + std::to_string(kRegister - component) + " of its " +
-                  std::to_string(member.size) +
-                  " components in the register, and a vector lies in one: begin further left");
+    text.note(
+        member.name, hlsl::Severity::error,
+        name + " leaves room for " + std::to_string(kRegister - component) + " of its " +
+            std::to_string(member.size) +
+            " components in its register, and a vector must not straddle two: begin at an earlier component");
   }
 }
 

@@ -67,8 +67,7 @@ void check_repeated_components(TokenText& text) {
     if (counts_in_two_ways(text[at].spelling) && text.types().named(at) == npos)
       text.note(at, hlsl::Severity::error,
                 "'." + std::string(text[at].spelling) +
-                    "' counts rows and columns from 0 and from 1: write "
-                    "_m00 or _11 throughout");
+                    "' mixes zero-based and one-based subscripts: write _m00 or _11 throughout");
     const std::string_view component = repeated(text[at].spelling);
     if (component.empty() || text.types().named(at) != npos || !is_written(text, at)) continue;
     text.note(at, hlsl::Severity::error,

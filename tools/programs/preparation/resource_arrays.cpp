@@ -55,10 +55,9 @@ void assign_resource_arrays(TokenText& text) {
       assign_elements(text, value);
   for (std::size_t at = 0; at < text.size(); ++at)
     if (reads_a_choice(text, types, at))
-      text.note(
-          at, hlsl::Severity::error,
-          "a texture is chosen at run time, which HLSL does not allow; read both and choose between the "
-          "results");
+      text.note(at, hlsl::Severity::error,
+                "a texture is selected at run time, which HLSL does not allow; read both and select between "
+                "the results");
   text.apply();
 }
 

@@ -69,10 +69,10 @@ class RowMatrices {
     for (const DeclaredValue& value : types_.declared()) {
       if (value.place != DeclaredValue::Place::global || value.is_static || value.name == npos) continue;
       if (holds_row_matrix(value.type.name))
-        text_.note(
-            value.name, hlsl::Severity::error,
-            "'" + std::string(text_[value.name].spelling) +
-                "' is or holds a matrix of one row or one column in a constant buffer; declare a vector");
+        text_.note(value.name, hlsl::Severity::error,
+                   "'" + std::string(text_[value.name].spelling) +
+                       "' is or contains a matrix with one row or one column in a constant buffer; declare a "
+                       "vector");
     }
   }
 
@@ -80,10 +80,9 @@ class RowMatrices {
   void refuse_unknown(std::size_t close) {
     for (std::size_t at = text_.partner(close); at != npos && at < close; ++at) {
       if (!row_matrix(text_[at].spelling) && !row_matrix(types_.at(at).name)) continue;
-      text_.note(
-          close, hlsl::Severity::error,
-          "an element of an expression with a matrix of one row or one column; assign it to a variable "
-          "first");
+      text_.note(close, hlsl::Severity::error,
+                 "a subscript of an expression whose type is a matrix with one row or one column; assign it "
+                 "to a variable first");
       return;
     }
   }
@@ -132,10 +131,9 @@ class RowMatrices {
     const std::optional<RowMatrix> right = argument(comma + 1, close);
     const bool outer = left && right && !left->row && right->row;
     if (outer)
-      text_.note(
-          at, hlsl::Severity::error,
-          "mul() of a column and a row is a matrix, which glslang cannot make of vectors; write its rows "
-          "as products of the column's components and the row");
+      text_.note(at, hlsl::Severity::error,
+                 "mul() of a column vector and a row vector is their outer product, which glslang cannot "
+                 "express here; write each of its rows as a component of the column times the row");
   }
 
   std::optional<RowMatrix> argument(std::size_t first, std::size_t end) const {

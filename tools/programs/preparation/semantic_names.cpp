@@ -149,8 +149,8 @@ std::string type_problem(const std::string& semantic, const NumberShape& type) {
     return type.is_scalar() && type.base != Base::real ? "" : "is a bool: declare it as one";
   const int count = whole_numbers(key);
   if (count == 0 || (whole && !type.is_matrix() && type.columns <= count)) return {};
-  return count == 1 ? "is a whole number: declare it as uint"
-                    : "is three whole numbers: declare it as uint3, uint2 or uint";
+  return count == 1 ? "is an integer: declare it as uint"
+                    : "is a vector of three integers: declare it as uint3, uint2 or uint";
 }
 
 SemanticProblem semantic_problem(const std::string& semantic, hlsl::Stage stage, bool input) {
@@ -172,7 +172,8 @@ SemanticProblem semantic_problem(const std::string& semantic, hlsl::Stage stage,
             " program"};
   if (stage == hlsl::Stage::vertex && input && own && !is_one_of(name, vertex_inputs())) {
     const std::string meant = hint(name, vertex_inputs());
-    if (!meant.empty()) return {"is nothing that Unity's meshes have" + meant, hlsl::Severity::warning};
+    if (!meant.empty())
+      return {"is not a vertex attribute of Unity's meshes" + meant, hlsl::Severity::warning};
   }
   return {};
 }

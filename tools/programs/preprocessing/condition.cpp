@@ -109,7 +109,7 @@ class Evaluation {
   std::int32_t run() {
     read_ = expansion_.scan();
     const std::int32_t value = expression(0);
-    if (read_.token.kind != Kind::newline) throw Unusual("something behind a condition");
+    if (read_.token.kind != Kind::newline) throw Unusual("tokens after a condition");
     return value;
   }
 
@@ -123,13 +123,13 @@ class Evaluation {
   // Through macros that stand for nothing to a token that is no name.
   void expand() {
     while (is_name()) {
-      if (!expansion_.expand(read_, true)) throw Unusual("a name that is no value");
+      if (!expansion_.expand(read_, true)) throw Unusual("an identifier without a value");
       next();
     }
   }
 
   std::int32_t expression(int precedence) {
-    if (++depth_ > deepest_expression) throw Unusual("a condition within brackets without end");
+    if (++depth_ > deepest_expression) throw Unusual("parentheses nested too deeply");
     if (is_name()) {
       expansion_.paste(read_);
       expand();
@@ -152,7 +152,7 @@ class Evaluation {
     if (token.kind == Kind::integer) return value_of(token);
     if (token.is(known::open)) {
       const std::int32_t value = expression(0);
-      if (!read_.token.is(known::close)) throw Unusual("a condition's bracket is not closed");
+      if (!read_.token.is(known::close)) throw Unusual("an unmatched '(' in a condition");
       next();
       return value;
     }
@@ -160,7 +160,7 @@ class Evaluation {
     if (token.is(known::minus)) return wrapped(-std::int64_t{expression(of_unary)});
     if (token.is(known::complement)) return ~expression(of_unary);
     if (token.is(known::negate)) return expression(of_unary) == 0;
-    throw Unusual("a condition that cannot be reckoned");
+    throw Unusual("a condition that cannot be evaluated");
   }
 
   std::int32_t value_of(const Token& token) const {
@@ -172,10 +172,10 @@ class Evaluation {
     next();
     const bool bracket = read_.token.is(known::open);
     if (bracket) next();
-    if (read_.token.kind != Kind::identifier) throw Unusual("defined() of no name");
+    if (read_.token.kind != Kind::identifier) throw Unusual("defined without an identifier");
     const bool value = macros_.is_defined(read_.token.spelling);
     next();
-    if (bracket && !read_.token.is(known::close)) throw Unusual("defined( is not closed");
+    if (bracket && !read_.token.is(known::close)) throw Unusual("an unmatched '(' after defined");
     if (bracket) next();
     return value;
   }

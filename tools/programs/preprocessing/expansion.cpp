@@ -33,7 +33,7 @@ void Expansion::read_condition(const Token* first, const Token* last) {
 Read Expansion::scan_bottom() {
   Read read;
   if (at_ == last_) {
-    if (places_ != nullptr) throw Unusual("a macro's call goes on behind a directive");
+    if (places_ != nullptr) throw Unusual("a directive among a macro's arguments");
     read.token.kind = Kind::newline;
     return read;
   }
@@ -55,7 +55,7 @@ bool Expansion::scan_input(Read& out) {
     ++input.at;
     return true;
   }
-  if (joined_) throw Unusual("a macro's text at no known place");
+  if (joined_) throw Unusual("macro text without a known position");
   out = {*input.at++, line_, column_};
   if (input.source != Source::macro) return true;
   input.pasted_behind = input.at != input.last && input.at->kind == Kind::paste;
@@ -65,7 +65,7 @@ bool Expansion::scan_input(Read& out) {
 }
 
 Read Expansion::scan() {
-  if (++scanned_ > most_tokens) throw Unusual("macros that expand to very much");
+  if (++scanned_ > most_tokens) throw Unusual("a macro expansion that is too large");
   Read read;
   while (!at_bottom() && !scan_input(read)) {
   }
@@ -112,17 +112,17 @@ bool Expansion::peek_continued() const {
 void Expansion::paste(Read& left) {
   if (left.token.kind == Kind::paste) throw Unusual("## without a token before it");
   while (peek_paste()) {
-    if (scan().token.kind != Kind::paste) throw Unusual("## is not where it was seen");
+    if (scan().token.kind != Kind::paste) throw Unusual("## after an expanded macro");
     const bool at_end = inputs_.empty() ||
                         (inputs_.back().source == Source::macro && inputs_.back().at == inputs_.back().last);
-    if (at_end) throw Unusual("## without a token behind it");
+    if (at_end) throw Unusual("## without a token after it");
     do {
       const Read right = scan();
-      if (inputs_.empty()) throw Unusual("## before an argument of nothing");
+      if (inputs_.empty()) throw Unusual("## before an empty argument");
       if (left.token.kind != Kind::identifier || !may_be_joined(right.token))
-        throw Unusual("## between tokens that make no name");
+        throw Unusual("## between tokens that do not form an identifier");
       const std::string name = spellings_.text(left.token.spelling) + spellings_.text(right.token.spelling);
-      if (is_left_to_glslang(name)) throw Unusual("## makes an unusual name");
+      if (is_left_to_glslang(name)) throw Unusual("## forms an identifier that glslang treats specially");
       left.token.spelling = spellings_.number(name);
     } while (peek_continued());
   }
@@ -224,7 +224,7 @@ void Expansion::read_argument(Read& read, std::vector<Token>& argument) {
     read = scan();
     const Token& token = read.token;
     if (token.kind == Kind::newline || token.kind == Kind::argument_end)
-      throw Unusual("a call that does not end");
+      throw Unusual("an unterminated macro call");
     if (open.empty() && (token.is(known::comma) || token.is(known::close))) return;
     if (token.is(known::open)) {
       open.push_back(known::close);
@@ -239,7 +239,7 @@ void Expansion::read_argument(Read& read, std::vector<Token>& argument) {
 
 // What the tokens become that an argument is made of.
 void Expansion::expand_argument(const std::vector<Token>& argument, std::vector<Token>& expanded) {
-  if (++depth_ > deepest_call) throw Unusual("calls within calls without end");
+  if (++depth_ > deepest_call) throw Unusual("macro calls nested too deeply");
   Read end;
   end.token.kind = Kind::argument_end;
   put_back(end);

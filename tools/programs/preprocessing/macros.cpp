@@ -12,7 +12,7 @@ void Macros::define(const Definition& definition) {
   Entry& entry = entries_[definition.name];
   if (entry.definition != nullptr && entry.definition != &definition &&
       !are_identical(*entry.definition, definition))
-    throw Unusual("a macro is defined as something else");
+    throw Unusual("a macro is redefined differently");
   entry.definition = &definition;
   defined_[definition.name] = 1;
   names_.push_back(definition.name);

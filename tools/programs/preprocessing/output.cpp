@@ -16,7 +16,7 @@ bool Output::sync_to(int line) {
 
 void Output::begin(const Token& token, int line, int column) {
   if (sync_to(line)) {
-    if (column < 1) throw Unusual("a token at no known column");
+    if (column < 1) throw Unusual("a token without a known column");
     text_.append(static_cast<std::size_t>(column - 1), ' ');
   } else if (blank_between(before_, token)) {
     text_ += ' ';

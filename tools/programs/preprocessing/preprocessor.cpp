@@ -18,8 +18,8 @@ class Reading {
       : spellings_(spellings), macros_(macros), expansion_(expansion), includes_(includes), out_(spellings) {}
 
   void read(const CutSource& source, const std::string& name) {
-    if (!source.usual) throw Unusual("a text that only glslang reads");
-    if (depth_ + source.depth > deepest_nesting) throw Unusual("too many conditions within conditions");
+    if (!source.usual) throw Unusual("source text that only glslang can read");
+    if (depth_ + source.depth > deepest_nesting) throw Unusual("conditions nested too deeply");
     for (std::size_t i = 0; i < source.items.size();) i = step(source, i, name);
   }
 
@@ -58,7 +58,7 @@ class Reading {
       case Step::unusual:
         break;
     }
-    throw Unusual("a directive that only glslang reads");
+    throw Unusual("a directive that only glslang can read");
   }
 
   // Into the first branch that is to be read, or to the end.
@@ -70,7 +70,7 @@ class Reading {
 
   bool chosen(const CutSource& source, const Item& item) {
     if (item.step == Step::otherwise) return true;
-    if (item.malformed) throw Unusual("a condition without a name");
+    if (item.malformed) throw Unusual("#ifdef without an identifier");
     const Token* const tokens = source.tokens.data();
     if (item.step == Step::on_condition || item.step == Step::or_on_condition)
       return holds(tokens + item.first, tokens + item.last, expansion_, macros_, spellings_);
@@ -81,7 +81,7 @@ class Reading {
     const std::optional<IncludedFile> file = includes_.enter(include.name, includer);
     if (!file) throw Unusual("an include that is not found");
     if (file->name.size() > longest_name || file->name.find_first_of("\"\n\r") != std::string::npos)
-      throw Unusual("a file's name that #line cannot say");
+      throw Unusual("a file name that #line cannot express");
     if (file->source != nullptr) {
       out_.line_directive(line, 1, file->name);
       read(*file->source, file->name);

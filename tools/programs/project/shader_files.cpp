@@ -108,8 +108,8 @@ class ShaderWalk {
     const bool matters = link.is_directory(ignored) || is_imported_shader(link.path());
     if (!matters || bounds_.contain(link.path())) return false;
     problems_.push_back(diagnostic_of(link.path(), hlsl::Severity::warning,
-                                      "is a link out of the project and is left out; name what it leads to on"
-                                      " the command line to have it validated"));
+                                      "is a symbolic link to outside of the project and is skipped; name its "
+                                      "target on the command line to validate it"));
     return true;
   }
 

@@ -116,7 +116,7 @@ bool IncludeResolver::open_file(const std::string& name) {
   // follows.
   const bool repeats = std::count(open_.begin(), open_.end(), name) > 1;
   if (open_.size() > (repeats ? max_include_depth : 2 * max_include_depth))
-    return fail("the includes never end: " + chain_to(name));
+    return fail("includes nest too deeply: " + chain_to(name));
   if (!sources_.contains(name)) {
     const KnownSource& read = memory_.read(name);
     if (!read.problem.empty()) return fail("cannot read '" + name + "': " + read.problem);

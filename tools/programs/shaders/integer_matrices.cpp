@@ -86,11 +86,11 @@ std::vector<ModuleProblem> integer_matrices(const SpirvModule& optimised, const 
   for (const std::string& member : members)
     problems.push_back({declaration_of(member, text, file),
                         "'" + member +
-                            "' is a matrix of integers, of which SPIR-V, GLSL and Metal have none in memory: "
+                            "' is an integer matrix, which SPIR-V, GLSL and Metal cannot store in memory: "
                             "declare an array of its rows, such as int4 rows[4]"});
   if (problems.empty() && search.any())
     problems.push_back({{},
-                        "a matrix of integers is kept in memory, of which SPIR-V, GLSL and Metal have none: "
+                        "an integer matrix is stored in memory, which SPIR-V, GLSL and Metal cannot do: "
                         "use an array of its rows, such as int4 rows[4]"});
   return problems;
 }

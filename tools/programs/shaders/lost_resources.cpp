@@ -44,7 +44,7 @@ class LostSearch final : public ModuleSearch {
       case spv::OpSelect:
         if (of_resource(instruction))
           report("a " + kinds_[instruction[1]] +
-                 " is chosen at run time, which HLSL does not allow; read both and choose between the "
+                 " is selected at run time, which HLSL does not allow; read both and select between the "
                  "results");
         break;
       default:
@@ -60,7 +60,7 @@ class LostSearch final : public ModuleSearch {
     const auto found = undefined_.find(id);
     if (found == undefined_.end()) return;
     report("a " + found->second +
-           " that was never set is read; if every path does set it, one function reads it both "
+           " is read uninitialised; if every path does initialise it, one function reads it both "
            "with a comparison sampler and with another sampler, which glslang miscompiles: use a "
            "separate function for each");
   }

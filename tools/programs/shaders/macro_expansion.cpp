@@ -31,7 +31,7 @@ constexpr int most_readings = 12;
 
 // glslang writes as many blanks before it as the column says, less one.
 constexpr const char* joined_in_first_column =
-    "ERROR: a line that '\\' joins to the one before begins a token in its first column; indent it";
+    "ERROR: a token begins in the first column of a line that '\\' joins to the line above; indent it";
 
 bool is_redefinition(const LogLine& line) {
   return line.token == "#define" && line.message.starts_with("Macro redefined;");

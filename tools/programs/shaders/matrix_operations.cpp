@@ -105,9 +105,9 @@ class MatrixOperations final : public TreeRewrite {
   // m /= s  ->  m = m / s
   TIntermTyped* of_assignment(TIntermBinary& node, TOperator plain) {
     if (!may_be_repeated(node.getLeft()))
-      return refuse(
-          node,
-          "assigning with an operator to a matrix that an expression with effects selects; name it first");
+      return refuse(node,
+                    "compound assignment to a matrix selected by an expression with side effects; assign its "
+                    "index to a variable first");
     TIntermTyped* value = combined(node, by_rows_operator(plain), node.getLeft(), node.getRight());
     return binary_node(node, glslang::EOpAssign, node.getLeft(), value, node.getType());
   }
@@ -118,9 +118,8 @@ class MatrixOperations final : public TreeRewrite {
     if (!is_matrix(operand) || takes_whole(op) || !has_rows(operand->getType())) return &node;
     if (op == glslang::EOpAny || op == glslang::EOpAll) return of_condition(node);
     if (is_step(op))
-      return is_float(operand->getType())
-                 ? &node
-                 : refuse(node, "++ and -- of a matrix of whole numbers; write m += 1");
+      return is_float(operand->getType()) ? &node
+                                          : refuse(node, "++ and -- of an integer matrix; write m += 1");
     if (!node.isMatrix() || node.isArray() || node.isConstructor()) return &node;
     return by_rows(
         node, {operand}, [&](const std::vector<TIntermTyped*>& of_row, const TType& type) -> TIntermTyped* {

@@ -69,8 +69,8 @@ class OffsetSearch final : public ModuleSearch {
     const auto known = constants_.find(operands[at]);
     if (!constant && known == constants_.end())
       return report(
-          "the offset of a texture read must be a constant from -8 to 7; if a loop counts it, write [unroll] "
-          "before the loop");
+          "the offset of a texture read must be a constant from -8 to 7; if it depends on a loop counter, "
+          "write [unroll] before the loop");
     if (known == constants_.end()) return;
     for (const std::uint32_t word : known->second) {
       const auto texels = std::bit_cast<std::int32_t>(word);

@@ -50,9 +50,9 @@ class Search final : public glslang::TIntermTraverser {
     for (std::size_t i = 0; i < std::min(arguments.size(), qualifiers.size()); ++i) {
       glslang::TIntermTyped* argument = arguments[i]->getAsTyped();
       if (argument == nullptr || !is_written(qualifiers[i])) continue;
-      if (is_value(*argument)) tell(*node, i, "which is a value: give it a variable");
+      if (is_value(*argument)) tell(*node, i, "which is not an lvalue: pass a variable");
       if (is_converted(*argument))
-        tell(*node, i, "which is of another type: give it a variable of the parameter's type");
+        tell(*node, i, "which has another type: pass a variable of the parameter's type");
     }
     return true;
   }

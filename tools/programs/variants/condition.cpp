@@ -149,7 +149,7 @@ class Expansion {
       return Tokens{number(false)};
     };
     std::optional<std::vector<Tokens>> given = arguments(waiting);
-    if (!given) return refuse("has no ')' behind its arguments");
+    if (!given) return refuse("has no ')' after its arguments");
     std::vector<std::string> parameters;
     std::size_t at = 1;
     for (; at < definition.size() && definition[at].text != ")"; ++at)
@@ -161,7 +161,7 @@ class Expansion {
                     std::to_string(given->size()));
     Tokens replaced;
     for (++at; at < definition.size(); ++at) {
-      if (definition[at].text == "#") return refuse("joins or quotes its arguments");
+      if (definition[at].text == "#") return refuse("uses # or ## in its replacement list");
       const auto parameter = std::find(parameters.begin(), parameters.end(), definition[at].text);
       if (parameter == parameters.end()) {
         replaced.push_back(definition[at]);

@@ -31,7 +31,7 @@ std::vector<std::string> texts_of(const std::vector<Word>& words) {
 void PragmaParser::read(const DirectiveLine& directive, const std::string& file) {
   Line line{{}, directive.words, {file, directive.line, directive.column}};
   if (line.words.empty()) {
-    warn(line.place, "'#pragma' without a word after it has no effect");
+    warn(line.place, "'#pragma' without a name after it has no effect");
     return;
   }
   Word& first = line.words.front();

@@ -162,7 +162,8 @@ class PragmaReader {
     branch.consulted.insert(condition.consulted.begin(), condition.consulted.end());
     if (!condition.problem.empty()) {
       say(hlsl::Severity::warning, {file, line.line, line.column},
-          "this condition is not understood, and what it decides may be wrong: " + condition.problem);
+          "this condition cannot be evaluated, and the pragmas it guards may be misread: " +
+              condition.problem);
     }
     return condition.holds;
   }

@@ -34,7 +34,7 @@ int number_of(const Line& line, int highest) {
   const char* const end = line.value.data() + line.value.size();
   const auto [stop, error] = std::from_chars(line.value.data(), end, value);
   if (error != std::errc() || stop != end || value < 0 || value > highest) {
-    throw InputError(line.where, "'" + std::string(line.name) + "' must be a whole number from 0 to " +
+    throw InputError(line.where, "'" + std::string(line.name) + "' must be an integer from 0 to " +
                                      std::to_string(highest) + ", found '" + std::string(line.value) + "'");
   }
   return value;
