@@ -103,7 +103,7 @@ TEST(ExecutedTails, HoldThroughEveryTarget) {
 TEST(ExecutedTails, InStructsOfBuffersAreAnError) {
   EXPECT_THAT(
       [] { run_prepared(reads("struct S { float3x3 m; float g; }; cbuffer C { S s; };", {"s.g"})); },
-      ThrowsMessage<std::runtime_error>(HasSubstr("'g' begins in what the member before it leaves free")));
+      ThrowsMessage<std::runtime_error>(HasSubstr("'g' shares the last register of the member before it")));
 }
 
 // Members of a random cbuffer, and the rules once more.
