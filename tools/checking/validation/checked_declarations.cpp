@@ -16,7 +16,8 @@ using hlsl::Diagnostic;
 // What beside the text decides what the parser says.
 std::string circumstances_of(const shaders::CompileRequest& request) {
   return std::to_string(static_cast<int>(request.stage)) + " " +
-         shaders::vulkan_version_name(request.vulkan) + (request.prepare ? " prepared " : " as it is ");
+         shaders::vulkan_version_name(request.vulkan) + (request.prepare ? " prepared " : " as it is ") +
+         (request.half_is_16_bits ? "16-bit half " : "");
 }
 
 // And what decides which module is made of it.

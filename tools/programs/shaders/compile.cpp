@@ -69,8 +69,8 @@ bool tells_an_error(const std::string& log, const hlsl::SourceFiles& sources) {
 bool parse(const Source& source, glslang::TShader& shader, const hlsl::SourceFiles& sources,
            CompileResult& result) {
   glslang::TShader::ForbidIncluder nothing_left_to_include;
-  const bool parsed =
-      shader.parse(GetDefaultResources(), hlsl_version, false, shader_messages, nothing_left_to_include);
+  const bool parsed = shader.parse(GetDefaultResources(), hlsl_version, false, messages_of(source.request),
+                                   nothing_left_to_include);
   const std::string log = shader.getInfoLog();
   for (hlsl::Diagnostic& warning : warnings(log, sources)) result.diagnostics.push_back(std::move(warning));
   if (parsed && !tells_an_error(log, sources)) return true;
@@ -81,7 +81,7 @@ bool parse(const Source& source, glslang::TShader& shader, const hlsl::SourceFil
 
 bool link(const Source& source, const hlsl::SourceFiles& sources, glslang::TProgram& program,
           CompileResult& result) {
-  const bool linked = program.link(shader_messages) && program.mapIO();
+  const bool linked = program.link(messages_of(source.request)) && program.mapIO();
   const std::string log = program.getInfoLog();
   if (linked && !tells_an_error(log, sources)) return true;
   result.diagnostics.push_back(link_error(failure_of(source, log, source.text),

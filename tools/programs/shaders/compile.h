@@ -37,6 +37,7 @@ struct CompileRequest {
   bool keep_unoptimised = false;               // CompileResult::unoptimised and legalised
   VulkanVersion vulkan = VulkanVersion::v1_1;  // that the module is for
   hlsl::TokenPlace entry_place{};              // of the #pragma that names the entry point; no line: of none
+  bool half_is_16_bits = false;  // half and min16float are 16 bits wide (capability Float16), else 32
   bool dxc = false;  // #pragma use_dxc: what Unity's other compiler (FXC) refuses and DXC takes is taken
 };
 

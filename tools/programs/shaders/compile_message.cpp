@@ -50,7 +50,7 @@ int read_place(ByteReader& in) {
 // The members by name and all of them: one more in the struct, and this does not compile until it is written.
 void write(ByteWriter& out, const shaders::CompileRequest& request) {
   const auto& [file, text, entry, stage, defines, roots, directories, project, cginc_root, prepare, optimise,
-               debug_lines, keep_unoptimised, vulkan, entry_place, dxc] = request;
+               debug_lines, keep_unoptimised, vulkan, entry_place, half_is_16_bits, dxc] = request;
   out.text(file.string());
   out.number(text ? 1 : 0);
   out.text(text.value_or(""));
@@ -72,6 +72,7 @@ void write(ByteWriter& out, const shaders::CompileRequest& request) {
   out.text(entry_place.file);
   out.number(static_cast<std::uint64_t>(std::max(entry_place.line, 0)));
   out.number(static_cast<std::uint64_t>(std::max(entry_place.column, 0)));
+  out.number(half_is_16_bits ? 1 : 0);
   out.number(dxc ? 1 : 0);
 }
 
@@ -101,6 +102,7 @@ CompileRequest read_compile_request(ByteReader& in) {
   request.entry_place.file = in.text();
   request.entry_place.line = read_place(in);
   request.entry_place.column = read_place(in);
+  request.half_is_16_bits = in.flag();
   request.dxc = in.flag();
   return request;
 }

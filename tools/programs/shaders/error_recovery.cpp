@@ -23,7 +23,7 @@ Parse parse_again(const Source& source, const std::string& text) {
   const Source rest{source.request, source.name, text, {}};
   SourceShader shader(rest);
   Parse parse;
-  parse.accepted = shader.get().parse(GetDefaultResources(), hlsl_version, false, shader_messages,
+  parse.accepted = shader.get().parse(GetDefaultResources(), hlsl_version, false, messages_of(source.request),
                                       nothing_left_to_include);
   parse.log = shader.get().getInfoLog();
   return parse;

@@ -124,7 +124,7 @@ class MacroExpansion {
     const Source rewritten{source_.request, source_.name, text, preamble};
     SourceShader shader(rewritten);
     Reading reading;
-    const int messages = shader_messages | (past_errors ? EShMsgCascadingErrors : EShMsgDefault);
+    const int messages = messages_of(source_.request) | (past_errors ? EShMsgCascadingErrors : EShMsgDefault);
     bool expanded = false;
     try {
       expanded = shader.get().preprocess(GetDefaultResources(), hlsl_version, ENoProfile, false, false,

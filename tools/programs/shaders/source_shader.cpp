@@ -11,11 +11,17 @@ std::string log_of(const Source& source, const std::string& text) {
   glslang::TShader::ForbidIncluder nothing_left_to_include;
   const Source instead{source.request, source.name, text, {}};
   SourceShader shader(instead);
-  shader.get().parse(GetDefaultResources(), hlsl_version, false, shader_messages, nothing_left_to_include);
+  shader.get().parse(GetDefaultResources(), hlsl_version, false, messages_of(source.request),
+                     nothing_left_to_include);
   return shader.get().getInfoLog();
 }
 
 }  // namespace
+
+EShMessages messages_of(const CompileRequest& request) {
+  const int half = request.half_is_16_bits ? EShMsgHlslEnable16BitTypes : EShMsgDefault;
+  return static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules | EShMsgReadHlsl | half);
+}
 
 EShLanguage language(hlsl::Stage stage) {
   switch (stage) {

@@ -11,8 +11,6 @@
 namespace penumbra::shaders {
 
 inline constexpr int hlsl_version = 500;
-inline constexpr auto shader_messages =
-    static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules | EShMsgReadHlsl);
 
 // What a TShader is made of. glslang keeps the pointers it is given: all of it outlives the TShader.
 struct Source {
@@ -23,6 +21,7 @@ struct Source {
 };
 
 EShLanguage language(hlsl::Stage stage);
+EShMessages messages_of(const CompileRequest& request);  // glslang's options
 
 // A TShader with everything of the request set but not parsed. glslang keeps the pointers it is given, the
 // arrays of pointers included, so they stand here beside it and in the source, which outlives both.
