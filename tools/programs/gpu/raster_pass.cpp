@@ -16,6 +16,16 @@ constexpr Access depth_access{
     vk::PipelineStageFlagBits::eEarlyFragmentTests | vk::PipelineStageFlagBits::eLateFragmentTests,
     vk::AccessFlagBits::eDepthStencilAttachmentRead | vk::AccessFlagBits::eDepthStencilAttachmentWrite, true};
 
+constexpr Access input_access{vk::PipelineStageFlagBits::eVertexInput,
+                              vk::AccessFlagBits::eVertexAttributeRead, false};
+constexpr Access index_access{vk::PipelineStageFlagBits::eVertexInput, vk::AccessFlagBits::eIndexRead, false};
+
+vk::Format format_of(const VertexInput& input) {
+  constexpr std::array formats{vk::Format::eR32Sfloat, vk::Format::eR32G32Sfloat,
+                               vk::Format::eR32G32B32Sfloat, vk::Format::eR32G32B32A32Sfloat};
+  return formats.at(static_cast<std::size_t>(input.components - 1));
+}
+
 vk::ImageLayout layout_of(Format format) {
   return is_depth(format) ? vk::ImageLayout::eDepthStencilAttachmentOptimal
                           : vk::ImageLayout::eColorAttachmentOptimal;
@@ -83,6 +93,9 @@ std::vector<vk::PipelineColorBlendAttachmentState> blends_of(const RasterShaders
 
 void check(const Device& device, const RasterShaders& shaders) {
   const DeviceState& state = *device.state();
+  for (const VertexInput& input : shaders.inputs)
+    if (input.components < 1 || input.components > 4)
+      throw std::invalid_argument("a vertex input has 1 to 4 components");
   if (shaders.vertex.empty()) throw std::invalid_argument("a raster pass without a vertex shader");
   if (shaders.colours.empty() && !shaders.depth)
     throw std::invalid_argument("a raster pass has a depth target, colour targets, or both");
@@ -174,6 +187,21 @@ void check(const RasterTile& tile, const vk::Extent2D& extent) {
   }
 }
 
+// No vertex is read beyond its buffer; what indices say is the caller's.
+void check(const RasterShaders& shaders, const std::vector<RasterTile>& tiles, const VertexStreams& streams) {
+  if (streams.inputs.size() != shaders.inputs.size())
+    throw std::logic_error("a draw has a buffer for each vertex input");
+  const auto holds = [&](const Buffer* buffer, std::size_t bytes) {
+    if (buffer == nullptr) throw std::logic_error("a draw without one of its vertex buffers");
+    for (const RasterTile& tile : tiles)
+      if (buffer->size_bytes() / bytes < tile.vertex_count)
+        throw std::invalid_argument("a draw of more vertices than its buffers hold");
+  };
+  if (streams.indices != nullptr) return holds(streams.indices, sizeof(std::uint32_t));
+  for (std::size_t at = 0; at < streams.inputs.size(); ++at)
+    holds(streams.inputs[at], sizeof(float) * static_cast<std::size_t>(shaders.inputs[at].components));
+}
+
 // Kept together so that a draw that never ends keeps all it uses.
 struct Draw {
   std::shared_ptr<RasterState> pass;
@@ -181,7 +209,19 @@ struct Draw {
   std::vector<vk::ClearValue> clears;
   std::vector<RasterTile> tiles;
   vk::Extent2D extent;
+  std::vector<std::shared_ptr<BufferState>> vertices;
+  std::shared_ptr<BufferState> indices;  // null: vertices in order
   vk::raii::Framebuffer framebuffer = nullptr;
+
+  void add(const VertexStreams& streams, ResourceUses& uses) {
+    for (const Buffer* buffer : streams.inputs) {
+      vertices.push_back(buffer->state());
+      uses.buffers.push_back({buffer->state(), input_access});
+    }
+    if (streams.indices == nullptr) return;
+    indices = streams.indices->state();
+    uses.buffers.push_back({indices, index_access});
+  }
 
   void add(const RasterTarget& target, const Access& access, vk::ClearValue clear,
            std::vector<vk::ImageView>& views, ResourceUses& uses) {
@@ -205,6 +245,10 @@ void record(const Draw& draw, const vk::raii::CommandBuffer& commands) {
       vk::RenderPassBeginInfo(*pass.render_pass, *draw.framebuffer, {{0, 0}, draw.extent}, draw.clears),
       vk::SubpassContents::eInline);
   commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pass.pipeline());
+  std::uint32_t binding = 0;
+  for (const std::shared_ptr<BufferState>& buffer : draw.vertices)
+    commands.bindVertexBuffers(binding++, *buffer->allocation.buffer, vk::DeviceSize(0));
+  if (draw.indices) commands.bindIndexBuffer(*draw.indices->allocation.buffer, 0, vk::IndexType::eUint32);
   for (const RasterTile& tile : draw.tiles) {
     commands.setViewport(
         0, vk::Viewport(float(tile.x), float(tile.y), float(tile.width), float(tile.height), 0.0F, 1.0F));
@@ -213,7 +257,10 @@ void record(const Draw& draw, const vk::raii::CommandBuffer& commands) {
     if (!tile.push_constants.empty())
       commands.pushConstants<std::byte>(*pass.interface->pipeline_layout, pass.interface->stages, 0,
                                         tile.push_constants);
-    commands.draw(tile.vertex_count, 1, 0, 0);
+    if (draw.indices)
+      commands.drawIndexed(tile.vertex_count, 1, 0, 0, 0);
+    else
+      commands.draw(tile.vertex_count, 1, 0, 0);
   }
   commands.endRenderPass();
 }
@@ -233,7 +280,14 @@ vk::Pipeline RasterState::pipeline() {
     stages.emplace_back(vk::PipelineShaderStageCreateFlags(), vk::ShaderStageFlagBits::eFragment, *fragment,
                         shaders.fragment_entry.c_str());
   }
-  const vk::PipelineVertexInputStateCreateInfo no_vertex_input;
+  std::vector<vk::VertexInputBindingDescription> bindings;
+  std::vector<vk::VertexInputAttributeDescription> attributes;
+  for (const VertexInput& input : shaders.inputs) {
+    const auto binding = static_cast<std::uint32_t>(bindings.size());
+    bindings.emplace_back(binding, static_cast<std::uint32_t>(input.components) * 4U);
+    attributes.emplace_back(input.location, binding, format_of(input), 0U);
+  }
+  const vk::PipelineVertexInputStateCreateInfo vertex_input({}, bindings, attributes);
   const vk::PipelineInputAssemblyStateCreateInfo triangles({}, vk::PrimitiveTopology::eTriangleList);
   const vk::PipelineViewportStateCreateInfo one_viewport({}, 1, nullptr, 1, nullptr);
   vk::PipelineRasterizationStateCreateInfo rasterization;
@@ -257,20 +311,23 @@ vk::Pipeline RasterState::pipeline() {
   pipeline_ =
       vk::raii::Pipeline(device, nullptr,
                          vk::GraphicsPipelineCreateInfo(
-                             {}, stages, &no_vertex_input, &triangles, nullptr, &one_viewport, &rasterization,
+                             {}, stages, &vertex_input, &triangles, nullptr, &one_viewport, &rasterization,
                              &samples, &depth, &blend, &dynamic, *interface->pipeline_layout, *render_pass));
   return *pipeline_;
 }
 
 SequenceStep raster_step(const std::shared_ptr<RasterState>& pass, const Bindings& bindings,
-                         const RasterTargets& targets, const std::vector<RasterTile>& tiles) {
+                         const RasterTargets& targets, const std::vector<RasterTile>& tiles,
+                         const VertexStreams& streams) {
   check(pass->shaders, targets);
+  check(pass->shaders, tiles, streams);
   const auto draw = std::make_shared<Draw>();
   draw->pass = pass;
   draw->tiles = tiles;
   draw->extent = extent_of(first_target(targets));
   for (const RasterTile& tile : tiles) check(tile, draw->extent);
   SequenceStep step = step_with(bindings, *pass->interface, vk::PipelineBindPoint::eGraphics);
+  draw->add(streams, step.uses);
   std::vector<vk::ImageView> views;
   for (std::size_t at = 0; at < targets.colours.size(); ++at)
     draw->add(targets.colours[at], colour_access, clear_colour(targets, at), views, step.uses);
@@ -296,9 +353,10 @@ Bindings RasterPass::more_bindings() const {
   return Bindings(state_->interface);
 }
 
-double RasterPass::draw(const RasterTargets& targets, const std::vector<RasterTile>& tiles) {
+double RasterPass::draw(const RasterTargets& targets, const std::vector<RasterTile>& tiles,
+                        const VertexStreams& streams) {
   Sequence once(state_->interface->device);
-  once.draw(*this, bindings_, targets, tiles);
+  once.draw(*this, bindings_, targets, tiles, streams);
   return once.run().front();
 }
 

@@ -1,6 +1,7 @@
 // Triangles into a depth image and colour images, tile by tile.
 //
-// Vertices are pulled: the vertex shader reads storage buffers by SV_VertexID; there is no vertex input.
+// Vertices are read from vertex buffers, one for each input of the vertex shader, or the shader reads storage
+// buffers by SV_VertexID and has no inputs.
 // Coordinates are Vulkan's: clip y = -1 is row 0 of the image, clip depth 0 .. 1 is what the image stores.
 // Both faces are drawn.
 #pragma once
@@ -24,11 +25,19 @@ enum class DepthTest { less, greater };
 // mixed by the new one's alpha.
 enum class Blend { none, add, smallest, largest, alpha };
 
+// An input of the vertex shader: so many floats for each vertex, without gaps in their buffer. What the
+// shader declares beyond them is 0, and 1 in a fourth component.
+struct VertexInput {
+  std::uint32_t location = 0;
+  int components = 4;
+};
+
 struct RasterShaders {
   std::vector<std::uint32_t> vertex;
   std::vector<std::uint32_t> fragment;  // empty: depth only
   std::string vertex_entry = "Main";
   std::string fragment_entry = "Main";
+  std::vector<VertexInput> inputs;
   std::vector<Format> colours;  // of the targets, as many as the device has attachments
   std::vector<Blend> blends;    // of each; empty: none
   std::optional<Format> depth;
@@ -64,6 +73,12 @@ struct RasterTargets {
   std::vector<RasterTarget> resolves = {};               // of one sample: each pixel's mean, for each colour
 };
 
+// What a draw reads its vertices from. They have to outlive the sequence that they are put into.
+struct VertexStreams {
+  std::vector<const Buffer*> inputs;  // of RasterShaders::inputs, in their order
+  const Buffer* indices = nullptr;    // 32 bits each; null: vertices in order
+};
+
 // One draw into a rectangle of the targets: viewport and scissor both. The push constants (at most 128
 // bytes) are both stages' to read.
 struct RasterTile {
@@ -71,7 +86,7 @@ struct RasterTile {
   int y = 0;
   int width = 0;
   int height = 0;
-  std::uint32_t vertex_count = 0;
+  std::uint32_t vertex_count = 0;  // of them, or of indices
   std::vector<std::byte> push_constants;
 };
 
@@ -87,7 +102,8 @@ class RasterPass {
   Bindings more_bindings() const;  // for another step of a Sequence
 
   // Draws all tiles in one submission, and returns its time in nanoseconds.
-  double draw(const RasterTargets& targets, const std::vector<RasterTile>& tiles);
+  double draw(const RasterTargets& targets, const std::vector<RasterTile>& tiles,
+              const VertexStreams& streams = {});
 
   const std::shared_ptr<RasterState>& state() const { return state_; }
 

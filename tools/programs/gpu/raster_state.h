@@ -19,6 +19,7 @@ struct RasterState {
 };
 
 SequenceStep raster_step(const std::shared_ptr<RasterState>& pass, const Bindings& bindings,
-                         const RasterTargets& targets, const std::vector<RasterTile>& tiles);
+                         const RasterTargets& targets, const std::vector<RasterTile>& tiles,
+                         const VertexStreams& streams);
 
 }  // namespace penumbra::gpu

@@ -68,8 +68,8 @@ void Sequence::dispatch_indirect(const ComputePass& pass, const Bindings& bindin
 }
 
 void Sequence::draw(const RasterPass& pass, const Bindings& bindings, const RasterTargets& targets,
-                    const std::vector<RasterTile>& tiles) {
-  state_->steps.push_back(raster_step(pass.state(), bindings, targets, tiles));
+                    const std::vector<RasterTile>& tiles, const VertexStreams& streams) {
+  state_->steps.push_back(raster_step(pass.state(), bindings, targets, tiles, streams));
 }
 
 void Sequence::fill(const Buffer& buffer, std::uint32_t word) {

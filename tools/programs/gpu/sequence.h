@@ -33,7 +33,7 @@ class Sequence {
   void dispatch_indirect(const ComputePass& pass, const Bindings& bindings, const Buffer& groups,
                          std::size_t byte = 0);
   void draw(const RasterPass& pass, const Bindings& bindings, const RasterTargets& targets,
-            const std::vector<RasterTile>& tiles);
+            const std::vector<RasterTile>& tiles, const VertexStreams& streams = {});
   void fill(const Buffer& buffer, std::uint32_t word);
 
   // One submission. The time of each step on the device in nanoseconds; without timestamps the first has the
