@@ -4,9 +4,9 @@
 #include <numeric>
 #include "fuzz/fuzz_input.h"
 #include "fuzz/targets.h"
+#include "hlsl/declarations.h"
 #include "hlsl/dense_lines.h"
 #include "hlsl/expanded_text.h"
-#include "hlsl/outline.h"
 #include "hlsl/reach.h"
 #include "hlsl/token_place.h"
 #include "shaders/bad_character.h"
@@ -19,9 +19,9 @@ namespace penumbra::fuzz {
 
 namespace {
 
-void outline(const std::string& text) {
+void check_declarations(const std::string& text) {
   const std::vector<hlsl::Token> tokens = hlsl::lex(text);
-  for (const hlsl::Declaration& declaration : hlsl::outline(tokens)) {
+  for (const hlsl::Declaration& declaration : hlsl::read_declarations(tokens)) {
     require(declaration.first <= declaration.last && declaration.last < tokens.size(), "tokens of the text");
     if (declaration.parameters_open != hlsl::Declaration::none) hlsl::parameter_types(tokens, declaration);
   }
@@ -40,7 +40,7 @@ void reach(const std::string& text) {
 
 void read_log(const std::string& text, const hlsl::SourceFiles& sources) {
   const hlsl::TokenPlaces places(text, "main.hlsl");
-  places.one_a_line();
+  places.one_per_line();
   for (const shaders::LogLine& line : shaders::parse_log(text, sources)) {
     shaders::sentence(line, {});
     shaders::with_hlsl_types(line.message);
@@ -85,7 +85,7 @@ void targets::expanded_text(std::string_view bytes) {
   const std::string text(bytes);
   hlsl::SourceFiles sources;
   sources.add("main.hlsl", text);
-  outline(text);
+  check_declarations(text);
   reach(text);
   read_log(text, sources);
   place_errors(text, sources);

@@ -7,7 +7,7 @@
 
 #include "fuzz/fuzz_input.h"
 #include "fuzz/targets.h"
-#include "hlsl/outline.h"
+#include "hlsl/declarations.h"
 #include "hlsl/tokens.h"
 #include "preparation/prepare.h"
 #include "preparation/token_text.h"
@@ -35,7 +35,7 @@ void print_untouched(const std::string& text) {
 preparation::EntryPoint entry_of(const std::string& text, std::size_t choice) {
   preparation::EntryPoint entry{"Frag"};
   const std::vector<hlsl::Token> tokens = hlsl::lex(text);
-  for (const hlsl::Declaration& declaration : hlsl::outline(tokens))
+  for (const hlsl::Declaration& declaration : hlsl::read_declarations(tokens))
     if (declaration.kind == hlsl::Declaration::Kind::function)
       entry.name = std::string(tokens[declaration.name].spelling);
   entry.stage = hlsl::all_stages[choice % stages];

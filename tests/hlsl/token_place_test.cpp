@@ -47,7 +47,7 @@ class PlacesOfExpandedText : public testing::Test {
 };
 
 TEST_F(PlacesOfExpandedText, KeepsOperatorsWhole) {
-  const std::string text = places.one_a_line();
+  const std::string text = places.one_per_line();
   EXPECT_NE(text.find("\n>=\n"), std::string::npos) << text;
   EXPECT_EQ(text.substr(0, 8), "float\nF\n");
 }

@@ -61,14 +61,14 @@ TEST(TokenText, AnEditStandsOnTheLineOfWhatItReplaces) {
 
 TEST(TokenText, PartnersAreFoundAfterEdits) {
   TokenText text("f ( a [ 1 ] ) { }", "m");
-  EXPECT_EQ(text.partner(1), 6u);
-  EXPECT_EQ(text.partner(5), 3u);
-  EXPECT_EQ(text.partner(0), npos);
+  EXPECT_EQ(text.matching_bracket(1), 6u);
+  EXPECT_EQ(text.matching_bracket(5), 3u);
+  EXPECT_EQ(text.matching_bracket(0), npos);
   text.insert(0, "{ }");
   text.apply();
-  EXPECT_EQ(text.partner(0), 1u);
-  EXPECT_EQ(text.partner(3), 8u);
-  EXPECT_EQ(TokenText("( ]", "m").partner(0), npos);
+  EXPECT_EQ(text.matching_bracket(0), 1u);
+  EXPECT_EQ(text.matching_bracket(3), 8u);
+  EXPECT_EQ(TokenText("( ]", "m").matching_bracket(0), npos);
 }
 
 // What is asked of a text after edits, and what is asked of a text that never was another.
@@ -77,32 +77,32 @@ void expect_like_new(const TokenText& edited) {
   const TokenText fresh(printed, "m");
   ASSERT_EQ(edited.size(), fresh.size());
   for (std::size_t at = 0; at < fresh.size(); ++at) {
-    EXPECT_EQ(edited.is_word(at), fresh.is_word(at)) << at;
+    EXPECT_EQ(edited.is_identifier(at), fresh.is_identifier(at)) << at;
     EXPECT_EQ(edited.lead(at), fresh[at].spelling[0]) << at;
     EXPECT_TRUE(edited.is(at, fresh[at].spelling)) << at;
-    EXPECT_EQ(edited.partner(at), fresh.partner(at)) << at;
+    EXPECT_EQ(edited.matching_bracket(at), fresh.matching_bracket(at)) << at;
     EXPECT_EQ(edited.types().at(at).name, fresh.types().at(at).name) << at;
     EXPECT_EQ(edited.types().begin(at), fresh.types().begin(at)) << at;
   }
-  ASSERT_EQ(edited.outline().size(), fresh.outline().size());
-  for (std::size_t i = 0; i < fresh.outline().size(); ++i) {
-    EXPECT_EQ(edited.outline()[i].kind, fresh.outline()[i].kind) << i;
-    EXPECT_EQ(edited.outline()[i].first, fresh.outline()[i].first) << i;
-    EXPECT_EQ(edited.outline()[i].last, fresh.outline()[i].last) << i;
-    EXPECT_EQ(edited.outline()[i].name, fresh.outline()[i].name) << i;
+  ASSERT_EQ(edited.declarations().size(), fresh.declarations().size());
+  for (std::size_t i = 0; i < fresh.declarations().size(); ++i) {
+    EXPECT_EQ(edited.declarations()[i].kind, fresh.declarations()[i].kind) << i;
+    EXPECT_EQ(edited.declarations()[i].first, fresh.declarations()[i].first) << i;
+    EXPECT_EQ(edited.declarations()[i].last, fresh.declarations()[i].last) << i;
+    EXPECT_EQ(edited.declarations()[i].name, fresh.declarations()[i].name) << i;
   }
 }
 
 TEST(TokenText, AfterEditsEverythingIsToldOfTheNewText) {
   TokenText text("float a; float f(float b) { return (a + b); } struct S { half c; }; S s;", "m");
-  EXPECT_EQ(text.outline().size(), 4u);
+  EXPECT_EQ(text.declarations().size(), 4u);
   EXPECT_EQ(text.types().structs().size(), 1u);
   EXPECT_EQ(text.free_name("d"), "d");
   EXPECT_EQ(text.free_name("a"), "a_");
   text.replace(0, 3, "int2 d[2]; ;");
   text.insert(text.size(), "void g() { s.c = d[0].x; }");
   text.apply();
-  ASSERT_EQ(text.outline().size(), 6u);
+  ASSERT_EQ(text.declarations().size(), 6u);
   EXPECT_EQ(text.free_name("d"), "d_");
   EXPECT_EQ(text.free_name("g"), "g_");
   EXPECT_EQ(text.types().at(1).name, "");
@@ -140,10 +140,10 @@ TEST(TokenText, WordNumbersAreThoseOfTheSpelling) {
   std::map<std::string_view, std::uint32_t> number_of;
   std::set<std::uint32_t> numbers;
   for (std::size_t at = 0; at < text.size(); ++at) {
-    const std::uint32_t number = text.word_number(at);
-    EXPECT_EQ(number == hlsl::WordNumbers::none, !text.is_word(at));
-    if (!text.is_word(at)) continue;
-    EXPECT_LT(number, text.word_numbers());
+    const std::uint32_t number = text.identifier_number(at);
+    EXPECT_EQ(number == hlsl::StringInterner::none, !text.is_identifier(at));
+    if (!text.is_identifier(at)) continue;
+    EXPECT_LT(number, text.identifier_count());
     EXPECT_EQ(number_of.emplace(text[at].spelling, number).first->second, number) << text[at].spelling;
     numbers.insert(number);
   }

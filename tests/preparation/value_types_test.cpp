@@ -66,7 +66,7 @@ TEST(ValueTypes, OfWhatIsNotKnownNothingIsSaid) {
 TEST(ValueTypes, AFunctionsBodyHasBothItsBraces) {
   const TokenText text(") float f() { return 1; } struct S { float g() { return 2; } };", "a");
   for (const FunctionType& function : text.types().functions())
-    EXPECT_TRUE(function.body == npos || text.partner(function.body) != npos);
+    EXPECT_TRUE(function.body == npos || text.matching_bracket(function.body) != npos);
 }
 
 TEST(ValueTypes, EndlessInheritanceEnds) {

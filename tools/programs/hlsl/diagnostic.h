@@ -1,4 +1,4 @@
-// A message about a source text, at the place a person would mend.
+// A diagnostic: a message about a source text, at the location that has to be corrected.
 #pragma once
 
 #include <string>

@@ -89,7 +89,7 @@ class Indentation {
   std::map<std::string, std::vector<std::string_view>> files_;
 };
 
-// Pairs brackets up as they come, until one has no partner.
+// Pairs brackets up as they come, until one has no match.
 class BracketPairs {
  public:
   explicit BracketPairs(const SourceFiles& sources) : sources_(sources), indentation_(sources) {}
@@ -101,13 +101,12 @@ class BracketPairs {
       open_.push_back(bracket);
       return true;
     }
-    const auto partner = std::find_if(open_.rbegin(), open_.rend(), [&](const Bracket& opener) {
-      return closer_of(opener.character) == c;
-    });
-    const bool lost = partner == open_.rend();
+    const auto match = std::find_if(open_.rbegin(), open_.rend(),
+                                    [&](const Bracket& opener) { return closer_of(opener.character) == c; });
+    const bool lost = match == open_.rend();
     if (lost && (open_.empty() || open_.back().line != bracket.line)) {
       fault_ = place_of(bracket, "closes nothing", sources_);
-    } else if (lost || partner != open_.rbegin()) {
+    } else if (lost || match != open_.rbegin()) {
       fault_ = place_of(open_.back(), "is never closed", sources_);
     } else {
       close(bracket);

@@ -1,5 +1,5 @@
-// Reads what the preprocessor left, line by line with its origin, to say where a bracket, a condition or a
-// statement was left open: the parser only notices later, often in another file. Internal to this room.
+// Reads preprocessed text line by line with its origin, to report where a bracket, a condition or a statement
+// was left open: the parser only notices later, often in another file. Internal to this room.
 #pragma once
 
 #include <optional>
@@ -24,12 +24,12 @@ struct OpenPlace {
   std::string message;
 };
 
-// Splits preprocessor output at its #line directives; `main_file` names what stands before the first.
+// Splits preprocessor output at its #line directives; lines before the first belong to `main_file`.
 std::vector<CodeLine> expanded_lines(const std::string& preprocessed, const std::string& main_file);
 
-// A bracket that is never closed, closed by another kind, or closed without having been opened. Of several
-// open braces it is the one whose '}' seems to have gone to another: the first that is closed further left
-// than the line that opened it.
+// A bracket that is never closed, closed by another kind, or closed without having been opened. If several
+// braces are open, reports the one whose '}' seems to have closed another: the first that is closed further
+// left than the line that opened it.
 std::optional<OpenPlace> unbalanced_bracket(const std::vector<CodeLine>& lines, const SourceFiles& sources);
 
 // An #if without #endif, or the other way round, within one file.

@@ -1,4 +1,4 @@
-// What may stand as a name in HLSL and on a #define line.
+// Whether the text is an identifier of HLSL and of the preprocessor.
 #pragma once
 
 #include <algorithm>

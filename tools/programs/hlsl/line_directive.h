@@ -1,4 +1,4 @@
-// `#line N "file"`, as a preprocessor leaves it. Internal to this room.
+// `#line N "file"`, as a preprocessor emits it. Internal to this room.
 #pragma once
 
 #include <charconv>
@@ -12,8 +12,8 @@ struct LinePlace {
   int line = 1;
 };
 
-// The place of the line behind the directive; a directive without a file changes the number alone. False for
-// every other line.
+// Reads the location of the line after the directive; a directive without a file changes only the line
+// number. False for every other line.
 inline bool take_line_directive(std::string_view line, LinePlace& next) {
   if (!line.starts_with("#line ")) return false;
   int number = 0;

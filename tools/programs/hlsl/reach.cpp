@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "hlsl/outline.h"
-#include "hlsl/word_numbers.h"
+#include "hlsl/declarations.h"
+#include "hlsl/string_interner.h"
 #include "platform/content_hash.h"
 
 namespace penumbra::hlsl {
@@ -27,7 +27,7 @@ bool is_static_constant(const std::vector<Token>& tokens, const Declaration& dec
 bool declares_several(const std::vector<Token>& tokens, const Declaration& declaration) {
   int depth = 0;
   for (std::size_t at = declaration.first; at <= declaration.last; ++at) {
-    if (tokens[at].kind != Token::Kind::mark) continue;
+    if (tokens[at].kind != Token::Kind::punctuation) continue;
     const char mark = tokens[at].spelling[0];
     if (mark == '(' || mark == '[' || mark == '{') ++depth;
     if (mark == ')' || mark == ']' || mark == '}') --depth;
@@ -46,7 +46,7 @@ bool may_go(const std::vector<Token>& tokens, const Declaration& declaration) {
 
 // What stands after a name where it is declared.
 bool ends_declarator(const Token& token) {
-  return token.kind == Token::Kind::mark &&
+  return token.kind == Token::Kind::punctuation &&
          std::string_view(";,[:=").find(token.spelling[0]) != std::string_view::npos;
 }
 
@@ -66,13 +66,14 @@ void append_lines_alone(const std::string& text, std::size_t begin, std::size_t 
 // One walk over the declarations in their order.
 class ReachReader {
  public:
-  explicit ReachReader(Reach& to) : to_(to), tokens_(to.tokens_), outline_(outline(to.tokens_)) {}
+  explicit ReachReader(Reach& to)
+      : to_(to), tokens_(to.tokens_), declarations_(read_declarations(to.tokens_)) {}
 
   // Returns what stands outside everything that may go spells.
   std::vector<std::size_t> run(std::string_view entry) {
     number_names();
     std::size_t at = 0;
-    for (const Declaration& declaration : outline_) {
+    for (const Declaration& declaration : declarations_) {
       take_roots(at, declaration.first);
       read(declaration);
       at = declaration.last + 1;
@@ -96,7 +97,7 @@ class ReachReader {
   std::string_view spelling(std::size_t token) const { return tokens_[token].spelling; }
 
   void number_names() {
-    for (const Declaration& declaration : outline_) {
+    for (const Declaration& declaration : declarations_) {
       if (!may_go(tokens_, declaration)) continue;
       Word& word = word_of(spelling(declaration.name));
       if (word.name != none) continue;
@@ -115,19 +116,19 @@ class ReachReader {
   // A word that is used: what it means goes into the hash, whom it reaches into the list.
   void word(std::string_view spelled, platform::ContentHash* hash, std::vector<std::size_t>& reached) {
     const std::uint32_t number = numbers_.find(spelled);
-    if (number == WordNumbers::none) return;
+    if (number == StringInterner::none) return;
     const Word& known = words_[number];
     if (known.name != none) reached.push_back(known.name);
     if (hash != nullptr && !known.meaning.empty()) hash->update(known.meaning);
   }
 
   void token(const Token& token, platform::ContentHash* hash, std::vector<std::size_t>& reached) {
-    if (token.kind == Token::Kind::word) word(token.spelling, hash, reached);
-    if (token.kind != Token::Kind::text) return;
+    if (token.kind == Token::Kind::identifier) word(token.spelling, hash, reached);
+    if (token.kind != Token::Kind::string) return;
     std::string quoted(token.spelling);  // [patchconstantfunc("Name")]
     std::replace(quoted.begin(), quoted.end(), '"', ' ');
     for (const Token& inside : lex(quoted))
-      if (inside.kind == Token::Kind::word) word(inside.spelling, hash, reached);
+      if (inside.kind == Token::Kind::identifier) word(inside.spelling, hash, reached);
   }
 
   void take_roots(std::size_t begin, std::size_t end) {
@@ -162,7 +163,7 @@ class ReachReader {
     if (goes) return;
     // The members of a buffer, the variables of a list, those that follow a struct.
     for (std::size_t at = declaration.first; at < declaration.last; ++at)
-      if (tokens_[at].kind == Token::Kind::word &&
+      if (tokens_[at].kind == Token::Kind::identifier &&
           (ends_declarator(tokens_[at + 1]) || declaration.kind == Kind::other))
         add_meaning(spelling(at), key);
   }
@@ -179,8 +180,8 @@ class ReachReader {
 
   Reach& to_;
   const std::vector<Token>& tokens_;
-  std::vector<Declaration> outline_;
-  WordNumbers numbers_;      // of the words that something declares
+  std::vector<Declaration> declarations_;
+  StringInterner numbers_;   // of the words that something declares
   std::vector<Word> words_;  // by their numbers
   platform::ContentHash hash_;
   std::vector<std::vector<std::string>> keys_;  // of names_: those of their declarations

@@ -1,13 +1,13 @@
-// Which declarations of an expanded text its entry point reaches, and a name for all that one rests on.
+// Which declarations of an expanded text its entry point reaches, and a key for each of the others.
 //
-// What may be left out of a text without a change to its entry point: functions, prototypes and static
-// constants whose name nothing that is reached spells. All else (types, buffers, resources, other variables)
-// is reached. Spelling alone decides, so that too much stays and never too little: a local variable called as
-// some function is reaches that function. Declarations of one name stay or go together.
+// Functions, prototypes and static constants may be removed from a text without changing its entry point if
+// no reached code mentions their names. Everything else (types, buffers, resources, other variables) is
+// reached. Only spelling decides, so the result is conservative: a local variable with the name of a function
+// keeps that function. Declarations with the same name are kept or removed together.
 //
-// The key of a name is a hash of its declarations, of the file and the lines they stand on, and of everything
-// they name that is declared before them, and so on down: where two texts give a name the same key, there is
-// the same to be said of it in both.
+// The key of a name is a hash of its declarations, of the file and the lines they are on, and, recursively,
+// of everything they mention that is declared before them: if two texts give a name the same key, compiling
+// it gives the same diagnostics in both.
 #pragma once
 
 #include <cstddef>
@@ -22,25 +22,26 @@ namespace penumbra::hlsl {
 
 class Reach {
  public:
-  // `expanded`: no comments, no macros (tokens.h); it outlives this. Lines before the first #line that names
-  // a file are in `main_file`.
+  // `expanded`: no comments, no macros (tokens.h); it must outlive this object. Lines before the first #line
+  // that names a file are in `main_file`.
   Reach(const std::string& expanded, std::string main_file, std::string_view entry);
   Reach(const Reach&) = delete;
   Reach& operator=(const Reach&) = delete;
 
-  // The keys of the names that the entry point does not reach, each once, in the order of the text.
+  // The keys of the names that the entry point does not reach, each once, in source order.
   const std::vector<std::string>& unreached() const { return unreached_; }
-  // The indices into unreached() of those that stand where the message points: one line may hold several.
+  // The indices into unreached() of those at the location of the message: one line may hold several.
   std::vector<std::size_t> at(const Diagnostic& message) const;
-  // The text with what the entry point reaches and what these of unreached() do. Lines keep their numbers.
+  // The text with what the entry point and the names in `also` (indices into unreached()) reach. Lines keep
+  // their numbers.
   std::string text_with(const std::vector<std::size_t>& also) const;
 
  private:
-  struct Range {  // of tokens, both included
+  struct Range {  // of tokens, inclusive
     std::size_t first;
     std::size_t last;
   };
-  // A name whose declarations may go.
+  // A name whose declarations may be removed.
   struct Name {
     std::vector<Range> declarations;
     std::vector<std::size_t> spelled;  // the names in them, as indices into names_

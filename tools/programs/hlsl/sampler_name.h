@@ -1,5 +1,5 @@
-// The settings that Unity reads out of a sampler's name (Unity manual, "Using sampler states", inline sampler
-// states): words in any case and order.
+// The settings that Unity derives from a sampler's name (Unity manual, "Using sampler states", inline sampler
+// states): keywords in any case and order.
 #pragma once
 
 #include <string_view>
@@ -8,7 +8,7 @@ namespace penumbra::hlsl {
 
 struct SamplerName {
   bool point = false;
-  bool linear = false;  // trilinear holds linear
+  bool linear = false;  // trilinear contains "linear"
   bool clamp = false;
   bool repeat = false;
   bool mirror = false;

@@ -1,5 +1,5 @@
-// The text of shader files as the compiler and a reader of its messages see it: one line ending, no byte
-// order mark, lines by number.
+// The text of shader files as the compiler and its diagnostics see it: one line ending, no byte order mark,
+// lines by number.
 #pragma once
 
 #include <filesystem>
@@ -19,10 +19,10 @@ struct SourceRead {
   std::string text;
   std::string problem;  // empty when the text was read
 };
-// #line directives of the file are blanked: a message belongs where it can be seen.
+// #line directives of the file are blanked: diagnostics name physical lines.
 SourceRead read_source(const std::filesystem::path& file);
 
-// Every text of one compilation, by the name messages call it. Copies share the texts.
+// Every text of one compilation, by the name that diagnostics use. Copies share the texts.
 class SourceFiles {
  public:
   using Text = std::shared_ptr<const std::string>;

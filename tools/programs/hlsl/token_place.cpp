@@ -22,7 +22,7 @@ std::vector<Token> with_operators_joined(const std::vector<Token>& marks, std::s
   std::vector<Token> joined;
   for (std::size_t i = 0; i < marks.size(); ++i) {
     Token token = marks[i];
-    if (token.kind == Token::Kind::mark) {
+    if (token.kind == Token::Kind::punctuation) {
       for (const std::string_view candidate : operators) {
         const std::string_view here = text.substr(offset_in(text, token), candidate.size());
         if (here != candidate) continue;
@@ -56,7 +56,7 @@ int column_of_macro(std::string_view source_line, const std::set<std::string_vie
   const std::string code = without_comments(source_line);
   int column = 0;
   for (const Token& token : lex(code)) {
-    if (token.kind != Token::Kind::word || expanded.count(token.spelling) != 0) continue;
+    if (token.kind != Token::Kind::identifier || expanded.count(token.spelling) != 0) continue;
     if (column != 0) return 0;
     column = static_cast<int>(offset_in(code, token)) + 1;
   }
@@ -82,7 +82,7 @@ int column_after_code(std::string_view source_line) {
 TokenPlaces::TokenPlaces(const std::string& preprocessed, std::string main_file)
     : tokens_(with_operators_joined(lex(preprocessed), preprocessed)), main_file_(std::move(main_file)) {}
 
-std::string TokenPlaces::one_a_line() const {
+std::string TokenPlaces::one_per_line() const {
   std::string text;
   for (const Token& token : tokens_) text.append(token.spelling).append("\n");
   return text;
@@ -130,7 +130,7 @@ std::size_t TokenPlaces::function(std::string_view name) const {
   std::size_t declared = size();
   for (std::size_t i = 1; i + 1 < size(); ++i) {
     const bool named = tokens_[i].spelling == name && tokens_[i + 1].spelling == "(" &&
-                       tokens_[i - 1].kind == Token::Kind::word && tokens_[i - 1].spelling != "return";
+                       tokens_[i - 1].kind == Token::Kind::identifier && tokens_[i - 1].spelling != "return";
     if (!named) continue;
     if (declared == size()) declared = i;
     std::size_t end = i + 1;

@@ -1,9 +1,9 @@
-// From a token of the expanded text back to where a person wrote it, to the column.
+// Maps a token of the expanded text to its source location, including the column.
 //
-// A compiler that reports lines alone tells the token, too, when it reads the text one token a line: line N
-// of its message is token N. The preprocessor keeps no columns, so a token's column is that of the same
-// spelling in the source line, counted from the left; a token that a macro brought stands where the macro is
-// called.
+// A compiler that reports only lines also identifies the token if it reads the text with one token per line:
+// line N of its message is token N. The preprocessor keeps no columns, so a token's column is that of the
+// same spelling in the source line, counted from the left; a token from a macro expansion gets the location
+// of the macro call.
 #pragma once
 
 #include <cstddef>
@@ -19,22 +19,23 @@ namespace penumbra::hlsl {
 struct TokenPlace {
   std::string file;
   int line = 0;
-  int column = 0;  // 1-based; 0 when it cannot be told
+  int column = 0;  // 1-based; 0 if unknown
 };
 
 class TokenPlaces {
  public:
-  // `preprocessed` outlives it; `main_file` names what stands before the first #line directive.
+  // `preprocessed` must outlive this object; lines before the first #line directive belong to `main_file`.
   TokenPlaces(const std::string& preprocessed, std::string main_file);
 
-  std::string one_a_line() const;
+  std::string one_per_line() const;
   std::size_t size() const { return tokens_.size(); }
   const Token& operator[](std::size_t index) const { return tokens_[index]; }
 
   TokenPlace at(std::size_t index, const SourceFiles& sources) const;
-  TokenPlace after(std::size_t index, const SourceFiles& sources) const;  // the column just behind it
+  TokenPlace after(std::size_t index, const SourceFiles& sources) const;  // the column right after it
 
-  // Where the function is defined (or else declared first): its name's index; size() when nowhere.
+  // The index of the function's name in its definition, or else in its first declaration; size() if there is
+  // none.
   std::size_t function(std::string_view name) const;
 
  private:
@@ -45,8 +46,8 @@ class TokenPlaces {
   std::string main_file_;
 };
 
-// 1-based column of the rank-th (from 0) of `count` tokens of that spelling; 0 when the line has another
-// number.
+// 1-based column of the rank-th (from 0) of `count` tokens with that spelling; 0 if the line has another
+// number of them.
 int column_in(std::string_view source_line, std::string_view spelling, std::size_t rank, std::size_t count);
 
 // 1-based column just after the last character that is neither blank nor comment.

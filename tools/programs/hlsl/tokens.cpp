@@ -19,10 +19,10 @@ bool is_blank(char c) {
 // Asked about nearly every character of a text: a table, for it is twice as fast as the comparisons.
 constexpr std::array<bool, 256> characters_of_words = [] {
   std::array<bool, 256> table{};
-  for (std::size_t c = 0; c < table.size(); ++c) table[c] = continues_word(static_cast<char>(c));
+  for (std::size_t c = 0; c < table.size(); ++c) table[c] = continues_identifier(static_cast<char>(c));
   return table;
 }();
-bool is_word(char c) {
+bool is_identifier_character(char c) {
   return characters_of_words[static_cast<unsigned char>(c)];
 }
 
@@ -57,14 +57,14 @@ class Lexer {
   }
 
   void token(char c) {
-    if (begins_word(c)) {
-      take(Token::Kind::word, end_of_word(at_));
+    if (begins_identifier(c)) {
+      take(Token::Kind::identifier, end_of_identifier(at_));
     } else if (is_digit(c) || (c == '.' && is_digit(next(1)))) {
       take(Token::Kind::number, end_of_number());
     } else if (c == '"') {
-      take(Token::Kind::text, end_of_text());
+      take(Token::Kind::string, end_of_text());
     } else {
-      take(Token::Kind::mark, at_ + 1);
+      take(Token::Kind::punctuation, at_ + 1);
     }
   }
 
@@ -73,8 +73,8 @@ class Lexer {
     at_ = end;
   }
 
-  std::size_t end_of_word(std::size_t at) const {
-    while (at < text_.size() && is_word(text_[at])) ++at;
+  std::size_t end_of_identifier(std::size_t at) const {
+    while (at < text_.size() && is_identifier_character(text_[at])) ++at;
     return at;
   }
 
@@ -85,7 +85,7 @@ class Lexer {
     for (; at < text_.size(); ++at) {
       const char before = text_[at - 1];
       const bool sign = (text_[at] == '+' || text_[at] == '-') && (before == 'e' || before == 'E');
-      if (!is_word(text_[at]) && text_[at] != '.' && (!sign || hexadecimal)) break;
+      if (!is_identifier_character(text_[at]) && text_[at] != '.' && (!sign || hexadecimal)) break;
     }
     return at;
   }

@@ -13,7 +13,7 @@ namespace {
 // The numeric type that a token ends: of a cast, a variable, a member, an element or what a function returns.
 std::string_view type_ending_at(const TokenText& text, std::size_t at) {
   const std::string_view word = text[at].spelling;
-  if (text.is_word(at) && is_number_type(word)) return word;
+  if (text.is_identifier(at) && is_number_type(word)) return word;
   const std::string_view type = text.is(at + 1, "[") || text.is(at + 1, "(") ? "" : text.types().at(at).name;
   return is_number_type(type) ? type : std::string_view();
 }
@@ -25,7 +25,7 @@ bool is_narrow_type(std::string_view type) {
 }
 
 std::vector<Precision> argument_precisions(const TokenText& text, std::size_t open) {
-  const std::size_t close = text.partner(open);
+  const std::size_t close = text.matching_bracket(open);
   std::vector<Precision> all;
   bool narrow = false;
   bool full = false;
@@ -39,20 +39,21 @@ std::vector<Precision> argument_precisions(const TokenText& text, std::size_t op
     full = full || (!type.empty() && !is_narrow_type(type));
   };
   for (std::size_t at = open + 1; at < close; ++at) {
-    const std::size_t partner = text.partner(at);
-    const bool opens = partner != npos && partner > at;
+    const std::size_t match = text.matching_bracket(at);
+    const bool opens = match != npos && match > at;
     if (text.is(at, ",")) {
       end_argument();
-    } else if (opens && partner == at + 2 && text.is_word(at + 1) && is_number_type(text[at + 1].spelling)) {
+    } else if (opens && match == at + 2 && text.is_identifier(at + 1) &&
+               is_number_type(text[at + 1].spelling)) {
       look(at + 1);  // a cast, and what it is of does not matter
-      const std::size_t operand = partner + 1;
-      const bool group = text.is(operand, "(") && text.partner(operand) != npos;
-      at = postfix_end(text, group ? text.partner(operand) : operand) - 1;
-    } else if (opens && (text.is(at, "[") || !text.types().at(partner).name.empty())) {
-      look(partner);  // what an element is chosen by, or passed to a known function, does not matter
-      at = partner;
+      const std::size_t operand = match + 1;
+      const bool group = text.is(operand, "(") && text.matching_bracket(operand) != npos;
+      at = postfix_end(text, group ? text.matching_bracket(operand) : operand) - 1;
+    } else if (opens && (text.is(at, "[") || !text.types().at(match).name.empty())) {
+      look(match);  // what an element is chosen by, or passed to a known function, does not matter
+      at = match;
     } else if (opens) {
-      for (; at < partner; ++at) look(at);  // whose commas are not the call's
+      for (; at < match; ++at) look(at);  // whose commas are not the call's
     } else {
       look(at);
     }

@@ -1,5 +1,5 @@
-// Whether HLSL takes the argument of a call for a half or for a float, where two functions differ in that
-// alone. Internal to this room.
+// Whether HLSL treats a call's argument as half or as float, for overloads that differ only in precision.
+// Internal to this room.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +14,8 @@ enum class Precision { full, narrow };
 // half2, min16float, min10float3x3, min16int, ...
 bool is_narrow_type(std::string_view type);
 
-// Of each argument in the parentheses that open here: narrow where all its variables, casts and calls are,
-// and there is one; numbers alone are full.
+// For each argument in the parentheses that open at `open`: narrow if it has variables, casts or calls and
+// all of them are narrow; literals alone are full.
 std::vector<Precision> argument_precisions(const TokenText& text, std::size_t open);
 
 }  // namespace penumbra::preparation

@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "hlsl/outline.h"
+#include "hlsl/declarations.h"
 
 namespace penumbra::preparation {
 
@@ -16,9 +16,10 @@ bool is_zero(const TokenText& text, std::size_t at) {
 
 // The '0' of `(type[2][3])0` when such a cast begins at this '('; else npos.
 std::size_t cast_zero(const TokenText& text, std::size_t open) {
-  if (!text.is(open, "(") || !text.is_word(open + 1) || !text.is(open + 2, "[")) return npos;
+  if (!text.is(open, "(") || !text.is_identifier(open + 1) || !text.is(open + 2, "[")) return npos;
   std::size_t at = open + 2;
-  while (text.is(at, "[") && text.partner(at) != npos && !text.is(at + 1, "]")) at = text.partner(at) + 1;
+  while (text.is(at, "[") && text.matching_bracket(at) != npos && !text.is(at + 1, "]"))
+    at = text.matching_bracket(at) + 1;
   return text.is(at, ")") && is_zero(text, at + 1) ? at + 1 : npos;
 }
 
@@ -27,7 +28,7 @@ class ArrayCasts {
   explicit ArrayCasts(TokenText& text) : text_(text) {}
 
   void run() {
-    for (const hlsl::Declaration& declaration : text_.outline())
+    for (const hlsl::Declaration& declaration : text_.declarations())
       for (std::size_t at = declaration.first; at <= declaration.last; ++at) rewrite(at, declaration.first);
     text_.apply();
   }

@@ -1,8 +1,8 @@
-// Zero cast to an array, `(float3[4])0`, which glslang takes for a constructor with too few arguments. It
-// becomes the member of a zeroed struct that holds such an array, `((penumbra_zeroes0)0).value`, and the
-// struct stands before the function that is the first to use it.
+// Zero cast to an array, `(float3[4])0`, which glslang parses as a constructor with too few arguments. It
+// becomes the member of a zeroed struct that contains such an array, `((penumbra_zeroes0)0).value`. The
+// struct is inserted before the first function that uses it.
 //
-// Zero alone, written as a number: other casts to arrays stay as they are, and stay an error.
+// Only a literal zero is rewritten: other casts to arrays remain errors.
 #pragma once
 
 #include "preparation/token_text.h"

@@ -19,9 +19,9 @@ class ArraySizes {
 
  private:
   void check(const DeclaredValue& value) {
-    for (std::size_t open = value.name + 1; text_.is(open, "[") && text_.partner(open) != npos;
-         open = text_.partner(open) + 1) {
-      const std::size_t close = text_.partner(open);
+    for (std::size_t open = value.name + 1; text_.is(open, "[") && text_.matching_bracket(open) != npos;
+         open = text_.matching_bracket(open) + 1) {
+      const std::size_t close = text_.matching_bracket(open);
       if (close == open + 1) {
         if (needs_size(value)) refuse(value, " has no size: write how many elements it has");
       } else if (close == open + 2 && text_.is(open + 1, "0")) {

@@ -1,8 +1,8 @@
-// A source without what a preprocessor reads in vain: comments, and the blanks that lines begin with.
+// A source without comments and indentation, which cost the preprocessor time and have no effect.
 //
-// Every line keeps its number; columns change. A comment that begins in a directive and goes on over lines
-// stays (the directive does not end with its line then), and so do `#include`, `#error`, `#pragma` and
-// `#line`, whose text is their own.
+// Every line keeps its number; columns change. A comment that begins in a directive and continues on further
+// lines is kept (it extends the directive), and so are `#include`, `#error`, `#pragma` and `#line`, whose
+// text matters.
 #pragma once
 
 #include <string>

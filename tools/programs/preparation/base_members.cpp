@@ -39,7 +39,7 @@ class BaseMembers {
   }
 
   const hlsl::Declaration& declaration(const StructType& type) const {
-    return types_.outline()[type.declaration];
+    return types_.declarations()[type.declaration];
   }
 
   // A struct that is declared before, as the language asks: so there are no circles.
@@ -100,10 +100,11 @@ class BaseMembers {
   // (A)b, A a = b, a = b and f(b), seen from the '(', the '=' or the name.
   void convert(std::size_t at) {
     const bool cast = text_.is(at, "(") && text_.is(at + 2, ")") && find(text_[at + 1].spelling) != nullptr;
-    if (cast && !text_.is_word(at - 1)) return convert_cast(at);
+    if (cast && !text_.is_identifier(at - 1)) return convert_cast(at);
     if (text_.is(at, "=") && assignment_length(text_, at) == 1)
       return convert_value(assigned(at - 1), at + 1);
-    if (text_.is_word(at) && text_.is(at + 1, "(") && text_.partner(at + 1) != npos) convert_arguments(at);
+    if (text_.is_identifier(at) && text_.is(at + 1, "(") && text_.matching_bracket(at + 1) != npos)
+      convert_arguments(at);
   }
 
   // What stands before a '=', declared there or earlier.
@@ -116,14 +117,14 @@ class BaseMembers {
   void convert_cast(std::size_t at) {
     const std::size_t end = postfix_end(text_, at + 3);
     const ValueType& from = types_.at(end - 1);
-    if (!text_.is_word(at + 3) || types_.begin(end - 1) != at + 3 || from.dimensions > 0) return;
+    if (!text_.is_identifier(at + 3) || types_.begin(end - 1) != at + 3 || from.dimensions > 0) return;
     if (!inherits(from.name, text_[at + 1].spelling)) return;
     text_.replace(at, 3, function_name(text_[at + 1].spelling, from.name) + "(");
     text_.insert(end, ")");
   }
 
   void convert_value(const ValueType& wanted, std::size_t first) {
-    if (!text_.is_word(first) || find(wanted.name) == nullptr || wanted.dimensions > 0) return;
+    if (!text_.is_identifier(first) || find(wanted.name) == nullptr || wanted.dimensions > 0) return;
     const std::size_t end = postfix_end(text_, first);
     const ValueType& from = types_.at(end - 1);
     const bool whole = text_.is(end, ";") || text_.is(end, ",") || text_.is(end, ")");
@@ -137,7 +138,7 @@ class BaseMembers {
   void convert_arguments(std::size_t name) {
     const FunctionType* called = nullptr;
     for (const FunctionType& function : types_.functions()) {
-      if (text_.word_number(function.name) != text_.word_number(name)) continue;
+      if (text_.identifier_number(function.name) != text_.identifier_number(name)) continue;
       if (function.name == name || (called != nullptr && function.body != npos && called->body != npos))
         return;
       called = &function;
@@ -146,7 +147,8 @@ class BaseMembers {
     std::size_t first = name + 2;
     for (const std::size_t parameter : called->parameters) {
       convert_value(types_.declared()[parameter].type, first);
-      while (first < text_.partner(name + 1) && !text_.is(first, ",")) first = after_brackets(text_, first);
+      while (first < text_.matching_bracket(name + 1) && !text_.is(first, ","))
+        first = after_brackets(text_, first);
       ++first;
     }
   }

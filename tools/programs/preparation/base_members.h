@@ -1,10 +1,10 @@
-// Structs that inherit, `struct B : A { ... };`. glslang reads the base and forgets it: a member of A is an
-// unknown variable in B. The members and functions of A are written out at the beginning of B, where they lie
-// in HLSL as well, and the base goes. A function that B has itself hides A's of that name.
+// Struct inheritance, `struct B : A { ... };`. glslang parses the base and ignores it: a member of A is an
+// unknown variable in B. The members and functions of A are copied to the beginning of B, where HLSL also
+// places them, and the base is removed. A function declared in B hides A's function of that name.
 //
-// A B where an A is wanted becomes a call of a function that copies the members of A: in a cast, `(A)b`, as
-// the argument of a function, and in an initialiser or an assignment, `A a = b;`. The type of what is
-// converted must be known (value_types.h).
+// Where an A is expected, a B is converted by a call of a function that copies the members of A: in a cast,
+// `(A)b`, in a function's argument, and in an initialiser or an assignment, `A a = b;`. The type of the
+// converted expression must be known (value_types.h).
 #pragma once
 
 #include "preparation/token_text.h"

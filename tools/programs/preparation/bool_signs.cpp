@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "hlsl/word_set.h"
+#include "hlsl/name_set.h"
 #include "preparation/postfix_expression.h"
 #include "preparation/value_types.h"
 
@@ -31,30 +31,31 @@ class BoolSigns {
     if (!text_.is(at, "-") || text_.is(at + 1, "-") || text_.is(at - 1, "-")) return false;
     if (text_.is(at - 1, ")") || text_.is(at - 1, "]")) return false;
     if (text_[at - 1].kind == hlsl::Token::Kind::number) return false;
-    return !text_.is_word(at - 1) || text_.is(at - 1, "return") || text_.is(at - 1, "case");
+    return !text_.is_identifier(at - 1) || text_.is(at - 1, "return") || text_.is(at - 1, "case");
   }
 
   std::size_t operand_end(std::size_t first) const {
     while (text_.is(first, "!")) ++first;
-    if (text_.is(first, "(") && text_.partner(first) != npos) {
-      const std::size_t close = text_.partner(first);
-      const bool cast = close == first + 2 && text_.is_word(close + 1);
+    if (text_.is(first, "(") && text_.matching_bracket(first) != npos) {
+      const std::size_t close = text_.matching_bracket(first);
+      const bool cast = close == first + 2 && text_.is_identifier(close + 1);
       return cast ? npos : postfix_end(text_, close);
     }
-    return text_.is_word(first) ? postfix_end(text_, first) : npos;
+    return text_.is_identifier(first) ? postfix_end(text_, first) : npos;
   }
 
   bool is_bool(std::size_t first, std::size_t end) const {
     if (text_.is(first, "!")) return true;
     if (end == first + 1 && (text_.is(first, "true") || text_.is(first, "false"))) return true;
-    if (text_.is(first, "(") && text_.partner(first) == end - 1) return holds_bool(first + 1, end - 1);
+    if (text_.is(first, "(") && text_.matching_bracket(first) == end - 1)
+      return holds_bool(first + 1, end - 1);
     if (is_bool_type(text_[first].spelling)) return true;  // bool2(a, b).y
     const ValueType& type = types_.at(end - 1);
     return types_.begin(end - 1) == first && type.dimensions == 0 && is_bool_type(type.name);
   }
 
   static bool is_bool_type(std::string_view type) {
-    static constexpr hlsl::WordSet bools("bool", "bool1", "bool2", "bool3", "bool4");
+    static constexpr hlsl::NameSet bools("bool", "bool1", "bool2", "bool3", "bool4");
     return bools.contains(type);
   }
 
@@ -62,8 +63,8 @@ class BoolSigns {
   bool holds_bool(std::size_t first, std::size_t end) const {
     bool compares = false;
     for (std::size_t at = first; at < end; ++at) {
-      if (text_.partner(at) != npos && text_.partner(at) > at) {
-        at = text_.partner(at);
+      if (text_.matching_bracket(at) != npos && text_.matching_bracket(at) > at) {
+        at = text_.matching_bracket(at);
         continue;
       }
       const bool twice = text_.is(at + 1, text_[at].spelling);

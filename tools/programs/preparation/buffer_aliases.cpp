@@ -70,7 +70,7 @@ class Aliases {
 
   // The buffer a chain that ends here names, whole; npos for everything else.
   std::size_t buffer_at(std::size_t last) const {
-    if (last >= text_.size() || !text_.is_word(last) || types_.begin(last) == npos) return npos;
+    if (last >= text_.size() || !text_.is_identifier(last) || types_.begin(last) == npos) return npos;
     const std::size_t index = types_.named(last);
     return index != npos && is_buffer(declared(index).type.name) ? index : npos;
   }
@@ -78,7 +78,7 @@ class Aliases {
   // `a.b = c;` and `T b = c;`, at the name before the '='.
   void find_assignment(std::size_t at) {
     if (!text_.is(at + 1, "=") || text_.is(at + 2, "=")) return;
-    const std::size_t to = text_.is_word(at) ? types_.named(at) : npos;
+    const std::size_t to = text_.is_identifier(at) ? types_.named(at) : npos;
     if (to == npos || !is_alias(declared(to))) return;
     std::size_t end = at + 2;
     while (end < text_.size() && !text_.is(end, ";") && !text_.is(end, ",")) ++end;
@@ -102,9 +102,9 @@ class Aliases {
     };
     std::vector<Open> open;
     for (std::size_t at = 0; at < text_.size(); ++at) {
-      const std::size_t partner = text_.partner(at);
-      if (partner != npos && partner > at) open.push_back({at, 0});
-      if (partner != npos && partner < at && !open.empty()) open.pop_back();
+      const std::size_t match = text_.matching_bracket(at);
+      if (match != npos && match > at) open.push_back({at, 0});
+      if (match != npos && match < at && !open.empty()) open.pop_back();
       if (open.empty()) continue;
       if (text_.is(at, ",")) ++open.back().argument;
       const std::size_t from = buffer_at(at);
@@ -191,7 +191,7 @@ class Aliases {
   }
 
   void replace_use(std::size_t at) {
-    const std::size_t index = text_.is_word(at) ? types_.named(at) : npos;
+    const std::size_t index = text_.is_identifier(at) ? types_.named(at) : npos;
     if (index == npos || !is_resolved(index) || declared(index).name == at) return;
     if (types_.begin(at) == npos || is_gone(at)) return;
     text_.replace(types_.begin(at), at - types_.begin(at) + 1, name_of(stands_for_[index]));
@@ -212,11 +212,11 @@ class Aliases {
   }
 
   const hlsl::Declaration* declaration_with(std::size_t token) const {
-    const auto& outline = types_.outline();
+    const auto& declarations = types_.declarations();
     const auto after = std::upper_bound(
-        outline.begin(), outline.end(), token,
+        declarations.begin(), declarations.end(), token,
         [](std::size_t at, const hlsl::Declaration& declaration) { return at < declaration.first; });
-    return after == outline.begin() || std::prev(after)->last < token ? nullptr : &*std::prev(after);
+    return after == declarations.begin() || std::prev(after)->last < token ? nullptr : &*std::prev(after);
   }
 
   bool is_gone(std::size_t at) const {

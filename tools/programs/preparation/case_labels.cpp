@@ -57,9 +57,9 @@ class CaseLabels {
 
  private:
   void enter(std::size_t at) {
-    const std::size_t condition = text_.partner(at + 1);
+    const std::size_t condition = text_.matching_bracket(at + 1);
     if (!text_.is(at + 1, "(") || condition == npos || !text_.is(condition + 1, "{")) return;
-    const std::size_t close = text_.partner(condition + 1);
+    const std::size_t close = text_.matching_bracket(condition + 1);
     if (close != npos) open_.push_back({close, {}});
   }
 
@@ -68,7 +68,7 @@ class CaseLabels {
     std::size_t choices = 0;
     for (; at < open_.back().close && !text_.is(at, ";") && !text_.is(at, "{"); ++at) {
       if (text_.is(at, "?")) ++choices;
-      if (text_.is(at, "(") && text_.partner(at) != npos) at = text_.partner(at);
+      if (text_.is(at, "(") && text_.matching_bracket(at) != npos) at = text_.matching_bracket(at);
       if (!text_.is(at, ":")) continue;
       if (text_.is(at + 1, ":")) {
         ++at;
@@ -103,7 +103,7 @@ class CaseLabels {
   bool varies(std::size_t at) {
     const bool scoped =
         (text_.is(at - 1, ":") && text_.is(at - 2, ":")) || (text_.is(at + 1, ":") && text_.is(at + 2, ":"));
-    if (!text_.is_word(at) || text_.is(at - 1, ".") || scoped) return false;
+    if (!text_.is_identifier(at) || text_.is(at - 1, ".") || scoped) return false;
     const std::string_view word = text_[at].spelling;
     if (text_.is(at + 1, "("))
       return !is_number_type(word) && std::binary_search(functions_.begin(), functions_.end(), word);

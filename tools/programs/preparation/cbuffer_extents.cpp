@@ -70,7 +70,7 @@ std::optional<Extent> CbufferExtents::of_struct(const StructType& type, int dept
 }
 
 bool CbufferExtents::is_by_rows(const DeclaredValue& value) const {
-  for (std::size_t at = value.type_at; at-- > 0 && text_.is_word(at);)
+  for (std::size_t at = value.type_at; at-- > 0 && text_.is_identifier(at);)
     if (text_.is(at, "row_major")) return true;
   return false;
 }

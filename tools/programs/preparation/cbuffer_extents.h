@@ -1,4 +1,4 @@
-// How much of a constant buffer a value takes, by HLSL's packing rules
+// The size of a value in a constant buffer, by HLSL's packing rules
 // (learn.microsoft.com/windows/win32/direct3dhlsl/dx-graphics-hlsl-packing-rules). Internal to this room.
 #pragma once
 
@@ -15,15 +15,17 @@ inline constexpr std::size_t kRegister = 4;  // words
 // In words.
 struct Extent {
   std::size_t size = 0;
-  bool of_registers = false;  // begins at one: a matrix, an array or a struct
+  bool of_registers = false;  // begins at a register: a matrix, an array or a struct
 };
 
-// Puts one member behind the other.
+// Places members one after the other.
 class Packing {
  public:
   std::size_t place(const Extent& extent);  // the word it begins at
   std::size_t size() const { return next_; }
-  bool in_tail() const { return in_tail_; }  // whether a member lies in what one of registers leaves free
+  bool in_tail() const {
+    return in_tail_;
+  }  // whether a member shares the last register of a matrix, array or struct
 
  private:
   std::size_t next_ = 0;
@@ -35,10 +37,10 @@ class CbufferExtents {
  public:
   explicit CbufferExtents(const TokenText& text) : text_(text), types_(text.types()) {}
 
-  // Nothing for doubles, resources and array sizes that are no plain numbers.
+  // Nothing for doubles, resources and array sizes that are not literals.
   std::optional<Extent> of(const DeclaredValue& value) { return of(value, 0); }
 
-  // The members of the structs so far that lie in what the one before them leaves free: indices into
+  // The members of the structs so far that share the last register of the member before them: indices into
   // ValueTypes::declared().
   const std::vector<std::size_t>& in_tails() const { return in_tails_; }
 

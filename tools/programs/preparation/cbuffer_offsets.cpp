@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "hlsl/outline.h"
+#include "hlsl/declarations.h"
 #include "preparation/cbuffer_extents.h"
 #include "preparation/value_types.h"
 
@@ -17,7 +17,7 @@ class CbufferOffsets {
   explicit CbufferOffsets(TokenText& text) : text_(text), types_(text.types()) {}
 
   void run() {
-    for (const hlsl::Declaration& declaration : types_.outline())
+    for (const hlsl::Declaration& declaration : types_.declarations())
       if (declaration.kind == hlsl::Declaration::Kind::buffer) place_members(declaration);
     text_.apply();
   }

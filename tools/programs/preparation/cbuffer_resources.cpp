@@ -14,7 +14,7 @@ class Hoist {
   explicit Hoist(TokenText& text) : text_(text), types_(text.types()) {}
 
   void run() {
-    for (const hlsl::Declaration& declaration : types_.outline())
+    for (const hlsl::Declaration& declaration : types_.declarations())
       if (declaration.kind == hlsl::Declaration::Kind::buffer) hoist(declaration);
     text_.apply();
   }

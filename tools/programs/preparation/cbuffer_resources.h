@@ -1,8 +1,7 @@
-// Textures, samplers and buffers, and static variables, declared among the members of a cbuffer or tbuffer.
-// In HLSL they take no part in its layout and are what they would be at file scope; glslang makes them
-// members of the block: no Vulkan driver takes the resources, and a static constant loses its value without
-// an error. They are moved before the cbuffer, with their register() and on their own line; a cbuffer that
-// held nothing else goes.
+// Textures, samplers, buffers and static variables that are declared in a cbuffer or tbuffer. In HLSL they
+// are not part of its layout, but equivalent to declarations at file scope; glslang makes them members of the
+// block: no Vulkan driver accepts the resources, and a static constant silently loses its value. They are
+// moved before the cbuffer, with their register() and their line; a cbuffer without other members is removed.
 #pragma once
 
 #include "preparation/token_text.h"

@@ -1,4 +1,4 @@
-// What words and the space between them are made of. Internal to this room.
+// Character classes of identifiers, numbers and white space. Internal to this room.
 #pragma once
 
 namespace penumbra::preparation {
@@ -7,7 +7,7 @@ constexpr bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-constexpr bool is_word(char c) {
+constexpr bool is_identifier_character(char c) {
   return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
 }
 

@@ -1,4 +1,4 @@
-// `(const int)x`: glslang takes no const in a cast, where it means nothing.
+// `(const int)x`: glslang does not accept const in a cast, where it has no effect.
 #pragma once
 
 #include "preparation/token_text.h"

@@ -37,14 +37,14 @@ class ConstantDivisions {
     const std::size_t divisor = at + 1;
     if (text_[divisor].kind == hlsl::Token::Kind::number) {
       if (!is_zero_literal(text_[divisor].spelling)) return;
-    } else if (!text_.is_word(divisor) || constants().zeros.count(text_[divisor].spelling) == 0) {
+    } else if (!text_.is_identifier(divisor) || constants().zeros.count(text_[divisor].spelling) == 0) {
       return;
     }
     const bool is_first = at < 2 || !(text_.is(at - 2, ".") || text_.is(at - 2, "-"));
     const bool by_number =
         text_[at - 1].kind == hlsl::Token::Kind::number && is_integer(text_[at - 1].spelling);
     const bool by_name =
-        text_.is_word(at - 1) && is_first && constants().all.count(text_[at - 1].spelling) != 0;
+        text_.is_identifier(at - 1) && is_first && constants().all.count(text_[at - 1].spelling) != 0;
     if ((by_number || by_name) && !text_.is(divisor + 1, ".") && !is_conditional(at))
       text_.note(at, hlsl::Severity::error, "an integer is divided by zero");
   }
@@ -64,7 +64,7 @@ class ConstantDivisions {
   const Constants& constants() {
     if (read_) return constants_;
     read_ = true;
-    for (const hlsl::Declaration& declaration : text_.outline()) {
+    for (const hlsl::Declaration& declaration : text_.declarations()) {
       if (declaration.kind != hlsl::Declaration::Kind::variable) continue;
       for (const Declarator& variable : declarators(text_, declaration.first, declaration.last)) {
         const bool is_int = variable.type == "int" || variable.type == "uint";

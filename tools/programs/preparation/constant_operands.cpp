@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "hlsl/outline.h"
-#include "hlsl/word_set.h"
+#include "hlsl/declarations.h"
+#include "hlsl/name_set.h"
 #include "preparation/declarators.h"
 #include "preparation/number_shape.h"
 #include "preparation/value_types.h"
@@ -29,10 +29,10 @@ struct Operand {
 class ConstantOperands {
  public:
   explicit ConstantOperands(TokenText& text)
-      : text_(text), types_(text.types()), functions_(text.word_numbers(), false) {
+      : text_(text), types_(text.types()), functions_(text.identifier_count(), false) {
     for (const FunctionType& function : types_.functions())
-      if (function.name != npos && text_.is_word(function.name))
-        functions_[text_.word_number(function.name)] = true;
+      if (function.name != npos && text_.is_identifier(function.name))
+        functions_[text_.identifier_number(function.name)] = true;
   }
 
   void run() {
@@ -41,7 +41,7 @@ class ConstantOperands {
         remainder(at);
       } else if (is_comparison(at)) {
         comparison(at);
-      } else if (text_.is_word(at) && text_.is(at + 1, "(") && !text_.is(at - 1, ".")) {
+      } else if (text_.is_identifier(at) && text_.is(at + 1, "(") && !text_.is(at - 1, ".")) {
         call(at);
       }
     }
@@ -75,8 +75,9 @@ class ConstantOperands {
     const char mark = text_.lead(at);
     if (std::string_view("([{,;?:&|^=").find(mark) != std::string_view::npos) return true;
     if (mark == '<' || mark == '>') return factors || !is_shift(at);
-    const bool binary = at > 0 && (text_.is_word(at - 1) || text_[at - 1].kind == hlsl::Token::Kind::number ||
-                                   text_.is(at - 1, ")") || text_.is(at - 1, "]"));
+    const bool binary =
+        at > 0 && (text_.is_identifier(at - 1) || text_[at - 1].kind == hlsl::Token::Kind::number ||
+                   text_.is(at - 1, ")") || text_.is(at - 1, "]"));
     return (factors && binary && (mark == '+' || mark == '-')) || is_keyword(at);
   }
 
@@ -89,8 +90,8 @@ class ConstantOperands {
   }
 
   bool is_keyword(std::size_t at) const {
-    static constexpr hlsl::WordSet keywords("return", "case", "else", "do");
-    return text_.is_word(at) && keywords.contains(word(at));
+    static constexpr hlsl::NameSet keywords("return", "case", "else", "do");
+    return text_.is_identifier(at) && keywords.contains(word(at));
   }
 
   Operand left_of(std::size_t at, bool factors) const {
@@ -98,8 +99,8 @@ class ConstantOperands {
     while (first > 0 && !ends_leftwards(first - 1, factors)) {
       --first;
       if (text_.is(first, ")") || text_.is(first, "]")) {
-        if (text_.partner(first) == npos) return {};
-        first = text_.partner(first);
+        if (text_.matching_bracket(first) == npos) return {};
+        first = text_.matching_bracket(first);
       } else if (!may_be_constant(first)) {
         return {};  // it reaches further, which does not matter
       }
@@ -112,8 +113,8 @@ class ConstantOperands {
     while (end < text_.size() && (end == at || !ends_rightwards(end, factors))) {
       if (!may_be_constant(end)) return {};
       const bool opens = text_.is(end, "(") || text_.is(end, "[");
-      if (opens && text_.partner(end) == npos) return {};
-      end = opens ? text_.partner(end) + 1 : end + 1;
+      if (opens && text_.matching_bracket(end) == npos) return {};
+      end = opens ? text_.matching_bracket(end) + 1 : end + 1;
     }
     return described(at, end);
   }
@@ -129,17 +130,17 @@ class ConstantOperands {
 
   // Numbers, constants, numeric types, functions that are not the text's, and what follows a '.'.
   bool may_be_constant(std::size_t at) const {
-    if (!text_.is_word(at)) return !text_.is(at, "{");
+    if (!text_.is_identifier(at)) return !text_.is(at, "{");
     if (text_.is(at - 1, ".") || is_number_type(word(at)) || word(at) == "true" || word(at) == "false")
       return true;
-    if (text_.is(at + 1, "(")) return !functions_[text_.word_number(at)];
+    if (text_.is(at + 1, "(")) return !functions_[text_.identifier_number(at)];
     return types_.named(at) != npos && types_.declared()[types_.named(at)].type.constant;
   }
 
   void describe(std::size_t at, Operand& operand) const {
     if (text_[at].kind == hlsl::Token::Kind::number)
       operand.fractional = operand.fractional || shape_of_number(word(at)).base == NumberShape::Base::real;
-    if (!text_.is_word(at)) return;
+    if (!text_.is_identifier(at)) return;
     const std::size_t named = types_.named(at);
     const std::string_view type = is_number_type(word(at)) ? word(at)
                                   : named != npos          ? types_.declared()[named].type.name
@@ -168,15 +169,17 @@ class ConstantOperands {
   }
 
   void call(std::size_t name) {
-    static constexpr hlsl::WordSet always("fmod", "dot", "any", "all");
-    if (is_number_type(word(name)) || is_keyword(name) || functions_[text_.word_number(name)]) return;
-    const std::size_t close = text_.partner(name + 1);
+    static constexpr hlsl::NameSet always("fmod", "dot", "any", "all");
+    if (is_number_type(word(name)) || is_keyword(name) || functions_[text_.identifier_number(name)]) return;
+    const std::size_t close = text_.matching_bracket(name + 1);
     if (close == npos || close == name + 2) return;
     const Operand all = described(name + 2, close);
     if (!all.constant || !(all.matrix || always.contains(word(name)))) return;
     std::size_t end = name + 2;
     while (end < close && !text_.is(end, ","))
-      end = text_.partner(end) != npos && text_.partner(end) > end ? text_.partner(end) + 1 : end + 1;
+      end = text_.matching_bracket(end) != npos && text_.matching_bracket(end) > end
+                ? text_.matching_bracket(end) + 1
+                : end + 1;
     hide({name + 2, end});
   }
 

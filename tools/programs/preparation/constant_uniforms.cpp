@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "hlsl/outline.h"
+#include "hlsl/declarations.h"
 #include "preparation/declarators.h"
 #include "preparation/value_types.h"
 
@@ -19,7 +19,7 @@ class ConstantUniforms {
   explicit ConstantUniforms(TokenText& text) : text_(text) {}
 
   void run() {
-    for (const hlsl::Declaration& declaration : text_.outline())
+    for (const hlsl::Declaration& declaration : text_.declarations())
       if (declaration.kind == Kind::variable && text_.is(declaration.last, ";")) change(declaration);
     if (sizes_.empty()) return;
     write_sizes();
@@ -53,7 +53,7 @@ class ConstantUniforms {
     for (const DeclaredValue& value : types.declared()) {
       if (value.name == npos || value.type.dimensions == 0) continue;
       for (std::size_t at = value.name + 1; at < value.end; ++at) {
-        const auto size = text_.is_word(at) ? sizes_.find(types.named(at)) : sizes_.end();
+        const auto size = text_.is_identifier(at) ? sizes_.find(types.named(at)) : sizes_.end();
         if (size != sizes_.end()) text_.replace(at, 1, size->second);
       }
     }

@@ -1,8 +1,8 @@
 // `const float k = 5;` at file scope, without static: a uniform in HLSL
 // (learn.microsoft.com/windows/win32/direct3dhlsl/dx-graphics-hlsl-variable-syntax, "extern"), whose
-// initialiser is a default that Unity ignores, so that it is 0 unless something sets it. glslang takes it for
-// a constant. `const` and initialiser go, with a warning; where the size of an array needs the value, it
-// stands there.
+// initialiser is a default that Unity ignores, so it is 0 unless something sets it. glslang treats it as a
+// constant. `const` and the initialiser are removed, with a warning; array sizes that use the constant get
+// its value.
 #pragma once
 
 #include "preparation/token_text.h"

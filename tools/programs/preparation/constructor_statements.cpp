@@ -1,6 +1,6 @@
 #include "preparation/constructor_statements.h"
 
-#include "hlsl/outline.h"
+#include "hlsl/declarations.h"
 #include "preparation/declarators.h"
 #include "preparation/postfix_expression.h"
 
@@ -10,7 +10,7 @@ namespace {
 
 void wrap_in(TokenText& text, const hlsl::Declaration& function) {
   for (std::size_t at = function.open + 1; at < function.close; ++at) {
-    if (!text.is_word(at) || !text.is(at + 1, "(") || !is_number_type(text[at].spelling)) continue;
+    if (!text.is_identifier(at) || !text.is(at + 1, "(") || !is_number_type(text[at].spelling)) continue;
     if (!begins_statement(text, at)) continue;
     const std::size_t end = expression_end(text, at);
     if (end == npos || !text.is(end, ";")) continue;
@@ -23,7 +23,7 @@ void wrap_in(TokenText& text, const hlsl::Declaration& function) {
 }  // namespace
 
 void wrap_constructor_statements(TokenText& text) {
-  for (const hlsl::Declaration& declaration : text.outline())
+  for (const hlsl::Declaration& declaration : text.declarations())
     if (declaration.kind == hlsl::Declaration::Kind::function) wrap_in(text, declaration);
   text.apply();
 }

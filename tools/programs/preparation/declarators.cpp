@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <array>
 
-#include "hlsl/word_set.h"
+#include "hlsl/name_set.h"
 
 namespace penumbra::preparation {
 
 namespace {
 
 bool is_storage_modifier(std::string_view word) {
-  static constexpr hlsl::WordSet modifiers("static", "const", "uniform", "extern", "precise", "groupshared",
+  static constexpr hlsl::NameSet modifiers("static", "const", "uniform", "extern", "precise", "groupshared",
                                            "volatile", "row_major", "column_major", "snorm", "unorm",
                                            "linear", "centroid", "shared", "sample", "nointerpolation",
                                            "noperspective", "inline", "globallycoherent");
@@ -30,7 +30,8 @@ std::size_t skip_angles(const TokenText& text, std::size_t at, std::size_t last)
 // To the ',' or ';' that ends a declarator.
 std::size_t skip_to_end(const TokenText& text, std::size_t at, std::size_t last) {
   while (at < last && !text.is(at, ","))
-    at = text.partner(at) != npos && text.partner(at) > at ? text.partner(at) + 1 : at + 1;
+    at = text.matching_bracket(at) != npos && text.matching_bracket(at) > at ? text.matching_bracket(at) + 1
+                                                                             : at + 1;
   return std::min(at, last);
 }
 
@@ -40,23 +41,24 @@ std::vector<Declarator> declarators(const TokenText& text, std::size_t first, st
   std::vector<Declarator> found;
   Declarator common;
   std::size_t at = first;
-  while (text.is(at, "[") && text.partner(at) != npos) at = text.partner(at) + 1;
-  for (; at < last && text.is_word(at) && is_storage_modifier(text[at].spelling); ++at) {
+  while (text.is(at, "[") && text.matching_bracket(at) != npos) at = text.matching_bracket(at) + 1;
+  for (; at < last && text.is_identifier(at) && is_storage_modifier(text[at].spelling); ++at) {
     common.is_static = common.is_static || text.is(at, "static");
     common.is_const = common.is_const || text.is(at, "const");
     common.is_groupshared = common.is_groupshared || text.is(at, "groupshared");
   }
-  if (!text.is_word(at)) return {};
+  if (!text.is_identifier(at)) return {};
   const std::size_t type = at++;
   if (text.is(type, "struct")) ++at;
   if (text.is(at, "<")) at = skip_angles(text, at, last);
   common.type = text.spelled(type, at - type);
   while (at < last) {
-    if (!text.is_word(at)) return {};
+    if (!text.is_identifier(at)) return {};
     Declarator declarator = common;
     declarator.name = at++;
     declarator.dimensions = at;
-    while (at < last && text.is(at, "[") && text.partner(at) != npos) at = text.partner(at) + 1;
+    while (at < last && text.is(at, "[") && text.matching_bracket(at) != npos)
+      at = text.matching_bracket(at) + 1;
     declarator.dimension_count = at - declarator.dimensions;
     if (text.is(at, "(")) return {};                                   // a function
     while (at < last && !text.is(at, ",") && !text.is(at, "=")) ++at;  // : register(c1)
@@ -69,7 +71,7 @@ std::vector<Declarator> declarators(const TokenText& text, std::size_t first, st
 }
 
 bool is_number_type(std::string_view word) {
-  static constexpr hlsl::WordSet scalars("float", "half", "int", "uint", "bool", "double", "min16float",
+  static constexpr hlsl::NameSet scalars("float", "half", "int", "uint", "bool", "double", "min16float",
                                          "min10float", "min16int", "min12int", "min16uint", "dword");
   const auto size = [](char c) { return c >= '1' && c <= '4'; };
   if (!word.empty() && size(word.back())) {  // no scalar ends with a number

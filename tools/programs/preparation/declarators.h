@@ -1,5 +1,5 @@
-// The variables one declaration declares: `static float4 a, b[2][3] = { ... }, c : register(c1);`. Internal
-// to this room.
+// The variables of one declaration: `static float4 a, b[2][3] = { ... }, c : register(c1);`. Internal to this
+// room.
 #pragma once
 
 #include <cstddef>
@@ -23,11 +23,12 @@ struct Declarator {
   std::size_t end = 0;              // the ',' or ';' after it
 };
 
-// Of the declaration that begins at `first` (attributes skipped) and ends at the ';' at `last`. Empty when
-// the tokens are no such declaration.
+// The declarators of the declaration that begins at `first` (attributes skipped) and ends at the ';' at
+// `last`. Empty if the tokens are not such a declaration.
 std::vector<Declarator> declarators(const TokenText& text, std::size_t first, std::size_t last);
 
-// float, half3, min16float4x4, ...: a scalar, vector or matrix of numbers or bools, written as one word.
+// float, half3, min16float4x4, ...: a scalar, vector or matrix of numbers or bools, written as one
+// identifier.
 bool is_number_type(std::string_view word);
 
 }  // namespace penumbra::preparation

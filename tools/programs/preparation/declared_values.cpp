@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "hlsl/word_set.h"
+#include "hlsl/name_set.h"
 
 namespace penumbra::preparation {
 
@@ -13,7 +13,7 @@ constexpr std::size_t longest_template = 12;  // tokens of Texture2DMS<float4, 4
 // From its name; the ',' ';' or end after it.
 std::size_t read_declarator(const TokenText& text, std::size_t at, std::size_t end, DeclaredValue value,
                             std::vector<DeclaredValue>& to) {
-  const bool named = at < end && text.is_word(at);
+  const bool named = at < end && text.is_identifier(at);
   if (named) value.name = at++;
   for (; at < end && text.is(at, "["); at = after_brackets(text, at)) ++value.type.dimensions;
   value.end = at;
@@ -35,18 +35,18 @@ std::size_t read_type(const TokenText& text, const DeclarationRange& range, Decl
   value.type.name = range.type;
   if (!range.type.empty()) return at;
   if (at < range.end && text.is(at, "struct")) ++at;
-  if (at >= range.end || !text.is_word(at)) return at;
+  if (at >= range.end || !text.is_identifier(at)) return at;
   value.type_at = at;
   value.type.name = text[at].spelling;
   value.type_end = after_template(text, at + 1, range.end);
-  if (value.type_end > at + 1 && text.is_word(at + 2)) value.type.element = text[at + 2].spelling;
+  if (value.type_end > at + 1 && text.is_identifier(at + 2)) value.type.element = text[at + 2].spelling;
   return value.type_end;
 }
 
 }  // namespace
 
 bool is_modifier(std::string_view word) {
-  static constexpr hlsl::WordSet modifiers(
+  static constexpr hlsl::NameSet modifiers(
       "in", "out", "inout", "const", "uniform", "static", "extern", "precise", "linear", "centroid", "sample",
       "nointerpolation", "noperspective", "volatile", "shared", "groupshared", "snorm", "unorm", "row_major",
       "column_major", "unsigned", "globallycoherent", "inline");
@@ -64,8 +64,8 @@ std::size_t after_template(const TokenText& text, std::size_t at, std::size_t en
 }
 
 std::size_t after_brackets(const TokenText& text, std::size_t at) {
-  const std::size_t partner = text.partner(at);
-  return partner == npos || partner < at ? at + 1 : partner + 1;
+  const std::size_t match = text.matching_bracket(at);
+  return match == npos || match < at ? at + 1 : match + 1;
 }
 
 std::size_t read_declaration(const TokenText& text, const DeclarationRange& range,

@@ -1,4 +1,4 @@
-// Variables as they are declared, at file scope, in structs, as parameters and in functions. Internal to this
+// Declarations of variables: at file scope, in structs, as parameters and in functions. Internal to this
 // room.
 #pragma once
 
@@ -11,8 +11,8 @@
 namespace penumbra::preparation {
 
 struct ValueType {
-  std::string_view name;     // of the type, without what stands in <>; empty: not known
-  std::string_view element;  // the first word in the <>
+  std::string_view name;     // of the type, without its template arguments; empty: unknown
+  std::string_view element;  // the first template argument
   int dimensions = 0;        // array sizes that follow
   bool constant = false;     // declared const
   bool is(std::string_view type) const { return name == type && dimensions == 0; }
@@ -23,15 +23,15 @@ struct DeclaredValue {
   Place place = Place::global;
   ValueType type;
   bool is_static = false;
-  std::size_t first = npos;     // modifiers included; npos for all but the first of a statement
-  std::size_t type_at = npos;   // the word that names the type
-  std::size_t type_end = npos;  // one past the type and its <>
+  std::size_t first = npos;     // including modifiers; npos for all but the first declarator of a statement
+  std::size_t type_at = npos;   // the token of the type's name
+  std::size_t type_end = npos;  // one past the type and its template arguments
   std::size_t name = npos;      // npos for a parameter without one
   std::size_t end = npos;       // one past the name and its array sizes
-  std::size_t last = npos;      // the ',' ';' or ')' after all that belongs to it
+  std::size_t last = npos;      // the ',' ';' or ')' that ends it
 };
 
-// Where a declaration begins and what it must not go beyond. With `type` the type has been read already.
+// The tokens in which a declaration is read. If `type` is set, the type has already been read.
 struct DeclarationRange {
   std::size_t first = 0;
   std::size_t end = 0;
@@ -39,17 +39,17 @@ struct DeclarationRange {
   std::string_view type{};
 };
 
-// Appends what `modifiers type<...> name[2] : semantic = value, name...;` declares; one past its ';'. A
-// parameter ends at its ','.
+// Appends the values that `modifiers type<...> name[2] : semantic = value, name...;` declares; returns one
+// past its ';'. A parameter ends at its ','.
 std::size_t read_declaration(const TokenText& text, const DeclarationRange& range,
                              std::vector<DeclaredValue>& to);
 
 bool is_modifier(std::string_view word);  // const, static, in, row_major, ...
 
-// One past the <...> that opens here, if it is one a type can have; else `at`.
+// One past the template arguments that open here, if a type can have them; else `at`.
 std::size_t after_template(const TokenText& text, std::size_t at, std::size_t end);
 
-// One past the brackets that open here, or past this token.
+// One past the bracket that matches the one at this token, or past this token.
 std::size_t after_brackets(const TokenText& text, std::size_t at);
 
 }  // namespace penumbra::preparation

@@ -1,4 +1,4 @@
-// Direct3D 9's texture functions, said with Texture2D and its like. Internal to this room.
+// Direct3D 9's texture functions, expressed with Texture2D and similar types. Internal to this room.
 #pragma once
 
 #include <optional>
@@ -20,8 +20,8 @@ std::string_view dx9_dimension(std::string_view type);
 
 std::string texture_type(std::string_view dimension);  // "Texture2D"
 
-// The function of this name that takes a texture and a sampler in place of one; `arguments` counts those of
-// the call as it was written. Empty when there is no such function.
+// The definition of the function of this name, with a texture and a sampler in place of the Direct3D 9
+// sampler; `arguments` is the number of arguments of the original call. Empty if there is no such function.
 std::string dx9_definition(std::string_view name, int arguments);
 
 }  // namespace penumbra::preparation

@@ -89,8 +89,9 @@ class Separation {
     commas_.assign(text_.size(), 0);
     std::vector<std::size_t> open;
     for (std::size_t at = 0; at < text_.size(); ++at) {
-      if (text_.partner(at) != npos && text_.partner(at) > at) open.push_back(at);
-      if (text_.partner(at) != npos && text_.partner(at) < at && !open.empty()) open.pop_back();
+      if (text_.matching_bracket(at) != npos && text_.matching_bracket(at) > at) open.push_back(at);
+      if (text_.matching_bracket(at) != npos && text_.matching_bracket(at) < at && !open.empty())
+        open.pop_back();
       if (text_.is(at, ",") && !open.empty()) ++commas_[open.back()];
     }
   }
@@ -98,10 +99,10 @@ class Separation {
   Use use_that_ends(std::size_t at) const {
     if (types_.begin(at) == npos || text_.is(at + 1, ".") || text_.is(at + 1, "(")) return {};
     std::size_t name = at;
-    while (text_.is(name, "]") && text_.partner(name) != npos && text_.partner(name) > 0)
-      name = text_.partner(name) - 1;
+    while (text_.is(name, "]") && text_.matching_bracket(name) != npos && text_.matching_bracket(name) > 0)
+      name = text_.matching_bracket(name) - 1;
     if (text_.is(at + 1, "[")) return {};
-    const std::size_t index = text_.is_word(name) ? types_.named(name) : npos;
+    const std::size_t index = text_.is_identifier(name) ? types_.named(name) : npos;
     if (index == npos || declared()[index].name == name || !is_any_sampler(index)) return {};
     Use use;
     use.declared = index;
@@ -114,7 +115,7 @@ class Separation {
   void as_argument(Use& use, std::size_t bracket, int argument) const {
     const bool whole = (text_.is(use.first - 1, "(") || text_.is(use.first - 1, ",")) &&
                        (text_.is(use.last + 1, ",") || text_.is(use.last + 1, ")"));
-    if (!whole || bracket == 0 || !text_.is_word(bracket - 1)) return;
+    if (!whole || bracket == 0 || !text_.is_identifier(bracket - 1)) return;
     use.callee = bracket - 1;
     use.argument = argument;
     use.arguments = commas_[bracket] + 1;
@@ -193,11 +194,11 @@ class Separation {
     const bool is_variable = value.place == Place::local || value.is_static;
     if (text_.is(value.end, "=") && is_variable) {
       const Use* initial = use_at(value.end + 1, value.last);
-      if (initial != nullptr) return " = " + partner_of(*initial);
+      if (initial != nullptr) return " = " + sampler_of(*initial);
     }
     std::string annotation;
     if (text_.is(value.end, ":") && text_.is(value.end + 1, "register") && text_.is(value.end + 2, "(")) {
-      const std::size_t close = text_.partner(value.end + 2);
+      const std::size_t close = text_.matching_bracket(value.end + 2);
       annotation = " " + text_.spelled(value.end, close - value.end + 1);
       std::string texture = annotation;
       const std::size_t letter = texture.find_last_of('(') + 1;
@@ -229,14 +230,14 @@ class Separation {
   }
 
   // The same chain, with the sampler's name.
-  std::string partner_of(const Use& use) const {
+  std::string sampler_of(const Use& use) const {
     return text_.spelled(use.first, use.name - use.first) + sampler_name(word(use.name)) +
            text_.spelled(use.name + 1, use.last - use.name);
   }
 
   void separate(const Use& use) {
     if (use.callee != npos) {
-      text_.insert(use.last + 1, ", " + partner_of(use));
+      text_.insert(use.last + 1, ", " + sampler_of(use));
       if (use.argument == 0 && !is_defined(use)) needed_.emplace(word(use.callee), use.arguments);
       return;
     }
@@ -253,7 +254,7 @@ class Separation {
     while (end < text_.size() && !text_.is(end, ";")) ++end;
     const Use* from = use_at(to.last + 2, end);
     if (from == nullptr) return false;
-    text_.insert(end, ", " + partner_of(to) + " = " + partner_of(*from));
+    text_.insert(end, ", " + sampler_of(to) + " = " + sampler_of(*from));
     return true;
   }
 

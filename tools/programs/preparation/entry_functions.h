@@ -1,15 +1,15 @@
-// The functions that an entry point's name stands for. Internal to this room.
+// The functions with the entry point's name. Internal to this room.
 #pragma once
 
 #include <vector>
 
-#include "hlsl/outline.h"
+#include "hlsl/declarations.h"
 #include "preparation/source_checks.h"
 #include "preparation/token_text.h"
 
 namespace penumbra::preparation {
 
-// In the order of the text, without prototypes; they live as long as the text's outline.
+// In source order, without prototypes; valid as long as the text's declarations.
 std::vector<const hlsl::Declaration*> entry_functions(const TokenText& text, const EntryPoint& entry);
 
 }  // namespace penumbra::preparation

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "hlsl/word_set.h"
+#include "hlsl/name_set.h"
 #include "input/nearest_name.h"
 #include "preparation/entry_functions.h"
 #include "preparation/repeated_semantics.h"
@@ -34,7 +34,7 @@ struct Value {
 };
 
 bool is_type_modifier(std::string_view word) {
-  static constexpr hlsl::WordSet modifiers(
+  static constexpr hlsl::NameSet modifiers(
       "const", "precise", "inline", "linear", "centroid", "nointerpolation", "noperspective", "sample",
       "row_major", "column_major", "snorm", "unorm", "volatile", "point", "line", "triangle", "lineadj",
       "triangleadj", "export", "struct", "globallycoherent");
@@ -44,7 +44,7 @@ bool is_type_modifier(std::string_view word) {
 // Types whose values are inputs and outputs; of others (textures, aliases) nothing is said.
 bool is_numeric(std::string_view type) {
   const std::size_t digit = type.find_first_of("0123456789");
-  static constexpr hlsl::WordSet scalars("bool", "int", "uint", "dword", "half", "float", "double", "fixed",
+  static constexpr hlsl::NameSet scalars("bool", "int", "uint", "dword", "half", "float", "double", "fixed",
                                          "vector", "matrix");
   if (type.starts_with("min") || type.starts_with("float16") || type.starts_with("int16") ||
       type.starts_with("uint16"))
@@ -60,7 +60,7 @@ bool is_system(std::string_view semantic) {
 
 // Types that hold several of what stands between their < and >.
 bool holds_elements(std::string_view type) {
-  static constexpr hlsl::WordSet types("InputPatch", "OutputPatch", "PointStream", "LineStream",
+  static constexpr hlsl::NameSet types("InputPatch", "OutputPatch", "PointStream", "LineStream",
                                        "TriangleStream");
   return types.contains(type);
 }
@@ -86,7 +86,7 @@ class EntrySemantics {
   std::string_view word(std::size_t at) const { return text_[at].spelling; }
 
   const hlsl::Declaration* structure(std::string_view name) const {
-    for (const hlsl::Declaration& declaration : text_.outline())
+    for (const hlsl::Declaration& declaration : text_.declarations())
       if (declaration.kind == hlsl::Declaration::Kind::structure && declaration.name != npos &&
           declaration.open != npos && declaration.scope.empty() && word(declaration.name) == name)
         return &declaration;
@@ -96,8 +96,9 @@ class EntrySemantics {
   // The next of these marks outside of brackets and angles; `end` without one.
   std::size_t element_end(std::size_t at, std::size_t end, std::string_view mark) const {
     for (int angles = 0; at < end; ++at) {
-      if ((text_.is(at, "(") || text_.is(at, "[") || text_.is(at, "{")) && text_.partner(at) != npos) {
-        at = text_.partner(at);
+      if ((text_.is(at, "(") || text_.is(at, "[") || text_.is(at, "{")) &&
+          text_.matching_bracket(at) != npos) {
+        at = text_.matching_bracket(at);
         continue;
       }
       angles += text_.is(at, "<") ? 1 : text_.is(at, ">") ? -1 : 0;
@@ -112,7 +113,7 @@ class EntrySemantics {
     bool has_other = false;  // a register, or nothing, which the parser reports
     for (std::size_t at = first; at < end && !text_.is(at, "="); ++at) {
       if (!text_.is(at, ":")) continue;
-      const bool is_semantic = at + 1 < end && text_.is_word(at + 1) && !text_.is(at + 2, "(");
+      const bool is_semantic = at + 1 < end && text_.is_identifier(at + 1) && !text_.is(at + 2, "(");
       if (is_semantic) value.before = std::exchange(value.semantic, at + 1);
       has_other = has_other || !is_semantic;
     }
@@ -134,8 +135,8 @@ class EntrySemantics {
     value.direction.in = true;
     std::size_t at = first;
     for (; at < end; ++at) {
-      if (text_.is(at, "[") && text_.partner(at) != npos) {  // an attribute
-        at = text_.partner(at);
+      if (text_.is(at, "[") && text_.matching_bracket(at) != npos) {  // an attribute
+        at = text_.matching_bracket(at);
       } else if (text_.is(at, "uniform") || text_.is(at, "static")) {
         value.exempt = true;
       } else if (text_.is(at, "out")) {
@@ -146,10 +147,10 @@ class EntrySemantics {
         break;
       }
     }
-    if (at >= end || !text_.is_word(at)) return std::nullopt;
+    if (at >= end || !text_.is_identifier(at)) return std::nullopt;
     value.type = at;
     value.name = behind_type(at, end);
-    if (value.name >= end || !text_.is_word(value.name)) return std::nullopt;
+    if (value.name >= end || !text_.is_identifier(value.name)) return std::nullopt;
     read_semantic(value.name + 1, end, value);
     return value;
   }
@@ -159,7 +160,7 @@ class EntrySemantics {
     value.direction.out = true;
     value.type = function.type;
     while (value.type < function.name && (is_type_modifier(word(value.type)) ||
-                                          text_.is(value.type, "static") || !text_.is_word(value.type)))
+                                          text_.is(value.type, "static") || !text_.is_identifier(value.type)))
       ++value.type;
     if (value.type >= function.name) return std::nullopt;
     value.name = function.name;
@@ -195,7 +196,7 @@ class EntrySemantics {
   void check_members(const hlsl::Declaration& of, Direction direction, int depth) {
     if (depth > deepest_struct || !checked_.insert({&of, direction.out}).second) return;
     for (std::size_t at = of.name + 1; at < of.open; ++at)  // its bases
-      if (text_.is_word(at))
+      if (text_.is_identifier(at))
         if (const hlsl::Declaration* base = structure(word(at)))
           if (base != &of) check_members(*base, direction, depth + 1);
     for (std::size_t at = of.open + 1; at < of.close;) {
@@ -213,10 +214,11 @@ class EntrySemantics {
   std::size_t behind_function(std::size_t first, std::size_t end) const {
     for (std::size_t at = first; at < end; ++at) {
       if (text_.is(at, ":") || text_.is(at, "=")) return npos;
-      if (text_.is(at, "[") && text_.partner(at) != npos) at = text_.partner(at);
-      if (!text_.is(at, "(") || text_.partner(at) == npos) continue;
-      for (std::size_t body = text_.partner(at) + 1; body < end; ++body)
-        if (text_.is(body, "{") && text_.partner(body) != npos) return text_.partner(body) + 1;
+      if (text_.is(at, "[") && text_.matching_bracket(at) != npos) at = text_.matching_bracket(at);
+      if (!text_.is(at, "(") || text_.matching_bracket(at) == npos) continue;
+      for (std::size_t body = text_.matching_bracket(at) + 1; body < end; ++body)
+        if (text_.is(body, "{") && text_.matching_bracket(body) != npos)
+          return text_.matching_bracket(body) + 1;
       return end + 1;
     }
     return npos;
@@ -232,7 +234,7 @@ class EntrySemantics {
       check(member, depth);
       if (at >= end) return;
       const std::size_t next = element_end(at + 1, end, ",");
-      if (!text_.is_word(at + 1)) return;
+      if (!text_.is_identifier(at + 1)) return;
       member->name = at + 1;
       read_semantic(at + 2, next, *member);
       at = next;

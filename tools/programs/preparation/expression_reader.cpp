@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "hlsl/word_set.h"
+#include "hlsl/name_set.h"
 #include "preparation/declarators.h"
 #include "preparation/postfix_expression.h"
 
@@ -13,7 +13,7 @@ namespace {
 using Base = NumberShape::Base;
 
 bool is_statement_word(std::string_view word) {
-  static constexpr hlsl::WordSet words(
+  static constexpr hlsl::NameSet words(
       "return", "if", "else", "for", "while", "do", "switch", "case", "default", "struct", "class", "cbuffer",
       "tbuffer", "namespace", "typedef", "const", "static", "in", "out", "inout", "uniform", "precise",
       "groupshared", "row_major", "column_major", "break", "continue", "discard");
@@ -21,13 +21,13 @@ bool is_statement_word(std::string_view word) {
 }
 
 bool gives_scalar(std::string_view function) {
-  static constexpr hlsl::WordSet words("length", "distance", "determinant", "any", "all");
+  static constexpr hlsl::NameSet words("length", "distance", "determinant", "any", "all");
   return words.contains(function);
 }
 
 // Of each component of their arguments.
 bool is_componentwise(std::string_view function) {
-  static constexpr hlsl::WordSet words(
+  static constexpr hlsl::NameSet words(
       "abs", "acos", "asin", "atan", "atan2", "ceil", "clamp", "cos", "cosh", "ddx", "ddx_coarse", "ddx_fine",
       "ddy", "ddy_coarse", "ddy_fine", "degrees", "exp", "exp2", "floor", "fmod", "frac", "fwidth", "ldexp",
       "lerp", "log", "log10", "log2", "mad", "max", "min", "normalize", "pow", "radians", "rcp", "reflect",
@@ -60,10 +60,10 @@ NumberShape product_shape(const NumberShape& a, const NumberShape& b) {
 }  // namespace
 
 ExpressionReader::ExpressionReader(const TokenText& text)
-    : text_(text), types_(text.types()), functions_(text.word_numbers(), false) {
+    : text_(text), types_(text.types()), functions_(text.identifier_count(), false) {
   for (const FunctionType& function : types_.functions())
-    if (function.name != npos && text_.is_word(function.name))
-      functions_[text_.word_number(function.name)] = true;
+    if (function.name != npos && text_.is_identifier(function.name))
+      functions_[text_.identifier_number(function.name)] = true;
 }
 
 void ExpressionReader::read_all() {
@@ -111,7 +111,7 @@ ExpressionReader::Operator ExpressionReader::operator_at(std::size_t at) const {
 
 bool ExpressionReader::begins_operand(std::size_t at) const {
   if (at >= text_.size()) return false;
-  if (text_.is_word(at)) return !is_statement_word(text_[at].spelling);
+  if (text_.is_identifier(at)) return !is_statement_word(text_[at].spelling);
   return text_[at].kind == hlsl::Token::Kind::number ||
          std::string_view("(+-!~").find(text_.lead(at)) != std::string_view::npos;
 }
@@ -186,7 +186,7 @@ ReadOperand ExpressionReader::term() {
   ReadOperand result;
   const bool sign = text_.is(at_, "+") || text_.is(at_, "-") || text_.is(at_, "!") || text_.is(at_, "~");
   const bool cast =
-      text_.is(at_, "(") && text_.is_word(at_ + 1) && text_.is(at_ + 2, ")") &&
+      text_.is(at_, "(") && text_.is_identifier(at_ + 1) && text_.is(at_ + 2, ")") &&
       (is_number_type(text_[at_ + 1].spelling) || types_.structs().contains(text_[at_ + 1].spelling));
   if (sign) {
     const bool logical = text_.is(at_, "!");
@@ -213,14 +213,14 @@ ReadOperand ExpressionReader::postfix() {
   const std::size_t first = at_;
   NumberShape shape = primary();
   while (!failed_) {
-    if (text_.is(at_, ".") && text_.is_word(at_ + 1)) {
+    if (text_.is(at_, ".") && text_.is_identifier(at_ + 1)) {
       at_ += 2;
       const bool call = text_.is(at_, "(");
       if (call) list(at_);
       if (!call) read_member(shape, at_ - 1);
       const NumberShape known = known_shape(at_ - 1);
       shape = known.known() || call ? known : after_dot(at_ - 1, shape);
-    } else if (text_.is(at_, "[") && text_.partner(at_) != npos) {
+    } else if (text_.is(at_, "[") && text_.matching_bracket(at_) != npos) {
       list(at_);
       const NumberShape known = known_shape(at_ - 1);
       if (known.known() || !shape.known()) {
@@ -273,12 +273,12 @@ NumberShape ExpressionReader::name_or_call() {
   const std::vector<NumberShape> arguments = list(at_);
   if (failed_) return {};
   const NumberShape known = known_shape(at_ - 1);
-  if (!known.known() && !functions_[text_.word_number(name)]) read_intrinsic(name, arguments);
+  if (!known.known() && !functions_[text_.identifier_number(name)]) read_intrinsic(name, arguments);
   return known.known() ? known : function_shape(name, arguments);
 }
 
 std::vector<NumberShape> ExpressionReader::list(std::size_t open) {
-  const std::size_t close = text_.partner(open);
+  const std::size_t close = text_.matching_bracket(open);
   if (close == npos) failed_ = true;
   std::vector<NumberShape> all;
   at_ = open + 1;
@@ -296,7 +296,7 @@ NumberShape ExpressionReader::function_shape(std::size_t name,
                                              const std::vector<NumberShape>& arguments) const {
   const std::string_view word = text_[name].spelling;
   if (is_number_type(word)) return shape_of_type(word);
-  if (functions_[text_.word_number(name)] || arguments.empty()) return {};
+  if (functions_[text_.identifier_number(name)] || arguments.empty()) return {};
   const NumberShape& first = arguments[0];
   if (word == "mul" && arguments.size() == 2) return product_shape(first, arguments[1]);
   if (word == "transpose") return {first.base, first.columns, first.rows};

@@ -1,6 +1,6 @@
-// Reads the expressions of a text with the shape of every part, by HLSL's rules: what value_types.h says of
-// names and chains, and from there through operators, swizzles, casts, constructors and intrinsic functions.
-// Says nothing of a shape rather than guess. Internal to this room.
+// Parses the expressions of a text and determines the shape of every subexpression by HLSL's rules: from what
+// value_types.h knows of names and chains, through operators, swizzles, casts, constructors and intrinsic
+// functions. An uncertain shape is unknown instead of guessed. Internal to this room.
 #pragma once
 
 #include <cstddef>
@@ -16,32 +16,32 @@ struct ReadOperand {
   std::size_t first = npos;
   std::size_t end = npos;
   NumberShape shape{};
-  bool is_term = false;  // binds as much as a cast: no operator between two operands outside of parentheses
+  bool is_term = false;  // binds as tightly as a cast: no binary operator outside of parentheses
 };
 
-// Linear time. What stands more than a few hundred parentheses deep is left unread.
+// Linear time. Expressions in more than a few hundred levels of parentheses are skipped.
 class ExpressionReader {
  public:
-  explicit ExpressionReader(const TokenText& text);  // good until its apply()
+  explicit ExpressionReader(const TokenText& text);  // valid until its apply()
   virtual ~ExpressionReader() = default;
   void read_all();
 
  protected:
-  // For each operator between two operands, inner ones first; the operator's first token. Assignments of "="
-  // alone are none.
+  // For each binary operator, inner ones first; `op` is the operator's first token. Not for plain assignments
+  // with "=".
   virtual void read_binary(const ReadOperand& left, std::size_t op, const ReadOperand& right) = 0;
   virtual void read_assignment(const ReadOperand& /*left*/, std::size_t /*op*/,
                                const ReadOperand& /*right*/) {}
   // For each `condition ? yes : no`; the '?'.
   virtual void read_choice(const ReadOperand& /*condition*/, std::size_t /*mark*/, const ReadOperand& /*yes*/,
                            const ReadOperand& /*no*/) {}
-  // For each + - ! ~ and ++ -- before an operand.
+  // For each unary + - ! ~ and prefix ++ --.
   virtual void read_sign(std::size_t /*sign*/, const ReadOperand& /*of*/) {}
   // For each expression in parentheses that are neither a call's nor a cast's.
   virtual void read_parenthesised(std::size_t /*open*/, const NumberShape& /*inside*/) {}
-  // For each call of a function that is not the text's; the name, and the shapes of the arguments.
+  // For each call of a function that the text does not define; the name, and the shapes of the arguments.
   virtual void read_intrinsic(std::size_t /*name*/, const std::vector<NumberShape>& /*arguments*/) {}
-  // For each `.member` that is not called, with the shape of what stands before its '.'.
+  // For each `.member` that is not called, with the shape of the expression before the '.'.
   virtual void read_member(const NumberShape& /*of*/, std::size_t /*member*/) {}
 
  private:
@@ -60,7 +60,7 @@ class ExpressionReader {
   NumberShape primary();
   NumberShape name_or_call();
   std::vector<NumberShape> list(
-      std::size_t open);  // of what stands in parentheses; fails where that is no list
+      std::size_t open);  // the elements in the parentheses; fails if they are not a list
   NumberShape function_shape(std::size_t name, const std::vector<NumberShape>& arguments) const;
   NumberShape operator_shape(std::size_t op, const NumberShape& left, const NumberShape& right) const;
   NumberShape after_dot(std::size_t member, const NumberShape& of) const;
@@ -68,10 +68,10 @@ class ExpressionReader {
 
   const TokenText& text_;
   const ValueTypes& types_;
-  std::vector<bool> functions_;  // by a word's number: whether a function of the text has that name
+  std::vector<bool> functions_;  // by identifier number: whether a function of the text has that name
   std::size_t at_ = 0;
   int depth_ = 0;
-  bool failed_ = false;  // no expression stands at at_
+  bool failed_ = false;  // there is no expression at at_
 };
 
 }  // namespace penumbra::preparation

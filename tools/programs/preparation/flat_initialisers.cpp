@@ -29,11 +29,11 @@ std::vector<std::size_t> sizes(const TokenText& text, std::size_t& at) {
 std::vector<std::size_t> elements(const TokenText& text, std::size_t open) {
   std::vector<std::size_t> firsts;
   bool at_start = true;
-  for (std::size_t at = open + 1; at < text.partner(open); ++at) {
+  for (std::size_t at = open + 1; at < text.matching_bracket(open); ++at) {
     if (at_start && text.is(at, "{")) return {};
     if (at_start) firsts.push_back(at);
     at_start = text.is(at, ",");
-    if (text.partner(at) != npos && text.partner(at) > at) at = text.partner(at);
+    if (text.matching_bracket(at) != npos && text.matching_bracket(at) > at) at = text.matching_bracket(at);
   }
   return firsts;
 }
@@ -42,7 +42,7 @@ void group(TokenText& text, std::size_t open, const std::vector<std::size_t>& fi
   for (std::size_t i = 0; i < firsts.size(); i += run) {
     text.insert(firsts[i], "{");
     const bool last = i + run >= firsts.size();
-    std::size_t end = last ? text.partner(open) : firsts[i + run] - 1;
+    std::size_t end = last ? text.matching_bracket(open) : firsts[i + run] - 1;
     if (last && text.is(end - 1, ",")) --end;
     text.insert(end, "}");
   }
@@ -52,11 +52,12 @@ void group(TokenText& text, std::size_t open, const std::vector<std::size_t>& fi
 
 void group_flat_initialisers(TokenText& text) {
   for (std::size_t type = 0; type + 2 < text.size(); ++type) {
-    if (!text.is(type + 2, "[") || !text.is_word(type) || !text.is_word(type + 1)) continue;
+    if (!text.is(type + 2, "[") || !text.is_identifier(type) || !text.is_identifier(type + 1)) continue;
     if (!is_number_type(text[type].spelling)) continue;
     std::size_t at = type + 2;
     const std::vector<std::size_t> dimensions = sizes(text, at);
-    if (dimensions.empty() || !text.is(at, "=") || !text.is(at + 1, "{") || text.partner(at + 1) == npos)
+    if (dimensions.empty() || !text.is(at, "=") || !text.is(at + 1, "{") ||
+        text.matching_bracket(at + 1) == npos)
       continue;
     std::size_t run = components(text[type].spelling);  // of an element of the first dimension
     for (std::size_t i = 1; i < dimensions.size(); ++i) run *= dimensions[i];

@@ -1,8 +1,7 @@
-// Arrays whose initialiser is one flat list, `float2 a[2] = { 1, 2, 3, 4 };` and `float b[2][3] = { 1, 2, 3,
-// 4, 5, 6
-// };`: HLSL fills the components in their order; glslang wants one element of the list for each element of
-// the array. Where the sizes are written as numbers and the list has exactly as many elements as there are
-// components, braces are put around those of each array element.
+// Arrays with a flat initialiser list, `float2 a[2] = { 1, 2, 3, 4 };` and `float b[2][3] = { 1, 2, 3, 4, 5,
+// 6 };`: HLSL fills the components in order; glslang expects one list element per array element. If the sizes
+// are literals and the list has exactly one element per component, braces are put around those of each array
+// element.
 #pragma once
 
 #include "preparation/token_text.h"

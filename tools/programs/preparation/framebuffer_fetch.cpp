@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "hlsl/outline.h"
+#include "hlsl/declarations.h"
 #include "preparation/declarators.h"
 
 namespace penumbra::preparation {
@@ -66,13 +66,13 @@ std::string attachment(std::size_t number, std::string_view type, std::string_vi
 
 class FramebufferFetch {
  public:
-  explicit FramebufferFetch(TokenText& text) : text_(text), outline_(text.outline()) {}
+  explicit FramebufferFetch(TokenText& text) : text_(text), declarations_(text.declarations()) {}
 
   void run() {
-    for (const hlsl::Declaration& declaration : outline_)
+    for (const hlsl::Declaration& declaration : declarations_)
       if (declaration.kind == hlsl::Declaration::Kind::buffer) block(declaration);
     load_inputs();
-    for (const hlsl::Declaration& declaration : outline_)
+    for (const hlsl::Declaration& declaration : declarations_)
       if (declaration.kind == hlsl::Declaration::Kind::function) function(declaration);
     text_.apply();
   }
@@ -101,13 +101,13 @@ class FramebufferFetch {
     if (inputs_.empty()) return;
     for (std::size_t at = 0; at < text_.size(); ++at) {
       if (const auto block = blocks_.find(at); block != blocks_.end()) at = block->second;
-      const auto input = text_.is_word(at) ? inputs_.find(text_[at].spelling) : inputs_.end();
+      const auto input = text_.is_identifier(at) ? inputs_.find(text_[at].spelling) : inputs_.end();
       if (input == inputs_.end() || (at > 0 && text_.is(at - 1, "."))) continue;
       if (!input->second.multisampled) {
         text_.insert(at + 1, ".SubpassLoad()");
-      } else if (text_.is(at + 1, "[") && text_.partner(at + 1) != npos) {
+      } else if (text_.is(at + 1, "[") && text_.matching_bracket(at + 1) != npos) {
         text_.replace(at + 1, 1, ".SubpassLoad(");
-        text_.replace(text_.partner(at + 1), 1, ")");
+        text_.replace(text_.matching_bracket(at + 1), 1, ")");
       }
     }
   }
@@ -117,9 +117,9 @@ class FramebufferFetch {
     if (!called_.empty()) return called_;
     called_.insert({});  // found
     for (std::size_t at = 0; at + 1 < text_.size(); ++at) {
-      if (!text_.is_word(at) || !text_.is(at + 1, "(")) continue;
+      if (!text_.is_identifier(at) || !text_.is(at + 1, "(")) continue;
       const bool statement = at > 0 && (text_.is(at - 1, "return") || text_.is(at - 1, "else"));
-      if (statement || at == 0 || !text_.is_word(at - 1)) called_.insert(text_[at].spelling);
+      if (statement || at == 0 || !text_.is_identifier(at - 1)) called_.insert(text_[at].spelling);
     }
     return called_;
   }
@@ -132,8 +132,9 @@ class FramebufferFetch {
   // Of `inout half4 color : SV_Target1`, and all such of the function with the first of them; true when the
   // function is done with.
   bool parameter(const hlsl::Declaration& function, std::size_t first) {
-    const bool is_fetch = text_.is_word(first + 1) && text_.is_word(first + 2) && text_.is(first + 3, ":") &&
-                          text_.is_word(first + 4) && is_number_type(text_[first + 1].spelling);
+    const bool is_fetch = text_.is_identifier(first + 1) && text_.is_identifier(first + 2) &&
+                          text_.is(first + 3, ":") && text_.is_identifier(first + 4) &&
+                          is_number_type(text_[first + 1].spelling);
     const std::optional<std::size_t> number =
         is_fetch ? target_of_semantic(text_[first + 4].spelling) : std::nullopt;
     if (!number) return false;
@@ -150,7 +151,7 @@ class FramebufferFetch {
   }
 
   TokenText& text_;
-  const std::vector<hlsl::Declaration>& outline_;
+  const std::vector<hlsl::Declaration>& declarations_;
   std::map<std::string_view, InputKind> inputs_;  // by the name that reads them
   std::map<std::size_t, std::size_t> blocks_;     // '{' and '}' of those that go
   std::set<std::string_view> called_;

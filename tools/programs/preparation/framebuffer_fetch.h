@@ -1,14 +1,15 @@
-// Shaders that read the pixel they are about to write.
+// Framebuffer fetch: shaders that read the pixel they are about to write.
 //
-// Unity has two ways to say so, and on Vulkan both mean an input attachment of the subpass:
-// - `cbuffer hlslcc_SubpassInput_f_2 { float4 name; }`, which its compiler knows by that name: f, h, i and u
-//   are float4, half4, int4 and uint4, the capital letters the same with several samples, `name[8]`; the
-//   number is that of the attachment. Shader libraries write it by FRAMEBUFFER_INPUT_FLOAT(2) and the like.
+// Unity has two notations, and on Vulkan both mean an input attachment of the subpass:
+// - `cbuffer hlslcc_SubpassInput_f_2 { float4 name; }`, which its compiler recognises by name: f, h, i and u
+//   are float4, half4, int4 and uint4, capital letters the same with multisampling, `name[8]`; the number is
+//   that of the attachment. Shader libraries write it with FRAMEBUFFER_INPUT_FLOAT(2) and similar macros.
 // - a fragment function's `inout half4 color : SV_Target1` (Unity manual, SL-PlatformDifferences, "Using
-//   shader framebuffer fetch"). To glslang that is an input from the vertex stage and an output, two things.
+//   shader framebuffer fetch"). glslang treats it as an input from the vertex stage and a separate output.
 //
-// The first becomes a SubpassInput of that number, and what names it, `.SubpassLoad()`. The second becomes an
-// `out` parameter that is loaded at the function's start; only of functions that nothing in the text calls.
+// The first becomes a SubpassInput with that number, and its uses become `.SubpassLoad()`. The second becomes
+// an `out` parameter that is loaded at the beginning of the function; only in functions that the text does
+// not call.
 #pragma once
 
 #include "preparation/token_text.h"

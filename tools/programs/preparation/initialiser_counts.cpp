@@ -32,7 +32,7 @@ std::string problem_of(const std::vector<ListedValue>& values, std::size_t wante
 // `float3(1, 2)`, `float4(0)`: fewer numbers than the type has. Of more, glslang complains itself.
 void check_constructor(TokenText& text, std::size_t type) {
   const std::size_t wanted = components(text[type].spelling);
-  const std::size_t close = text.partner(type + 1);
+  const std::size_t close = text.matching_bracket(type + 1);
   if (wanted < 2 || close == npos) return;
   std::size_t given = 0;
   for (const ListElement& argument : list_elements(text, type + 1)) {
@@ -51,14 +51,14 @@ void check_constructor(TokenText& text, std::size_t type) {
 
 void check_constructor_counts(TokenText& text) {
   for (std::size_t at = 0; at + 1 < text.size(); ++at)
-    if (text.is(at + 1, "(") && text.is_word(at) && is_number_type(text[at].spelling))
+    if (text.is(at + 1, "(") && text.is_identifier(at) && is_number_type(text[at].spelling))
       check_constructor(text, at);
 }
 
 void check_initialiser_counts(TokenText& text) {
   for (const DeclaredValue& value : text.types().declared()) {
     if (value.name == npos || !text.is(value.end, "=") || !text.is(value.end + 1, "{")) continue;
-    if (text.partner(value.end + 1) == npos) continue;
+    if (text.matching_bracket(value.end + 1) == npos) continue;
     const std::optional<ValueShape> shape = shape_of(text, value);
     if (!shape) continue;
     const std::string problem = problem_of(flat_values(text, value.end + 1), shape->numbers);

@@ -12,9 +12,9 @@ namespace {
 // The type of `float2 a[2] : A`, whose ':' stands at `colon`; npos of a later declarator.
 std::size_t type_before(const TokenText& text, std::size_t colon) {
   std::size_t name = colon - 1;
-  while (text.is(name, "]") && text.partner(name) != npos && text.partner(name) > 0)
-    name = text.partner(name) - 1;
-  return name > 0 && text.is_word(name) && text.is_word(name - 1) ? name - 1 : npos;
+  while (text.is(name, "]") && text.matching_bracket(name) != npos && text.matching_bracket(name) > 0)
+    name = text.matching_bracket(name) - 1;
+  return name > 0 && text.is_identifier(name) && text.is_identifier(name - 1) ? name - 1 : npos;
 }
 
 }  // namespace
@@ -22,7 +22,7 @@ std::size_t type_before(const TokenText& text, std::size_t colon) {
 void pass_bools_as_numbers(TokenText& text) {
   using Base = NumberShape::Base;
   for (std::size_t colon = 2; colon + 1 < text.size(); ++colon) {
-    if (!text.is(colon, ":") || !text.is_word(colon + 1) || text.is(colon + 2, "(")) continue;
+    if (!text.is(colon, ":") || !text.is_identifier(colon + 1) || text.is(colon + 2, "(")) continue;
     const std::size_t type = type_before(text, colon);
     if (type == npos) continue;
     NumberShape shape = shape_of_type(text[type].spelling);

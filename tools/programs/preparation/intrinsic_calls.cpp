@@ -27,7 +27,7 @@ void give_uint_values(TokenText& text, std::string_view name, const std::vector<
 
 void write_out_intrinsic_calls(TokenText& text) {
   for (std::size_t at = 1; at + 1 < text.size(); ++at) {
-    if (!text.is_word(at) || !text.is(at + 1, "(") || text.partner(at + 1) == npos) continue;
+    if (!text.is_identifier(at) || !text.is(at + 1, "(") || text.matching_bracket(at + 1) == npos) continue;
     const std::string_view name = text[at].spelling;
     if (text.is(at - 1, ".") && name.substr(0, 11) == "Interlocked")
       give_uint_values(text, name, list_elements(text, at + 1));

@@ -1,13 +1,12 @@
-// Calls of intrinsics that glslang turns into SPIR-V its own validator refuses:
+// Calls of intrinsics for which glslang emits SPIR-V that does not validate:
 //
-// - mad(a, b, c) of whole numbers becomes an instruction for floats: written out as ((a) * (b) + (c)), which
-// HLSL
+// - mad(a, b, c) of integers becomes an instruction for floats: rewritten to ((a) * (b) + (c)), which HLSL
 //   allows for every mad (docs "mad": precise or not is the implementation's choice).
-// - ldexp(x, e) with a float e becomes Ldexp, which takes whole exponents: written out as ((x) * exp2(e)),
-// HLSL's own
-//   definition.
-// - The values of a byte address buffer's Interlocked methods are uint: an int literal is given as uint.
-// A function of the text with the name of the intrinsic is left alone.
+// - ldexp(x, e) with a float e becomes Ldexp, which takes an integer exponent: rewritten to ((x) * exp2(e)),
+//   HLSL's own definition.
+// - The values of a byte address buffer's Interlocked methods are uint: int literals become uint.
+//
+// A function of the text with the name of the intrinsic is not changed.
 #pragma once
 
 #include "preparation/token_text.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "hlsl/outline.h"
+#include "hlsl/declarations.h"
 
 namespace penumbra::preparation {
 
@@ -14,7 +14,7 @@ constexpr std::string_view kSign = "penumbra_sign";
 constexpr std::string_view kLit = "penumbra_lit";
 
 bool defines(const TokenText& text, std::string_view name) {
-  const auto& all = text.outline();
+  const auto& all = text.declarations();
   return std::any_of(all.begin(), all.end(), [&](const hlsl::Declaration& declaration) {
     return declaration.parameters_open != hlsl::Declaration::none && text.is(declaration.name, name);
   });

@@ -35,7 +35,7 @@ bool is_of_textures(std::string_view word) {
 std::set<std::size_t> candidates(const TokenText& text, std::set<std::string_view>& declared) {
   std::set<std::size_t> found;
   for (std::size_t at = 1; at < text.size(); ++at) {
-    if (!text.is_word(at) || !is_of_textures(text[at].spelling)) continue;
+    if (!text.is_identifier(at) || !is_of_textures(text[at].spelling)) continue;
     if (!text.is(at - 1, "."))
       declared.insert(text[at].spelling);
     else if (!text.is(at + 1, "("))

@@ -1,4 +1,4 @@
-// The elements of a list in brackets: the arguments of a call, the values of an initialiser. Internal to this
+// The elements of a bracketed list: the arguments of a call, the values of an initialiser. Internal to this
 // room.
 #pragma once
 
@@ -9,13 +9,13 @@
 
 namespace penumbra::preparation {
 
-// Of the tokens [first, end).
+// The tokens [first, end).
 struct ListElement {
   std::size_t first;
   std::size_t end;
 };
 
-// Those between the bracket at `open`, which has a partner, and its partner. Empty ones are left out.
+// The elements between the bracket at `open`, which must have a match, and its match. Empty ones are skipped.
 std::vector<ListElement> list_elements(const TokenText& text, std::size_t open);
 
 }  // namespace penumbra::preparation

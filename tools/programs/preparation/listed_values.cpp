@@ -53,10 +53,10 @@ std::vector<ListedValue> flat_values(const TokenText& text, std::size_t open) {
 std::size_t numbers_of(const TokenText& text, std::size_t first, std::size_t end) {
   while (text.is(first, "-") || text.is(first, "+")) ++first;
   if (first + 1 == end && text[first].kind == hlsl::Token::Kind::number) return 1;
-  if (!text.is_word(first)) return 0;
+  if (!text.is_identifier(first)) return 0;
   const std::string_view word = text[first].spelling;
   if (is_number_type(word) && text.is(first + 1, "("))
-    return text.partner(first + 1) == end - 1 ? components(word) : 0;
+    return text.matching_bracket(first + 1) == end - 1 ? components(word) : 0;
   const std::size_t last = end - 1;
   if (postfix_end(text, first) != end) return 0;
   if (text.types().begin(last) == first && !text.types().at(last).name.empty()) return numbers_in(text, last);

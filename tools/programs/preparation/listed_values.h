@@ -9,15 +9,16 @@
 
 namespace penumbra::preparation {
 
-// One expression of a list, whatever braces stand around it.
+// One expression of a list, without the braces around it.
 struct ListedValue : ListElement {
   std::size_t numbers = 0;  // 0: not known
 };
 
-// Those between the '{' at `open` and its partner, which it must have, those of the lists in it included.
+// The values between the '{' at `open`, which must have a match, and its match, including those of nested
+// lists.
 std::vector<ListedValue> flat_values(const TokenText& text, std::size_t open);
 
-// How many scalars the expression [first, end) consists of; 0: not known.
+// The number of scalars in the expression [first, end); 0: unknown.
 std::size_t numbers_of(const TokenText& text, std::size_t first, std::size_t end);
 
 }  // namespace penumbra::preparation

@@ -19,7 +19,7 @@ class LoopVariables {
   void run() {
     if (!find_uses()) return;
     for (std::size_t at = 1; at + 1 < text_.size(); ++at)
-      if (text_.is(at, "for") && text_.is(at + 1, "(") && text_.partner(at + 1) != npos) find(at);
+      if (text_.is(at, "for") && text_.is(at + 1, "(") && text_.matching_bracket(at + 1) != npos) find(at);
     if (loops_.empty()) return;
     for (const Loop& loop : loops_) move_declaration(loop);
     rename();
@@ -46,7 +46,8 @@ class LoopVariables {
   void find(std::size_t at) {
     const std::size_t semicolon = expression_end(text_, at + 2);
     if (semicolon == npos || !text_.is(semicolon, ";")) return;
-    const Loop loop{before_attributes(at), at + 2, semicolon, statement_end(text_.partner(at + 1) + 1)};
+    const Loop loop{before_attributes(at), at + 2, semicolon,
+                    statement_end(text_.matching_bracket(at + 1) + 1)};
     const std::vector<std::size_t> variables = declared_in(loop);
     const bool outlives = std::any_of(variables.begin(), variables.end(),
                                       [&](std::size_t variable) { return last_use_[variable] > loop.end; });
@@ -94,11 +95,12 @@ class LoopVariables {
   // Whether the loop stands in the scope of another variable of that name.
   bool hides_another(std::size_t variable) const {
     const DeclaredValue& own = types_.declared()[variable];
-    const std::uint32_t name = text_.word_number(own.name);
+    const std::uint32_t name = text_.identifier_number(own.name);
     for (std::size_t at = own.name; at-- > 0;) {
-      if (text_.is(at, "}") && text_.partner(at) != npos) {
-        at = text_.partner(at);
-      } else if (text_.word_number(at) == name && types_.named(at) != npos && types_.named(at) != variable) {
+      if (text_.is(at, "}") && text_.matching_bracket(at) != npos) {
+        at = text_.matching_bracket(at);
+      } else if (text_.identifier_number(at) == name && types_.named(at) != npos &&
+                 types_.named(at) != variable) {
         return !belongs_to_loop(types_.named(at));
       }
     }
@@ -121,11 +123,12 @@ class LoopVariables {
 
   // One past the statement that begins here.
   std::size_t statement_end(std::size_t at) const {
-    while (text_.is(at, "[") && text_.partner(at) != npos) at = text_.partner(at) + 1;
-    if (text_.is(at, "{")) return text_.partner(at) == npos ? text_.size() : text_.partner(at);
+    while (text_.is(at, "[") && text_.matching_bracket(at) != npos) at = text_.matching_bracket(at) + 1;
+    if (text_.is(at, "{"))
+      return text_.matching_bracket(at) == npos ? text_.size() : text_.matching_bracket(at);
     const bool headed = text_.is(at, "for") || text_.is(at, "while") || text_.is(at, "if");
-    if (headed && text_.is(at + 1, "(") && text_.partner(at + 1) != npos) {
-      const std::size_t end = statement_end(text_.partner(at + 1) + 1);
+    if (headed && text_.is(at + 1, "(") && text_.matching_bracket(at + 1) != npos) {
+      const std::size_t end = statement_end(text_.matching_bracket(at + 1) + 1);
       return text_.is(at, "if") && text_.is(end + 1, "else") ? statement_end(end + 2) : end;
     }
     const std::size_t end = expression_end(text_, at);
@@ -133,7 +136,8 @@ class LoopVariables {
   }
 
   std::size_t before_attributes(std::size_t at) const {
-    while (at > 0 && text_.is(at - 1, "]") && text_.partner(at - 1) != npos) at = text_.partner(at - 1);
+    while (at > 0 && text_.is(at - 1, "]") && text_.matching_bracket(at - 1) != npos)
+      at = text_.matching_bracket(at - 1);
     return at;
   }
 

@@ -72,13 +72,13 @@ class MacroScan {
 
   std::string_view word() {
     const std::size_t begin = at_;
-    while (is_word(peek())) ++at_;
+    while (is_identifier_character(peek())) ++at_;
     return std::string_view(text_).substr(begin, at_ - begin);
   }
 
   void token() {
     const std::size_t begin = at_;
-    if (is_word(peek())) {
+    if (is_identifier_character(peek())) {
       word();
     } else {
       ++at_;
@@ -133,7 +133,7 @@ class MacroScan {
     std::size_t count = 0;
     for (++at_; in_line() && peek() != ')';) {
       if (gap()) continue;
-      if (is_word(peek())) {
+      if (is_identifier_character(peek())) {
         word();
         ++count;
       } else {

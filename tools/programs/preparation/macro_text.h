@@ -1,7 +1,7 @@
-// The text of a shader file as its preprocessor will see it, read without following a condition: what it
-// defines, and the words, brackets and commas of its ordinary text and of its macros' bodies.
+// The text of a shader file before preprocessing, read without evaluating conditions: its macro definitions,
+// and the tokens of its ordinary text and of its macros' bodies.
 //
-// Comments, texts in quotes and all directives but #define are left out. Linear; any bytes are read.
+// Comments, string literals and all directives but #define are skipped. Linear; accepts any bytes.
 #pragma once
 
 #include <cstddef>
@@ -14,15 +14,15 @@ namespace penumbra::preparation {
 
 struct MacroToken {
   std::size_t offset = 0;
-  std::string_view spelling;  // a word or number, or one character of punctuation
-  std::size_t region = 0;     // one for each macro's body and each stretch of text between two directives
+  std::string_view spelling;  // an identifier or number, or one character of punctuation
+  std::size_t region = 0;     // a number for each macro's body and each run of text between two directives
 };
 
 struct MacroDefinition {
   std::string_view name;
   int line = 0;
-  std::optional<std::size_t> parameters;  // none: a macro without a list of them
-  std::size_t body_begin = 0;             // among the tokens: its body, to before body_end
+  std::optional<std::size_t> parameters;  // none: an object-like macro
+  std::size_t body_begin = 0;             // index of the first token of its body; the last is before body_end
   std::size_t body_end = 0;
 };
 
@@ -31,7 +31,7 @@ struct MacroText {
   std::vector<MacroDefinition> definitions;
 };
 
-// The views live as long as `text` does.
+// The views are valid as long as `text`.
 MacroText read_macro_text(const std::string& text);
 
 }  // namespace penumbra::preparation

@@ -39,7 +39,7 @@ std::size_t end_of_scalar(const TokenText& text, std::size_t at) {
   const hlsl::Token& token = text[at];
   if (token.kind == hlsl::Token::Kind::number) return is_whole_number(token.spelling) ? at + 1 : npos;
   if (token.spelling == "true" || token.spelling == "false") return at + 1;
-  if (token.kind != hlsl::Token::Kind::word || text.is(at + 1, "(") || text.is(at + 1, ".") ||
+  if (token.kind != hlsl::Token::Kind::identifier || text.is(at + 1, "(") || text.is(at + 1, ".") ||
       text.is(at + 1, "["))
     return npos;
   const ValueType& type = text.types().at(at);
@@ -51,7 +51,7 @@ std::size_t end_of_scalar(const TokenText& text, std::size_t at) {
 void widen_matrix_casts(TokenText& text) {
   for (std::size_t at = 1; at + 2 < text.size(); ++at) {
     const std::string_view scalar =
-        text.is_word(at) ? scalar_of_matrix(text[at].spelling) : std::string_view{};
+        text.is_identifier(at) ? scalar_of_matrix(text[at].spelling) : std::string_view{};
     if (scalar.empty()) continue;
     const bool cast = text.is(at - 1, "(") && text.is(at + 1, ")");
     const bool constructor = text.is(at + 1, "(");

@@ -1,10 +1,9 @@
-// A whole number or bool made a matrix of floats, `(float4x4)0` and `float3x3(1)`. glslang 12 folds the
-// conversion and leaves every element but the first few unset: the module holds whatever the memory held
-// before, another number in another run, and nothing says so. The number is made a float first,
-// `(float4x4)(float)0`, which folds as it should.
+// An integer or bool cast to a float matrix, `(float4x4)0` and `float3x3(1)`. glslang 12 folds the conversion
+// and silently leaves every element but the first few uninitialised: their values differ between runs. The
+// number is cast to float first, `(float4x4)(float)0`, which is folded correctly.
 //
-// Literals with their sign, true and false, and names of scalars; what is computed when the shader runs was
-// right before and stays so.
+// Applies to literals with their sign, true and false, and names of scalars; glslang converts run-time values
+// correctly.
 #pragma once
 
 #include "preparation/token_text.h"

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "hlsl/outline.h"
+#include "hlsl/declarations.h"
 #include "preparation/declared_values.h"
 #include "preparation/number_shape.h"
 #include "preparation/source_directives.h"
@@ -21,7 +21,7 @@ class MatrixPacking {
 
   void run() {
     if (!take_markers_out()) return;
-    for (const hlsl::Declaration& declaration : text_.outline()) {
+    for (const hlsl::Declaration& declaration : text_.declarations()) {
       if (declaration.kind == Kind::variable) declare(declaration.first, declaration.last);
       if (declaration.kind == Kind::alias) declare(declaration.first, declaration.last);
       if (declaration.kind == Kind::buffer || declaration.kind == Kind::structure)
@@ -59,10 +59,10 @@ class MatrixPacking {
   void members(std::size_t open, std::size_t close) {
     std::size_t first = open + 1;
     for (std::size_t at = first; at < close; ++at) {
-      if (text_.is(at, "{") && text_.partner(at) != npos) {
+      if (text_.is(at, "{") && text_.matching_bracket(at) != npos) {
         const bool structure = text_.is(at - 1, "struct") || text_.is(at - 2, "struct");
-        if (structure) members(at, text_.partner(at));
-        at = text_.partner(at);
+        if (structure) members(at, text_.matching_bracket(at));
+        at = text_.matching_bracket(at);
         first = at + 1;
       } else if (text_.is(at, ";")) {
         declare(first, at);
@@ -77,8 +77,8 @@ class MatrixPacking {
     if (text_.is(type, "typedef")) ++type;
     for (; type < last && is_modifier(text_[type].spelling); ++type)
       if (text_.is(type, "row_major") || text_.is(type, "column_major") || text_.is(type, "static")) return;
-    const bool function = text_.is_word(type + 1) && text_.is(type + 2, "(");
-    if (function || !text_.is_word(type)) return;
+    const bool function = text_.is_identifier(type + 1) && text_.is(type + 2, "(");
+    if (function || !text_.is_identifier(type)) return;
     if (shape_of_type(text_[type].spelling).is_matrix()) {
       text_.insert(type, "row_major");
     } else if (text_.is(type + 1, "<") && shape_of_type(text_[type + 2].spelling).is_matrix()) {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "hlsl/outline.h"
+#include "hlsl/declarations.h"
 #include "preparation/postfix_expression.h"
 
 namespace penumbra::preparation {
@@ -76,10 +76,10 @@ std::string function_definitions(std::string_view word) {
 // Names of struct members, which look like swizzles where they are used.
 std::unordered_set<std::string_view> member_names(const TokenText& text) {
   std::unordered_set<std::string_view> names;
-  for (const hlsl::Declaration& declaration : text.outline()) {
+  for (const hlsl::Declaration& declaration : text.declarations()) {
     if (declaration.kind != hlsl::Declaration::Kind::structure) continue;
     for (std::size_t at = declaration.open; at < declaration.close; ++at)
-      if (text.is_word(at)) names.insert(text[at].spelling);
+      if (text.is_identifier(at)) names.insert(text[at].spelling);
   }
   return names;
 }
@@ -90,7 +90,7 @@ class Swizzles {
 
   void run() {
     for (std::size_t dot = 1; dot + 1 < text_.size(); ++dot) {
-      if (!text_.is(dot, ".") || !text_.is_word(dot + 1)) continue;
+      if (!text_.is(dot, ".") || !text_.is_identifier(dot + 1)) continue;
       const std::string_view word = text_[dot + 1].spelling;
       if (word[0] != '_' || swizzle(word).size() < 2 || is_member(word)) continue;
       const std::size_t begin = postfix_begin(text_, dot - 1);

@@ -22,7 +22,7 @@ class MemberCalls {
 
   void run() {
     for (std::size_t dot = 1; dot + 2 < text_.size(); ++dot)
-      if (text_.is(dot, ".") && text_.is_word(dot + 1) && text_.is(dot + 2, "(")) call(dot);
+      if (text_.is(dot, ".") && text_.is_identifier(dot + 1) && text_.is(dot + 2, "(")) call(dot);
     for (const auto& [type, receiver] : needed_) define(type, receiver);
     text_.apply();
   }
@@ -44,7 +44,7 @@ class MemberCalls {
     if (!is_member || receiver == Receiver::variable) return;
     needed_.emplace(type.name, receiver);
     text_.insert(first, function_name(type.name, word(dot + 1), receiver) + "(");
-    const bool has_arguments = text_.partner(dot + 2) != dot + 3;
+    const bool has_arguments = text_.matching_bracket(dot + 2) != dot + 3;
     text_.replace(dot, 3, has_arguments ? "," : "");
   }
 
@@ -52,8 +52,9 @@ class MemberCalls {
   Receiver receiver_of(std::size_t first, std::size_t last) const {
     if (types_.at(last).constant) return Receiver::value;
     for (std::size_t at = last; at > first; --at) {
-      if (text_.is(at, ")") && text_.partner(at) > first) return Receiver::value;
-      if (text_.partner(at) != npos && text_.partner(at) < at) at = text_.partner(at);
+      if (text_.is(at, ")") && text_.matching_bracket(at) > first) return Receiver::value;
+      if (text_.matching_bracket(at) != npos && text_.matching_bracket(at) < at)
+        at = text_.matching_bracket(at);
     }
     while (text_.is(first, "(")) ++first;
     const std::size_t index = types_.named(first);
@@ -97,7 +98,7 @@ class MemberCalls {
     std::string functions;
     for (const hlsl::Declaration& function : known.functions)
       if (can_be_forwarded(function)) functions += definition(type, function, receiver);
-    text_.insert(types_.outline()[known.declaration].last + 1, functions);
+    text_.insert(types_.declarations()[known.declaration].last + 1, functions);
   }
 
   std::string definition(std::string_view type, const hlsl::Declaration& function, Receiver receiver) const {

@@ -1,14 +1,14 @@
-// Calls of a struct's member functions on what is not a variable of the function that calls: on what a
-// function returned (`Build(x).Sample(uv)`), on a const variable, a static global, a member of a cbuffer, an
-// element of a structured buffer. glslang passes the receiver by a pointer that such values do not have and
-// makes a module that is not valid.
+// Calls of a struct's member functions on objects other than the caller's own variables: on the result of a
+// function (`Build(x).Sample(uv)`), a const variable, a static global, a member of a cbuffer, an element of a
+// structured buffer. glslang passes the object by a pointer that such values do not have, and emits an
+// invalid module.
 //
-// Beside the struct a function is put that takes the receiver as its first parameter and calls the member on
-// it: by value where the receiver cannot be written to, inout where it can, which is what a call of the
-// member does to it. The calls go there.
+// After the struct, a function is added that takes the object as its first parameter and calls the member
+// function: by value if the object is read-only, otherwise as inout, which preserves the member function's
+// side effects. The calls are redirected to it.
 //
-// Limits: the receiver's type must be known (value_types.h); member functions with parameters that have no
-// name are left alone.
+// Limits: the object's type must be known (value_types.h); member functions with unnamed parameters are not
+// changed.
 #pragma once
 
 #include "preparation/token_text.h"

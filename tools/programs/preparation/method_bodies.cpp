@@ -25,12 +25,12 @@ class MethodBodies {
   explicit MethodBodies(TokenText& text) : text_(text) {}
 
   void run() {
-    for (const hlsl::Declaration& declaration : text_.outline())
+    for (const hlsl::Declaration& declaration : text_.declarations())
       if (declaration.kind == hlsl::Declaration::Kind::function)
         note_definition(declaration);
       else if (declaration.kind == hlsl::Declaration::Kind::variable && declaration.name != npos)
         variables_.emplace(declaration.scope + std::string(text_[declaration.name].spelling), &declaration);
-    for (const hlsl::Declaration& declaration : text_.outline())
+    for (const hlsl::Declaration& declaration : text_.declarations())
       if (declaration.kind == hlsl::Declaration::Kind::structure && declaration.open != npos &&
           declaration.name != npos && !text_.is(declaration.type, "interface"))
         fill(declaration);
@@ -44,7 +44,7 @@ class MethodBodies {
     hlsl::Declaration function;
     function.name = name;
     function.parameters_open = name + 1;
-    function.parameters_close = text_.partner(name + 1);
+    function.parameters_close = text_.matching_bracket(name + 1);
     std::string text(text_[name].spelling);
     for (const std::string& type : hlsl::parameter_types(text_.tokens(), function)) text += ", " + type;
     return text;
@@ -53,7 +53,8 @@ class MethodBodies {
   // `S::f(...) {`
   void note_definition(const hlsl::Declaration& function) {
     const std::size_t name = function.name;
-    if (name < 3 || !text_.is(name - 1, ":") || !text_.is(name - 2, ":") || !text_.is_word(name - 3)) return;
+    if (name < 3 || !text_.is(name - 1, ":") || !text_.is(name - 2, ":") || !text_.is_identifier(name - 3))
+      return;
     definitions_[{text_[name - 3].spelling, signature(name)}].push_back(&function);
   }
 
@@ -61,8 +62,8 @@ class MethodBodies {
     std::vector<Prototype> prototypes;
     std::set<std::string> bodies;  // in the struct itself, by signature
     for (std::size_t at = structure.open + 1; at < structure.close; at = after_brackets(text_, at)) {
-      if (!text_.is(at, "(") || !text_.is_word(at - 1) || text_.partner(at) == npos) continue;
-      std::size_t end = text_.partner(at) + 1;
+      if (!text_.is(at, "(") || !text_.is_identifier(at - 1) || text_.matching_bracket(at) == npos) continue;
+      std::size_t end = text_.matching_bracket(at) + 1;
       while (end < structure.close && !text_.is(end, ";") && !text_.is(end, "{")) ++end;
       if (text_.is(end, "{")) bodies.insert(signature(at - 1));
       if (text_.is(end, ";")) prototypes.push_back({at - 1, end, signature(at - 1)});
@@ -84,7 +85,7 @@ class MethodBodies {
     }
     const hlsl::Declaration& definition = *found->second.front();
     for (std::size_t at = definition.open; at < definition.close; ++at)
-      if (text_.is_word(at)) bring(structure, at);
+      if (text_.is_identifier(at)) bring(structure, at);
     text_.erase(prototype.name, prototype.semicolon + 1 - prototype.name);
     move(definition.name, definition.last + 1, prototype.name);
     text_.erase(definition.first, definition.last + 1 - definition.first);

@@ -1,9 +1,10 @@
-// Member functions that a struct declares and that are defined later: `struct S { float f(); };` and
-// `float S::f() { return a; }`, or the body further down in the struct. glslang takes definitions in the
-// struct alone. The definition takes the prototype's place, with the lines it has.
+// Member functions that are declared in a struct and defined later: `struct S { float f(); };` and `float
+// S::f() { return a; }`, or the body further down in the struct. glslang accepts definitions only within the
+// struct. The definition replaces the prototype, with its original lines.
 //
-// Variables of numeric types that a body names and that are declared behind the struct are put before it.
-// Limits: functions and other types between the struct and the definition are not known to the body then.
+// Numeric variables that a body uses and that are declared after the struct are moved before it. Limits:
+// functions and other types that are declared between the struct and the definition are then unknown in the
+// body.
 #pragma once
 
 #include "preparation/token_text.h"

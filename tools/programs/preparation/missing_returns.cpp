@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "hlsl/outline.h"
+#include "hlsl/declarations.h"
 #include "preparation/resource_types.h"
 
 namespace penumbra::preparation {
@@ -38,7 +38,7 @@ void drop_unused(TokenText& text, const hlsl::Declaration& function) {
 }  // namespace
 
 void return_from_empty_functions(TokenText& text) {
-  for (const hlsl::Declaration& declaration : text.outline()) {
+  for (const hlsl::Declaration& declaration : text.declarations()) {
     if (declaration.kind != hlsl::Declaration::Kind::function) continue;
     std::size_t type = declaration.type;
     while (is_storage(text, type)) ++type;

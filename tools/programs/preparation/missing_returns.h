@@ -1,8 +1,7 @@
-// A function that has a type and no return statement: what is left of one whose returns all stand under
-// keywords that are off. Unity's compilers take it as long as nothing calls it; glslang refuses it ("must
-// return a value"). It returns zero instead, with a note; where there is no zero, for textures and samplers,
-// a function whose name stands nowhere else is left out. A function that returns on some paths alone is left
-// to the compilers.
+// A function with a return type and no return statement, because all of its returns are in branches of
+// disabled keywords. Unity's compilers accept it if nothing calls it; glslang reports "must return a value".
+// It returns zero instead, with a note; a function of texture or sampler type, for which there is no zero, is
+// removed if its name is not used elsewhere. A function that returns on some paths is left to the compilers.
 #pragma once
 
 #include "preparation/token_text.h"

@@ -1,6 +1,6 @@
 #include <string>
 
-#include "hlsl/word_set.h"
+#include "hlsl/name_set.h"
 #include "preparation/declarators.h"
 #include "preparation/declared_values.h"
 #include "preparation/source_checks.h"
@@ -11,7 +11,7 @@ namespace {
 
 // glslang takes these for names as well, so that a declaration may begin in the middle of a statement.
 bool is_scalar_type(std::string_view word) {
-  static constexpr hlsl::WordSet types("bool", "int", "uint", "dword", "half", "float", "double");
+  static constexpr hlsl::NameSet types("bool", "int", "uint", "dword", "half", "float", "double");
   return types.contains(word);
 }
 
@@ -22,8 +22,8 @@ class MissingSemicolons {
   void run() {
     for (std::size_t at = 1; at + 1 < text_.size(); ++at) {
       const bool number = text_[at].kind == hlsl::Token::Kind::number;
-      if (!number && !text_.is_word(at)) continue;
-      if (is_scalar_type(text_[at].spelling) && text_.is_word(at + 1)) {
+      if (!number && !text_.is_identifier(at)) continue;
+      if (is_scalar_type(text_[at].spelling) && text_.is_identifier(at + 1)) {
         if (ends_a_statement(at - 1))
           text_.note(at, hlsl::Severity::error,
                      "expected ';' before '" + std::string(text_[at].spelling) + " " +
@@ -38,7 +38,7 @@ class MissingSemicolons {
  private:
   // The front end asks for the ';' before it.
   bool begins_a_statement(std::size_t at) const {
-    static constexpr hlsl::WordSet words("return", "if", "else", "for", "while", "do", "switch", "case",
+    static constexpr hlsl::NameSet words("return", "if", "else", "for", "while", "do", "switch", "case",
                                          "default", "break", "continue", "discard");
     return words.contains(text_[at].spelling);
   }
@@ -51,45 +51,47 @@ class MissingSemicolons {
   // Whether only an operator, a ',' or the end of the expression can follow this token.
   bool ends_a_value(std::size_t at) const {
     if (text_[at].kind == hlsl::Token::Kind::number) return text_[at].spelling.back() != '.';  // 0.xxxx
-    if (text_.is_word(at)) return !is_modifier(text_[at].spelling) && follows_an_operator(at);
-    const std::size_t open = text_.partner(at);
+    if (text_.is_identifier(at)) return !is_modifier(text_[at].spelling) && follows_an_operator(at);
+    const std::size_t open = text_.matching_bracket(at);
     if (open == npos || open < 2 || (!text_.is(at, ")") && !text_.is(at, "]"))) return false;
-    return text_.is_word(open - 1) && !is_modifier(text_[open - 1].spelling) && follows_an_operator(open - 1);
+    return text_.is_identifier(open - 1) && !is_modifier(text_[open - 1].spelling) &&
+           follows_an_operator(open - 1);
   }
 
   // `<` and `>` may be a template's, ':' a label's, and what stands behind '(' and ',' a declaration.
   bool follows_an_operator(std::size_t at) const {
-    static constexpr hlsl::WordSet others("compile", "asm", "sampler_state", "else", "do", "return");
+    static constexpr hlsl::NameSet others("compile", "asm", "sampler_state", "else", "do", "return");
     if (at == 0 || others.contains(text_[at].spelling)) return false;
     return text_.lead(at - 1) != '\0' && std::string_view("=+-*/%.&|^!~?").find(text_.lead(at - 1)) != npos;
   }
 
   // The second of `float a b`.
   bool is_second_name(std::size_t at) const {
-    return at > 1 && text_.is_word(at) && text_.is_word(at - 1) && is_number_type(text_[at - 2].spelling) &&
-           !is_modifier(text_[at - 1].spelling) && !is_modifier(text_[at].spelling);
+    return at > 1 && text_.is_identifier(at) && text_.is_identifier(at - 1) &&
+           is_number_type(text_[at - 2].spelling) && !is_modifier(text_[at - 1].spelling) &&
+           !is_modifier(text_[at].spelling);
   }
 
   // Whether this token can only be the last of a statement that lacks its ';'.
   bool ends_a_statement(std::size_t at) const {
     if (text_[at].kind == hlsl::Token::Kind::number) return true;
-    const std::size_t open = text_.partner(at);
+    const std::size_t open = text_.matching_bracket(at);
     if (text_.is(at, ")")) return open != npos && open > 0 && is_call(open);
     if (text_.is(at, "]"))
-      return open != npos && open > 0 && (text_.is_word(open - 1) || text_.is(open - 1, "]"));
-    return text_.is_word(at) && follows_a_value(at);
+      return open != npos && open > 0 && (text_.is_identifier(open - 1) || text_.is(open - 1, "]"));
+    return text_.is_identifier(at) && follows_a_value(at);
   }
 
   // Of `name(...)`: not the parameters of a condition, of a loop or of a definition without its brace.
   bool is_call(std::size_t open) const {
-    static constexpr hlsl::WordSet conditions("if", "for", "while", "switch");
-    return text_.is_word(open - 1) && !conditions.contains(text_[open - 1].spelling);
+    static constexpr hlsl::NameSet conditions("if", "for", "while", "switch");
+    return text_.is_identifier(open - 1) && !conditions.contains(text_[open - 1].spelling);
   }
 
   // A name behind an operator, behind `return`, or behind a scalar's type; a word behind another one may be a
   // modifier.
   bool follows_a_value(std::size_t at) const {
-    static constexpr hlsl::WordSet keywords("else", "do", "return", "in", "out", "inout");
+    static constexpr hlsl::NameSet keywords("else", "do", "return", "in", "out", "inout");
     if (at == 0 || keywords.contains(text_[at].spelling)) return false;
     if (text_.is(at - 1, "return") || is_scalar_type(text_[at - 1].spelling)) return true;
     return std::string_view("=+-*/%.:").find(text_.lead(at - 1)) != std::string_view::npos;

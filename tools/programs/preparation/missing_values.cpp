@@ -37,7 +37,7 @@ std::set<std::string_view> called_names(const TokenText& text, const Functions& 
     waiting.pop_back();
     for (const hlsl::Declaration* function : known->second)
       for (std::size_t at = function->open; at < function->close; ++at)
-        if (text.is_word(at) && text.is(at + 1, "(") && functions.contains(text[at].spelling) &&
+        if (text.is_identifier(at) && text.is(at + 1, "(") && functions.contains(text[at].spelling) &&
             called.insert(text[at].spelling).second)
           waiting.push_back(text[at].spelling);
   }
@@ -50,7 +50,7 @@ void check_missing_values(TokenText& text, const EntryPoint& entry) {
   if (entry_functions(text, entry).empty()) return;
   Functions functions;
   std::vector<const hlsl::Declaration*> suspects;
-  for (const hlsl::Declaration& declaration : text.outline()) {
+  for (const hlsl::Declaration& declaration : text.declarations()) {
     if (declaration.kind != hlsl::Declaration::Kind::function) continue;
     functions[text[declaration.name].spelling].push_back(&declaration);
     if (lacks_return(text, declaration)) suspects.push_back(&declaration);

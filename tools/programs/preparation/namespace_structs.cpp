@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "hlsl/outline.h"
+#include "hlsl/declarations.h"
 #include "preparation/declarators.h"
 
 namespace penumbra::preparation {
@@ -18,7 +18,7 @@ using Kind = hlsl::Declaration::Kind;
 
 class Namespaces {
  public:
-  explicit Namespaces(TokenText& text) : text_(text), declarations_(text.outline()) {}
+  explicit Namespaces(TokenText& text) : text_(text), declarations_(text.declarations()) {}
 
   void run() {
     if (std::none_of(declarations_.begin(), declarations_.end(),
@@ -53,7 +53,7 @@ class Namespaces {
     if (declaration.kind == Kind::variable) {
       for (const Declarator& declarator : declarators(text_, declaration.type, declaration.last))
         declare_name(declaration.scope, declarator.name);
-    } else if (declaration.kind == Kind::alias && text_.is_word(declaration.last - 1)) {
+    } else if (declaration.kind == Kind::alias && text_.is_identifier(declaration.last - 1)) {
       declare_name(declaration.scope, declaration.last - 1);
     } else if (declaration.name != hlsl::Declaration::none) {
       declare_name(declaration.scope, declaration.name);
@@ -76,29 +76,30 @@ class Namespaces {
   void note_members(const hlsl::Declaration& structure) {
     std::set<std::string_view>& members = members_[structure.open];
     for (std::size_t at = structure.open + 1; at < structure.close; ++at) {
-      const bool named = text_.is_word(at) && text_.is_word(at - 1) &&
+      const bool named = text_.is_identifier(at) && text_.is_identifier(at - 1) &&
                          (text_.is(at + 1, ";") || text_.is(at + 1, "(") || text_.is(at + 1, "[") ||
                           text_.is(at + 1, ",") || text_.is(at + 1, ":"));
       if (named) members.insert(text_[at].spelling);
       const bool inside_function = text_.is(at, "{") || text_.is(at, "(");
-      if (inside_function && text_.partner(at) != npos) at = text_.partner(at);
+      if (inside_function && text_.matching_bracket(at) != npos) at = text_.matching_bracket(at);
     }
   }
 
   void step() {
-    if (text_.is(at_, "namespace") && text_.is_word(at_ + 1) && text_.is(at_ + 2, "{") &&
-        text_.partner(at_ + 2) != npos) {
-      scopes_.push_back({scope() + std::string(text_[at_ + 1].spelling) + "::", text_.partner(at_ + 2)});
+    if (text_.is(at_, "namespace") && text_.is_identifier(at_ + 1) && text_.is(at_ + 2, "{") &&
+        text_.matching_bracket(at_ + 2) != npos) {
+      scopes_.push_back(
+          {scope() + std::string(text_[at_ + 1].spelling) + "::", text_.matching_bracket(at_ + 2)});
       text_.erase(at_, 3);
       at_ += 2;
     } else if (!scopes_.empty() && at_ == scopes_.back().close) {
       text_.erase(at_, 1);
       scopes_.pop_back();
     } else if (const auto members = members_.find(at_); members != members_.end()) {
-      structs_.push_back({&members->second, text_.partner(at_)});
+      structs_.push_back({&members->second, text_.matching_bracket(at_)});
     } else if (!structs_.empty() && at_ == structs_.back().close) {
       structs_.pop_back();
-    } else if (text_.is_word(at_)) {
+    } else if (text_.is_identifier(at_)) {
       name();
     }
   }
@@ -110,7 +111,7 @@ class Namespaces {
     if (text_.is(at_ - 1, ".") && at_ > 0) return;
     std::size_t end = at_ + 1;
     std::string asked(text_[at_].spelling);
-    while (text_.is(end, ":") && text_.is(end + 1, ":") && text_.is_word(end + 2)) {
+    while (text_.is(end, ":") && text_.is(end + 1, ":") && text_.is_identifier(end + 2)) {
       asked += "::" + std::string(text_[end + 2].spelling);
       end += 3;
     }

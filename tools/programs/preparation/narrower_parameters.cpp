@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "hlsl/word_set.h"
+#include "hlsl/name_set.h"
 #include "preparation/declarators.h"
 #include "preparation/list_elements.h"
 #include "preparation/number_shape.h"
@@ -24,11 +24,11 @@ class NarrowArguments {
 
   void run() {
     for (const FunctionType& function : types_.functions())
-      functions_[text_.word_number(function.name)].push_back(&function);
+      functions_[text_.identifier_number(function.name)].push_back(&function);
     for (std::size_t at = 1; at + 1 < text_.size(); ++at) {
-      if (!text_.is_word(at) || !text_.is(at + 1, "(") || text_.is(at - 1, ".")) continue;
-      const auto named = functions_.find(text_.word_number(at));
-      if (named != functions_.end() && text_.partner(at + 1) != npos) call(at, named->second);
+      if (!text_.is_identifier(at) || !text_.is(at + 1, "(") || text_.is(at - 1, ".")) continue;
+      const auto named = functions_.find(text_.identifier_number(at));
+      if (named != functions_.end() && text_.matching_bracket(at + 1) != npos) call(at, named->second);
     }
     text_.apply();
   }
@@ -64,7 +64,8 @@ class NarrowArguments {
   }
 
   bool is_wider(const ListElement& argument, std::size_t wanted) const {
-    if (!text_.is_word(argument.first) || postfix_end(text_, argument.first) != argument.end) return false;
+    if (!text_.is_identifier(argument.first) || postfix_end(text_, argument.first) != argument.end)
+      return false;
     const std::size_t last = argument.end - 1;
     const ValueType& type = types_.at(last);
     if (types_.begin(last) == argument.first && is_number_type(type.name))
@@ -75,24 +76,24 @@ class NarrowArguments {
 
   // What stands in ddx(...) and the like, whole: its result has as many components.
   std::optional<ListElement> of_each_component(const ListElement& argument) const {
-    static constexpr hlsl::WordSet functions(
+    static constexpr hlsl::NameSet functions(
         "abs", "acos", "asin", "atan", "ceil", "cos", "ddx", "ddx_coarse", "ddx_fine", "ddy", "ddy_coarse",
         "ddy_fine", "degrees", "exp", "exp2", "floor", "frac", "fwidth", "log", "log10", "log2", "normalize",
         "radians", "rcp", "round", "rsqrt", "saturate", "sign", "sin", "sqrt", "tan", "trunc");
     const std::size_t open = argument.first + 1;
     if (!functions.contains(text_[argument.first].spelling) || !text_.is(open, "(")) return std::nullopt;
     const std::vector<ListElement> inner = list_elements(text_, open);
-    if (text_.partner(open) != argument.end - 1 || inner.size() != 1) return std::nullopt;
+    if (text_.matching_bracket(open) != argument.end - 1 || inner.size() != 1) return std::nullopt;
     return inner.front();
   }
 
   // map.Sample(...) or mul(...), whole.
   bool gives_a_vector(const ListElement& argument) const {
-    static constexpr hlsl::WordSet reads("Sample", "SampleLevel", "SampleBias", "SampleGrad", "Load",
+    static constexpr hlsl::NameSet reads("Sample", "SampleLevel", "SampleBias", "SampleGrad", "Load",
                                          "Gather", "GatherRed", "GatherGreen", "GatherBlue", "GatherAlpha");
     const std::size_t last = argument.end - 1;
-    const std::size_t open = text_.is(last, ")") ? text_.partner(last) : npos;
-    if (open == npos || open <= argument.first || !text_.is_word(open - 1)) return false;
+    const std::size_t open = text_.is(last, ")") ? text_.matching_bracket(last) : npos;
+    if (open == npos || open <= argument.first || !text_.is_identifier(open - 1)) return false;
     const bool product = open == argument.first + 1 && text_.is(argument.first, "mul");
     return product || (text_.is(open - 2, ".") && reads.contains(text_[open - 1].spelling));
   }

@@ -1,9 +1,9 @@
-// Arguments with more components than the parameter: HLSL takes the first ones, with a warning (X3206);
-// glslang finds "no matching overloaded function". Such an argument is cast to the parameter's type, which
-// takes the same components.
+// Arguments with more components than the parameter: HLSL truncates them, with a warning (X3206); glslang
+// reports "no matching overloaded function". Such an argument is cast to the parameter's type, which keeps
+// the same components.
 //
-// Only of functions that are not overloaded with as many parameters, and of arguments whose type is known
-// (value_types.h), that read a texture, or that are a mul().
+// Only for functions without an overload of as many parameters, and for arguments whose type is known
+// (value_types.h), texture reads, and mul().
 #pragma once
 
 #include "preparation/token_text.h"

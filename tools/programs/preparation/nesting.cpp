@@ -43,7 +43,7 @@ class Nesting {
   // A token of `(word)`: a run of such is one of casts, and of three tokens each.
   bool in_cast(std::size_t at) const {
     const auto is_cast = [&](std::size_t open) {
-      return text_.is(open, "(") && text_.is_word(open + 1) && text_.is(open + 2, ")");
+      return text_.is(open, "(") && text_.is_identifier(open + 1) && text_.is(open + 2, ")");
     };
     return is_cast(at) || (at > 0 && is_cast(at - 1)) || (at > 1 && is_cast(at - 2));
   }

@@ -3,7 +3,7 @@
 #include <set>
 #include <string_view>
 
-#include "hlsl/word_set.h"
+#include "hlsl/name_set.h"
 #include "preparation/value_types.h"
 
 namespace penumbra::preparation {
@@ -12,9 +12,9 @@ namespace {
 
 // Whether the name at this token is called, and neither declared nor a member of something else.
 bool is_bare_call(const TokenText& text, std::size_t at) {
-  static constexpr hlsl::WordSet statements("return", "else", "do", "case");
+  static constexpr hlsl::NameSet statements("return", "else", "do", "case");
   if (!text.is(at + 1, "(") || text.is(at - 1, ".") || text.is(at - 1, ":")) return false;
-  return !text.is_word(at - 1) || statements.contains(text[at - 1].spelling);
+  return !text.is_identifier(at - 1) || statements.contains(text[at - 1].spelling);
 }
 
 bool is_static(const TokenText& text, const hlsl::Declaration& function) {
@@ -27,7 +27,7 @@ bool is_static(const TokenText& text, const hlsl::Declaration& function) {
 
 void call_own_methods_by_this(TokenText& text) {
   std::set<std::string_view> free_functions;  // which the bare name may mean as well
-  for (const hlsl::Declaration& declaration : text.types().outline())
+  for (const hlsl::Declaration& declaration : text.types().declarations())
     if (declaration.kind == hlsl::Declaration::Kind::function)
       free_functions.insert(text[declaration.name].spelling);
   for (const auto& [name, type] : text.types().structs()) {
@@ -36,7 +36,7 @@ void call_own_methods_by_this(TokenText& text) {
       if (!is_static(text, function)) own.insert(text[function.name].spelling);
     for (const hlsl::Declaration& function : type.functions)
       for (std::size_t at = function.open + 1; at < function.close; ++at)
-        if (text.is_word(at) && own.contains(text[at].spelling) &&
+        if (text.is_identifier(at) && own.contains(text[at].spelling) &&
             !free_functions.contains(text[at].spelling) && is_bare_call(text, at) &&
             !is_static(text, function))
           text.insert(at, "this.");

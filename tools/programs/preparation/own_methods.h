@@ -1,5 +1,6 @@
-// Calls of a struct's functions from its other functions, by their bare name: glslang converts no argument
-// there (`f(1)` with a float parameter: "no matching overloaded function found"). They become `this.f(1)`.
+// Unqualified calls of a struct's functions from its other functions: glslang does not convert their
+// arguments (`f(1)` with a float parameter: "no matching overloaded function found"). They become
+// `this.f(1)`.
 #pragma once
 
 #include "preparation/token_text.h"

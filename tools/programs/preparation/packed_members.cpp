@@ -65,7 +65,7 @@ void check_place(TokenText& text, const PackedMember& member) {
 }
 
 void refuse_outside(TokenText& text) {
-  for (const hlsl::Declaration& declaration : text.outline())
+  for (const hlsl::Declaration& declaration : text.declarations())
     for (std::size_t at = declaration.first;
          declaration.kind == hlsl::Declaration::Kind::variable && at < declaration.last; ++at)
       if (text.is(at, "packoffset") && text.is(at - 1, ":"))
@@ -77,7 +77,7 @@ void refuse_outside(TokenText& text) {
 
 void check_packed_members(TokenText& text) {
   refuse_outside(text);
-  for (const hlsl::Declaration& buffer : text.outline()) {
+  for (const hlsl::Declaration& buffer : text.declarations()) {
     if (buffer.kind != hlsl::Declaration::Kind::buffer) continue;
     const std::vector<PackedMember> members = packed_members(text, buffer);
     for (const PackedMember& member : members) check_place(text, member);

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "hlsl/outline.h"
+#include "hlsl/declarations.h"
 #include "preparation/declarators.h"
 #include "preparation/postfix_expression.h"
 
@@ -56,8 +56,9 @@ Texels writable_textures(const TokenText& text, const std::vector<hlsl::Declarat
 
 // One past `.xy` or `[1]` after a texel; the place itself where there is neither.
 std::size_t part_end(const TokenText& text, std::size_t at) {
-  if (text.is(at, ".") && text.is_word(at + 1) && is_vector_swizzle(text[at + 1].spelling)) return at + 2;
-  return text.is(at, "[") && text.partner(at) != npos ? text.partner(at) + 1 : at;
+  if (text.is(at, ".") && text.is_identifier(at + 1) && is_vector_swizzle(text[at + 1].spelling))
+    return at + 2;
+  return text.is(at, "[") && text.matching_bracket(at) != npos ? text.matching_bracket(at) + 1 : at;
 }
 
 // What an index of the texture is.
@@ -76,7 +77,7 @@ std::size_t write_end(const TokenText& text, std::size_t operation) {
 }
 
 void rewrite(TokenText& text, std::size_t name, const Texel& texel) {
-  const std::size_t close = text.partner(name + 1);
+  const std::size_t close = text.matching_bracket(name + 1);
   const std::size_t operation = part_end(text, close + 1);
   const std::size_t end = operation == close + 1 ? npos : write_end(text, operation);
   if (end == npos || !begins_statement(text, name)) return;
@@ -95,13 +96,13 @@ void rewrite(TokenText& text, std::size_t name, const Texel& texel) {
 }  // namespace
 
 void write_whole_texels(TokenText& text) {
-  const std::vector<hlsl::Declaration>& declarations = text.outline();
+  const std::vector<hlsl::Declaration>& declarations = text.declarations();
   const Texels texels = writable_textures(text, declarations);
   if (texels.empty()) return;
   for (const hlsl::Declaration& declaration : declarations) {
     if (declaration.kind != hlsl::Declaration::Kind::function) continue;
     for (std::size_t at = declaration.open; at < declaration.close; ++at) {
-      if (!text.is_word(at) || !text.is(at + 1, "[") || text.partner(at + 1) == npos) continue;
+      if (!text.is_identifier(at) || !text.is(at + 1, "[") || text.matching_bracket(at + 1) == npos) continue;
       const auto texel = texels.find(text[at].spelling);
       if (texel != texels.end()) rewrite(text, at, texel->second);
     }

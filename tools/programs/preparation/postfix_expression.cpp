@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "hlsl/word_set.h"
+#include "hlsl/name_set.h"
 
 namespace penumbra::preparation {
 
@@ -11,12 +11,12 @@ namespace {
 
 // Words after which an expression begins anew.
 bool is_keyword(std::string_view word) {
-  static constexpr hlsl::WordSet keywords("return", "else", "do", "case", "if", "while", "for", "switch");
+  static constexpr hlsl::NameSet keywords("return", "else", "do", "case", "if", "while", "for", "switch");
   return keywords.contains(word);
 }
 
 bool is_name(const TokenText& text, std::size_t at) {
-  return text.is_word(at) && !is_keyword(text[at].spelling);
+  return text.is_identifier(at) && !is_keyword(text[at].spelling);
 }
 
 // None of the marks begins a word, a number or a text.
@@ -35,7 +35,7 @@ std::size_t postfix_begin(const TokenText& text, std::size_t last) {
   std::size_t at = last;
   while (at < text.size()) {
     while (text.is(at, ")") || text.is(at, "]")) {  // f(x)[i]: the groups, then what they follow
-      const std::size_t open = text.partner(at);
+      const std::size_t open = text.matching_bracket(at);
       if (open == npos) return npos;
       const bool group_of_its_own = open == 0 || !(is_name(text, open - 1) || is_mark(text, open - 1, ")]"));
       if (group_of_its_own) {
@@ -61,10 +61,10 @@ std::size_t postfix_begin(const TokenText& text, std::size_t last) {
 std::size_t postfix_end(const TokenText& text, std::size_t first) {
   std::size_t at = first + 1;
   while (at < text.size()) {
-    if (text.is(at, ".") && text.is_word(at + 1)) {
+    if (text.is(at, ".") && text.is_identifier(at + 1)) {
       at += 2;
-    } else if ((text.is(at, "[") || text.is(at, "(")) && text.partner(at) != npos) {
-      at = text.partner(at) + 1;
+    } else if ((text.is(at, "[") || text.is(at, "(")) && text.matching_bracket(at) != npos) {
+      at = text.matching_bracket(at) + 1;
     } else {
       break;
     }
@@ -76,8 +76,8 @@ std::size_t expression_end(const TokenText& text, std::size_t first) {
   for (std::size_t at = first; at < text.size(); ++at) {
     if (text.is(at, ";") || is_mark(text, at, ")]}")) return at;
     if (is_mark(text, at, "([{")) {
-      if (text.partner(at) == npos) return npos;
-      at = text.partner(at);
+      if (text.matching_bracket(at) == npos) return npos;
+      at = text.matching_bracket(at);
     }
   }
   return npos;
@@ -95,7 +95,7 @@ bool begins_statement(const TokenText& text, std::size_t at) {
     return false;
   }
   if (!text.is(before, ")")) return false;
-  const std::size_t open = text.partner(before);
+  const std::size_t open = text.matching_bracket(before);
   if (open == npos || open == 0) return false;
   return text.is(open - 1, "if") || text.is(open - 1, "for") || text.is(open - 1, "while");
 }
@@ -111,7 +111,7 @@ std::size_t assignment_length(const TokenText& text, std::size_t at) {
 
 bool may_be_repeated(const TokenText& text, std::size_t first, std::size_t end) {
   for (std::size_t at = first; at < end; ++at) {
-    const bool call = text.is(at, "(") && at > first && text.is_word(at - 1);
+    const bool call = text.is(at, "(") && at > first && text.is_identifier(at - 1);
     const bool step =
         (text.is(at, "+") && text.is(at + 1, "+")) || (text.is(at, "-") && text.is(at + 1, "-"));
     if (call || step || assignment_length(text, at) != 0) return false;

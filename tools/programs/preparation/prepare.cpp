@@ -32,7 +32,7 @@
 #include "preparation/own_methods.h"
 #include "preparation/partial_texel_writes.h"
 #include "preparation/precision_matrices.h"
-#include "preparation/precision_twins.h"
+#include "preparation/precision_overloads.h"
 #include "preparation/prototypes.h"
 #include "preparation/register_annotations.h"
 #include "preparation/resource_arrays.h"
@@ -86,7 +86,7 @@ std::span<const Pass> passes() {
                                              {"resource-arrays", assign_resource_arrays},
                                              {"texture-reads", separate_texture_reads},
                                              {"missing-returns", return_from_empty_functions},
-                                             {"precision-twins", merge_precision_twins},
+                                             {"precision-overloads", merge_precision_overloads},
                                              {"narrower-parameters", narrow_arguments},
                                              {"stray-semicolons", drop_stray_semicolons},
                                              {"statement-attributes", drop_statement_attributes},

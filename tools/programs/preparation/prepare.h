@@ -1,9 +1,9 @@
-// The preparation of preprocessed HLSL for glslang's front end: what Unity's compilers accept and it does not
-// is rewritten to code of the same meaning.
+// The preparation of preprocessed HLSL for glslang's front end: HLSL that Unity's compilers accept and
+// glslang does not is rewritten to equivalent code.
 //
-// Each obstacle is one pass over the tokens, in a file of its own that says what it looks for, what it puts
-// there and why the meaning stays; none knows any project's names. Every token keeps the line it came from.
-// Documentation~/preparation.md has one line for each.
+// Each incompatibility is one pass over the tokens, in a file that says what it recognises, what it replaces
+// it by and why the meaning is preserved; none depends on a project's names. Every token keeps its original
+// line. Documentation~/preparation.md lists them.
 #pragma once
 
 #include <optional>
@@ -22,7 +22,7 @@ struct Pass {
   void (*run)(TokenText&);
 };
 
-// In the order they run in.
+// In execution order.
 std::span<const Pass> passes();
 
 struct PreparedShader {

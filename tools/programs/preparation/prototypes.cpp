@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "hlsl/outline.h"
+#include "hlsl/declarations.h"
 #include "preparation/value_types.h"
 
 namespace penumbra::preparation {
@@ -19,10 +19,10 @@ class Prototypes {
   explicit Prototypes(TokenText& text) : text_(text), types_(text.types()) {}
 
   void run() {
-    for (const hlsl::Declaration& declaration : types_.outline())
+    for (const hlsl::Declaration& declaration : types_.declarations())
       if (declaration.kind == Kind::prototype) prototypes_.push_back(&declaration);
     if (prototypes_.empty()) return;
-    for (const hlsl::Declaration& declaration : types_.outline())
+    for (const hlsl::Declaration& declaration : types_.declarations())
       if (declaration.kind == Kind::function) definitions_.emplace(signature(declaration), &declaration);
     for (const FunctionType& function : types_.functions()) parameters_[function.name] = &function;
     for (const hlsl::Declaration* prototype : prototypes_) match(*prototype);
@@ -48,9 +48,9 @@ class Prototypes {
   }
 
   bool is_needed(const hlsl::Declaration& prototype, const hlsl::Declaration& definition) const {
-    const std::uint32_t name = text_.word_number(prototype.name);
+    const std::uint32_t name = text_.identifier_number(prototype.name);
     for (std::size_t at = prototype.last; at < definition.first; ++at)
-      if (text_.word_number(at) == name && text_.is(at + 1, "(") && !is_declared_at(at)) return true;
+      if (text_.identifier_number(at) == name && text_.is(at + 1, "(") && !is_declared_at(at)) return true;
     return false;
   }
 

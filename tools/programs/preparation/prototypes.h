@@ -1,9 +1,9 @@
-// Prototypes. glslang takes a parameter's `const` for a part of how it is passed: where prototype and
-// definition differ in it, a call writes SPIR-V that is not valid, or ends the process. And it takes a
-// prototype of the entry point for another function without a body.
+// Prototypes. glslang treats a parameter's `const` as part of how it is passed: if prototype and definition
+// differ in it, a call emits invalid SPIR-V or crashes. And it treats a prototype of the entry point as a
+// different function, without a body.
 //
-// A prototype that nothing between it and the definition calls goes; in one that stays each parameter is
-// const where the definition has it so.
+// A prototype is removed if nothing between it and the definition calls the function; in the others, each
+// parameter is const where it is in the definition.
 #pragma once
 
 #include "preparation/token_text.h"

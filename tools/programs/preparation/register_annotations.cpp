@@ -12,12 +12,12 @@ char register_kind(const TokenText& text, std::size_t at) {
   const std::string_view word = at < text.size() ? text[at].spelling : std::string_view{};
   const bool bracket = word.size() == 1 && text.is(at + 1, "[");
   const bool numbered = word.size() > 1 && word.find_first_not_of("0123456789", 1) == std::string_view::npos;
-  return text.is_word(at) && (bracket || numbered) ? static_cast<char>(std::tolower(word[0])) : '\0';
+  return text.is_identifier(at) && (bracket || numbered) ? static_cast<char>(std::tolower(word[0])) : '\0';
 }
 
 // The ':' before `register` at this place, with all between it and the ')'.
 void plain(TokenText& text, std::size_t at) {
-  const std::size_t close = text.partner(at + 1);
+  const std::size_t close = text.matching_bracket(at + 1);
   if (close == npos || at == 0 || !text.is(at - 1, ":")) return;
   std::size_t named = at + 2;
   const bool profile = text.is(named + 1, ",") && register_kind(text, named) == '\0';
@@ -29,7 +29,7 @@ void plain(TokenText& text, std::size_t at) {
     return;
   }
   if (profile) text.erase(at + 2, 2);
-  if (kind != '\0' && text.is(named + 1, "[") && text.partner(named + 1) == named + 3) {
+  if (kind != '\0' && text.is(named + 1, "[") && text.matching_bracket(named + 1) == named + 3) {
     text.replace(named, 4, std::string(text[named].spelling) + std::string(text[named + 2].spelling));
   }
 }

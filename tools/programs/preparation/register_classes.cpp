@@ -45,7 +45,7 @@ class RegisterClasses {
 
   void run() {
     using Kind = hlsl::Declaration::Kind;
-    for (const hlsl::Declaration& declaration : text_.outline()) {
+    for (const hlsl::Declaration& declaration : text_.declarations()) {
       if (declaration.kind == Kind::buffer) {
         check(declaration.type, declaration.open, text_[declaration.type].spelling);
       } else if (declaration.kind == Kind::variable) {
@@ -64,8 +64,8 @@ class RegisterClasses {
 
   // `t3`, `t[3]`; a word that is followed by such one is a profile.
   void one(std::size_t at, std::string_view type) {
-    if (!text_.is_word(at)) return;
-    if (text_.is(at + 1, ",") && text_.is_word(at + 2) && !text_[at + 2].spelling.starts_with("space"))
+    if (!text_.is_identifier(at)) return;
+    if (text_.is(at + 1, ",") && text_.is_identifier(at + 2) && !text_[at + 2].spelling.starts_with("space"))
       at += 2;
     const std::string_view word = text_[at].spelling;
     const char letter = static_cast<char>(std::tolower(word[0]));

@@ -63,7 +63,7 @@ bool is_written(const TokenText& text, std::size_t member) {
 
 void check_repeated_components(TokenText& text) {
   for (std::size_t at = 1; at + 1 < text.size(); ++at) {
-    if (!text.is_word(at) || !text.is(at - 1, ".")) continue;
+    if (!text.is_identifier(at) || !text.is(at - 1, ".")) continue;
     if (counts_in_two_ways(text[at].spelling) && text.types().named(at) == npos)
       text.note(at, hlsl::Severity::error,
                 "'." + std::string(text[at].spelling) +

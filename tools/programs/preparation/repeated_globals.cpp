@@ -17,7 +17,7 @@ class RepeatedGlobals {
 
   void run() {
     using Kind = hlsl::Declaration::Kind;
-    for (const hlsl::Declaration& declaration : text_.outline()) {
+    for (const hlsl::Declaration& declaration : text_.declarations()) {
       if (declaration.kind == Kind::variable)
         read(declaration.type, declaration.last + 1, declaration.scope);
       else if (declaration.kind == Kind::buffer)
@@ -37,7 +37,8 @@ class RepeatedGlobals {
     values_.clear();
     const std::size_t next = read_declaration(text_, {first, end, DeclaredValue::Place::global}, values_);
     bool is_extern = false;
-    for (std::size_t at = first; at < next && text_.is_word(at) && is_modifier(text_[at].spelling); ++at)
+    for (std::size_t at = first; at < next && text_.is_identifier(at) && is_modifier(text_[at].spelling);
+         ++at)
       is_extern = is_extern || text_.is(at, "extern");
     for (const DeclaredValue& value : values_)
       if (!is_extern) enter(value.name, scope);

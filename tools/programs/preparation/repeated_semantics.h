@@ -1,7 +1,7 @@
 // Semantics that two inputs or two outputs of a program share. Internal to this room.
 //
-// FXC refuses outputs and system values (X4504, X4574) and inputs of different types (X3536); of other inputs
-// it warns (X4711). DXC refuses all.
+// FXC rejects shared outputs and system values (X4504, X4574) and inputs of different types (X3536); for
+// other inputs it warns (X4711). DXC rejects all.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +25,7 @@ class RepeatedSemantics {
  public:
   RepeatedSemantics(TokenText& text, bool dxc) : text_(text), dxc_(dxc) {}
 
-  // An error or a warning where one before it has the semantic.
+  // Reports an error or a warning if an earlier one has the semantic.
   void add(const SemanticUse& use);
 
  private:

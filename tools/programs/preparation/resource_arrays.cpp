@@ -16,7 +16,7 @@ bool is_handle(const ValueType& type) {
 
 void assign_elements(TokenText& text, const DeclaredValue& value) {
   const std::size_t open = value.end + 1;
-  const std::size_t close = text.partner(open);
+  const std::size_t close = text.matching_bracket(open);
   const bool alone = value.first != npos && close != npos && text.is(close + 1, ";");
   if (!text.is(value.end, "=") || !text.is(open, "{") || !alone || value.type.dimensions > 1) return;
   const std::string name(text[value.name].spelling);
@@ -25,8 +25,8 @@ void assign_elements(TokenText& text, const DeclaredValue& value) {
   for (std::size_t first = open + 1; first < close; ++index) {
     std::size_t end = first;
     while (end < close && !text.is(end, ",")) {
-      const std::size_t partner = text.partner(end);
-      end = partner == npos || partner < end ? end + 1 : partner + 1;
+      const std::size_t match = text.matching_bracket(end);
+      end = match == npos || match < end ? end + 1 : match + 1;
     }
     assignments.append(" ").append(name);
     if (value.type.dimensions > 0) assignments.append("[").append(std::to_string(index)).append("]");

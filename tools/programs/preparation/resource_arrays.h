@@ -1,12 +1,11 @@
-// Local arrays of textures and samplers with an initialiser in braces, and a single one in braces: glslang
-// has no constructor for them ("Missing functionality: unknown glslang aggregate", and an array full of
-// nothing). The declaration loses its initialiser and is followed by one assignment for each element, which
-// is the same.
+// Local arrays of textures and samplers with an initialiser list, and single ones with a list: glslang has no
+// constructor for them ("Missing functionality: unknown glslang aggregate", and the elements are never set).
+// The declaration loses its initialiser and is followed by one assignment per element, which is equivalent.
 //
-// Where a texture is chosen by ?: and read in the same expression, which no HLSL compiler takes, glslang 12
-// ends the process: that is an error here.
+// glslang 12 crashes on a texture that is selected by ?: and read in the same expression, which no HLSL
+// compiler accepts: that is an error here.
 //
-// Limits: arrays of one dimension. Static arrays keep their initialiser, which the SPIR-V back end reports.
+// Limits: one-dimensional arrays. Static arrays keep their initialiser, which the SPIR-V back end reports.
 #pragma once
 
 #include "preparation/token_text.h"

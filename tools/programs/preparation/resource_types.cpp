@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "hlsl/word_set.h"
+#include "hlsl/name_set.h"
 
 namespace penumbra::preparation {
 
@@ -16,20 +16,20 @@ std::string_view without(std::string_view type, std::string_view prefix) {
 }  // namespace
 
 bool is_texture(std::string_view type) {
-  static constexpr hlsl::WordSet textures("Texture1D", "Texture1DArray", "Texture2D", "Texture2DArray",
+  static constexpr hlsl::NameSet textures("Texture1D", "Texture1DArray", "Texture2D", "Texture2DArray",
                                           "Texture3D", "TextureCube", "TextureCubeArray", "Texture2DMS",
                                           "Texture2DMSArray");
   return textures.contains(without(without(type, "RasterizerOrdered"), "RW"));
 }
 
 bool is_sampler(std::string_view type) {
-  static constexpr hlsl::WordSet samplers("SamplerState", "SamplerComparisonState", "sampler", "sampler1D",
+  static constexpr hlsl::NameSet samplers("SamplerState", "SamplerComparisonState", "sampler", "sampler1D",
                                           "sampler2D", "sampler3D", "samplerCUBE");
   return samplers.contains(type);
 }
 
 bool is_buffer(std::string_view type) {
-  static constexpr hlsl::WordSet buffers("StructuredBuffer", "ByteAddressBuffer", "AppendStructuredBuffer",
+  static constexpr hlsl::NameSet buffers("StructuredBuffer", "ByteAddressBuffer", "AppendStructuredBuffer",
                                          "ConsumeStructuredBuffer");
   return buffers.contains(without(without(type, "RasterizerOrdered"), "RW"));
 }

@@ -10,10 +10,11 @@ namespace penumbra::preparation {
 
 bool is_texture(std::string_view type);  // Texture2D, RWTexture3D, ...
 bool is_sampler(std::string_view type);  // SamplerState, SamplerComparisonState, sampler, sampler2D, ...
-bool is_buffer(std::string_view type);   // StructuredBuffer, ByteAddressBuffer, ...: what is laid out by type
+bool is_buffer(
+    std::string_view type);  // StructuredBuffer, ByteAddressBuffer, ...: buffers with a memory layout
 bool is_resource(std::string_view type);  // any of them, and Buffer
 
-// The structs that hold a resource, in a struct among their members too.
+// The structs that contain a resource, directly or in a nested struct.
 std::set<std::string_view> structs_with_resources(const ValueTypes& types);
 
 }  // namespace penumbra::preparation

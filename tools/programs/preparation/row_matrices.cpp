@@ -35,7 +35,7 @@ class RowMatrices {
   void run() {
     bool any = false;
     for (std::size_t at = 0; at < text_.size(); ++at)
-      if (text_.is_word(at) && row_matrix(text_[at].spelling)) {
+      if (text_.is_identifier(at) && row_matrix(text_[at].spelling)) {
         text_.replace(at, 1, row_matrix(text_[at].spelling)->vector);
         any = true;
       }
@@ -78,7 +78,7 @@ class RowMatrices {
 
   // The element of an expression that may be such a matrix: a row, or a number of the vector it has become?
   void refuse_unknown(std::size_t close) {
-    for (std::size_t at = text_.partner(close); at != npos && at < close; ++at) {
+    for (std::size_t at = text_.matching_bracket(close); at != npos && at < close; ++at) {
       if (!row_matrix(text_[at].spelling) && !row_matrix(types_.at(at).name)) continue;
       text_.note(close, hlsl::Severity::error,
                  "a subscript of an expression whose type is a matrix with one row or one column; assign it "
@@ -90,20 +90,20 @@ class RowMatrices {
   // m[0][2] -> m[2] of a row, m[2][0] -> m[2] of a column, m._m02 -> m.z
   void rewrite_use(std::size_t at, const RowMatrix& type) {
     const std::size_t first = at + 1;
-    if (text_.is(first, ".") && text_.is_word(first + 1)) {
+    if (text_.is(first, ".") && text_.is_identifier(first + 1)) {
       const std::string swizzle = components_of(text_[first + 1].spelling, type.row);
       if (!swizzle.empty()) text_.replace(first + 1, 1, swizzle);
       return;
     }
-    if (!text_.is(first, "[") || text_.partner(first) == npos) return;
-    const std::size_t second = text_.partner(first) + 1;
-    const bool two = text_.is(second, "[") && text_.partner(second) != npos;
+    if (!text_.is(first, "[") || text_.matching_bracket(first) == npos) return;
+    const std::size_t second = text_.matching_bracket(first) + 1;
+    const bool two = text_.is(second, "[") && text_.matching_bracket(second) != npos;
     if (type.scalar) {
-      text_.erase(first, (two ? text_.partner(second) + 1 : second) - first);
+      text_.erase(first, (two ? text_.matching_bracket(second) + 1 : second) - first);
     } else if (type.row) {
       text_.erase(first, second - first);
     } else if (two) {
-      text_.erase(second, text_.partner(second) - second + 1);
+      text_.erase(second, text_.matching_bracket(second) - second + 1);
     }
   }
 
@@ -123,7 +123,7 @@ class RowMatrices {
   }
 
   void check_product(std::size_t at) {
-    const std::size_t close = text_.partner(at + 1);
+    const std::size_t close = text_.matching_bracket(at + 1);
     if (close == npos) return;
     std::size_t comma = at + 2;
     while (comma < close && !text_.is(comma, ",")) comma = after_brackets(text_, comma);
@@ -139,7 +139,7 @@ class RowMatrices {
   std::optional<RowMatrix> argument(std::size_t first, std::size_t end) const {
     if (first >= end) return std::nullopt;
     const std::optional<RowMatrix> constructed =
-        text_.is_word(first) ? row_matrix(text_[first].spelling) : std::nullopt;
+        text_.is_identifier(first) ? row_matrix(text_[first].spelling) : std::nullopt;
     if (constructed) return constructed;
     return types_.begin(end - 1) == first ? row_matrix(types_.at(end - 1).name) : std::nullopt;
   }

@@ -1,10 +1,10 @@
-// Matrices of one row or one column, float1x3 and float4x1: "Cannot construct this type" to glslang, for
-// SPIR-V has none of less than two columns or rows. They become vectors: `m[0][2]` and `m._m02` of a float1x3
-// are its component z, `m[2]` of a float3x1 is a number, and mul() takes a vector for a row on its left and
-// for a column on its right, which is what they are.
+// Matrices with one row or one column, float1x3 and float4x1: "Cannot construct this type" in glslang,
+// because SPIR-V requires at least two columns and rows. They become vectors: `m[0][2]` and `m._m02` of a
+// float1x3 become component z, `m[2]` of a float3x1 becomes a scalar, and mul() treats a vector as a row on
+// its left and as a column on its right, as required.
 //
-// An error: mul() of a column and a row, whose matrix glslang would make a number, and such a matrix in a
-// constant buffer, where each of its columns has a register of its own.
+// Errors: mul() of a column and a row, for which glslang would compute a scalar, and such a matrix in a
+// constant buffer, where each of its columns occupies a register.
 #pragma once
 
 #include "preparation/token_text.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "hlsl/word_set.h"
+#include "hlsl/name_set.h"
 #include "input/nearest_name.h"
 
 namespace penumbra::preparation {
@@ -126,11 +126,11 @@ std::string listed(const Names& names) {
 
 // System values that are whole numbers: so many of them, or fewer.
 int whole_numbers(const std::string& key) {
-  static constexpr hlsl::WordSet one("SV_COVERAGE", "SV_GROUPINDEX", "SV_GSINSTANCEID", "SV_INNERCOVERAGE",
+  static constexpr hlsl::NameSet one("SV_COVERAGE", "SV_GROUPINDEX", "SV_GSINSTANCEID", "SV_INNERCOVERAGE",
                                      "SV_INSTANCEID", "SV_OUTPUTCONTROLPOINTID", "SV_PRIMITIVEID",
                                      "SV_RENDERTARGETARRAYINDEX", "SV_SAMPLEINDEX", "SV_STENCILREF",
                                      "SV_VERTEXID", "SV_VIEWID", "SV_VIEWPORTARRAYINDEX");
-  static constexpr hlsl::WordSet three("SV_DISPATCHTHREADID", "SV_GROUPID", "SV_GROUPTHREADID");
+  static constexpr hlsl::NameSet three("SV_DISPATCHTHREADID", "SV_GROUPID", "SV_GROUPTHREADID");
   return one.contains(key) ? 1 : three.contains(key) ? 3 : 0;
 }
 

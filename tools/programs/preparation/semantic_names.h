@@ -1,6 +1,6 @@
 // Which semantics a stage has. Internal to this room.
 //
-// https://learn.microsoft.com/windows/win32/direct3dhlsl/dx-graphics-hlsl-semantics; what vertices have in
+// https://learn.microsoft.com/windows/win32/direct3dhlsl/dx-graphics-hlsl-semantics; vertex attributes in
 // Unity: https://docs.unity3d.com/Manual/SL-VertexProgramInputs.html.
 #pragma once
 
@@ -14,17 +14,17 @@
 namespace penumbra::preparation {
 
 struct SemanticProblem {
-  std::string words;  // behind the semantic's name; empty: there is none
+  std::string words;  // follows the semantic's name; empty: no problem
   hlsl::Severity severity = hlsl::Severity::error;
 };
 
 // `semantic` as written, with its index.
 SemanticProblem semantic_problem(const std::string& semantic, hlsl::Stage stage, bool input);
 
-// What a value of that type says of a system value that is a whole number or a bool; empty: it fits.
+// The problem with a value of that type for a system value that is an integer or a bool; empty: none.
 std::string type_problem(const std::string& semantic, const NumberShape& type);
 
-// In capitals, without its index: "SV_TARGET" of "SV_Target1".
+// In upper case, without its index: "SV_TARGET" of "SV_Target1".
 std::string semantic_key(std::string_view semantic);
 
 }  // namespace penumbra::preparation

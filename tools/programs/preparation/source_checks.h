@@ -1,8 +1,7 @@
-// What Unity's compilers refuse in a source and glslang takes without a word: each finding is a note of
-// the text.
+// Errors in a source that Unity's compilers report and glslang does not: each finding is a note of the text.
 //
-// Read before the passes of prepare.h, from the source as its author wrote it. What only an optimised module
-// shows is not here (shaders/hlsl_problems.h).
+// The checks run before the passes of prepare.h, on the original source. Errors that only an optimised module
+// shows are found by shaders/hlsl_problems.h.
 #pragma once
 
 #include <string>
@@ -12,87 +11,88 @@
 
 namespace penumbra::preparation {
 
-// How a program is entered. `dxc`: by Unity's `#pragma use_dxc`, whose compiler takes more than FXC.
+// An entry point. `dxc`: compiled with Unity's `#pragma use_dxc`, whose compiler accepts more than FXC.
 struct EntryPoint {
   std::string name;
   hlsl::Stage stage = hlsl::Stage::fragment;
   bool dxc = false;
 };
 
-// Cases with code that end without break or return (FXC X3533, X3537), `continue` in a switch, of a loop
-// around it, and a switch that ends in a label. DXC takes all but the last.
+// Cases with code that end without break or return (FXC X3533, X3537), `continue` of an enclosing loop within
+// a switch, and a switch that ends in a label. DXC accepts all but the last.
 void check_switch_cases(TokenText& text);
 
-// `float a = 1 float b = 2;`: a declaration of a scalar that begins before the statement before it ends.
-// `int i = 3 j = 4;`, `float a b;`: a name or number where only an operator, ',' or ';' can stand.
+// `float a = 1 float b = 2;`: a declaration of a scalar that begins before the previous statement ends. `int
+// i = 3 j = 4;`, `float a b;`: a name or number where only an operator, ',' or ';' may follow.
 void check_semicolons(TokenText& text);
 
 // A kernel without [numthreads(x, y, z)].
 void check_thread_group(TokenText& text, const EntryPoint& entry);
 
-// Inputs and outputs of the entry point without a semantic, and with one that its stage does not have: FXC
-// X3502, X4502. No entry point of that name, or several: nothing is said.
+// Inputs and outputs of the entry point without a semantic, or with one that its stage does not have: FXC
+// X3502, X4502. Reports nothing if there is no entry point of that name, or several.
 void check_entry_semantics(TokenText& text, const EntryPoint& entry);
 
-// An integer constant divided by a constant zero, which the front end computes away: FXC X4010.
+// An integer constant divided by a constant zero, which glslang's constant folding hides: FXC X4010.
 void check_constant_divisions(TokenText& text);
 
-// An initialiser list with more or fewer numbers than its variable holds: FXC X3017. What has expressions
-// that are not understood is an error only where each of them, taken for one number, is too much.
+// An initialiser list with more or fewer numbers than its variable holds: FXC X3017. A list with expressions
+// of unknown type is an error only if there are too many even with one number for each of these.
 void check_initialiser_counts(TokenText& text);
 
-// A constructor of a vector or matrix with fewer numbers than it has: FXC X3014. Nothing is said where an
-// argument is not understood.
+// A constructor of a vector or matrix with fewer numbers than it has: FXC X3014. Reports nothing if the type
+// of an argument is unknown.
 void check_constructor_counts(TokenText& text);
 
-// `.stpq`, of which HLSL has none.
+// `.stpq` swizzles, which HLSL does not have.
 void check_letter_swizzles(TokenText& text);
 
-// Variables of type string, which FXC ignores: warnings. DXC takes them at file scope alone.
+// Variables of type string, which FXC ignores: warnings. DXC accepts them only at file scope.
 void check_string_values(TokenText& text, const EntryPoint& entry);
 
 // Interfaces, which glslang does not have.
 void check_interfaces(TokenText& text);
 
-// Operators on what they do not take: bits of floats, `==` of structs and arrays, and a condition vector with
-// more components than the values of its '?' (FXC X3019), for which `true` is put in. No check that tells
-// columns may follow.
+// Operators with operands that they do not accept: bitwise operators on floats, `==` of structs and arrays,
+// and a condition vector with more components than the values of its '?' (FXC X3019), which is replaced by
+// `true`. A check that reports columns must not run after this one.
 void check_operand_kinds(TokenText& text);
 
-// Labels that are no constant integer, or are there twice; another number is put in. No check that tells
-// columns may follow.
+// Case labels that are not constant integers, or duplicates; they are replaced by another number. A check
+// that reports columns must not run after this one.
 void check_case_labels(TokenText& text);
 
-// Components that are there twice where they are written: `c.xx = 1` (FXC X3025); `m._m00_11`.
+// Components that are repeated in a write: `c.xx = 1` (FXC X3025); mixed subscripts: `m._m00_11`.
 void check_repeated_components(TokenText& text);
 
-// register() of a letter that is not the type's, or that does not exist, or of a number that Direct3D 11 does
-// not have. DXC takes any number.
+// register() with a letter that is not the type's, or that does not exist, or with a number that Direct3D 11
+// does not have. DXC accepts any number.
 void check_register_classes(TokenText& text, const EntryPoint& entry);
 
-// Arrays without a size where no initialiser says it, of none and of fewer elements. DXC takes arrays of
-// resources without a size.
+// Arrays without a size and without an initialiser that implies it, and arrays of zero or negative size. DXC
+// accepts arrays of resources without a size.
 void check_array_sizes(TokenText& text, const EntryPoint& entry);
 
-// Parentheses, signs and conditions nested deeper than a recursive compiler has stack for: false, and nothing
-// else should be asked of the text.
+// Parentheses, unary operators and conditions nested too deeply for the stack of a recursive parser: returns
+// false, and nothing else may process the text.
 bool check_nesting(TokenText& text);
 
-// A struct that contains itself, or has so many members, those of the structs in it included, that compilers
-// run out of time or memory: false, and nothing else should be asked of the text.
+// A struct that contains itself, or has so many members, including those of nested structs, that compilers run
+// out of time or memory: returns false, and nothing else may process the text.
 bool check_struct_sizes(TokenText& text);
 
-// Members of a cbuffer whose packoffset() lies in another one's (FXC X4019), who cross the end of a register
-// or need the beginning of one; packoffset() outside of cbuffers.
+// Members of a cbuffer whose packoffset() overlaps another's (FXC X4019), that straddle registers or are not
+// aligned to one although they must be; packoffset() outside of cbuffers.
 void check_packed_members(TokenText& text);
 
-// A function that the entry point calls, or the entry point itself, with a type and without any return
-// statement: FXC X3507. Nothing is said of overloads, of which it depends on the arguments who is called.
+// A function that the entry point calls, or the entry point itself, with a return type and without any return
+// statement: FXC X3507. Reports nothing for overloads, because the call's arguments decide which one is
+// called.
 void check_missing_values(TokenText& text, const EntryPoint& entry);
 
-// Variables at file scope, members of cbuffers and of structs that are declared twice (FXC X3003), but for
-// those that are declared extern. The later one gets another name, so that the rest can be read: no check
-// that tells columns may follow.
+// Variables at file scope, members of cbuffers and members of structs that are declared twice (FXC X3003),
+// except those declared extern. The later one is renamed, so that the rest can be parsed: a check that
+// reports columns must not run after this one.
 void check_repeated_globals(TokenText& text);
 
 }  // namespace penumbra::preparation

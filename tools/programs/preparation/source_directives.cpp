@@ -50,8 +50,8 @@ class SourceScan {
       character();
     } else if (is_digit(c) || (c == '.' && is_digit(peek(1)))) {
       number();
-    } else if (is_word(c)) {
-      while (is_word(peek())) ++at_;
+    } else if (is_identifier_character(c)) {
+      while (is_identifier_character(peek())) ++at_;
     } else {
       ++at_;
     }
@@ -102,7 +102,7 @@ class SourceScan {
     for (++at_; at_ < text_.size(); ++at_) {
       const char before = text_[at_ - 1];
       const bool sign = (peek() == '+' || peek() == '-') && (before == 'e' || before == 'E') && !hexadecimal;
-      if (!is_word(peek()) && peek() != '.' && !sign) break;
+      if (!is_identifier_character(peek()) && peek() != '.' && !sign) break;
     }
     const std::string_view spelling = std::string_view(text_).substr(begin, at_ - begin);
     if (spelling == "1." && starts("#INF")) {
@@ -131,7 +131,7 @@ class SourceScan {
     std::size_t word = at_ + 1;
     while (word < text_.size() && is_blank(text_[word])) ++word;
     std::size_t word_end = word;
-    while (word_end < text_.size() && is_word(text_[word_end])) ++word_end;
+    while (word_end < text_.size() && is_identifier_character(text_[word_end])) ++word_end;
     const std::string_view name = std::string_view(text_).substr(word, word_end - word);
     line_is_empty_ = false;
     if (name == "include_with_pragmas") {
@@ -168,7 +168,7 @@ class SourceScan {
   static std::string_view first_word(std::string_view text) {
     const std::size_t begin = std::min(text.find_first_not_of(" \t"), text.size());
     std::size_t end = begin;
-    while (end < text.size() && is_word(text[end])) ++end;
+    while (end < text.size() && is_identifier_character(text[end])) ++end;
     return text.substr(begin, end - begin);
   }
 

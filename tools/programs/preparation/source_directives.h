@@ -1,19 +1,19 @@
-// What has to be said differently before the preprocessor reads a file, without moving a character.
+// Directives and literals that are rewritten before the preprocessor reads a file, without moving a
+// character.
 //
 // - `#include_with_pragmas "x"` (Unity's, docs.unity3d.com/Manual/shader-include-directives.html) becomes an
 //   `#include`: its pragmas are read by the variants room.
-// - `#pragma` lines are blanked, for the same reason; `#pragma once` is reported, for the one who opens
-// files.
-// - `#pragma pack_matrix(...)` becomes a word that matrix_packing.h reads after the preprocessor.
-// - `#warning` is blanked: it is no error in Unity, and glslang knows no such directive.
-// - The half literal `1.0h` becomes `1.0f`: the precision of half is float here. `1.#INF` becomes `1e9999`,
-// which
-//   is infinite too, and survives the preprocessor.
-// - The character literals 'N' and '\n' become the numbers that they stand for
+// - `#pragma` lines are blanked, for the same reason; `#pragma once` is reported to the caller.
+// - `#pragma pack_matrix(...)` becomes an identifier that matrix_packing.h reads after the preprocessor.
+// - `#warning` is blanked: it is not an error in Unity, and glslang does not know the directive.
+// - The half literal `1.0h` becomes `1.0f`: half is float here. `1.#INF` becomes `1e9999`, which is infinite
+//   too, and is accepted by the preprocessor.
+// - The character literals 'N' and '\n' become their numeric values
 //   (learn.microsoft.com/windows/win32/direct3dhlsl/dx-graphics-hlsl-appendix-grammar): glslang's
 //   preprocessor loses their quotes.
 //
-// Guarantees: the length, every newline and every column stay. Comments and texts in quotes are left alone.
+// Guarantees: the length, every newline and every column are preserved. Comments and string literals are not
+// changed.
 #pragma once
 
 #include <string>
@@ -21,7 +21,7 @@
 
 namespace penumbra::preparation {
 
-// What stands for #pragma pack_matrix, with a ';'.
+// The identifiers that replace #pragma pack_matrix, followed by a ';'.
 inline constexpr std::string_view kPackedByRows = "penumbra_by_rows";
 inline constexpr std::string_view kPackedByColumns = "penumbra_by_columns";
 inline constexpr std::string_view kPackedOtherwise = "penumbra_packed";

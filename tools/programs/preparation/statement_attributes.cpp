@@ -1,6 +1,6 @@
 #include "preparation/statement_attributes.h"
 
-#include "hlsl/word_set.h"
+#include "hlsl/name_set.h"
 
 namespace penumbra::preparation {
 
@@ -8,17 +8,17 @@ namespace {
 
 // Behind the ']' of an attribute: its statement, or another attribute of it.
 bool is_before_statement(const TokenText& text, std::size_t at) {
-  static constexpr hlsl::WordSet statements("for", "while", "do", "if", "switch");
-  while (text.is(at, "[") && text.partner(at) != npos) at = text.partner(at) + 1;
-  return text.is_word(at) && statements.contains(text[at].spelling);
+  static constexpr hlsl::NameSet statements("for", "while", "do", "if", "switch");
+  while (text.is(at, "[") && text.matching_bracket(at) != npos) at = text.matching_bracket(at) + 1;
+  return text.is_identifier(at) && statements.contains(text[at].spelling);
 }
 
 }  // namespace
 
 void drop_statement_attributes(TokenText& text) {
-  static constexpr hlsl::WordSet attributes("fastopt", "allow_uav_condition", "forcecase", "call");
+  static constexpr hlsl::NameSet attributes("fastopt", "allow_uav_condition", "forcecase", "call");
   for (std::size_t at = 0; at + 3 < text.size(); ++at)
-    if (text.is(at, "[") && text.is_word(at + 1) && text.is(at + 2, "]") &&
+    if (text.is(at, "[") && text.is_identifier(at + 1) && text.is(at + 2, "]") &&
         attributes.contains(text[at + 1].spelling) && is_before_statement(text, at + 3))
       text.erase(at, 3);
   text.apply();

@@ -1,5 +1,5 @@
-// Attributes of statements that say how FXC should compile them and that change no result: [fastopt],
-// [allow_uav_condition], [forcecase], [call]. glslang warns that they "do not apply"; they are taken out.
+// Attributes of statements that control FXC's code generation and do not change results: [fastopt],
+// [allow_uav_condition], [forcecase], [call]. glslang warns that they "do not apply"; they are removed.
 #pragma once
 
 #include "preparation/token_text.h"

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "hlsl/outline.h"
+#include "hlsl/declarations.h"
 #include "preparation/declarators.h"
 #include "preparation/value_types.h"
 #include "preparation/written_values.h"
@@ -19,19 +19,19 @@ namespace {
 class StaticInitialisers {
  public:
   explicit StaticInitialisers(TokenText& text)
-      : text_(text), types_(text.types()), functions_(text.word_numbers(), false) {
+      : text_(text), types_(text.types()), functions_(text.identifier_count(), false) {
     for (const FunctionType& function : types_.functions())
-      if (function.name != npos && text_.is_word(function.name))
-        functions_[text_.word_number(function.name)] = true;
+      if (function.name != npos && text_.is_identifier(function.name))
+        functions_[text_.identifier_number(function.name)] = true;
   }
 
   void run() {
-    for (const hlsl::Declaration& declaration : types_.outline())
+    for (const hlsl::Declaration& declaration : types_.declarations())
       if (declaration.kind == hlsl::Declaration::Kind::variable) move(declaration);
     if (moved_.empty()) return;
     for (const FunctionType& function : types_.functions()) {
       if (function.body == npos) continue;
-      const std::string read = locals(function.body, text_.partner(function.body));
+      const std::string read = locals(function.body, text_.matching_bracket(function.body));
       if (!read.empty()) text_.insert(function.body + 1, read);
     }
     text_.apply();
@@ -75,13 +75,14 @@ class StaticInitialisers {
   // to.
   std::size_t written_in(std::size_t first, std::size_t end, std::set<std::string_view>& functions) {
     for (std::size_t at = first; at < end; ++at) {
-      if (!text_.is_word(at)) continue;
+      if (!text_.is_identifier(at)) continue;
       if (types_.named(at) != npos && written_globals().count(types_.named(at)) != 0) return at;
-      if (!text_.is(at + 1, "(") || !functions_[text_.word_number(at)] || !functions.insert(word(at)).second)
+      if (!text_.is(at + 1, "(") || !functions_[text_.identifier_number(at)] ||
+          !functions.insert(word(at)).second)
         continue;
       for (const FunctionType& function : types_.functions()) {
         if (function.body == npos || word(function.name) != word(at)) continue;
-        const std::size_t found = written_in(function.body, text_.partner(function.body), functions);
+        const std::size_t found = written_in(function.body, text_.matching_bracket(function.body), functions);
         if (found != npos) return found;
       }
     }
@@ -94,8 +95,8 @@ class StaticInitialisers {
     const WrittenValues writes(text_);
     for (const FunctionType& function : types_.functions()) {
       if (function.body == npos) continue;
-      for (std::size_t at = function.body; at < text_.partner(function.body); ++at) {
-        const std::size_t named = text_.is_word(at) && !text_.is(at - 1, ".") ? types_.named(at) : npos;
+      for (std::size_t at = function.body; at < text_.matching_bracket(function.body); ++at) {
+        const std::size_t named = text_.is_identifier(at) && !text_.is(at - 1, ".") ? types_.named(at) : npos;
         if (named != npos && types_.declared()[named].place == DeclaredValue::Place::global &&
             writes.writes(at))
           written_->insert(named);
@@ -107,8 +108,8 @@ class StaticInitialisers {
   // It calls a function of the text, or reads what is moved.
   bool must_move(const Declarator& constant) const {
     for (std::size_t at = constant.initialiser; at < constant.end; ++at) {
-      if (!text_.is_word(at)) continue;
-      if (text_.is(at + 1, "(") && functions_[text_.word_number(at)]) return true;
+      if (!text_.is_identifier(at)) continue;
+      if (text_.is(at + 1, "(") && functions_[text_.identifier_number(at)]) return true;
       if (moved_.count(types_.named(at)) != 0) return true;
     }
     return false;
@@ -124,7 +125,7 @@ class StaticInitialisers {
   std::string locals(std::size_t first, std::size_t end) const {
     std::set<std::size_t> read;
     for (std::size_t at = first; at < end && at < text_.size(); ++at)
-      if (text_.is_word(at) && moved_.count(types_.named(at)) != 0) read.insert(types_.named(at));
+      if (text_.is_identifier(at) && moved_.count(types_.named(at)) != 0) read.insert(types_.named(at));
     std::string all;
     for (const std::size_t index : read) all += moved_.at(index);
     return all;

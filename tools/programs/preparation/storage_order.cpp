@@ -8,7 +8,7 @@ void put_static_first(TokenText& text) {
   for (std::size_t at = 1; at < text.size(); ++at) {
     if (!text.is(at, "static")) continue;
     for (std::size_t before = at;
-         before-- > 0 && text.is_word(before) && is_modifier(text[before].spelling);) {
+         before-- > 0 && text.is_identifier(before) && is_modifier(text[before].spelling);) {
       if (!text.is(before, "const")) continue;
       text.erase(before, 1);
       text.replace(at, 1, "static const");

@@ -1,6 +1,7 @@
-// `const static uint N = 4;`: the order of the two words means nothing in HLSL
-// (learn.microsoft.com/windows/win32/direct3dhlsl/dx-graphics-hlsl-variable-syntax), but to glslang the later
-// one counts alone, and a variable that is not constant cannot be an array's size. `static` comes first.
+// `const static uint N = 4;`: the order of the two keywords has no meaning in HLSL
+// (learn.microsoft.com/windows/win32/direct3dhlsl/dx-graphics-hlsl-variable-syntax), but glslang only regards
+// the later one, and a variable that is not constant cannot be an array's size. `static` is moved to the
+// front.
 #pragma once
 
 #include "preparation/token_text.h"

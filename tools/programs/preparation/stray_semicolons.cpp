@@ -1,6 +1,6 @@
 #include "preparation/stray_semicolons.h"
 
-#include "hlsl/outline.h"
+#include "hlsl/declarations.h"
 
 namespace penumbra::preparation {
 
@@ -13,8 +13,8 @@ void drop_among_members(TokenText& text, const hlsl::Declaration& declaration) {
     const bool stray =
         text.is(at, ";") && (text.is(at - 1, ";") || text.is(at - 1, "{") || text.is(at - 1, "}"));
     if (stray) text.erase(at, 1);
-    const bool body = text.is(at, "{") && text.partner(at) != npos;
-    if (body) at = text.partner(at);
+    const bool body = text.is(at, "{") && text.matching_bracket(at) != npos;
+    if (body) at = text.matching_bracket(at);
   }
 }
 
@@ -22,7 +22,7 @@ void drop_among_members(TokenText& text, const hlsl::Declaration& declaration) {
 
 void drop_stray_semicolons(TokenText& text) {
   using Kind = hlsl::Declaration::Kind;
-  for (const hlsl::Declaration& declaration : text.outline()) {
+  for (const hlsl::Declaration& declaration : text.declarations()) {
     if (declaration.kind == Kind::empty)
       text.erase(declaration.first, declaration.last - declaration.first + 1);
     if (declaration.kind == Kind::structure || declaration.kind == Kind::buffer)

@@ -1,6 +1,6 @@
-// A ';' that ends nothing: at file scope, where a macro that expands to nothing leaves one behind, and after
-// another ';' among the members of a struct or cbuffer. Unity's compilers read past it; glslang's grammar has
-// no such declaration ("Expected declaration"). It is taken out.
+// Empty declarations: a ';' at file scope, often left by a macro that expands to nothing, and after another
+// ';' among the members of a struct or cbuffer. Unity's compilers accept them; glslang's grammar does not
+// ("Expected declaration"). They are removed.
 #pragma once
 
 #include "preparation/token_text.h"

@@ -40,15 +40,18 @@ class StructCasts {
   using Cast = std::pair<std::string_view, std::string_view>;  // to, from
 
   std::string_view word(std::size_t at) const { return text_[at].spelling; }
-  bool is_operand(std::size_t at) const { return text_.is_word(at) || text_.is(at, "("); }
+  bool is_operand(std::size_t at) const { return text_.is_identifier(at) || text_.is(at, "("); }
 
   // f(S) and if (S), which are no casts.
-  bool called(std::size_t open) const { return text_.is_word(open - 1) && !text_.is(open - 1, "return"); }
+  bool called(std::size_t open) const {
+    return text_.is_identifier(open - 1) && !text_.is(open - 1, "return");
+  }
 
   void rewrite(std::size_t at) {
     const std::string_view to = word(at + 1);
     if (types_.structs().count(to) == 0) return;
-    const std::size_t end = text_.is(at + 3, "(") ? text_.partner(at + 3) : postfix_end(text_, at + 3) - 1;
+    const std::size_t end =
+        text_.is(at + 3, "(") ? text_.matching_bracket(at + 3) : postfix_end(text_, at + 3) - 1;
     if (end == npos || types_.begin(end) != at + 3 || postfix_end(text_, end) != end + 1) return;
     const ValueType& from = types_.at(end);
     if (from.dimensions > 0 || types_.structs().count(from.name) == 0) return;
@@ -94,7 +97,7 @@ class StructCasts {
   }
 
   std::size_t last_of(std::string_view type) const {
-    return types_.outline()[types_.structs().at(type).declaration].last;
+    return types_.declarations()[types_.structs().at(type).declaration].last;
   }
 
   void define(std::string_view to, std::string_view from, const std::string& name) {

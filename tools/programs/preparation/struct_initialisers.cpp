@@ -139,11 +139,11 @@ void match_struct_initialisers(TokenText& text) {
   for (const DeclaredValue& value : types.declared()) {
     const std::size_t open = value.end == npos ? npos : value.end + 1;
     if (value.name == npos || types.structs().count(value.type.name) == 0) continue;
-    if (!text.is(value.end, "=") || !text.is(open, "{") || text.partner(open) == npos) continue;
+    if (!text.is(value.end, "=") || !text.is(open, "{") || text.matching_bracket(open) == npos) continue;
     const std::optional<ValueShape> shape = shape_of(text, value);
     if (!shape || !holds_structs(*shape)) continue;
     if (const std::optional<std::string> list = List(text, *shape, open).matched())
-      text.replace(open, text.partner(open) - open + 1, *list);
+      text.replace(open, text.matching_bracket(open) - open + 1, *list);
   }
   text.apply();
 }

@@ -19,7 +19,7 @@ class StructSizes {
     std::size_t first = npos;  // of those that are too large, the token of its name
     bool is_endless = false;
     for (const auto& [name, type] : types_.structs()) {
-      const std::size_t members = members_of(name), at = types_.outline()[type.declaration].name;
+      const std::size_t members = members_of(name), at = types_.declarations()[type.declaration].name;
       if (members <= most_members || at > first) continue;
       first = at;
       is_endless = members == endless;

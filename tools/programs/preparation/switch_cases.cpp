@@ -13,10 +13,10 @@ class SwitchCases {
   void run() {
     for (std::size_t at = 0; at + 2 < text_.size(); ++at) {
       if (!text_.is(at, "switch") || !text_.is(at + 1, "(")) continue;
-      const std::size_t condition = text_.partner(at + 1);
-      if (condition == npos || !text_.is(condition + 1, "{") || text_.partner(condition + 1) == npos)
+      const std::size_t condition = text_.matching_bracket(at + 1);
+      if (condition == npos || !text_.is(condition + 1, "{") || text_.matching_bracket(condition + 1) == npos)
         continue;
-      check(condition + 1, text_.partner(condition + 1));
+      check(condition + 1, text_.matching_bracket(condition + 1));
     }
   }
 
@@ -80,7 +80,7 @@ class SwitchCases {
     std::size_t choices = 0;
     for (++at; at < close; ++at) {
       if (text_.is(at, "?")) ++choices;
-      if (text_.is(at, "(") && text_.partner(at) != npos) at = text_.partner(at);
+      if (text_.is(at, "(") && text_.matching_bracket(at) != npos) at = text_.matching_bracket(at);
       if (text_.is(at, "{") || text_.is(at, ";")) return at;
       if (!text_.is(at, ":")) continue;
       if (text_.is(at + 1, ":")) {
@@ -97,33 +97,34 @@ class SwitchCases {
   // One past the statement's last token.
   std::size_t statement_end(std::size_t at, std::size_t close, int depth) const {
     if (depth > deepest_statement) return close;
-    while (text_.is(at, "[") && text_.partner(at) != npos) at = text_.partner(at) + 1;
-    if (text_.is(at, "{")) return text_.partner(at) == npos ? close : text_.partner(at) + 1;
+    while (text_.is(at, "[") && text_.matching_bracket(at) != npos) at = text_.matching_bracket(at) + 1;
+    if (text_.is(at, "{")) return text_.matching_bracket(at) == npos ? close : text_.matching_bracket(at) + 1;
     while (text_.is(at, "if")) {
       at = statement_end(behind_condition(at), close, depth + 1);
       if (!text_.is(at, "else")) return at;
       ++at;
-      while (text_.is(at, "[") && text_.partner(at) != npos) at = text_.partner(at) + 1;
+      while (text_.is(at, "[") && text_.matching_bracket(at) != npos) at = text_.matching_bracket(at) + 1;
       if (!text_.is(at, "if")) return statement_end(at, close, depth + 1);
     }
     if (text_.is(at, "for") || text_.is(at, "while") || text_.is(at, "switch"))
       return statement_end(behind_condition(at), close, depth + 1);
     for (; at < close && !text_.is(at, ";"); ++at)
-      if ((text_.is(at, "(") || text_.is(at, "{") || text_.is(at, "[")) && text_.partner(at) != npos)
-        at = text_.partner(at);
+      if ((text_.is(at, "(") || text_.is(at, "{") || text_.is(at, "[")) && text_.matching_bracket(at) != npos)
+        at = text_.matching_bracket(at);
     return at < close ? at + 1 : close;
   }
 
   std::size_t behind_condition(std::size_t keyword) const {
-    const bool has_condition = text_.is(keyword + 1, "(") && text_.partner(keyword + 1) != npos;
-    return has_condition ? text_.partner(keyword + 1) + 1 : keyword + 1;
+    const bool has_condition = text_.is(keyword + 1, "(") && text_.matching_bracket(keyword + 1) != npos;
+    return has_condition ? text_.matching_bracket(keyword + 1) + 1 : keyword + 1;
   }
 
   // No way leads past the statement. Loops and conditions without names of their own are taken for constant,
   // and a nested switch for complete, when there is a return or break in them.
   bool ends(std::size_t at, std::size_t end, int depth) const {
     if (depth > deepest_statement) return true;
-    while (at < end && text_.is(at, "[") && text_.partner(at) != npos) at = text_.partner(at) + 1;
+    while (at < end && text_.is(at, "[") && text_.matching_bracket(at) != npos)
+      at = text_.matching_bracket(at) + 1;
     if (text_.is(at, "break") || text_.is(at, "return") || text_.is(at, "continue")) return true;
     if (text_.is(at, "{")) return block_ends(at, depth);
     if (text_.is(at, "if")) return condition_ends(at, end, depth);
@@ -132,7 +133,7 @@ class SwitchCases {
   }
 
   bool block_ends(std::size_t open, int depth) const {
-    const std::size_t close = text_.partner(open);
+    const std::size_t close = text_.matching_bracket(open);
     for (std::size_t at = open + 1; close != npos && at < close;) {
       const std::size_t next = statement_end(at, close, depth + 1);
       if (ends(at, next, depth + 1)) return true;
@@ -151,7 +152,7 @@ class SwitchCases {
 
   bool is_constant(std::size_t first, std::size_t end) const {
     for (std::size_t at = first; at < end; ++at)
-      if (text_.is_word(at) && !text_.is(at, "true") && !text_.is(at, "false")) return false;
+      if (text_.is_identifier(at) && !text_.is(at, "true") && !text_.is(at, "false")) return false;
     return true;
   }
 

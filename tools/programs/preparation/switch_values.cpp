@@ -33,7 +33,7 @@ void cast_switch_values(TokenText& text) {
   values.read_all();
   for (const std::size_t open : values.of_floats) {
     text.insert(open + 1, "(int)(");
-    text.insert(text.partner(open), ")");
+    text.insert(text.matching_bracket(open), ")");
   }
   text.apply();
 }

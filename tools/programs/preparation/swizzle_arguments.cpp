@@ -39,7 +39,8 @@ class SwizzleArguments {
 
   void run() {
     for (std::size_t at = 1; at + 1 < text_.size(); ++at) {
-      const bool call = text_.is_word(at) && text_.is(at + 1, "(") && text_.partner(at + 1) != npos;
+      const bool call =
+          text_.is_identifier(at) && text_.is(at + 1, "(") && text_.matching_bracket(at + 1) != npos;
       const auto known = call ? functions_.find(text_[at].spelling) : functions_.end();
       if (known != functions_.end() && begins_statement(text_, at))
         (void)std::any_of(known->second.begin(), known->second.end(),
@@ -55,7 +56,7 @@ class SwizzleArguments {
 
   // Whether the overload is one that writes to a swizzle here.
   bool rewrite(std::size_t call, const FunctionType& function) {
-    const std::size_t close = text_.partner(call + 1);
+    const std::size_t close = text_.matching_bracket(call + 1);
     if (!text_.is(close + 1, ";")) return false;
     std::string before;
     std::string after;

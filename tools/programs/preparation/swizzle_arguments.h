@@ -1,9 +1,9 @@
-// Several elements of a matrix given to an out or inout parameter, `Rotate(m._14_24_34);`, which ends
-// glslang's process. They are given by way of a variable, `{ float3 v = m._14_24_34; Rotate(v); m._14_24_34 =
-// v; }`, and the pass after this one writes the elements out.
+// A matrix swizzle passed to an out or inout parameter, `Rotate(m._14_24_34);`, which crashes glslang. It is
+// passed in a temporary variable, `{ float3 v = m._14_24_34; Rotate(v); m._14_24_34 = v; }`, and the next
+// pass expands the swizzles.
 //
-// Statements that are a call and nothing else; the matrix must not hold a call, ++ or --, for it is named
-// twice.
+// Only for statements that consist of a call; the matrix must not contain a call, ++ or --, because it is
+// evaluated twice.
 #pragma once
 
 #include "preparation/token_text.h"

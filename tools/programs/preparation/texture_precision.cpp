@@ -2,13 +2,13 @@
 
 #include <string_view>
 
-#include "hlsl/word_set.h"
+#include "hlsl/name_set.h"
 
 namespace penumbra::preparation {
 
 namespace {
 
-constexpr hlsl::WordSet typed("Texture2D", "Texture2DArray", "Texture3D", "TextureCube", "TextureCubeArray",
+constexpr hlsl::NameSet typed("Texture2D", "Texture2DArray", "Texture3D", "TextureCube", "TextureCubeArray",
                               "Texture2DMS", "sampler2D", "sampler3D", "samplerCUBE", "sampler",
                               "SamplerState", "sampler1D");
 

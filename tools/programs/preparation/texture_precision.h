@@ -1,6 +1,6 @@
-// Texture and sampler types that carry the precision of what is read: Texture2D_half, sampler2D_float and the
-// like (Unity's, docs.unity3d.com/Manual/SL-DataTypesAndPrecision.html) become the plain type. Precision of
-// half is float here, so nothing changes but the name.
+// Texture and sampler types with a precision suffix, Texture2D_half, sampler2D_float and similar (Unity's,
+// docs.unity3d.com/Manual/SL-DataTypesAndPrecision.html), become the plain type. half is float here, so only
+// the name changes.
 #pragma once
 
 #include "preparation/token_text.h"

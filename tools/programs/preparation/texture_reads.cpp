@@ -72,7 +72,7 @@ class Reads {
 
   void run() {
     for (std::size_t dot = 1; dot + 2 < text_.size(); ++dot)
-      if (text_.is(dot, ".") && text_.is_word(dot + 1) && text_.is(dot + 2, "(")) find(dot);
+      if (text_.is(dot, ".") && text_.is_identifier(dot + 1) && text_.is(dot + 2, "(")) find(dot);
     for (const Read& read : comparisons_)
       if (otherwise_.count(read.declared) != 0) separate(read);
     for (const Read& read : indirect_) separate(read);
@@ -87,9 +87,9 @@ class Reads {
 
   void find(std::size_t dot) {
     std::size_t name = dot - 1;
-    while (text_.is(name, "]") && text_.partner(name) != npos && text_.partner(name) > 0)
-      name = text_.partner(name) - 1;
-    const std::size_t index = text_.is_word(name) ? types_.named(name) : npos;
+    while (text_.is(name, "]") && text_.matching_bracket(name) != npos && text_.matching_bracket(name) > 0)
+      name = text_.matching_bracket(name) - 1;
+    const std::size_t index = text_.is_identifier(name) ? types_.named(name) : npos;
     const std::size_t first = types_.begin(dot - 1);
     if (index == npos || first == npos || !is_texture(types_.at(dot - 1).name)) return;
     const bool comparison = compares(word(dot + 1));
@@ -107,7 +107,7 @@ class Reads {
     bool brackets = false;
     for (std::size_t at = first; at < dot; ++at) {
       members += text_.is(at, ".") ? 1 : 0;
-      brackets = brackets || text_.partner(at) != npos;
+      brackets = brackets || text_.matching_bracket(at) != npos;
     }
     return members > 1 || (members == 1 && brackets);
   }
@@ -117,11 +117,12 @@ class Reads {
   }
 
   int arguments(std::size_t open) const {
-    const std::size_t close = text_.partner(open);
+    const std::size_t close = text_.matching_bracket(open);
     if (close == npos) return 0;
     int commas = 0;
     for (std::size_t at = open + 1; at < close; ++at) {
-      if (text_.partner(at) != npos && text_.partner(at) > at) at = text_.partner(at);
+      if (text_.matching_bracket(at) != npos && text_.matching_bracket(at) > at)
+        at = text_.matching_bracket(at);
       commas += text_.is(at, ",") ? 1 : 0;
     }
     return commas + 1;

@@ -1,16 +1,16 @@
-// Reads of textures that glslang cannot follow to the texture.
+// Texture reads for which glslang cannot resolve the texture.
 //
-// - By a comparison sampler, where the texture is a parameter, a local variable or a member of a struct and
-// is
-//   read otherwise too: glslang makes two variables of it and sets only one; the other reads are lost without
-//   a word (tools/programs/shaders/lost_resources.h finds such modules).
-// - Of a texture in a struct that is a member itself, an element of an array or what a function returned,
-//   `Build(a).map.Sample(s, uv)`: "unable to find texture symbol".
+// - With a comparison sampler, if the texture is a parameter, a local variable or a member of a struct and is
+//   also read otherwise: glslang creates two variables and sets only one; the other reads are silently lost
+//   (tools/programs/shaders/lost_resources.h detects such modules).
+// - Of a texture in a nested struct, in an array element or in a function's result, `Build(a).map.Sample(s,
+//   uv)`: "unable to find texture symbol".
 //
-// Such a read is put into a function of its own at the head of the text, one for each kind of texture and
-// read, which gets the texture as its parameter and does nothing else: `Sample_of(Build(a).map, s, uv)`.
+// Such a read is moved into a function at the beginning of the text, one for each kind of texture and read,
+// with the texture as its parameter: `Sample_of(Build(a).map, s, uv)`.
 //
-// Limits: reads with an offset stay where they are, as the offset has to be a literal; so do compare-gathers.
+// Limits: reads with an offset are not changed, because the offset has to be a literal; nor are
+// compare-gathers.
 #pragma once
 
 #include "preparation/token_text.h"

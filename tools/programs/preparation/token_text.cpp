@@ -9,8 +9,8 @@ namespace penumbra::preparation {
 
 namespace {
 
+using hlsl::StringInterner;
 using hlsl::Token;
-using hlsl::WordNumbers;
 
 constexpr int longest_run_of_newlines = 8;  // further on, a #line directive is shorter
 
@@ -62,15 +62,15 @@ TokenText::TokenText(std::string preprocessed, std::string main_file)
     numbers_.push_back(number_of(token));
     leads_.push_back(token.spelling[0]);
   }
-  find_partners();
+  match_brackets();
 }
 
 std::uint32_t TokenText::number_of(const Token& token) {
-  return token.kind == Token::Kind::word ? words_.add(token.spelling) : WordNumbers::none;
+  return token.kind == Token::Kind::identifier ? words_.add(token.spelling) : StringInterner::none;
 }
 
-void TokenText::find_partners() {
-  partners_.assign(tokens_.size(), alone);
+void TokenText::match_brackets() {
+  matching_brackets_.assign(tokens_.size(), alone);
   std::vector<std::uint32_t> open;
   for (std::uint32_t at = 0; at < leads_.size(); ++at) {
     const char lead = leads_[at];
@@ -78,8 +78,8 @@ void TokenText::find_partners() {
       open.push_back(at);
     } else if (lead == ')' || lead == ']' || lead == '}') {
       if (open.empty() || leads_[open.back()] != opener_of(lead)) return;  // the rest has none
-      partners_[at] = open.back();
-      partners_[open.back()] = at;
+      matching_brackets_[at] = open.back();
+      matching_brackets_[open.back()] = at;
       open.pop_back();
     }
   }
@@ -94,9 +94,9 @@ std::string TokenText::spelled(std::size_t first, std::size_t count) const {
   return text;
 }
 
-const std::vector<hlsl::Declaration>& TokenText::outline() const {
-  if (!outline_) outline_ = hlsl::outline(tokens_);
-  return *outline_;
+const std::vector<hlsl::Declaration>& TokenText::declarations() const {
+  if (!declarations_) declarations_ = hlsl::read_declarations(tokens_);
+  return *declarations_;
 }
 
 const ValueTypes& TokenText::types() const {
@@ -108,10 +108,10 @@ std::string TokenText::free_name(std::string wanted) const {
   if (known_words_.empty()) {
     known_words_.assign(words_.size(), false);
     for (const std::uint32_t number : numbers_)
-      if (number != WordNumbers::none) known_words_[number] = true;
+      if (number != StringInterner::none) known_words_[number] = true;
   }
   const auto known = [&](std::uint32_t number) {
-    return number != WordNumbers::none && known_words_[number];
+    return number != StringInterner::none && known_words_[number];
   };
   while (known(words_.find(wanted))) wanted += "_";
   return wanted;
@@ -174,10 +174,10 @@ void TokenText::apply() {
   numbers_.swap(edited_numbers_);
   leads_.swap(edited_leads_);
   edits_.clear();
-  outline_.reset();
+  declarations_.reset();
   types_.reset();
   known_words_.clear();
-  find_partners();
+  match_brackets();
 }
 
 std::string TokenText::file_of(std::size_t at) const {

@@ -1,9 +1,8 @@
-// Preprocessed HLSL as a list of tokens that passes edit, each token with the line it came from.
+// Preprocessed HLSL as a list of tokens that passes edit, each token with its source line.
 //
-// A pass collects edits while it reads and applies them at the end, so that indices stay valid meanwhile.
-// Text that an edit puts in stands on the line of the token it replaces or follows. Printing gives every
-// token its own line again (#line directives where lines do not follow each other), whatever was put in or
-// taken out.
+// A pass collects edits while it reads and applies them at the end, so indices stay valid meanwhile. Inserted
+// text gets the line of the token that it replaces or follows. Printing restores every token's line (with
+// #line directives where lines are not consecutive), whatever was inserted or removed.
 #pragma once
 
 #include <cstddef>
@@ -15,10 +14,10 @@
 #include <string_view>
 #include <vector>
 
+#include "hlsl/declarations.h"
 #include "hlsl/diagnostic.h"
-#include "hlsl/outline.h"
+#include "hlsl/string_interner.h"
 #include "hlsl/tokens.h"
-#include "hlsl/word_numbers.h"
 
 namespace penumbra::preparation {
 
@@ -26,8 +25,8 @@ inline constexpr std::size_t npos = static_cast<std::size_t>(-1);
 
 class ValueTypes;
 
-// A message at a token. The preprocessor keeps no columns: `rank` and `count` say which of the line's tokens
-// of that spelling it is (hlsl::column_in); a count of 0, after an edit, that nobody knows.
+// A message at a token. The preprocessor keeps no columns: `rank` and `count` identify the token among those
+// of the line with the same spelling (hlsl::column_in); a count of 0, after an edit, means unknown.
 struct Note : hlsl::Diagnostic {
   std::string spelling{};
   std::size_t rank = 0;
@@ -36,8 +35,8 @@ struct Note : hlsl::Diagnostic {
 
 class TokenText {
  public:
-  // `preprocessed`: no comments, no macros, #line directives for places. Lines before the first #line that
-  // names a file are said to be in `main_file`.
+  // `preprocessed`: no comments, no macros, #line directives for source locations. Lines before the first
+  // #line that names a file are in `main_file`.
   TokenText(std::string preprocessed, std::string main_file);
   TokenText(const TokenText&) = delete;
   TokenText& operator=(const TokenText&) = delete;
@@ -49,42 +48,45 @@ class TokenText {
     return at < tokens_.size() && !spelling.empty() && leads_[at] == spelling[0] &&
            tokens_[at].spelling == spelling;
   }
-  bool is_word(std::size_t at) const { return at < tokens_.size() && hlsl::begins_word(leads_[at]); }
+  bool is_identifier(std::size_t at) const {
+    return at < tokens_.size() && hlsl::begins_identifier(leads_[at]);
+  }
   // The first character of a token; '\0' past the last.
   char lead(std::size_t at) const { return at < tokens_.size() ? leads_[at] : '\0'; }
-  // Of the word at this index, the same for words spelled alike, below word_numbers();
-  // hlsl::WordNumbers::none for other tokens.
-  std::uint32_t word_number(std::size_t at) const {
-    return at < tokens_.size() ? numbers_[at] : hlsl::WordNumbers::none;
+  // The number of the identifier at this index, equal for equal spellings, below identifier_count();
+  // hlsl::StringInterner::none for other tokens.
+  std::uint32_t identifier_number(std::size_t at) const {
+    return at < tokens_.size() ? numbers_[at] : hlsl::StringInterner::none;
   }
-  std::size_t word_numbers() const { return words_.size(); }
-  // The bracket that closes the (, [ or { at this index, or opens the one that ends there; npos for other
-  // tokens and for brackets without a partner.
-  std::size_t partner(std::size_t at) const {
-    return at < tokens_.size() && partners_[at] != alone ? partners_[at] : npos;
+  std::size_t identifier_count() const { return words_.size(); }
+  // The token that closes the (, [ or { at this index, or opens the ), ] or } there; npos for other tokens
+  // and for unbalanced ones.
+  std::size_t matching_bracket(std::size_t at) const {
+    return at < tokens_.size() && matching_brackets_[at] != alone ? matching_brackets_[at] : npos;
   }
-  std::string spelled(std::size_t first, std::size_t count) const;  // as printed, in one line
+  std::string spelled(std::size_t first, std::size_t count) const;  // as printed, on one line
 
-  // What stands at file scope (hlsl/outline.h), and what the names in the text stand for (value_types.h).
-  // Read once for all passes until one of them edits; the references are good until apply().
-  const std::vector<hlsl::Declaration>& outline() const;
+  // The declarations at file scope (hlsl/declarations.h), and the types of the names in the text
+  // (value_types.h). Computed once for all passes until one of them edits; the references are valid until
+  // apply().
+  const std::vector<hlsl::Declaration>& declarations() const;
   const ValueTypes& types() const;
-  // `wanted`, with underscores after it where the text has that word already.
+  // `wanted`, with underscores appended if the text already has that identifier.
   std::string free_name(std::string wanted) const;
 
-  // Edits; ranges of two edits must not overlap, and several inserts at one place keep their order.
+  // Edits; their ranges must not overlap, and several inserts at one place keep their order.
   void replace(std::size_t first, std::size_t count, std::string_view hlsl);
   void insert(std::size_t before, std::string_view hlsl) { replace(before, 0, hlsl); }
-  // The same on the line of the token `place`, for text that only moves.
+  // The same with the line of the token `place`, for text that is moved.
   void insert_from(std::size_t place, std::size_t before, std::string_view hlsl);
   void erase(std::size_t first, std::size_t count) { replace(first, count, {}); }
   void apply();  // all of them at once
 
-  // A message at a token's place.
+  // Records a message at a token's source location.
   void note(std::size_t at, hlsl::Severity severity, std::string message);
   const std::vector<Note>& notes() const { return notes_; }
 
-  std::string file_of(std::size_t at) const;  // main_file where no #line has named one
+  std::string file_of(std::size_t at) const;  // main_file before the first #line that names one
   std::string print() const;
 
  private:
@@ -92,10 +94,10 @@ class TokenText {
     std::size_t first;
     std::size_t count;
     std::string text;
-    std::size_t place = npos;  // whose line it stands on; npos: that of what it replaces or follows
+    std::size_t place = npos;  // the token whose line it gets; npos: the one that it replaces or follows
   };
 
-  void find_partners();
+  void match_brackets();
   bool same_line(std::size_t a, std::size_t b) const;
   void append_kept(std::size_t first, std::size_t end);
   void append_made(const Edit& edit);
@@ -104,22 +106,22 @@ class TokenText {
   std::string text_;
   std::string main_file_;
   std::vector<hlsl::Token> tokens_;
-  hlsl::WordNumbers words_;             // of all that stand in the text or once stood there
-  std::vector<std::uint32_t> numbers_;  // of every token's word
-  std::string leads_;                   // the first character of every token: it answers most questions
-  std::vector<hlsl::Token> edited_;     // where apply() writes these three; kept for their room alone
+  hlsl::StringInterner words_;          // all identifiers that are or were in the text
+  std::vector<std::uint32_t> numbers_;  // of every token's identifier
+  std::string leads_;                   // the first character of every token, for fast tests
+  std::vector<hlsl::Token> edited_;     // output of apply() for these three; kept to reuse their memory
   std::vector<std::uint32_t> edited_numbers_;
   std::string edited_leads_;
   static constexpr std::uint32_t alone = static_cast<std::uint32_t>(-1);
-  std::vector<std::uint32_t> partners_;
+  std::vector<std::uint32_t> matching_brackets_;
   std::vector<Edit> edits_;
-  std::deque<std::string> made_;  // the spellings that edits put in
+  std::deque<std::string> made_;  // the spellings of inserted tokens
   std::vector<Note> notes_;
   bool is_edited_ = false;
-  // Made when asked for, until apply().
-  mutable std::optional<std::vector<hlsl::Declaration>> outline_;
+  // Computed on demand, valid until apply().
+  mutable std::optional<std::vector<hlsl::Declaration>> declarations_;
   mutable std::shared_ptr<const ValueTypes> types_;
-  mutable std::vector<bool> known_words_;  // by number: whether the word is in the text
+  mutable std::vector<bool> known_words_;  // by number: whether the identifier is in the text
 };
 
 }  // namespace penumbra::preparation

@@ -8,7 +8,7 @@ namespace penumbra::preparation {
 
 void rename_type_semantics(TokenText& text) {
   for (std::size_t at = 2; at + 1 < text.size(); ++at) {
-    if (!text.is(at - 1, ":") || !text.is_word(at) || !is_number_type(text[at].spelling)) continue;
+    if (!text.is(at - 1, ":") || !text.is_identifier(at) || !is_number_type(text[at].spelling)) continue;
     const bool ends =
         text.is(at + 1, ";") || text.is(at + 1, ",") || text.is(at + 1, ")") || text.is(at + 1, "{");
     if (ends) text.replace(at, 1, "TYPE_" + std::string(text[at].spelling) + "_");

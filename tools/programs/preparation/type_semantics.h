@@ -1,6 +1,5 @@
-// Semantics that are called like a type, `float3x3 basis : float3x3;`: any word is one to Unity's compiler,
-// and to glslang "expected a semantic". They get a name that is no type; stages that share the struct share
-// it.
+// Semantics with the name of a type, `float3x3 basis : float3x3;`: Unity's compiler accepts any identifier,
+// glslang reports "expected a semantic". They are renamed, identically in all stages that share the struct.
 #pragma once
 
 #include "preparation/token_text.h"

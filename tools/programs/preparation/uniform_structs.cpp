@@ -103,7 +103,7 @@ class UniformStructs {
 
   // Of the cbuffer it is a member of, else its own.
   std::size_t end_of_block(const DeclaredValue& value) const {
-    for (const hlsl::Declaration& declaration : types_.outline())
+    for (const hlsl::Declaration& declaration : types_.declarations())
       if (declaration.kind == hlsl::Declaration::Kind::buffer && declaration.open < value.name &&
           value.name < declaration.close)
         return declaration.last;
@@ -112,11 +112,11 @@ class UniformStructs {
 
   // `s.map` is the part of that name, any other `s` the whole.
   void replace_use(std::size_t at) {
-    const std::size_t index = text_.is_word(at) ? types_.named(at) : npos;
+    const std::size_t index = text_.is_identifier(at) ? types_.named(at) : npos;
     if (index == npos || !is_uniform_struct(types_.declared()[index])) return;
     if (types_.declared()[index].name == at) return;
     std::string part(word(at));
-    for (std::size_t member = at + 2; text_.is(member - 1, ".") && text_.is_word(member); member += 2) {
+    for (std::size_t member = at + 2; text_.is(member - 1, ".") && text_.is_identifier(member); member += 2) {
       const std::size_t named = types_.named(member);
       if (named == npos) break;
       part = text_.free_name(part.append("_").append(word(member)));

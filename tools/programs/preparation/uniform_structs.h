@@ -1,12 +1,11 @@
-// Global variables and members of cbuffers whose struct holds textures, samplers or buffers beside numbers.
-// glslang takes them apart and makes constants of the numbers that are in no block, which is not valid
-// SPIR-V.
+// Global variables and members of cbuffers whose struct contains textures, samplers or buffers as well as
+// numbers. glslang splits them and makes the numbers constants outside of any block, which is invalid SPIR-V.
 //
-// `Surface s;` becomes one declaration for each member, `Texture2D s_map; float4 s_tint;`, in its place,
-// followed by a function that puts a Surface together from them; where `s` was read, that function is called.
+// `Surface s;` becomes one declaration per member, `Texture2D s_map; float4 s_tint;`, in its place, followed
+// by a function that assembles a Surface from them; reads of `s` call that function.
 //
-// Limits: in a cbuffer the members follow those before them without the struct's alignment to sixteen bytes,
-// and reflection shows them by their new names. Arrays of such structs are an error.
+// Limits: in a cbuffer the members are not aligned to sixteen bytes as the struct is, and reflection lists
+// them with their new names. Arrays of such structs are an error.
 #pragma once
 
 #include "preparation/token_text.h"

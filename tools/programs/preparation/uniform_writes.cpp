@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "hlsl/outline.h"
+#include "hlsl/declarations.h"
 #include "preparation/declarators.h"
 #include "preparation/value_types.h"
 #include "preparation/written_values.h"
@@ -28,9 +28,9 @@ class WrittenUniforms {
   explicit WrittenUniforms(TokenText& text)
       : text_(text),
         types_(text.types()),
-        declarations_(text.outline()),
+        declarations_(text.declarations()),
         writes_(text),
-        uniform_words_(text.word_numbers(), false) {}
+        uniform_words_(text.identifier_count(), false) {}
 
   void run() {
     find_uniforms();
@@ -49,7 +49,7 @@ class WrittenUniforms {
       const bool uniform = !declarator.is_static && !declarator.is_groupshared && !declarator.is_const;
       if (!uniform || !(is_number_type(declarator.type) || is_struct(declarator.type))) continue;
       const std::string_view name = text_[declarator.name].spelling;
-      uniform_words_[text_.word_number(declarator.name)] = true;
+      uniform_words_[text_.identifier_number(declarator.name)] = true;
       uniforms_[name] = {std::move(declarator), insert_before};
     }
   }
@@ -75,15 +75,15 @@ class WrittenUniforms {
   bool ends_type(std::size_t at) const {
     if (!text_.is(at, ">")) return false;
     for (std::size_t back = at; back-- > 0 && at - back < 6;) {
-      if (text_.is(back, "<")) return back > 0 && text_.is_word(back - 1);
-      if (!text_.is_word(back) && !text_.is(back, ",") && text_[back].kind != hlsl::Token::Kind::number)
+      if (text_.is(back, "<")) return back > 0 && text_.is_identifier(back - 1);
+      if (!text_.is_identifier(back) && !text_.is(back, ",") && text_[back].kind != hlsl::Token::Kind::number)
         return false;
     }
     return false;
   }
 
   bool declares(std::size_t at) const {
-    if (!text_.is_word(at - 1)) return ends_type(at - 1);
+    if (!text_.is_identifier(at - 1)) return ends_type(at - 1);
     return !text_.is(at - 1, "return") && !text_.is(at - 1, "else") && !text_.is(at - 1, "do");
   }
 
@@ -95,7 +95,7 @@ class WrittenUniforms {
     for (std::size_t at = function.parameters_open + 1; at < function.close; ++at) {
       if (text_.is(at, "{")) blocks.emplace_back();
       if (text_.is(at, "}") && blocks.size() > 1) blocks.pop_back();
-      if (!text_.is_word(at) || !uniform_words_[text_.word_number(at)]) continue;
+      if (!text_.is_identifier(at) || !uniform_words_[text_.identifier_number(at)]) continue;
       const std::string_view name = text_[at].spelling;
       if (text_.is(at - 1, ".") || text_.is(at - 1, ":")) continue;
       if (declares(at)) blocks.back().insert(name);

@@ -10,7 +10,7 @@ namespace penumbra::preparation {
 void name_unsigned_types(TokenText& text) {
   for (std::size_t at = 0; at < text.size(); ++at) {
     if (!text.is(at, "unsigned")) continue;
-    const std::string_view next = text.is_word(at + 1) ? text[at + 1].spelling : std::string_view();
+    const std::string_view next = text.is_identifier(at + 1) ? text[at + 1].spelling : std::string_view();
     if (!is_number_type(next)) {
       text.replace(at, 1, "uint");
     } else if (next.starts_with("int")) {

@@ -1,4 +1,4 @@
-// What a type consists of: how many numbers, in what grouping. Internal to this room.
+// The composition of a type: the number of its scalars and their grouping. Internal to this room.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 namespace penumbra::preparation {
 
 struct ValueShape {
-  std::string_view type;          // the word that names it; empty for an array
+  std::string_view type;          // its name; empty for an array
   std::size_t numbers = 0;        // scalars, of all parts together
   std::vector<ValueShape> parts;  // members or elements; empty for numbers, vectors and matrices
 };
@@ -19,7 +19,7 @@ struct ValueShape {
 // 3 of float3, 16 of float4x4, 1 of float.
 std::size_t components(std::string_view number_type);
 
-// Nothing for resources, for array sizes that are no plain numbers, and for types of more than 4096 numbers.
+// Nothing for resources, for array sizes that are not literals, and for types of more than 4096 scalars.
 std::optional<ValueShape> shape_of(const TokenText& text, const DeclaredValue& value);
 
 }  // namespace penumbra::preparation

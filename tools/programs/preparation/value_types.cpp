@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "hlsl/word_set.h"
+#include "hlsl/name_set.h"
 
 namespace penumbra::preparation {
 
@@ -13,7 +13,7 @@ using Place = DeclaredValue::Place;
 
 // Words that stand before another word without being its type.
 bool is_statement_word(std::string_view word) {
-  static constexpr hlsl::WordSet words("return", "else", "do", "case", "struct", "class", "typedef", "goto",
+  static constexpr hlsl::NameSet words("return", "else", "do", "case", "struct", "class", "typedef", "goto",
                                        "namespace");
   return words.contains(word);
 }
@@ -37,10 +37,10 @@ class ValueTypesReader {
   void run() {
     to_.places_.resize(text_.size());
     to_.types_.emplace_back();
-    visible_.assign(text_.word_numbers(), npos);
-    returns_.assign(text_.word_numbers(), not_declared);
-    for (std::size_t index = 0; index < to_.outline_.size(); ++index) declare(index);
-    for (const hlsl::Declaration& declaration : to_.outline_) read(declaration);
+    visible_.assign(text_.identifier_count(), npos);
+    returns_.assign(text_.identifier_count(), not_declared);
+    for (std::size_t index = 0; index < to_.declarations_.size(); ++index) declare(index);
+    for (const hlsl::Declaration& declaration : to_.declarations_) read(declaration);
   }
 
  private:
@@ -50,7 +50,7 @@ class ValueTypesReader {
 
   // First walk: what stands at file scope and in structs.
   void declare(std::size_t index) {
-    const hlsl::Declaration& declaration = to_.outline_[index];
+    const hlsl::Declaration& declaration = to_.declarations_[index];
     switch (declaration.kind) {
       case Kind::variable:
         declare_values({declaration.type, declaration.last + 1, Place::global});
@@ -73,7 +73,7 @@ class ValueTypesReader {
 
   void declare_function(const hlsl::Declaration& declaration) {
     const ValueType returned = type_before(declaration.type, declaration.name);
-    std::uint32_t& known = returns_[text_.word_number(declaration.name)];
+    std::uint32_t& known = returns_[text_.identifier_number(declaration.name)];
     if (known == not_declared) {
       known = add_type(returned);
     } else if (to_.types_[known].name != returned.name) {
@@ -83,15 +83,15 @@ class ValueTypesReader {
 
   ValueType type_before(std::size_t first, std::size_t name) const {
     while (first < name && is_modifier(word(first))) ++first;
-    return first < name && text_.is_word(first) ? named_type(word(first)) : ValueType{};
+    return first < name && text_.is_identifier(first) ? named_type(word(first)) : ValueType{};
   }
 
   void declare_struct(std::size_t index) {
-    const hlsl::Declaration& declaration = to_.outline_[index];
+    const hlsl::Declaration& declaration = to_.declarations_[index];
     if (declaration.name == hlsl::Declaration::none) return;
     StructType type;
     type.declaration = index;
-    if (text_.is(declaration.name + 1, ":") && text_.is_word(declaration.name + 2))
+    if (text_.is(declaration.name + 1, ":") && text_.is_identifier(declaration.name + 2))
       type.base = word(declaration.name + 2);
     for (std::size_t at = declaration.open + 1; at < declaration.close;)
       at = member(at, declaration.close, type);
@@ -119,13 +119,13 @@ class ValueTypesReader {
     function.first = function.type = at;
     function.name = parameters - 1;
     function.parameters_open = parameters;
-    function.parameters_close = text_.partner(parameters);
+    function.parameters_close = text_.matching_bracket(parameters);
     if (function.parameters_close == npos) return end;
     std::size_t stop = function.parameters_close + 1;
     while (stop < end && !text_.is(stop, "{") && !text_.is(stop, ";")) ++stop;
-    if (!text_.is(stop, "{") || text_.partner(stop) == npos) return stop + 1;
+    if (!text_.is(stop, "{") || text_.matching_bracket(stop) == npos) return stop + 1;
     function.open = stop;
-    function.close = function.last = text_.partner(stop);
+    function.close = function.last = text_.matching_bracket(stop);
     type.functions.push_back(function);
     return function.close + 1;
   }
@@ -155,7 +155,7 @@ class ValueTypesReader {
     if (value.name == npos) return;
     to_.places_[value.name].named = ValueTypes::narrow(index);
     if (value.place == Place::member) return;
-    const std::uint32_t number = text_.word_number(value.name);
+    const std::uint32_t number = text_.identifier_number(value.name);
     std::size_t& visible = visible_[number];
     if (value.place != Place::global) hidden_.emplace_back(number, visible);
     visible = index;
@@ -216,7 +216,7 @@ class ValueTypesReader {
   }
 
   void step(std::size_t at, const std::vector<std::size_t>* in_body) {
-    if (text_.is_word(at)) {
+    if (text_.is_identifier(at)) {
       if (in_body != nullptr) declaration_statement(at);
       name(at);
     } else if (text_.is(at, "]")) {
@@ -231,10 +231,10 @@ class ValueTypesReader {
     if (at < statement_end_ || (at > 0 && text_.is(at - 1, "."))) return;
     if (is_modifier(word(at)) || is_statement_word(word(at))) return;
     const std::size_t name = after_template(text_, at + 1, text_.size());
-    if (!text_.is_word(name) || is_statement_word(word(name))) return;
+    if (!text_.is_identifier(name) || is_statement_word(word(name))) return;
     if (text_.is(name + 1, "(") && name > at + 1) return;  // a < b > c(
     std::size_t first = at;
-    while (first > 0 && text_.is_word(first - 1) && is_modifier(word(first - 1))) --first;
+    while (first > 0 && text_.is_identifier(first - 1) && is_modifier(word(first - 1))) --first;
     std::size_t end = name;
     while (end < text_.size() && !text_.is(end, ";") && !text_.is(end, ")") && !text_.is(end, "}"))
       end = after_brackets(text_, end);
@@ -266,12 +266,12 @@ class ValueTypesReader {
       const ValueType own = method_result(current_struct_, word(name));
       if (!own.name.empty()) return add_type(own);
     }
-    const std::uint32_t known = returns_[text_.word_number(name)];
+    const std::uint32_t known = returns_[text_.identifier_number(name)];
     return known == not_declared ? 0 : known;
   }
 
   void result(std::size_t callee, std::uint32_t type) {
-    const std::size_t close = text_.partner(callee + 1);
+    const std::size_t close = text_.matching_bracket(callee + 1);
     if (close == npos || to_.begin(callee) == npos) return;
     to_.places_[close].type = type;
     to_.places_[close].begin = to_.places_[callee].begin;
@@ -279,7 +279,7 @@ class ValueTypesReader {
 
   void variable(std::size_t at) {
     if (to_.named(at) != npos) return;  // its own declaration
-    std::size_t index = visible_[text_.word_number(at)];
+    std::size_t index = visible_[text_.identifier_number(at)];
     const bool may_be_member = index == npos || to_.declared_[index].place == Place::global;
     if (may_be_member && !current_struct_.empty()) {
       const std::size_t member = find_member(current_struct_, word(at));
@@ -337,7 +337,7 @@ class ValueTypesReader {
   }
 
   void element(std::size_t close) {
-    const std::size_t open = text_.partner(close);
+    const std::size_t open = text_.matching_bracket(close);
     if (open == npos || open == 0) return;
     ValueType type = to_.at(open - 1);
     to_.places_[close].begin = to_.places_[open - 1].begin;
@@ -354,7 +354,7 @@ class ValueTypesReader {
   }
 
   void parenthesised(std::size_t close) {
-    const std::size_t open = text_.partner(close);
+    const std::size_t open = text_.matching_bracket(close);
     if (open == npos || to_.begin(close) != npos || close == open + 1) return;
     if (to_.begin(close - 1) != open + 1) return;
     to_.places_[close].type = to_.places_[close - 1].type;
@@ -374,7 +374,7 @@ class ValueTypesReader {
   std::size_t statement_end_ = 0;  // of the declaration that is being read
 };
 
-ValueTypes::ValueTypes(const TokenText& text) : outline_(text.outline()) {
+ValueTypes::ValueTypes(const TokenText& text) : declarations_(text.declarations()) {
   ValueTypesReader(text, *this).run();
 }
 

@@ -1,10 +1,10 @@
-// Which value a name stands for and what type it has: enough of HLSL's rules for the passes that follow
-// textures, samplers and buffers through a text.
+// Name lookup and types: which variable a name refers to and what type it has, as far as the passes need it
+// that trace textures, samplers and buffers through a text.
 //
-// Knows globals (members of cbuffers among them), members of structs, parameters and locals with their
-// blocks, what functions return where all that share a name return the same, and the chains that are built of
-// these with '.', '[]' and calls: `scene.maps[2].albedo`, `Load(x).tint`. Of everything else - operators,
-// swizzles, casts, built-in functions - it says nothing rather than guess. One walk over the tokens; linear.
+// Knows globals (including members of cbuffers), members of structs, parameters, locals with their blocks,
+// results of functions if all overloads return the same type, and chains of these with '.', '[]' and calls:
+// `scene.maps[2].albedo`, `Load(x).tint`. Everything else - operators, swizzles, casts, built-in functions -
+// is unknown instead of guessed. One pass over the tokens; linear.
 #pragma once
 
 #include <cstddef>
@@ -13,14 +13,14 @@
 #include <unordered_map>
 #include <vector>
 
-#include "hlsl/outline.h"
+#include "hlsl/declarations.h"
 #include "preparation/declared_values.h"
 #include "preparation/token_text.h"
 
 namespace penumbra::preparation {
 
 struct StructType {
-  std::size_t declaration = 0;       // index into ValueTypes::outline()
+  std::size_t declaration = 0;       // index into ValueTypes::declarations()
   std::string_view base;             // of `struct S : base`
   std::vector<std::size_t> members;  // indices into ValueTypes::declared(), in their order
   std::unordered_map<std::string_view, std::size_t> member_names;  // the same by name
@@ -35,23 +35,23 @@ struct FunctionType {
 
 class ValueTypes {
  public:
-  explicit ValueTypes(const TokenText& text);  // good until its apply()
+  explicit ValueTypes(const TokenText& text);  // valid until its apply()
 
   // The type of the chain that ends with this token, and the chain's first token (npos: no known chain).
   const ValueType& at(std::size_t token) const { return types_[places_[token].type]; }
   std::size_t begin(std::size_t token) const { return wide(places_[token].begin); }
-  // Index into declared() of the variable or member that this word names; npos for everything else.
+  // Index into declared() of the variable or member that this identifier refers to; npos otherwise.
   std::size_t named(std::size_t token) const { return wide(places_[token].named); }
 
   const std::vector<DeclaredValue>& declared() const { return declared_; }
-  const std::vector<hlsl::Declaration>& outline() const { return outline_; }
+  const std::vector<hlsl::Declaration>& declarations() const { return declarations_; }
   const std::unordered_map<std::string_view, StructType>& structs() const { return structs_; }
-  const std::vector<FunctionType>& functions() const { return functions_; }  // those of structs included
+  const std::vector<FunctionType>& functions() const { return functions_; }  // including those of structs
 
  private:
   friend class ValueTypesReader;
 
-  // What is known of one token. Kept small: a text has a hundred thousand of them, and most are no value.
+  // The information about one token. Kept small: a text has a hundred thousand tokens, and most are no value.
   static constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);
   struct Place {
     std::uint32_t type = 0;  // index into types_, of which the first is the unknown type
@@ -61,7 +61,7 @@ class ValueTypes {
   static std::size_t wide(std::uint32_t index) { return index == none ? npos : index; }
   static std::uint32_t narrow(std::size_t index) { return static_cast<std::uint32_t>(index); }  // npos: none
 
-  const std::vector<hlsl::Declaration>& outline_;
+  const std::vector<hlsl::Declaration>& declarations_;
   std::vector<DeclaredValue> declared_;
   std::unordered_map<std::string_view, StructType> structs_;
   std::vector<FunctionType> functions_;

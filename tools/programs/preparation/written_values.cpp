@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "hlsl/outline.h"
+#include "hlsl/declarations.h"
 #include "preparation/postfix_expression.h"
 
 namespace penumbra::preparation {
@@ -19,7 +19,7 @@ bool writes_a_parameter(const TokenText& text, const hlsl::Declaration& function
 }  // namespace
 
 WrittenValues::WrittenValues(const TokenText& text) : text_(text) {
-  for (const hlsl::Declaration& declaration : text_.outline()) {
+  for (const hlsl::Declaration& declaration : text_.declarations()) {
     if (declaration.kind != hlsl::Declaration::Kind::function &&
         declaration.kind != hlsl::Declaration::Kind::prototype)
       continue;
@@ -39,8 +39,9 @@ bool WrittenValues::writes(std::size_t at) const {
 // Its elements and members; not a call.
 std::size_t WrittenValues::end_of_value(std::size_t at) const {
   std::size_t end = at + 1;
-  while ((text_.is(end, "[") && text_.partner(end) != npos) || (text_.is(end, ".") && text_.is_word(end + 1)))
-    end = text_.is(end, "[") ? text_.partner(end) + 1 : end + 2;
+  while ((text_.is(end, "[") && text_.matching_bracket(end) != npos) ||
+         (text_.is(end, ".") && text_.is_identifier(end + 1)))
+    end = text_.is(end, "[") ? text_.matching_bracket(end) + 1 : end + 2;
   return end;
 }
 
@@ -62,16 +63,16 @@ bool WrittenValues::passed_out(std::size_t begin, std::size_t end) const {
     if (text_.is(at, ",")) {
       ++index;
     } else if (text_.is(at, ")") || text_.is(at, "]") || text_.is(at, "}")) {
-      if (text_.partner(at) == npos) return false;
-      at = text_.partner(at);
+      if (text_.matching_bracket(at) == npos) return false;
+      at = text_.matching_bracket(at);
     } else if (text_.is(at, "(")) {
       break;
     } else if (text_.is(at, ";") || text_.is(at, "{")) {
       return false;
     }
   }
-  const auto function =
-      at > 0 && text_.is_word(at - 1) ? out_parameters_.find(text_[at - 1].spelling) : out_parameters_.end();
+  const auto function = at > 0 && text_.is_identifier(at - 1) ? out_parameters_.find(text_[at - 1].spelling)
+                                                              : out_parameters_.end();
   return function != out_parameters_.end() && function->second.count(index) != 0;
 }
 

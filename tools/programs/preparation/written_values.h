@@ -1,5 +1,5 @@
-// Where the value that a name stands for is written to: by an assignment, by ++ or --, or as the argument for
-// an out or inout parameter of a function of the text. Internal to this room.
+// Where a variable is written to: by an assignment, by ++ or --, or as the argument of an out or inout
+// parameter of a function of the text. Internal to this room.
 #pragma once
 
 #include <cstddef>
@@ -13,9 +13,10 @@ namespace penumbra::preparation {
 
 class WrittenValues {
  public:
-  explicit WrittenValues(const TokenText& text);  // good until its apply()
+  explicit WrittenValues(const TokenText& text);  // valid until its apply()
 
-  // Whether what begins with the name at this token, its elements and members included, is written there.
+  // Whether the value that begins with the name at this token, its elements and members included, is written
+  // there.
   bool writes(std::size_t at) const;
 
  private:

@@ -73,9 +73,9 @@ class Zeroes {
     const StructType& known = types_.structs().at(type);
     std::string body;
     for (const std::size_t index : members(type)) body += zero(types_.declared()[index]);
-    text_.insert(types_.outline()[known.declaration].last + 1, std::string(type) + " " + function_name(type) +
-                                                                   "() { " + std::string(type) + " zero; " +
-                                                                   body + "return zero; } ");
+    text_.insert(types_.declarations()[known.declaration].last + 1,
+                 std::string(type) + " " + function_name(type) + "() { " + std::string(type) + " zero; " +
+                     body + "return zero; } ");
   }
 
   // zero.member = (float4)0; or a loop over its elements.
@@ -87,7 +87,7 @@ class Zeroes {
     std::size_t open = member.name + 1;
     for (int dimension = 0; dimension < member.type.dimensions; ++dimension) {
       const std::string i = "i" + std::to_string(dimension);
-      const std::size_t close = text_.partner(open);
+      const std::size_t close = text_.matching_bracket(open);
       const std::string size = text_.spelled(open + 1, close - open - 1);
       loops.append("for (int ")
           .append(i)

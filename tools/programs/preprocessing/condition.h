@@ -1,4 +1,5 @@
-// The value of #if and #elif as glslang reckons it: in int, without short circuits. Internal to this room.
+// The value of #if and #elif as glslang evaluates it: in int, without short-circuit evaluation. Internal to
+// this room.
 #pragma once
 
 #include "preprocessing/expansion.h"

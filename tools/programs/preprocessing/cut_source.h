@@ -1,4 +1,4 @@
-// A source that has been cut, once for many readings, into directives and runs of text between them.
+// A source that has been split, once for many readings, into directives and runs of text between them.
 #pragma once
 
 #include <cstddef>
@@ -12,16 +12,16 @@ namespace penumbra::preprocessing {
 
 struct Definition {
   Spelling name = 0;
-  bool has_list = false;  // of parameters, perhaps an empty one
+  bool has_list = false;  // a parameter list, possibly empty
   std::vector<Spelling> parameters;
   std::vector<Token> body;
 };
 
 // The text between two directives.
 struct Run {
-  std::size_t first = 0;  // among the source's tokens, to before `last`
+  std::size_t first = 0;  // indices into the source's tokens: [first, last)
   std::size_t last = 0;
-  std::size_t first_name = 0;  // among the source's `names`: every identifier of the run, once
+  std::size_t first_name = 0;  // indices into the source's `names`: each identifier of the run once
   std::size_t last_name = 0;
 };
 
@@ -41,14 +41,14 @@ enum class Step : std::uint8_t {
 
 struct Item {
   Step step = Step::unusual;
-  bool malformed = false;    // an error, unless it is skipped
-  bool whole_float = false;  // an error outside of conditions
+  bool malformed = false;    // an error if it is not skipped
+  bool whole_float = false;  // a literal such as 1f: an error outside of conditions
   int line = 0;              // of a directive's name
   std::size_t index = 0;     // of the run, definition or include, or the spelling of the macro
   std::size_t first = 0;     // a condition's tokens
   std::size_t last = 0;
-  std::size_t next = 0;  // of a condition: the item of the next branch or the end
-  std::size_t end = 0;   // of a condition: the item of its end
+  std::size_t next = 0;  // for a condition: the item of the next branch or the end
+  std::size_t end = 0;   // for a condition: the item of its end
 };
 
 struct Include {
@@ -57,19 +57,19 @@ struct Include {
 };
 
 struct CutSource {
-  bool usual = false;  // false: nothing else is filled in, and glslang's preprocessor has to read it
+  bool usual = false;  // false: the other members are empty, and glslang's preprocessor reads the source
   std::vector<Item> items;
   std::vector<Run> runs;
   std::vector<Token> tokens;  // of runs and conditions
   std::vector<Place> places;  // of the tokens
-  // A run as glslang prints it where no macro is called, and where each token of it ends.
+  // The runs as glslang prints them if no macro is called, and where each token ends in that text.
   std::string printed;
   std::vector<std::size_t> ends;
   std::vector<Spelling> names;
   std::vector<Definition> definitions;
   std::vector<Include> includes;
   int lines = 0;
-  int depth = 0;  // of conditions within conditions
+  int depth = 0;  // of nested conditions
 };
 
 CutSource cut_source(std::string_view text, Spellings& spellings);

@@ -1,4 +1,4 @@
-// What stands behind #define. Internal to this room.
+// Parses what follows #define. Internal to this room.
 #pragma once
 
 #include <optional>
@@ -8,10 +8,11 @@
 
 namespace penumbra::preprocessing {
 
-// Nothing where glslang has something to say of it.
+// Nothing if glslang would report an error or a warning.
 std::optional<Definition> cut_definition(const std::vector<Token>& line);
 
-// As the C standard and glslang compare them (6.10.3): the same tokens with blanks at the same places.
+// As the C standard and glslang compare definitions (6.10.3): the same tokens, with white space at the same
+// places.
 bool are_identical(const Definition& a, const Definition& b);
 
 }  // namespace penumbra::preprocessing

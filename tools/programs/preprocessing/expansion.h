@@ -1,6 +1,6 @@
-// The expansion of macros as glslang does it for HLSL (its Pp.cpp and PpTokens.cpp): one stack of what is
-// read, which is a text's tokens at its bottom. Two things differ from C there: arguments beside ## are
-// expanded, and what stands in {} in an argument is one. Internal to this room.
+// Macro expansion as glslang does it for HLSL (its Pp.cpp and PpTokens.cpp): a stack of inputs with a text's
+// tokens at the bottom. It differs from C in two ways: arguments beside ## are expanded, and text in braces
+// counts as one argument. Internal to this room.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@
 
 namespace penumbra::preprocessing {
 
-// A token and where glslang would say that it is.
+// A token and the location that glslang would report for it.
 struct Read {
   Token token;
   int line = 0;
@@ -23,19 +23,19 @@ class Expansion {
  public:
   Expansion(Spellings& spellings, Macros& macros) : spellings_(spellings), macros_(macros) {}
 
-  // What stands at the bottom. Of a condition, newlines follow the last token; nothing may be asked for
-  // behind the last token of text.
+  // Sets the bottom of the stack. After a condition's last token, scan() returns newlines; nothing may be
+  // read after the last token of a text.
   void read_text(const Token* first, const Token* last, const Place* places);
   void read_condition(const Token* first, const Token* last);
-  const Token* position() const { return at_; }  // of the bottom
+  const Token* position() const { return at_; }  // in the bottom input
 
   Read scan();
-  // Joins what ## joins to a token that was scanned.
+  // Applies the ## operators that follow a scanned token.
   void paste(Read& left);
-  // Where a macro of that name is called, true, and what it stands for is read next. Where there is none, 0
-  // is if wanted.
+  // If a macro of that name is called here, pushes its expansion and returns true. For an undefined name,
+  // pushes 0 if requested.
   bool expand(Read& name, bool undefined_as_zero);
-  // Drops what has been read to its end; true when only the bottom is left.
+  // Pops the inputs that are exhausted; true if only the bottom is left.
   bool at_bottom();
   void clear();
 
@@ -49,12 +49,13 @@ class Expansion {
 
   struct Input {
     Source source = Source::argument;
-    bool pasted_behind = false;  // of an argument: ## follows its last token; of a macro: the token read last
+    bool pasted_behind =
+        false;  // for an argument: ## follows its last token; for a macro: ## follows the token read last
     const Token* at = nullptr;
     const Token* last = nullptr;
     Spelling macro = 0;
     std::unique_ptr<Call> call;
-    Read read;  // that was put back
+    Read read;  // the token that was put back
   };
 
   Read scan_bottom();
@@ -75,12 +76,12 @@ class Expansion {
   std::vector<std::unique_ptr<Call>> free_calls_;
   const Token* at_ = nullptr;
   const Token* last_ = nullptr;
-  const Place* places_ = nullptr;  // of the token at `at_`; none of a condition
-  int line_ = 0;                   // where glslang's scanner is
+  const Place* places_ = nullptr;  // of the token at `at_`; null for a condition
+  int line_ = 0;                   // the position of glslang's scanner
   int column_ = 0;
   bool joined_ = false;  // Place::joined of the last token
   std::size_t scanned_ = 0;
-  int depth_ = 0;  // of arguments that are being expanded
+  int depth_ = 0;  // of nested argument expansions
 };
 
 }  // namespace penumbra::preprocessing

@@ -1,4 +1,4 @@
-// What is defined at a point of the reading. Internal to this room.
+// The macros that are defined at a point of the source. Internal to this room.
 #pragma once
 
 #include <vector>
@@ -14,11 +14,11 @@ class Macros {
     return is_defined(name) ? entries_[name].definition : nullptr;
   }
 
-  // The definition outlives its use here. Unusual when it is defined as something else.
+  // The definition must outlive this object. Throws Unusual if the name already has another definition.
   void define(const Definition& definition);
   void undefine(Spelling name);
 
-  // While its own expansion is being read.
+  // Whether its own expansion is being read.
   bool is_busy(Spelling name) const { return entries_[name].busy; }
   void set_busy(Spelling name, bool busy) { entries_[name].busy = busy; }
 
@@ -31,8 +31,8 @@ class Macros {
   };
 
   std::vector<Entry> entries_;          // by name
-  std::vector<unsigned char> defined_;  // the same, asked about every name of a text
-  std::vector<Spelling> names_;         // that were ever defined
+  std::vector<unsigned char> defined_;  // the same, for fast lookup of every name of a text
+  std::vector<Spelling> names_;         // all that were ever defined
 };
 
 }  // namespace penumbra::preprocessing

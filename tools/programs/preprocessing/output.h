@@ -1,4 +1,4 @@
-// The text that glslang's preprocessor makes of tokens and the lines that they are on (DoPreprocessing and
+// The text that glslang's preprocessor produces from tokens and their lines (DoPreprocessing and
 // SourceLineSynchronizer in its ShaderLang.cpp). Internal to this room.
 #pragma once
 
@@ -16,7 +16,7 @@ class Output {
   void token(const Token& token, int line, int column);
   // Tokens of one run, in which no macro is called.
   void copy(const CutSource& source, std::size_t first, std::size_t last);
-  // On that line: the next one is line `next` of the file.
+  // Emits a directive on `line`: the next line is line `next` of the file.
   void line_directive(int line, int next, const std::string& file);
 
   std::string take();
@@ -27,7 +27,7 @@ class Output {
 
   const Spellings& spellings_;
   std::string text_;
-  int line_ = -1;  // that the text has come to
+  int line_ = -1;  // the current line of the text
   Token before_;
 };
 

@@ -1,10 +1,10 @@
 // The preprocessor: a source with its includes, conditions and macros becomes one text with #line directives,
-// character by character what glslang's preprocessor makes of it, in a tenth of the time. Sources are cut
-// into directives and runs of text once; where no macro's name stands in a run, its text is copied.
+// identical to the output of glslang's preprocessor, in a tenth of the time. Sources are split into
+// directives and runs of text once; a run that mentions no macro's name is copied.
 //
-// glslang's preprocessor remains the authority. This one reads what it has nothing to say of: whatever is an
-// error or a warning there, and all that is rare (#pragma, #line, __LINE__, ## of anything but names and
-// numbers), ends the reading without a text, for glslang to read the source and to tell of it.
+// glslang's preprocessor remains the authority. Any source that would cause an error or a warning there, and
+// any rare construct (#pragma, #line, __LINE__, ## of anything but names and numbers), falls back to it: this
+// preprocessor then returns no text.
 #pragma once
 
 #include <optional>
@@ -18,7 +18,7 @@
 
 namespace penumbra::preprocessing {
 
-// A file that #include has found. What there is to read of it lives until it is left; none: it is skipped.
+// A file that #include has found. The source is valid until the file is left; null: the file is skipped.
 struct IncludedFile {
   std::string name;
   const CutSource* source = nullptr;
@@ -27,18 +27,18 @@ struct IncludedFile {
 class Includes {
  public:
   virtual ~Includes() = default;
-  // Nothing: the reading ends. `includer` is the name of the file that asks.
+  // Nothing: preprocessing stops. `includer` is the name of the file with the #include.
   virtual std::optional<IncludedFile> enter(const std::string& asked, const std::string& includer) = 0;
   virtual void leave() = 0;  // the file that was entered last
 };
 
-// Cuts and reads many sources, one after the other. Not for several threads at once.
+// Splits and reads many sources in turn. Not thread-safe.
 class Preprocessor {
  public:
-  // To be read by this preprocessor only.
+  // The result may be read by this preprocessor only.
   CutSource cut(std::string_view text) { return cut_source(text, spellings_); }
 
-  // `definitions` stand before the source and count as no lines. Nothing: glslang is to read it.
+  // `definitions` precede the source and count as no lines. Nothing: glslang has to preprocess the source.
   std::optional<std::string> run(const CutSource& definitions, const CutSource& source,
                                  const std::string& name, Includes& includes);
 

@@ -1,4 +1,4 @@
-// Where glslang's preprocessor prints a blank between two tokens (DoPreprocessing in its ShaderLang.cpp).
+// Where glslang's preprocessor prints a space between two tokens (DoPreprocessing in its ShaderLang.cpp).
 // Internal to this room.
 #pragma once
 

@@ -20,7 +20,7 @@ Spellings::Spellings() {
 
 Spelling Spellings::number(std::string_view text) {
   const Spelling number = numbers_.find(text);
-  return number != hlsl::WordNumbers::none ? number : numbers_.add(texts_.emplace_back(text));
+  return number != hlsl::StringInterner::none ? number : numbers_.add(texts_.emplace_back(text));
 }
 
 }  // namespace penumbra::preprocessing

@@ -1,4 +1,4 @@
-// A number for every spelling of a token, the same for equal spellings. Internal to this room.
+// Interned token spellings: equal spellings have equal numbers. Internal to this room.
 #pragma once
 
 #include <cstdint>
@@ -6,13 +6,13 @@
 #include <string>
 #include <string_view>
 
-#include "hlsl/word_numbers.h"
+#include "hlsl/string_interner.h"
 
 namespace penumbra::preprocessing {
 
 using Spelling = std::uint32_t;
 
-// What the preprocessor itself knows, in the order in which Spellings takes it in first.
+// The spellings that the preprocessor itself uses, in the order in which Spellings adds them first.
 namespace known {
 enum : Spelling {
   open,
@@ -66,8 +66,8 @@ class Spellings {
   const std::string& text(Spelling spelling) const { return texts_[spelling]; }
 
  private:
-  std::deque<std::string> texts_;  // never move: the views below are of them
-  hlsl::WordNumbers numbers_;
+  std::deque<std::string> texts_;  // elements never move: numbers_ refers to them
+  hlsl::StringInterner numbers_;
 };
 
 }  // namespace penumbra::preprocessing

@@ -1,4 +1,4 @@
-// A token of the preprocessor and where it stands. Internal to this room.
+// A preprocessing token and its location. Internal to this room.
 #pragma once
 
 #include <cstdint>
@@ -13,28 +13,28 @@ enum class Kind : std::uint8_t {
   newline,
   argument_end,
   identifier,
-  integer,  // int: what #if can reckon with
+  integer,  // of type int, which #if can evaluate
   number,   // any other
   string,
   punctuation,
   paste,   // ## in a macro's body
-  unusual  // whatever this preprocessor leaves to glslang's
+  unusual  // anything that only glslang's preprocessor reads
 };
 
 constexpr std::int16_t no_parameter = -1;
 
 struct Token {
   Kind kind = Kind::end;
-  bool space = false;                     // a blank or a comment stands before it
-  std::int16_t parameter = no_parameter;  // of a macro's body: which parameter of the macro it names
+  bool space = false;                     // white space or a comment precedes it
+  std::int16_t parameter = no_parameter;  // in a macro's body: the index of the parameter that it names
   Spelling spelling = 0;
 
   bool is(Spelling punctuation) const { return kind == Kind::punctuation && spelling == punctuation; }
 };
 
-// From 1. `after` is the column that glslang's scanner names once it has read the token; 0 where that is not
-// known here. `joined`: a line is joined on right behind the token, and glslang's scanner, which has looked
-// at its first character, names a place on that line.
+// Lines and columns count from 1. `after` is the column that glslang's scanner reports once it has read the
+// token; 0 if unknown. `joined`: a backslash right after the token joins the next line, and glslang's
+// scanner, which has read that line's first character, reports a location on that line.
 struct Place {
   int line = 0;
   int column = 0;
@@ -42,7 +42,7 @@ struct Place {
   bool joined = false;
 };
 
-// Thrown inside this room: what follows is for glslang's preprocessor to read.
+// Thrown inside this room: glslang's preprocessor has to read the source.
 class Unusual : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

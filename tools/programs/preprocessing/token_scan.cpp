@@ -26,12 +26,12 @@ constexpr bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-constexpr bool begins_word(char c) {
+constexpr bool begins_identifier(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
 }
 
-constexpr bool is_word(char c) {
-  return begins_word(c) || is_digit(c);
+constexpr bool is_identifier_character(char c) {
+  return begins_identifier(c) || is_digit(c);
 }
 
 // glslang's own macros, whose values are not known here.
@@ -118,7 +118,7 @@ Token TokenScan::next() {
     token.kind = Kind::newline;
     return token;
   }
-  if (begins_word(c)) {
+  if (begins_identifier(c)) {
     word();
     token.kind = Kind::identifier;
   } else if (is_digit(c) || (c == '.' && is_digit(peek(1)))) {
@@ -137,7 +137,7 @@ bool TokenScan::goes_on(Kind kind) const {
   while (at + 1 < text_.size() && text_[at] == '\\' && text_[at + 1] == '\n') at += 2;
   const char c = at < text_.size() ? text_[at] : '\n';
   if (c == ' ' || c == '\t') return false;
-  if (kind == Kind::identifier) return is_word(c) || c == '\n';
+  if (kind == Kind::identifier) return is_identifier_character(c) || c == '\n';
   return looked_ahead_;
 }
 
@@ -162,7 +162,7 @@ Token TokenScan::finish(Token token, std::size_t begin) {
 }
 
 void TokenScan::word() {
-  while (is_word(peek())) ++at_;
+  while (is_identifier_character(peek())) ++at_;
 }
 
 void TokenScan::digits(std::string_view allowed) {

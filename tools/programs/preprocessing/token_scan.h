@@ -1,4 +1,4 @@
-// The tokens of a text as glslang's preprocessor cuts them (its PpScanner.cpp). Internal to this room.
+// Splits a text into tokens as glslang's preprocessor does (its PpScanner.cpp). Internal to this room.
 #pragma once
 
 #include <string_view>
@@ -8,7 +8,7 @@
 
 namespace penumbra::preprocessing {
 
-// A macro of glslang's own, or a name that is too long for it.
+// A macro that glslang predefines, or a name that exceeds its length limit.
 bool is_left_to_glslang(std::string_view name);
 
 class TokenScan {
@@ -16,13 +16,13 @@ class TokenScan {
   TokenScan(std::string_view text, Spellings& spellings) : text_(text), spellings_(spellings) {}
 
   Token next();
-  const Place& place() const { return place_; }  // of the token that next() gave last
+  const Place& place() const { return place_; }  // of the token that next() returned last
   int line() const { return line_; }
   std::string_view rest() const { return text_.substr(at_); }
 
-  // Something was read of which glslang complains wherever it stands, or that is cut differently there.
+  // Whether something was read that glslang always reports, or splits into tokens differently.
   bool unusual() const { return unusual_; }
-  // glslang takes "1f" outside of all conditions for an error. True when one was read since the last call.
+  // glslang rejects "1f" outside of all conditions. True if one was read since the last call.
   bool take_whole_float();
 
  private:

@@ -1,4 +1,5 @@
-// Names compared as a disk of Windows or macOS compares them, ASCII letters only. Internal to this room.
+// Case-insensitive comparison of names as on the file systems of Windows or macOS, ASCII letters only.
+// Internal to this room.
 #pragma once
 
 #include <algorithm>

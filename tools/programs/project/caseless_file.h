@@ -1,5 +1,5 @@
-// A file found as disks of Windows and macOS find it, where case (of ASCII letters) does not count. Internal
-// to this room.
+// Case-insensitive file lookup, as on the file systems of Windows and macOS (ASCII letters only). Internal to
+// this room.
 #pragma once
 
 #include <filesystem>
@@ -7,8 +7,8 @@
 
 namespace penumbra::project {
 
-// Every file whose path below `base` is `rest` but for case, sorted; at most a handful. The case of `base`
-// counts.
+// Every file whose path below `base` is `rest` up to case, sorted; at most a handful. `base` itself is
+// case-sensitive.
 std::vector<std::filesystem::path> files_ignoring_case(const std::filesystem::path& base,
                                                        const std::filesystem::path& rest);
 

@@ -1,9 +1,9 @@
 // The Unity editor's version, and the number that its shaders see as UNITY_VERSION.
 //
 // Unity manual, "Branch based on Unity version": YYYYMP up to 2023 (2022.3.0 is 202230), 6MMMPPPP from Unity
-// 6 (6000.2.3 is 60020003). Of a patch above 9 the page says only that it cannot be tested for. The editor
-// does not clamp it, it carries: shader code that 2017.4.18 generated has UNITY_VERSION 201758, and there was
-// no 2017.5.
+// 6 (6000.2.3 is 60020003). For a patch above 9 the page says only that it cannot be tested for. The editor
+// does not clamp it but carries into the next digit: shader code that 2017.4.18 generated has UNITY_VERSION
+// 201758, and there was no 2017.5.
 #pragma once
 
 #include <optional>
@@ -19,7 +19,7 @@ struct EditorVersion {
   std::string text;  // 2022.3.20f1
 };
 
-// "2022.3.20f1" and its like; nothing when the text does not begin with three numbers.
+// "2022.3.20f1" and similar; nothing if the text does not begin with three numbers.
 std::optional<EditorVersion> parse_editor_version(std::string_view text);
 
 int unity_version_number(const EditorVersion& version);

@@ -1,5 +1,4 @@
-// What a folder holds, sorted by name, so that nothing depends on the order of a disk, and what is there.
-// Internal to this room.
+// Folder listings, sorted by name so that results do not depend on the file system. Internal to this room.
 #pragma once
 
 #include <filesystem>
@@ -7,10 +6,10 @@
 
 namespace penumbra::project {
 
-// The folders in a folder, links to folders included. Throws InputError when it cannot be listed.
+// The folders in a folder, including symbolic links to folders. Throws InputError if it cannot be listed.
 std::vector<std::filesystem::path> folders_in(const std::filesystem::path& folder);
 
-// Whether something of that name is there, a link to nothing included.
+// Whether a directory entry of that name exists, including a dangling symbolic link.
 bool is_there(const std::filesystem::path& file);
 
 }  // namespace penumbra::project

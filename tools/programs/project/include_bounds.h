@@ -1,5 +1,5 @@
-// The folders outside of which no #include is read: messages show lines of the files they are about, and a
-// shader may come from anywhere.
+// The folders outside of which no #include is read: diagnostics quote lines of the files, and a shader may
+// come from an untrusted source.
 #pragma once
 
 #include <filesystem>
@@ -14,12 +14,12 @@ std::filesystem::path own_tree(const std::filesystem::path& file);
 
 class IncludeBounds {
  public:
-  void add(const std::filesystem::path& root);  // a folder, or a file that stands for itself
+  void add(const std::filesystem::path& root);  // a folder or a single file
 
-  // Whether the file is one of the roots or below one, after links are followed. What is in a .git folder
-  // never is: it may hold credentials.
+  // Whether the file is one of the roots or below one, after symbolic links are resolved. Files in a .git
+  // folder are never accepted: they may contain credentials.
   bool contain(const std::filesystem::path& file) const;
-  // Of the folder of a package that the project's own files name. What they say must not widen what is read.
+  // For the folder of a package that the project's own files name: these must not extend what is read.
   bool contain_package(const std::filesystem::path& folder) const { return contain(folder / "package.json"); }
 
  private:

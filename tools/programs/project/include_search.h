@@ -1,11 +1,11 @@
-// What a Unity shader's #include names, in Unity's order: package roots and the project's Assets/, then
-// beside the including file, then the include directories, then the editor's CGIncludes (Unity manual,
-// "include and include_with_pragmas directives in HLSL").
+// Resolves a Unity shader's #include, in Unity's order: package roots and the project's Assets/, then beside
+// the including file, then the include directories, then the editor's CGIncludes (Unity manual, "include and
+// include_with_pragmas directives in HLSL").
 //
-// Unity's own forgiveness is kept: backslashes, doubled slashes, "./" and "../", a version behind a package's
-// name (Packages/NAME@1.2.3/...). Files outside of the roots are not read (include_bounds.h). Case counts;
-// when nothing has exactly that name, one file that differs only in case is taken, as disks of Windows and
-// macOS do, with a warning that names the right spelling.
+// Unity's leniency is kept: backslashes, doubled slashes, "./" and "../", a version after a package's name
+// (Packages/NAME@1.2.3/...). Files outside of the roots are not read (include_bounds.h). Names are
+// case-sensitive; if there is no exact match, one file that differs only in case is taken, as on Windows and
+// macOS, with a warning that gives the right spelling.
 #pragma once
 
 #include <filesystem>
@@ -29,10 +29,10 @@ struct IncludeRoots {
 
 struct IncludeSearch {
   std::optional<std::filesystem::path> file;  // lexically normal
-  std::vector<std::filesystem::path> absent;  // places before it in the order, where there is nothing
-  std::string warning;                        // the file was found, but not by its own spelling
-  std::string problem;                        // why there is none, places tried and way out
-  std::string missing_editor_include;         // its name, when it is one that only the editor has
+  std::vector<std::filesystem::path> absent;  // candidates earlier in the order that do not exist
+  std::string warning;                        // the file was found under a different spelling
+  std::string problem;                        // why there is none, the candidates tried and what to do
+  std::string missing_editor_include;         // its name, if only the editor has it
 };
 
 // `includer`: the file that has the #include. A result has either a file or a problem.

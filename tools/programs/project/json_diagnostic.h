@@ -1,5 +1,4 @@
-// Messages about JSON files as Diagnostics, so that one report holds them beside those about shaders.
-// Internal to this room.
+// Diagnostics about JSON files, for reports that also contain those about shaders. Internal to this room.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +16,7 @@ hlsl::Diagnostic diagnostic_at(const std::string& where, hlsl::Severity severity
 hlsl::Diagnostic diagnostic_of(const std::filesystem::path& file, hlsl::Severity severity,
                                std::string message);
 
-// An InputError about `file`: its place, and its way out behind the problem.
+// An InputError about `file`: its location, and its hint after the problem.
 hlsl::Diagnostic diagnostic_from(const InputError& error, const std::filesystem::path& file,
                                  hlsl::Severity severity);
 

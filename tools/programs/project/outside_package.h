@@ -1,5 +1,5 @@
-// A package that the project's files name and that lies outside of the project and its repository: a project
-// from elsewhere could name any folder of this machine. Internal to this room.
+// A package that the project's files name and that is outside of the project and its repository: an untrusted
+// project could name any folder of this machine. Internal to this room.
 #pragma once
 
 #include <filesystem>

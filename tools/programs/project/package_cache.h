@@ -14,21 +14,21 @@ namespace penumbra::project {
 
 struct CachedPackage {
   std::filesystem::path directory;
-  std::string version;  // package.json's, else the folder's; may be no version at all
-  std::string suffix;   // of the folder, behind '@'
+  std::string version;  // package.json's, else the folder's; possibly not a valid version
+  std::string suffix;   // of the folder, after '@'
 };
 
 struct PackageCache {
-  bool found = false;                                         // the folder is there
+  bool found = false;                                         // the folder exists
   std::map<std::string, std::vector<CachedPackage>> by_name;  // each sorted by folder
 };
 
-// Throws InputError when the folder is there and cannot be read; a package whose package.json is broken goes
-// by its folder's name, with a warning.
+// Throws InputError if the folder exists and cannot be read; a package with an invalid package.json gets its
+// folder's name, with a warning.
 PackageCache read_package_cache(const std::filesystem::path& folder, const IncludeBounds& bounds,
                                 std::vector<hlsl::Diagnostic>& problems);
 
-// What a project says of the package it wants; each may be empty.
+// What a project's files say about the package it requires; each may be empty.
 struct WantedPackage {
   std::string name;
   std::string locked_version;
@@ -38,8 +38,8 @@ struct WantedPackage {
 
 struct CacheChoice {
   CachedPackage package;
-  std::string note;     // several were there, and nothing said which
-  std::string warning;  // the one the project wants is not there
+  std::string note;     // there were several, and nothing determines which
+  std::string warning;  // the required one does not exist
 };
 
 // `cached` is not empty. The lock's commit or version decides, then the manifest's version, else the highest.

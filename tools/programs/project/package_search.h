@@ -1,4 +1,5 @@
-// From what a project asks for and what its folders hold to one root for each package. Internal to this room.
+// Determines one root for each package, from a project's requirements and the contents of its folders.
+// Internal to this room.
 #pragma once
 
 #include <map>
@@ -21,8 +22,8 @@ struct PackageSources {
   IncludeBounds bounds;  // the project and its repository; roots given by hand may lie elsewhere
 };
 
-// By name. A package of manifest.json that is nowhere is a warning at its line there; when the whole cache is
-// missing, one warning for all.
+// By name. A package of manifest.json that is not found is a warning at its line there; if the whole cache is
+// missing, there is one warning for all.
 std::vector<PackageRoot> find_packages(const PackageSources& sources,
                                        std::vector<hlsl::Diagnostic>& problems);
 

@@ -1,11 +1,11 @@
-// Whether the packages at hand fit each other, asked before anything is compiled: a wrong version looks like
-// a compiler error later ("redefinition", an unknown 'Pow2').
+// Whether the available packages are compatible, checked before compilation: a wrong version otherwise shows
+// as a compiler error ("redefinition", an unknown 'Pow2').
 //
-// Unity ships the packages of its render pipelines together and each says which release of the others it was
-// made with, so between those (com.unity.render-pipelines.*, com.unity.shadergraph,
-// com.unity.visualeffectgraph) major, minor and patch must be equal; of a *-config package, which is made to
-// be embedded and changed, major and minor. Every other dependency is the lowest version that will do (Unity
-// manual, "Package dependency and resolution").
+// Unity ships the packages of its render pipelines together and each declares the release of the others it
+// was built with, so between those (com.unity.render-pipelines.*, com.unity.shadergraph,
+// com.unity.visualeffectgraph) major, minor and patch must be equal; for a *-config package, which is meant
+// to be embedded and changed, major and minor. Every other dependency is a minimum version (Unity manual,
+// "Package dependency and resolution").
 #pragma once
 
 #include <vector>

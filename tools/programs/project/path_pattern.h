@@ -1,10 +1,12 @@
-// Which paths a pattern such as "Assets/Water/**" means.
+// Matches paths against a pattern such as "Assets/Water/**".
 //
 //   ?     one character, not '/'
 //   *     any characters, not '/'
 //   **    any characters; "**/" between slashes also no folder at all
-// Everything else stands for itself; case counts. A pattern without '/' is matched against the file's name
-// alone, one with '/' against the whole path. The time is the product of both lengths, whatever the pattern.
+//
+// Every other character matches itself; case-sensitive. A pattern without '/' is matched against the file's
+// name only, one with '/' against the whole path. The time is the product of both lengths, whatever the
+// pattern.
 #pragma once
 
 #include <string_view>

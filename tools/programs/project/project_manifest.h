@@ -1,5 +1,5 @@
-// Packages/manifest.json and Packages/packages-lock.json of a project: which packages it asks for, and which
-// versions the Package Manager settled on (Unity manual, "Project manifest file", "Lock files"). Internal to
+// Packages/manifest.json and Packages/packages-lock.json of a project: which packages it requires, and which
+// versions the Package Manager selected (Unity manual, "Project manifest file", "Lock files"). Internal to
 // this room.
 #pragma once
 
@@ -16,17 +16,17 @@ struct RequestedPackage {
 
 struct LockedPackage {
   std::string version;
-  std::string hash;  // of the git commit; empty for every other source
+  std::string hash;  // of the git commit; empty for other sources
 };
 
 struct ProjectManifest {
-  std::filesystem::path file;  // manifest.json, whether it is there or not
+  std::filesystem::path file;  // manifest.json, whether it exists or not
   bool found = false;          // manifest.json or packages-lock.json
   std::map<std::string, RequestedPackage> requested;
   std::map<std::string, LockedPackage> locked;
 };
 
-// `packages`: the project's Packages folder. Throws InputError for a file that is not what it should be.
+// `packages`: the project's Packages folder. Throws InputError for an invalid file.
 ProjectManifest read_project_manifest(const std::filesystem::path& packages);
 
 }  // namespace penumbra::project

@@ -1,9 +1,9 @@
 // The shader files of a Unity project or of given folders: every .shader and .compute that Unity would
 // import.
 //
-// Unity passes over files and folders whose name begins with '.', ends with '~', is "cvs", or ends in ".tmp"
-// (Unity manual, "Reserved folder name reference", hidden assets), and over folders of Packages/ without a
-// package.json. Every folder is entered once, however links lead to it.
+// Unity ignores files and folders whose name begins with '.', ends with '~', is "cvs", or ends in ".tmp"
+// (Unity manual, "Reserved folder name reference", hidden assets), and folders of Packages/ without a
+// package.json. Every folder is visited once, whatever symbolic links lead to it.
 #pragma once
 
 #include <filesystem>
@@ -36,8 +36,8 @@ struct ShaderFiles {
       problems;  // warnings: a folder that cannot be listed, a pattern without a match, Shader Graphs
 };
 
-// Throws InputError unless the file is one that find_shader_files() takes; a Shader Graph is named with what
-// to do about it.
+// Throws InputError unless find_shader_files() accepts the file; for a Shader Graph, the message says what to
+// do.
 void require_shader_file(const std::filesystem::path& file);
 
 // `project` may be empty when `places` are given. Throws InputError for a place that is missing or is a file

@@ -1,4 +1,4 @@
-// Letters and words of ShaderLab; its keywords are read without regard to case. Internal to this room.
+// Character classes of ShaderLab; its keywords are case-insensitive. Internal to this room.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ inline bool is_word_start(char c) {
          static_cast<unsigned char>(c) >= 0x80;
 }
 
-inline bool is_word(char c) {
+inline bool is_identifier_character(char c) {
   return is_word_start(c) || is_digit(c);
 }
 

@@ -55,7 +55,7 @@ class BlockScan {
       comment("*/");
     } else if (c == '"') {
       string();
-    } else if (is_word(c)) {
+    } else if (is_identifier_character(c)) {
       word(false);
     } else {
       advance();
@@ -70,7 +70,7 @@ class BlockScan {
         for (std::size_t i = 0; i < closer.size(); ++i) advance();
         return;
       }
-      if (is_word(text_[at_.offset])) {
+      if (is_identifier_character(text_[at_.offset])) {
         word(true);
       } else {
         advance();
@@ -86,7 +86,7 @@ class BlockScan {
 
   void word(bool in_comment) {
     const Place begin = at_;
-    while (at_.offset < text_.size() && is_word(text_[at_.offset])) advance();
+    while (at_.offset < text_.size() && is_identifier_character(text_[at_.offset])) advance();
     const std::string_view spelling = text_.substr(begin.offset, at_.offset - begin.offset);
     const std::optional<Language> closes = closing_word(spelling);
     if (in_comment) {

@@ -1,8 +1,8 @@
-// Where a block of shader code ends. Internal to this room.
+// Finds the end of a block of shader code. Internal to this room.
 //
-// A block ends at ENDHLSL, ENDCG or ENDGLSL as a word of its own outside comments and strings of the code: in
-// published shaders such words stand in comments of programs that go on after them, and of programs that end
-// with another word. Unity documents no rule for that.
+// A block ends at ENDHLSL, ENDCG or ENDGLSL as a whole identifier outside of the code's comments and strings:
+// published shaders have such words in comments of programs that continue after them, and of programs that
+// end with another one. Unity documents no rule for that.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace penumbra::shaderlab {
 
-// The language and kind of an opening word (HLSLPROGRAM, CGINCLUDE, ...), case ignored.
+// The language and kind of an opening keyword (HLSLPROGRAM, CGINCLUDE, ...), case-insensitive.
 struct BlockKeyword {
   Language language;
   bool is_include;
@@ -21,9 +21,9 @@ struct BlockKeyword {
 std::optional<BlockKeyword> block_keyword(std::string_view word);
 
 struct BlockEnd {
-  Place end;            // of the closing word
-  std::size_t after{};  // offset just behind it
-  // When there is no such word, why, and where to say it:
+  Place end;            // of the closing keyword
+  std::size_t after{};  // offset right after it
+  // If there is no closing keyword: the message and its location.
   std::string problem;
   Place problem_place;
 };

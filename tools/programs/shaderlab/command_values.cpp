@@ -156,8 +156,8 @@ std::string listed(const Words& words) {
 
 ValueProblem value_problem(const std::string& command, Values values, const Command::Value& value) {
   if (value.kind == Command::Value::Kind::number) return number_problem(command, values, value.text);
-  const bool is_word = value.kind == Command::Value::Kind::word;
-  if (values == Values::anything || (!is_word && value.kind != Command::Value::Kind::text)) return {};
+  const bool is_word = value.kind == Command::Value::Kind::identifier;
+  if (values == Values::anything || (!is_word && value.kind != Command::Value::Kind::string)) return {};
   const std::string shown = "'" + value.text.substr(0, 40) + "' is not a value of " + command;
   if (values == Values::number || values == Values::stencil_number) return {shown + ": it takes a number"};
   if (values == Values::color_mask)

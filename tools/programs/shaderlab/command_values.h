@@ -1,8 +1,8 @@
-// The words that render state commands take. Internal to this room.
+// The values of render state commands. Internal to this room.
 //
 // From Unity's reference of each command (https://docs.unity3d.com/Manual/shader-shaderlab-commands.html,
-// https://docs.unity3d.com/Manual/SL-LegacyReference.html). Unity's importer ends with a syntax error at any
-// other word, and compares without regard to case.
+// https://docs.unity3d.com/Manual/SL-LegacyReference.html). Unity's importer reports a syntax error for any
+// other value; the comparison is case-insensitive.
 #pragma once
 
 #include <string>
@@ -32,9 +32,8 @@ struct ValueProblem {
   hlsl::Severity severity = hlsl::Severity::error;
 };
 
-// What is wrong with a value of that command; nothing with one that it takes and with [_Property]. `ZTest
-// On`, which is in no reference and which Unity takes, is a warning. So are numbers that stand for none of
-// the values.
+// The problem with a value of that command; none for a valid value and for [_Property]. `ZTest On`, which no
+// reference lists and Unity accepts, is a warning. So are numbers that are no value of the enumeration.
 ValueProblem value_problem(const std::string& command, Values values, const Command::Value& value);
 
 }  // namespace penumbra::shaderlab

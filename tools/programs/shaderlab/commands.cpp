@@ -88,7 +88,7 @@ constexpr std::array kShapes{
 };
 
 const Shape* find_shape(const Cursor& cursor, Scope scope) {
-  if (!cursor.at(Token::Kind::word)) return nullptr;
+  if (!cursor.at(Token::Kind::identifier)) return nullptr;
   const auto* found = std::find_if(kShapes.begin(), kShapes.end(), [&](const Shape& shape) {
     return shape.scope == scope && same_keyword(shape.name, cursor.peek().spelling);
   });
@@ -103,22 +103,22 @@ std::vector<std::string> names_of(Scope scope) {
 }
 
 bool at_value(const Cursor& cursor) {
-  return cursor.at(Token::Kind::word) || cursor.at(Token::Kind::number) || cursor.at(Token::Kind::bracket) ||
-         cursor.at(Token::Kind::text);
+  return cursor.at(Token::Kind::identifier) || cursor.at(Token::Kind::number) ||
+         cursor.at(Token::Kind::bracket) || cursor.at(Token::Kind::string);
 }
 
 Command::Value::Kind value_kind(Token::Kind kind) {
   switch (kind) {
     case Token::Kind::number:
       return Command::Value::Kind::number;
-    case Token::Kind::text:
-      return Command::Value::Kind::text;
+    case Token::Kind::string:
+      return Command::Value::Kind::string;
     case Token::Kind::bracket:
       return Command::Value::Kind::property;
-    case Token::Kind::mark:
-      return Command::Value::Kind::mark;
+    case Token::Kind::punctuation:
+      return Command::Value::Kind::punctuation;
     default:
-      return Command::Value::Kind::word;
+      return Command::Value::Kind::identifier;
   }
 }
 
@@ -145,7 +145,7 @@ class CommandParser {
     if (!at_value(cursor_) || find_shape(cursor_, scope_) != nullptr)
       cursor_.fail("a value for " + command_.name.text);
     const bool numeric = values_ == Values::number || values_ == Values::stencil_number;
-    if (numeric && cursor_.at(Token::Kind::word)) {  // which may be a command with a typing error
+    if (numeric && cursor_.at(Token::Kind::identifier)) {  // which may be a command with a typing error
       const Token& word = cursor_.peek();
       cursor_.error(word.place, "expected a number for " + command_.name.text + ", found '" +
                                     std::string(word.spelling.substr(0, 40)) + "'");
@@ -158,14 +158,14 @@ class CommandParser {
   }
 
   bool take_comma() {
-    if (!cursor_.at_mark(',')) return false;
+    if (!cursor_.at_punctuation(',')) return false;
     take_value();
     return true;
   }
 
   bool last_is_off() const {
     const Command::Value& last = command_.values.back();
-    return last.kind == Command::Value::Kind::word && same_keyword(last.text, "Off");
+    return last.kind == Command::Value::Kind::identifier && same_keyword(last.text, "Off");
   }
 
   void operands(Operands operands) {
@@ -224,7 +224,7 @@ class CommandParser {
   }
 
   void colour() {
-    if (!cursor_.at_mark('(')) {
+    if (!cursor_.at_punctuation('(')) {
       value();
       while (take_comma()) value();  // Color 0, 0, 0, 0
       return;
@@ -234,13 +234,13 @@ class CommandParser {
       if (!cursor_.at(Token::Kind::number)) cursor_.fail("a number for " + command_.name.text);
       take_value();
     } while (take_comma());
-    if (!cursor_.at_mark(')')) cursor_.fail("',' or ')' in the colour of " + command_.name.text);
+    if (!cursor_.at_punctuation(')')) cursor_.fail("',' or ')' in the colour of " + command_.name.text);
     take_value();
   }
 
   void expression() {
-    while (at_value(cursor_) ||
-           (cursor_.at(Token::Kind::mark) && !cursor_.at_mark('{') && !cursor_.at_mark('}'))) {
+    while (at_value(cursor_) || (cursor_.at(Token::Kind::punctuation) && !cursor_.at_punctuation('{') &&
+                                 !cursor_.at_punctuation('}'))) {
       if (find_shape(cursor_, scope_) != nullptr) break;
       take_value();
     }
@@ -249,12 +249,12 @@ class CommandParser {
 
   void block(Scope scope) {
     // SetTexture is the one that can do without braces.
-    if (scope == Scope::texture && !cursor_.at_mark('{')) return;
+    if (scope == Scope::texture && !cursor_.at_punctuation('{')) return;
     cursor_.expect_mark('{', "after " + command_.name.text);
-    while (!cursor_.take_mark('}')) {
+    while (!cursor_.take_punctuation('}')) {
       if (const Shape* shape = find_shape(cursor_, scope)) {
         command_.block.push_back(CommandParser(cursor_, scope).parse(*shape));
-      } else if (cursor_.at(Token::Kind::word)) {
+      } else if (cursor_.at(Token::Kind::identifier)) {
         skip(scope);
       } else {
         cursor_.fail("a command or '}' in the " + command_.name.text + " of line " +
@@ -268,7 +268,7 @@ class CommandParser {
     const std::string hint = cursor_.warns() ? near_name_hint(word.spelling, names_of(scope)) : "";
     cursor_.error(word.place, "'" + std::string(word.spelling) + "' is not a command of " +
                                   command_.name.text + (hint.empty() ? "" : ": " + hint));
-    while ((at_value(cursor_) || cursor_.at_mark(',')) && cursor_.peek().place.line == word.place.line)
+    while ((at_value(cursor_) || cursor_.at_punctuation(',')) && cursor_.peek().place.line == word.place.line)
       cursor_.take();
   }
 
@@ -286,8 +286,8 @@ bool skip_block(Cursor& cursor, const Token& owner) {
     if (cursor.at_end())
       cursor.fail("'}' for the '{' of '" + std::string(owner.spelling) + "' in line " +
                   std::to_string(open.line));
-    if (cursor.at_mark('{')) ++depth;
-    if (cursor.at_mark('}')) --depth;
+    if (cursor.at_punctuation('{')) ++depth;
+    if (cursor.at_punctuation('}')) --depth;
     holds_program |= cursor.at(Token::Kind::program);
     cursor.take();
   }
@@ -316,9 +316,9 @@ void skip_unknown_command(Cursor& cursor, const std::vector<std::string>& struct
   const Token word = cursor.take();
   const auto same_line = [&] { return cursor.peek().place.line == word.place.line; };
   while (same_line() && !at_command(cursor) &&
-         (at_value(cursor) || cursor.at_mark(',') || cursor.at_mark('=')))
+         (at_value(cursor) || cursor.at_punctuation(',') || cursor.at_punctuation('=')))
     cursor.take();
-  const bool loses_program = cursor.at_mark('{') && skip_block(cursor, word);
+  const bool loses_program = cursor.at_punctuation('{') && skip_block(cursor, word);
   if (!loses_program && !cursor.warns()) return cursor.error(word.place, {});
   const std::string message = unknown_command_message(word, structure);
   if (loses_program) cursor.fail_at(word.place, message + " (and its block holds a program)");

@@ -1,6 +1,6 @@
 // The kernels of a .compute file: https://docs.unity3d.com/Manual/class-ComputeShader.html.
 //
-// "#pragma kernel NAME" makes a kernel of the function NAME; what follows on the line are macros to define
+// "#pragma kernel NAME" declares the function NAME as a kernel; the rest of the line lists macros to define
 // while that kernel is compiled, "MACRO" or "MACRO=VALUE". Only the file's own text is read: not its
 // includes, and #if is not evaluated.
 #pragma once
@@ -16,7 +16,7 @@ namespace penumbra::shaderlab {
 
 struct KernelDefine {
   Name macro;
-  std::string value;  // empty for a macro alone
+  std::string value;  // empty for a macro without a value
 };
 
 struct Kernel {
@@ -26,9 +26,9 @@ struct Kernel {
 };
 
 struct ComputeKernels {
-  std::string text;  // normalised; the places are in it
+  std::string text;  // normalised; the locations refer to it
   std::vector<Kernel> kernels;
-  std::vector<hlsl::Diagnostic> diagnostics;  // a malformed line is an error and gives no kernel
+  std::vector<hlsl::Diagnostic> diagnostics;  // a malformed line is an error and declares no kernel
 };
 
 // A .raytrace file is refused with one error.

@@ -21,7 +21,7 @@ std::string shown(const Token& token) {
   switch (token.kind) {
     case Token::Kind::end:
       return "the end of the file";
-    case Token::Kind::text:
+    case Token::Kind::string:
       return "\"" + spelling + "\"";
     case Token::Kind::bracket:
       return "[" + spelling + "]";
@@ -42,16 +42,16 @@ const Token& Cursor::take() {
   return token;
 }
 
-bool Cursor::at_mark(char mark) const {
-  return at(Token::Kind::mark) && peek().spelling.front() == mark;
+bool Cursor::at_punctuation(char mark) const {
+  return at(Token::Kind::punctuation) && peek().spelling.front() == mark;
 }
 
 bool Cursor::at_word(std::string_view keyword) const {
-  return at(Token::Kind::word) && same_keyword(peek().spelling, keyword);
+  return at(Token::Kind::identifier) && same_keyword(peek().spelling, keyword);
 }
 
-bool Cursor::take_mark(char mark) {
-  if (!at_mark(mark)) return false;
+bool Cursor::take_punctuation(char mark) {
+  if (!at_punctuation(mark)) return false;
   take();
   return true;
 }
@@ -63,22 +63,22 @@ bool Cursor::take_word(std::string_view keyword) {
 }
 
 void Cursor::expect_mark(char mark, std::string_view what) {
-  if (!take_mark(mark)) fail(std::string("'") + mark + "' " + std::string(what));
+  if (!take_punctuation(mark)) fail(std::string("'") + mark + "' " + std::string(what));
 }
 
 Name Cursor::expect_text(std::string_view what) {
-  if (!at(Token::Kind::text)) fail(std::string(what) + " in quotes");
+  if (!at(Token::Kind::string)) fail(std::string(what) + " in quotes");
   return name_of(take());
 }
 
 Name Cursor::expect_word(std::string_view what) {
-  if (!at(Token::Kind::word)) fail(what);
+  if (!at(Token::Kind::identifier)) fail(what);
   return name_of(take());
 }
 
 double Cursor::expect_number(std::string_view what) {
   if (!at(Token::Kind::number)) {
-    const bool suffixed = at(Token::Kind::word) && is_digit(peek().spelling.front());
+    const bool suffixed = at(Token::Kind::identifier) && is_digit(peek().spelling.front());
     fail(std::string(what) + (suffixed ? " without a suffix" : ""));
   }
   std::string_view spelling = take().spelling;

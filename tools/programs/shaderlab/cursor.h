@@ -1,4 +1,4 @@
-// Walks the tokens of a .shader file and says what is wrong with one. Internal to this room.
+// Reads the tokens of a .shader file and reports errors. Internal to this room.
 #pragma once
 
 #include <string>
@@ -21,12 +21,12 @@ class Cursor {
   Cursor(std::string file, std::string_view text, const Lexed& lexed);
 
   const Token& peek() const { return lexed_.tokens[at_]; }
-  const Token& take();  // stays at the end of the file
+  const Token& take();  // does not advance at the end of the file
 
   bool at(Token::Kind kind) const { return peek().kind == kind; }
-  bool at_mark(char mark) const;
+  bool at_punctuation(char mark) const;
   bool at_word(std::string_view keyword) const;  // case ignored
-  bool take_mark(char mark);
+  bool take_punctuation(char mark);
   bool take_word(std::string_view keyword);
   bool at_end() const { return at(Token::Kind::end); }
   const CodeBlock& take_program() { return lexed_.programs[take().program]; }
@@ -37,10 +37,10 @@ class Cursor {
   Name expect_word(std::string_view what);
   double expect_number(std::string_view what);
 
-  // The message at the token that stands next: "expected <what>, found <token>".
+  // Reports at the next token: "expected <what>, found <token>".
   [[noreturn]] void fail(std::string_view what) const;
   [[noreturn]] void fail_at(const Place& place, const std::string& message) const;
-  // These three note a message, and the parse goes on.
+  // These three record a message, and the parse continues.
   void warn(const Place& place, const std::string& message);
   void error(const Place& place, const std::string& message);
   void say(const Place& place, hlsl::Severity severity, const std::string& message);

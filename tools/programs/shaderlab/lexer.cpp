@@ -70,7 +70,7 @@ class Lexer {
   void token(char c) {
     if (const std::size_t number = end_of_number(); number > at_) {
       take(Token::Kind::number, number);
-    } else if (is_word(c)) {
+    } else if (is_identifier_character(c)) {
       word();
     } else if (c == '"') {
       string();
@@ -79,7 +79,7 @@ class Lexer {
     } else if (c == '#') {
       directive();
     } else if (std::string_view("{}(),=:+-*.").find(c) != std::string_view::npos) {
-      take(Token::Kind::mark, at_ + 1);
+      take(Token::Kind::punctuation, at_ + 1);
     } else {
       break_at(here(), "ShaderLab has no use for " + shown(c) +
                            " here: shader code belongs between HLSLPROGRAM and ENDHLSL");
@@ -126,18 +126,18 @@ class Lexer {
       if (is_digit(at(exponent))) i = exponent;
       while (is_digit(at(i))) ++i;
     }
-    return is_word(at(i)) ? at_ : i;
+    return is_identifier_character(at(i)) ? at_ : i;
   }
 
   void word() {
     std::size_t end = at_;
     const bool numeric = is_digit(at(at_));  // a number that something follows: 2D, 1.0f
-    while (is_word(at(end)) || (numeric && at(end) == '.')) ++end;
+    while (is_identifier_character(at(end)) || (numeric && at(end) == '.')) ++end;
     const std::optional<BlockKeyword> keyword = block_keyword(text_.substr(at_, end - at_));
     if (keyword) {
       block(*keyword, end);
     } else {
-      take(Token::Kind::word, end);
+      take(Token::Kind::identifier, end);
     }
   }
 
@@ -166,7 +166,7 @@ class Lexer {
       return;
     }
     const Place place = here();
-    lexed_.tokens.push_back({Token::Kind::text, text_.substr(at_ + 1, close - at_ - 1), place});
+    lexed_.tokens.push_back({Token::Kind::string, text_.substr(at_ + 1, close - at_ - 1), place});
     advance_to(close + 1);
   }
 
@@ -176,7 +176,7 @@ class Lexer {
     std::size_t depth = 0;
     for (std::size_t i = at_ + 1; i < text_.size(); ++i) {
       const char c = text_[i];
-      if (c == '"' && !is_word(text_[i - 1])) {
+      if (c == '"' && !is_identifier_character(text_[i - 1])) {
         const std::size_t close = text_.find_first_of("\"\n", i + 1);
         if (close != std::string_view::npos && text_[close] == '"') i = close;
       } else if (c == '(') {
@@ -205,7 +205,7 @@ class Lexer {
     std::size_t begin = at_ + 1;
     while (is_blank(at(begin))) ++begin;
     std::size_t end = begin;
-    while (is_word(at(end))) ++end;
+    while (is_identifier_character(at(end))) ++end;
     const std::string name = "#" + std::string(text_.substr(begin, std::min<std::size_t>(end - begin, 40)));
     if (name != "#line" && name != "#warning" && name != "#error") {
       break_at(here(), "'" + name + "' is outside a program: move it between HLSLPROGRAM and ENDHLSL");

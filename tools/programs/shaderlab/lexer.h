@@ -1,12 +1,11 @@
-// Words, numbers, strings and blocks of code of a .shader file. Internal to this room.
+// Identifiers, numbers, strings and blocks of code of a .shader file. Internal to this room.
 //
-// - // and /* */ are comments. A /* inside a comment asks for its own */ (whole passes are commented out that
-//   way) unless the comment then never ends: in that case, and from there on, the first */ ends it.
+// - // and /* */ are comments. A /* inside a comment needs its own */ (whole passes are commented out that
+//   way), unless the comment would then never end: in that case, from there on, the first */ ends it.
 // - Strings have no escapes and end on their line.
-// - [ ... ] is one token, read as it stands: an attribute or a property's name.
-// - HLSLPROGRAM, CGPROGRAM and GLSLPROGRAM with all their code are one token. HLSLINCLUDE and its kin may
-// stand
-//   between any two tokens, so they are set apart.
+// - [ ... ] is one token, taken verbatim: an attribute or a property's name.
+// - HLSLPROGRAM, CGPROGRAM and GLSLPROGRAM with all their code are one token. HLSLINCLUDE and similar blocks
+//   may be between any two tokens, so they are stored separately.
 #pragma once
 
 #include <string>
@@ -18,9 +17,9 @@
 namespace penumbra::shaderlab {
 
 struct Token {
-  enum class Kind { word, number, text, bracket, mark, program, end, broken };
+  enum class Kind { identifier, number, string, bracket, punctuation, program, end, broken };
   Kind kind = Kind::end;
-  std::string_view spelling;  // of a text what the quotes hold, of a bracket what it holds, trimmed
+  std::string_view spelling;  // of a string and of a bracket its contents, trimmed
   Place place;
   std::size_t program = 0;  // index into Lexed::programs
 };
@@ -38,7 +37,7 @@ struct Lexed {
   std::vector<Remark> warnings;
 };
 
-// The views live as long as `text` does. Linear in its length.
+// The views are valid as long as `text`. Linear in its length.
 Lexed lex(std::string_view text);
 
 }  // namespace penumbra::shaderlab

@@ -1,4 +1,4 @@
-// A Diagnostic at a place of a text. Internal to this room.
+// A Diagnostic at a location in a text. Internal to this room.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace penumbra::shaderlab {
 
-// Lines too long for a screen come without their text.
+// Lines that are too long for a screen are omitted.
 hlsl::Diagnostic diagnostic_at(const std::string& file, std::string_view text, const Place& place,
                                hlsl::Severity severity, const std::string& message);
 

@@ -3,10 +3,10 @@
 // What Unity's ShaderLab reference describes (https://docs.unity3d.com/Manual/SL-Reference.html, the legacy
 // fixed-function commands included) becomes a tree. Keywords are read without regard to case.
 //
-// Guarantees: any bytes are read in linear time with bounded nesting. A place that cannot be read ends the
-// parse with an error, and the tree then holds what stands before it. An unknown command and an unknown value
-// are errors over which it goes on (warnings where the parse ends later). What is merely odd (a property
-// declared twice, a tag's unknown value) is a warning. Diagnostics are in the order of the file.
+// Guarantees: any bytes are read in linear time with bounded nesting. A syntax error ends the parse, and the
+// tree then contains what precedes it. After an unknown command or an unknown value, which are errors,
+// parsing continues (they are warnings if the parse ends later). Questionable code (a property declared
+// twice, a tag's unknown value) is a warning. Diagnostics are in source order.
 #pragma once
 
 #include <string>
@@ -24,7 +24,7 @@ struct ParsedShader {
   std::vector<hlsl::Diagnostic> diagnostics;
 };
 
-// `file`: as messages shall call it. Line endings and a byte order mark are normalised first.
+// `file`: its name in diagnostics. Line endings and a byte order mark are normalised first.
 ParsedShader parse_shader(std::string_view bytes, const std::string& file);
 
 }  // namespace penumbra::shaderlab

@@ -1,7 +1,6 @@
-// The #pragma lines of a shader text as it stands in its file, before any preprocessor. Internal to this
-// room.
+// The #pragma lines of a shader text before preprocessing. Internal to this room.
 //
-// Comments are blanks, a backslash at the end of a line joins the next; #if is not evaluated.
+// Comments are white space, a backslash at the end of a line joins the next; #if is not evaluated.
 #pragma once
 
 #include <string_view>
@@ -13,8 +12,8 @@ namespace penumbra::shaderlab {
 
 struct PragmaLine {
   Place place;              // of '#'
-  Place end;                // behind the last word
-  std::vector<Name> words;  // behind #pragma, with their places
+  Place end;                // after the last token
+  std::vector<Name> words;  // after #pragma, with their locations
   bool has_line_comment = false;
 };
 

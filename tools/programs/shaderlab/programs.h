@@ -1,15 +1,15 @@
 // The programs of a .shader file, each as a text of its own that keeps the file's lines and columns.
 //
 // A program's text is the file with a blank for every byte outside the program's block and the include blocks
-// that apply to it; newlines stay. So line and column of the text are those of the file, for messages and for
-// the preprocessor's __LINE__. #line directives are added only where a block must move: an include block that
-// stands after the program, or one that ends on the line on which the next begins.
+// that apply to it; newlines stay. So line and column of the text are those of the file, for diagnostics and
+// for the preprocessor's __LINE__. #line directives are added only where a block must move: an include block
+// after the program, or one that ends on the line on which the next begins.
 //
 // Which include blocks apply: "Unity includes this code in all shader programs that are defined in
 // HLSLPROGRAM blocks, anywhere in this source file"
 // (https://docs.unity3d.com/Manual/shader-shaderlab-code-blocks.html), likewise CGINCLUDE in CGPROGRAM and
-// GLSLINCLUDE in GLSLPROGRAM. So those of one language, in the order of the file, before the program; in
-// which SubShader or Pass they stand is of no account.
+// GLSLINCLUDE in GLSLPROGRAM. So those of one language, in source order, before the program, whatever
+// SubShader or Pass they are in.
 #pragma once
 
 #include <string>
@@ -31,21 +31,21 @@ struct Program {
   bool is_surface_shader = false;  // #pragma surface: Unity generates the passes
   bool is_ray_tracing = false;     // #pragma raytracing: no stage of the raster pipeline
   int sub_shader_index = 0;        // in the order of the file
-  int pass_index = -1;             // in its SubShader, UsePass and GrabPass counted; -1 outside any Pass
+  int pass_index = -1;             // in its SubShader, including UsePass and GrabPass; -1 outside any Pass
   // Into the tree given to programs().
   const Shader* shader = nullptr;
   const SubShader* sub_shader = nullptr;
   const Pass* pass = nullptr;  // nullptr outside any Pass
 };
 
-// In the order of SubShaders and Passes. The pointers live as long as `shader` stays where it is.
+// In the order of SubShaders and Passes. The pointers are valid as long as `shader` stays at its address.
 std::vector<Program> programs(const Shader& shader);
 
 // The name of the program's Pass as written, or "".
 std::string_view pass_name(const Program& program);
 
-// A tag as it holds for the program: of its Pass, else of its SubShader, else of the Categories around it
-// from the inside out; nullptr when none has it.
+// The value of a tag that applies to the program: of its Pass, else of its SubShader, else of the Categories
+// around it from the inside out; nullptr if none has it.
 const std::string* effective_tag(const Program& program, std::string_view key);
 
 }  // namespace penumbra::shaderlab

@@ -58,7 +58,7 @@ class PropertyParser {
   void type() {
     const Token& token = cursor_.peek();
     const auto* found = std::find_if(kTypes.begin(), kTypes.end(), [&](const TypeName& type) {
-      return token.kind == Token::Kind::word && same_keyword(type.name, token.spelling);
+      return token.kind == Token::Kind::identifier && same_keyword(type.name, token.spelling);
     });
     if (found == kTypes.end()) unknown_type();
     property_.type = found->type;
@@ -71,7 +71,7 @@ class PropertyParser {
     names.reserve(kTypes.size());
     for (const TypeName& type : kTypes) names.emplace_back(type.name);
     std::string hint;
-    if (cursor_.at(Token::Kind::word)) hint = near_name_hint(cursor_.peek().spelling, names);
+    if (cursor_.at(Token::Kind::identifier)) hint = near_name_hint(cursor_.peek().spelling, names);
     if (hint.empty()) {
       hint = "Float, Range(a, b), Int, Integer, Color, Vector, 2D, 3D, Cube, 2DArray, CubeArray or Any";
     } else if (hint.find('?') != std::string::npos) {
@@ -106,17 +106,17 @@ class PropertyParser {
     do {
       property_.default_numbers.push_back(
           cursor_.expect_number("a number in the default of " + property_.name.text));
-    } while (property_.default_numbers.size() < 4 && cursor_.take_mark(','));
+    } while (property_.default_numbers.size() < 4 && cursor_.take_punctuation(','));
     cursor_.expect_mark(')', "after the default of " + property_.name.text);
   }
 
   // "white" {}: the braces once held options of fixed-function texturing.
   void texture() {
     property_.default_texture = cursor_.expect_text("the default texture of " + property_.name.text).text;
-    if (!cursor_.at_mark('{')) return;
+    if (!cursor_.at_punctuation('{')) return;
     const int line = cursor_.take().place.line;
-    while (!cursor_.take_mark('}')) {
-      if (cursor_.at_end() || cursor_.at_mark('{') || cursor_.at_mark('='))
+    while (!cursor_.take_punctuation('}')) {
+      if (cursor_.at_end() || cursor_.at_punctuation('{') || cursor_.at_punctuation('='))
         cursor_.fail("'}' for the '{' of line " + std::to_string(line) + " after the default of " +
                      property_.name.text);
       cursor_.take();
@@ -132,7 +132,7 @@ class PropertyParser {
 void parse_properties(Cursor& cursor, std::vector<Property>& properties) {
   cursor.expect_mark('{', "after Properties");
   std::map<std::string, int> lines;
-  while (!cursor.take_mark('}')) {
+  while (!cursor.take_punctuation('}')) {
     properties.push_back(PropertyParser(cursor).parse());
     const Name& name = properties.back().name;
     const auto [earlier, is_new] = lines.emplace(name.text, name.place.line);

@@ -49,7 +49,7 @@ class StructureParser {
 
   bool closes(const Owner& owner) {
     if (cursor_.at_end()) cursor_.fail("'}' for " + owner.text());
-    return cursor_.take_mark('}');
+    return cursor_.take_punctuation('}');
   }
 
   void shader_item(const Owner& owner) {
@@ -76,7 +76,7 @@ class StructureParser {
   void fallback() {
     if (cursor_.take_word("Off")) return;
     shader_.fallback = cursor_.expect_text("Off or a shader's name");
-    if (cursor_.take_mark(',')) cursor_.expect_number("the fallback's level of detail");
+    if (cursor_.take_punctuation(',')) cursor_.expect_number("the fallback's level of detail");
   }
 
   void dependency() {
@@ -153,7 +153,7 @@ class StructureParser {
     const Owner owner{"GrabPass", grab.place.line};
     cursor_.expect_mark('{', "after GrabPass");
     while (!closes(owner)) {
-      if (cursor_.at(Token::Kind::text)) {
+      if (cursor_.at(Token::Kind::string)) {
         grab.name = name_of(cursor_.take());
       } else if (cursor_.take_word("Name")) {
         cursor_.expect_text("the name of the GrabPass");
@@ -184,12 +184,12 @@ class StructureParser {
 
   void tags(std::vector<Tag>& tags) {
     cursor_.expect_mark('{', "after Tags");
-    while (!cursor_.take_mark('}')) {
-      if (!tags.empty() && cursor_.at_mark(',')) {
+    while (!cursor_.take_punctuation('}')) {
+      if (!tags.empty() && cursor_.at_punctuation(',')) {
         cursor_.warn(cursor_.take().place, "tags are written without a comma between them");
         continue;
       }
-      if (!cursor_.at(Token::Kind::text)) cursor_.fail("a tag in quotes or '}' in Tags");
+      if (!cursor_.at(Token::Kind::string)) cursor_.fail("a tag in quotes or '}' in Tags");
       Tag tag{name_of(cursor_.take()), {}};
       cursor_.expect_mark('=', "after the tag \"" + tag.key.text + "\"");
       tag.value = cursor_.expect_text("the value of \"" + tag.key.text + "\"");
@@ -201,10 +201,10 @@ class StructureParser {
 
   void requirements(std::vector<PackageRequirement>& requirements) {
     cursor_.expect_mark('{', "after PackageRequirements");
-    while (!cursor_.take_mark('}')) {
-      if (!cursor_.at(Token::Kind::text)) cursor_.fail("a package in quotes or '}' in PackageRequirements");
+    while (!cursor_.take_punctuation('}')) {
+      if (!cursor_.at(Token::Kind::string)) cursor_.fail("a package in quotes or '}' in PackageRequirements");
       PackageRequirement requirement{name_of(cursor_.take()), {}};
-      if (cursor_.take_mark(':'))
+      if (cursor_.take_punctuation(':'))
         requirement.versions = cursor_.expect_text("the versions of " + requirement.package.text);
       requirements.push_back(std::move(requirement));
     }
@@ -213,7 +213,7 @@ class StructureParser {
   // What none of the owner's rules took.
   void other(const Owner& owner, const std::vector<std::string>& known) {
     if (cursor_.at(Token::Kind::program)) cursor_.fail_at(cursor_.peek().place, misplaced_program(owner));
-    if (!cursor_.at(Token::Kind::word) || at_command(cursor_))
+    if (!cursor_.at(Token::Kind::identifier) || at_command(cursor_))
       cursor_.fail(known.front() + ", another item or '}' in " + owner.text());
     const Token& word = cursor_.peek();
     if (std::any_of(kStructureWords.begin(), kStructureWords.end(),

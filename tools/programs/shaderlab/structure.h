@@ -5,8 +5,8 @@
 
 namespace penumbra::shaderlab {
 
-// Fills all of the tree but its text and its include blocks; throws SyntaxError, the tree then holding what
-// was read so far.
+// Fills all of the tree except its text and its include blocks; throws SyntaxError, after which the tree
+// contains what was read so far.
 void parse_structure(Cursor& cursor, Shader& shader);
 
 }  // namespace penumbra::shaderlab

@@ -1,7 +1,7 @@
-// The values of tags that Unity itself reads. Internal to this room.
+// The values of tags that Unity itself interprets. Internal to this room.
 //
-// https://docs.unity3d.com/Manual/SL-SubShaderTags.html and SL-PassTags.html. An unknown value is no error in
-// Unity: the tag then does nothing, or the SubShader is never chosen.
+// https://docs.unity3d.com/Manual/SL-SubShaderTags.html and SL-PassTags.html. Unity accepts an unknown value:
+// the tag then has no effect, or the SubShader is never selected.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace penumbra::shaderlab {
 
-// Why the tag's value does nothing; empty for one that is known, and for tags that take names of one's own.
+// Why the tag's value has no effect; empty for a known one, and for tags with arbitrary names.
 std::string tag_problem(const Tag& tag);
 
 }  // namespace penumbra::shaderlab

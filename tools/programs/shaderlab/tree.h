@@ -1,4 +1,4 @@
-// What a .shader file says, with the place of everything in it.
+// The syntax tree of a .shader file, with the location of everything in it.
 //
 // Lines and columns are 1-based and count the bytes of the normalised text (hlsl::normalise_source); an
 // offset counts the same bytes from 0. Names keep the file's spelling. Based on Unity's ShaderLab reference,
@@ -14,7 +14,7 @@
 namespace penumbra::shaderlab {
 
 struct Place {
-  int line = 0;  // 0 when the thing is not in the file
+  int line = 0;  // 0 if it is not in the file
   int column = 0;
   std::size_t offset = 0;
 };
@@ -26,26 +26,32 @@ struct Name {
 
 enum class Language { hlsl, cg, glsl };
 
-// HLSLPROGRAM ... ENDHLSL and its kin: the code lies between begin and end.
+// HLSLPROGRAM ... ENDHLSL and similar: the code is between begin and end.
 struct CodeBlock {
   Language language = Language::hlsl;
   bool is_include = false;  // HLSLINCLUDE rather than HLSLPROGRAM
-  Place keyword;            // where the opening word stands
-  Place begin;              // just after that word
-  Place end;                // where the closing word stands
+  Place keyword;            // of the opening keyword
+  Place begin;              // right after that keyword
+  Place end;                // of the closing keyword
 };
 
 // Cull [_Cull], Blend One Zero, Stencil { Ref 2 Comp Always }.
 struct Command {
   struct Value {
-    enum class Kind { word, number, text, property, mark };  // property: [_Name]; mark: , ( ) + - *
-    Kind kind = Kind::word;
+    enum class Kind {
+      identifier,
+      number,
+      string,
+      property,
+      punctuation
+    };  // property: [_Name]; punctuation: , ( ) + - *
+    Kind kind = Kind::identifier;
     std::string text;
     Place place;
   };
   Name name;
   std::vector<Value> values;
-  std::vector<Command> block;  // what stands in its braces
+  std::vector<Command> block;  // the contents of its braces
 };
 
 struct Tag {
@@ -95,7 +101,7 @@ enum class PropertyType { float_, range, int_, integer, color, vector, texture }
 
 struct Attribute {
   Name name;              // HideInInspector, Toggle, Enum
-  std::string arguments;  // what its parentheses hold, as written
+  std::string arguments;  // the contents of its parentheses, verbatim
 };
 
 struct Property {
@@ -123,13 +129,13 @@ struct CustomEditor {
 };
 
 struct Shader {
-  std::string file;  // as messages call it
+  std::string file;  // its name in diagnostics
   std::string text;  // normalised; every offset is into it
   Name name;
   std::vector<Property> properties;
   std::vector<Category> categories;
   std::vector<SubShader> sub_shaders;
-  std::vector<CodeBlock> includes;  // HLSLINCLUDE and its kin, wherever they stand
+  std::vector<CodeBlock> includes;  // HLSLINCLUDE and similar blocks, wherever they are
   Name fallback;                    // empty when there is none or it is Off
   std::vector<Dependency> dependencies;
   std::vector<CustomEditor> custom_editors;

@@ -1,10 +1,10 @@
 // Finds the Pass a UsePass names.
 //
 // UsePass "Shader/Name/PASSNAME" takes the Pass PASSNAME of the shader Shader/Name. Unity keeps the names of
-// passes in upper case (https://docs.unity3d.com/Manual/SL-Name.html) and its manual asks for that spelling
-// here (https://docs.unity3d.com/Manual/SL-UsePass.html), which URP's own shaders do not keep to: case is
-// ignored. Names of shaders are compared by case. When several SubShaders have such a Pass the first is
-// taken; Unity takes the first SubShader that the device supports.
+// passes in upper case (https://docs.unity3d.com/Manual/SL-Name.html) and its manual requires that spelling
+// here (https://docs.unity3d.com/Manual/SL-UsePass.html), which URP's own shaders do not follow: case is
+// ignored. Names of shaders are case-sensitive. If several SubShaders have such a Pass, the first is taken;
+// Unity takes the first SubShader that the device supports.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@
 namespace penumbra::shaderlab {
 
 struct FoundPass {
-  const Shader* shader = nullptr;  // where the Pass stands; nullptr when there is none
+  const Shader* shader = nullptr;  // the shader with the Pass; nullptr if there is none
   const SubShader* sub_shader = nullptr;
   const Pass* pass = nullptr;
   // Why there is none: a warning when the shader is not among those given (Unity may have it built in), an
@@ -25,7 +25,7 @@ struct FoundPass {
   std::optional<hlsl::Diagnostic> diagnostic;
 };
 
-// `use` is a UsePass of `user`; a UsePass in the shader it names is followed.
+// `use` is a UsePass of `user`; if it refers to another UsePass, that one is resolved, too.
 FoundPass resolve_use_pass(const Shader& user, const Pass& use, const std::vector<const Shader*>& shaders);
 
 }  // namespace penumbra::shaderlab

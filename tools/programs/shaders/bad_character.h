@@ -1,5 +1,5 @@
-// A character no HLSL token begins with. The preprocessor prints "<bad token>" for it and goes on, so it is
-// looked for in what was printed, and then in the line it came from. Internal to this room.
+// A character with which no HLSL token begins. The preprocessor prints "<bad token>" for it and continues, so
+// it is searched for in the preprocessor's output, and then in the original line. Internal to this room.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// What a pointer into a block points to, counted in words of 32 bits. Internal to this room.
+// The part of a block that a pointer refers to, in words of 32 bits. Internal to this room.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ constexpr std::uint32_t word_bytes = 4;
 
 struct BlockPlace {
   struct Term {
-    std::uint32_t index;  // the id of a number known at run time
+    std::uint32_t index;  // the id of a value known only at run time
     std::uint32_t words;
   };
   std::uint32_t variable = 0;  // of the block
@@ -22,19 +22,20 @@ struct BlockPlace {
   std::vector<Term> terms;            // index times words are added to `word`
 };
 
-// Moves into part `number` of the value; false where it has no such part or one that does not lie on a word.
+// Selects part `number` of the value; false if it has no such part or one that is not aligned to a word.
 bool enter_part(BlockPlace& place, const BlockTypes& types, std::uint32_t number);
 
-// The same for a number known at run time.
+// The same for a dynamic index.
 bool enter_part_at(BlockPlace& place, const BlockTypes& types, std::uint32_t index);
 
-// Words from one part of a value to the next; not for structs.
+// The stride from one part of a value to the next, in words; not for structs.
 std::uint32_t part_stride(const BlockPlace& place, const BlockTypes& types);
 
 // Components, columns, elements or members.
 std::uint32_t part_count(const BlockType& type);
 
-// Of a value of at most `most` words, all of them numbers of 32 bits, how many; else more than `most`.
+// The number of words of a value that consists of 32-bit numbers, if it is at most `most`; else more than
+// `most`.
 std::uint32_t word_count(const BlockPlace& place, const BlockTypes& types, std::uint32_t most);
 
 }  // namespace penumbra::shaders

@@ -1,4 +1,4 @@
-// The types of a module's uniform and storage blocks, with the places of their members. Internal to this
+// The types of a module's uniform and storage blocks, with the offsets of their members. Internal to this
 // room.
 #pragma once
 
@@ -16,7 +16,7 @@ namespace penumbra::shaders {
 struct BlockMember {
   std::uint32_t type = 0;
   std::uint32_t offset = 0;
-  std::uint32_t matrix_stride = 0;  // 0 when it is no matrix
+  std::uint32_t matrix_stride = 0;  // 0 if it is not a matrix
   bool row_major = false;
 };
 
@@ -28,23 +28,23 @@ struct BlockType {
   std::vector<BlockMember> members;
 };
 
-// GL's two rules for where a member lies (OpenGL 4.5 specification, 7.6.2.2).
+// GL's two layout rules (OpenGL 4.5 specification, 7.6.2.2).
 enum class BlockRule { std140, std430 };
 
 class BlockTypes {
  public:
   explicit BlockTypes(const SpirvModule& module);
 
-  // Null for what is no type that a block holds.
+  // Null for a type that no block contains.
   const BlockType* find(std::uint32_t id) const;
   // The value of a 32-bit integer constant.
   std::optional<std::uint32_t> constant(std::uint32_t id) const;
-  // Whether every member lies exactly where the rule puts it.
+  // Whether every member has exactly the offset that the rule gives it.
   bool fits(std::uint32_t structure, BlockRule rule) const;
-  // Whether a member begins in what an array or struct before it leaves free of its last element, as in
-  // HLSL's cbuffers; Vulkan has that only for matrices (specification, "Offset and Stride Assignment").
+  // Whether a member begins in the padding after the last element of the array or struct before it, as in
+  // HLSL's cbuffers; Vulkan allows that only for matrices (specification, "Offset and Stride Assignment").
   bool fills_tails(std::uint32_t structure) const;
-  // Of four words each, that a uniform block takes.
+  // The size of a uniform block in registers of four words.
   std::uint32_t registers(std::uint32_t structure) const;
 
  private:

@@ -1,6 +1,5 @@
-// Reads that do not compare, through a comparison sampler. HLSL has no such overload; glslang accepts them
-// and takes what follows for the reference to compare with, or crashes when it finds nothing. Internal to
-// this room.
+// Reads without comparison through a comparison sampler. HLSL has no such overload; glslang accepts them and
+// treats the next argument as the comparison reference, or crashes if there is none. Internal to this room.
 #pragma once
 
 #include <glslang/Include/intermediate.h>
@@ -11,7 +10,7 @@
 
 namespace penumbra::shaders {
 
-// In the whole tree, which generating SPIR-V walks.
+// In the whole syntax tree, because SPIR-V is generated for all of it.
 std::vector<ModuleProblem> reads_without_comparing(const glslang::TIntermediate& tree);
 
 }  // namespace penumbra::shaders

@@ -29,29 +29,31 @@ struct CompileRequest {
   std::vector<std::filesystem::path> include_directories;
   std::filesystem::path project;     // "#include "Assets/..." resolves under it; empty: no project
   std::filesystem::path cginc_root;  // the Unity editor's CGIncludes; empty: not at hand
-  // The stage in which what Unity's compilers accept and glslang does not is rewritten
-  // (preparation/prepare.h). The library's own shaders do without.
+  // Whether HLSL that Unity's compilers accept and glslang does not is rewritten (preparation/prepare.h). The
+  // library's own shaders do not need it.
   bool prepare = false;
   bool optimise = true;      // legalise, inline and optimise; false keeps the function structure and OpName
   bool debug_lines = false;  // OpLine with file and line before the instructions of each statement
   bool keep_unoptimised = false;               // CompileResult::unoptimised and legalised
-  VulkanVersion vulkan = VulkanVersion::v1_1;  // that the module is for
-  hlsl::TokenPlace entry_place{};              // of the #pragma that names the entry point; no line: of none
+  VulkanVersion vulkan = VulkanVersion::v1_1;  // the module's environment
+  hlsl::TokenPlace entry_place{};              // of the #pragma that names the entry point; line 0: none
   bool half_is_16_bits = false;  // half and min16float are 16 bits wide (capability Float16), else 32
-  bool dxc = false;  // #pragma use_dxc: what Unity's other compiler (FXC) refuses and DXC takes is taken
+  bool dxc = false;  // #pragma use_dxc: HLSL that DXC accepts and FXC, Unity's default, rejects is accepted
 };
 
-// A source after includes and macros, and where it is wanted after preparation.
+// A source after includes and macros, and after preparation if requested.
 struct PreprocessedSource {
   std::string text;  // with #line directives; empty when a diagnostic is an error
   std::vector<hlsl::Diagnostic> diagnostics;
-  hlsl::SourceFiles sources;                        // every text that was read, by the name messages call it
+  hlsl::SourceFiles sources;                        // every text that was read, by its name in diagnostics
   std::vector<std::filesystem::path> dependencies;  // every file that was read
-  // Looked for and not there, before the file that was: one that appears would be read instead.
+  // Candidates that did not exist, searched before the file that was found: one that appears would take
+  // precedence.
   std::vector<std::filesystem::path> absent{};
-  bool found_by_case = false;  // an #include was found in another case: what else its folder holds matters
-  // The include that ended the compilation, when it is one that ships with the Unity editor and in no package
-  // (project/editor_includes.h): a report counts these apart from shaders that are wrong.
+  bool found_by_case =
+      false;  // an #include matched only case-insensitively: other files in its folder matter
+  // The include that ended the compilation, if it is one that ships only with the Unity editor
+  // (project/editor_includes.h): reports count these separately from errors of the shader.
   std::string missing_editor_include{};
 };
 
@@ -66,19 +68,19 @@ struct CompileResult {
   std::vector<hlsl::Diagnostic> diagnostics;
   std::vector<std::filesystem::path> dependencies;  // every file that was read
   std::string missing_editor_include{};             // as in PreprocessedSource
-  hlsl::SourceFiles sources;                        // the texts behind all names in messages and OpLine
+  hlsl::SourceFiles sources;                        // the texts of all file names in messages and OpLine
 };
 
-// None ever throws for a bad shader; expand() and what calls it throw InputError when `file` itself cannot be
-// read. Reentrant. A module that comes out has passed SPIR-V validation for `vulkan`.
+// These functions do not throw for an invalid shader; expand() and its callers throw InputError if `file`
+// itself cannot be read. Reentrant. A returned module has passed SPIR-V validation for `vulkan`.
 PreprocessedSource expand(const CompileRequest& request, SourceMemory& memory);  // includes and macros
 void prepare(const CompileRequest& request, PreprocessedSource& expanded);       // if the request says so
 PreprocessedSource preprocess(const CompileRequest& request);                    // both
 CompileResult compile(const CompileRequest& request, PreprocessedSource source);
 CompileResult compile(const CompileRequest& request);  // all three
 
-// All that is said of a preprocessed source until its tree is linked, of functions that its entry point does
-// not reach as well: where none is an error, the front end takes it.
+// All diagnostics of a preprocessed source up to linking, including those in functions that its entry point
+// does not reach: if none is an error, the front end accepts it.
 std::vector<hlsl::Diagnostic> front_end_messages(const CompileRequest& request,
                                                  const PreprocessedSource& source);
 

@@ -1,4 +1,4 @@
-// Requests and messages as bytes, for workers that compile and for entries of caches.
+// Serialises requests and diagnostics, for compiling workers and for cache entries.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,7 @@ namespace penumbra::shaders {
 void write(platform::ByteWriter& out, const CompileRequest& request);
 void write(platform::ByteWriter& out, const std::vector<hlsl::Diagnostic>& diagnostics);
 
-// What is damaged spoils the reader.
+// Damaged input puts the reader into its error state.
 CompileRequest read_compile_request(platform::ByteReader& in);
 std::vector<hlsl::Diagnostic> read_diagnostics(platform::ByteReader& in);
 

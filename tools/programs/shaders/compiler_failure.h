@@ -1,4 +1,4 @@
-// What to say when a worker that compiled has died, hung or taken too much.
+// The diagnostic for a compiling worker that has crashed, hung or exceeded a limit.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@
 namespace penumbra::shaders {
 
 struct CompilerFailure {
-  std::string problem;  // "the compiler crashed with SIGSEGV", and what it said last
+  std::string problem;  // "the compiler crashed with SIGSEGV", and the end of its output
   std::string way_out;
 };
 
-// Of an outcome without an answer.
+// For an outcome without a response.
 CompilerFailure compiler_failure(const platform::WorkerOutcome& outcome);
 
 }  // namespace penumbra::shaders

@@ -1,4 +1,4 @@
-// Which compilers make our SPIR-V: two versions may make different code of one shader.
+// The versions of the compilers that produce SPIR-V: different versions may produce different code.
 #pragma once
 
 #include <string>

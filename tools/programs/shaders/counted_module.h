@@ -1,8 +1,8 @@
 // A module that counts the texels that it reads and writes.
 //
-// It computes what the shipped module does, and for each invocation two counts. It is made of the compiler's
-// module before optimisation, so a fetch counts where the source reaches it, also where the optimiser would
-// find that nothing needs it; then it is optimised as the shipped module is.
+// It computes what the shipped module does, and two counts for each invocation. It is derived from the
+// compiler's module before optimisation, so a fetch counts where the source reaches it, even if the optimiser
+// would remove it; then it is optimised like the shipped module.
 //
 // Fetches: 1 for every sample, gather, load and read of a texture, in any function. A Buffer<> is a texture
 // in SPIR-V; structured, raw and constant buffers, groupshared memory and queries of a texture's size or
@@ -12,10 +12,10 @@
 //
 // Limits: a count has 32 bits. A discarded fragment's fetches count up to the discard. Colour outputs count
 // whether or not a target is bound to them, and once for all samples of a pixel; depth does not count. Helper
-// invocations, which exist for their neighbours' derivatives alone, count 0: their atomic operations do
-// nothing. Of a fragment shader that neither discards, nor sets its depth or coverage, nor writes anything
-// but its outputs, only fragments that pass the depth test count: GPUs test those before they shade. Of other
-// fragment shaders, fragments count that the depth test rejects.
+// invocations count 0, and their atomic operations have no effect. If a fragment shader neither discards, nor
+// sets its depth or coverage, nor writes anything but its outputs, only fragments that pass the depth test
+// count: GPUs run that test before shading. For other fragment shaders, fragments that the depth test rejects
+// also count.
 #pragma once
 
 #include <cstddef>
@@ -26,20 +26,19 @@
 
 namespace penumbra::shaders {
 
-// The storage buffer with the counts, by the name that reflection gives it: none that HLSL could declare.
+// The storage buffer with the counts, by the name that reflection gives it: one that HLSL cannot declare.
 //
-// Its words: the width, height and depth of the grid of counts, each 1 at least, and a word without meaning;
-// then for each cell of the grid, x first, two counts, fetches and texels written, to which every invocation
-// adds its own. The cell is a fragment's pixel, or a compute shader's SV_DispatchThreadID; an invocation
-// outside of the grid adds to the cell nearest to it. So a grid of 1 x 1 x 1 has the totals of a draw or
-// dispatch of any size.
+// Its words: the width, height and depth of the grid of counts, each at least 1, and an unused word; then for
+// each cell of the grid, x first, two counts, fetches and texels written, to which every invocation adds its
+// own. The cell is a fragment's pixel, or a compute shader's SV_DispatchThreadID; an invocation outside of
+// the grid adds to the nearest cell. So a grid of 1 x 1 x 1 has the totals of a draw or dispatch of any size.
 inline constexpr const char* texel_counts_name = "$TexelCounts";
 inline constexpr std::size_t texel_counts_header = 4;  // words before the counts
 inline constexpr std::size_t texel_counts_per_cell = 2;
 
-// Of CompileResult::unoptimised. `entry` names its entry point, a fragment or compute shader's; the result
-// has it, too, and has passed validation for `vulkan`. Throws std::invalid_argument for words that are no
-// SPIR-V, another entry point or another stage; std::logic_error when what comes out is not valid.
+// For CompileResult::unoptimised. `entry` names its entry point, of a fragment or compute shader; the result
+// has it, too, and has passed validation for `vulkan`. Throws std::invalid_argument for words that are not
+// SPIR-V, another entry point or another stage; std::logic_error if the result is invalid.
 spirv::Module counted_module(const spirv::Module& unoptimised, const std::string& entry,
                              VulkanVersion vulkan = VulkanVersion::v1_1);
 

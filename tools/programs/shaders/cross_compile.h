@@ -1,8 +1,8 @@
-// SPIR-V to the texts other APIs take, by SPIRV-Cross.
+// Cross-compiles SPIR-V to the languages of other APIs, with SPIRV-Cross.
 //
 // GLSL and ESSL get combined image samplers, named <texture>_<sampler> or <texture> for plain loads, and
-// bindings counted from 0 per kind, as GL has them; so are HLSL's registers. MSL is emitted for macOS; row
-// and column order and the clip space are those of the module.
+// bindings counted from 0 per kind, as in GL; so are HLSL's registers. MSL is emitted for macOS; matrix order
+// and clip space are those of the module.
 #pragma once
 
 #include <cstdint>
@@ -36,21 +36,21 @@ struct CrossCompileResult {
 
 class SpirvCrossModule;
 
-// A module that goes to several targets: it is read once. Not for several threads at once.
+// Compiles one module for several targets and parses it once. Not thread-safe.
 class CrossCompiler {
  public:
   // The module must be legalised (CompileRequest::optimise).
   explicit CrossCompiler(std::vector<std::uint32_t> spirv);
   ~CrossCompiler();
 
-  // Never throws for a module that the target cannot express.
+  // Does not throw for a module that the target cannot express.
   CrossCompileResult to(Target target);
 
  private:
   std::string emit(Target target);
 
   std::vector<std::uint32_t> spirv_;
-  std::unique_ptr<SpirvCrossModule> module_;  // once the first target has asked
+  std::unique_ptr<SpirvCrossModule> module_;  // created for the first target
 };
 
 // For a single target.

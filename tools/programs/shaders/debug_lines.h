@@ -1,5 +1,4 @@
-// Which line of the source an instruction comes from, in a module that keeps its debug lines. Internal to
-// this room.
+// The source line of each instruction, in a module with debug lines. Internal to this room.
 #pragma once
 
 #include <map>
@@ -9,10 +8,10 @@
 
 namespace penumbra::shaders {
 
-// OpLine holds up to the next one, or to the end of the block (SPIR-V specification, 3.52.3).
+// OpLine applies up to the next one, or to the end of the block (SPIR-V specification, 3.52.3).
 class DebugLines {
  public:
-  // To be called with every instruction in order; the place is then that instruction's.
+  // To be called for every instruction in order; returns its location.
   const SourcePlace& visit(spirv::Words instruction) {
     const spv::Op op = spirv::opcode(instruction);
     if (op == spv::OpString && instruction.size() > 2)

@@ -1,10 +1,10 @@
 // Operations that need derivatives (Sample, SampleBias, SampleCmp, CalculateLevelOfDetail, ddx, ddy, fwidth)
 // in stages that have none. Internal to this room.
 //
-// Direct3D takes them in fragment programs alone (X4532 "cannot map expression to vs_5_0 instruction set"; in
-// compute from shader model 6.6). glslang reads the largest mip level instead without a word. Compilers
-// complain of what is left after optimisation, so the tree says where such operations are written, and the
-// optimised module which of them remain.
+// Direct3D accepts them only in fragment programs (X4532 "cannot map expression to vs_5_0 instruction set";
+// in compute from shader model 6.6). glslang silently reads the largest mip level instead. Compilers report
+// only what remains after optimisation, so the syntax tree gives the locations of such operations, and the
+// optimised module those that remain.
 #pragma once
 
 #include <glslang/Include/intermediate.h>
@@ -16,7 +16,7 @@
 
 namespace penumbra::shaders {
 
-// In the whole tree, with the place of each.
+// In the whole syntax tree, each with its location.
 std::vector<ModuleProblem> derivative_reads(const glslang::TIntermediate& tree, const std::string& stage);
 
 // Those of `written` of which the module, which keeps its debug lines, has an instruction on the same line.

@@ -1,8 +1,8 @@
-// Several errors of one text. Internal to this room.
+// Finds several errors in one text. Internal to this room.
 //
-// glslang's HLSL parser does not recover from an error. So what holds the error is taken out (the
+// glslang's HLSL parser does not recover from an error. So the code that contains the error is removed (the
 // initialiser, the statement, else the body of the function), and the rest is parsed again, a bounded number
-// of times. Declarations at file scope are left alone: without one, every use of it would be an error of its
+// of times. Declarations at file scope are not removed: without one, every use of it would be an error of its
 // own.
 #pragma once
 
@@ -13,8 +13,8 @@
 
 namespace penumbra::shaders {
 
-// In the order of the text, at least one. `log`: what the parser said of the source. Errors with the same
-// words are reported once.
+// In source order, at least one. `log`: the parser's messages about the source. Errors with the same text are
+// reported once.
 std::vector<hlsl::Diagnostic> errors_of(const Source& source, const std::string& log,
                                         const hlsl::SourceFiles& sources);
 

@@ -4,9 +4,9 @@
 #include <string_view>
 #include <vector>
 
-#include "hlsl/outline.h"
+#include "hlsl/declarations.h"
+#include "hlsl/name_set.h"
 #include "hlsl/tokens.h"
-#include "hlsl/word_set.h"
 
 namespace penumbra::shaders {
 
@@ -69,7 +69,7 @@ class Remedy {
   }
 
   std::optional<hlsl::Declaration> function_around(std::size_t token) const {
-    for (const hlsl::Declaration& declaration : hlsl::outline(tokens_))
+    for (const hlsl::Declaration& declaration : hlsl::read_declarations(tokens_))
       if (declaration.kind == hlsl::Declaration::Kind::function && declaration.open < token &&
           token <= declaration.close)
         return declaration;
@@ -85,12 +85,12 @@ class Remedy {
     const std::size_t first = statement->first;
     const std::size_t last = lacks_semicolon ? token : statement->last;
     if (first == last) return std::nullopt;
-    static constexpr hlsl::WordSet structure("if", "else", "for", "while", "do", "switch", "case", "default",
+    static constexpr hlsl::NameSet structure("if", "else", "for", "while", "do", "switch", "case", "default",
                                              "return", "break", "continue", "discard", "const", "static",
                                              "struct");
     if (structure.contains(tokens_[first].spelling) || is(first, "[")) return std::nullopt;
-    const bool declares =
-        tokens_[first].kind == hlsl::Token::Kind::word && tokens_[first + 1].kind == hlsl::Token::Kind::word;
+    const bool declares = tokens_[first].kind == hlsl::Token::Kind::identifier &&
+                          tokens_[first + 1].kind == hlsl::Token::Kind::identifier;
     if (!declares) return Range{first, last - 1};
     std::size_t equals = first;
     while (equals < last && !is(equals, "=")) ++equals;
@@ -121,7 +121,7 @@ class Remedy {
   }
 
   bool empty(const hlsl::Declaration& function) {
-    static constexpr hlsl::WordSet modifiers("static", "inline", "precise", "export", "const");
+    static constexpr hlsl::NameSet modifiers("static", "inline", "precise", "export", "const");
     std::string type;
     for (std::size_t i = function.type; i < function.name; ++i)
       if (!modifiers.contains(tokens_[i].spelling)) type += std::string(tokens_[i].spelling) + " ";

@@ -1,4 +1,4 @@
-// What kind of value a function returns, in a module that kept its functions and names.
+// The kind of value that a function returns, in a module that has its functions and names.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace penumbra::shaders {
 
-// Whether a function of that name, whatever its parameters, returns more than one number.
+// Whether a function of that name, with any parameters, returns more than one number.
 bool returns_several_numbers(const SpirvModule& module, const std::string& function);
 
 }  // namespace penumbra::shaders

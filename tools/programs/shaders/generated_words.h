@@ -1,4 +1,4 @@
-// From glslang's tree to a module, with what its back end leaves to be put right. Internal to this room.
+// Generates a module from glslang's syntax tree, with corrections of its back end. Internal to this room.
 #pragma once
 
 #include <glslang/Include/intermediate.h>
@@ -8,11 +8,11 @@
 
 namespace penumbra::shaders {
 
-// What the back end has to say goes to `logger`.
+// The back end's messages go to `logger`.
 SpirvModule generated_words(const glslang::TIntermediate& tree, bool debug_lines,
                             spv::SpvBuildLogger& logger);
 
-// The same once more with its lines, for the places of messages; empty when it cannot be optimised.
+// The same with debug lines, for the locations of diagnostics; empty if it cannot be optimised.
 SpirvModule words_with_lines(const glslang::TIntermediate& tree, bool optimised, VulkanVersion vulkan);
 
 }  // namespace penumbra::shaders

@@ -1,8 +1,8 @@
-// An independent opinion on emitted GLSL and ESSL: the GL driver of this machine compiles and links it.
+// An independent check of emitted GLSL and ESSL: this machine's GL driver compiles and links it.
 //
-// Headless, through EGL's surfaceless platform (Mesa's llvmpipe where there is no GPU). Every thread has
-// contexts of its own. GLSL goes to a desktop OpenGL 4.5 core context, ESSL to an OpenGL ES 3.1 context, so
-// that either is held to its own rules.
+// Headless, through EGL's surfaceless platform (Mesa's llvmpipe if there is no GPU). Every thread has its own
+// contexts. GLSL is checked in a desktop OpenGL 4.5 core context, ESSL in an OpenGL ES 3.1 context, each by
+// its own rules.
 #pragma once
 
 #include <string>
@@ -19,9 +19,9 @@ struct GlStage {
   std::string text;
 };
 
-// The driver's errors and warnings, their place in the emitted text; file is the target's name. Several
-// stages are linked with each other, a single one as a separable program. Target: essl310 or glsl450.
-// Throws EnvironmentError when there is no EGL or no such context.
+// The driver's errors and warnings, with locations in the emitted text; `file` is the target's name. Several
+// stages are linked with each other, a single one as a separable program. Target: essl310 or glsl450. Throws
+// EnvironmentError if there is no EGL or no such context.
 std::vector<hlsl::Diagnostic> gl_check(const std::vector<GlStage>& stages, Target target);
 
 // GL_VERSION of the context that checks the target, for reports.

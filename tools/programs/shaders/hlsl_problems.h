@@ -1,4 +1,4 @@
-// What a module shows that HLSL does not allow, all of it together. Internal to this room.
+// All checks for constructs in a module that HLSL does not allow. Internal to this room.
 #pragma once
 
 #include <glslang/Include/intermediate.h>
@@ -11,7 +11,7 @@
 namespace penumbra::shaders {
 
 // `optimised`: the module of that tree; `divides`: it divides by zero before it is optimised
-// (zero_divisions.h). The module is made again, with its lines, only when something may be wrong.
+// (zero_divisions.h). The module is generated again, with debug lines, only if a problem is possible.
 std::vector<ModuleProblem> hlsl_problems(const CompileRequest& request, const glslang::TIntermediate& tree,
                                          const SpirvModule& optimised, bool divides);
 

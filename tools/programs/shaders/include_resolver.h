@@ -1,6 +1,5 @@
-// Finds what #include names, in Unity's order (project/include_search.h), for
-// either preprocessor. Knows the chain of
-// files that are open, so that a cycle without guards ends in one message that names it. Internal to this
+// Resolves #include in Unity's order (project/include_search.h), for either preprocessor. Tracks the chain of
+// open files, so that an include cycle without guards ends in one message that lists it. Internal to this
 // room.
 #pragma once
 
@@ -24,7 +23,7 @@ struct SourceToExpand;
 
 class IncludeResolver final : public glslang::TShader::Includer, public preprocessing::Includes {
  public:
-  // Texts that were read are added to `sources`, which outlives the resolver, as all else given here does.
+  // Texts that were read are added to `sources`. All arguments must outlive the resolver.
   IncludeResolver(const CompileRequest& request, hlsl::SourceFiles& sources, SourceMemory& memory,
                   const preparation::MacroArguments& arguments, std::set<std::string> undefined_by_main_file);
 
@@ -37,16 +36,16 @@ class IncludeResolver final : public glslang::TShader::Includer, public preproce
                                                    const std::string& includer) override;
   void leave() override { open_.pop_back(); }
 
-  // What an #include could have named, and what was not there, before the file that was.
+  // Candidates for an #include that did not exist, searched before the file that was found.
   const std::set<std::string>& absent() const { return absent_; }
   bool found_by_case() const { return found_by_case_; }
 
-  // Why the first #include that failed did.
+  // Why the first failed #include failed.
   const std::optional<std::string>& failure() const { return failure_; }
 
-  // The editor-only include that the first failure is about; empty when it is about another.
+  // The editor-only include of the first failure; empty if it is another file.
   const std::string& missing_editor_include() const { return missing_editor_include_; }
-  // Includes that were found, but not by their own spelling.
+  // Includes that were found under a different spelling.
   const std::vector<hlsl::Diagnostic>& warnings() const { return warnings_; }
 
  private:
@@ -65,7 +64,7 @@ class IncludeResolver final : public glslang::TShader::Includer, public preproce
   SourceMemory& memory_;
   const preparation::MacroArguments& arguments_;
   std::set<std::string> read_;
-  std::set<std::string> undefined_;  // macros that a file read so far undefines: guards no more
+  std::set<std::string> undefined_;  // macros that a file read so far undefines: not usable as guards
   std::set<std::string> absent_;
   bool found_by_case_ = false;
   std::vector<std::string> open_;  // the main file, then every include being read
@@ -74,7 +73,7 @@ class IncludeResolver final : public glslang::TShader::Includer, public preproce
   std::vector<hlsl::Diagnostic> warnings_;
 };
 
-// One file per include depth of an honest library; deeper is a cycle.
+// The include depth of a sensible library; deeper is a cycle.
 constexpr std::size_t max_include_depth = 100;
 
 }  // namespace penumbra::shaders

@@ -1,5 +1,5 @@
-// Matrices of integers in memory, such as a cbuffer's int4x4: SPIR-V, GLSL and Metal have matrices of floats
-// alone (SPIR-V specification, OpTypeMatrix). Internal to this room.
+// Integer matrices in memory, such as a cbuffer's int4x4: SPIR-V, GLSL and Metal have only float matrices
+// (SPIR-V specification, OpTypeMatrix). Internal to this room.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace penumbra::shaders {
 
-// `optimised`: those that are left in this module; `text` and `file`: its source, for their places.
+// Those that remain in `optimised`; `text` and `file`: its source, for the locations.
 std::vector<ModuleProblem> integer_matrices(const SpirvModule& optimised, const std::string& text,
                                             const std::string& file);
 

@@ -1,10 +1,10 @@
-// Textures and samplers that a module reads without saying which ones. glslang makes such modules without a
-// word, and SPIRV-Tools finds some of them valid: the shader would sample nothing.
+// Texture and sampler reads whose resource is undefined. glslang silently emits such modules, and SPIRV-Tools
+// accepts some of them: the shader would sample nothing.
 //
-// Two kinds: an undefined one (OpUndef, SPIR-V specification 3.49.1), which is what is left of a texture that
-// was never assigned, or that glslang's front end lost because one function reads the same parameter both by
-// a comparison sampler and otherwise; and one chosen at run time (OpPhi, OpSelect), which HLSL does not
-// allow.
+// Two kinds: an undefined resource (OpUndef, SPIR-V specification 3.49.1), which results from a texture that
+// was never assigned, or that glslang's front end lost because one function reads the same parameter both
+// with a comparison sampler and otherwise; and one that is selected at run time (OpPhi, OpSelect), which HLSL
+// does not allow.
 #pragma once
 
 #include <vector>
@@ -13,8 +13,8 @@
 
 namespace penumbra::shaders {
 
-// Each once; empty when every texture and sampler that is read is known. For modules after legalisation:
-// before it resources are still passed by value. Reads words of any kind without harm.
+// Each once; empty if every texture and sampler that is read is known. For modules after legalisation: before
+// that, resources may still be passed by value. Accepts malformed words.
 std::vector<ModuleProblem> lost_resources(const SpirvModule& module);
 
 }  // namespace penumbra::shaders

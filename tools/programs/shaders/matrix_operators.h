@@ -1,4 +1,4 @@
-// What the operators of glslang's tree do to matrices. Internal to this room.
+// Classifies the operators of glslang's syntax tree on matrices. Internal to this room.
 #pragma once
 
 #include <glslang/Include/intermediate.h>
@@ -7,17 +7,17 @@ namespace penumbra::shaders {
 
 bool is_float(const glslang::TType& type);
 bool is_comparison(glslang::TOperator op);
-bool is_product(glslang::TOperator op);  // of linear algebra
+bool is_product(glslang::TOperator op);  // the product of linear algebra
 bool is_step(glslang::TOperator op);     // ++ or --
 
-// Of a binary node with that result, to be done element by element. The back end does + - * % of float
-// matrices itself, and m / s as m * (1 / s).
+// Whether a binary node with that result is componentwise and must be expanded. The back end supports + - * %
+// of float matrices, and m / s as m * (1 / s).
 bool is_componentwise(glslang::TOperator op, const glslang::TType& result);
 
 glslang::TOperator plain_operator(glslang::TOperator assignment);  // + of +=; EOpNull of others
 glslang::TOperator by_rows_operator(glslang::TOperator op);        // for the rows of matrices
 
-bool takes_whole(glslang::TOperator op);                // of one argument, on the matrix as a whole
+bool takes_whole(glslang::TOperator op);                // of one argument, supported on whole matrices
 bool is_componentwise_function(glslang::TOperator op);  // of several arguments
 bool writes_an_argument(glslang::TOperator op);
 

@@ -1,5 +1,5 @@
-// A module that is written anew, instruction by instruction, with types, constants, decorations and code that
-// were not in it. Each goes where SPIR-V wants it (specification, 2.4). Internal to this room.
+// Rewrites a module instruction by instruction, adding types, constants, decorations and code. Each is placed
+// in the section that SPIR-V requires (specification, 2.4). Internal to this room.
 #pragma once
 
 #include <cstdint>
@@ -20,16 +20,16 @@ class ModuleRewrite {
 
   std::uint32_t new_id() { return next_++; }
 
-  // As it stands, in the order of the module.
+  // Copies an instruction unchanged; in the order of the module.
   void keep(spirv::Words instruction);
 
-  // Code, at the end of what is there so far; the id of its result, which is a new one unless one is wanted.
+  // Appends an instruction; returns its result id, which is a new one unless one is given.
   std::uint32_t result(spv::Op op, std::uint32_t type, const Words& operands, std::uint32_t wanted = 0);
   void code(spv::Op op, const Words& operands);
 
-  // A type that a module has once: the one that is there, or a new one.
+  // A type that must be unique: the existing one, or a new one.
   std::uint32_t type(spv::Op op, const Words& operands);
-  // A type of its own.
+  // A type that need not be unique.
   std::uint32_t new_type(spv::Op op, const Words& operands);
   std::uint32_t uint_type();
   std::uint32_t uint_constant(std::uint32_t value);
@@ -43,7 +43,7 @@ class ModuleRewrite {
 
  private:
   const SpirvModule& module_;
-  std::uint32_t next_;  // id that is free
+  std::uint32_t next_;  // the next free id
   bool types_begun_ = false;
   bool functions_begun_ = false;
   std::map<Words, std::uint32_t> types_;  // by opcode and operands

@@ -1,5 +1,5 @@
-// A walk over a module's instructions that tells what is wrong with them, each once and at its line. Internal
-// to this room.
+// A traversal of a module's instructions that reports problems, each once and at its line. Internal to this
+// room.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +31,7 @@ class ModuleSearch {
  protected:
   virtual void visit(spirv::Words instruction) = 0;
 
-  // Of the instruction that is visited.
+  // For the current instruction.
   void report(std::string message) {
     ModuleProblem problem{place_, std::move(message)};
     if (std::find(problems_.begin(), problems_.end(), problem) == problems_.end())

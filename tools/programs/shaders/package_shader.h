@@ -16,19 +16,19 @@ namespace penumbra::shaders {
 
 class PackageShader {
  public:
-  // Throws InputError with the place where the file is no ShaderLab. Without a root for URP, stand-ins of its
-  // interface take its place.
+  // Throws InputError with the location if the file is not valid ShaderLab. Without a root for URP, stubs of
+  // its interface are used.
   explicit PackageShader(const std::filesystem::path& file, std::vector<PackageRoot> package_roots = {});
 
-  // How to compile a stage of a pass. Keywords that the pass does not declare are off in it, as in Unity.
-  // Depth runs as on Vulkan when reversed, else as on OpenGL. Throws InputError for a pass that is not there.
+  // How to compile a stage of a pass. Keywords that the pass does not declare are off in it, as in Unity. The
+  // depth convention is Vulkan's if reversed, else OpenGL's. Throws InputError for an unknown pass.
   CompileRequest request(const std::string& pass, hlsl::Stage stage, const std::vector<std::string>& keywords,
                          bool reversed_z) const;
 
   const std::string& name() const { return shader_->name.text; }
   std::vector<std::string> pass_names() const;  // of the first SubShader
 
-  // Of the keywords those that the pass declares, in the order it does. Throws as request() does.
+  // The keywords that the pass declares, in order of declaration. Throws as request() does.
   std::vector<std::string> declared(const std::string& pass, const std::vector<std::string>& keywords) const;
 
   // The pass's variants, for every graphics API the same: each is a program of a vertex and a fragment stage.
@@ -43,15 +43,16 @@ class PackageShader {
   bool prepare_;
 };
 
-// With this library, and stand-ins of URP's interface where there is no root for URP.
+// With this library, and stubs of URP's interface if there is no root for URP.
 std::vector<PackageRoot> with_stand_ins(std::vector<PackageRoot> package_roots);
 
-// How to compile a kernel of a .compute file with these roots. Depth runs as PackageShader::request() says.
+// How to compile a kernel of a .compute file with these roots. The depth convention is that of
+// PackageShader::request().
 CompileRequest kernel_request(const std::filesystem::path& file, const std::string& kernel,
                               const std::vector<std::string>& keywords, bool reversed_z,
                               std::vector<PackageRoot> package_roots = {});
 
-// Those that ship: the passes of a frame, and the debug views.
+// The shipped shaders: the passes of a frame, and the debug views.
 std::filesystem::path package_shader_file();
 std::filesystem::path debug_shader_file();
 

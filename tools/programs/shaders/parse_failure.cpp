@@ -93,7 +93,7 @@ hlsl::Diagnostic at_place(const hlsl::TokenPlace& place, std::string message,
 std::optional<std::size_t> find_token(const ParseFailure& failure, const LogLine& error,
                                       const hlsl::TokenPlaces& places, const hlsl::SourceFiles& sources) {
   if (!failure.log_of || places.size() == 0) return std::nullopt;
-  const std::vector<LogLine> lines = parse_log(failure.log_of(places.one_a_line()), sources);
+  const std::vector<LogLine> lines = parse_log(failure.log_of(places.one_per_line()), sources);
   const LogLine* again = first_error_line(lines);
   const bool same = again != nullptr && again->message == error.message && again->token == error.token;
   if (!same || again->line < 1 || static_cast<std::size_t>(again->line) > places.size()) return std::nullopt;
@@ -103,10 +103,10 @@ std::optional<std::size_t> find_token(const ParseFailure& failure, const LogLine
 Surroundings surroundings(const hlsl::TokenPlaces& places, std::size_t at) {
   Surroundings around;
   around.found = places[at].spelling;
-  around.found_is_word = places[at].kind == hlsl::Token::Kind::word;
+  around.found_is_identifier = places[at].kind == hlsl::Token::Kind::identifier;
   if (at + 1 < places.size()) {
     around.next = places[at + 1].spelling;
-    around.next_is_word = places[at + 1].kind == hlsl::Token::Kind::word;
+    around.next_is_identifier = places[at + 1].kind == hlsl::Token::Kind::identifier;
   }
   around.same_line_as_before =
       at > 0 && places[at - 1].line == places[at].line && places[at - 1].file == places[at].file;
@@ -128,7 +128,7 @@ std::optional<std::size_t> negative_size(const hlsl::TokenPlaces& places, std::s
   const std::string_view name = places[bracket - 1].spelling;
   for (std::size_t i = 1; i + 2 < places.size(); ++i)
     if (places[i].spelling == name && places[i + 1].spelling == "[" && places[i + 2].spelling == "-" &&
-        places[i - 1].kind == hlsl::Token::Kind::word)
+        places[i - 1].kind == hlsl::Token::Kind::identifier)
       return i + 2;
   return std::nullopt;
 }
@@ -149,7 +149,7 @@ std::string signature(const hlsl::TokenPlaces& places, std::size_t name) {
   std::string text;
   for (std::size_t i = name; i < places.size() && text.size() < longest; ++i) {
     const std::string_view token = places[i].spelling;
-    const bool apart = places[i].kind == hlsl::Token::Kind::word && i > name && text.back() != '(';
+    const bool apart = places[i].kind == hlsl::Token::Kind::identifier && i > name && text.back() != '(';
     text.append(apart ? " " : "").append(token);
     if (token == ")") return text;
   }

@@ -1,9 +1,9 @@
-// From glslang's log to what a person should read. Internal to this room.
+// Turns glslang's log into diagnostics. Internal to this room.
 //
-// Rule: of one parse the first error is reported and the rest is dropped (error_recovery.h finds the others).
-// glslang's HLSL parser does not recover: after an error it gives up one production after the other, each
-// with a message of its own, most of them at the wrong file. Warnings are all kept, once each. glslang tells
-// lines alone; the column comes from reading the expanded text again with one token a line
+// Of one parse, the first error is reported and the rest is dropped (error_recovery.h finds the others).
+// glslang's HLSL parser does not recover: after an error it abandons one production after the other, each
+// with its own message, most of them in the wrong file. All warnings are kept, once each. glslang reports
+// only lines; the column is found by parsing the expanded text again with one token per line
 // (hlsl/token_place.h).
 #pragma once
 
@@ -19,7 +19,7 @@
 
 namespace penumbra::shaders {
 
-// What the diagnosis of a failure may draw on.
+// The input for diagnosing a failure.
 struct ParseFailure {
   std::string_view log;
   std::string main_file;
@@ -30,15 +30,15 @@ struct ParseFailure {
 
 struct PlacedError {
   hlsl::Diagnostic diagnostic;
-  // Which token of the preprocessed text the parser stopped at; nothing when it is not known, and when what
-  // is wrong is not around it (a bracket that is never closed).
+  // The token of the preprocessed text at which the parser stopped; nothing if it is unknown, and if the
+  // error is elsewhere (a bracket that is never closed).
   std::optional<std::size_t> token;
 };
 
 PlacedError placed_error(const ParseFailure& failure, const hlsl::SourceFiles& sources);
 hlsl::Diagnostic first_error(const ParseFailure& failure, const hlsl::SourceFiles& sources);
 
-// The entry point, and where it is named; a place without a line: nowhere.
+// The entry point, and where it is named; line 0: nowhere.
 struct NamedEntry {
   const std::string& name;
   const hlsl::TokenPlace& place;

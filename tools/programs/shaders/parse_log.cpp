@@ -18,7 +18,7 @@ constexpr std::array<Prefix, 4> prefixes{{{"ERROR: ", hlsl::Severity::error},
                                           {"UNIMPLEMENTED: ", hlsl::Severity::error},
                                           {"WARNING: ", hlsl::Severity::warning}}};
 
-bool is_word(char c) {
+bool is_identifier_character(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
@@ -58,7 +58,8 @@ void take_token(std::string_view& rest, LogLine& out) {
 std::string as_written(std::string_view message) {
   std::string written;
   for (std::size_t at = 0; at < message.size(); ++at)
-    if (message[at] != '@' || at + 1 == message.size() || !is_word(message[at + 1])) written += message[at];
+    if (message[at] != '@' || at + 1 == message.size() || !is_identifier_character(message[at + 1]))
+      written += message[at];
   return written;
 }
 
@@ -89,8 +90,9 @@ int column_of(std::string_view token, std::string_view line) {
   int column = 0;
   for (std::size_t at = line.find(token); at != std::string_view::npos; at = line.find(token, at + 1)) {
     const bool inside_word =
-        (at > 0 && is_word(line[at - 1]) && is_word(token.front())) ||
-        (at + token.size() < line.size() && is_word(line[at + token.size()]) && is_word(token.back()));
+        (at > 0 && is_identifier_character(line[at - 1]) && is_identifier_character(token.front())) ||
+        (at + token.size() < line.size() && is_identifier_character(line[at + token.size()]) &&
+         is_identifier_character(token.back()));
     if (inside_word) continue;
     if (column != 0) return 0;
     column = static_cast<int>(at) + 1;

@@ -125,11 +125,12 @@ std::string expected(const LogLine& line, const Surroundings& around) {
   if (line.token == "loop") return "'continue' is outside of every loop";
   if (around.found == "else") return "'else' has no 'if'";
   const std::string found = std::string(around.found);
-  if (around.found_is_word && around.next_is_word && line.token == ")") return "unknown type '" + found + "'";
+  if (around.found_is_identifier && around.next_is_identifier && line.token == ")")
+    return "unknown type '" + found + "'";
   std::string text = "expected " + in_words(line.token);
   if (found.empty() || (line.token == ";" && !around.same_line_as_before)) return text;
   text += ", found '" + found + "'";
-  if (line.token == "declaration" && around.found_is_word && around.next == "(")
+  if (line.token == "declaration" && around.found_is_identifier && around.next == "(")
     text += "; is its return type missing?";
   return text;
 }
@@ -186,7 +187,7 @@ std::string sentence(const LogLine& line, const Surroundings& around) {
   if (std::string_view(line.message).substr(0, argument.size()) == argument)  // counts from 0
     return "argument " + std::to_string(std::atoi(line.message.c_str() + argument.size()) + 1) +
            " does not fit its parameter";
-  if (line.message == "unknown variable" && around.found == line.token && around.next_is_word)
+  if (line.message == "unknown variable" && around.found == line.token && around.next_is_identifier)
     return "unknown type '" + line.token + "'";
   for (const Phrase& phrase : phrases) {
     const bool known = (phrase.token.empty() || phrase.token == line.token) &&
@@ -204,8 +205,8 @@ std::string sentence(const LogLine& line, const Surroundings& around) {
 std::string nearest_function(const std::string& unknown, const hlsl::TokenPlaces& text) {
   std::set<std::string> functions;
   for (std::size_t i = 1; i + 1 < text.size(); ++i)
-    if (text[i].kind == hlsl::Token::Kind::word && text[i].spelling.size() <= 64 &&
-        text[i - 1].kind == hlsl::Token::Kind::word && text[i + 1].spelling == "(")
+    if (text[i].kind == hlsl::Token::Kind::identifier && text[i].spelling.size() <= 64 &&
+        text[i - 1].kind == hlsl::Token::Kind::identifier && text[i + 1].spelling == "(")
       functions.emplace(text[i].spelling);
   functions.erase("return");
   const std::string nearest = nearest_name(unknown, {functions.begin(), functions.end()});
@@ -357,7 +358,7 @@ std::string nearest_word(std::string_view unknown, const hlsl::TokenPlaces& text
   for (std::size_t i = 0; i < text.size(); ++i) {
     const std::string_view word = text[i].spelling;
     const bool near = word.size() + 3 >= unknown.size() && word.size() <= unknown.size() + 3;
-    if (text[i].kind == hlsl::Token::Kind::word && near && word.size() >= 3) words.emplace(word);
+    if (text[i].kind == hlsl::Token::Kind::identifier && near && word.size() >= 3) words.emplace(word);
   }
   words.erase(std::string(unknown));
   const std::string nearest = nearest_name(unknown, {words.begin(), words.end()});

@@ -1,7 +1,7 @@
-// glslang's messages in the words of HLSL's writers. Internal to this room.
+// Rewrites glslang's messages in HLSL's terms. Internal to this room.
 //
-// glslang puts the token first and then what is wrong with it, in terms of its own tree ("assign", "temp
-// 2-component vector of float"). Messages it has that are not known here keep their words.
+// glslang reports the token first and then the problem, in terms of its own syntax tree ("assign", "temp
+// 2-component vector of float"). Unknown messages are not changed.
 #pragma once
 
 #include <string>
@@ -13,13 +13,13 @@ namespace penumbra::shaders {
 
 struct LogLine;
 
-// What stands where the parser stopped; all empty when that is not known.
+// The tokens around the one at which the parser stopped; all empty if it is unknown.
 struct Surroundings {
   std::string_view found;  // the token it stopped at
   std::string_view next;   // the one after
-  bool found_is_word = false;
-  bool next_is_word = false;
-  bool same_line_as_before = false;  // the token before stands in the same source line
+  bool found_is_identifier = false;
+  bool next_is_identifier = false;
+  bool same_line_as_before = false;  // the previous token is on the same source line
 };
 
 std::string sentence(const LogLine& line, const Surroundings& around);
@@ -27,7 +27,7 @@ std::string sentence(const LogLine& line, const Surroundings& around);
 // "in 3-component vector of float" as "float3".
 std::string with_hlsl_types(const std::string& message);
 
-// "; did you mean 'x'?", of the words in the text and HLSL's own, or empty.
+// "; did you mean 'x'?", from the identifiers in the text and HLSL's own, or empty.
 std::string nearest_word(std::string_view unknown, const hlsl::TokenPlaces& text);
 
 // The same among the functions that the text defines.

@@ -1,5 +1,5 @@
-// What a Vulkan pipeline must know of one of its modules: descriptors, push constants, and the variables that
-// pass from stage to stage. For a host that makes pipelines of shaders it has never seen.
+// What a Vulkan pipeline must know about a module: descriptors, push constants, and the variables that are
+// passed between stages. For a host that creates pipelines from arbitrary shaders.
 //
 // Based on the Vulkan specification, "Shader Interfaces": locations, components and descriptor types.
 #pragma once
@@ -43,13 +43,13 @@ struct StageLocation {
 struct PipelineInterface {
   std::vector<Descriptor> descriptors;
   std::uint32_t push_constant_bytes = 0;  // from offset 0
-  std::vector<StageLocation> inputs;      // built-ins are not among them; by location
+  std::vector<StageLocation> inputs;      // without built-ins; by location
   std::vector<StageLocation> outputs;
 };
 
-// Of what the entry point can reach. Throws std::invalid_argument when the words are no SPIR-V module or have
-// no such entry point, when an input or output is of a type with other than 32 bits, and for arrays larger
-// than any device binds.
+// The interface that the entry point can reach. Throws std::invalid_argument if the words are not a SPIR-V
+// module or have no such entry point, if an input or output has a type with other than 32 bits, and for
+// arrays larger than any device binds.
 PipelineInterface pipeline_interface(const std::vector<std::uint32_t>& spirv, const std::string& entry);
 
 }  // namespace penumbra::shaders

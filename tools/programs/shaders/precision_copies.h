@@ -1,7 +1,7 @@
-// SPIRV-Cross copies a value into one of another precision before it reads it, `mediump int mp_copy_7 = _7;`.
-// A value that changes with a loop is copied at the head of the loop, between its braces, and the copy read
-// after them too, where its name stands for nothing (SPIRV-Cross as of Debian 12). Such a text is found here,
-// and of a module without relaxed precision no copies are made.
+// SPIRV-Cross copies a value of another precision before it reads it, `mediump int mp_copy_7 = _7;`. A
+// loop-carried value is copied at the head of the loop, inside its braces, and the copy is also read after
+// the loop, where it is out of scope (SPIRV-Cross as of Debian 12). Such a text is detected here; no copies
+// are made for a module without relaxed precision.
 #pragma once
 
 #include <string_view>
@@ -10,7 +10,7 @@
 
 namespace penumbra::shaders {
 
-// Whether the text reads a copy of another precision where no declaration of it is in scope.
+// Whether the text reads a precision copy whose declaration is out of scope.
 bool reads_lost_copy(std::string_view essl);
 
 // Everything in full precision, which relaxed precision allows (SPIR-V specification, 3.20:

@@ -1,6 +1,6 @@
-// Which of glslang's products of matrices are operators. Its tree has one kind of node for mul(m, n), the
-// product of linear algebra, and for m * n, which HLSL does element by element; the places of the two differ.
-// Internal to this room.
+// Which of glslang's matrix products are operators. Its syntax tree has one kind of node for mul(m, n), the
+// product of linear algebra, and for m * n, which HLSL does element by element; their source locations
+// differ. Internal to this room.
 #pragma once
 
 #include <glslang/Include/intermediate.h>
@@ -13,7 +13,7 @@ namespace penumbra::shaders {
 
 class ProductMarks {
  public:
-  // `text` is what glslang has parsed; `main_file` names what stands before its first #line.
+  // `text` is the text that glslang has parsed; lines before its first #line are in `main_file`.
   ProductMarks(const std::string& text, std::string main_file)
       : text_(text), main_file_(std::move(main_file)) {}
 

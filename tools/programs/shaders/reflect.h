@@ -1,4 +1,4 @@
-// What a SPIR-V module binds: by name, for a host that fills resources by name.
+// Reflection: the resources of a SPIR-V module by name, for a host that binds resources by name.
 #pragma once
 
 #include <array>
@@ -12,25 +12,25 @@ enum class ScalarKind { float32, int32, uint32, other };
 
 // A scalar, vector or matrix of a uniform: the uniform itself, an element of it or a field.
 struct UniformLeaf {
-  std::string path;          // the uniform's name and what follows it: "_Lights[1].colour"
+  std::string path;          // the uniform's name with subscripts and fields: "_Lights[1].colour"
   std::uint32_t offset = 0;  // bytes in the block
   ScalarKind scalar = ScalarKind::float32;
-  std::uint32_t rows = 1;  // of a vector its components
+  std::uint32_t rows = 1;  // for a vector, its components
   std::uint32_t columns = 1;
-  std::uint32_t matrix_stride = 0;  // as UniformMember's, 0 when not a matrix
+  std::uint32_t matrix_stride = 0;  // as in UniformMember, 0 if not a matrix
   bool row_major = false;
 };
 
 struct UniformMember {
   std::string name;
   std::uint32_t offset = 0;        // bytes in its block
-  std::uint32_t size = 0;          // bytes, padding after the last element left out
+  std::uint32_t size = 0;          // bytes, without padding after the last element
   std::uint32_t array_length = 0;  // 0 when not an array
   std::uint32_t array_stride = 0;
   std::uint32_t matrix_stride = 0;  // 0 when not a matrix
   bool row_major = false;           // as SPIR-V decorates it
-  bool read = false;                // the module reads it, in part at least
-  // In declaration order, arrays element by element. Empty for what has arrays of arrays.
+  bool read = false;                // the module reads at least a part of it
+  // In declaration order, arrays element by element. Empty for arrays of arrays.
   std::vector<UniformLeaf> leaves{};
 };
 

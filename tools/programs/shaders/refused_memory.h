@@ -1,6 +1,6 @@
-// Memory that a program cannot use as it does: groupshared variables outside of compute programs, and local
-// variables that an Interlocked function changes. SPIRV-Tools refuses both in words of its own. Internal to
-// this room.
+// Invalid uses of memory: groupshared variables outside of compute programs, and local variables that an
+// Interlocked function changes. SPIRV-Tools rejects both, with messages in SPIR-V's terms. Internal to this
+// room.
 #pragma once
 
 #include <vector>

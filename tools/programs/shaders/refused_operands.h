@@ -1,5 +1,5 @@
-// Operands that HLSL refuses and glslang takes, for which it makes SPIR-V that is not valid or means
-// something else. Internal to this room.
+// Operands that HLSL rejects and glslang accepts, emitting invalid SPIR-V or code with another meaning.
+// Internal to this room.
 #pragma once
 
 #include <glslang/Include/intermediate.h>
@@ -10,8 +10,8 @@
 
 namespace penumbra::shaders {
 
-// Floats as operands of & | ^ << >> (FXC X3082), and a Load with another number of coordinates than its
-// texture takes (FXC X3017): of several numbers, glslang takes the last for the mip level.
+// Floats as operands of & | ^ << >> (FXC X3082), and a Load with too few or too many coordinates for its
+// texture (FXC X3017): glslang treats the last of several as the mip level.
 std::vector<ModuleProblem> refused_operands(const glslang::TIntermediate& tree);
 
 }  // namespace penumbra::shaders

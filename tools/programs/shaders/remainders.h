@@ -1,5 +1,5 @@
-// % and fmod, whose result has the sign of the dividend in HLSL: (-7) % 2 is -1. glslang writes the
-// instructions of GLSL's mod(), whose result has that of the divisor.
+// % and fmod, whose result has the sign of the dividend in HLSL: (-7) % 2 is -1. glslang emits the
+// instructions of GLSL's mod(), whose result has the sign of the divisor.
 #pragma once
 
 #include "shaders/spirv_module.h"

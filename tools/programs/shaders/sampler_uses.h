@@ -1,5 +1,5 @@
-// Through which samplers a SPIR-V module compares and through which it does not. glslang gives both kinds of
-// sampler one type, so it accepts a comparison sampler where a texture is only read; a device does not.
+// Which samplers of a SPIR-V module are used for comparisons and which are not. glslang gives both kinds of
+// sampler one type, so it accepts a comparison sampler in a read without comparison; devices do not.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ struct SamplerUse {
   SourcePlace place;   // line 0 in a module without debug lines
 };
 
-// Of a module that is legalised and optimised, in its order.
+// For a module that is legalised and optimised, in its order.
 std::vector<SamplerUse> sampler_uses(const SpirvModule& module);
 
 }  // namespace penumbra::shaders

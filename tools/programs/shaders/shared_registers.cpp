@@ -7,7 +7,7 @@
 #include <set>
 #include <string_view>
 
-#include "hlsl/outline.h"
+#include "hlsl/declarations.h"
 #include "hlsl/tokens.h"
 #include "shaders/spirv_module.h"
 #include "spirv/words.h"
@@ -28,7 +28,7 @@ class RegisterReader {
   explicit RegisterReader(const std::vector<hlsl::Token>& tokens) : tokens_(tokens) {}
 
   std::vector<Placed> run() {
-    for (const hlsl::Declaration& declaration : hlsl::outline(tokens_)) {
+    for (const hlsl::Declaration& declaration : hlsl::read_declarations(tokens_)) {
       const bool buffer = declaration.kind == hlsl::Declaration::Kind::buffer;
       if (declaration.name == hlsl::Declaration::none) continue;
       if (!buffer && declaration.kind != hlsl::Declaration::Kind::variable) continue;

@@ -1,6 +1,6 @@
 // Two resources at one explicit register: FXC X4500, X4578. Internal to this room.
 //
-// HLSL's compilers complain where the program uses both.
+// HLSL's compilers report it if the program uses both.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace penumbra::shaders {
 
-// `optimised`: the module with the names of what it still uses; `text` and `file`: its source.
+// `optimised`: the module with the names of the resources that it still uses; `text` and `file`: its source.
 std::vector<ModuleProblem> shared_registers(const SpirvModule& optimised, const std::string& text,
                                             const std::string& file);
 

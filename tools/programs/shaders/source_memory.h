@@ -1,5 +1,5 @@
-// What many compilations read, kept between them: every file is read, normalised and looked for once, and all
-// see one state of the disk. Not for several threads at once.
+// Files shared by many compilations: every file is searched for, read and normalised once, and all
+// compilations see the same state of the disk. Not thread-safe.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@
 
 namespace penumbra::shaders {
 
-// A source as the preprocessor is to see it, and what decides whether it sees it again.
+// A source as the preprocessor reads it, and what decides whether it is read again.
 struct SourceToExpand {
   std::string text;
   bool once = false;                // preparation::PreparedSource
@@ -30,23 +30,23 @@ struct KnownSource {
 
 class SourceMemory {
  public:
-  // `glslang_alone`: the room's own preprocessor is not asked first.
+  // `glslang_alone`: only glslang's preprocessor is used, not the project's own.
   explicit SourceMemory(bool glslang_alone = false) : glslang_alone_(glslang_alone) {}
 
   const KnownSource& read(const std::string& name);
-  const SourceToExpand& prepared(const std::string& name);  // of a file that can be read
+  const SourceToExpand& prepared(const std::string& name);  // for a file that can be read
 
-  const preprocessing::CutSource& cut(const std::string& name);  // of the text that prepared() has
-  // Of another text. It lives until the next call.
+  const preprocessing::CutSource& cut(const std::string& name);  // for the text of prepared()
+  // For another text. Valid until the next call.
   const preprocessing::CutSource& cut_text(const std::string& text);
   preprocessing::Preprocessor& preprocessor() { return preprocessor_; }
   bool glslang_alone() const { return glslang_alone_; }
 
-  // How many readings glslang's preprocessor had to do.
+  // The number of sources that fell back to glslang's preprocessor.
   std::size_t left_to_glslang() const { return left_to_glslang_; }
   void count_left_to_glslang() { ++left_to_glslang_; }
 
-  // As project::find_include(). `roots_key` is equal for equal roots only.
+  // As project::find_include(). `roots_key` must differ for different roots.
   const project::IncludeSearch& find(const project::IncludeRoots& roots, const std::string& roots_key,
                                      std::string_view asked, const std::string& includer);
 
@@ -62,7 +62,7 @@ class SourceMemory {
   bool glslang_alone_;
   std::size_t left_to_glslang_ = 0;
   preprocessing::Preprocessor preprocessor_;
-  std::optional<std::string> text_;  // that was cut last
+  std::optional<std::string> text_;  // the last argument of cut_text()
   preprocessing::CutSource cut_text_;
   std::unordered_map<std::string, File> files_;
   std::unordered_map<std::string, project::IncludeSearch> searches_;
@@ -70,7 +70,7 @@ class SourceMemory {
 
 SourceToExpand prepared_source(const std::string& text);
 
-// Equal for equal roots only.
+// Different for different roots.
 std::string key_of(const project::IncludeRoots& roots);
 
 }  // namespace penumbra::shaders

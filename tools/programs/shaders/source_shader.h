@@ -1,4 +1,4 @@
-// A text as glslang's front end takes it. Internal to this room.
+// A text prepared for glslang's front end. Internal to this room.
 #pragma once
 
 #include <glslang/Public/ShaderLang.h>
@@ -12,19 +12,19 @@ namespace penumbra::shaders {
 
 inline constexpr int hlsl_version = 500;
 
-// What a TShader is made of. glslang keeps the pointers it is given: all of it outlives the TShader.
+// The inputs of a TShader. glslang keeps the pointers it is given, so this must outlive the TShader.
 struct Source {
   const CompileRequest& request;
   std::string name;
   const std::string& text;
-  std::string preamble;  // #define lines that stand before the text and count as no lines
+  std::string preamble;  // #define lines before the text that do not count as lines
 };
 
 EShLanguage language(hlsl::Stage stage);
 EShMessages messages_of(const CompileRequest& request);  // glslang's options
 
-// A TShader with everything of the request set but not parsed. glslang keeps the pointers it is given, the
-// arrays of pointers included, so they stand here beside it and in the source, which outlives both.
+// A TShader with the request's settings, not parsed yet. glslang keeps the pointers it is given, including
+// the arrays of pointers, so they are stored here and in the source, which must outlive this object.
 class SourceShader {
  public:
   explicit SourceShader(const Source& source);
@@ -40,7 +40,7 @@ class SourceShader {
   glslang::TShader shader_;
 };
 
-// What the diagnosis of a parse or a link that failed may draw on; the source outlives it.
+// The input for diagnosing a failed parse or link; the source must outlive it.
 ParseFailure failure_of(const Source& source, const std::string& log, const std::string& expanded);
 
 }  // namespace penumbra::shaders

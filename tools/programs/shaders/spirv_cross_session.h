@@ -10,7 +10,7 @@
 
 namespace penumbra::shaders {
 
-// A module that has been read; it outlives its sessions.
+// A parsed module; it must outlive its sessions.
 class SpirvCrossModule {
  public:
   // Throws std::invalid_argument when the words are no SPIR-V module.
@@ -36,7 +36,7 @@ class SpirvCrossModule {
   spvc_parsed_ir module_ = nullptr;
 };
 
-// One back end at work on it.
+// One back end that processes it.
 class SpirvCrossSession {
  public:
   // Throws std::invalid_argument when the module is not one for this back end.

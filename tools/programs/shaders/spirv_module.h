@@ -1,4 +1,4 @@
-// What happens to a SPIR-V module between the front end and its user: bindings, legalisation, validation.
+// Passes over a SPIR-V module between the front end and its user: bindings, legalisation, validation.
 #pragma once
 
 #include <cstddef>
@@ -13,24 +13,24 @@ namespace penumbra::shaders {
 
 using SpirvModule = spirv::Module;
 
-// Gives every bound resource a number of its own, 0, 1, 2, ... over all sets: HLSL's t0 and s0 are different
+// Gives every resource a unique binding number, 0, 1, 2, ... over all sets: HLSL's t0 and s0 are different
 // registers, but the same Vulkan binding.
 void number_bindings(SpirvModule& module);
 
-// Adds to every descriptor set.
+// Adds `by` to every descriptor set.
 void move_sets(SpirvModule& module, std::uint32_t by);
 
-// Legalises HLSL's resource parameters, inlines and optimises. False with the reasons when it failed.
+// Legalises HLSL's resource parameters, inlines and optimises. False, with the reasons, if it failed.
 bool optimise(SpirvModule& module, VulkanVersion vulkan, std::vector<std::string>& problems,
               SpirvModule* legalised = nullptr);
 
-// The module that ships: optimise(), then number_bindings() without those that nothing uses, then uniform
-// blocks that Vulkan has no layout for as words (word_blocks.h).
+// Produces the final module: optimise(), then number_bindings() without unused resources, then uniform blocks
+// that have no valid Vulkan layout as words (word_blocks.h).
 bool finish(SpirvModule& module, VulkanVersion vulkan, std::vector<std::string>& problems,
             SpirvModule* legalised = nullptr);
 
-// The problems SPIRV-Tools finds for that version; empty when valid. Before legalisation resources may still
-// be passed by value, which is then not held against the module.
+// The problems that SPIRV-Tools finds for that version; empty if valid. Before legalisation, resources may
+// still be passed by value, which is then not reported.
 std::vector<std::string> validation_problems(const SpirvModule& module, VulkanVersion vulkan,
                                              bool before_legalisation);
 
@@ -39,9 +39,9 @@ struct SourcePlace {
   int line = 0;  // 1-based; 0: nowhere
 };
 
-// Something in a module that HLSL does not allow.
+// A construct in a module that HLSL does not allow.
 struct ModuleProblem {
-  SourcePlace place;  // of modules that keep their debug lines
+  SourcePlace place;  // for modules with debug lines
   std::string message;
 
   bool operator==(const ModuleProblem& other) const {
@@ -49,7 +49,7 @@ struct ModuleProblem {
   }
 };
 
-// Where the first problem of an invalid module lies, of a module that kept its debug lines.
+// The location of the first problem of an invalid module with debug lines.
 SourcePlace problem_place(const SpirvModule& module, VulkanVersion vulkan);
 
 }  // namespace penumbra::shaders

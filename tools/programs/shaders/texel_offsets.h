@@ -1,9 +1,9 @@
-// Offsets of texture reads that HLSL's compilers refuse and SPIR-V takes: outside of -8..7 texels, or not
+// Offsets of texture reads that HLSL's compilers reject and SPIR-V accepts: outside of -8..7 texels, or not
 // constant. Internal to this room.
 //
 // FXC: "offset texture instructions must take offset which can resolve to integer literal in the range -8 to
-// 7" (https://learn.microsoft.com/windows/win32/direct3dhlsl/dx-graphics-hlsl-to-sample), of what is left
-// after optimisation. Gather takes any offset.
+// 7" (https://learn.microsoft.com/windows/win32/direct3dhlsl/dx-graphics-hlsl-to-sample), applied after
+// optimisation. Gather accepts any offset.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,7 @@
 
 namespace penumbra::shaders {
 
-// Each once. For modules after legalisation. Reads words of any kind without harm.
+// Each once. For modules after legalisation. Accepts malformed words.
 std::vector<ModuleProblem> refused_offsets(const SpirvModule& module);
 
 }  // namespace penumbra::shaders

@@ -1,4 +1,4 @@
-// Which textures of a module are not plain ones of two dimensions.
+// Which textures of a module are not plain 2D textures.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// A walk over glslang's tree that puts other nodes in the place of some. Internal to this room.
+// A traversal of glslang's syntax tree that replaces nodes. Internal to this room.
 #pragma once
 
 #include <glslang/Include/intermediate.h>
@@ -7,15 +7,15 @@
 
 namespace penumbra::shaders {
 
-// Children come before their parents. What an override makes must stand in the memory of the current thread's
-// program, as glslang's nodes do by themselves.
+// Children are visited before their parents. Nodes that an override creates must be allocated in the memory
+// pool of the current thread's program, as glslang's nodes are by default.
 class TreeRewrite {
  public:
   virtual ~TreeRewrite() = default;
   void run(glslang::TIntermediate& tree);
 
  protected:
-  // What stands in the node's place: itself where nothing changes.
+  // The node's replacement: itself if nothing changes.
   virtual glslang::TIntermTyped* of_aggregate(glslang::TIntermAggregate& node);
   virtual glslang::TIntermTyped* of_binary(glslang::TIntermBinary& node);
   virtual glslang::TIntermTyped* of_unary(glslang::TIntermUnary& node);
@@ -30,7 +30,7 @@ class TreeRewrite {
 
 SourcePlace place_of_node(const TIntermNode& node);
 
-// Nodes at the place of another.
+// Creates nodes at another node's source location.
 glslang::TIntermTyped* unary_node(const TIntermNode& at, glslang::TOperator op,
                                   glslang::TIntermTyped* operand, const glslang::TType& type);
 glslang::TIntermTyped* binary_node(const TIntermNode& at, glslang::TOperator op, glslang::TIntermTyped* left,

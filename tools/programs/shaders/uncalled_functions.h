@@ -1,7 +1,7 @@
-// Takes functions that no entry point calls out of a SPIR-V module, with their names and decorations.
+// Removes functions that no entry point calls from a SPIR-V module, with their names and decorations.
 //
-// After inlining that is nearly all of the module. SPIRV-Tools' own pass for it unlinks one instruction after
-// the other from its tables; on words it is two readings. What is no module is left alone.
+// After inlining that is nearly all of the module. SPIRV-Tools' own pass unlinks every instruction from its
+// tables; on words, two scans suffice. Malformed words are not changed.
 #pragma once
 
 #include "shaders/spirv_module.h"

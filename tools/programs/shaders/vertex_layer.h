@@ -1,11 +1,11 @@
-// A stage before the rasteriser, other than the geometry stage, that chooses the layer it draws to
-// (SV_RenderTargetArrayIndex), as a vertex shader does when both eyes are drawn at once by instancing.
-// Internal to this room.
+// A stage before the rasteriser, other than the geometry stage, that selects the layer it draws to
+// (SV_RenderTargetArrayIndex), as a vertex shader does if both eyes are drawn at once by instancing. Internal
+// to this room.
 //
-// Vulkan and Metal have it. OpenGL has it with GL_ARB_shader_viewport_layer_array, ESSL has it with no
-// extension that can be counted on, and Direct3D 11 has it where
-// VPAndRTArrayIndexFromAnyShaderFeedingRasterizer is (Direct3D 11.3); SPIRV-Cross asks for no extension and
-// refuses it for HLSL. Source: ARB_shader_viewport_layer_array; Microsoft, D3D11_FEATURE_DATA_D3D11_OPTIONS3.
+// Vulkan and Metal support it. OpenGL supports it with GL_ARB_shader_viewport_layer_array, ESSL with no
+// widely available extension, and Direct3D 11 if VPAndRTArrayIndexFromAnyShaderFeedingRasterizer is set
+// (Direct3D 11.3); SPIRV-Cross requests no extension and rejects it for HLSL. Source:
+// ARB_shader_viewport_layer_array; Microsoft, D3D11_FEATURE_DATA_D3D11_OPTIONS3.
 #pragma once
 
 #include <string>
@@ -17,10 +17,11 @@ namespace penumbra::shaders {
 
 class VertexLayer {
  public:
-  // Before the module is compiled. Throws std::invalid_argument where the target cannot say it.
+  // To be constructed before the module is compiled. Throws std::invalid_argument if the target cannot
+  // express it.
   VertexLayer(const SpirvCrossSession& session, Target target);
 
-  // What SPIRV-Cross could not write itself, in the text it emitted.
+  // Adds to the emitted text what SPIRV-Cross could not write itself.
   std::string completed(std::string text) const;
 
  private:

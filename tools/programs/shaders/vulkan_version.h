@@ -1,7 +1,7 @@
 // The versions of Vulkan that a module can be compiled and validated for.
 //
-// Source: the Vulkan specification, appendix "Vulkan Environment for SPIR-V": 1.0 takes SPIR-V 1.0, 1.1 up to
-// 1.3, 1.2 up to 1.5. Modules for 1.2 are SPIR-V 1.3, which it takes too.
+// Source: the Vulkan specification, appendix "Vulkan Environment for SPIR-V": 1.0 accepts SPIR-V 1.0, 1.1 up
+// to 1.3, 1.2 up to 1.5. Modules for 1.2 are SPIR-V 1.3, which it accepts, too.
 #pragma once
 
 namespace penumbra::shaders {

@@ -1,7 +1,6 @@
-// Arguments that a function writes to and that cannot be written to: `F(1.0)` and `F(a + b)` for
-// `void F(out float x)`. HLSL refuses them (FXC X3025, X3013); glslang takes them, and crashes or makes an
-// invalid module when it generates SPIR-V. So it does for an inout argument of another type, which HLSL
-// allows. Internal to this room.
+// Arguments of out and inout parameters that are not lvalues: `F(1.0)` and `F(a + b)` for `void F(out float
+// x)`. HLSL rejects them (FXC X3025, X3013); glslang accepts them, and crashes or emits an invalid module. It
+// does the same for an inout argument of another type, which HLSL allows. Internal to this room.
 #pragma once
 
 #include <glslang/Include/intermediate.h>
@@ -12,8 +11,8 @@
 
 namespace penumbra::shaders {
 
-// Constants, results of operators and conversions, in the whole tree; what else may not be written to is not
-// told.
+// Constants, results of operators and conversions, in the whole syntax tree; other expressions that are not
+// lvalues are not reported.
 std::vector<ModuleProblem> unwritable_arguments(const glslang::TIntermediate& tree);
 
 }  // namespace penumbra::shaders

@@ -1,8 +1,8 @@
 // Integers divided by a constant zero. Internal to this room.
 //
-// FXC refuses them (X4010 "Unsigned integer divide by zero"), and so does DXC's validation (DXIL.rst,
-// InstrNoIDivByZero); SPIRV-Tools takes the result for 0. Compilers complain of divisions that are made:
-// before the module is optimised each such division is marked, and what remains of the marks is reported.
+// FXC rejects them (X4010 "Unsigned integer divide by zero"), and so does DXC's validation (DXIL.rst,
+// InstrNoIDivByZero); SPIRV-Tools folds the result to 0. Compilers report only reachable divisions: before
+// the module is optimised each such division is marked, and the remaining marks are reported.
 #pragma once
 
 #include <vector>
@@ -11,11 +11,11 @@
 
 namespace penumbra::shaders {
 
-// These three read words of any kind without harm.
+// These three functions accept malformed words.
 bool divides_by_zero(const SpirvModule& unoptimised);
-// Every such division becomes one of a value by itself, which the optimiser leaves alone.
+// Replaces every such division by a division of a value by itself, which the optimiser does not fold.
 void mark_zero_divisions(SpirvModule& unoptimised);
-// Each once. Of a module that was marked and then optimised, with its debug lines.
+// Each once. For a module that was marked and then optimised, with debug lines.
 std::vector<ModuleProblem> marked_divisions(const SpirvModule& optimised);
 
 }  // namespace penumbra::shaders

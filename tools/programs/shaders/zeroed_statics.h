@@ -7,8 +7,8 @@
 
 namespace penumbra::shaders {
 
-// Private variables get a null constant as their initialiser where their type has one: all but those that
-// hold textures, samplers or buffers.
+// Private variables get a null constant as their initialiser if their type has one: all except those that
+// contain textures, samplers or buffers.
 void zero_statics(SpirvModule& module);
 
 }  // namespace penumbra::shaders

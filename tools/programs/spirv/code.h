@@ -1,9 +1,9 @@
-// A SPIR-V module as the rules walk it: instructions with the source line each comes from, definitions by id,
-// functions and their blocks.
+// A SPIR-V module as the rules traverse it: instructions with their source lines, definitions by id,
+// functions and their basic blocks.
 //
-// Read once in linear time by SPIRV-Tools' parser; OpLine becomes the place of what follows it; nothing is
-// interpreted beyond what the specification (https://registry.khronos.org/SPIR-V/specs/unified1/SPIRV.html)
-// says of each instruction's layout.
+// Read once in linear time by SPIRV-Tools' parser; OpLine sets the location of the instructions after it;
+// nothing is interpreted beyond each instruction's layout in the specification
+// (https://registry.khronos.org/SPIR-V/specs/unified1/SPIRV.html).
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ namespace penumbra::spirv {
 
 using Id = std::uint32_t;
 
-// Where OpLine says an instruction comes from; line 0: nowhere.
+// The source location given by OpLine; line 0: none.
 struct Place {
   Id file = 0;  // an OpString
   int line = 0;
@@ -31,7 +31,7 @@ struct Instruction {
   spv::Op op = spv::OpNop;
   Id type = 0;
   Id result = 0;
-  std::span<const std::uint32_t> operands;  // what follows type and result
+  std::span<const std::uint32_t> operands;  // the operands after type and result
   Place place;
   std::size_t ids_begin = 0;  // see Code::ids
   std::size_t ids_end = 0;
@@ -53,7 +53,7 @@ struct Function {
 
 class Code {
  public:
-  // Throws std::invalid_argument for words that are no SPIR-V.
+  // Throws std::invalid_argument if the words are not valid SPIR-V.
   explicit Code(std::vector<std::uint32_t> words);
   Code(const Code&) = delete;
   Code& operator=(const Code&) = delete;
@@ -62,12 +62,12 @@ class Code {
   const std::vector<Function>& functions() const { return functions_; }
   std::size_t id_bound() const { return definitions_.size(); }
 
-  // Of the operands those that are ids, not literals.
+  // The operands that are ids, not literals.
   std::span<const Id> ids(const Instruction& instruction) const {
     return std::span(ids_).subspan(instruction.ids_begin, instruction.ids_end - instruction.ids_begin);
   }
 
-  // Null when the id is defined nowhere.
+  // Null if the id is not defined.
   const Instruction* definition(Id id) const;
   spv::Op op(Id id) const;  // OpNop for an unknown id
   const Function* function(Id id) const;
@@ -76,11 +76,11 @@ class Code {
   std::string name(Id id) const;
   std::string member_name(Id type, std::uint32_t member) const;
   std::string file_name(Id file) const;
-  // The first literal of the decoration, 0 when it has none; nothing when the id is not so decorated.
+  // The first literal of the decoration, 0 if it has none; nothing if the id does not have the decoration.
   std::optional<std::uint32_t> decoration(Id id, spv::Decoration kind) const;
   std::optional<std::uint32_t> member_decoration(Id type, std::uint32_t member, spv::Decoration kind) const;
 
-  // The type a pointer points to, and its storage class.
+  // The type that a pointer points to, and its storage class.
   Id pointee(Id pointer_type) const;
   std::optional<spv::StorageClass> storage_class(Id pointer_type) const;
   // The value of an integer OpConstant (sign extended), nothing for anything else.

@@ -1,4 +1,4 @@
-// A SPIR-V module as words. What reads them is in words.h, which brings SPIR-V's enumerations.
+// A SPIR-V module as 32-bit words. words.h, which includes SPIR-V's enumerations, reads them.
 #pragma once
 
 #include <cstdint>

@@ -38,8 +38,8 @@ inline std::string literal_text(Words words) {
   return text;
 }
 
-// visit(Words) for each instruction behind the header; of a module that may be written visit(WrittenWords).
-// Ends where the words are those of no module: false.
+// visit(Words) for each instruction after the header; visit(WrittenWords) if the module is not const. Returns
+// false and stops where the words are malformed.
 template <typename SomeModule, typename Visit>
 bool for_each_instruction(SomeModule& module, Visit visit) {
   for (std::size_t at = header_words; at < module.size();) {
@@ -51,7 +51,7 @@ bool for_each_instruction(SomeModule& module, Visit visit) {
   return true;
 }
 
-// The instructions of which `keep(Words)` is true; the module itself where the words are those of none.
+// The instructions for which `keep(Words)` is true; the module itself if its words are malformed.
 template <typename Keep>
 Module with_instructions(const Module& module, Keep keep) {
   if (module.size() < header_words) return module;

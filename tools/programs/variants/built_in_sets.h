@@ -1,12 +1,12 @@
-// What Unity's keyword shortcuts stand for: `#pragma multi_compile_fog` and its kin. Internal to this room.
+// The keyword sets of Unity's shortcuts: `#pragma multi_compile_fog` and similar. Internal to this room.
 //
 // Source: Unity Manual, "Add built-in keyword sets" (SL-MultipleProgramVariants-shortcuts), which lists each
 // shortcut's keywords and whether a variant with all of them off exists. How Unity's importer combines them
-// is not documented. What is known is written into the sets: a light has one type; SHADOWS_DEPTH belongs to
-// spot, SHADOWS_CUBE to point and SHADOWS_SCREEN to directional lights (AutoLight.cginc of the built-in
-// shaders); the editor's list for fwdbase shows LIGHTPROBE_SH, SHADOWS_SCREEN and VERTEXLIGHT_ON as
-// independent; DIRLIGHTMAP_COMBINED without a lightmap has no meaning (URP strips it, too). All else is a
-// free choice, so that no documented keyword is missed; Unity may compile fewer combinations.
+// is not documented. The sets encode what is known: a light has one type; SHADOWS_DEPTH belongs to spot,
+// SHADOWS_CUBE to point and SHADOWS_SCREEN to directional lights (AutoLight.cginc of the built-in shaders);
+// the editor's list for fwdbase shows LIGHTPROBE_SH, SHADOWS_SCREEN and VERTEXLIGHT_ON as independent;
+// DIRLIGHTMAP_COMBINED without a lightmap has no meaning (URP strips it, too). All other combinations are
+// allowed, so that no documented keyword is missed; Unity may compile fewer combinations.
 //
 //   _fog                  _ FOG_LINEAR FOG_EXP FOG_EXP2
 //   _instancing           _ INSTANCING_ON, and PROCEDURAL_INSTANCING_ON with `instancing_options procedural`
@@ -36,7 +36,7 @@
 namespace penumbra::variants {
 
 struct BuiltInSets {
-  std::vector<std::vector<Keywords>> sets;  // the alternatives of each
+  std::vector<std::vector<Keywords>> sets;  // each set's alternatives
   std::vector<Clause> clauses;
 };
 
@@ -46,8 +46,8 @@ std::optional<BuiltInSets> built_in_sets(std::string_view pragma);
 std::vector<std::string> built_in_set_names();
 
 // The keywords that Unity adds to every graphics program and strips where XR is off (Unity Manual, "Default
-// shader keywords"): _, STEREO_INSTANCING_ON, STEREO_MULTIVIEW_ON, UNITY_SINGLE_PASS_STEREO, of which
-// `modes` names those wanted. STEREO_CUBEMAP_RENDER_ON is for capturing panoramas in the editor: left out.
+// shader keywords"): _, STEREO_INSTANCING_ON, STEREO_MULTIVIEW_ON, UNITY_SINGLE_PASS_STEREO, of which `modes`
+// selects some. STEREO_CUBEMAP_RENDER_ON is for capturing panoramas in the editor and not included.
 KeywordSet stereo_set(const Keywords& modes);
 
 }  // namespace penumbra::variants

@@ -1,4 +1,5 @@
-// What every variant that is compiled must satisfy: the one form all narrowing of a keyword space takes.
+// A condition that every compiled variant satisfies: the one form that all narrowing of a keyword space
+// takes.
 //
 //   never K            {when: K, any_of: {}}       no variant has K
 //   K needs A or B     {when: K, any_of: {A, B}}   a variant with K has A or B
@@ -21,7 +22,7 @@ struct Clause {
   bool whole = false;          // applies only to programs that declare every keyword of any_of
   bool of_their_sets = false;  // narrows each set on its own instead of the whole variant
   bool or_none = false;        // with of_their_sets
-  std::string said_by;         // where it comes from, for messages: "--keywords -A", "rules.json:3:5"
+  std::string said_by;         // its origin, for messages: "--keywords -A", "rules.json:3:5"
 };
 
 inline Clause never(const std::string& keyword, const std::string& said_by) {

@@ -31,8 +31,8 @@ bool came_from(const std::shared_ptr<const Origin>& origin, const std::string& m
 }
 
 struct ConditionToken {
-  enum class Kind { name, number, mark };
-  Kind kind = Kind::mark;
+  enum class Kind { name, number, punctuation };
+  Kind kind = Kind::punctuation;
   std::string text;
   std::shared_ptr<const Origin> origin;
 };
@@ -51,7 +51,7 @@ Tokens split(std::string_view text, const std::shared_ptr<const Origin>& origin)
   for (std::size_t at = 0; at < text.size();) {
     const char c = text[at];
     std::size_t end = at + 1;
-    ConditionToken::Kind kind = ConditionToken::Kind::mark;
+    ConditionToken::Kind kind = ConditionToken::Kind::punctuation;
     if (std::isspace(static_cast<unsigned char>(c)) != 0) {
       ++at;
       continue;

@@ -1,7 +1,8 @@
-// The preprocessor directives of a text, one by one, as a C preprocessor sees them: comments are blanks,
-// backslashes join lines, and every word keeps its place. Internal to this room.
+// The preprocessor directives of a text, one by one, as a C preprocessor sees them: comments are white space,
+// backslashes join lines, and every token keeps its location. Internal to this room.
 //
-// The text has LF line ends (hlsl/source_text.h); a stray CR counts as a blank. Linear in the text's length.
+// The text has LF line ends (hlsl/source_text.h); a stray CR counts as white space. Linear in the text's
+// length.
 #pragma once
 
 #include <string>
@@ -18,10 +19,10 @@ struct Word {
 
 struct DirectiveLine {
   std::string name;  // "pragma", "if", ...; empty for a lone '#'
-  std::string rest;  // what follows the name, without blanks at its ends
+  std::string rest;  // what follows the name, trimmed
   int line = 0;      // of the '#'
   int column = 0;
-  std::vector<Word> words;  // of rest, split at blanks
+  std::vector<Word> words;  // `rest`, split at white space
 };
 
 std::vector<DirectiveLine> directive_lines(std::string_view text);

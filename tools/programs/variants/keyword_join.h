@@ -7,16 +7,16 @@
 
 namespace penumbra::variants {
 
-// Keywords by number, ascending: what one combination defines.
+// Keyword numbers, ascending: the keywords that one combination defines.
 using Choice = std::vector<int>;
 
-// A choice among alternatives, before it is known what it depends on.
+// A choice among alternatives, before its dependencies are known.
 struct JoinedSet {
   std::vector<Choice> alternatives;  // no two equal
   std::string place;                 // for messages
 };
 
-// A clause in numbers: `when` (or -1: always) asks for one of `any_of`.
+// A clause with keyword numbers: `when` (or -1: always) requires one of `any_of`.
 struct Tie {
   int when = -1;
   std::vector<int> any_of;
@@ -25,7 +25,7 @@ struct Tie {
 
 struct Axes {
   std::vector<std::vector<Choice>>
-      choices;  // of each axis: distinct, in the order of the sets, first slowest
+      choices;  // of each axis: distinct, in the order of the sets, the first varying slowest
   std::vector<std::size_t> axis_of_set;
   std::string emptied_by;  // the tie that left an axis empty
 };

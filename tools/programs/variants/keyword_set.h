@@ -1,8 +1,8 @@
-// One set of shader keywords: what one `#pragma multi_compile` or `shader_feature` line declares.
+// One set of shader keywords: the declaration of one `#pragma multi_compile` or `shader_feature` line.
 //
 // A set is a choice: every variant takes exactly one of its alternatives. An alternative is the list of
 // keywords that are then defined: none for `_`, one for an ordinary keyword, several where a shortcut such as
-// multi_compile_fwdadd_fullshadows ties keywords together.
+// multi_compile_fwdadd_fullshadows combines keywords.
 //
 // Source: Unity Manual, "Declare shader keywords" (SL-MultipleProgramVariants-declare).
 #pragma once
@@ -60,7 +60,7 @@ struct DynamicKeyword {
   Place place;
 };
 
-// Unity's names of no keyword: "_", "__" and longer.
+// Unity's names of the empty keyword: "_", "__" and longer.
 bool is_empty_keyword(const std::string& name);
 
 bool contains(const Keywords& keywords, const std::string& keyword);
@@ -68,7 +68,7 @@ bool contains(const Keywords& keywords, const std::string& keyword);
 // Every keyword of the set once, in the order written.
 Keywords keywords_of(const KeywordSet& set);
 
-// "_ A B": the set as a person would write it.
+// "_ A B": the set as it is written in a pragma.
 std::string label_of(const KeywordSet& set);
 
 }  // namespace penumbra::variants

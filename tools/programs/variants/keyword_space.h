@@ -1,25 +1,24 @@
-// The variants of one program: every combination of its keyword sets that the narrowing leaves.
+// The variants of one program: every combination of its keyword sets that the narrowing permits.
 //
-// A variant takes one alternative of every set; what it is, is the set of keywords that are then defined.
-// Sets are independent unless they share a keyword or a clause ties them; those are joined, and of their
-// combinations each distinct one that satisfies the clauses counts once. So counts are exact, and nothing is
-// enumerated to get them. A stage sees the keywords of the sets that are for it: variants that differ only in
-// others are one.
+// A variant takes one alternative of every set and is identified by the set of keywords that are then
+// defined. Sets are independent unless they share a keyword or a clause refers to both; dependent sets are
+// joined, and each distinct combination that satisfies the clauses counts once. So counts are exact without
+// enumeration. A stage sees only the keywords of its sets: variants that differ only in others are one.
 //
-// `dynamic_branch` keywords multiply nothing (keyword_set.h says what they become).
-// `shader_feature` sets span every combination, or, with `materials`, just what the materials have on: all
-// those sets together then have one alternative for each distinct material.
+// `dynamic_branch` keywords multiply nothing (keyword_set.h says what they become). `shader_feature` sets
+// span every combination, or, with `materials`, only the combinations that materials enable: all those sets
+// together then have one alternative for each distinct material.
 //
 // Stage suffixes (_fragment and so on) hold for every target here. For OpenGL and Vulkan the editor reverts
 // them to plain directives, and for Metal a keyword of the vertex stage is one of the tessellation stages,
 // too (Unity Manual 2020.3, "Declaring and using shader keywords", stage-specific directives): there a vertex
-// shader is also compiled with the fragment stage's keywords defined. Ask for the variants of the whole
-// program to have those.
+// shader is also compiled with the fragment stage's keywords defined. The variants of the whole program
+// include those.
 //
 // Guarantees: the same program and narrowing give the same variants in the same order, the first set varying
-// slowest; a variant can be had by its index. Throws InputError when sets that depend on each other span more
-// than 65,536 combinations: its message names them.
-// Source: Unity Manual, "How Unity compiles branching shaders", "Shader variant stripping".
+// slowest; variants can be accessed by index. Throws InputError when sets that depend on each other span more
+// than 65,536 combinations: its message names them. Source: Unity Manual, "How Unity compiles branching
+// shaders", "Shader variant stripping".
 #pragma once
 
 #include <cstddef>
@@ -48,8 +47,9 @@ struct Narrowing {
   std::vector<std::string> unused_passes{};  // by name or LightMode tag: none of their variants is built
 };
 
-// On one graphics API: OpenGL ES draws both eyes by multiview in place of instancing (Unity Manual, "Stereo
-// rendering"), whose layer a vertex shader cannot choose there, so STEREO_INSTANCING_ON is no mode of it.
+// Adapts a narrowing to a graphics API: OpenGL ES draws both eyes by multiview instead of instancing (Unity
+// Manual, "Stereo rendering"), and its vertex shaders cannot select a layer, so STEREO_INSTANCING_ON is not a
+// mode there.
 Narrowing on_api(Narrowing narrowing, GraphicsApi api);
 
 class VariantList {
@@ -99,14 +99,14 @@ class KeywordSpace {
   const VariantList& variants(hlsl::Stage stage) const;
   const VariantList& whole_program() const { return whole_; }
 
-  const std::vector<KeywordSet>& sets() const { return sets_; }  // after what narrows each alone
+  const std::vector<KeywordSet>& sets() const { return sets_; }  // after the narrowing of each set on its own
   const std::vector<DynamicKeyword>& dynamic_keywords() const { return dynamic_; }
 
-  // How many variants the stage (without one: the whole program) would have left if the set stood still: at
-  // its empty keyword, or at its first alternative where it has none.
+  // The number of variants of the stage (without one: of the whole program) if the set were fixed at its
+  // empty keyword, or at its first alternative if it has none.
   VariantCount count_without(std::size_t set, std::optional<hlsl::Stage> stage) const;
 
-  // Why there is no variant at all, or empty.
+  // Why there are no variants, or empty.
   const std::string& emptied_by() const { return emptied_by_; }
 
  private:

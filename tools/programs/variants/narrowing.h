@@ -1,4 +1,4 @@
-// What narrows the variants of a project, from all places where it is said.
+// Everything that narrows the variants of a project.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +15,7 @@ struct NarrowingInput {
   std::vector<std::string> keywords;              // keyword_expression.h
 };
 
-// All of them together; each may only take variants away. Throws InputError.
+// Combines all of them; each may only remove variants. Throws InputError.
 Narrowing read_narrowing(const NarrowingInput& input);
 
 }  // namespace penumbra::variants

@@ -1,4 +1,4 @@
-// Where something was written.
+// A source location.
 #pragma once
 
 #include <string>

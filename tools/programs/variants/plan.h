@@ -1,4 +1,4 @@
-// How much work there is, counted before any of it starts.
+// The amount of work, counted before any of it starts.
 #pragma once
 
 #include <string>
@@ -37,13 +37,13 @@ Plan plan(const std::vector<PlannedProgram>& programs);
 // "Lit.shader: ForwardLit   vertex 512   fragment 8,192" a line, and the total.
 std::string text_of(const Plan& plan);
 
-// The same, and behind each count in brackets what it would be: "vertex 512 (256)". `what_if` counts the same
-// programs, and `condition` says in the last line what is different there.
+// The same, with the changed count in parentheses after each: "vertex 512 (256)". `what_if` counts the same
+// programs, and `condition` in the last line names the change.
 std::string text_of(const Plan& plan, const Plan& what_if, const std::string& condition);
 
-// Empty while the total is within the limit. Else: the count, the largest programs, the sets that multiply
-// most with what would be left if each stood still at its empty keyword (or its first), over all programs
-// together, and how to write that.
+// Empty if the total is within the limit. Otherwise: the count, the largest programs, the sets that multiply
+// the number most, with the number left if each were fixed at its empty keyword (or its first) in all
+// programs, and how to narrow them.
 std::string refusal(const std::vector<PlannedProgram>& programs, std::uint64_t limit);
 
 }  // namespace penumbra::variants

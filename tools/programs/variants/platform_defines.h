@@ -26,8 +26,8 @@
 //   - from HLSLSupport.cginc, which CGPROGRAM blocks include unasked and HLSLPROGRAM blocks do not:
 //     UNITY_STEREO_MULTIVIEW_ENABLED of STEREO_MULTIVIEW_ON, and its own UNITY_COMPILER_*,
 //     UNITY_REVERSED_Z, UNITY_UV_STARTS_AT_TOP, CBUFFER_START, ...
-// The keywords these are made of are defined by their variant (built_in_sets.h), like every keyword;
-// UNITY_SINGLE_PASS_STEREO is one that the libraries test directly.
+// The keywords from which these are derived are defined by their variant (built_in_sets.h), like every
+// keyword; UNITY_SINGLE_PASS_STEREO is one that the libraries test directly.
 #pragma once
 
 #include <map>
@@ -54,15 +54,16 @@ struct Platform {
   GraphicsApi api = GraphicsApi::vulkan;
   bool mobile = false;
   int unity_version = 202230;
-  // CGPROGRAM: HLSLSupport.cginc comes first and finds the compiler out for itself.
+  // CGPROGRAM: HLSLSupport.cginc is included first and detects the compiler itself.
   bool includes_hlsl_support = false;
 };
 
 // UNITY_VERSION of "2022.3.21f1" (202239), "6000.0.23f1" (60000023) or, for its first patch, "2022.3";
-// nothing when the text is no version.
+// nothing if the text is not a version.
 std::optional<int> unity_version_number(std::string_view version);
 
-// What conditions around #pragma lines may ask: the platform's constants, without stage, target and compiler.
+// The macros for conditions around #pragma lines: the platform's constants, without stage, target and
+// compiler.
 std::map<std::string, std::string> pragma_defines(const Platform& platform);
 
 // Everything in the table, for one stage at one shader target.

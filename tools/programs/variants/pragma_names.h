@@ -1,4 +1,4 @@
-// The names that #pragma lines know: what is checked for spelling. Internal to this room.
+// The known names in #pragma lines, for spell checking. Internal to this room.
 //
 // Sources: Unity Manual, "pragma directives in HLSL" (SL-PragmaDirectives), "Targeting shader models and GPU
 // features" (SL-ShaderCompileTargets), "Targeting graphics APIs and platforms" (SL-ShaderCompilationAPIs),
@@ -14,7 +14,7 @@
 
 namespace penumbra::variants {
 
-// multi_compile_local_fragment, taken apart; suffixes stand in any order, each at most once.
+// multi_compile_local_fragment, parsed; suffixes may be in any order, each at most once.
 struct KeywordPragmaName {
   enum class Base { multi_compile, shader_feature, dynamic_branch };
   Base base = Base::multi_compile;
@@ -23,7 +23,7 @@ struct KeywordPragmaName {
 };
 std::optional<KeywordPragmaName> keyword_pragma_name(std::string_view name);
 
-// Pragmas that are known, and of which nothing is needed here.
+// Known pragmas that have no effect here.
 bool is_option_pragma(std::string_view name);
 
 const std::vector<std::string>& pragma_names();  // every known name, for "did you mean"

@@ -11,7 +11,7 @@
 
 namespace penumbra::variants {
 
-// Where messages go: severity, place, text.
+// Receives messages: severity, location, text.
 using Say = std::function<void(hlsl::Severity, const Place&, const std::string&)>;
 
 class PragmaParser {
@@ -20,8 +20,7 @@ class PragmaParser {
 
   void read(const DirectiveLine& directive, const std::string& file);
 
-  // What can be known only once all lines are read: procedural instancing, dynamic keywords that are static,
-  // too.
+  // Checks that need all lines: procedural instancing, and keywords that are both dynamic and static.
   void finish();
 
  private:

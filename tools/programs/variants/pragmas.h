@@ -1,20 +1,20 @@
 // The #pragma lines of a shader program: entry points, keywords, targets and the rest of what Unity's
 // importer reads before anything is compiled.
 //
-// What counts, as Unity has it (Unity Manual, "pragma directives in HLSL", SL-PragmaDirectives, and "include
-// and include_with_pragmas directives"):
-//   - the program's own text, with the blocks that the .shader file puts before it, and files that it
-//     reaches by #include_with_pragmas, step by step. What a plain #include brings has no say: neither its
-//     pragmas nor, here, its #defines;
-//   - under #if, what holds with `defines` and with the #defines of the text read so far. Unity evaluates
-//     these conditions once, before there are variants: with the program's own #defines, UNITY_VERSION and
-//     the platform's constants (the Manual names SHADER_API_MOBILE, SHADER_API_DESKTOP, UNITY_NO_RGBM,
-//     UNITY_USE_NATIVE_HDR, UNITY_FRAMEBUFFER_FETCH_AVAILABLE, UNITY_NO_CUBEMAP_ARRAY). A keyword is never
-//     defined there, and a pragma that stands under a condition on one gets a warning. Every other unknown
-//     name is 0, as in C.
+// Which lines count, as in Unity (Unity Manual, "pragma directives in HLSL", SL-PragmaDirectives, and
+// "include and include_with_pragmas directives"):
+// - the program's own text, with the blocks that the .shader file puts before it, and files that it includes
+//   by #include_with_pragmas, directly or indirectly. Files included by a plain #include do not count:
+//   neither their pragmas nor, here, their #defines;
+// - under #if, the lines that are active with `defines` and with the #defines of the text read so far. Unity
+//   evaluates these conditions once, before there are variants: with the program's own #defines,
+//   UNITY_VERSION and the platform's constants (the Manual names SHADER_API_MOBILE, SHADER_API_DESKTOP,
+//   UNITY_NO_RGBM, UNITY_USE_NATIVE_HDR, UNITY_FRAMEBUFFER_FETCH_AVAILABLE, UNITY_NO_CUBEMAP_ARRAY). A
+//   keyword is never defined there, and a pragma under a condition that depends on one gets a warning. Every
+//   other unknown identifier is 0, as in C.
 //
-// Guarantees: linear in the size of the texts read; any text gives an answer. Files that include themselves
-// end in a message; files read are bounded to 4,096 and 64 MiB of text in all. At most 200 messages.
+// Guarantees: linear in the size of the texts read; accepts any text. Files that include themselves end in a
+// message; at most 4,096 files and 64 MiB of text are read in total. At most 200 messages.
 #pragma once
 
 #include <functional>
@@ -33,7 +33,7 @@
 namespace penumbra::variants {
 
 struct IncludedText {
-  std::string name;  // as messages call the file; two includes of one file have one name
+  std::string name;  // the file's name in diagnostics; two includes of one file have one name
   std::string text;
 };
 using FindIncluded =
@@ -83,7 +83,7 @@ struct Requirement {
   Place place;
 };
 
-// A pragma that is known and changes nothing here, or a list that is read by its user.
+// A known pragma that has no effect here, or whose argument list the caller reads.
 struct PragmaOption {
   std::string name;
   std::vector<std::string> arguments;
@@ -91,12 +91,12 @@ struct PragmaOption {
 };
 
 struct Pragmas {
-  std::vector<EntryPoint> entry_points;  // at most one a stage: the last one written
+  std::vector<EntryPoint> entry_points;  // at most one per stage: the last one
   std::vector<Kernel> kernels;
   std::optional<SurfaceFunction> surface;
-  std::vector<KeywordSet> keyword_sets;  // in the order written; shortcuts as the sets they stand for
+  std::vector<KeywordSet> keyword_sets;  // in source order; shortcuts as their sets
   std::vector<DynamicKeyword> dynamic_keywords;
-  std::vector<Clause> clauses;  // from skip_variants, and what the shortcuts know of their keywords
+  std::vector<Clause> clauses;  // from skip_variants, and the shortcuts' constraints on their keywords
   std::vector<ShaderTarget> targets;
   std::vector<Requirement> requirements;
   std::vector<std::string> only_renderers;  // empty: all
@@ -104,7 +104,7 @@ struct Pragmas {
   std::vector<std::string> tier_renderers;  // of hardware_tier_variants
   std::string procedural_function;          // of instancing_options procedural:NAME
   std::vector<PragmaOption> options;
-  std::vector<std::string> files;  // read, in order, the program's own first
+  std::vector<std::string> files;  // in the order they were read, the program's own first
   std::vector<hlsl::Diagnostic> diagnostics;
 };
 
@@ -113,7 +113,7 @@ Pragmas read_pragmas(const ProgramText& program);
 // Whether the program is meant for a graphics API, by its name in only_renderers: "vulkan", "d3d11", "gles3".
 bool compiles_for(const Pragmas& pragmas, const std::string& renderer);
 
-// Whether a #pragma use_dxc asks for Unity's other compiler on that graphics API.
+// Whether a #pragma use_dxc selects DXC on that graphics API.
 bool compiles_with_dxc(const Pragmas& pragmas, const std::string& renderer);
 
 // SHADER_TARGET of a variant: the highest model that applies, at least 25 (the default), 40 with a geometry

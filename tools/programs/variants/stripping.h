@@ -1,4 +1,4 @@
-// What a project really uses, so that only those variants are compiled.
+// The keywords and settings that a project uses, so that only those variants are compiled.
 //
 // A stripping file is JSON; every key is optional:
 //   {
@@ -12,8 +12,8 @@
 // first alternative the material has on, else the empty keyword. "used" without materials keeps the one with
 // all off.
 //
-// "urp" also leaves out the passes that no such project draws (urp_settings.h: unused_passes()).
-// "both" in "keywords" takes back what "urp" says of that keyword alone.
+// "urp" also leaves out the passes that no such project draws (urp_settings.h: unused_passes()). "both" in
+// "keywords" overrides what "urp" says about that keyword.
 #pragma once
 
 #include <filesystem>
@@ -24,7 +24,7 @@
 
 namespace penumbra::variants {
 
-// Throw InputError with the place of what is wrong; unknown keys name the nearest known one.
+// Throw InputError with the location of the error; for unknown keys with the nearest known one.
 Narrowing read_stripping(const std::filesystem::path& file);
 Narrowing parse_stripping(std::string_view text, const std::string& name);
 

@@ -118,29 +118,29 @@ struct UrpSettings {
   Keywords xr;  // the stereo keywords of stereo_set()
 };
 
-// said_by is what messages name as their origin: the file.
+// said_by is the origin that messages name: the file.
 std::vector<Clause> clauses_of(const UrpSettings& settings, const std::string& said_by);
 
 // Passes (by name or LightMode tag) that URP strips whole: GBuffer unless deferred, ShadowCaster without any
 // shadows, DepthNormals where nothing reads them, and the decal passes that the decals setting does not use.
 std::vector<std::string> unused_passes(const UrpSettings& settings);
 
-// What both leave open: for projects with several quality levels or renderers, of which each needs its
-// variants.
+// A value only where both agree: for projects with several quality levels or renderers, each of which needs
+// its variants.
 UrpSettings widest(const UrpSettings& a, const UrpSettings& b);
 
-// What either decides, b where both do: an asset and the renderer it uses.
+// The settings of either, b where both have one: an asset and the renderer it uses.
 UrpSettings combined(const UrpSettings& a, const UrpSettings& b);
 
 // Reads the settings from a text-serialised .asset of URP: a UniversalRenderPipelineAsset or a
 // UniversalRendererData (rendering mode, G-buffer normals). Lines `  m_Name: value` of known names count, all
-// others are passed over; shadow_cascades is left open, as URP leaves it. Throws InputError for a value that
-// is out of range, a binary asset, and a file in which no known name stands.
+// others are ignored; shadow_cascades is not set, as in URP. Throws InputError for a value that is out of
+// range, a binary asset, and a file without any known name.
 UrpSettings read_urp_asset(std::string_view text, const std::string& name);
 
-// What a project decides with such files: all quality levels' pipeline assets (the widest of them) together
-// with all renderers (the widest). Throws InputError as read_urp_asset does, and for files that cannot be
-// read.
+// The settings of a project with such files: all quality levels' pipeline assets (the widest of them)
+// together with all renderers (the widest). Throws InputError as read_urp_asset does, and for files that
+// cannot be read.
 UrpSettings read_urp_assets(const std::vector<std::filesystem::path>& files);
 
 }  // namespace penumbra::variants

@@ -1,4 +1,4 @@
-// How many variants: exact up to 2^64 - 2, and "that or more" beyond, without ever wrapping.
+// A number of variants: exact up to 2^64 - 2, saturating beyond.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Overloads that differ in precision alone become one function, and nothing else changes.
-#include "preparation/precision_twins.h"
+#include "preparation/precision_overloads.h"
 
 #include <gmock/gmock.h>
 
@@ -23,7 +23,7 @@ struct MergedTwins {
 
 MergedTwins merge(const std::string& text) {
   TokenText tokens(text, "main.hlsl");
-  merge_precision_twins(tokens);
+  merge_precision_overloads(tokens);
   return {tokens.print(), tokens.notes()};
 }
 

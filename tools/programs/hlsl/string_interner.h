@@ -1,6 +1,6 @@
-// Numbers for words: the same for those spelled alike, from 0 on in the order they are first met.
+// Interns strings: equal strings get the same number, from 0 on in the order they are first added.
 //
-// A number, once given, stays: what is told of words by their number is told by position in a list.
+// A number never changes, so it can index a list of what is known about each string.
 #pragma once
 
 #include <cstddef>
@@ -10,11 +10,11 @@
 
 namespace penumbra::hlsl {
 
-class WordNumbers {
+class StringInterner {
  public:
   static constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);
 
-  // `word` must stay where it is in memory as long as this does.
+  // `word` must stay at its address as long as this object lives.
   std::uint32_t add(std::string_view word);
   std::uint32_t find(std::string_view word) const;  // none: never added
   std::size_t size() const { return words_.size(); }

@@ -1,7 +1,7 @@
-// A few words known when compiling, and whether a word of a text is one of them.
+// A small set of names that are known at compile time.
 //
-// Passes ask this of every word of a text, and nearly always the answer is no: the word's length and first
-// letter tell that without a comparison.
+// Passes look up every identifier of a text, and nearly always it is not in the set: its length and first
+// letter show that without a comparison.
 #pragma once
 
 #include <array>
@@ -12,10 +12,10 @@
 namespace penumbra::hlsl {
 
 template <std::size_t Size>
-class WordSet {
+class NameSet {
  public:
   template <typename... Words>
-  constexpr explicit WordSet(Words... words) : words_{words...} {
+  constexpr explicit NameSet(Words... words) : words_{words...} {
     for (const std::string_view word : words_) firsts_by_length_[word.size()] |= letter(word[0]);
   }
 
@@ -28,9 +28,9 @@ class WordSet {
   }
 
  private:
-  static constexpr std::size_t longest = 31;  // a longer one does not compile
+  static constexpr std::size_t longest = 31;  // a longer name does not compile
 
-  // Letters of either case, digits and marks share the 32 bits; words that are compared for nothing are few.
+  // Upper and lower case, digits and punctuation share the 32 bits; false positives are few.
   static constexpr std::uint32_t letter(char c) {
     return std::uint32_t{1} << (static_cast<unsigned>(c) % 32U);
   }
@@ -40,6 +40,6 @@ class WordSet {
 };
 
 template <typename... Words>
-WordSet(Words...) -> WordSet<sizeof...(Words)>;
+NameSet(Words...) -> NameSet<sizeof...(Words)>;
 
 }  // namespace penumbra::hlsl

@@ -1,4 +1,4 @@
-#include "preparation/precision_twins.h"
+#include "preparation/precision_overloads.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "hlsl/outline.h"
+#include "hlsl/declarations.h"
 #include "hlsl/tokens.h"
 #include "preparation/argument_precision.h"
 
@@ -40,7 +40,7 @@ std::string widened_word(std::string_view word) {
 
 // A parameter as parameter_types() spells it, every word of it widened.
 std::string widened(const std::string& parameter) {
-  const bool one_word = std::all_of(parameter.begin(), parameter.end(), hlsl::continues_word);
+  const bool one_word = std::all_of(parameter.begin(), parameter.end(), hlsl::continues_identifier);
   if (one_word) return widened_word(parameter);
   std::string result;
   for (const hlsl::Token& token : hlsl::lex(parameter)) {
@@ -69,10 +69,10 @@ TwinnedFunction read_function(const TokenText& text, const hlsl::Declaration& de
 // Those that share their name with another; no other can have a twin.
 std::vector<TwinnedFunction> overloaded_functions(const TokenText& text) {
   std::unordered_map<std::string_view, int> definitions;  // by name, of all namespaces together
-  for (const hlsl::Declaration& declaration : text.outline())
+  for (const hlsl::Declaration& declaration : text.declarations())
     if (declaration.kind == hlsl::Declaration::Kind::function) ++definitions[text[declaration.name].spelling];
   std::vector<TwinnedFunction> functions;
-  for (const hlsl::Declaration& declaration : text.outline()) {
+  for (const hlsl::Declaration& declaration : text.declarations()) {
     if (declaration.kind != hlsl::Declaration::Kind::function) continue;
     if (definitions[text[declaration.name].spelling] > 1)
       functions.push_back(read_function(text, declaration));
@@ -129,7 +129,7 @@ std::unordered_map<std::string_view, int> parameter_numbers(const TokenText& tex
     if (text.is(at, ",")) ++number;
     const bool ends =
         text.is(at + 1, ",") || text.is(at + 1, ")") || text.is(at + 1, "[") || text.is(at + 1, ":");
-    if (ends && text.is_word(at)) numbers.emplace(text[at].spelling, number);
+    if (ends && text.is_identifier(at)) numbers.emplace(text[at].spelling, number);
   }
   return numbers;
 }
@@ -205,8 +205,8 @@ const TwinnedFunction* called_twin(const TokenText& text, const Twins& twins) {
   const std::string_view name = text[twins[0]->declaration->name].spelling;
   const TwinnedFunction* called = nullptr;
   for (std::size_t at = 1; at + 1 < text.size(); ++at) {
-    const bool call =
-        text.is(at, name) && text.is(at + 1, "(") && text.partner(at + 1) != npos && !text.is(at - 1, ".");
+    const bool call = text.is(at, name) && text.is(at + 1, "(") && text.matching_bracket(at + 1) != npos &&
+                      !text.is(at - 1, ".");
     if (!call || is_in_one(twins, at)) continue;
     const TwinnedFunction* chosen = chosen_by(argument_precisions(text, at + 1), twins);
     if (chosen == nullptr || chosen == called) continue;
@@ -230,7 +230,7 @@ const TwinnedFunction* kept_twin(const TokenText& text, const Twins& twins) {
 
 }  // namespace
 
-void merge_precision_twins(TokenText& text) {
+void merge_precision_overloads(TokenText& text) {
   const std::vector<TwinnedFunction> functions = overloaded_functions(text);
   std::unordered_map<std::string, Twins> groups;
   for (const TwinnedFunction& function : functions) groups[widened_signature(function)].push_back(&function);

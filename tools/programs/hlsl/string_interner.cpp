@@ -1,4 +1,4 @@
-#include "hlsl/word_numbers.h"
+#include "hlsl/string_interner.h"
 
 #include <cstring>
 
@@ -29,7 +29,7 @@ std::size_t hash_of(std::string_view word) {
 }  // namespace
 
 // Where the word is, or the free slot where it belongs.
-std::size_t WordNumbers::slot(std::string_view word, std::size_t hash) const {
+std::size_t StringInterner::slot(std::string_view word, std::size_t hash) const {
   std::size_t at = hash & (slots_.size() - 1);
   while (slots_[at] != none) {
     const Known& known = words_[slots_[at]];
@@ -39,14 +39,14 @@ std::size_t WordNumbers::slot(std::string_view word, std::size_t hash) const {
   return at;
 }
 
-void WordNumbers::grow() {
+void StringInterner::grow() {
   constexpr std::size_t smallest = 4096;
   slots_.assign(slots_.empty() ? smallest : 2 * slots_.size(), none);
   for (std::size_t number = 0; number < words_.size(); ++number)
     slots_[slot(words_[number].spelling, words_[number].hash)] = static_cast<std::uint32_t>(number);
 }
 
-std::uint32_t WordNumbers::add(std::string_view word) {
+std::uint32_t StringInterner::add(std::string_view word) {
   if (2 * words_.size() >= slots_.size()) grow();
   const std::size_t hash = hash_of(word);
   std::uint32_t& number = slots_[slot(word, hash)];
@@ -57,7 +57,7 @@ std::uint32_t WordNumbers::add(std::string_view word) {
   return number;
 }
 
-std::uint32_t WordNumbers::find(std::string_view word) const {
+std::uint32_t StringInterner::find(std::string_view word) const {
   return slots_.empty() ? none : slots_[slot(word, hash_of(word))];
 }
 

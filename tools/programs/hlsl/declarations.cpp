@@ -1,10 +1,10 @@
-#include "hlsl/outline.h"
+#include "hlsl/declarations.h"
 
 #include <cstdint>
 #include <span>
 #include <string_view>
 
-#include "hlsl/word_set.h"
+#include "hlsl/name_set.h"
 
 namespace penumbra::hlsl {
 
@@ -17,12 +17,12 @@ bool is(const Token& token, std::string_view spelling) {
 }
 
 bool opens(const Token& token) {
-  if (token.kind != Token::Kind::mark) return false;
+  if (token.kind != Token::Kind::punctuation) return false;
   const char lead = token.spelling[0];
   return lead == '(' || lead == '[' || lead == '{';
 }
 bool closes(const Token& token) {
-  if (token.kind != Token::Kind::mark) return false;
+  if (token.kind != Token::Kind::punctuation) return false;
   const char lead = token.spelling[0];
   return lead == ')' || lead == ']' || lead == '}';
 }
@@ -50,7 +50,7 @@ std::vector<std::uint32_t> closing_brackets(Tokens tokens) {
 
 // What may stand before a parameter's type without being part of it. `in` is what a parameter is anyway.
 bool is_modifier(const Token& token) {
-  static constexpr WordSet modifiers("in", "const", "uniform", "precise", "static", "linear", "centroid",
+  static constexpr NameSet modifiers("in", "const", "uniform", "precise", "static", "linear", "centroid",
                                      "nointerpolation", "noperspective", "sample", "row_major",
                                      "column_major", "snorm", "unorm", "volatile");
   return modifiers.contains(token.spelling);
@@ -72,7 +72,7 @@ std::string parameter_type(Tokens tokens) {
     depth += is(tokens[i], "<") ? 1 : is(tokens[i], ">") ? -1 : 0;
     type += tokens[i].spelling;
   }
-  if (i < tokens.size() && tokens[i].kind == Token::Kind::word) ++i;  // its name
+  if (i < tokens.size() && tokens[i].kind == Token::Kind::identifier) ++i;  // its name
   for (; i < tokens.size() && !is(tokens[i], "=") && !is(tokens[i], ":"); ++i) type += tokens[i].spelling;
   return type;
 }
@@ -109,7 +109,7 @@ class Reader {
   using Kind = Declaration::Kind;
 
   bool at(std::string_view spelling) const { return at_ < tokens_.size() && is(tokens_[at_], spelling); }
-  bool at_word() const { return at_ < tokens_.size() && tokens_[at_].kind == Token::Kind::word; }
+  bool at_word() const { return at_ < tokens_.size() && tokens_[at_].kind == Token::Kind::identifier; }
 
   // Steps over the brackets that open here; to the end of the text when they are never closed.
   std::size_t skip_brackets() {
@@ -209,7 +209,7 @@ class Reader {
     int angles = 0;
     for (std::size_t previous = Declaration::none; at_ < tokens_.size(); previous = at_++) {
       const bool named = previous != Declaration::none && previous > current_.type &&
-                         tokens_[previous].kind == Token::Kind::word;
+                         tokens_[previous].kind == Token::Kind::identifier;
       if (at("<")) ++angles;
       if (at(">")) --angles;
       if (angles > 0) continue;
@@ -259,7 +259,7 @@ class Reader {
 
 }  // namespace
 
-std::vector<Declaration> outline(const std::vector<Token>& tokens) {
+std::vector<Declaration> read_declarations(const std::vector<Token>& tokens) {
   return Reader(tokens).run();
 }
 

@@ -1,13 +1,13 @@
 // A set holds its words and nothing that only looks like them.
-#include "hlsl/word_set.h"
+#include "hlsl/name_set.h"
 
 #include <gtest/gtest.h>
 
 namespace penumbra::hlsl {
 namespace {
 
-TEST(WordSet, HoldsItsWordsAndNothingElse) {
-  static constexpr WordSet set("in", "inout", "out", "nointerpolation", "_a1");
+TEST(NameSet, HoldsItsWordsAndNothingElse) {
+  static constexpr NameSet set("in", "inout", "out", "nointerpolation", "_a1");
   for (const char* word : {"in", "inout", "out", "nointerpolation", "_a1"})
     EXPECT_TRUE(set.contains(word)) << word;
   for (const char* word : {"", "i", "io", "IN", "on", "inou", "inouts", "nointerpolatiom", "_a2", "?a1",
