@@ -1,4 +1,4 @@
-// What every room throws for input a person can mend: exit code 2 at the command line.
+// Thrown by every room for invalid input that the user can correct: exit code 2 at the command line.
 #pragma once
 
 #include <stdexcept>
@@ -8,10 +8,10 @@
 
 namespace penumbra {
 
-// where: "file", "file:line" or "file:line:column", or empty when the input has no place of its own.
-// what() is "where: problem" followed, when there is one, by "\n  way out", with control characters as
-// escapes (visible_text.h): names and texts of untrusted files stand in all three. The way out may have
-// several lines.
+// where: "file", "file:line" or "file:line:column", or empty if the input has no location. what() is "where:
+// problem" followed, if there is a way out, by "\n  way out", with control characters escaped
+// (visible_text.h), because all three may contain text of untrusted files. The way out may have several
+// lines.
 class InputError : public std::runtime_error {
  public:
   InputError(const std::string& where, const std::string& problem, const std::string& way_out = {})

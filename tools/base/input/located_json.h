@@ -1,4 +1,4 @@
-// JSON whose values know the line and column they were read from, so that "unknown key" points at the key.
+// JSON values with the line and column they were read from, so that "unknown key" points at the key.
 #pragma once
 
 #include <cstdint>
@@ -24,8 +24,8 @@ class LocatedJson {
     int column = 1;
     std::uint32_t number = 0;
   };
-  // By the number of the container and the key or the index in it, so that a place takes the space of its own
-  // key, however deep it is.
+  // Keyed by the number of the container and the key or index in it, so that the size of an entry does not
+  // depend on its depth.
   using Places = std::map<std::pair<std::uint32_t, std::string>, Place>;
 
   // Throws InputError: unreadable, longer than read_text_file() reads, empty, not JSON (with line and
@@ -47,8 +47,8 @@ class LocatedJson {
   Places places_;
 };
 
-// One object of a LocatedJson, read field by field. Every accessor throws InputError at the value's own place
-// when the type is wrong; finish() throws for keys nobody asked for, naming the nearest that was.
+// One object of a LocatedJson, read field by field. Every accessor throws InputError at the value's location
+// if the type is wrong; finish() throws for keys that were not read, suggesting the nearest one that was.
 class JsonObject {
  public:
   explicit JsonObject(const LocatedJson& document, LocatedJson::Pointer at = LocatedJson::Pointer());
@@ -62,7 +62,7 @@ class JsonObject {
   std::vector<std::string> texts(const std::string& key);                  // array of strings; absent: empty
   JsonObject object(const std::string& key);                               // absent: an empty object
   std::vector<JsonObject> objects(const std::string& key);                 // array of objects; absent: empty
-  std::vector<std::string> keys() const;                                   // all keys, in file order not kept
+  std::vector<std::string> keys() const;                                   // all keys, not in file order
   void finish() const;
 
   std::string where(const std::string& key) const;

@@ -1,4 +1,4 @@
-// Markdown that a program writes parts of: the rest of the file is a person's.
+// Markdown files of which the program generates parts; the rest is written by people.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 namespace penumbra {
 
 // Text for a table's cell: a bar would end the cell, a line break the table, and HTML, links, emphasis and
-// code would be obeyed. A control character becomes a blank.
+// code would be interpreted. A control character becomes a space.
 std::string markdown_cell(std::string_view text);
 
 // The same as code within a line, which may be that of a table; and as a block of code in its fence. Neither
@@ -15,13 +15,12 @@ std::string markdown_cell(std::string_view text);
 std::string markdown_code(std::string_view text);
 std::string markdown_code_block(std::string_view language, std::string_view text);
 
-// "<!-- NAME:begin -->" and "<!-- NAME:end -->", between which the block NAME stands.
+// "<!-- NAME:begin -->" and "<!-- NAME:end -->", which enclose the block NAME.
 std::string block_begin(std::string_view name);
 std::string block_end(std::string_view name);
 
-// The text with what stands between the markers of `name` replaced by the block; the rest is kept byte by
-// byte. Throws InputError naming `file` when a marker is missing, stands twice, or the end comes before the
-// beginning.
+// The text with the contents between the markers of `name` replaced by the block; the rest is unchanged.
+// Throws InputError naming `file` if a marker is missing or duplicated, or the end precedes the beginning.
 std::string replace_block(const std::string& text, std::string_view name, const std::string& block,
                           const std::string& file);
 

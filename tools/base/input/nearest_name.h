@@ -1,4 +1,4 @@
-// "Did you mean ...": the known name closest to what a person typed.
+// "Did you mean ...": the known name closest to a misspelt one.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// A whole file as a text, of bounded size: what a user names or a project holds may be a device, a pipe that
-// nobody writes to, or endless.
+// Reads a whole file as text, with a size limit: a path from a user or a project may be a device, a pipe
+// without a writer, or endless.
 #pragma once
 
 #include <cstddef>
@@ -17,10 +17,10 @@ constexpr std::size_t kLargestTextFile = std::size_t{512}
 // cannot be opened or read, is a folder or a named pipe, or has more bytes than `largest`.
 std::string read_text_file(const std::filesystem::path& file, std::size_t largest = kLargestTextFile);
 
-// A file that was found in a project or folder. What is not a regular file is refused besides.
+// A file that was found in a project or folder. Also refuses anything but a regular file.
 std::string read_found_text_file(const std::filesystem::path& file, std::size_t largest = kLargestTextFile);
 
-// What is left of a stream; nothing when reading it fails, where std::istreambuf_iterator throws.
+// The rest of a stream; nothing if reading fails, where std::istreambuf_iterator throws.
 std::optional<std::string> rest_of(std::istream& stream);
 
 }  // namespace penumbra

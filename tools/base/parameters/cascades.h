@@ -1,9 +1,9 @@
 // Cascaded shadow maps of a directional light: splits, fit, matrices and the scales soft shadows need.
 //
 // Spaces: world space in metres, +Y up by habit but not by need. View space looks down -Z, as Unity's view
-// matrices do. Matrices act on column vectors; GLM stores them column by column, emitters write row-major.
-// All mathematics here is double precision; verify() compares every figure that is emitted as a float with
-// the same derivation in long double and reports the difference in ULP of that float.
+// matrices do. Matrices multiply column vectors; GLM stores them column-major, emitters write row-major. All
+// mathematics here is in double precision; verify() compares every figure that is emitted as a float with the
+// same derivation in long double and reports the difference in ULP of that float.
 #pragma once
 
 #include <array>
@@ -67,7 +67,7 @@ struct ShadowSettings {
   std::optional<Bounds> caster_bounds{};          // world box of all casters: fixes the near plane, and the
                                                   // custom fit tightens to it when fit_to_bounds is set
   bool fit_to_bounds = false;
-  double near_plane_offset_metres = 0.2;  // Unity's Light.shadowNearPlane stand-in, added before the sphere
+  double near_plane_offset_metres = 0.2;  // corresponds to Unity's Light.shadowNearPlane; added in front of the sphere
 };
 
 // One tile of the atlas. Matrices of URP's meaning: world_to_shadow maps world space to atlas UV (x, y) and
@@ -107,8 +107,9 @@ struct CascadeSet {
 // The splits in use: the given ones, or URP's defaults 0.25 | 0.1, 0.3 | 0.067, 0.2, 0.467.
 std::array<double, 3> effective_splits(const ShadowSettings& settings);
 
-// Snapping to texels rounds half up, but with round numbers halves are common and rounding noise would decide
-// them: the tie stands a little aside, at no simple fraction, and the tile's margin is half a texel and more.
+// Snapping to texels rounds half up, but with round numbers halves are common, and rounding noise would
+// decide them: so the tie is shifted slightly, to no simple fraction; the tile's margin is half a texel and
+// more.
 inline constexpr double kSnapTieTexels = 0.000618034;
 inline constexpr double kSnapMarginTexels = 0.501;
 
@@ -132,7 +133,7 @@ glm::dvec4 tile_rectangle(const AtlasLayout& layout, int cascade);  // x, y, wid
 // Fills every figure that follows from world_to_shadow and offset_scale: from uv_per_metre to the biases.
 void derive_scales(const CascadeSet& set, const ShadowSettings& settings, Cascade& cascade);
 
-// Names a figure that no float can hold (overflow, not a number); empty when all can.
+// The name of a value that overflows a float or is NaN; empty if there is none.
 std::string why_not_emittable(const Cascade& cascade);
 
 // The fit, per cascade: the smallest sphere around the camera's sub-frustum (its radius does not change when

@@ -1,8 +1,8 @@
-// Inputs and answers of the mathematics that a renderer needs every frame, for its other implementations (C#
-// in the package) to be compared with figure by figure.
+// Inputs and expected results of the per-frame mathematics, for testing other implementations (C# in the
+// package) value by value.
 //
-// Inputs are exact floats; answers come of them in double or long double and are rounded to float once. Every
-// number is printed with the fewest digits that read back to the same float.
+// Inputs are exact floats; results are computed from them in double or long double and rounded to float once.
+// Every number is printed with the fewest digits that read back to the same float.
 #pragma once
 
 #include <cstdint>

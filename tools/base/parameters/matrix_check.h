@@ -1,5 +1,5 @@
-// Is this 4x4 matrix what it claims to be? An empty answer is yes; else the reason, to follow the matrix's
-// name.
+// Checks that a 4x4 matrix has the required form. An empty result means yes; otherwise the reason, to follow
+// the matrix's name.
 #pragma once
 
 #include <glm/mat4x4.hpp>

@@ -1,9 +1,9 @@
 // The matrix from a pixel of a camera's depth texture to world space, S = inverse(projection * view) N.
 //
 // Spaces: (u, v, stored depth, 1) in, v from texel row 0; homogeneous world position out, to divide by its w.
-// N maps the texture's coordinates to the device's clip space, by its conventions.
-// Guarantees: computed in long double, each matrix inverted by itself, so that a far camera and a near plane
-// close to 0 cost no digits a float could hold.
+// N maps the texture's coordinates to the device's clip space, by its conventions. Guarantees: computed in
+// long double, each matrix inverted by itself, so that a distant camera and a near plane close to 0 cost no
+// float precision.
 #pragma once
 
 #include <glm/mat4x4.hpp>

@@ -1,10 +1,9 @@
-// What Shadows.hlsl and HDRP's shadow filter read of settings that a person can state. Parameters that the
-// filters take as they are stated are packed by techniques/parameter_packing.h.
+// The uniforms that Shadows.hlsl and HDRP's shadow filter derive from user settings. Parameters that filters
+// use unchanged are packed by techniques/parameter_packing.h.
 //
-// Units: degrees, metres, texels as named. Whatever the settings hold, every component is finite and in the
-// range the shaders take: NaN counts as a range's low end.
-// Source: ShaderLibrary/Shadows.hlsl and Pipelines/Urp.hlsl; for HDRP its request settings of a directional
-// light's PCSS, version 17.
+// Units: degrees, metres, texels as named. Whatever the settings contain, every component is finite and in
+// the range of the shaders: NaN becomes the lower end of the range. Source: ShaderLibrary/Shadows.hlsl and
+// Pipelines/Urp.hlsl; for HDRP its request settings of a directional light's PCSS, version 17.
 #pragma once
 
 #include <glm/vec4.hpp>

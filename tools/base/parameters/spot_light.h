@@ -1,8 +1,8 @@
 // A spot light and its shadow map: one tile in perspective, its matrices, and the scales soft shadows need.
 //
-// URP's spot lights are points. Here the light has a source, a disc of a radius in metres that faces whoever
-// looks at it, so that its shadows have penumbrae. The cone says where light is, not how visible it is: its
-// falloff is no part of a shadow.
+// URP's spot lights are points. Here the light has a source, a disc with a radius in metres that faces each
+// receiver, so that its shadows have penumbrae. The cone limits where light is, not its visibility: its
+// falloff is not part of the shadow.
 //
 //      ____|____    source, radius R
 //       \  |  /
@@ -12,11 +12,11 @@
 //    ____/_|_\____  d_r, a receiver
 //        2 w
 //
-// An edge at axial depth d_b casts on a receiver at d_r a penumbra of radius w = R (d_r - d_b) / d_b: so far
-// is the shadow of the source's centre from where all of the source is seen, and from where none of it is. In
-// the map's UV it is w / (2 tan(angle / 2) d_r), which is linear in the stored depths. That is on the axis;
-// at an angle t to it, the source, which faces the receiver, makes the penumbra 1 / cos t times as wide away
-// from the axis, to first order in R.
+// An edge at axial depth d_b casts on a receiver at d_r a penumbra of radius w = R (d_r - d_b) / d_b: the
+// distance from the shadow of the source's centre to where all of the source is visible, and to where none of
+// it is. In the map's UV it is w / (2 tan(angle / 2) d_r), which is linear in the stored depths. That is on
+// the axis; at an angle t to it, the source, which faces the receiver, makes the penumbra 1 / cos t times as
+// wide away from the axis, to first order in R.
 //
 // Spaces: as parameters/cascades.h. Axial depth: metres from the light's position along its direction.
 #pragma once

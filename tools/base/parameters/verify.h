@@ -1,12 +1,11 @@
-// The error of every float that is emitted, in ULP of that float, against a second derivation in long double.
+// The error of every emitted float, in ULP of that float, against a second derivation in long double.
 //
-// The second derivation takes other roads on purpose: the sphere from the corners' positions, up by
+// The second derivation deliberately uses other formulas: the sphere from the corners' positions, up by
 // Gram-Schmidt, world_to_shadow by inverting the map from shadow to world, scales from the tile's extent in
-// metres instead of the matrix's rows. An error of the formula therefore shows, not only one of rounding.
+// metres instead of the matrix's rows. So it also detects errors of the formulas, not only of rounding.
 //
-// One ULP of an entry is the spacing of floats at it; of an entry smaller than 2^-24 of its vector's or
-// matrix row's largest, the spacing there: what is smaller than the row's own rounding cannot be seen in a
-// result.
+// One ULP of an entry is the spacing of floats at it; for an entry smaller than 2^-24 of the largest in its
+// vector or matrix row, the spacing there: smaller differences are below the row's own rounding error.
 #pragma once
 
 #include <string>

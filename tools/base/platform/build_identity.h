@@ -1,4 +1,4 @@
-// Which build this is: answers that are kept for later hold only for the very code that found them.
+// Identifies the build: cached results are valid only for the code that produced them.
 #pragma once
 
 #include <string>

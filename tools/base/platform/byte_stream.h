@@ -1,6 +1,6 @@
-// Values to bytes and back, for messages to workers and for entries of the cache. A reader of bytes that are
-// truncated or damaged gives empty values and says so at the end; it never reads past them, and never
-// allocates more than they could hold.
+// Binary serialisation, for messages to workers and for cache entries. A reader of truncated or damaged bytes
+// returns empty values and reports it at the end; it never reads out of bounds, and never allocates more than
+// the bytes could hold.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,8 @@ class ByteWriter {
   void number(std::uint64_t value);
   void text(std::string_view value);  // its length, then its bytes
 
-  // Numbers and structs of numbers, as they lie in memory: both ends are one program on one machine.
+  // Numbers and structs of numbers, in their memory representation: both ends are the same program on one
+  // machine.
   template <typename Value>
   void values(std::span<const Value> list) {
     static_assert(std::is_trivially_copyable_v<Value>);
@@ -94,7 +95,7 @@ class ByteReader {
     return elements;
   }
 
-  void spoil() { whole_ = false; }  // a value that cannot be
+  void spoil() { whole_ = false; }  // for an invalid value
   bool exhausted() const { return whole_ && rest_.empty(); }
 
  private:

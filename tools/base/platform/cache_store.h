@@ -1,10 +1,9 @@
-// Answers on disk, each under the hash of all it depends on. Safe for any number of processes at once.
+// A cache on disk, keyed by the hash of everything that a result depends on. Safe for concurrent processes.
 //
-// An entry is one file, written beside its place and renamed, and carries its kind, its key and a checksum of
-// all of it: a reader sees a whole entry or none. One that is truncated or damaged reads as absent, is
-// counted, and is written again. There are no locks, and nothing is flushed to the disk: after a power cut
-// entries may be damaged, which is found. Writing is an attempt: a full or read-only disk costs the next run
-// its time.
+// An entry is one file, written to a temporary file and renamed, and contains its kind, its key and a
+// checksum: a reader sees a whole entry or none. A truncated or damaged entry counts as absent, is counted,
+// and is written again. There are no locks and no flushes: entries damaged by a power cut are detected. Write
+// errors are not fatal: with a full or read-only disk, the next run has to recompute.
 #pragma once
 
 #include <atomic>
@@ -20,19 +19,19 @@ namespace penumbra::platform {
 
 class CacheStore {
  public:
-  // An empty path keeps nothing. The folder is made on the first write.
+  // An empty path disables the cache. The folder is created by the first write.
   explicit CacheStore(std::filesystem::path directory) : directory_(std::move(directory)) {}
 
-  // kind: what the content is, lower-case letters and digits; the extension of its files. A change of what it
-  // means takes another. key: 32 hexadecimal digits (ContentHash).
+  // kind: the type of the content, lower-case letters and digits; the extension of its files. A change of its
+  // format needs a new kind. key: 32 hexadecimal digits (ContentHash).
   std::optional<std::string> find(std::string_view kind, const std::string& key) const;
-  // False when it cannot be written (full disk, permissions): nothing partial is left.
+  // False if it cannot be written (full disk, permissions): no partial file is left.
   bool store(std::string_view kind, const std::string& key, std::string_view content) const;
   void drop(std::string_view kind, const std::string& key) const;
 
   std::filesystem::path file(std::string_view kind, const std::string& key) const;
 
-  std::size_t damaged() const { return damaged_; }          // entries met that were not whole
+  std::size_t damaged() const { return damaged_; }          // damaged entries that were read
   std::uint64_t bytes_written() const { return written_; }  // by this object
 
  private:
@@ -41,15 +40,14 @@ class CacheStore {
   mutable std::atomic<std::uint64_t> written_{0};
 };
 
-// Removes the entries of these kinds that were used longest ago until the rest of them has at most `limit`
-// bytes, and what killed processes left half-written an hour ago or more. Entries in use are whole until
-// their readers close them. The bytes that are left.
+// Removes the least recently used entries of these kinds until at most `limit` bytes are left, and temporary
+// files that killed processes left an hour ago or more. Entries that are being read stay intact until their
+// readers close them. Returns the remaining bytes.
 std::uint64_t trim_cache(const std::filesystem::path& directory, std::span<const std::string_view> kinds,
                          std::uint64_t limit);
 
-// The same when this run alone, which wrote so many bytes, has written a good part of what fits, and else
-// once a day: looking at every entry takes time that a small run should not pay. An empty directory has
-// nothing.
+// The same if this run has written a large part of the limit, otherwise at most once a day, because looking
+// at every entry takes time. An empty directory has no entries.
 void trim_cache_when_due(const std::filesystem::path& directory, std::span<const std::string_view> kinds,
                          std::uint64_t limit, std::uint64_t written);
 

@@ -1,4 +1,4 @@
-// Another program, run to its end: arguments as they are (no shell), text in, text out, never for ever.
+// Runs another program to completion: arguments without a shell, text in, text out, with a timeout.
 #pragma once
 
 #include <chrono>
@@ -12,15 +12,15 @@
 namespace penumbra::platform {
 
 struct ChildCommand {
-  std::string program;  // a path, or a name looked up in PATH
+  std::string program;  // a path, or a name that is searched in PATH
   std::vector<std::string> arguments;
   std::string input;                                  // all of its standard input
-  std::chrono::milliseconds timeout{300'000};         // for what hangs, however busy the machine is
+  std::chrono::milliseconds timeout{300'000};         // for hangs; generous for a busy machine
   std::size_t output_limit = std::size_t{256} << 20;  // bytes of output and errors together
-  std::vector<std::pair<std::string, std::string>> environment{};  // added to ours, or in place of ours
+  std::vector<std::pair<std::string, std::string>> environment{};  // added to ours, or replacing ours
 };
 
-// What ends a child at its own limit of processor time; 0 where there is no such signal.
+// The signal that ends a child at its own CPU time limit; 0 if there is no such signal.
 extern const int signal_of_processor_time;
 
 struct ChildResult {
@@ -33,8 +33,8 @@ struct ChildResult {
   bool succeeded() const { return exit_code == 0 && !timed_out && !overflowed; }
 };
 
-// Throws EnvironmentError when the program cannot be started, Interrupted when the user stops us meanwhile
-// (the child is ended first). POSIX only: elsewhere it throws EnvironmentError.
+// Throws EnvironmentError if the program cannot be started, Interrupted if the user interrupts (the child is
+// ended first). POSIX only: elsewhere it throws EnvironmentError.
 ChildResult run_child(const ChildCommand& command);
 
 // Where PATH finds the program; empty when nowhere.

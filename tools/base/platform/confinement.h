@@ -1,9 +1,9 @@
-// Takes from this process what reading a shader or a model does not need, for good: what a crafted file makes
-// of a mistake in a compiler or an importer ends here.
+// Irrevocably drops privileges of this process that reading a shader or a model does not need, so that an
+// exploited bug in a compiler or an importer is contained.
 //
-// POSIX: no core files, no file larger than kLargestConfinedFile. Linux, besides: a limit of memory
-// (RLIMIT_DATA), no new privileges (PR_SET_NO_NEW_PRIVS), and where the program was built with libseccomp
-// only the system calls that system_call_filter.cpp lists. Windows: nothing.
+// POSIX: no core files, no file larger than kLargestConfinedFile. Linux also: a memory limit (RLIMIT_DATA),
+// no new privileges (PR_SET_NO_NEW_PRIVS), and, if built with libseccomp, only the system calls that
+// system_call_filter.cpp lists. Windows: nothing.
 #pragma once
 
 #include <cstddef>
@@ -12,17 +12,17 @@ namespace penumbra::platform {
 
 inline constexpr std::size_t kLargestConfinedFile = std::size_t{64} << 20;  // bytes
 
-// Closes what was inherited, from this descriptor on: a parent's files are not all closed at exec.
+// Closes inherited descriptors from this one on: not all of a parent's files are closed at exec.
 void close_descriptors_from(int first);
 
-// The system ends this process with SIGXCPU after so many seconds of processor time from now.
+// The system ends this process with SIGXCPU after that many seconds of CPU time from now.
 void limit_processor_time(unsigned long long seconds);
 
 // `memory`: bytes that may be allocated, and some for libraries; builds with sanitizers have no such limit.
-// Call it before anything untrusted is read; what needs more, a graphics driver for example, is opened
-// before. Threads that run already are confined too. Throws EnvironmentError where the kernel refuses the
-// list of system calls, unless the environment variable PENUMBRA_UNFILTERED_WORKERS is 1: then only that is
-// left out.
+// Call it before anything untrusted is read; anything that needs more privileges, such as a graphics driver,
+// is opened before. Running threads are confined, too. Throws EnvironmentError if the kernel refuses the
+// system call filter, unless the environment variable PENUMBRA_UNFILTERED_WORKERS is 1: then only the filter
+// is omitted.
 void confine_process(std::size_t memory);
 
 }  // namespace penumbra::platform

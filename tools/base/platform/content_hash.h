@@ -1,8 +1,8 @@
-// A name for content: equal bytes have equal names, so that an expensive answer can be kept and found again.
+// A content hash: a key under which a result is cached.
 //
-// XXH3, 128 bits: not a guard against forgers, but no two contents met by accident will share a name. Numbers
-// are hashed by their bits (0.0 and -0.0 differ), and everything of varying length is preceded by its length,
-// so that {"ab", "c"} and {"a", "bc"} differ. Names are equal across machines of the same byte order.
+// XXH3, 128 bits: not collision-resistant against attackers, but accidental collisions are negligible.
+// Numbers are hashed by their bits (0.0 and -0.0 differ), and everything of varying length is preceded by its
+// length, so {"ab", "c"} and {"a", "bc"} differ. Hashes are equal across machines of the same byte order.
 #pragma once
 
 #include <concepts>
@@ -26,7 +26,8 @@ class ContentHash {
   ContentHash& update(std::span<const std::byte> bytes);
   ContentHash& update(std::string_view text);
   ContentHash& update(double number);
-  // Integers of every width and bool hash as the same 64 bits, so a field may be widened without new names.
+  // Integers of every width and bool hash as the same 64 bits, so a field may be widened without changing
+  // hashes.
   template <std::integral Integer>
   ContentHash& update(Integer number) {
     return update_integer(static_cast<std::uint64_t>(number));
@@ -37,7 +38,7 @@ class ContentHash {
     return update(std::as_bytes(elements));
   }
 
-  // As one that has just been made.
+  // Resets to the initial state.
   void reset();
 
   std::string hex() const;  // 32 lower-case digits; more may be added after

@@ -1,4 +1,4 @@
-// Where the files the program reads at run time lie: ShaderLibrary/, the harness's own shaders.
+// The location of the files that the program reads at run time: ShaderLibrary/ and the program's own shaders.
 #pragma once
 
 #include <filesystem>

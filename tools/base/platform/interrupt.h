@@ -1,4 +1,4 @@
-// SIGINT (Ctrl-C) and SIGTERM as a flag that long loops ask for, so that nothing half-written is left behind.
+// SIGINT (Ctrl-C) and SIGTERM as a flag that long loops poll, so that no partial output is left.
 #pragma once
 
 #include <exception>
@@ -13,15 +13,15 @@ class Interrupted : public std::exception {
 inline constexpr const char* interrupted_message =
     "interrupted; finished work is kept, and the same command continues from there";
 
-// SIGINT and SIGTERM set the flag. What does not ask for it, a long dispatch on the processor for example, is
-// ended after two seconds; another signal, a second or more after the first, ends the program at once. The
-// exit code is 128 and the signal's number.
+// SIGINT and SIGTERM set the flag. Code that does not poll it, such as a long dispatch on the CPU, is ended
+// after two seconds; another signal, a second or more after the first, ends the program immediately. The exit
+// code is 128 plus the signal's number.
 void watch_interrupts();
 bool interrupted();
 int interrupting_signal();    // 0: none
 void throw_if_interrupted();  // throws Interrupted
 
-// While one is alive a file is being written, which the end after two seconds waits for. From any thread.
+// While an object exists, a file is being written, and the end after two seconds is delayed. Thread-safe.
 class FileWrite {
  public:
   FileWrite();

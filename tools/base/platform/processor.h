@@ -1,4 +1,4 @@
-// What this machine computes with, for the head of a result table.
+// The processor's name, for the heading of result tables.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Which commit of our own repository this program and the shaders it reads are from.
+// The commit of this repository from which this program and the shaders it reads come.
 #pragma once
 
 #include <filesystem>
@@ -7,9 +7,9 @@
 
 namespace penumbra::platform {
 
-// git's 40 hex digits of the commit that the program was built from, "-dirty" behind them when the program's
-// sources were changed then, or differ from that commit now: shaders are read when the program runs. Absent
-// when the program was not built in a checkout, as from a tarball.
+// git's 40 hex digits of the commit that the program was built from, followed by "-dirty" if the program's
+// sources were changed then, or differ from that commit now: shaders are read at run time. Absent if the
+// program was not built in a checkout, as from a tarball.
 std::optional<std::string> source_commit();
 
 // The same of a program that was built from `built` and reads its shaders from `folder`. Where there is no

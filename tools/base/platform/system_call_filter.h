@@ -1,10 +1,11 @@
-// The system calls that are left to a process that reads untrusted files. Internal to this room.
+// The system calls that are allowed in a process that reads untrusted files. Internal to this room.
 #pragma once
 
 namespace penumbra::platform {
 
-// For all threads of this process, and for good: every other call fails with EPERM. 0, or the error that the
-// kernel gave; 0 as well where the program was built without libseccomp, which filters nothing.
+// Installs the filter for all threads of this process, irrevocably: every other call fails with EPERM.
+// Returns 0, or the kernel's error; also 0 if the program was built without libseccomp, which filters
+// nothing.
 int filter_system_calls();
 
 }  // namespace penumbra::platform

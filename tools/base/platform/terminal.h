@@ -1,4 +1,4 @@
-// Who is reading: a person at a terminal, or a file.
+// Whether output goes to a terminal, and the user's folders.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +13,7 @@ bool colour_wanted_on_stdout();               // the same of standard output
 std::filesystem::path program_path();         // the running executable
 std::filesystem::path program_directory();    // its folder
 std::filesystem::path temporary_directory();  // $TMPDIR, or /tmp where that is not a folder
-// A new folder in it that this user alone can read, its name beginning so; empty where none can be made.
+// A new folder in it that this user alone can read, whose name has that prefix; empty if none can be created.
 std::filesystem::path new_private_directory(const std::string& prefix);
 std::filesystem::path cache_directory();  // $PENUMBRA_CACHE, else $XDG_CACHE_HOME or ~/.cache, /penumbra
 

@@ -5,9 +5,8 @@
 
 namespace penumbra::platform {
 
-// Calls `work` on this thread and on up to threads - 1 more at once, on fewer where the system starts no
-// more; returns when all of them have. `work` takes its share from what they have in common, and throws
-// nothing.
+// Calls `work` on this thread and on up to threads - 1 others, fewer if the system starts no more; returns
+// when all have returned. The calls divide the work through shared state, and must not throw.
 void run_on_threads(unsigned threads, const std::function<void()>& work);
 
 }  // namespace penumbra::platform

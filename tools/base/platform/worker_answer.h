@@ -1,4 +1,4 @@
-// A worker's answer as bytes: what its work gave, or the InputError that it threw.
+// A worker's serialised response: the result of its work, or the InputError that it threw.
 #pragma once
 
 #include <functional>
@@ -9,7 +9,7 @@ namespace penumbra::platform {
 // The worker's side. Every exception but InputError passes through.
 std::string answer_or_input_error(const std::function<std::string()>& work);
 
-// The other side: the answer. Throws the InputError, and std::invalid_argument for what is neither.
+// The parent's side: the result. Throws the InputError, and std::invalid_argument for a malformed response.
 std::string taken_answer(std::string bytes);
 
 }  // namespace penumbra::platform

@@ -1,4 +1,5 @@
-// How a pool and its workers talk: frames of a kind, a length and a content. Internal to this room.
+// The protocol between a pool and its workers: frames of a kind, a length and a content. Internal to this
+// room.
 #pragma once
 
 #include <array>
@@ -36,11 +37,11 @@ inline constexpr std::size_t frame_head_size = 1 + sizeof(std::uint64_t);
 std::array<char, frame_head_size> frame_head(FrameKind kind, std::size_t content_size);
 std::string frame_bytes(FrameKind kind, std::string_view content);
 
-// A failure, whichever end notices it first.
+// The text of this failure, whichever side detects it first.
 std::string too_much_memory(std::size_t limit);
 
-// Takes bytes as they come and gives whole frames; one of no kind, and nothing after it, once the bytes
-// cannot be frames or one has more than `largest` bytes.
+// Accepts bytes in any chunks and returns whole frames; an invalid frame, and nothing after it, once the
+// bytes are malformed or a frame exceeds `largest` bytes.
 class FrameReader {
  public:
   explicit FrameReader(std::size_t largest) : largest_(largest) {}

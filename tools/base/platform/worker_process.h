@@ -1,5 +1,4 @@
-// One worker as the pool sees it: started, written to, read from, watched, ended. POSIX; internal to this
-// room.
+// One worker process from the pool's side: start, send, receive, monitor, end. POSIX; internal to this room.
 #pragma once
 
 #ifndef _WIN32
@@ -24,12 +23,12 @@ class WorkerProcess {
   WorkerProcess(const WorkerProcess&) = delete;
   WorkerProcess& operator=(const WorkerProcess&) = delete;
 
-  void send(FrameKind kind, std::string_view content);  // never blocks: keeps what the socket does not take
+  void send(FrameKind kind, std::string_view content);  // never blocks: buffers what the socket does not accept
   bool has_more_to_send() const { return !outbox_.empty(); }
   void send_more();
 
-  // Both read what is there now, at most some megabytes. read_frames is false when the worker has closed its
-  // end: it has ended.
+  // Both read the available bytes, at most some megabytes. read_frames is false when the worker has closed
+  // its end: it has ended.
   bool read_frames();
   void read_child_output();
   std::optional<Frame> next_frame() { return reader_.next(); }

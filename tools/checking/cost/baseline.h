@@ -1,4 +1,4 @@
-// This run's figures against those of a committed report.
+// Compares this run's figures with those of a committed report.
 #pragma once
 
 #include <cstddef>
@@ -20,13 +20,13 @@ struct BaselineComparison {
   std::vector<BaselineChange> worse;  // beyond the tolerance
   std::vector<BaselineChange> better;
   std::vector<std::string> unknown;  // rows of this run that the baseline lacks
-  std::vector<std::string> gone;     // rows of the baseline that a run of this extent should have given
+  std::vector<std::string> gone;     // rows of the baseline that this run should have produced
   std::size_t compared = 0;          // rows
 
   bool passed() const { return worse.empty() && unknown.empty() && gone.empty(); }
 };
 
-// What the run was asked for: a baseline may hold more. Empty lists mean everything.
+// The extent of the run: a baseline may contain more. Empty lists mean everything.
 struct ComparedExtent {
   std::vector<std::string> families;
   std::vector<std::string> techniques;
@@ -34,13 +34,13 @@ struct ComparedExtent {
 };
 
 // A figure is worse when it is larger (occupancy: smaller) than before by more than tolerance_percent; rows
-// are matched by family, file, entry, stage, technique and keywords, so techniques that come to share a
-// module, or cease to, still meet their own earlier figures.
+// are matched by family, file, entry, stage, technique and keywords, so techniques whose modules become
+// identical, or no longer are, are still compared with their own earlier figures.
 BaselineComparison compare_with_baseline(const CostReport& report, const CostReport& baseline,
                                          const ComparedExtent& extent, double tolerance_percent);
 
-// Throws EnvironmentError when the driver or the compiler of the SPIR-V is another: figures of two compilers
-// say nothing about a shader. `file` names the baseline.
+// Throws EnvironmentError if the driver or the SPIR-V compiler differs: figures of different compilers are
+// not comparable. `file` names the baseline.
 void require_same_compilers(const std::string& driver, const std::string& compiler,
                             const CostReport& baseline, const std::string& file);
 

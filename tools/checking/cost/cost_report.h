@@ -16,7 +16,7 @@
 
 namespace penumbra::cost {
 
-// One of the choices that gave a module.
+// One of the variants that compile to a module.
 struct CostVariant {
   std::string technique;  // empty for a user's file
   std::vector<std::string> keywords;
@@ -35,7 +35,7 @@ struct CostRow {
 };
 
 struct CostReport {
-  std::string command;   // that gives it again
+  std::string command;   // that reproduces it
   std::string driver;    // the GPU compiler, with its version
   std::string compiler;  // shaders::compiler_version(), which made the SPIR-V
   std::vector<RadvFamily> families;

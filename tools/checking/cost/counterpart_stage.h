@@ -1,10 +1,10 @@
-// The other stage of a graphics pipeline when only one is given: HLSL that passes on, or takes up, exactly
-// what the given one needs.
+// Generates the other stage of a graphics pipeline if only one is given: HLSL that writes or reads exactly
+// the given stage's interface.
 //
-// Drivers link stages: an input that no vertex shader writes is undefined and everything computed from it
-// goes, an output that no fragment shader reads goes too, and a constant is carried over the border. So the
-// vertex shader made here passes a vertex attribute of its own through every location, and the fragment
-// shader made here reads every component of every location.
+// Drivers link stages: an input that no vertex shader writes is undefined and the code that depends on it is
+// removed, an output that no fragment shader reads is removed, too, and constants are propagated across
+// stages. So the generated vertex shader passes a separate vertex attribute through every location, and the
+// generated fragment shader reads every component of every location.
 #pragma once
 
 #include <cstdint>

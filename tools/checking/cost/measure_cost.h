@@ -1,4 +1,4 @@
-// Compiles techniques and files and has every distinct module measured for every family.
+// Compiles techniques and files and measures every distinct module for every family.
 #pragma once
 
 #include <cstddef>
@@ -48,7 +48,7 @@ struct CostOutcome {
 };
 
 // Throws InputError for an unknown family or a file that cannot be read, EnvironmentError without RADV,
-// platform::Interrupted. What the driver makes of a single shader is its row's.
+// platform::Interrupted. A driver's failure on a single shader is recorded in its row.
 CostOutcome measure_cost(const CostRequest& request);
 
 }  // namespace penumbra::cost

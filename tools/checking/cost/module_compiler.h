@@ -1,5 +1,5 @@
-// Compiles sources in worker processes, and looks at the modules there. Internal to this room, but for the
-// worker's side.
+// Compiles sources in worker processes, and counts the modules' instructions there. Internal to this room,
+// except for the worker's side.
 #pragma once
 
 #include <cstdint>
@@ -19,9 +19,9 @@ struct CompiledModule {
   std::vector<hlsl::Diagnostic> diagnostics;
 };
 
-// One of each request, in their order. A request that ends its worker has a diagnostic that says so. Without
-// arguments in `pool` threads do the work. Throws InputError for a file that cannot be read,
-// EnvironmentError, platform::Interrupted.
+// One module per request, in order. A request that crashes its worker gets a diagnostic. Without arguments in
+// `pool`, threads do the work. Throws InputError for a file that cannot be read, EnvironmentError,
+// platform::Interrupted.
 std::vector<CompiledModule> compile_all(const std::vector<shaders::CompileRequest>& requests,
                                         const platform::WorkerPool& pool);
 

@@ -1,9 +1,9 @@
-// Figures of a shader from Mesa's AMD Vulkan driver, RADV, compiled for a GPU that is not there.
+// Figures of a shader from Mesa's AMD Vulkan driver, RADV, compiled offline for a GPU that is not present.
 //
-// With RADV_FORCE_FAMILY set, RADV offers a device without hardware, whose pipelines go through its real
-// compiler (ACO). Each call runs a process of its own: the variable holds for one process, and a driver that
-// crashes, hangs or is killed costs one answer. Variables that change RADV's code generation are cleared
-// there, so that the figures depend on shader, family and Mesa version alone.
+// With RADV_FORCE_FAMILY set, RADV offers a device without hardware, whose pipelines are compiled by its real
+// compiler (ACO). Each call runs a separate process: the variable applies to a whole process, and a driver
+// that crashes, hangs or is killed costs one result. Variables that change RADV's code generation are cleared
+// there, so the figures depend only on shader, family and Mesa version.
 //
 // Based on Mesa's documentation, "Environment Variables", RADV_FORCE_FAMILY;
 // VK_KHR_pipeline_executable_properties.
@@ -32,7 +32,7 @@ struct RadvFamily {
   std::string driver;  // with its version, for example "radv Mesa 22.3.6"
 };
 
-// Throws InputError naming the nearest family when the driver knows none of that name, EnvironmentError when
+// Throws InputError suggesting the nearest family if the driver does not know the name, EnvironmentError if
 // there is no RADV.
 RadvFamily open_family(const NullRadv& radv);
 
@@ -49,8 +49,8 @@ struct Measurement {
   Figures figures;
 };
 
-// Never throws for a bad shader or a driver's crash: that is a failure with its reason. Throws
-// EnvironmentError when the worker cannot be started, platform::Interrupted.
+// Does not throw for an invalid shader or a driver's crash: that is a failure with its reason. Throws
+// EnvironmentError if the worker cannot be started, platform::Interrupted.
 Measurement measure(const NullRadv& radv, const ModuleToMeasure& module);
 
 }  // namespace penumbra::cost

@@ -1,4 +1,4 @@
-// The other end of null_radv.h: what the process of one shader does.
+// The worker's side of null_radv.h, which processes one shader.
 #pragma once
 
 #include <iosfwd>
@@ -7,8 +7,8 @@
 namespace penumbra::cost {
 
 // Reads a SPIR-V module from `input`, has this process's RADV compile it and writes the figures as JSON to
-// `output`; with an empty stage only tells which device there is. Never throws for what can go wrong with
-// shader or driver: the answer says it. SIGXCPU ends the process after `seconds` of processor time.
+// `output`; with an empty stage it only identifies the device. Does not throw for errors of shader or driver:
+// the response contains them. SIGXCPU ends the process after `seconds` of CPU time.
 void run_radv_worker(unsigned seconds, const std::string& stage, const std::string& entry,
                      std::istream& input, std::ostream& output);
 

@@ -1,4 +1,4 @@
-// How many instructions a SPIR-V module has, by what they do: a count no driver has touched.
+// How many instructions a SPIR-V module has, by category: a count that does not depend on a driver.
 //
 // Based on the SPIR-V specification 1.6, section 3 "Instructions". Counted are the instructions in function
 // bodies that compute or move something: labels, merge declarations, variables, undefined values and debug
@@ -17,7 +17,7 @@ struct SpirvCounts {
   std::size_t texture = 0;  // samples, fetches, gathers, reads, writes and queries of images
   std::size_t memory = 0;   // loads, stores, addresses, atomics
   std::size_t control = 0;  // branches, phis, calls, returns, kills
-  // the rest builds and takes apart composites
+  // the rest constructs and extracts composites
 
   bool operator==(const SpirvCounts&) const = default;
 };

@@ -1,8 +1,8 @@
 // Rules negative-pow and nan-check. Internal to this room.
 //
 // Direct3D's compiler warns that pow(f, e) gives NaN for negative f wherever it cannot prove f >= 0 (X3571),
-// and that isnan() may go because it takes values for numbers (X3577); GLSL's pow is undefined for negative
-// bases (GLSL 4.60 specification, 8.2).
+// and that isnan() may be removed because it assumes that no value is NaN (X3577); GLSL's pow is undefined
+// for negative bases (GLSL 4.60 specification, 8.2).
 // https://learn.microsoft.com/windows/win32/direct3dhlsl/dx-graphics-hlsl-pow
 #pragma once
 

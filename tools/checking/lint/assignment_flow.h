@@ -1,11 +1,11 @@
-// Which components of a function's local variables and out parameters are set, on every path to a place.
+// Which components of a function's local variables and out parameters are definitely assigned at a point.
 // Internal to this room.
 //
 // Definite assignment, as Java's language specification (chapter 16) defines it for locals, here for single
-// components: a component counts as set where every path from the function's start to there stores it.
-// Copies carry what is unset along; a read is where a value is used. Calls are looked through: what a callee
-// sets and what it reads of each parameter is found out first. An element chosen by an index that is only
-// known at run time counts as set once any element is, so arrays filled in a loop are not reported.
+// components: a component is assigned if every path from the function's entry to the point stores it. Copies
+// propagate unassigned components; a read is where a value is used. The analysis is interprocedural: what a
+// callee assigns and reads of each parameter is computed first. An element with a dynamic index counts as
+// assigned once any element is, so arrays filled in a loop are not reported.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@ struct UnsetRead {
   spirv::Id callee = 0;    // that callee, or the one that reads the variable it is given; 0: read in place
   spirv::Id type = 0;
   Components known;       // false for those that are read though unset
-  bool ever_set = false;  // something in the function stores to some of them
+  bool ever_set = false;  // the function stores to some of them somewhere
   spirv::Place place;
 };
 
@@ -37,7 +37,7 @@ struct UnsetOutput {
   spirv::Place place;
 };
 
-// What a call does, by parameter.
+// The effect of a call on each argument.
 struct ParameterEffect {
   bool is_out = false;
   Components read;  // before being set; meaningless for out
@@ -54,7 +54,8 @@ struct AssignmentFindings {
   bool too_large = false;
 };
 
-// Findings of every function but the entry point's wrapper, which only copies; in the order of the module.
+// The findings of every function except the entry point's wrapper, which only copies; in the order of the
+// module.
 std::map<spirv::Id, AssignmentFindings> assignment_findings(const spirv::Code& code);
 
 }  // namespace penumbra::lint

@@ -1,5 +1,5 @@
-// Values and variables as rows of scalar components, for analyses that ask which of them are set.
-// Internal to this room.
+// Values and variables as flat lists of scalar components, for data-flow analysis of assignments. Internal to
+// this room.
 //
 // float4 has 4 components, a struct those of its members in order, an array those of its elements. A type of
 // more than `most_components` counts as one.
@@ -24,8 +24,8 @@ bool all(const Components& set);
 bool none(const Components& set);
 void intersect(Components& into, const Components& other);
 
-// Part of a variable or value: `count` components from `first`. Not exact when an index is only known when
-// the shader runs; then it spans every element the index may mean.
+// Part of a variable or value: `count` components from `first`. Not exact for a dynamic index; then it spans
+// every element that the index may select.
 struct Part {
   std::size_t first = 0;
   std::size_t count = 0;
@@ -39,7 +39,7 @@ class ComponentLayout {
 
   std::size_t count(spirv::Id type);
 
-  // The part of `whole` that one index more selects.
+  // The part of `whole` that one more index selects.
   Part select(const Part& whole, spirv::Id index_constant);
   Part select_literal(const Part& whole, std::uint32_t index);
 

@@ -1,7 +1,6 @@
-// Blocks of one SPIR-V function as a graph, dominators, and which branch decides whether a block runs.
-// Internal to this room.
+// The control-flow graph of a SPIR-V function, its dominators and control dependence. Internal to this room.
 //
-// Nodes are the indices of Function::blocks. Branches on a constant have one way out. Dominators after
+// Nodes are the indices of Function::blocks. Branches on a constant have one successor. Dominators after
 // Cooper, Harvey and Kennedy, "A Simple, Fast Dominance Algorithm" (2001); control dependence after Ferrante,
 // Ottenstein and Warren, "The Program Dependence Graph and Its Use in Optimization" (1987).
 #pragma once
@@ -17,8 +16,8 @@ using Graph = std::vector<std::vector<std::size_t>>;  // successors by node
 
 constexpr std::size_t no_node = static_cast<std::size_t>(-1);
 
-// Above this no rule that follows paths looks at a function, nor at a module that has more in all: neither
-// our algorithms nor SPIRV-Tools' are linear in the worst case.
+// Functions and modules with more basic blocks are not analysed: neither our algorithms nor SPIRV-Tools' are
+// linear in the worst case.
 constexpr std::size_t most_blocks = 4'000;
 
 struct ControlFlow {
@@ -42,9 +41,9 @@ Graph reversed(const Graph& graph);
 std::vector<std::size_t> reverse_postorder(const Graph& graph, std::size_t entry);
 std::vector<std::size_t> immediate_dominators(const Graph& graph, std::size_t entry);
 
-// For every node the branches it depends on directly: one of their ways leads to it for sure, another need
-// not. `discard` is not a branch away: Direct3D and Vulkan's demotion keep the pixel for derivatives, so a
-// block that ends in OpKill counts as going on where its condition ends.
+// For every node the branches on which it is directly control-dependent: one successor always leads to it,
+// another need not. `discard` is not an exit: Direct3D and Vulkan's demotion keep the invocation for
+// derivatives, so a block that ends in OpKill counts as continuing where its condition ends.
 Graph control_dependence(const spirv::Code& code, const spirv::Function& function, const ControlFlow& flow);
 
 }  // namespace penumbra::lint

@@ -1,11 +1,11 @@
-// Which values of a fragment shader differ between the pixels of a quad, and which blocks only some of them
-// run. Internal to this room.
+// Divergence analysis: which values of a fragment shader differ between the pixels of a quad, and which
+// blocks are in divergent control flow. Internal to this room.
 //
-// After Coutinho, Sampaio, Pereira and Meira, "Divergence Analysis and Optimizations" (2011): what varies at
-// its source (interpolated inputs, atomics, calls that could not be inlined) makes what is computed from it
-// vary; a branch on it makes what the branch decides vary, and so does a loop left after different numbers
-// of rounds for what is used behind it. Flat inputs are equal within a quad, which lies in one primitive
-// (SPIR-V specification, "derivative group").
+// After Coutinho, Sampaio, Pereira and Meira, "Divergence Analysis and Optimizations" (2011): values are
+// divergent at their sources (interpolated inputs, atomics, calls that could not be inlined), if they depend
+// on divergent values (data dependence), if a divergent branch controls them (sync dependence), and after a
+// loop with a divergent number of iterations (temporal divergence). Flat inputs are uniform within a quad,
+// which lies in one primitive (SPIR-V specification, "derivative group").
 #pragma once
 
 #include <cstddef>
@@ -55,7 +55,7 @@ class Divergence {
   Graph depends_;  // control dependence, direct
   std::vector<Loop> loops_;
   std::vector<std::size_t> node_of_;  // by id: where its value is defined
-  std::vector<bool> varies_;          // by id; of a variable: what it holds
+  std::vector<bool> varies_;          // by id; for a variable: its contents
   std::vector<bool> branch_varies_;   // by node: ends in a branch on a varying value
   std::vector<bool> runs_apart_;      // by node: some varying branch decides whether it runs
 };

@@ -1,9 +1,9 @@
-// A function's blocks as paths through them, with loops that surely run once shown as such.
+// A function's control-flow graph in which the first iteration of loops that certainly run is peeled.
 // Internal to this room.
 //
-// `for (i = 0; i < 4; ++i)` looks to a path analysis as if its body might be skipped. Where the condition can
-// be computed from constants for the first round, the test before the first round is a node of its own that
-// leads into the body alone.
+// `for (i = 0; i < 4; ++i)` looks to a path analysis as if its body might be skipped. If constant folding
+// decides the condition for the first iteration, the test before that iteration becomes a separate node whose
+// only successor is the body.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 namespace penumbra::lint {
 
 struct Paths {
-  std::vector<std::size_t> block;  // by node; two nodes may stand for one block
+  std::vector<std::size_t> block;  // by node; two nodes may refer to one block
   Graph successors;
   Graph predecessors;
   std::vector<std::size_t> order;  // reachable nodes, reverse postorder

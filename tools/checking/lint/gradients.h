@@ -1,9 +1,9 @@
 // Rules divergent-derivative, gradient-in-varying-loop and unroll-without-bound. Internal to this room.
 //
 // Implicit derivatives (Sample, SampleCmp, SampleBias, ddx, ddy, fwidth, CalculateLevelOfDetail) are only
-// defined where all four pixels of a quad take the same way (SPIR-V specification, "Derivatives"). Direct3D's
-// compiler moves such an operation out of a varying condition with a warning (X4121) and unrolls a loop with
-// a varying number of rounds around one (X3570), which fails when nothing bounds the rounds (X3511).
+// defined in uniform control flow within a quad (SPIR-V specification, "Derivatives"). Direct3D's compiler
+// moves such an operation out of a divergent condition with a warning (X4121) and unrolls a loop around it
+// with a divergent number of iterations (X3570), which fails if nothing bounds the iterations (X3511).
 // https://learn.microsoft.com/windows/win32/direct3dhlsl/hlsl-errors-and-warnings
 #pragma once
 
@@ -17,7 +17,7 @@ namespace penumbra::lint {
 // Of a legalised fragment shader.
 std::vector<Finding> gradient_findings(const LintedCode& linted);
 
-// Loops marked [unroll] nothing constant bounds; any stage, legalised.
+// Loops marked [unroll] without a constant bound; any stage, legalised.
 std::vector<Finding> unroll_findings(const LintedCode& linted);
 
 }  // namespace penumbra::lint

@@ -1,8 +1,8 @@
-// The module as a driver sees it: one function, values instead of variables, dead code and dead resources
-// gone, every instruction still with its line. Internal to this room.
+// The module as a driver sees it: one function, SSA values instead of variables, without dead code and dead
+// resources, with debug lines. Internal to this room.
 //
 // SPIRV-Tools' passes for HLSL legalisation without loop unrolling and without the wrapping of OpKill, so
-// that loops and discards stay as they were written.
+// that loops and discards are preserved.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,10 @@
 
 namespace penumbra::lint {
 
-// Nothing when SPIRV-Tools cannot do it.
+// Nothing if SPIRV-Tools fails.
 std::optional<std::vector<std::uint32_t>> legalised(const std::vector<std::uint32_t>& spirv);
 
-// Of a module that the compiler has legalised: what is left to do.
+// For a module that the compiler has already legalised: the remaining passes.
 std::optional<std::vector<std::uint32_t>> simplified(const std::vector<std::uint32_t>& legalised);
 
 }  // namespace penumbra::lint

@@ -1,4 +1,4 @@
-// The function-local variables and pointer parameters of one function, and which of them a pointer means.
+// The function-local variables and pointer parameters of one function, and pointer analysis for them.
 // Internal to this room.
 #pragma once
 
@@ -15,11 +15,11 @@ namespace penumbra::lint {
 struct LocalVariable {
   spirv::Id id = 0;
   spirv::Id type = 0;     // of what it holds
-  std::size_t first = 0;  // its components in a row of all of them
+  std::size_t first = 0;  // its first component in the list of all of them
   std::size_t count = 0;
   int parameter = -1;  // its position when it is one
   bool initialised = false;
-  bool copy_for_call = false;  // glslang's "param": holds one argument for the length of a call
+  bool copy_for_call = false;  // glslang's "param": a copy of an argument for the duration of a call
   Components stored;           // components that something in the function stores to
 };
 

@@ -1,11 +1,11 @@
-// The rules that one compiled shader stage decides by itself: unset outputs and variables, derivatives in
-// varying control flow, unbounded [unroll], pow of negative bases, NaN tests, samplers, limits.
+// The rules for a single compiled shader stage: unset outputs and variables, derivatives in divergent control
+// flow, unbounded [unroll], pow of negative bases, NaN tests, samplers, limits.
 //
-// Compile with CompileRequest::optimise off and debug_lines on, and hand over the result's SPIR-V and
-// sources. Findings come in the order of files and lines, each once, without those a comment suppresses
-// (suppression.h). Never throws for a module that glslang made; std::invalid_argument for words that are no
-// SPIR-V. Reentrant. Work is bounded: what has more than 4,000 basic blocks is named in a note (rule
-// not-checked) and not followed.
+// Compile with CompileRequest::optimise off and debug_lines on, and pass the result's SPIR-V and sources.
+// Findings are sorted by file and line, each once, without those that a comment suppresses (suppression.h).
+// Does not throw for a module that glslang produced; std::invalid_argument for words that are not SPIR-V.
+// Reentrant. The work is bounded: functions with more than 4,000 basic blocks are reported by a note (rule
+// not-checked) and not analysed.
 #pragma once
 
 #include <cstdint>
@@ -25,15 +25,15 @@ struct ModuleToLint {
   hlsl::SourceFiles sources;  // as CompileResult has them
   // Ten times `#pragma target` (25, 30, 35, 45, 50); 0: none was given.
   int shader_target = 0;
-  // The SPIR-V legalised, where the compiler has it at hand: whether there is anything to report is then told
-  // sooner. Empty: not at hand.
+  // The legalised SPIR-V, if the compiler has produced it: a faster check whether there is anything to
+  // report. Empty: not available.
   std::vector<std::uint32_t> legalised{};
 };
 
 std::vector<Finding> lint_module(const ModuleToLint& module);
 
-// The two halves of it: what the module shows, of which equal modules show the same, and what the comments of
-// the texts make of that.
+// The two steps: the findings of the module, equal for equal modules, and their filtering by the comments in
+// the texts.
 std::vector<Finding> module_findings(const ModuleToLint& module);
 std::vector<Finding> with_suppressions(std::vector<Finding> findings, const hlsl::SourceFiles& sources);
 

@@ -1,5 +1,5 @@
-// The rules that only a whole shader can break: constant buffers that the SRP Batcher needs alike in every
-// pass, and keywords that never change what is compiled.
+// The rules for a whole shader: constant buffers that the SRP Batcher requires to be identical in every pass,
+// and keywords that never change the compiled code.
 //
 // SRP Batcher: https://docs.unity3d.com/Manual/SRPBatcher-Materials.html ("all material properties in a
 // single constant buffer named UnityPerMaterial"); the same layout in every pass of a SubShader. Keywords:
@@ -17,8 +17,8 @@ namespace penumbra::lint {
 
 struct ConstantBufferMember {
   std::string name;
-  std::uint32_t offset = 0;  // bytes, as glslang lays out: what follows an array starts a new register
-  std::uint64_t size = 0;    // bytes, padding after the last element left out
+  std::uint32_t offset = 0;  // bytes, in glslang's layout: a member after an array starts a new register
+  std::uint64_t size = 0;    // bytes, without padding after the last element
 
   bool operator==(const ConstantBufferMember&) const = default;
 };
@@ -29,8 +29,8 @@ struct ConstantBuffer {
   std::vector<ConstantBufferMember> members;
 };
 
-// All that an unoptimised module declares, used or not. Throws std::invalid_argument for words that are no
-// SPIR-V.
+// All constant buffers that an unoptimised module declares, used or not. Throws std::invalid_argument for
+// words that are not SPIR-V.
 std::vector<ConstantBuffer> constant_buffers(const std::vector<std::uint32_t>& spirv);
 
 // One compiled stage of one pass.
@@ -55,12 +55,11 @@ struct ShaderToLint {
   std::vector<PassStage> stages;
 };
 
-// Rule srp-batcher: properties outside of UnityPerMaterial, and layouts of it that differ. A stage that has
-// no UnityPerMaterial at all is no layout. Engine properties (unity_*) outside of UnityPerDraw are not
-// checked.
+// Rule srp-batcher: properties outside of UnityPerMaterial, and differing layouts of it. A stage without
+// UnityPerMaterial is not compared. Engine properties (unity_*) outside of UnityPerDraw are not checked.
 std::vector<Finding> srp_batcher_findings(const ShaderToLint& shader);
 
-// What the preprocessor or the compiler made of one variant.
+// The result of preprocessing or compiling one variant.
 struct VariantText {
   std::vector<std::string> keywords;  // those that are on
   std::string hash;                   // equal for equal results
@@ -74,8 +73,8 @@ struct ProgramKeywords {
   std::vector<VariantText> variants;
 };
 
-// Rule unused-keyword: a keyword is dead when every pair of variants that differ in it alone has equal
-// results and there is such a pair. Keywords that no pair tests are not reported.
+// Rule unused-keyword: a keyword is unused if every pair of variants that differ only in it has equal results
+// and there is such a pair. Keywords that no pair tests are not reported.
 std::vector<Finding> unused_keyword_findings(const ProgramKeywords& program);
 
 }  // namespace penumbra::lint

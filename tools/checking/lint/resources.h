@@ -1,7 +1,7 @@
 // Rules sampler-name, sampler-limit and register-limit. Internal to this room.
 //
-// What counts is what the shader uses after dead code is gone, as in the compilers that enforce the limits:
-// https://learn.microsoft.com/windows/win32/direct3d11/overviews-direct3d-11-resources-limits and the
+// Resources count if the shader uses them after dead code elimination, as in the compilers that enforce the
+// limits: https://learn.microsoft.com/windows/win32/direct3d11/overviews-direct3d-11-resources-limits and the
 // constants of d3d11.h named in resources.cpp; interpolators by `#pragma target` after
 // https://docs.unity3d.com/Manual/SL-ShaderCompileTargets.html and SL-Pragma-require.html.
 #pragma once

@@ -1,4 +1,4 @@
-// The lint rules: what each is called, what it rests on, how severe it is, and what a finding says.
+// The lint rules: name, severity, description and source of each, and the findings.
 //
 // Documentation~/lint.md has one section for each; a test compares the two lists.
 #pragma once
@@ -12,9 +12,9 @@ namespace penumbra::lint {
 
 struct RuleInfo {
   std::string name;                                   // kebab-case, as suppressions and reports spell it
-  hlsl::Severity severity = hlsl::Severity::warning;  // the worst it reports
+  hlsl::Severity severity = hlsl::Severity::warning;  // the highest that it reports
   std::string summary;                                // one sentence
-  std::string source;                                 // the page or section it rests on
+  std::string source;                                 // the page or section that documents it
 };
 
 // In the order of the documentation.

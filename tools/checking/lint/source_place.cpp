@@ -11,12 +11,13 @@ namespace {
 
 constexpr int longest_signature = 40;  // lines
 
-bool is_word(char c) {
+bool is_identifier_character(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
 bool stands_alone(std::string_view line, std::size_t at, std::size_t length) {
-  return (at == 0 || !is_word(line[at - 1])) && (at + length >= line.size() || !is_word(line[at + length]));
+  return (at == 0 || !is_identifier_character(line[at - 1])) &&
+         (at + length >= line.size() || !is_identifier_character(line[at + length]));
 }
 
 std::string_view without_comment(std::string_view line) {

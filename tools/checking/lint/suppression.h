@@ -1,9 +1,9 @@
-// Comments that silence a rule where it is known to be wrong:
+// Comments that suppress a rule where it is known to be wrong:
 //
-//   // penumbra-lint: disable=rule-name[,rule-name...]        this line, or the next when it stands alone
+//   // penumbra-lint: disable=rule-name[,rule-name...]        this line, or the next one if it has no code
 //   // penumbra-lint: disable-file=rule-name[,rule-name...]   this file
 //
-// Read from the texts as they were written, before any preprocessing.
+// Read from the original texts, before any preprocessing.
 #pragma once
 
 #include <vector>
@@ -13,11 +13,11 @@
 
 namespace penumbra::lint {
 
-// The findings that no comment at their own place silences. A finding without a line is silenced by
-// disable-file alone.
+// The findings that no comment at their location suppresses. A finding without a line is suppressed only by
+// disable-file.
 std::vector<Finding> without_suppressed(std::vector<Finding> findings, const hlsl::SourceFiles& sources);
 
-// Comments that name no rule there is: a suppression that does nothing looks like one that does.
+// Comments that name an unknown rule: a suppression without effect looks like one that works.
 std::vector<Finding> unknown_suppressions(const hlsl::SourceFiles& sources);
 
 }  // namespace penumbra::lint

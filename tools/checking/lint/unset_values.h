@@ -1,8 +1,8 @@
 // Rules output-not-set and read-before-set. Internal to this room.
 //
-// Direct3D's compiler refuses a function some path of which returns nothing (X3507) and an out parameter that
-// is not completely set (X3508); it warns of a shader output that is not (X3578) and of variables that may be
-// read before they are set (X4000). glslang passes all four.
+// Direct3D's compiler rejects a function with a path that returns nothing (X3507) and an out parameter that
+// is not completely assigned (X3508); it warns about a shader output that is not (X3578) and about variables
+// that may be read uninitialised (X4000). glslang accepts all four.
 // https://learn.microsoft.com/windows/win32/direct3dhlsl/hlsl-errors-and-warnings
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace penumbra::lint {
 
-// The module must have kept its functions and names (unoptimised).
+// The module must have its functions and names (unoptimised).
 std::vector<Finding> unset_values(const LintedCode& linted);
 
 }  // namespace penumbra::lint

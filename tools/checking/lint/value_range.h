@@ -1,8 +1,8 @@
-// What range a floating-point value must lie in, from the instructions that compute it. Internal to this
-// room.
+// Interval analysis: the range of a floating-point value, from the instructions that compute it. Internal to
+// this room.
 //
-// Interval arithmetic without NaN: as compilers under fast mathematics, which Direct3D's and Unity's are.
-// A vector has one range for all its components. Values that loops carry are unknown.
+// Interval arithmetic without NaN, as compilers with fast math assume, which Direct3D's and Unity's are. A
+// vector has one range for all its components. Loop-carried values are unknown.
 #pragma once
 
 #include <limits>
@@ -24,7 +24,7 @@ class ValueRanges {
 
   Range of(spirv::Id value);
 
-  // The value of a constant whose components are all alike.
+  // The value of a constant whose components are all equal.
   std::optional<double> constant(spirv::Id value) const;
 
  private:
