@@ -49,6 +49,29 @@ TEST(PipelineInterface, EveryKindOfDescriptorWithItsCount) {
   EXPECT_THAT(interface.inputs, IsEmpty());
 }
 
+TEST(PipelineInterface, LocationsHaveTheSemanticsOfTheSource) {
+  CompileRequest request;
+  request.file = "interface.hlsl";
+  request.text =
+      "struct Vertex { float3 normal : NORMAL; float4 colour : color; float4 position : POSITION; float2 uv "
+      ": TexCoord3;\n"
+      "  uint id : SV_VertexID; };\n"
+      "float4 Main(Vertex v, float4 tangent : TANGENT) : SV_Position { return v.position + float4(v.uv, "
+      "v.id, tangent.w); }";
+  request.stage = hlsl::Stage::vertex;
+  const CompileResult result = compile(request);
+  ASSERT_FALSE(result.spirv.empty());
+  std::map<std::string, std::uint32_t> read;
+  for (const StageLocation& input : pipeline_interface(result.spirv, "Main").inputs)
+    read[result.input_semantics.at(input.location)] = input.components;
+  const std::map<std::string, std::uint32_t> expected{{"POSITION0", 4}, {"TANGENT0", 4}, {"TEXCOORD3", 2}};
+  EXPECT_EQ(read, expected);
+  std::vector<std::string> declared;
+  for (const auto& [location, semantic] : result.input_semantics) declared.push_back(semantic);
+  EXPECT_THAT(declared,
+              testing::UnorderedElementsAre("NORMAL0", "COLOR0", "POSITION0", "TEXCOORD3", "TANGENT0"));
+}
+
 TEST(PipelineInterface, LocationsOfMatricesArraysAndIntegers) {
   const PipelineInterface interface = pipeline_interface(
       compiled("float4 Main(float4 p : SV_Position, [[vk::location(5)]] nointerpolation uint2 u : A,\n"

@@ -17,6 +17,7 @@
 #include "shaders/generated_words.h"
 #include "shaders/group_limits.h"
 #include "shaders/hlsl_problems.h"
+#include "shaders/input_semantics.h"
 #include "shaders/integer_matrices.h"
 #include "shaders/macro_expansion.h"
 #include "shaders/matrix_operations.h"
@@ -172,6 +173,7 @@ bool build(const Source& source, const hlsl::SourceFiles& sources, CompileResult
   if (told(source, sources, refused_operands(tree), result)) return false;
   if (!put_right(source, sources, tree, result)) return false;
   if (!generate(source, tree, result) || !finish_module(source, sources, tree, result)) return false;
+  if (source.request.stage == hlsl::Stage::vertex) result.input_semantics = input_semantics(tree);
   if (!source.request.keep_unoptimised) return true;
   spv::SpvBuildLogger said_before;
   result.unoptimised = generated_words(tree, true, said_before);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -69,6 +70,8 @@ struct CompileResult {
   std::vector<std::filesystem::path> dependencies;  // every file that was read
   std::string missing_editor_include{};             // as in PreprocessedSource
   hlsl::SourceFiles sources;                        // the texts of all file names in messages and OpLine
+  // Of a vertex shader's inputs, by location: "TEXCOORD0". Inputs that it never reads are included.
+  std::map<std::uint32_t, std::string> input_semantics;
 };
 
 // These functions do not throw for an invalid shader; expand() and its callers throw InputError if `file`
