@@ -31,8 +31,8 @@ bool match(const Token& open, const Token& close) {
   return close.spelling[0] == (lead == '(' ? ')' : lead == '[' ? ']' : '}');
 }
 
-// For every opening bracket the index of the one that closes it; 0 where none does, and for all behind one
-// that closes nothing.
+// For every opening bracket the index of its match; 0 if there is none, and for all after an unmatched
+// closing bracket.
 std::vector<std::uint32_t> closing_brackets(Tokens tokens) {
   std::vector<std::uint32_t> closing(tokens.size(), 0);
   std::vector<std::uint32_t> open;
@@ -48,7 +48,7 @@ std::vector<std::uint32_t> closing_brackets(Tokens tokens) {
   return closing;
 }
 
-// What may stand before a parameter's type without being part of it. `in` is what a parameter is anyway.
+// Keywords that may precede a parameter's type without being part of it. `in` is the default.
 bool is_modifier(const Token& token) {
   static constexpr NameSet modifiers("in", "const", "uniform", "precise", "static", "linear", "centroid",
                                      "nointerpolation", "noperspective", "sample", "row_major",
@@ -111,7 +111,7 @@ class Reader {
   bool at(std::string_view spelling) const { return at_ < tokens_.size() && is(tokens_[at_], spelling); }
   bool at_word() const { return at_ < tokens_.size() && tokens_[at_].kind == Token::Kind::identifier; }
 
-  // Steps over the brackets that open here; to the end of the text when they are never closed.
+  // Skips the brackets that open here; to the end of the text if they are not closed.
   std::size_t skip_brackets() {
     const std::size_t close = closing_[at_];
     at_ = close == 0 ? tokens_.size() : close + 1;
@@ -156,7 +156,7 @@ class Reader {
     }
   }
 
-  // To the ';' that ends the declaration, over brackets; a '}' that closes nothing here ends it as well.
+  // Skips to the ';' that ends the declaration, over brackets; an unmatched '}' ends it as well.
   void to_semicolon() {
     while (at_ < tokens_.size() && !at(";") && !at("}")) {
       if (opens(tokens_[at_])) {
@@ -251,7 +251,7 @@ class Reader {
   Tokens tokens_;
   std::vector<std::uint32_t> closing_;
   std::size_t at_ = 0;
-  bool incomplete_ = false;  // a bracket was never closed: nothing after it is told
+  bool incomplete_ = false;  // a bracket is not closed: nothing after it is parsed
   Declaration current_;
   std::vector<std::string> namespaces_;
   std::vector<Declaration> found_;

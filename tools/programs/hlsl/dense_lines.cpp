@@ -8,10 +8,10 @@ namespace penumbra::hlsl {
 
 namespace {
 
-// Up to so many empty lines are shorter than a directive.
+// Up to this many empty lines are shorter than a directive.
 constexpr int most_empty_lines = 16;
 
-// From `at`, where the text is, to the place of the next code.
+// Moves from `at`, the current location of the text, to that of the next code.
 void go_to(const LinePlace& place, LinePlace& at, std::string& out) {
   const bool near =
       at.file == place.file && at.line <= place.line && place.line - at.line <= most_empty_lines;

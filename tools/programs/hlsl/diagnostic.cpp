@@ -22,8 +22,7 @@ const char* severity_name(Severity severity) {
   return "error";
 }
 
-// Blanks in place of the text before a caret; tabs stay, so that it stands under its character at any tab
-// width.
+// White space in place of the text before a caret; tabs are kept, so that it is aligned at any tab width.
 std::string blanks_for(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c != '\t'; }, ' ');
@@ -37,8 +36,8 @@ struct Excerpt {
   std::string before_caret;
 };
 
-// Of a line too long for a message (one of generated code may be a megabyte), what is around the column. Cut
-// between the characters of UTF-8.
+// The part around the column of a line that is too long for a message (one of generated code may have a
+// megabyte). Cut between UTF-8 characters.
 Excerpt excerpt_of(std::string_view line, int column) {
   const auto inside_character = [&](std::size_t at) {
     return at < line.size() && (static_cast<unsigned char>(line[at]) & 0xC0U) == 0x80U;
@@ -56,7 +55,7 @@ Excerpt excerpt_of(std::string_view line, int column) {
   }
   std::string before = (begin > 0 ? "..." : "") + visible_line(line.substr(begin, at - begin));
   std::string shown = before + visible_line(line.substr(at, end - at)) + (end < line.size() ? "..." : "");
-  // What is missing may be behind the line's end; a report that was made elsewhere may name any column.
+  // A missing token may be after the line's end; a report from elsewhere may contain any column.
   before.append(std::min(asked - at, kLongestShown), ' ');
   return {std::move(shown), std::move(before)};
 }

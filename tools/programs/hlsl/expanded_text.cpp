@@ -94,7 +94,7 @@ class BracketPairs {
  public:
   explicit BracketPairs(const SourceFiles& sources) : sources_(sources), indentation_(sources) {}
 
-  // False when it closes nothing, or closes over the head of another; fault() then says which.
+  // False if it is unmatched, or does not match the innermost open bracket; fault() then returns it.
   bool take(const Bracket& bracket) {
     const char c = bracket.character;
     if (c == '(' || c == '[' || c == '{') {
@@ -123,14 +123,14 @@ class BracketPairs {
  private:
   void close(const Bracket& closer) {
     const Bracket opener = open_.back();
-    // By the source: what is expanded may have lost its indentation.
+    // From the source: expanded text may have lost its indentation.
     if (!suspect_ && closer.character == '}' && indentation_.code(*closer.line).starts_with('}') &&
         indentation_.of(*closer.line) < indentation_.of(*opener.line)) {
       suspect_ = opener;
       suspect_depth_ = open_.size();
     }
     open_.pop_back();
-    if (open_.empty()) suspect_.reset();  // what is whole so far needs no suspect
+    if (open_.empty()) suspect_.reset();  // balanced so far: no candidate needed
   }
 
   const SourceFiles& sources_;
@@ -141,7 +141,7 @@ class BracketPairs {
   std::optional<OpenPlace> fault_;
 };
 
-// The words of a preprocessor line after '#', or empty; comments and continuation lines are skipped.
+// The tokens of a preprocessor line after '#', or empty; comments and continuation lines are skipped.
 class DirectiveReader {
  public:
   std::string directive(std::string_view line) {

@@ -23,7 +23,7 @@ bool is_static_constant(const std::vector<Token>& tokens, const Declaration& dec
   return is_static && is_constant;
 }
 
-// `a, b` declares two: which of them a reader means is not told apart.
+// `a, b` declares two: uses are not distinguished.
 bool declares_several(const std::vector<Token>& tokens, const Declaration& declaration) {
   int depth = 0;
   for (std::size_t at = declaration.first; at <= declaration.last; ++at) {
@@ -44,13 +44,13 @@ bool may_go(const std::vector<Token>& tokens, const Declaration& declaration) {
          !declares_several(tokens, declaration);
 }
 
-// What stands after a name where it is declared.
+// The tokens that may follow a declared name.
 bool ends_declarator(const Token& token) {
   return token.kind == Token::Kind::punctuation &&
          std::string_view(";,[:=").find(token.spelling[0]) != std::string_view::npos;
 }
 
-// Of text that goes: its newlines, and the directives that say where lines come from.
+// What is kept of removed text: its newlines and #line directives.
 void append_lines_alone(const std::string& text, std::size_t begin, std::size_t end, std::string& out) {
   for (std::size_t newline = text.find('\n', begin); newline < end; newline = text.find('\n', newline + 1)) {
     out += '\n';
@@ -63,13 +63,13 @@ void append_lines_alone(const std::string& text, std::size_t begin, std::size_t 
 
 }  // namespace
 
-// One walk over the declarations in their order.
+// One pass over the declarations in order.
 class ReachReader {
  public:
   explicit ReachReader(Reach& to)
       : to_(to), tokens_(to.tokens_), declarations_(read_declarations(to.tokens_)) {}
 
-  // Returns what stands outside everything that may go spells.
+  // Returns the names that occur outside of all removable declarations.
   std::vector<std::size_t> run(std::string_view entry) {
     number_names();
     std::size_t at = 0;
@@ -90,8 +90,8 @@ class ReachReader {
 
  private:
   struct Word {
-    std::size_t name = none;  // index into names_ of one that may go
-    std::string meaning;      // the keys of what declares it, so far; empty while nothing does
+    std::size_t name = none;  // index into names_ of a removable one
+    std::string meaning;      // the keys of its declarations so far; empty without any
   };
 
   std::string_view spelling(std::size_t token) const { return tokens_[token].spelling; }
@@ -113,7 +113,7 @@ class ReachReader {
     return words_[number];
   }
 
-  // A word that is used: what it means goes into the hash, whom it reaches into the list.
+  // A name that is used: its meaning is added to the hash, the declarations that it reaches to the list.
   void word(std::string_view spelled, platform::ContentHash* hash, std::vector<std::size_t>& reached) {
     const std::uint32_t number = numbers_.find(spelled);
     if (number == StringInterner::none) return;
@@ -181,7 +181,7 @@ class ReachReader {
   Reach& to_;
   const std::vector<Token>& tokens_;
   std::vector<Declaration> declarations_;
-  StringInterner numbers_;   // of the words that something declares
+  StringInterner numbers_;   // of all declared names
   std::vector<Word> words_;  // by their numbers
   platform::ContentHash hash_;
   std::vector<std::vector<std::string>> keys_;  // of names_: those of their declarations

@@ -41,7 +41,7 @@ bool is_space_or_tab(char c) {
   return c == ' ' || c == '\t';
 }
 
-// Whether `at` lies behind a '#' with which its line begins.
+// Whether `at` is after a '#' that begins its line.
 bool follows_hash(const std::string& text, std::size_t at) {
   while (at > 0 && is_space_or_tab(text[at - 1])) --at;
   if (at == 0 || text[--at] != '#') return false;
@@ -49,7 +49,7 @@ bool follows_hash(const std::string& text, std::size_t at) {
   return at == 0 || text[at - 1] == '\n';
 }
 
-// A #line tells of another file than this one, in which nothing could be shown or mended.
+// A #line directive refers to another file, in which nothing could be shown or corrected.
 void blank_line_directives(std::string& text) {
   constexpr std::string_view word = "line";
   for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {

@@ -7,7 +7,7 @@ namespace penumbra::hlsl {
 namespace {
 
 std::uint64_t mixed(std::uint64_t hash, std::uint64_t part) {
-  constexpr std::uint64_t factor = 0x9E3779B97F4A7C15U;  // 2^64 over the golden ratio, as Knuth multiplies
+  constexpr std::uint64_t factor = 0x9E3779B97F4A7C15U;  // 2^64 / golden ratio: Knuth's multiplicative hash
   hash = (hash ^ part) * factor;
   return hash ^ (hash >> 32U);
 }
@@ -28,7 +28,7 @@ std::size_t hash_of(std::string_view word) {
 
 }  // namespace
 
-// Where the word is, or the free slot where it belongs.
+// The slot of the string, or the free slot where it belongs.
 std::size_t StringInterner::slot(std::string_view word, std::size_t hash) const {
   std::size_t at = hash & (slots_.size() - 1);
   while (slots_[at] != none) {

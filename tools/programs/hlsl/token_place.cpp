@@ -17,7 +17,7 @@ std::size_t offset_in(std::string_view text, const Token& token) {
   return static_cast<std::size_t>(token.spelling.data() - text.data());
 }
 
-// The lexer gives marks one by one; a compiler must read "==" as one.
+// The lexer returns single punctuation characters; a compiler must read "==" as one token.
 std::vector<Token> with_operators_joined(const std::vector<Token>& marks, std::string_view text) {
   std::vector<Token> joined;
   for (std::size_t i = 0; i < marks.size(); ++i) {
@@ -36,7 +36,7 @@ std::vector<Token> with_operators_joined(const std::vector<Token>& marks, std::s
   return joined;
 }
 
-// Comments as blanks, so that columns stay.
+// Comments become white space, so that columns are preserved.
 std::string without_comments(std::string_view line) {
   std::string code(line);
   for (std::size_t i = 0; i + 1 < code.size(); ++i) {
@@ -51,7 +51,8 @@ std::string without_comments(std::string_view line) {
   return code;
 }
 
-// A name of the source line that the expanded line lacks, when there is one only: the macro that was called.
+// The only name of the source line that the expanded line lacks, if there is exactly one: the macro that was
+// called.
 int column_of_macro(std::string_view source_line, const std::set<std::string_view>& expanded) {
   const std::string code = without_comments(source_line);
   int column = 0;

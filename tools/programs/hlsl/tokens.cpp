@@ -16,7 +16,7 @@ bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v';
 }
 
-// Asked about nearly every character of a text: a table, for it is twice as fast as the comparisons.
+// Called for nearly every character of a text: a table is twice as fast as the comparisons.
 constexpr std::array<bool, 256> characters_of_words = [] {
   std::array<bool, 256> table{};
   for (std::size_t c = 0; c < table.size(); ++c) table[c] = continues_identifier(static_cast<char>(c));
@@ -31,7 +31,7 @@ class Lexer {
   explicit Lexer(std::string_view text) : text_(text) {}
 
   std::vector<Token> run() {
-    constexpr std::size_t characters_of_a_token = 5;  // fewer than shaders have, so that room is seldom made
+    constexpr std::size_t characters_of_a_token = 5;  // an estimate that seldom requires a reallocation
     tokens_.reserve(text_.size() / characters_of_a_token);
     while (at_ < text_.size()) step();
     return std::move(tokens_);
@@ -104,7 +104,7 @@ class Lexer {
     LinePlace behind{file_, line_};
     if (!take_line_directive(line, behind)) return;
     file_ = behind.file;
-    line_ = behind.line - 1;  // the end of this line counts one
+    line_ = behind.line - 1;  // the newline after this line counts one
   }
 
   std::string_view text_;

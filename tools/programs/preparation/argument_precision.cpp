@@ -10,7 +10,7 @@ namespace penumbra::preparation {
 
 namespace {
 
-// The numeric type that a token ends: of a cast, a variable, a member, an element or what a function returns.
+// The numeric type of the cast, variable, member, element or function result that ends at a token.
 std::string_view type_ending_at(const TokenText& text, std::size_t at) {
   const std::string_view word = text[at].spelling;
   if (text.is_identifier(at) && is_number_type(word)) return word;
@@ -45,15 +45,15 @@ std::vector<Precision> argument_precisions(const TokenText& text, std::size_t op
       end_argument();
     } else if (opens && match == at + 2 && text.is_identifier(at + 1) &&
                is_number_type(text[at + 1].spelling)) {
-      look(at + 1);  // a cast, and what it is of does not matter
+      look(at + 1);  // a cast, whose operand does not matter
       const std::size_t operand = match + 1;
       const bool group = text.is(operand, "(") && text.matching_bracket(operand) != npos;
       at = postfix_end(text, group ? text.matching_bracket(operand) : operand) - 1;
     } else if (opens && (text.is(at, "[") || !text.types().at(match).name.empty())) {
-      look(match);  // what an element is chosen by, or passed to a known function, does not matter
+      look(match);  // a subscript, or the arguments of a known function, do not matter
       at = match;
     } else if (opens) {
-      for (; at < match; ++at) look(at);  // whose commas are not the call's
+      for (; at < match; ++at) look(at);  // its commas do not separate the call's arguments
     } else {
       look(at);
     }

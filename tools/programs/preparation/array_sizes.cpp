@@ -38,7 +38,7 @@ class ArraySizes {
                "the array '" + std::string(text_[value.name].spelling) + "'" + why);
   }
 
-  // An initialiser says the size; DXC takes resources without one.
+  // An initialiser implies the size; DXC accepts resources without one.
   bool needs_size(const DeclaredValue& value) const {
     if (value.place == DeclaredValue::Place::parameter || text_.is(value.end, "=")) return false;
     return !dxc_ || !is_resource(value.type.name);

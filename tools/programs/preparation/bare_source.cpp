@@ -51,7 +51,7 @@ class BareSource {
     }
   }
 
-  // Where no token goes on over the end of the line, a newline outside directives is as good.
+  // Outside directives, a plain newline replaces a joined one if no token continues over the end of the line.
   void joined_lines() {
     const bool blank_before =
         out_.empty() || is_blank(out_.back()) || (out_.back() == '\n' && !out_.ends_with("\\\n"));
@@ -69,10 +69,10 @@ class BareSource {
     return at_ > begin;
   }
 
-  // At least one character that begins nothing of interest.
+  // Skips at least one character, up to the next one of interest.
   std::size_t end_of_plain() const { return std::min(text_.find_first_of("\n\\/\"", at_ + 1), text_.size()); }
 
-  // Lines that '\' joins to it belong to it.
+  // Includes the lines that '\' joins to it.
   void line_comment() {
     for (; at_ < text_.size() && text_[at_] != '\n'; ++at_) {
       if (text_[at_] != '\\' || peek(1) != '\n') continue;
@@ -95,7 +95,7 @@ class BareSource {
     at_ = end;
   }
 
-  // A text ends with its line at the latest.
+  // A string literal ends with its line at the latest.
   std::size_t end_of_text() const {
     std::size_t at = at_ + 1;
     while (at < text_.size() && text_[at] != '"' && text_[at] != '\n')

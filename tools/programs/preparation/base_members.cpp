@@ -14,7 +14,8 @@ namespace penumbra::preparation {
 
 namespace {
 
-constexpr std::size_t most_bases = 16;  // of one struct; each one's members are written out in all above it
+constexpr std::size_t most_bases =
+    16;  // of one struct; each base's members are copied to all structs derived from it
 
 class BaseMembers {
  public:
@@ -42,7 +43,7 @@ class BaseMembers {
     return types_.declarations()[type.declaration];
   }
 
-  // A struct that is declared before, as the language asks: so there are no circles.
+  // A struct that is declared earlier, as the language requires, which rules out cycles.
   const StructType* base_of(const StructType& type) const {
     const StructType* base = find(type.base);
     const bool before = base != nullptr && declaration(*base).last < declaration(type).first;
@@ -55,7 +56,7 @@ class BaseMembers {
       return text_.note(own.name + 2, hlsl::Severity::error,
                         "'" + std::string(type.base) + "' is not a struct declared before '" +
                             std::string(text_[own.name].spelling) + "', which derives from it");
-    std::vector<const StructType*> line{&type};  // the heir, its base, the base of that
+    std::vector<const StructType*> line{&type};  // the derived struct, its base, the base's base
     std::string inherited;
     while (const StructType* base = base_of(*line.back())) {
       if (line.size() > most_bases)
@@ -69,7 +70,7 @@ class BaseMembers {
     text_.insert(own.open + 1, inherited);
   }
 
-  // What stands between the braces, but for functions that an heir has itself.
+  // The contents of the braces, without functions that a derived struct redeclares.
   std::string members(const StructType& base, const std::vector<const StructType*>& heirs) const {
     const hlsl::Declaration& from = declaration(base);
     std::string copied;
@@ -97,7 +98,7 @@ class BaseMembers {
     return false;
   }
 
-  // (A)b, A a = b, a = b and f(b), seen from the '(', the '=' or the name.
+  // (A)b, A a = b, a = b and f(b), found at the '(', the '=' or the name.
   void convert(std::size_t at) {
     const bool cast = text_.is(at, "(") && text_.is(at + 2, ")") && find(text_[at + 1].spelling) != nullptr;
     if (cast && !text_.is_identifier(at - 1)) return convert_cast(at);
@@ -107,7 +108,7 @@ class BaseMembers {
       convert_arguments(at);
   }
 
-  // What stands before a '=', declared there or earlier.
+  // The left side of a '=', declared there or earlier.
   const ValueType& assigned(std::size_t at) const {
     const std::size_t index = types_.named(at);
     const bool declared_here = index != npos && types_.declared()[index].name == at;
@@ -134,7 +135,7 @@ class BaseMembers {
     text_.insert(end, ")");
   }
 
-  // Of functions that are not overloaded.
+  // Converts the arguments of a call; only for functions that are not overloaded.
   void convert_arguments(std::size_t name) {
     const FunctionType* called = nullptr;
     for (const FunctionType& function : types_.functions()) {

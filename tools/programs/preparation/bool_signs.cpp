@@ -59,7 +59,7 @@ class BoolSigns {
     return bools.contains(type);
   }
 
-  // The tokens between parentheses: whether the operator that is applied last gives a bool.
+  // Whether the operator with the lowest precedence between the parentheses returns a bool.
   bool holds_bool(std::size_t first, std::size_t end) const {
     bool compares = false;
     for (std::size_t at = first; at < end; ++at) {

@@ -17,7 +17,7 @@ namespace {
 
 using Place = DeclaredValue::Place;
 
-// `to` is given `from`, both declared values: by an assignment, an initialiser or as an argument.
+// `to` becomes an alias of `from`, both declared values: by an assignment, an initialiser or as an argument.
 struct Assignment {
   std::size_t to = npos;
   std::size_t from = npos;
@@ -68,7 +68,7 @@ class Aliases {
     return is_alias(declared(index)) && stands_for_[index] != npos && stands_for_[index] != several;
   }
 
-  // The buffer a chain that ends here names, whole; npos for everything else.
+  // The whole buffer that the chain which ends here refers to; npos for everything else.
   std::size_t buffer_at(std::size_t last) const {
     if (last >= text_.size() || !text_.is_identifier(last) || types_.begin(last) == npos) return npos;
     const std::size_t index = types_.named(last);
@@ -94,7 +94,7 @@ class Aliases {
       functions_[word(function.name)].push_back(&function);
   }
 
-  // What stands as an argument is given to the parameter.
+  // A parameter becomes an alias of its argument.
   void find_arguments() {
     struct Open {
       std::size_t bracket;
@@ -123,7 +123,8 @@ class Aliases {
     if (declared(parameter).type.name == declared(from).type.name) assignments_.push_back({parameter, from});
   }
 
-  // From the globals along the assignments, each value at most twice: to one buffer, then to several.
+  // Propagates from the globals along the assignments; each value changes at most twice: to one buffer, then
+  // to several.
   void follow() {
     std::multimap<std::size_t, std::size_t> targets;
     std::vector<std::size_t> open;
@@ -184,7 +185,7 @@ class Aliases {
   }
 
   void drop_declaration(const DeclaredValue& value) {
-    if (value.first == npos) return;  // went with the first of its statement
+    if (value.first == npos) return;  // moved with the first declarator of its statement
     std::size_t end = value.last;
     while (end < text_.size() && !text_.is(end, ";")) ++end;
     gone_.push_back({value.first, end});
@@ -198,9 +199,8 @@ class Aliases {
     first_uses_.emplace(stands_for_[index], at);
   }
 
-  // A buffer that is declared after its first use goes, with all of its statement, before the function that
-  // holds the use. What it is made of is known there: the member or variable that stood for it has the same
-  // type.
+  // A buffer that is declared after its first use moves, with its whole statement, before the function that
+  // contains the use. Its element type is declared there, because the alias has the same type.
   void declare_before(std::size_t buffer, std::size_t use) {
     const hlsl::Declaration* statement = declaration_with(declared(buffer).name);
     const hlsl::Declaration* user = declaration_with(use);
@@ -234,8 +234,9 @@ class Aliases {
   std::vector<TokenRange> gone_;         // assignments without their ';', and declarations
   std::vector<std::size_t> stands_for_;  // of each declared value: a global buffer, npos, or `several`
   std::map<std::size_t, std::pair<std::size_t, std::size_t>> others_;
-  std::map<std::size_t, std::size_t> first_uses_;  // of each buffer: where its name was put first
-  std::set<std::size_t> moved_;                    // first tokens of statements that went before their use
+  std::map<std::size_t, std::size_t>
+      first_uses_;               // for each buffer: the first place where its name was inserted
+  std::set<std::size_t> moved_;  // first tokens of statements that were moved before their use
 };
 
 }  // namespace

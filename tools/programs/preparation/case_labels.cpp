@@ -20,7 +20,7 @@ constexpr int deepest_constant = 200;
 
 struct OpenSwitch {
   std::size_t close = npos;
-  std::map<std::int64_t, std::size_t> labels;  // by value, those that are plain numbers
+  std::map<std::int64_t, std::size_t> labels;  // by value, those that are literals
 };
 
 // Of 12, 12u, 0xC.
@@ -63,7 +63,7 @@ class CaseLabels {
     if (close != npos) open_.push_back({close, {}});
   }
 
-  // The ':' of the label; those of `a ? b : c` and `A::b` are none.
+  // The ':' of the label, not one of `a ? b : c` or `A::b`.
   std::size_t label_end(std::size_t at) const {
     std::size_t choices = 0;
     for (; at < open_.back().close && !text_.is(at, ";") && !text_.is(at, "{"); ++at) {
@@ -122,7 +122,7 @@ class CaseLabels {
     return varying_[named] = any;
   }
 
-  // Of a number, and of a constant that is one.
+  // The value of a literal, or of a constant initialised with one.
   std::optional<std::int64_t> value_of(std::size_t first, std::size_t end) const {
     const bool negative = text_.is(first, "-");
     const std::size_t number = first + (negative ? 1 : 0);
@@ -149,7 +149,7 @@ class CaseLabels {
     replace(first, end);
   }
 
-  // glslang crashes on what is no constant.
+  // glslang crashes on labels that are not constant.
   void replace(std::size_t first, std::size_t end) {
     text_.replace(first, end - first, std::to_string(unused_label_--));
   }

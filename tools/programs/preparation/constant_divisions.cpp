@@ -49,7 +49,7 @@ class ConstantDivisions {
       text_.note(at, hlsl::Severity::error, "an integer is divided by zero");
   }
 
-  // What a compiler does with the way that is not taken is not known: those are left alone.
+  // Whether a compiler reports a division in a branch that is not taken is unknown: these are skipped.
   bool is_conditional(std::size_t at) const {
     for (; at > 0 && !text_.is(at, ";") && !text_.is(at, "{") && !text_.is(at, "}"); --at)
       if (text_.is(at, "?") || text_.is(at, "if")) return true;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view kIdentity = "penumbra_value";
 
-// What the tokens of an operand are made of.
+// The kinds of tokens in an operand.
 struct Operand {
   std::size_t first = npos;
   std::size_t end = npos;
@@ -70,7 +70,8 @@ class ConstantOperands {
     return (mark == '=' || mark == '!') && text_.is(at + 1, "=") && adjacent(at);
   }
 
-  // Where an operand of a comparison or, with `factors`, of a % ends to the left of it.
+  // Whether the left operand of a comparison or, with `factors`, of a % cannot extend to the left over this
+  // token.
   bool ends_leftwards(std::size_t at, bool factors) const {
     const char mark = text_.lead(at);
     if (std::string_view("([{,;?:&|^=").find(mark) != std::string_view::npos) return true;
@@ -102,7 +103,7 @@ class ConstantOperands {
         if (text_.matching_bracket(first) == npos) return {};
         first = text_.matching_bracket(first);
       } else if (!may_be_constant(first)) {
-        return {};  // it reaches further, which does not matter
+        return {};  // it extends further, which does not matter
       }
     }
     return described(first, at);
@@ -203,7 +204,7 @@ class ConstantOperands {
 
   TokenText& text_;
   const ValueTypes& types_;
-  std::vector<bool> functions_;  // by a word's number: whether a function of the text has that name
+  std::vector<bool> functions_;  // by identifier number: whether a function of the text has that name
   bool used_ = false;
 };
 

@@ -24,7 +24,7 @@ std::size_t read_declarator(const TokenText& text, std::size_t at, std::size_t e
   return at;
 }
 
-// Modifiers and type; where the first name should be.
+// Skips modifiers and type; returns where the first name should be.
 std::size_t read_type(const TokenText& text, const DeclarationRange& range, DeclaredValue& value) {
   std::size_t at = range.first;
   while (at < range.end && text.is(at, "[")) at = after_brackets(text, at);

@@ -11,7 +11,7 @@ struct Dimension {
   std::string_view name;
   std::string_view texture;
   std::string_view coordinate;  // its type
-  std::string_view part;        // what is the coordinate of a float4
+  std::string_view part;        // the part of a float4 that is the coordinate
 };
 
 constexpr std::array<Dimension, 4> dimensions{{{"1D", "Texture1D", "float", "x"},

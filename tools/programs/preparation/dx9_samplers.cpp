@@ -18,15 +18,15 @@ namespace {
 
 using Place = DeclaredValue::Place;
 
-// A sampler where it is not being declared: the tokens first to last, of which `name` names it.
+// A use of a sampler outside of its declaration: the tokens first to last; `name` is its name.
 struct Use {
   std::size_t declared = npos;
   std::size_t first = npos;
   std::size_t name = npos;
   std::size_t last = npos;
-  std::size_t callee = npos;  // of the call it is a whole argument of
+  std::size_t callee = npos;  // of the call of which it is a whole argument
   int argument = 0;           // which one
-  int arguments = 0;          // of how many
+  int arguments = 0;          // number of arguments
 };
 
 // One or several variables that are declared together.
@@ -84,7 +84,7 @@ class Separation {
     }
   }
 
-  // The commas between every pair of parentheses.
+  // The argument separators of every pair of parentheses.
   void count_arguments() {
     commas_.assign(text_.size(), 0);
     std::vector<std::size_t> open;
@@ -121,7 +121,7 @@ class Separation {
     use.arguments = commas_[bracket] + 1;
   }
 
-  // What reads a `sampler` says what it is; through functions it is passed to as well.
+  // The kind of a `sampler` follows from the functions that read it, directly or through parameters.
   void infer_dimensions() {
     constexpr int deepest = 16;
 
@@ -189,7 +189,7 @@ class Separation {
     text_.insert(statement.last + 1, type + name + rest + ";");
   }
 
-  // What follows the name of the new sampler; edits what follows the texture's.
+  // Returns the tokens after the name of the new sampler; edits those after the texture's.
   std::string after_name(const DeclaredValue& value) {
     const bool is_variable = value.place == Place::local || value.is_static;
     if (text_.is(value.end, "=") && is_variable) {
@@ -211,7 +211,7 @@ class Separation {
     return annotation;
   }
 
-  // Where the statements of several variables begin and end, by the place of the type they share.
+  // First and last token of statements with several variables, by the token of their common type.
   void find_statements() {
     for (const DeclaredValue& value : declared()) {
       if (value.type_at == npos) continue;
@@ -221,7 +221,7 @@ class Separation {
     }
   }
 
-  // The use that is all there is from `first` to before `end`.
+  // The use that spans exactly [first, end).
   const Use* use_at(std::size_t first, std::size_t end) const {
     const auto found = std::lower_bound(uses_.begin(), uses_.end(), end,
                                         [](const Use& use, std::size_t at) { return use.last + 1 < at; });
@@ -241,7 +241,7 @@ class Separation {
       if (use.argument == 0 && !is_defined(use)) needed_.emplace(word(use.callee), use.arguments);
       return;
     }
-    if (text_.is(use.first - 1, "=") && text_.is(use.last + 1, ";")) return;  // told where it is assigned to
+    if (text_.is(use.first - 1, "=") && text_.is(use.last + 1, ";")) return;  // reported at the assignment
     if (text_.is(use.last + 1, "=") && assign(use)) return;
     text_.note(use.name, hlsl::Severity::error,
                "'" + std::string(word(use.name)) +
@@ -258,7 +258,7 @@ class Separation {
     return true;
   }
 
-  // Whether the text has a function of that name for such a sampler itself.
+  // Whether the text itself defines a function of that name for such a sampler.
   bool is_defined(const Use& use) const {
     const auto named = functions_.find(word(use.callee));
     if (named == functions_.end()) return false;

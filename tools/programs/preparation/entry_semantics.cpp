@@ -16,7 +16,7 @@ namespace penumbra::preparation {
 
 namespace {
 
-constexpr int deepest_struct = 16;  // structs in structs
+constexpr int deepest_struct = 16;  // nesting of structs
 
 struct Direction {
   bool in = false;
@@ -26,11 +26,11 @@ struct Direction {
 // `float2 uv[2] : TEXCOORD0`, of a parameter, a member or a return value.
 struct Value {
   std::size_t type = npos;      // its type's first token
-  std::size_t name = npos;      // where a message about it belongs
-  std::size_t semantic = npos;  // the word, the last of several; npos without one
+  std::size_t name = npos;      // the token for messages about it
+  std::size_t semantic = npos;  // the semantic's token, the last of several; npos without one
   std::size_t before = npos;    // the one before it
   Direction direction;
-  bool exempt = false;  // uniform, static, with a ':' that no semantic follows
+  bool exempt = false;  // uniform, static, or with a ':' that is not followed by a semantic
 };
 
 bool is_type_modifier(std::string_view word) {
@@ -41,7 +41,7 @@ bool is_type_modifier(std::string_view word) {
   return modifiers.contains(word);
 }
 
-// Types whose values are inputs and outputs; of others (textures, aliases) nothing is said.
+// Types whose values are inputs and outputs; others (textures, aliases) are not checked.
 bool is_numeric(std::string_view type) {
   const std::size_t digit = type.find_first_of("0123456789");
   static constexpr hlsl::NameSet scalars("bool", "int", "uint", "dword", "half", "float", "double", "fixed",
@@ -58,7 +58,7 @@ bool is_system(std::string_view semantic) {
   return semantic.starts_with("SV_") || semantic.starts_with("sv_");
 }
 
-// Types that hold several of what stands between their < and >.
+// Types that contain several elements of their template argument.
 bool holds_elements(std::string_view type) {
   static constexpr hlsl::NameSet types("InputPatch", "OutputPatch", "PointStream", "LineStream",
                                        "TriangleStream");
@@ -93,7 +93,7 @@ class EntrySemantics {
     return nullptr;
   }
 
-  // The next of these marks outside of brackets and angles; `end` without one.
+  // The next of these characters outside of brackets and angle brackets; `end` without one.
   std::size_t element_end(std::size_t at, std::size_t end, std::string_view mark) const {
     for (int angles = 0; at < end; ++at) {
       if ((text_.is(at, "(") || text_.is(at, "[") || text_.is(at, "{")) &&
@@ -210,7 +210,7 @@ class EntrySemantics {
     }
   }
 
-  // One past a member function that stands here; npos for other members.
+  // One past a member function that begins here; npos for other members.
   std::size_t behind_function(std::size_t first, std::size_t end) const {
     for (std::size_t at = first; at < end; ++at) {
       if (text_.is(at, ":") || text_.is(at, "=")) return npos;
@@ -247,7 +247,7 @@ class EntrySemantics {
       report(value.semantic, "'" + std::string(word(value.name)) + "' has two semantics, '" +
                                  std::string(word(value.before)) + "' and '" + semantic +
                                  "': write one of them");
-    // `inout half4 c : SV_Target` reads the pixel that is there (#pragma require framebufferfetch).
+    // `inout half4 c : SV_Target` reads the current pixel (#pragma require framebufferfetch).
     const bool fetches = value.direction.in && value.direction.out && entry_.stage == hlsl::Stage::fragment;
     if (value.direction.in && !fetches)
       judge(value.semantic, semantic, semantic_problem(semantic, entry_.stage, true));

@@ -238,7 +238,7 @@ ReadOperand ExpressionReader::postfix() {
   return {first, at_, shape, true};
 }
 
-// Of the chain that ends with this token, by its declaration.
+// The shape of the chain that ends with this token, by its declaration.
 NumberShape ExpressionReader::known_shape(std::size_t last) const {
   const ValueType& type = types_.at(last);
   return type.dimensions > 0 || type.name.empty() ? NumberShape{} : shape_of_type(type.name);

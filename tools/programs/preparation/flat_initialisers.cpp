@@ -11,7 +11,7 @@ namespace penumbra::preparation {
 
 namespace {
 
-// [2][3]; empty when a size is no plain number. `at`: the first '['; moves behind the last ']'.
+// The sizes [2][3]; empty if one is not a literal. `at`: the first '['; advanced past the last ']'.
 std::vector<std::size_t> sizes(const TokenText& text, std::size_t& at) {
   std::vector<std::size_t> list;
   for (; text.is(at, "["); at += 3) {

@@ -34,7 +34,7 @@ std::optional<std::size_t> target_of_semantic(std::string_view word) {
   return digits.empty() ? 0 : target_number(digits);
 }
 
-// What the letter in the block's name stands for.
+// The type that the letter in the block's name selects.
 struct InputKind {
   std::string_view element;
   bool multisampled = false;
@@ -112,7 +112,7 @@ class FramebufferFetch {
     }
   }
 
-  // Names with '(' behind them that are neither defined nor declared there.
+  // Names followed by '(' that are neither defined nor declared there.
   const std::set<std::string_view>& called() {
     if (!called_.empty()) return called_;
     called_.insert({});  // found
@@ -129,8 +129,8 @@ class FramebufferFetch {
       if (text_.is(at, "inout") && parameter(function, at)) at = function.parameters_close;
   }
 
-  // Of `inout half4 color : SV_Target1`, and all such of the function with the first of them; true when the
-  // function is done with.
+  // Rewrites `inout half4 color : SV_Target1`, with the first one all of the function's; true if the function
+  // has been handled.
   bool parameter(const hlsl::Declaration& function, std::size_t first) {
     const bool is_fetch = text_.is_identifier(first + 1) && text_.is_identifier(first + 2) &&
                           text_.is(first + 3, ":") && text_.is_identifier(first + 4) &&
@@ -153,7 +153,7 @@ class FramebufferFetch {
   TokenText& text_;
   const std::vector<hlsl::Declaration>& declarations_;
   std::map<std::string_view, InputKind> inputs_;  // by the name that reads them
-  std::map<std::size_t, std::size_t> blocks_;     // '{' and '}' of those that go
+  std::map<std::size_t, std::size_t> blocks_;     // '{' and '}' of removed blocks
   std::set<std::string_view> called_;
   std::set<std::string> declared_;  // of the attachments of inout parameters
 };

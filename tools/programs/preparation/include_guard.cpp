@@ -34,7 +34,7 @@ class Lines {
  public:
   explicit Lines(std::string_view text) : text_(text) {}
 
-  // Nothing at the end. A line goes on where it ends in '\'.
+  // Nothing at the end. A '\' at its end continues the line.
   std::optional<Line> next() {
     if (text_.empty()) return std::nullopt;
     const std::size_t end = text_.find('\n');
@@ -73,7 +73,7 @@ std::string include_guard(std::string_view bare) {
   int depth = 1;
   while (const std::optional<Line> line = lines.next()) {
     if (line->empty) continue;
-    if (depth == 0) return {};  // something stands after it
+    if (depth == 0) return {};  // it is followed by other tokens
     if (opens(*line)) ++depth;
     if (line->directive == "endif") --depth;
     if (depth == 1 && (line->directive == "else" || line->directive == "elif")) return {};

@@ -31,7 +31,8 @@ bool is_of_textures(std::string_view word) {
   return word.size() <= 4 && word.find_first_not_of("stpq") == std::string_view::npos;
 }
 
-// The words of these letters behind a '.'. `declared`: what may be a member, as the word stands elsewhere.
+// The identifiers of these letters after a '.'. `declared`: those that occur elsewhere, and so may be
+// members.
 std::set<std::size_t> candidates(const TokenText& text, std::set<std::string_view>& declared) {
   std::set<std::size_t> found;
   for (std::size_t at = 1; at < text.size(); ++at) {

@@ -29,13 +29,13 @@ class LoopVariables {
  private:
   // One whose variable is read after it.
   struct Loop {
-    std::size_t place;  // what the declaration goes before
+    std::size_t place;  // the token before which the declaration is inserted
     std::size_t first;  // of the declaration
     std::size_t semicolon;
     std::size_t end;  // its last token
   };
 
-  // By a declared value: its last use. False when there is no local variable.
+  // Finds the last use of each declared value. False if there is no local variable.
   bool find_uses() {
     last_use_.assign(types_.declared().size(), 0);
     for (std::size_t at = 0; at < text_.size(); ++at)
@@ -67,7 +67,7 @@ class LoopVariables {
 
   std::string new_name(std::size_t variable) const {
     const std::size_t name = types_.declared()[variable].name;
-    // Its own among all loops: the place is a number no other has.
+    // Unique among all loops: the token's index is part of it.
     return text_.free_name(std::string(text_[name].spelling) + "_of_loop" + std::to_string(name));
   }
 

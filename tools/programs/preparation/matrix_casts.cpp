@@ -9,9 +9,9 @@ namespace penumbra::preparation {
 
 namespace {
 
-// "float" of float4x4; empty for other words and for matrices of whole numbers.
+// "float" of float4x4; empty for other identifiers and for integer matrices.
 std::string_view scalar_of_matrix(std::string_view word) {
-  if (word.size() < 7 || word[word.size() - 2] != 'x') return {};  // nearly all words
+  if (word.size() < 7 || word[word.size() - 2] != 'x') return {};  // nearly all identifiers
   for (const std::string_view scalar :
        {std::string_view("float"), std::string_view("half"), std::string_view("double"),
         std::string_view("min16float"), std::string_view("min10float")}) {
@@ -32,7 +32,8 @@ bool is_whole_scalar(std::string_view type) {
   return type == "int" || type == "uint" || type == "bool" || type == "dword";
 }
 
-// A whole number, with its sign, or a name of one begins here; the token after it, npos for anything else.
+// The token after the integer literal with its sign, or the name of an integer, that begins here; npos for
+// anything else.
 std::size_t end_of_scalar(const TokenText& text, std::size_t at) {
   while (text.is(at, "-") || text.is(at, "+")) ++at;
   if (at >= text.size()) return npos;

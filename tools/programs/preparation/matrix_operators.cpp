@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view product_function = "penumbra_times";
 
-// Text around the tokens [first, end), which other such text may stand in or around.
+// Text inserted around the tokens [first, end); such ranges may be nested.
 struct Wrap {
   std::size_t first;
   std::size_t end;
@@ -83,8 +83,8 @@ class MatrixOperators final : public ExpressionReader {
     wraps_.push_back({operand.first, operand.end, operand.is_term ? type : type + "(", !operand.is_term});
   }
 
-  // Outer ones first. Of two around the same tokens the later is the outer one, for operators are read from
-  // the inside.
+  // Outer ones first. Of two around the same tokens the later one is the outer one, because inner operators
+  // are read first.
   void insert_wraps() {
     std::vector<std::size_t> order(wraps_.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;

@@ -35,7 +35,7 @@ class MatrixPacking {
     return text_.is(at, kPackedByRows) || text_.is(at, kPackedByColumns) || text_.is(at, kPackedOtherwise);
   }
 
-  // Whether there were any. Of each token that stays is remembered what the last one before it said.
+  // Removes the pragmas; true if there were any. For each remaining token, records the last pragma before it.
   bool take_markers_out() {
     bool rows = false;
     bool found = false;
@@ -89,7 +89,7 @@ class MatrixPacking {
   }
 
   TokenText& text_;
-  std::vector<bool> by_rows_;  // by token: whether the last pragma before it says row_major
+  std::vector<bool> by_rows_;  // by token: whether the last pragma before it is row_major
 };
 
 }  // namespace

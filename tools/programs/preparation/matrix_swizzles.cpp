@@ -20,7 +20,8 @@ struct Element {
   int column;
 };
 
-// The elements of "_m03_m13" (from 0) or "_14_24" (from 1); fewer than two when the word is no such swizzle.
+// The elements of "_m03_m13" (from 0) or "_14_24" (from 1); fewer than two if the identifier is not such a
+// swizzle.
 std::vector<Element> swizzle(std::string_view word) {
   std::vector<Element> elements;
   const bool from_zero = word.size() > 1 && word[1] == 'm';
@@ -46,8 +47,8 @@ std::string swizzle_function(std::string_view word) {
   return "penumbra_swizzle" + std::string(word);
 }
 
-// One overload for every shape of matrix that has all the elements. Matrices of whole numbers are rare, and a
-// float matrix would take them with a loss: they have overloads too.
+// One overload for every shape of matrix that has all the elements. Integer matrices are rare, but conversion
+// to a float matrix would lose precision: they have overloads, too.
 std::string function_definitions(std::string_view word) {
   const std::vector<Element> elements = swizzle(word);
   int rows = 1;
@@ -147,7 +148,7 @@ class Swizzles {
   }
 
   TokenText& text_;
-  std::optional<std::unordered_set<std::string_view>> members_;  // read for the first that may be one
+  std::optional<std::unordered_set<std::string_view>> members_;  // built on the first candidate
   std::set<std::string_view> read_;
 };
 

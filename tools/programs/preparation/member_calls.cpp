@@ -14,7 +14,7 @@ namespace {
 
 using Place = DeclaredValue::Place;
 
-enum class Receiver { variable, value, writable };  // variable: glslang calls it as it should
+enum class Receiver { variable, value, writable };  // a variable: glslang handles the call correctly
 
 class MemberCalls {
  public:
@@ -48,7 +48,7 @@ class MemberCalls {
     text_.replace(dot, 3, has_arguments ? "," : "");
   }
 
-  // By the chain's first name, unless something along it is a call's result.
+  // Constants and results of calls are passed by value; otherwise the chain's first name decides.
   Receiver receiver_of(std::size_t first, std::size_t last) const {
     if (types_.at(last).constant) return Receiver::value;
     for (std::size_t at = last; at > first; --at) {
@@ -92,7 +92,7 @@ class MemberCalls {
                        [&](std::size_t index) { return types_.declared()[index].name != npos; });
   }
 
-  // All member functions: which of those that share a name is called, the compiler decides.
+  // For all member functions: overload resolution is the compiler's.
   void define(std::string_view type, Receiver receiver) {
     const StructType& known = types_.structs().find(type)->second;
     std::string functions;

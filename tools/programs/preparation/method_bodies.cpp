@@ -92,7 +92,7 @@ class MethodBodies {
     found->second.push_back(nullptr);  // used
   }
 
-  // The variable of a numeric type that this word names, if it is declared behind the struct.
+  // The numeric variable that this identifier names, if it is declared after the struct.
   void bring(const hlsl::Declaration& structure, std::size_t word) {
     const auto known = variables_.find(structure.scope + std::string(text_[word].spelling));
     if (known == variables_.end() || known->second->first < structure.close) return;
@@ -104,7 +104,7 @@ class MethodBodies {
     variables_.erase(known);
   }
 
-  // HLSL has no objection to one that nothing calls.
+  // HLSL accepts one that nothing calls.
   bool is_called(std::size_t prototype) const {
     for (std::size_t at = 0; at + 1 < text_.size(); ++at)
       if (at != prototype && text_.is(at + 1, "(") && text_.is(at, text_[prototype].spelling)) return true;
@@ -117,7 +117,7 @@ class MethodBodies {
     text_.erase(first, prototype.semicolon + 1 - first);
   }
 
-  // Line by line, so that each keeps its place.
+  // Line by line, so that each keeps its location.
   void move(std::size_t first, std::size_t end, std::size_t to) {
     for (std::size_t line = first; line < end;) {
       std::size_t next = line + 1;

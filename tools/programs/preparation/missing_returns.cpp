@@ -19,14 +19,14 @@ bool returns(const TokenText& text, const hlsl::Declaration& function) {
   return false;
 }
 
-// Whether the name stands anywhere but where the function is defined.
+// Whether the name occurs outside of the function's definition.
 bool is_mentioned(const TokenText& text, const hlsl::Declaration& function) {
   for (std::size_t at = 0; at < text.size(); ++at)
     if (at != function.name && text.is(at, text[function.name].spelling)) return true;
   return false;
 }
 
-// There is no value to return for a texture or a sampler; such a function can only go.
+// A texture or sampler has no zero value; such a function can only be removed.
 void drop_unused(TokenText& text, const hlsl::Declaration& function) {
   if (is_mentioned(text, function)) return;
   text.note(function.name, hlsl::Severity::note,

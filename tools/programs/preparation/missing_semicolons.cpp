@@ -9,7 +9,7 @@ namespace penumbra::preparation {
 
 namespace {
 
-// glslang takes these for names as well, so that a declaration may begin in the middle of a statement.
+// glslang also accepts these as names, so a declaration may begin in the middle of a statement.
 bool is_scalar_type(std::string_view word) {
   static constexpr hlsl::NameSet types("bool", "int", "uint", "dword", "half", "float", "double");
   return types.contains(word);
@@ -36,14 +36,14 @@ class MissingSemicolons {
   }
 
  private:
-  // The front end asks for the ';' before it.
+  // The front end reports the missing ';' before it.
   bool begins_a_statement(std::size_t at) const {
     static constexpr hlsl::NameSet words("return", "if", "else", "for", "while", "do", "switch", "case",
                                          "default", "break", "continue", "discard");
     return words.contains(text_[at].spelling);
   }
 
-  // `1.5.5`, which the front end says is no number.
+  // `1.5.5`, which the front end reports as an invalid number.
   bool goes_on(std::size_t at) const {
     return text_[at].kind == hlsl::Token::Kind::number && text_[at - 1].kind == hlsl::Token::Kind::number;
   }
@@ -58,7 +58,8 @@ class MissingSemicolons {
            follows_an_operator(open - 1);
   }
 
-  // `<` and `>` may be a template's, ':' a label's, and what stands behind '(' and ',' a declaration.
+  // `<` and `>` may belong to template arguments, ':' to a label, and after '(' and ',' a declaration may
+  // follow.
   bool follows_an_operator(std::size_t at) const {
     static constexpr hlsl::NameSet others("compile", "asm", "sampler_state", "else", "do", "return");
     if (at == 0 || others.contains(text_[at].spelling)) return false;
@@ -82,14 +83,14 @@ class MissingSemicolons {
     return text_.is_identifier(at) && follows_a_value(at);
   }
 
-  // Of `name(...)`: not the parameters of a condition, of a loop or of a definition without its brace.
+  // For `name(...)`: not the parentheses of a condition, of a loop or of a definition without its brace.
   bool is_call(std::size_t open) const {
     static constexpr hlsl::NameSet conditions("if", "for", "while", "switch");
     return text_.is_identifier(open - 1) && !conditions.contains(text_[open - 1].spelling);
   }
 
-  // A name behind an operator, behind `return`, or behind a scalar's type; a word behind another one may be a
-  // modifier.
+  // A name after an operator, after `return`, or after a scalar type; an identifier after another one may
+  // follow a modifier.
   bool follows_a_value(std::size_t at) const {
     static constexpr hlsl::NameSet keywords("else", "do", "return", "in", "out", "inout");
     if (at == 0 || keywords.contains(text_[at].spelling)) return false;

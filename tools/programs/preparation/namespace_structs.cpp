@@ -72,7 +72,7 @@ class Namespaces {
     }
   }
 
-  // What a struct's own functions call by its bare name.
+  // Member functions that a struct's own functions call by unqualified name.
   void note_members(const hlsl::Declaration& structure) {
     std::set<std::string_view>& members = members_[structure.open];
     for (std::size_t at = structure.open + 1; at < structure.close; ++at) {
@@ -106,7 +106,7 @@ class Namespaces {
 
   std::string scope() const { return scopes_.empty() ? std::string() : scopes_.back().name; }
 
-  // A name, alone or in full: `f`, `B::f`.
+  // A name, unqualified or qualified: `f`, `B::f`.
   void name() {
     if (text_.is(at_ - 1, ".") && at_ > 0) return;
     std::size_t end = at_ + 1;
@@ -122,7 +122,7 @@ class Namespaces {
     at_ = end - 1;
   }
 
-  // From the innermost namespace outwards; of `A::S::f` also what A::S is.
+  // Looked up from the innermost namespace outwards; for `A::S::f` also A::S.
   void write(const std::string& asked, std::size_t end) {
     std::string around = scope();
     while (true) {

@@ -74,7 +74,7 @@ class NarrowArguments {
     return wanted < 4 && gives_a_vector(argument);
   }
 
-  // What stands in ddx(...) and the like, whole: its result has as many components.
+  // The whole argument of ddx(...) and similar functions: the result has as many components.
   std::optional<ListElement> of_each_component(const ListElement& argument) const {
     static constexpr hlsl::NameSet functions(
         "abs", "acos", "asin", "atan", "ceil", "cos", "ddx", "ddx_coarse", "ddx_fine", "ddy", "ddy_coarse",
@@ -100,7 +100,7 @@ class NarrowArguments {
 
   TokenText& text_;
   const ValueTypes& types_;
-  std::unordered_map<std::uint32_t, std::vector<const FunctionType*>> functions_;  // by a word's number
+  std::unordered_map<std::uint32_t, std::vector<const FunctionType*>> functions_;  // by identifier number
 };
 
 }  // namespace

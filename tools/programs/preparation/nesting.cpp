@@ -8,7 +8,8 @@ namespace penumbra::preparation {
 namespace {
 
 constexpr std::size_t deepest = 1000;
-constexpr std::size_t most_operators = 8000;  // each is a level of the tree, which is walked by recursion
+constexpr std::size_t most_operators =
+    8000;  // each is a level of the syntax tree, which is traversed recursively
 
 class Nesting {
  public:
@@ -40,7 +41,7 @@ class Nesting {
     prefixes_ = lead == '-' || lead == '+' || lead == '!' || lead == '~' || in_cast(at) ? prefixes_ + 1 : 0;
   }
 
-  // A token of `(word)`: a run of such is one of casts, and of three tokens each.
+  // A token of `(name)`: a run of casts has three tokens each.
   bool in_cast(std::size_t at) const {
     const auto is_cast = [&](std::size_t open) {
       return text_.is(open, "(") && text_.is_identifier(open + 1) && text_.is(open + 2, ")");

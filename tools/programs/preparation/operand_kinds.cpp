@@ -16,7 +16,7 @@ class OperandKinds final : public ExpressionReader {
  public:
   explicit OperandKinds(TokenText& text) : ExpressionReader(text), text_(text), types_(text.types()) {}
 
-  // glslang makes nothing of a condition of the wrong size, or crashes: `true` stands for it.
+  // glslang ignores a condition of the wrong size, or crashes: it is replaced by `true`.
   void replace_conditions() {
     std::sort(conditions_.begin(), conditions_.end(), [](const ReadOperand& a, const ReadOperand& b) {
       return a.first != b.first ? a.first < b.first : a.end > b.end;

@@ -26,7 +26,7 @@ bool is_static(const TokenText& text, const hlsl::Declaration& function) {
 }  // namespace
 
 void call_own_methods_by_this(TokenText& text) {
-  std::set<std::string_view> free_functions;  // which the bare name may mean as well
+  std::set<std::string_view> free_functions;  // to which the unqualified name may also refer
   for (const hlsl::Declaration& declaration : text.types().declarations())
     if (declaration.kind == hlsl::Declaration::Kind::function)
       free_functions.insert(text[declaration.name].spelling);

@@ -16,7 +16,8 @@ bool is_vector_swizzle(std::string_view word) {
   return !word.empty() && word.size() <= 4 && word.find_first_not_of("xyzwrgba") == std::string_view::npos;
 }
 
-// What a writable texture or typed buffer holds: float4 of RWTexture2D<unorm float4>; empty for other types.
+// The element type of a writable texture or typed buffer: float4 of RWTexture2D<unorm float4>; empty for
+// other types.
 std::string texel_type(const std::string& type) {
   if (type.rfind("RWTexture", 0) != 0 && type.rfind("RWBuffer", 0) != 0) return {};
   const std::size_t open = type.find('<');
@@ -54,20 +55,20 @@ Texels writable_textures(const TokenText& text, const std::vector<hlsl::Declarat
   return texels;
 }
 
-// One past `.xy` or `[1]` after a texel; the place itself where there is neither.
+// One past `.xy` or `[1]` after a texel; the argument if there is neither.
 std::size_t part_end(const TokenText& text, std::size_t at) {
   if (text.is(at, ".") && text.is_identifier(at + 1) && is_vector_swizzle(text[at + 1].spelling))
     return at + 2;
   return text.is(at, "[") && text.matching_bracket(at) != npos ? text.matching_bracket(at) + 1 : at;
 }
 
-// What an index of the texture is.
+// The type of an index of the texture.
 const char* place_type(const std::string& texture) {
   if (texture.starts_with("RWTexture3D") || texture.starts_with("RWTexture2DArray")) return "int3";
   return texture.starts_with("RWTexture2D") || texture.starts_with("RWTexture1DArray") ? "int2" : "int";
 }
 
-// One past `+= value`, or `++`; npos where nothing is written.
+// One past `+= value`, or `++`; npos if nothing is written.
 std::size_t write_end(const TokenText& text, std::size_t operation) {
   const bool step = (text.is(operation, "+") || text.is(operation, "-")) &&
                     text.is(operation + 1, text[operation].spelling);

@@ -9,7 +9,7 @@ namespace penumbra::preparation {
 
 namespace {
 
-// Words after which an expression begins anew.
+// Keywords after which a new expression begins.
 bool is_keyword(std::string_view word) {
   static constexpr hlsl::NameSet keywords("return", "else", "do", "case", "if", "while", "for", "switch");
   return keywords.contains(word);
@@ -19,12 +19,12 @@ bool is_name(const TokenText& text, std::size_t at) {
   return text.is_identifier(at) && !is_keyword(text[at].spelling);
 }
 
-// None of the marks begins a word, a number or a text.
+// None of these characters begins an identifier, a number or a string.
 bool is_mark(const TokenText& text, std::size_t at, std::string_view marks) {
   return std::find(marks.begin(), marks.end(), text.lead(at)) != marks.end();
 }
 
-// Two marks that stand together in the text, as in "+=" and "==".
+// Two characters without white space between them, as in "+=" and "==".
 bool together(const TokenText& text, std::size_t left) {
   return left + 1 < text.size() && text[left].spelling.data() + 1 == text[left + 1].spelling.data();
 }

@@ -20,7 +20,7 @@ bool is_matrix_shape(std::string_view shape) {
   return shape.size() == 3 && size(shape[0]) && shape[1] == 'x' && size(shape[2]);
 }
 
-// The matrix that glslang knows; empty when the word is no matrix of minimum precision.
+// The equivalent matrix type of glslang; empty if the identifier is not a matrix of minimum precision.
 std::string known_matrix(std::string_view word) {
   for (const auto& [minimum, known] : known_scalars) {
     if (word.substr(0, minimum.size()) != minimum || !is_matrix_shape(word.substr(minimum.size()))) continue;

@@ -38,7 +38,7 @@ std::string widened_word(std::string_view word) {
   return std::string(word);
 }
 
-// A parameter as parameter_types() spells it, every word of it widened.
+// A parameter as parameter_types() spells it, with every type widened to full precision.
 std::string widened(const std::string& parameter) {
   const bool one_word = std::all_of(parameter.begin(), parameter.end(), hlsl::continues_identifier);
   if (one_word) return widened_word(parameter);
@@ -66,7 +66,7 @@ TwinnedFunction read_function(const TokenText& text, const hlsl::Declaration& de
   return function;
 }
 
-// Those that share their name with another; no other can have a twin.
+// Those that share their name with another; only they can be overloads.
 std::vector<TwinnedFunction> overloaded_functions(const TokenText& text) {
   std::unordered_map<std::string_view, int> definitions;  // by name, of all namespaces together
   for (const hlsl::Declaration& declaration : text.declarations())
@@ -96,7 +96,8 @@ bool calls_its_name(const TokenText& text, const TwinnedFunction& function) {
   return false;
 }
 
-// Which of two twins keeps its body: one that does not hand on to the other, then the one that loses less.
+// Which of two overloads keeps its body: one that does not forward to the other, then the one with more
+// full-precision parameters.
 bool better(const TokenText& text, const TwinnedFunction& a, const TwinnedFunction& b) {
   const bool a_calls = calls_its_name(text, a);
   const bool b_calls = calls_its_name(text, b);
@@ -113,14 +114,14 @@ std::string widened_signature(const TwinnedFunction& function) {
   return function.name + list(function.widened_parameters);
 }
 
-// The suffix of a literal is precision as well: 1.0f and 1.0 are one.
+// The suffix of a literal only sets its precision: 1.0f and 1.0 are equal.
 std::string_view without_suffix(std::string_view number) {
   const bool hexadecimal = number.size() > 1 && (number[1] == 'x' || number[1] == 'X');
   if (!hexadecimal && (number.back() == 'f' || number.back() == 'F')) number.remove_suffix(1);
   return number;
 }
 
-// The parameters' names by their number, from 1 on.
+// The numbers of the parameters, from 1 on, by name.
 std::unordered_map<std::string_view, int> parameter_numbers(const TokenText& text,
                                                             const hlsl::Declaration& function) {
   std::unordered_map<std::string_view, int> numbers;
@@ -169,7 +170,7 @@ void drop(TokenText& text, const TwinnedFunction& gone, const TwinnedFunction& k
   text.replace(gone.declaration->open, gone.declaration->close - gone.declaration->open + 1, ";");
 }
 
-using Twins = std::vector<const TwinnedFunction*>;  // that agree but for precision, in their order
+using Twins = std::vector<const TwinnedFunction*>;  // that differ only in precision, in source order
 
 bool bodies_differ(const TokenText& text, const Twins& twins) {
   return std::any_of(twins.begin(), twins.end(), [&](const TwinnedFunction* twin) {
@@ -183,7 +184,7 @@ bool is_in_one(const Twins& twins, std::size_t at) {
   });
 }
 
-// The twin with the most parameters as narrow as the arguments.
+// The overload with the most parameters as narrow as the arguments.
 const TwinnedFunction* chosen_by(const std::vector<Precision>& arguments, const Twins& twins) {
   const TwinnedFunction* best = nullptr;
   int most = -1;
@@ -200,7 +201,8 @@ const TwinnedFunction* chosen_by(const std::vector<Precision>& arguments, const 
   return best;
 }
 
-// The twin that all calls outside of the twins choose; null where they choose several, or there is none.
+// The overload that all calls outside of these overloads select; null if they select several, or there is no
+// call.
 const TwinnedFunction* called_twin(const TokenText& text, const Twins& twins) {
   const std::string_view name = text[twins[0]->declaration->name].spelling;
   const TwinnedFunction* called = nullptr;
@@ -238,7 +240,8 @@ void merge_precision_overloads(TokenText& text) {
   for (const TwinnedFunction& function : functions) {
     const TwinnedFunction*& best = kept[widened_signature(function)];
     if (best == nullptr) best = kept_twin(text, groups[widened_signature(function)]);
-    if (function.parameters == best->parameters) continue;  // itself, or a definition spelled alike
+    if (function.parameters == best->parameters)
+      continue;  // itself, or a definition with identical parameter types
     drop(text, function, *best);
   }
   text.apply();

@@ -7,7 +7,7 @@ namespace penumbra::preparation {
 
 namespace {
 
-// b0, t12, s[3], u1, c4: the letter; '\0' for words that are no register.
+// b0, t12, s[3], u1, c4: the letter; '\0' for identifiers that are not a register.
 char register_kind(const TokenText& text, std::size_t at) {
   const std::string_view word = at < text.size() ? text[at].spelling : std::string_view{};
   const bool bracket = word.size() == 1 && text.is(at + 1, "[");
@@ -15,7 +15,7 @@ char register_kind(const TokenText& text, std::size_t at) {
   return text.is_identifier(at) && (bracket || numbered) ? static_cast<char>(std::tolower(word[0])) : '\0';
 }
 
-// The ':' before `register` at this place, with all between it and the ')'.
+// Simplifies or removes the `: register(...)` whose `register` is at this token.
 void plain(TokenText& text, std::size_t at) {
   const std::size_t close = text.matching_bracket(at + 1);
   if (close == npos || at == 0 || !text.is(at - 1, ":")) return;

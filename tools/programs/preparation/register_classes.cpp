@@ -27,7 +27,7 @@ std::size_t registers_of(char letter) {
   }
 }
 
-// The letters a type may have: 'b', 't', 'u', 's'; empty where nothing is said.
+// The letters that a type may have: 'b', 't', 'u', 's'; empty if the type is not checked.
 std::string_view letters_of(std::string_view type) {
   if (type == "cbuffer" || type == "ConstantBuffer") return "b";
   if (type == "tbuffer" || type == "TextureBuffer") return "t";
@@ -62,7 +62,7 @@ class RegisterClasses {
       if (text_.is(at, "register") && text_.is(at + 1, "(") && text_.is(at - 1, ":")) one(at + 2, type);
   }
 
-  // `t3`, `t[3]`; a word that is followed by such one is a profile.
+  // `t3`, `t[3]`; an identifier before one is a profile.
   void one(std::size_t at, std::string_view type) {
     if (!text_.is_identifier(at)) return;
     if (text_.is(at + 1, ",") && text_.is_identifier(at + 2) && !text_[at + 2].spelling.starts_with("space"))
@@ -89,7 +89,7 @@ class RegisterClasses {
     }
   }
 
-  // 3 of `t3` and `t[3]`, 0 of a lone `t[` with something else; npos: no register.
+  // 3 for `t3` and `t[3]`, 0 for `t[` with anything else; npos: no register.
   std::size_t number_of(std::size_t at) const {
     std::string_view digits = text_[at].spelling.substr(1);
     if (digits.empty()) {

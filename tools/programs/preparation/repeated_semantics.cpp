@@ -8,7 +8,7 @@
 
 namespace penumbra::preparation {
 
-// A matrix takes one per column, an array one per element; of unknown sizes the first alone.
+// A matrix takes one per column, an array one per element; with an unknown size, only the first is checked.
 std::size_t RepeatedSemantics::elements(const SemanticUse& use) const {
   const NumberShape shape = shape_of_type(text_[use.type].spelling);
   std::size_t count = shape.is_matrix() ? static_cast<std::size_t>(shape.columns) : 1;

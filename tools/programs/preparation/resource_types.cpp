@@ -40,7 +40,7 @@ bool is_resource(std::string_view type) {
 
 std::set<std::string_view> structs_with_resources(const ValueTypes& types) {
   std::set<std::string_view> found;
-  // A struct stands after those it is made of: one round finds them all, in the order of the text.
+  // A struct is declared after the structs of its members: one pass in source order finds all.
   std::map<std::size_t, std::string_view> in_order;
   for (const auto& [name, type] : types.structs()) in_order.emplace(type.declaration, name);
   for (const auto& [declaration, name] : in_order) {

@@ -76,7 +76,8 @@ class RowMatrices {
     }
   }
 
-  // The element of an expression that may be such a matrix: a row, or a number of the vector it has become?
+  // A subscript of an expression that may be such a matrix: it is unknown whether it selects a row or a
+  // component of the vector.
   void refuse_unknown(std::size_t close) {
     for (std::size_t at = text_.matching_bracket(close); at != npos && at < close; ++at) {
       if (!row_matrix(text_[at].spelling) && !row_matrix(types_.at(at).name)) continue;

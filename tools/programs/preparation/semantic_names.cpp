@@ -48,7 +48,7 @@ const Names& system_values() {
   return names;
 }
 
-// Those of Direct3D 9 that Unity's compilers still take are among them.
+// Includes those of Direct3D 9 that Unity's compilers still accept.
 const Names& fragment_outputs() {
   static const Names names{
       "SV_Target", "SV_Depth", "SV_DepthGreaterEqual", "SV_DepthLessEqual", "SV_Coverage", "SV_StencilRef",
@@ -61,8 +61,8 @@ const Names& compute_inputs() {
   return names;
 }
 
-// Of the system values alone; the table of Microsoft's compiler (docs/DXIL.rst of DirectXShaderCompiler,
-// "Signature points"), in which some are taken there for names of one's own. Empty: not judged.
+// System values only; from the table of Microsoft's compiler (docs/DXIL.rst of DirectXShaderCompiler,
+// "Signature points"), where some are treated as user-defined names. Empty: not checked.
 const Names& stage_values(hlsl::Stage stage, bool input) {
   static const Names none;
   static const Names vertex_inputs{
@@ -124,7 +124,7 @@ std::string listed(const Names& names) {
   return text;
 }
 
-// System values that are whole numbers: so many of them, or fewer.
+// The largest number of components of integer system values.
 int whole_numbers(const std::string& key) {
   static constexpr hlsl::NameSet one("SV_COVERAGE", "SV_GROUPINDEX", "SV_GSINSTANCEID", "SV_INNERCOVERAGE",
                                      "SV_INSTANCEID", "SV_OUTPUTCONTROLPOINTID", "SV_PRIMITIVEID",

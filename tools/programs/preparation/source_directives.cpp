@@ -63,7 +63,7 @@ class SourceScan {
     if (peek() == '"') ++at_;
   }
 
-  // 'N' becomes 78, with blanks for the rest: three characters at least, and a number below 256.
+  // 'N' becomes 78, padded with spaces: a literal has at least three characters, and a value below 256.
   void character() {
     const std::size_t begin = at_++;
     const bool escape = peek() == '\\';
@@ -78,7 +78,7 @@ class SourceScan {
     text_.replace(begin, at_ - begin, number);
   }
 
-  // After a backslash; -1 for what a byte does not hold.
+  // The value of an escape sequence after a backslash; -1 if it does not fit a byte.
   int escaped() {
     constexpr std::string_view letters = "abfnrtv";
     constexpr std::string_view meant = "\a\b\f\n\r\t\v";
@@ -114,7 +114,7 @@ class SourceScan {
     }
   }
 
-  // Where the line ends, the lines that '\' joins to it included.
+  // The end of the line, including the lines that '\' joins to it.
   std::size_t end_of_line() const {
     std::size_t end = at_;
     while (end < text_.size() && (text_[end] != '\n' || text_[end - 1] == '\\')) ++end;
@@ -138,7 +138,7 @@ class SourceScan {
       std::fill_n(text_.begin() + static_cast<std::ptrdiff_t>(word) + 7, word_end - word - 7, ' ');
       at_ = end_of_line();
     } else if (name == "include" || name == "error") {
-      at_ = end_of_line();  // no literals in there
+      at_ = end_of_line();  // no literals within strings
     } else if (name == "pragma" || name == "warning") {
       const std::size_t end = end_of_directive();
       const std::string_view rest = std::string_view(text_).substr(word_end, end - word_end);
@@ -153,7 +153,7 @@ class SourceScan {
     }
   }
 
-  // What stands for `#pragma pack_matrix(row_major)` until matrix_packing.h reads it; shorter than the
+  // The replacement of `#pragma pack_matrix(row_major)` until matrix_packing.h reads it; shorter than the
   // directive.
   static std::string packing_marker(std::string_view pragma) {
     if (first_word(pragma) != "pack_matrix") return {};

@@ -60,7 +60,7 @@ class StaticInitialisers {
     text_.insert(declaration.last + 1, to + " = " + name + "; }");
   }
 
-  // The value is worked out again in every function, which is the same only while what it is made of stays.
+  // The value is computed again in every function, which is equivalent only if its operands do not change.
   void refuse_if_written_later(const Declarator& constant) {
     std::set<std::string_view> functions;
     const std::size_t written = written_in(constant.initialiser, constant.end, functions);
@@ -105,7 +105,7 @@ class StaticInitialisers {
     return *written_;
   }
 
-  // It calls a function of the text, or reads what is moved.
+  // It calls a function of the text, or reads a constant that is moved.
   bool must_move(const Declarator& constant) const {
     for (std::size_t at = constant.initialiser; at < constant.end; ++at) {
       if (!text_.is_identifier(at)) continue;
@@ -133,7 +133,7 @@ class StaticInitialisers {
 
   TokenText& text_;
   const ValueTypes& types_;
-  std::vector<bool> functions_;                   // by a word's number: whether a function has that name
+  std::vector<bool> functions_;                   // by identifier number: whether a function has that name
   std::optional<std::set<std::size_t>> written_;  // variables at file scope, indices into types_.declared()
   // `float weights[2]; set_weights(weights);` by the constant's index into types_.declared().
   std::map<std::size_t, std::string> moved_;

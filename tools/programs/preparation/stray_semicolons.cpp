@@ -6,8 +6,8 @@ namespace penumbra::preparation {
 
 namespace {
 
-// Between the braces of a struct or cbuffer: ';' first of all, after another, or after a member function's
-// body.
+// Between the braces of a struct or cbuffer: a ';' at the beginning, after another, or after a member
+// function's body.
 void drop_among_members(TokenText& text, const hlsl::Declaration& declaration) {
   for (std::size_t at = declaration.open + 1; at < declaration.close; ++at) {
     const bool stray =

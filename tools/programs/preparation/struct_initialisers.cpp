@@ -21,7 +21,7 @@ class List {
   List(const TokenText& text, const ValueShape& shape, std::size_t open)
       : text_(text), shape_(shape), open_(open) {}
 
-  // The list as glslang takes it; nothing where it is so already, or cannot be.
+  // The list in glslang's form; nothing if it already has it, or cannot be rewritten.
   std::optional<std::string> matched() {
     if (matches(shape_, open_)) return std::nullopt;
     elements_ = flat_values(text_, open_);
@@ -50,7 +50,8 @@ class List {
     return true;
   }
 
-  // Whether the elements have as many numbers as the value; of one that is not known, it has the rest.
+  // Whether the elements have as many scalars as the value; if one element's number is unknown, it gets the
+  // rest.
   bool count_numbers() {
     std::size_t known = 0;
     std::size_t unknown = 0;

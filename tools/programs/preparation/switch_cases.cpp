@@ -4,7 +4,7 @@ namespace penumbra::preparation {
 
 namespace {
 
-constexpr int deepest_statement = 200;  // deeper statements are not judged
+constexpr int deepest_statement = 200;  // deeper statements are not checked
 
 class SwitchCases {
  public:
@@ -52,7 +52,7 @@ class SwitchCases {
       text_.note(label, hlsl::Severity::error, "the last case of a switch is empty: write break");
   }
 
-  // Of a loop around the switch. Loops and switches inside have their own.
+  // A continue of a loop around the switch. Nested loops and switches have their own.
   void refuse_continues(std::size_t open, std::size_t close) {
     for (std::size_t at = open + 1; at < close; ++at) {
       if (is_loop(at) || (text_.is(at, "switch") && text_.is(at + 1, "("))) {
@@ -75,7 +75,7 @@ class SwitchCases {
                "with break, or repeat the code of the next one");
   }
 
-  // Behind the ':' of a label; `a ? b : c` and `A::b` have some of their own.
+  // After the ':' of a label, not of `a ? b : c` and `A::b`.
   std::size_t behind_label(std::size_t at, std::size_t close) const {
     std::size_t choices = 0;
     for (++at; at < close; ++at) {
@@ -119,8 +119,8 @@ class SwitchCases {
     return has_condition ? text_.matching_bracket(keyword + 1) + 1 : keyword + 1;
   }
 
-  // No way leads past the statement. Loops and conditions without names of their own are taken for constant,
-  // and a nested switch for complete, when there is a return or break in them.
+  // No path leads past the statement. Loops and conditions without variables are assumed to be constant, and
+  // a nested switch to be exhaustive, if they contain a return or break.
   bool ends(std::size_t at, std::size_t end, int depth) const {
     if (depth > deepest_statement) return true;
     while (at < end && text_.is(at, "[") && text_.matching_bracket(at) != npos)

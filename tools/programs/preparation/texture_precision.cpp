@@ -12,7 +12,7 @@ constexpr hlsl::NameSet typed("Texture2D", "Texture2DArray", "Texture3D", "Textu
                               "Texture2DMS", "sampler2D", "sampler3D", "samplerCUBE", "sampler",
                               "SamplerState", "sampler1D");
 
-// The type without its precision; empty when the word is no such type.
+// The type without its precision; empty if the identifier is not such a type.
 std::string_view plain_type(std::string_view word) {
   for (const std::string_view suffix : {std::string_view("_half"), std::string_view("_float")}) {
     if (word.size() <= suffix.size() || word.substr(word.size() - suffix.size()) != suffix) continue;

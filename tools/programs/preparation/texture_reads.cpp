@@ -16,8 +16,8 @@ namespace {
 
 struct Texture {
   std::string_view type;
-  std::string_view coordinate;  // with the layer of an array
-  std::string_view direction;   // without: what gradients are of
+  std::string_view coordinate;  // including the layer of an array
+  std::string_view direction;   // without it: the dimension of gradients
 };
 constexpr std::array<Texture, 7> textures{{{"Texture1D", "float", "float"},
                                            {"Texture1DArray", "float2", "float"},
@@ -27,10 +27,10 @@ constexpr std::array<Texture, 7> textures{{{"Texture1D", "float", "float"},
                                            {"TextureCube", "float3", "float3"},
                                            {"TextureCubeArray", "float4", "float3"}}};
 
-// A member function of textures. C and D in its parameters stand for the two types above.
+// A member function of textures. C and D in its parameters are replaced by the two types above.
 struct ReadFunction {
   std::string_view name;
-  std::string_view returned;  // empty: what the texture holds
+  std::string_view returned;  // empty: the texture's element type
   std::string_view parameters;
   std::string_view arguments;
   int count;  // of them
@@ -101,7 +101,7 @@ class Reads {
     }
   }
 
-  // Whether the texture is a member that is reached through another, a call or an element of an array.
+  // Whether the texture is a member that is accessed through another member, a call or an array element.
   bool is_indirect(std::size_t first, std::size_t dot) const {
     int members = 0;
     bool brackets = false;

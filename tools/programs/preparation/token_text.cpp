@@ -12,14 +12,14 @@ namespace {
 using hlsl::StringInterner;
 using hlsl::Token;
 
-constexpr int longest_run_of_newlines = 8;  // further on, a #line directive is shorter
+constexpr int longest_run_of_newlines = 8;  // beyond that, a #line directive is shorter
 
-// Two tokens without anything between them in the text they were lexed from: "+=" is two marks.
+// Two tokens without white space between them in the original text: "+=" is two tokens.
 bool glued(const Token& left, const Token& right) {
   return left.spelling.data() + left.spelling.size() == right.spelling.data();
 }
 
-// Of a file's tokens nearly all share one view of its name.
+// Nearly all tokens of a file share one view of its name.
 bool same_file(std::string_view a, std::string_view b) {
   return (a.data() == b.data() && a.size() == b.size()) || a == b;
 }

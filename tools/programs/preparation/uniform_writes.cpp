@@ -54,7 +54,7 @@ class WrittenUniforms {
     }
   }
 
-  // Structs with resources have been taken apart (uniform_structs.h).
+  // Structs with resources have already been split (uniform_structs.h).
   bool is_struct(const std::string& type) const { return types_.structs().count(type) != 0; }
 
   void find_uniforms() {
@@ -87,8 +87,8 @@ class WrittenUniforms {
     return !text_.is(at - 1, "return") && !text_.is(at - 1, "else") && !text_.is(at - 1, "do");
   }
 
-  // Calls `use(token)` for every name in the function that means a uniform: not a member, and not a parameter
-  // or a local variable of the same name in a block around it.
+  // Calls `use(token)` for every name in the function that refers to a uniform: not to a member, parameter or
+  // local variable of the same name in an enclosing block.
   template <typename Use>
   void for_each_use(const hlsl::Declaration& function, Use use) const {
     std::vector<std::set<std::string_view>> blocks(1);
@@ -130,7 +130,7 @@ class WrittenUniforms {
   const ValueTypes& types_;
   const std::vector<hlsl::Declaration>& declarations_;
   WrittenValues writes_;
-  std::vector<bool> uniform_words_;  // by a word's number: whether a uniform has that name
+  std::vector<bool> uniform_words_;  // by identifier number: whether a uniform has that name
   std::unordered_map<std::string_view, Uniform> uniforms_;
   std::set<std::string_view> written_;
 };

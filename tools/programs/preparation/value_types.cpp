@@ -11,7 +11,7 @@ namespace {
 
 using Place = DeclaredValue::Place;
 
-// Words that stand before another word without being its type.
+// Keywords that may precede an identifier without being its type.
 bool is_statement_word(std::string_view word) {
   static constexpr hlsl::NameSet words("return", "else", "do", "case", "struct", "class", "typedef", "goto",
                                        "namespace");
@@ -48,7 +48,7 @@ class ValueTypesReader {
 
   std::string_view word(std::size_t at) const { return text_[at].spelling; }
 
-  // First walk: what stands at file scope and in structs.
+  // First pass: declarations at file scope and in structs.
   void declare(std::size_t index) {
     const hlsl::Declaration& declaration = to_.declarations_[index];
     switch (declaration.kind) {
@@ -161,7 +161,7 @@ class ValueTypesReader {
     visible = index;
   }
 
-  // Second walk: the bodies and initialisers.
+  // Second pass: the bodies and initialisers.
   void read(const hlsl::Declaration& declaration) {
     if (declaration.kind == Kind::function || declaration.kind == Kind::prototype) {
       read_function(declaration);
@@ -226,7 +226,7 @@ class ValueTypesReader {
     }
   }
 
-  // Two words in a row, or a type with <> and a word, declare.
+  // Two consecutive identifiers, or a type with template arguments and an identifier, are a declaration.
   void declaration_statement(std::size_t at) {
     if (at < statement_end_ || (at > 0 && text_.is(at - 1, "."))) return;
     if (is_modifier(word(at)) || is_statement_word(word(at))) return;
@@ -300,7 +300,7 @@ class ValueTypesReader {
     to_.places_[at].type = add_type(type);
   }
 
-  // Along the bases, which a text may have made a circle of.
+  // Along the bases, which may be cyclic in an invalid text.
   template <typename Look>
   void each_base(std::string_view type, Look look) const {
     constexpr int deepest = 16;
@@ -364,11 +364,12 @@ class ValueTypesReader {
   const TokenText& text_;
   ValueTypes& to_;
   std::vector<std::uint32_t> declared_types_;  // of each declared value: index into types_
-  // By a word's number: the type that functions of that name return, and what a variable's name stands for.
+  // By identifier number: the type that functions of that name return, and the variable that the name refers
+  // to.
   static constexpr std::uint32_t not_declared = static_cast<std::uint32_t>(-1);
   std::vector<std::uint32_t> returns_;
   std::vector<std::size_t> visible_;
-  std::vector<std::pair<std::uint32_t, std::size_t>> hidden_;  // in visible_, and what was there before
+  std::vector<std::pair<std::uint32_t, std::size_t>> hidden_;  // in visible_, and the value that it replaced
   std::vector<DeclaredValue> just_read_;
   std::string_view current_struct_;
   std::size_t statement_end_ = 0;  // of the declaration that is being read

@@ -39,7 +39,7 @@ class Zeroes {
     text_.replace(at, 4, function_name(word(at + 1)) + "()");
   }
 
-  // With those it is made of.
+  // With the structs of its members.
   void need(std::string_view type) {
     std::vector<std::string_view> open{type};
     while (!open.empty()) {

@@ -8,7 +8,7 @@ namespace penumbra::preprocessing {
 
 namespace {
 
-// Of binary operators; 0 for what is none.
+// The precedence of binary operators; 0 for other tokens.
 int precedence_of(const Token& token) {
   if (token.kind != Kind::punctuation) return 0;
   switch (token.spelling) {
@@ -120,7 +120,7 @@ class Evaluation {
     return read_.token.kind == Kind::identifier && read_.token.spelling != known::word_defined;
   }
 
-  // Through macros that stand for nothing to a token that is no name.
+  // Expands macros until the next token is not an identifier.
   void expand() {
     while (is_name()) {
       if (!expansion_.expand(read_, true)) throw Unusual("an identifier without a value");

@@ -12,7 +12,7 @@ namespace penumbra::preprocessing {
 
 namespace {
 
-// The branches of a condition that has not ended yet.
+// The branches of an open condition.
 struct Condition {
   std::vector<std::size_t> branches;
   bool otherwise_seen = false;
@@ -43,7 +43,7 @@ Step step_of(Spelling directive) {
   }
 }
 
-// The header that #include names, where nothing follows it on its line.
+// The header that #include names, if nothing follows it on its line.
 std::optional<Include> read_header(std::string_view line, Spellings& spellings) {
   line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
   if (line.empty() || (line.front() != '"' && line.front() != '<')) return std::nullopt;
@@ -55,7 +55,7 @@ std::optional<Include> read_header(std::string_view line, Spellings& spellings) 
   if ((kind != Kind::newline && kind != Kind::end) || behind.unusual()) return std::nullopt;
   const std::string_view name = line.substr(1, end - 1);
   const bool as_comment = !quoted && (name.find("//") != name.npos || name.find("/*") != name.npos);
-  if (as_comment) return std::nullopt;  // what glslang's preprocessor takes it for where it skips text
+  if (as_comment) return std::nullopt;  // how glslang's preprocessor treats it in skipped text
   return Include{std::string(name), quoted};
 }
 
@@ -75,7 +75,7 @@ class SourceCut {
       }
     }
     end_run();
-    // glslang ends a last line that has no newline, and reads its own #line on the next.
+    // glslang terminates a last line without a newline, and reads its own #line on the next.
     out_.lines = scan_.place().column == 1 ? scan_.line() - 1 : scan_.line();
     out_.usual = !scan_.unusual() && open_.empty() && balanced_ && !joins_on_;
     return out_.usual ? std::move(out_) : CutSource{};
@@ -233,7 +233,7 @@ class SourceCut {
   TokenScan scan_;
   CutSource out_;
   std::vector<Condition> open_;
-  bool joins_on_;  // to what glslang puts behind a file
+  bool joins_on_;  // up to the text that glslang appends to a file
   bool balanced_ = true;
   bool in_run_ = false;
 };

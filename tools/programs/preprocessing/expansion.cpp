@@ -9,8 +9,8 @@ namespace penumbra::preprocessing {
 
 namespace {
 
-constexpr std::size_t most_tokens = 4'000'000;  // of a reading; URP's lighting has some ten thousand
-constexpr int deepest_call = 200;               // calls within arguments of calls
+constexpr std::size_t most_tokens = 4'000'000;  // of one run; URP's lighting has some ten thousand
+constexpr int deepest_call = 200;               // nested calls in arguments
 
 bool may_be_joined(const Token& token) {
   return token.kind == Kind::identifier || token.kind == Kind::integer || token.kind == Kind::number;
@@ -47,7 +47,7 @@ Read Expansion::scan_bottom() {
   return read;
 }
 
-// The next token of what is on top, which is not at its end. False where an argument takes its place.
+// The next token of the top input, which is not exhausted. False if an argument was pushed instead.
 bool Expansion::scan_input(Read& out) {
   Input& input = inputs_.back();
   if (input.source == Source::put_back) {
@@ -100,7 +100,7 @@ bool Expansion::peek_paste() const {
   return input.at == input.last ? input.pasted_behind : input.at->kind == Kind::paste;
 }
 
-// glslang cuts "3A" into two tokens, and joins what has no blank between.
+// glslang splits "3A" into two tokens, and pastes tokens without white space between them.
 bool Expansion::peek_continued() const {
   if (inputs_.empty()) return false;
   const Input& input = inputs_.back();
@@ -198,7 +198,7 @@ std::unique_ptr<Expansion::Call> Expansion::new_call(std::size_t arguments) {
   return call;
 }
 
-// Behind the '(', to behind the ')'.
+// From after the '(' to after the ')'.
 std::unique_ptr<Expansion::Call> Expansion::read_arguments(const Definition& macro, Read& read) {
   const std::size_t count = macro.parameters.size();
   std::unique_ptr<Call> call = new_call(count);
@@ -237,7 +237,7 @@ void Expansion::read_argument(Read& read, std::vector<Token>& argument) {
   }
 }
 
-// What the tokens become that an argument is made of.
+// The expansion of an argument's tokens.
 void Expansion::expand_argument(const std::vector<Token>& argument, std::vector<Token>& expanded) {
   if (++depth_ > deepest_call) throw Unusual("macro calls nested too deeply");
   Read end;

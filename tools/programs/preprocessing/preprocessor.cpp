@@ -26,7 +26,7 @@ class Reading {
   std::string take() { return out_.take(); }
 
  private:
-  // The item to go on with.
+  // The item to continue with.
   std::size_t step(const CutSource& source, std::size_t at, const std::string& name) {
     const Item& item = source.items[at];
     if (item.whole_float && depth_ == 0) throw Unusual("a number like 1f");
@@ -61,7 +61,7 @@ class Reading {
     throw Unusual("a directive that only glslang can read");
   }
 
-  // Into the first branch that is to be read, or to the end.
+  // The first item of the active branch, or the end of the condition.
   std::size_t branch(const CutSource& source, std::size_t at) {
     while (source.items[at].step != Step::end && !chosen(source, source.items[at]))
       at = source.items[at].next;
@@ -109,7 +109,7 @@ class Reading {
     return at;
   }
 
-  // Reads a macro's name and what belongs to its call. The token to go on with.
+  // Expands a macro's name with its arguments. Returns the token to continue with.
   std::size_t expand(const CutSource& source, std::size_t name, std::size_t last) {
     const Token* const tokens = source.tokens.data();
     expansion_.read_text(tokens + name, tokens + last, source.places.data() + name);

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// More would be a disk made to waste time; two are ambiguous already.
+// More occur only on maliciously prepared disks; two are already ambiguous.
 constexpr std::size_t most_paths = 8;
 
 void add_matches(const fs::path& folder, const std::string& name, std::vector<fs::path>& found) {

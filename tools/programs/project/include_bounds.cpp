@@ -33,8 +33,8 @@ bool is_unity_project(const fs::path& folder) {
          fs::is_directory(folder / "ProjectSettings", ignored);
 }
 
-// The nearest folder above the file for which `is_one` holds; empty without one. The disk's root never is,
-// nor is the user's home folder, which some keep in git.
+// The nearest folder above the file for which `is_one` holds; empty without one. The root folder is excluded,
+// and so is the user's home folder, which some people keep in git.
 template <typename IsOne>
 fs::path nearest_above(const fs::path& file, IsOne is_one) {
   const char* home = std::getenv("HOME");

@@ -20,7 +20,7 @@ namespace {
 constexpr std::string_view packages = "Packages/";
 constexpr std::string_view assets = "Assets/";
 
-// A place where the file may be: `rest` below a folder whose own spelling is not in question.
+// A candidate location: `rest` below a folder whose own spelling is correct.
 struct Place {
   fs::path base;
   fs::path rest;
@@ -30,14 +30,14 @@ struct Place {
 struct Places {
   std::vector<Place> tried;
   std::vector<Place> other_case;  // a package or folder that differs in case from what is asked
-  std::string hint;               // said when the file is nowhere
+  std::string hint;               // reported if the file is not found
 };
 
 bool starts_with_ignoring_case(std::string_view text, std::string_view start) {
   return text.size() >= start.size() && equal_ignoring_case(text.substr(0, start.size()), start);
 }
 
-// Slashes for backslashes, without doubled slashes, "./", and "../" where a folder stands before it.
+// Slashes for backslashes, without doubled slashes, "./", and "../" after a folder.
 std::string normalised(std::string_view asked) {
   std::string text(asked);
   std::replace(text.begin(), text.end(), '\\', '/');
@@ -139,7 +139,7 @@ std::string nearest_file(const std::vector<Place>& tried, const IncludeBounds& b
   return {};
 }
 
-// Says nothing of whether there is such a file.
+// Does not check whether the file exists.
 std::string outside_message(std::string_view asked, const fs::path& file) {
   return "'" + std::string(asked) + "' leads to " + file.string() +
          ", outside of the project, the packages, the include folders and the shader's own repository or "

@@ -86,7 +86,7 @@ class PackageSearch {
       if (root.origin == PackageOrigin::given) compare_with_project(root, manifest.version);
       for (const PackageDependency& dependency : manifest.dependencies) want(dependency.name);
     } catch (const InputError&) {
-      // said where the folder was found; a root given by hand is read again by version_problems()
+      // reported where the folder was found; a root given by hand is checked by version_problems()
     }
   }
 
@@ -202,7 +202,7 @@ class PackageSearch {
   std::map<std::string, std::optional<PackageRoot>> found_;
   std::queue<std::string> waiting_;
   std::vector<std::string> missing_;
-  std::set<std::string> outside_;  // said already
+  std::set<std::string> outside_;  // already reported
 };
 
 }  // namespace

@@ -47,7 +47,7 @@ Packages read_packages(const std::vector<PackageRoot>& roots, std::vector<hlsl::
     if (has_package_manifest(root.directory)) {
       try {
         manifest = read_package_manifest(root.directory);
-      } catch (const InputError& error) {  // of a project's packages read_project has said it
+      } catch (const InputError& error) {  // read_project has reported it for a project's packages
         if (root.origin == PackageOrigin::given)
           problems.push_back(
               diagnostic_from(error, root.directory / "package.json", hlsl::Severity::warning));
@@ -58,7 +58,7 @@ Packages read_packages(const std::vector<PackageRoot>& roots, std::vector<hlsl::
   return packages;
 }
 
-// What is wrong between a package and one of its dependencies; empty when nothing is.
+// The incompatibility between a package and one of its dependencies; empty if there is none.
 std::string problem_with(const Package& package, const PackageDependency& dependency,
                          const Packages& packages) {
   const std::string needs = title(package.root.name, package.manifest.version) + " needs " +

@@ -33,7 +33,8 @@ std::vector<Token> tokens_of(std::string_view pattern) {
   return tokens;
 }
 
-// The pattern's places that the path read so far can have reached; place i is before token i.
+// The pattern positions (NFA states) that the path read so far can have reached; position i is before token
+// i.
 class Reached {
  public:
   explicit Reached(const std::vector<Token>& tokens) : tokens_(tokens), places_(tokens.size() + 1, false) {
@@ -50,7 +51,7 @@ class Reached {
   bool at_end() const { return places_.back(); }
 
  private:
-  // What can stand for nothing is passed at once.
+  // Tokens that match the empty string are skipped immediately.
   void enter(std::vector<bool>& places, std::size_t i) const {
     for (; !places[i]; ++i) {
       places[i] = true;
@@ -72,7 +73,7 @@ class Reached {
       case Kind::long_run:
         enter(next, i);
         break;
-      case Kind::folders:  // within a folder's name nothing but its end leads on
+      case Kind::folders:  // within a folder's name only its end advances
         next[i] = true;
         if (c == '/') enter(next, i + 1);
         break;

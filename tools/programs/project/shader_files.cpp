@@ -28,7 +28,7 @@ bool is_imported_shader(const fs::path& file) {
   return has_extension(file, ".shader") || has_extension(file, ".compute");
 }
 
-// Files from which the Unity editor writes shaders.
+// Files from which the Unity editor generates shaders.
 bool is_graph(const fs::path& file) {
   return has_extension(file, ".shadergraph") || has_extension(file, ".shadersubgraph");
 }
@@ -51,8 +51,8 @@ bool is_hidden(const fs::path& path) {
          has_extension(path, ".tmp");
 }
 
-// Folders first as they are, links to folders after all of them, so that what a link shows twice keeps its
-// own path. Links that lead out of the repository or project are not followed.
+// Real folders first, then symbolic links to folders, so that a file that is also reached through a link
+// keeps its own path. Links out of the repository or project are not followed.
 class ShaderWalk {
  public:
   // In the project's Packages/ only a folder with a package.json counts.
@@ -129,7 +129,7 @@ std::string shown_name(const fs::path& file, const fs::path& project) {
   return (below ? relative : file).lexically_normal().generic_string();
 }
 
-// Takes what is a file out of the places; the rest are folders to walk.
+// Removes the files from the places; the rest are folders to traverse.
 void add_place(const fs::path& place, ShaderWalk& walk, std::vector<fs::path>& named) {
   std::error_code ignored;
   if (fs::is_directory(place, ignored)) return walk.add(place);
@@ -156,7 +156,7 @@ class Filter {
     return included && !excluded;
   }
 
-  // What a person may have meant by a pattern that matches nothing.
+  // A suggestion for a pattern that matches nothing.
   void require_a_match() const {
     if (used_.empty() || std::find(used_.begin(), used_.end(), true) != used_.end()) return;
     const std::string& pattern = selection_.include.front();
@@ -201,7 +201,7 @@ class Filter {
   const ShaderSelection& selection_;
   std::vector<bool> used_;          // by place in `include`
   std::vector<bool> used_to_skip_;  // likewise in `exclude`
-  std::vector<std::string> seen_;   // every file that was asked about
+  std::vector<std::string> seen_;   // every file that was tested
 };
 
 }  // namespace

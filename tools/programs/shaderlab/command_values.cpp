@@ -99,8 +99,7 @@ const Words& words_of(Values values) {
   return none;
 }
 
-// The largest number that stands for one of the values, from 0 on: those of UnityEngine.Rendering's
-// enumerations.
+// The largest number of the values, which count from 0: those of UnityEngine.Rendering's enumerations.
 std::optional<int> largest_number(Values values) {
   switch (values) {
     case Values::toggle:

@@ -23,7 +23,7 @@ enum class Operands {
   expression   // combine texture * primary DOUBLE, constant
 };
 
-// Which commands stand in whose braces.
+// Which commands are allowed in which braces.
 enum class Scope { pass, stencil, fog, material, channels, texture };
 
 struct Shape {
@@ -140,7 +140,7 @@ class CommandParser {
     command_.values.push_back({value_kind(token.kind), std::string(token.spelling), token.place});
   }
 
-  // A value that must be there: a command's name in its place is one command that lacks it.
+  // A required value: if there is a command's name instead, the value is missing.
   void value() {
     if (!at_value(cursor_) || find_shape(cursor_, scope_) != nullptr)
       cursor_.fail("a value for " + command_.name.text);
@@ -248,7 +248,7 @@ class CommandParser {
   }
 
   void block(Scope scope) {
-    // SetTexture is the one that can do without braces.
+    // Only SetTexture may omit its braces.
     if (scope == Scope::texture && !cursor_.at_punctuation('{')) return;
     cursor_.expect_mark('{', "after " + command_.name.text);
     while (!cursor_.take_punctuation('}')) {

@@ -126,7 +126,7 @@ hlsl::Diagnostic Cursor::diagnostic(const Place& place, hlsl::Severity severity,
 
 std::vector<hlsl::Diagnostic> Cursor::take_diagnostics() {
   if (left_out_ > 0) {
-    // A file whose only errors were left out must fail all the same.
+    // A file must fail even if all of its errors were omitted.
     diagnostics_.push_back({file_,
                             0,
                             0,

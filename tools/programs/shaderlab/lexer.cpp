@@ -10,7 +10,7 @@ namespace penumbra::shaderlab {
 
 namespace {
 
-// What a person can read of a character: itself, or its code.
+// A readable form of a character: itself, or its code.
 std::string shown(char c) {
   constexpr char digits[] = "0123456789abcdef";
   if (c > ' ' && c < 0x7F) return {'\'', c, '\''};
@@ -109,7 +109,8 @@ class Lexer {
     }
   }
 
-  // -1.5e+3, .5, 7. with the sign; at_ when there is none. 2D and 1.0f are words: ShaderLab knows no suffix.
+  // -1.5e+3, .5, 7. with the sign; at_ when there is none. 2D and 1.0f are identifiers: ShaderLab has no
+  // suffixes.
   std::size_t end_of_number() const {
     std::size_t i = at_;
     if (at(i) == '+' || at(i) == '-') ++i;
@@ -131,7 +132,7 @@ class Lexer {
 
   void word() {
     std::size_t end = at_;
-    const bool numeric = is_digit(at(at_));  // a number that something follows: 2D, 1.0f
+    const bool numeric = is_digit(at(at_));  // a number followed by letters: 2D, 1.0f
     while (is_identifier_character(at(end)) || (numeric && at(end) == '.')) ++end;
     const std::optional<BlockKeyword> keyword = block_keyword(text_.substr(at_, end - at_));
     if (keyword) {
@@ -170,7 +171,7 @@ class Lexer {
     advance_to(close + 1);
   }
 
-  // The ']' outside parentheses and strings; only parentheses reach over lines. A quote behind a word (5"
+  // The ']' outside parentheses and strings; only parentheses may span lines. A quote after an identifier (5"
   // pipe) or alone on its line is a character of a label.
   std::size_t end_of_bracket() const {
     std::size_t depth = 0;
@@ -200,7 +201,7 @@ class Lexer {
     advance_to(close + 1);
   }
 
-  // #line, #warning and #error may stand in ShaderLab itself; all others belong into a program.
+  // #line, #warning and #error are allowed in ShaderLab itself; all others belong in a program.
   void directive() {
     std::size_t begin = at_ + 1;
     while (is_blank(at(begin))) ++begin;

@@ -65,7 +65,8 @@ ParsedShader parse_shader(std::string_view bytes, const std::string& file) {
   for (const Remark& warning : lexed.warnings)
     if (warning.place.offset < end.offset) cursor.warn(warning.place, warning.message);
   for (hlsl::Diagnostic& message : cursor.take_diagnostics()) {
-    // What ended the parse is often one mistake with the unknown words before it: one error for one mistake.
+    // The error that ends the parse and the unknown names before it often have one cause: only one error is
+    // reported.
     if (!parsed.complete && message.severity == hlsl::Severity::error)
       message.severity = hlsl::Severity::warning;
     parsed.diagnostics.push_back(std::move(message));

@@ -8,7 +8,7 @@ namespace penumbra::shaderlab {
 
 namespace {
 
-// Lays blocks of a file one after the other, each at its own line and column.
+// Places blocks of a file one after the other, each at its own line and column.
 class ProgramText {
  public:
   explicit ProgramText(std::string_view file) : file_(file) {}

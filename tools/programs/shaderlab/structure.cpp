@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kDeepestCategory = 32;
 
-// Words that open something elsewhere: met in the wrong braces they say that a '}' is missing.
+// Keywords of other scopes: in the wrong braces they indicate that a '}' is missing.
 const std::vector<std::string> kStructureWords{"Shader",
                                                "Properties",
                                                "SubShader",
@@ -210,7 +210,7 @@ class StructureParser {
     }
   }
 
-  // What none of the owner's rules took.
+  // A token that none of the owner's rules accepts.
   void other(const Owner& owner, const std::vector<std::string>& known) {
     if (cursor_.at(Token::Kind::program)) cursor_.fail_at(cursor_.peek().place, misplaced_program(owner));
     if (!cursor_.at(Token::Kind::identifier) || at_command(cursor_))

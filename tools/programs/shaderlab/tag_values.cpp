@@ -13,7 +13,7 @@ namespace {
 struct KnownTag {
   const char* key;
   std::vector<std::string> values;
-  bool others_allowed = false;  // names of one's own: only what looks like a typing error is reported
+  bool others_allowed = false;  // user-defined names: only likely typing errors are reported
 };
 
 const std::vector<KnownTag>& known_tags() {

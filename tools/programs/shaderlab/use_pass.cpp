@@ -17,7 +17,7 @@ struct Path {
   std::string pass;
 };
 
-// The last '/' parts the two; shader names have slashes of their own.
+// The last '/' separates the two; shader names may contain slashes.
 Path split(const std::string& path) {
   const std::size_t slash = path.rfind('/');
   if (slash == std::string::npos) return {{}, path};

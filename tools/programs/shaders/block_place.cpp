@@ -4,7 +4,7 @@ namespace penumbra::shaders {
 
 namespace {
 
-// Columns of a matrix whose rows lie together hold their components a row apart.
+// In a row-major matrix, the components of a column are one row stride apart.
 void move_to_part(BlockPlace& place, const BlockType& type) {
   if (type.op == spv::OpTypeMatrix)
     place.component_words = place.value.row_major ? place.value.matrix_stride / word_bytes : 1;

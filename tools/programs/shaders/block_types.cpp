@@ -90,7 +90,7 @@ bool BlockTypes::fits(std::uint32_t id, BlockRule rule) const {
 }
 
 bool BlockTypes::fills_tails(std::uint32_t id) const {
-  std::uint32_t end = 0;  // of the last array or struct, with what it leaves free
+  std::uint32_t end = 0;  // of the last array or struct, including its padding
   for (const BlockMember& member : find(id)->members) {
     if (member.offset < end) return true;
     const BlockType* type = find(member.type);
@@ -118,7 +118,7 @@ BlockTypes::Extent BlockTypes::structure(std::uint32_t id, BlockRule rule) const
   return all;
 }
 
-// Columns or rows of a matrix lie as the elements of an array.
+// Columns or rows of a matrix are laid out like the elements of an array.
 BlockTypes::Extent BlockTypes::vectors(const BlockMember& member, std::uint32_t components,
                                        std::uint32_t count, BlockRule rule) const {
   Extent all;

@@ -34,11 +34,11 @@ int coordinates(const glslang::TSampler& texture) {
   return plain + (texture.arrayed ? 1 : 0);
 }
 
-// A sample has its reference behind the coordinates, those of an array of cubes and gathers after them.
+// A sample has its reference as the last coordinate; cube arrays and gathers have it as a separate argument.
 bool has_reference(const glslang::TIntermAggregate& read, const glslang::TSampler& texture) {
   const glslang::TIntermSequence& arguments = read.getSequence();
   const bool is_cube_array = texture.dim == glslang::EsdCube && texture.arrayed;
-  if (is_cube_array && !gathers(read.getOp())) return read.isScalar();  // what comparing gives
+  if (is_cube_array && !gathers(read.getOp())) return read.isScalar();  // the result type of a comparison
   if (!gathers(read.getOp()))
     return arguments[1]->getAsTyped()->getType().getVectorSize() > coordinates(texture);
   if (arguments.size() < 3) return false;
@@ -62,7 +62,7 @@ class Search final : public glslang::TIntermTraverser {
   std::vector<ModuleProblem> found;
 
  private:
-  // Empty where it is no variable.
+  // Empty if it is not a variable.
   static std::string sampler_of(const glslang::TIntermTyped& pair) {
     const glslang::TIntermAggregate* made = pair.getAsAggregate();
     if (made == nullptr || made->getSequence().size() < 2) return "";

@@ -38,7 +38,7 @@ namespace penumbra::shaders {
 
 namespace {
 
-// glslang counts its users; the first and the last call need to be apart from every other.
+// glslang counts its users; the first and the last call must not run concurrently with any other.
 void initialise_glslang_once() {
   struct Process {
     Process() { glslang::InitializeProcess(); }
@@ -60,7 +60,7 @@ hlsl::Diagnostic whole_file(const Source& source, hlsl::Severity severity, std::
   return {source.name, 0, 0, severity, std::move(message), {}};
 }
 
-// "INTERNAL ERROR" and "UNIMPLEMENTED" come with success as well.
+// "INTERNAL ERROR" and "UNIMPLEMENTED" also occur with a success status.
 bool tells_an_error(const std::string& log, const hlsl::SourceFiles& sources) {
   const std::vector<LogLine> lines = parse_log(log, sources);
   return std::any_of(lines.begin(), lines.end(),
@@ -90,7 +90,8 @@ bool link(const Source& source, const hlsl::SourceFiles& sources, glslang::TProg
   return false;
 }
 
-// What the SPIR-V back end says: anything it leaves out is an error, or the module would quietly lack it.
+// Messages of the SPIR-V back end: anything that it does not support is an error, otherwise the module would
+// silently lack it.
 bool generate(const Source& source, const glslang::TIntermediate& tree, CompileResult& result) {
   spv::SpvBuildLogger logger;
   result.spirv = generated_words(tree, source.request.debug_lines, logger);
@@ -122,14 +123,14 @@ bool told(const Source& source, const hlsl::SourceFiles& sources, const std::vec
   return !problems.empty();
 }
 
-// Where the tree means something else than HLSL does.
+// Where the syntax tree's meaning differs from HLSL's.
 bool put_right(const Source& source, const hlsl::SourceFiles& sources, glslang::TIntermediate& tree,
                CompileResult& result) {
   put_operations_right(tree);
   return !told(source, sources, write_out_matrix_operations(tree, {source.text, source.name}), result);
 }
 
-// What HLSL does not allow in a module that is valid SPIR-V.
+// Valid SPIR-V that HLSL does not allow.
 void tell_problems(const Source& source, const hlsl::SourceFiles& sources, const glslang::TIntermediate& tree,
                    bool divides, CompileResult& result) {
   told(source, sources, hlsl_problems(source.request, tree, result.spirv, divides), result);
@@ -144,7 +145,7 @@ bool finish_module(const Source& source, const hlsl::SourceFiles& sources, const
   std::vector<std::string> problems;
   const bool wanted = source.request.optimise;
   std::vector<std::uint32_t>* const kept = source.request.keep_unoptimised ? &result.legalised : nullptr;
-  const bool divides = divides_by_zero(result.spirv);  // the optimiser takes the result for 0
+  const bool divides = divides_by_zero(result.spirv);  // the optimiser folds the result to 0
   const bool optimised = !wanted || finish(result.spirv, source.request.vulkan, problems, kept);
   if (!wanted) number_bindings(result.spirv);
   if (optimised && wanted) tell_problems(source, sources, tree, divides, result);
@@ -181,8 +182,8 @@ bool build(const Source& source, const hlsl::SourceFiles& sources, CompileResult
   return true;
 }
 
-// Of a source that has errors already: what else is wrong with it, on other lines. The validator's messages
-// are of a module that the program's author never asked for.
+// For a source with errors: further errors, on other lines. The validator's messages are omitted, because
+// they are about a module that the program's author did not write.
 void add_further_errors(const Source& source, const hlsl::SourceFiles& sources, CompileResult& result) {
   CompileResult built;
   build(source, sources, built);
@@ -195,7 +196,7 @@ void add_further_errors(const Source& source, const hlsl::SourceFiles& sources, 
   }
 }
 
-// glslang stops reading at a NUL byte without a word.
+// glslang silently stops reading at a NUL byte.
 std::optional<hlsl::Diagnostic> nul_byte(const hlsl::SourceFiles& sources) {
   for (const std::string& name : sources.names()) {
     const std::string& text = sources.text(name);
@@ -217,8 +218,8 @@ std::string source_text(const CompileRequest& request, SourceMemory& memory) {
   return *read.text;
 }
 
-// A word that the line has once is meant, however many a macro made of it: the text may hold only some of the
-// declarations that the line expands to, and which depends on what was compiled before.
+// A token that occurs once in the line is taken, however often a macro repeats it: the text may contain only
+// some of the declarations that the line expands to, and which ones depends on earlier compilations.
 int column_of(const preparation::Note& note) {
   const int alone = hlsl::column_in(note.source_line, note.spelling, 0, 1);
   return alone != 0 ? alone : hlsl::column_in(note.source_line, note.spelling, note.rank, note.count);
@@ -233,7 +234,7 @@ PreprocessedSource expand(const CompileRequest& request, SourceMemory& memory) {
   PreprocessedSource out;
   out.sources.add(name, text);
   std::string to_expand = request.prepare ? prepared_source(text).text : text;
-  if (!to_expand.ends_with('\n')) to_expand += '\n';  // glslang wants one behind an #include
+  if (!to_expand.ends_with('\n')) to_expand += '\n';  // glslang requires one after an #include
   expand_macros({request, name, to_expand, preamble(request)}, memory, out);
   if (std::optional<hlsl::Diagnostic> nul = nul_byte(out.sources)) {
     out.diagnostics = {*std::move(nul)};

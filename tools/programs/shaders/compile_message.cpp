@@ -47,7 +47,8 @@ int read_place(ByteReader& in) {
 
 }  // namespace
 
-// The members by name and all of them: one more in the struct, and this does not compile until it is written.
+// A structured binding of all members: adding a member to the struct breaks the build until it is serialised,
+// too.
 void write(ByteWriter& out, const shaders::CompileRequest& request) {
   const auto& [file, text, entry, stage, defines, roots, directories, project, cginc_root, prepare, optimise,
                debug_lines, keep_unoptimised, vulkan, entry_place, half_is_16_bits, dxc] = request;

@@ -24,7 +24,7 @@ bool reads_a_texel(spv::Op op) {
   return samples || sparse || op == spv::OpImageSparseRead || op == spv::OpImageTexelPointer;
 }
 
-// What an atomic operation works on is the result of OpImageTexelPointer.
+// The operand of an atomic operation is the result of OpImageTexelPointer.
 bool writes_a_texel(spv::Op op) {
   return op == spv::OpImageWrite || op == spv::OpImageTexelPointer;
 }
@@ -38,7 +38,7 @@ bool tells_the_source(spv::Op op) {
          op == spv::OpString || op == spv::OpModuleProcessed;
 }
 
-// What the module says of the entry point.
+// The module's declarations of the entry point.
 struct EntryFacts {
   Id function = 0;
   bool fragment = false;
@@ -184,7 +184,7 @@ class Counting {
     declare();
   }
 
-  // All types and variables of the module are there when the first function begins.
+  // All types and variables of the module precede the first function.
   void declare() {
     const spirv::Instruction& entry = *code_.definition(facts_.function);
     void_ = entry.type;
@@ -223,7 +223,8 @@ class Counting {
 
   Id private_counter(Id wanted) { return variable(uint_, spv::StorageClassPrivate, wanted, uint(0)); }
 
-  // SPIR-V 1.3 has storage buffers, before it they are blocks of another kind among the uniforms.
+  // SPIR-V 1.3 has a storage class for storage buffers; before it they are decorated blocks in the Uniform
+  // class.
   void declare_counts() {
     const bool own_class = module_[1] >= 0x00010300U;
     storage_ = own_class ? spv::StorageClassStorageBuffer : spv::StorageClassUniform;
@@ -235,7 +236,8 @@ class Counting {
     rewrite_.decoration(spv::OpDecorate, {block, static_cast<std::uint32_t>(kind)});
     counts_ = variable(block, storage_, counts_);
     rewrite_.decoration(spv::OpDecorate, {counts_, spv::DecorationDescriptorSet, 0});
-    rewrite_.decoration(spv::OpDecorate, {counts_, spv::DecorationBinding, 0});  // numbered with the others
+    rewrite_.decoration(spv::OpDecorate,
+                        {counts_, spv::DecorationBinding, 0});  // numbered with the others later
     rewrite_.name(spv::OpName, name_words(block, texel_counts_name));
     rewrite_.name(spv::OpName, name_words(counts_, texel_counts_name));
   }

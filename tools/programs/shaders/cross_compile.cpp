@@ -21,7 +21,7 @@ struct TargetTraits {
   Target target;
   const char* name;
   TargetLanguage language;
-  unsigned version;  // as SPIRV-Cross takes it
+  unsigned version;  // in SPIRV-Cross's format
 };
 
 constexpr std::array<TargetTraits, std::size(all_targets)> all_traits{
@@ -75,10 +75,10 @@ void set_options(const SpirvCrossSession& session, Target target) {
   session.require(spvc_compiler_install_compiler_options(session.compiler(), options));
 }
 
-// GL knows no separate textures: every pair that is used becomes one sampler.
+// GL has no separate textures: every texture-sampler pair that is used becomes one combined sampler.
 void combine_samplers(const SpirvCrossSession& session) {
   const spvc_compiler compiler = session.compiler();
-  spvc_variable_id dummy = 0;  // stands in for the sampler a plain load does not have
+  spvc_variable_id dummy = 0;  // dummy for the sampler that a plain load does not have
   session.require(spvc_compiler_build_dummy_sampler_for_combined_images(compiler, &dummy));
   session.require(spvc_compiler_build_combined_image_samplers(compiler));
   const spvc_combined_image_sampler* pairs = nullptr;
@@ -94,7 +94,7 @@ void combine_samplers(const SpirvCrossSession& session) {
   }
 }
 
-// One run of numbers from 0 over resources of several kinds.
+// Consecutive numbers from 0 over resources of several kinds.
 void number_from_zero(const SpirvCrossSession& session, std::initializer_list<spvc_resource_type> types) {
   spvc_resources resources = nullptr;
   session.require(spvc_compiler_create_shader_resources(session.compiler(), &resources));
@@ -108,12 +108,13 @@ void number_from_zero(const SpirvCrossSession& session, std::initializer_list<sp
   }
 }
 
-// GL and Direct3D count each kind of resource for itself, and only so far.
+// GL and Direct3D number each kind of resource separately, with limits.
 void number_bindings(const SpirvCrossSession& session, Target target) {
   number_from_zero(session, {SPVC_RESOURCE_TYPE_UNIFORM_BUFFER});
   if (target_language(target) == TargetLanguage::hlsl) {
     number_from_zero(session, {SPVC_RESOURCE_TYPE_SEPARATE_SAMPLERS});
-    // A buffer is a t or a u register, as its use has it: one run serves both, with the scarce u first.
+    // A buffer is a t or a u register, depending on its use: both are numbered together, with the scarce u
+    // first.
     number_from_zero(session, {SPVC_RESOURCE_TYPE_STORAGE_BUFFER, SPVC_RESOURCE_TYPE_STORAGE_IMAGE,
                                SPVC_RESOURCE_TYPE_SEPARATE_IMAGE});
   } else {
@@ -128,13 +129,13 @@ std::string emit_module(const SpirvCrossModule& module, Target target) {
   const VertexLayer layer(session, target);
   if (is_gl(target)) combine_samplers(session);
   if (target_language(target) != TargetLanguage::msl)
-    number_bindings(session, target);  // MSL numbers by itself
+    number_bindings(session, target);  // SPIRV-Cross numbers MSL's resources itself
   const char* text = nullptr;
   session.require(spvc_compiler_compile(session.compiler(), &text));
   return layer.completed(text);
 }
 
-// What SPIRV-Cross itself makes of a module would be wrong or nothing.
+// SPIRV-Cross's own output for this module would be wrong or missing.
 std::string emit_amended(const SpirvCrossModule& module, const SpirvModule& spirv, Target target) {
   if (target_language(target) == TargetLanguage::hlsl)
     if (const std::optional<SpirvModule> gathers = with_marked_gathers(spirv))

@@ -13,7 +13,7 @@ namespace penumbra::shaders {
 
 namespace {
 
-// What HLSL calls the operation; nullptr for one that needs no derivatives.
+// The operation's name in HLSL; nullptr if it needs no derivatives.
 const char* name_of(glslang::TOperator op) {
   switch (op) {
     case glslang::EOpTexture:
@@ -62,7 +62,7 @@ class Search final : public glslang::TIntermTraverser {
     const char* name = name_of(op);
     if (name == nullptr) return;
     const bool samples = op != glslang::EOpTextureQueryLod && name == std::string_view("Sample");
-    // Some nodes that the front end makes up have no place: it is their parent's.
+    // Some nodes that the front end creates have no location: their parent's is used.
     const bool has_place = node.getLoc().line > 0 || getParentNode() == nullptr;
     found.push_back({place_of_node(has_place ? node : *getParentNode()),
                      std::string(samples ? "a texture is sampled with" : name) +

@@ -38,12 +38,12 @@ bool is_of_syntax(const hlsl::Diagnostic& error) {
   return error.message.starts_with("expected") || error.message.starts_with("unexpected");
 }
 
-// What taking a return statement out makes.
+// The error that results from removing a return statement.
 bool is_own_making(const hlsl::Diagnostic& error) {
   return error.message.starts_with("function '") && error.message.ends_with("' must return a value");
 }
 
-// Whether an error is the one before, or what became of it.
+// Whether an error is the previous one, or a consequence of its removal.
 bool is_still_there(const hlsl::Diagnostic& before, const hlsl::Diagnostic& now) {
   if (now.file != before.file || now.line != before.line) return false;
   return now.message == before.message || is_of_syntax(now) || is_of_syntax(before);
@@ -63,7 +63,7 @@ std::vector<hlsl::Diagnostic> errors_of(const Source& source, const std::string&
     Parse parse = parse_again(source, rest.text());
     if (parse.accepted) break;
     found = placed_error(failure_of(source, parse.log, rest.text()), sources);
-    if (found.token && is_still_there(before, found.diagnostic)) {  // what was taken out was not it
+    if (found.token && is_still_there(before, found.diagnostic)) {  // the removed code was not the cause
       if (!rest.remove_body(*found.token)) break;
       parse = parse_again(source, rest.text());
       if (parse.accepted) break;

@@ -12,12 +12,12 @@ namespace penumbra::shaders {
 
 namespace {
 
-struct Range {  // of tokens, both included
+struct Range {  // of tokens, inclusive
   std::size_t first;
   std::size_t last;
 };
 
-// Blanks keep the lines and directives, so that every other token keeps its place.
+// Replaces text by white space, except newlines and directives, so that every other token keeps its location.
 void blank(std::string& text, std::size_t begin, std::size_t end) {
   bool directive = false;
   bool line_start = begin == 0 || text[begin - 1] == '\n';
@@ -33,13 +33,13 @@ void blank(std::string& text, std::size_t begin, std::size_t end) {
   }
 }
 
-// One text and what can be taken out around a token of it.
+// One text and the code that can be removed around a token of it.
 class Remedy {
  public:
   explicit Remedy(std::string& text) : text_(text), tokens_(hlsl::lex(text)) {}
 
-  // False when the token is in no function's body, or its function was emptied before. `lacks_semicolon`: the
-  // token is the first of what follows the statement.
+  // False if the token is in no function's body, or its function was already emptied. `lacks_semicolon`: the
+  // token is the first one after the statement.
   bool apply(std::size_t token, bool lacks_semicolon, std::set<std::string>& emptied) {
     const std::optional<hlsl::Declaration> function = function_around(token);
     if (!function) return false;
@@ -76,8 +76,8 @@ class Remedy {
     return std::nullopt;
   }
 
-  // The statement of that token without its ';', or of a declaration from its '=' on; nothing where that
-  // would leave no HLSL.
+  // The statement of that token without its ';', or a declaration from its '=' on; nothing if the rest would
+  // not be valid HLSL.
   std::optional<Range> part_around(const hlsl::Declaration& function, std::size_t token,
                                    bool lacks_semicolon) const {
     const std::optional<Range> statement = statement_around(function, token);
@@ -103,7 +103,7 @@ class Remedy {
     return Range{equals, last - 1};
   }
 
-  // From behind the ';' or brace before the token to its own ';'.
+  // From after the ';' or brace before the token to its own ';'.
   std::optional<Range> statement_around(const hlsl::Declaration& function, std::size_t token) const {
     std::size_t first = function.open + 1;
     std::size_t depth = 0;  // of ( and [

@@ -9,7 +9,7 @@ namespace penumbra::shaders {
 
 namespace {
 
-// What the module declares, read in the order that SPIR-V prescribes.
+// The module's declarations, read in the order that SPIR-V prescribes.
 struct Inputs {
   bool fragment = false;
   std::size_t first_type = 0;  // where the decorations end
@@ -59,7 +59,7 @@ void flatten_integer_inputs(SpirvModule& module) {
   const bool whole = spirv::for_each_instruction(read_only, [&](spirv::Words instruction) {
     read(instruction, static_cast<std::size_t>(instruction.data() - module.data()), inputs);
   });
-  if (!whole) return;  // no module; left to the validator
+  if (!whole) return;  // malformed; the validator reports it
   if (!inputs.fragment) return;
   SpirvModule decorations;
   for (const std::uint32_t id : inputs.missing)

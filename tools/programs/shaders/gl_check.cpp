@@ -120,7 +120,8 @@ std::string nth_line(const std::string& text, int number) {
   return line;
 }
 
-// Mesa: "0:12(5): error: ...": string, line, column. Lines of another form keep their text and no place.
+// Mesa: "0:12(5): error: ...": string, line, column. Lines of another form keep their text, without a
+// location.
 hlsl::Diagnostic parse_line(const std::string& line, const std::string& text) {
   hlsl::Diagnostic diagnostic;
   int string_number = 0;
@@ -148,7 +149,7 @@ std::vector<hlsl::Diagnostic> parse_gl_log(const std::string& log, const std::st
     if (!line.empty()) diagnostics.push_back(parse_line(line, text));
   if (failed && !hlsl::has_errors(diagnostics))
     diagnostics.push_back({{}, 0, 0, hlsl::Severity::error, "the GL driver refuses it without a reason", {}});
-  if (!failed)  // what the driver accepts is no error, whatever the words of its log
+  if (!failed)  // a shader that the driver accepts has no error, whatever its log contains
     for (hlsl::Diagnostic& diagnostic : diagnostics) diagnostic.severity = hlsl::Severity::warning;
   return diagnostics;
 }
@@ -172,7 +173,7 @@ void compile_stage(const GlFunctions& gl, GLuint program, const GlStage& stage,
   log.resize(static_cast<std::size_t>(length));
   append(out, parse_gl_log(log, stage.text, compiled != GL_TRUE));
   gl.attach_shader(program, shader);
-  gl.delete_shader(shader);  // lives on until the program goes
+  gl.delete_shader(shader);  // referenced by the program until that is deleted
 }
 
 void link_program(const GlFunctions& gl, GLuint program, std::vector<hlsl::Diagnostic>& out) {

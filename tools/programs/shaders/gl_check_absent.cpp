@@ -1,4 +1,4 @@
-// Stands in for gl_check.cpp where the platform has no EGL.
+// Replaces gl_check.cpp on platforms without EGL.
 #include "input/input_error.h"
 #include "shaders/gl_check.h"
 

@@ -62,7 +62,7 @@ class SharedMemory {
   std::uint64_t bytes_ = 0;
 };
 
-// Of the last such word before `end`.
+// The index of the last such identifier before `end`.
 SourcePlace place_of(std::string_view word, const std::vector<hlsl::Token>& tokens, std::size_t end,
                      const std::string& file) {
   for (std::size_t at = end; at-- > 0;)

@@ -18,7 +18,7 @@ struct Place {
   int column = 0;
 };
 
-// Where a line has an #include and the name behind it.
+// The offset of an #include of that name in a line; npos if there is none.
 std::size_t column_of_include(std::string_view line, std::string_view asked) {
   const std::size_t hash = line.find('#');
   if (hash == std::string_view::npos) return hash;
@@ -27,7 +27,7 @@ std::size_t column_of_include(std::string_view line, std::string_view asked) {
   return line.find(asked, word);
 }
 
-// The first line that includes the name; the file's first when a macro hides it.
+// The first line that includes the name; the file's first line if the name comes from a macro.
 Place place_of_include(std::string_view text, std::string_view asked) {
   int number = 0;
   for (std::size_t start = 0; start < text.size(); ++number) {
@@ -61,7 +61,7 @@ IncludeResolver::IncludeResolver(const CompileRequest& request, hlsl::SourceFile
       undefined_(std::move(undefined_by_main_file)),
       open_{request.file.string()} {}
 
-// The name of the file, which is open now.
+// The name of the file, which is now open.
 std::optional<std::string> IncludeResolver::open(const std::string& asked, const std::string& includer) {
   // A file that includes itself twice would be read as often as there are paths to the greatest depth.
   if (failure_) return std::nullopt;
@@ -98,7 +98,7 @@ std::optional<preprocessing::IncludedFile> IncludeResolver::enter(const std::str
   return preprocessing::IncludedFile{*std::move(name), any ? &memory_.cut(open_.back()) : nullptr};
 }
 
-// glslang asks here when includeLocal has failed; <...> is looked for as "..." is.
+// glslang calls this after includeLocal has failed; <...> is searched like "...".
 IncludeResolver::IncludeResult* IncludeResolver::includeSystem(const char* header, const char* includer,
                                                                std::size_t depth) {
   return includeLocal(header, includer, depth);
@@ -112,7 +112,7 @@ void IncludeResolver::releaseInclude(IncludeResult* result) {
 }
 
 bool IncludeResolver::open_file(const std::string& name) {
-  // The file that is one too deep may stand beside the cycle, with guards of its own: one of the cycle
+  // The file at the depth limit may not be part of the cycle and have a guard: a file of the cycle then
   // follows.
   const bool repeats = std::count(open_.begin(), open_.end(), name) > 1;
   if (open_.size() > (repeats ? max_include_depth : 2 * max_include_depth))
@@ -131,8 +131,8 @@ bool IncludeResolver::fail(const std::string& problem) {
   return false;
 }
 
-// The file as the preprocessor is to see it: nothing, the second time that a file says `#pragma once` or
-// stands within a guard that is defined still.
+// The file as the preprocessor sees it: empty, the second time, for a file with `#pragma once` or with an
+// include guard that is still defined.
 const SourceToExpand* IncludeResolver::to_read(const std::string& name) {
   const SourceToExpand& prepared = memory_.prepared(name);
   const bool guarded = !prepared.guard.empty() && undefined_.count(prepared.guard) == 0;

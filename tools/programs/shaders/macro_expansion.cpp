@@ -26,10 +26,10 @@ namespace {
 
 using preparation::MacroArguments;
 
-// A reading brings the calls of one more macro to light at least, nearly always all at once.
+// Each reading finds the calls of at least one more macro, and nearly always all of them.
 constexpr int most_readings = 12;
 
-// glslang writes as many blanks before it as the column says, less one.
+// glslang prints column - 1 spaces before it.
 constexpr const char* joined_in_first_column =
     "ERROR: a token begins in the first column of a line that '\\' joins to the line above; indent it";
 
@@ -50,7 +50,7 @@ std::string last_word(const std::string& message) {
   return message.substr(message.rfind(' ') + 1);
 }
 
-// What is left of a log once they are forgiven.
+// The rest of a log without these.
 std::string without_redefinitions(const std::string& log) {
   std::string rest;
   std::istringstream lines(log);
@@ -88,7 +88,7 @@ class MacroExpansion {
   }
 
  private:
-  // Nothing where glslang's preprocessor is to read the source.
+  // Nothing if glslang's preprocessor has to read the source.
   std::optional<Reading> read_by_own() {
     const CompileRequest& request = source_.request;
     if (memory_.glslang_alone() || !request.prepare) return std::nullopt;
@@ -165,7 +165,7 @@ class MacroExpansion {
     return std::any_of(reading.errors.begin(), reading.errors.end(), lacks_arguments);
   }
 
-  // Takes in what the files read so far define; true when other calls than before are to be rewritten.
+  // Records the definitions of the files read so far; true if the set of calls to rewrite has changed.
   bool learn() {
     for (const std::string& name : out_.sources.names())
       if (known_.insert(name).second) arguments_.read(out_.sources.text(name));
@@ -173,7 +173,7 @@ class MacroExpansion {
     return arguments_.settle();
   }
 
-  // glslang has taken the later definition each time, and read on.
+  // glslang has used the later definition each time, and continued.
   void warn_of_redefinitions(Reading& reading) {
     const auto forgiven = std::stable_partition(reading.errors.begin(), reading.errors.end(),
                                                 [](const LogLine& line) { return !is_redefinition(line); });
@@ -196,7 +196,7 @@ class MacroExpansion {
     return definitions;
   }
 
-  // The other definition is named where there is no doubt which that is.
+  // The other definition is named if there is only one.
   hlsl::Diagnostic redefinition(const LogLine& line, const Definitions& definitions) const {
     const std::string name = last_word(line.message);
     std::string other;
@@ -227,7 +227,7 @@ class MacroExpansion {
   SourceMemory& memory_;
   PreprocessedSource& out_;
   MacroArguments arguments_;
-  std::set<std::string> known_;  // files whose definitions have been taken in
+  std::set<std::string> known_;  // files whose definitions have been recorded
 };
 
 }  // namespace

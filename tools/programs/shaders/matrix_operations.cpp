@@ -16,7 +16,7 @@ using glslang::TIntermUnary;
 using glslang::TOperator;
 using glslang::TType;
 
-// A row of HLSL's matrix is a column of glslang's.
+// A row of a matrix in HLSL is a column in glslang.
 int rows(const TType& matrix) {
   return matrix.getMatrixCols();
 }
@@ -30,7 +30,7 @@ bool is_matrix(const TIntermNode* node) {
          !node->getAsTyped()->isArray();
 }
 
-// Rows of one column are no matrices to SPIR-V.
+// SPIR-V has no matrices with one column.
 bool has_rows(const TType& matrix) {
   return matrix.getMatrixCols() > 1 && matrix.getMatrixRows() > 1;
 }
@@ -42,10 +42,10 @@ class MatrixOperations final : public TreeRewrite {
   std::vector<ModuleProblem> problems;
 
  private:
-  // What an operand is made of before its rows are combined.
+  // An operand's rows before they are combined.
   struct Rows {
     std::vector<TIntermTyped*> rows;         // one for each row, or one scalar for all
-    std::vector<TIntermTyped*> assignments;  // that come first
+    std::vector<TIntermTyped*> assignments;  // that are evaluated first
   };
 
   TIntermTyped* of_aggregate(TIntermAggregate& node) override {
@@ -81,7 +81,7 @@ class MatrixOperations final : public TreeRewrite {
     return combined(node, by_rows_operator(op), node.getLeft(), node.getRight());
   }
 
-  // m * n, whose operands' types the preparation did not know.
+  // m * n whose operand types were unknown to the preparation.
   TIntermTyped* of_product(TIntermBinary& node) {
     const TType& left = node.getLeft()->getType();
     const TType& right = node.getRight()->getType();
@@ -279,7 +279,7 @@ class MatrixOperations final : public TreeRewrite {
       100LL << 56;  // above those of the front end, which begin with the depth of their block
 };
 
-// A matrix of bools that is not taken apart again ends glslang's back end.
+// A matrix of bools that is not decomposed crashes glslang's back end.
 class BoolMatrices final : public glslang::TIntermTraverser {
  public:
   bool visitAggregate(glslang::TVisit /*when*/, TIntermAggregate* node) override {

@@ -12,7 +12,7 @@ namespace penumbra::shaders {
 
 namespace {
 
-// By comparison glslang leaves the reference in the coordinate, and by projection the divisor: not those.
+// Comparisons (glslang appends the reference to the coordinate) and projections (the divisor) are excluded.
 bool reads_by_coordinate_alone(spv::Op op) {
   return op == spv::OpImageSampleImplicitLod || op == spv::OpImageSampleExplicitLod ||
          op == spv::OpImageFetch || op == spv::OpImageGather || op == spv::OpImageRead;
@@ -52,7 +52,7 @@ class MisreadSearch final : public ModuleSearch {
     }
   }
 
-  // What a value is of: its type, and the variable that it was loaded from.
+  // A value's type, and the variable from which it was loaded.
   void remember(spv::Op op, spirv::Words instruction) {
     bool has_result = false;
     bool has_type = false;
@@ -84,7 +84,7 @@ class MisreadSearch final : public ModuleSearch {
   std::map<std::uint32_t, std::uint32_t> textures_;  // coordinates of each image type
   std::map<std::uint32_t, std::uint32_t> vectors_;   // components of each vector type
   std::map<std::uint32_t, std::uint32_t> types_;     // of values
-  std::map<std::uint32_t, std::uint32_t> sources_;   // values to what they were made from
+  std::map<std::uint32_t, std::uint32_t> sources_;   // values to their sources
 };
 
 }  // namespace

@@ -26,7 +26,7 @@ bool of_preprocessor(const LogLine& line) {
          line.token == "macro expansion" || line.message == "End of input in comment";
 }
 
-// glslang names the line after one that ends too early.
+// glslang reports the line after one that ends too early.
 void step_back_to_directive(LogLine& line, const hlsl::SourceFiles& sources) {
   const bool condition = line.token == "preprocessor evaluation";
   if (!condition && !is_directive(line.token)) return;
@@ -38,7 +38,7 @@ void step_back_to_directive(LogLine& line, const hlsl::SourceFiles& sources) {
   if (!is_there(line.line) && is_there(line.line - 1)) --line.line;
 }
 
-// The text of #error as it was written: glslang's has a blank between any two tokens.
+// The original text of #error: glslang's has a space between any two tokens.
 std::string error_directive(const std::string& text) {
   const std::size_t word = text.find("error");
   const std::size_t start = word == std::string::npos ? word : text.find_first_not_of(" \t", word + 5);
@@ -59,7 +59,7 @@ hlsl::Diagnostic at_directive(LogLine line, const hlsl::SourceFiles& sources) {
   step_back_to_directive(line, sources);
   const std::string text = sources.line(line.file, line.line);
   if (line.message == "End of input in comment") {
-    const auto column = static_cast<int>(text.rfind("/*") + 1);  // 0 when it is not there
+    const auto column = static_cast<int>(text.rfind("/*") + 1);  // 0 if it does not occur
     return {line.file, line.line, column, line.severity, "'/*' is never closed", text};
   }
   const bool variadic = line.token == "#define" && text.find("...") != std::string::npos;
@@ -89,7 +89,7 @@ hlsl::Diagnostic at_place(const hlsl::TokenPlace& place, std::string message,
           std::move(message), sources.line(place.file, place.line)};
 }
 
-// The index of the token that the parser complained of; nothing when it complains of something else now.
+// The index of the token that the parser reported; nothing if it now reports another error.
 std::optional<std::size_t> find_token(const ParseFailure& failure, const LogLine& error,
                                       const hlsl::TokenPlaces& places, const hlsl::SourceFiles& sources) {
   if (!failure.log_of || places.size() == 0) return std::nullopt;
@@ -133,7 +133,7 @@ std::optional<std::size_t> negative_size(const hlsl::TokenPlaces& places, std::s
   return std::nullopt;
 }
 
-// glslang complains of a constructor behind its ')'.
+// glslang reports a constructor after its ')'.
 std::size_t start_of_call(const hlsl::TokenPlaces& places, std::size_t at) {
   std::size_t depth = 0;
   for (std::size_t i = at; i > 1; --i) {
@@ -161,7 +161,7 @@ bool names_something_unknown(const LogLine& error) {
          error.message == "no such field in structure";
 }
 
-// A method's name comes as "__BI_Sample"; a function that the text does not have at all is unknown.
+// A method's name is printed as "__BI_Sample"; a function that the text does not declare is unknown.
 std::string unknown_name(LogLine error, const Surroundings& around, const hlsl::TokenPlaces& places) {
   const std::string built_in = "__BI_";
   if (error.token.starts_with(built_in)) {
@@ -177,8 +177,8 @@ std::string unknown_name(LogLine error, const Surroundings& around, const hlsl::
              : "unknown function '" + error.token + "'" + nearest_word(error.token, places);
 }
 
-// A missing ';' is noticed at the next token, often a line or a file later; it belongs behind the one before.
-// So does the ';' of a list that goes on in the next line without ','.
+// A missing ';' is detected at the next token, often a line or a file later; it is reported after the
+// previous token. So is the ';' of a list that continues on the next line without ','.
 bool is_missing_semicolon(const LogLine& error, const Surroundings& around, std::size_t at) {
   return error.message == "Expected" && at > 0 &&
          (error.token == ";" || (error.token == "," && !around.same_line_as_before));
@@ -199,7 +199,7 @@ hlsl::Diagnostic at_token(const LogLine& error, std::size_t at, const hlsl::Toke
                           const hlsl::SourceFiles& sources) {
   const Surroundings around = surroundings(places, at);
   if (is_missing_semicolon(error, around, at)) return missing_semicolon(error, at, around, places, sources);
-  if (error.message == "Expected" && error.token.starts_with("loop") && at > 0)  // noticed behind 'break'
+  if (error.message == "Expected" && error.token.starts_with("loop") && at > 0)  // detected after 'break'
     return at_place(places.at(at - 1, sources), sentence(error, around), sources);
   if (error.message.starts_with("array index out of range"))
     if (const std::optional<std::size_t> minus = negative_size(places, at))
@@ -226,7 +226,7 @@ hlsl::Diagnostic of_open_place(const hlsl::OpenPlace& open, const hlsl::SourceFi
   return at_place({open.file, open.line, open.column}, open.message, sources);
 }
 
-// glslang reads on behind the last line, into text of its own.
+// glslang continues after the last line, into text of its own.
 bool past_the_end(const LogLine& error, const hlsl::SourceFiles& sources) {
   if (!sources.contains(error.file)) return false;
   const std::string& text = sources.text(error.file);
@@ -251,7 +251,7 @@ PlacedError placed_error(const ParseFailure& failure, const hlsl::SourceFiles& s
   const LogLine* error = first_error_line(lines);
   if (error != nullptr && failure.include_failure)
     return {of_include(*error, *failure.include_failure, sources), {}};
-  // Before anything the parser says about it: a bracket or condition that a file leaves open.
+  // Takes precedence over the parser's messages: a bracket or condition that a file leaves open.
   if (const std::optional<hlsl::OpenPlace> open = hlsl::open_condition(sources))
     return {of_open_place(*open, sources), {}};
   const bool placed = error != nullptr && error->line > 0;

@@ -32,7 +32,8 @@ bool take_line_number(std::string_view& rest, int& line) {
   return true;
 }
 
-// The file may hold colons and blanks: it is found by the names this compilation has read, longest first.
+// The file name may contain colons and spaces: it is matched against the files of this compilation, longest
+// first.
 void take_place(std::string_view& rest, const hlsl::SourceFiles& sources, LogLine& out) {
   std::vector<std::string> names = sources.names();
   std::sort(names.begin(), names.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
@@ -46,7 +47,7 @@ void take_place(std::string_view& rest, const hlsl::SourceFiles& sources, LogLin
   }
 }
 
-// "'token' : message"; the token may hold quotes.
+// "'token' : message"; the token may contain quotes.
 void take_token(std::string_view& rest, LogLine& out) {
   const std::size_t end = rest.find("' : ");
   if (rest.empty() || rest[0] != '\'' || end == std::string_view::npos) return;

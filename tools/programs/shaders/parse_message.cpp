@@ -16,8 +16,8 @@ namespace penumbra::shaders {
 
 namespace {
 
-// {token, the message's start, our words}: empty token for any. In our words % is the token and $ what the
-// message says after its start.
+// {token, prefix of the message, our message}: an empty token matches any. In our message % is the token and
+// $ the rest of glslang's message after the prefix.
 struct Phrase {
   std::string_view token;
   std::string_view message;
@@ -71,7 +71,7 @@ constexpr std::array<Phrase, 39> phrases{{
     {"#", "invalid directive:", "unknown directive '#$'"},
 }};
 
-// Without blanks and quotes around it.
+// Trimmed, without quotes around it.
 std::string trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(' ');
   if (first == std::string_view::npos) return {};
@@ -105,7 +105,7 @@ std::string fill(std::string_view words, const LogLine& line, std::string_view r
   return text;
 }
 
-// What the grammar calls the part it misses; a mark or a word of HLSL is quoted.
+// The grammar's name of the missing part; punctuation and keywords of HLSL are quoted.
 std::string in_words(const std::string& part) {
   static const std::map<std::string, std::string> words{
       {"declaration", "a declaration"},
@@ -143,12 +143,12 @@ bool is_storage(const std::string& word) {
 
 std::string vector_or_matrix(const std::string& size, const std::string& kind, const std::string& type) {
   if (kind == "vector") return type + size.substr(0, size.find('-'));
-  std::string shape = size;  // glslang's 4X3 counts HLSL's rows and columns as they are written
+  std::string shape = size;  // glslang's 4X3 has the order of HLSL's rows and columns
   std::replace(shape.begin(), shape.end(), 'X', 'x');
   return type + shape;
 }
 
-// Inside one quoted type: storage words go, "N-component vector of T" is T N.
+// Inside one quoted type: storage qualifiers are removed, "N-component vector of T" becomes TN.
 std::string hlsl_type(const std::string& text) {
   std::istringstream stream(text);
   std::vector<std::string> words;

@@ -60,7 +60,7 @@ constexpr std::pair<spvc_resource_type, DescriptorKind> descriptor_kinds[] = {
     {SPVC_RESOURCE_TYPE_SUBPASS_INPUT, DescriptorKind::input_attachment},
 };
 
-// More than any device binds or passes on: an array of that size is a mistake, or meant as one.
+// More than any device supports: an array of that size is an error, or malicious.
 constexpr std::uint64_t most_elements = 1 << 20;
 constexpr std::uint64_t most_locations = 128;
 

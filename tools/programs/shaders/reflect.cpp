@@ -30,7 +30,7 @@ ScalarKind scalar_kind(spvc_basetype type) {
   }
 }
 
-// Where a member of a struct lies, and what it is called.
+// The offset and the name of a struct's member.
 struct MemberPlace {
   spvc_type_id structure;
   unsigned index;
@@ -144,7 +144,7 @@ ImageType image_type(const SpirvCrossSession& session, const spvc_reflected_reso
   return image;
 }
 
-// glslang decorates the members of a StructuredBuffer, and no variable.
+// glslang decorates the members of a StructuredBuffer, not the variable.
 bool is_read_only(const SpirvCrossSession& session, ResourceKind kind,
                   const spvc_reflected_resource& reflected) {
   const spvc_compiler compiler = session.compiler();
@@ -162,7 +162,8 @@ Resource reflect_resource(const SpirvCrossSession& session, ResourceKind kind,
   const spvc_compiler compiler = session.compiler();
   Resource resource;
   resource.kind = kind;
-  // A block is known by its type's name; buffers of one element type share theirs, so by the variable's.
+  // A block is identified by its type's name; buffers of one element type share it, so they are identified by
+  // the variable's.
   const std::string variable = spvc_compiler_get_name(compiler, reflected.id);
   resource.name = kind == ResourceKind::uniform_block || variable.empty() ? reflected.name : variable;
   resource.set = spvc_compiler_get_decoration(compiler, reflected.id, SpvDecorationDescriptorSet);

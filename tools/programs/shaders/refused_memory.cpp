@@ -17,7 +17,7 @@ bool is_atomic(spv::Op op) {
   return op >= spv::OpAtomicLoad && op <= spv::OpAtomicXor;
 }
 
-// Where the pointer stands among the words of an instruction that reads or writes memory; 0 for others.
+// The index of the pointer operand in an instruction that reads or writes memory; 0 for others.
 std::size_t pointer_word(spv::Op op) {
   if (op == spv::OpStore || op == spv::OpAtomicStore) return 1;
   return is_atomic(op) || op == spv::OpLoad || op == spv::OpAccessChain || op == spv::OpInBoundsAccessChain

@@ -60,7 +60,7 @@ const preprocessing::CutSource& SourceMemory::cut_text(const std::string& text) 
   return cut_text_;
 }
 
-// The includer matters by its folder alone.
+// Only the includer's folder matters.
 const project::IncludeSearch& SourceMemory::find(const project::IncludeRoots& roots,
                                                  const std::string& roots_key, std::string_view asked,
                                                  const std::string& includer) {

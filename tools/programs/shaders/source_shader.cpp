@@ -6,7 +6,7 @@ namespace penumbra::shaders {
 
 namespace {
 
-// What the parser says of another text in place of the source's.
+// The parser's log for another text in place of the source's.
 std::string log_of(const Source& source, const std::string& text) {
   glslang::TShader::ForbidIncluder nothing_left_to_include;
   const Source instead{source.request, source.name, text, {}};
@@ -51,7 +51,7 @@ SourceShader::SourceShader(const Source& source)
   shader_.setEntryPoint(source.request.entry.c_str());
   shader_.setSourceEntryPoint(source.request.entry.c_str());
   shader_.setEnvInput(glslang::EShSourceHlsl, language(source.request.stage), glslang::EShClientVulkan, 100);
-  // Vulkan 1.2 takes SPIR-V 1.3, and of 1.4 and later glslang's HLSL front end makes none that is valid.
+  // Vulkan 1.2 accepts SPIR-V 1.3; glslang's HLSL front end does not produce valid SPIR-V 1.4 and later.
   const bool oldest = source.request.vulkan == VulkanVersion::v1_0;
   shader_.setEnvClient(glslang::EShClientVulkan,
                        oldest ? glslang::EShTargetVulkan_1_0 : glslang::EShTargetVulkan_1_1);

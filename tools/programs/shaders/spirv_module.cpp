@@ -36,7 +36,7 @@ std::string capability_name(std::uint32_t number) {
   return text.substr(text.find(' ') + 1, text.find('\n') - text.find(' ') - 1);
 }
 
-// SPIRV-Tools names a capability that the version does not know at all by its number.
+// SPIRV-Tools reports a capability that the version does not define by its number.
 std::string with_capability_name(const std::string& message) {
   constexpr std::string_view unknown = "Invalid capability operand: ";
   if (!message.starts_with(unknown)) return message;
@@ -53,7 +53,7 @@ spvtools::MessageConsumer collect_errors(std::vector<std::string>& problems) {
   };
 }
 
-// What RegisterLegalizationPasses() begins with.
+// The first passes of RegisterLegalizationPasses().
 void inline_all(spvtools::Optimizer& to) {
   to.RegisterPass(spvtools::CreateWrapOpKillPass())
       .RegisterPass(spvtools::CreateDeadBranchElimPass())
@@ -61,9 +61,9 @@ void inline_all(spvtools::Optimizer& to) {
       .RegisterPass(spvtools::CreateInlineExhaustivePass());
 }
 
-// What RegisterLegalizationPasses() does to HLSL, with each pass of it and of RegisterPerformancePasses() run
-// only where it still finds something in Unity's shaders: the same values come out, in half the time. What
-// inlining leaves without use goes before structs are taken apart, which takes an eighth off the rest.
+// The effect of RegisterLegalizationPasses() on HLSL, but each pass of it and of RegisterPerformancePasses()
+// only runs where it still changes Unity's shaders: the same result in half the time. Code that inlining
+// leaves unused is removed before scalar replacement of structs, which saves an eighth of the rest.
 void legalise(spvtools::Optimizer& to) {
   to.RegisterPass(spvtools::CreatePrivateToLocalPass())
       .RegisterPass(spvtools::CreateLocalSingleStoreElimPass())
@@ -105,7 +105,8 @@ bool run_passes(SpirvModule& module, VulkanVersion vulkan, void (*passes)(spvtoo
   return optimizer.Run(module.data(), module.size(), &module, options);
 }
 
-// Number of the instruction, 1 the first behind the header, that SPIRV-Tools holds the first problem against.
+// The number of the instruction (1 is the first after the header) for which SPIRV-Tools reports the first
+// problem.
 std::optional<std::size_t> problem_instruction(const SpirvModule& module, VulkanVersion vulkan) {
   std::optional<std::size_t> found;
   spvtools::SpirvTools tools(environment(vulkan));

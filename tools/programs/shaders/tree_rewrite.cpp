@@ -53,7 +53,7 @@ TIntermTyped* TreeRewrite::typed(TIntermTyped* node) {
   return result == nullptr ? nullptr : result->getAsTyped();
 }
 
-// glslang's setters take values for the blocks, and those of an if statement are none.
+// glslang's setters expect typed values as blocks, which those of an if statement are not.
 TIntermNode* TreeRewrite::of_selection(glslang::TIntermSelection& node) {
   node.setCondition(typed(node.getCondition()));
   TIntermNode* yes = rewritten(node.getTrueBlock());

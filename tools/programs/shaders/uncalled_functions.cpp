@@ -15,7 +15,7 @@ namespace {
 
 using Ids = std::unordered_set<std::uint32_t>;
 
-// Empty for what is no module.
+// Empty for malformed words.
 std::vector<spirv::Words> instructions(const SpirvModule& module) {
   std::vector<spirv::Words> found;
   const bool whole = spirv::for_each_instruction(module, [&](spirv::Words words) { found.push_back(words); });

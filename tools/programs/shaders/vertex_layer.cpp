@@ -48,7 +48,7 @@ VertexLayer::VertexLayer(const SpirvCrossSession& session, Target target) {
     case TargetLanguage::glsl:
       session.require(spvc_compiler_require_extension(compiler, "GL_ARB_shader_viewport_layer_array"));
       break;
-    case TargetLanguage::hlsl: {  // goes through SPIRV-Cross as an output like any other
+    case TargetLanguage::hlsl: {  // passes through SPIRV-Cross like any other output
       const unsigned location = free_location(session, resources);
       spvc_compiler_unset_decoration(compiler, *layer, SpvDecorationBuiltIn);
       spvc_compiler_set_decoration(compiler, *layer, SpvDecorationLocation, location);
@@ -62,7 +62,7 @@ VertexLayer::VertexLayer(const SpirvCrossSession& session, Target target) {
 
 std::string VertexLayer::completed(std::string text) const {
   if (stand_in_.empty()) return text;
-  // Vertex inputs are TEXCOORDs, too: the outputs' structure alone has the one that is meant.
+  // Vertex inputs are TEXCOORDs, too: only the one in the output structure is replaced.
   const std::size_t outputs = text.find("struct SPIRV_Cross_Output");
   const std::size_t at = text.find(stand_in_, outputs);
   if (outputs == std::string::npos || at == std::string::npos || at > text.find('}', outputs))

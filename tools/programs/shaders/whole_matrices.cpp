@@ -13,7 +13,7 @@ namespace {
 struct Types {
   std::set<std::uint32_t> floats;
   std::map<std::uint32_t, std::uint32_t> vector_components;  // component's type by vector type
-  std::set<std::uint32_t> matrices;                          // of whole numbers and bools
+  std::set<std::uint32_t> matrices;                          // of integers and bools
   std::set<std::uint32_t> counts;                            // of their vectors
   std::uint32_t unsigned_type = 0;
 };
@@ -73,7 +73,7 @@ void make_whole_matrices_arrays(SpirvModule& module) {
   spirv::for_each_instruction(module, [&](spirv::Words words) {
     if (sizes.empty() && begins_types(spirv::opcode(words))) declare_sizes();
     if (spirv::opcode(words) == spv::OpTypeInt && words[1] == types.unsigned_type)
-      return;  // it has moved to the front
+      return;  // it is moved to the front
     if (spirv::opcode(words) == spv::OpTypeMatrix && types.matrices.contains(words[1])) {
       append(result, spv::OpTypeArray, {words[1], words[2], sizes.at(words[3])});
     } else {

@@ -54,7 +54,7 @@ class WordBlocks {
   }
 
  private:
-  // First walk: the blocks that do not fit.
+  // First pass: the blocks that do not fit.
   void find_block(spirv::Words one) {
     const spv::Op op = spirv::opcode(one);
     if (op == spv::OpDecorate && spirv::operand(one, 2) == spv::DecorationBlock)
@@ -84,7 +84,7 @@ class WordBlocks {
     places_[id] = {id, {structure, 0, 0, false}, 0, 1, {}};
   }
 
-  // Second walk: where the pointers into them go.
+  // Second pass: how the pointers into them are used.
   void check_use(spirv::Words one) {
     const spv::Op op = spirv::opcode(one);
     if (is_chain(one)) {
@@ -109,7 +109,7 @@ class WordBlocks {
     places_[spirv::operand(chain, 2)] = std::move(place);
   }
 
-  // Third walk.
+  // Third pass.
   void rewrite(spirv::Words one) {
     const spv::Op op = spirv::opcode(one);
     if (op == spv::OpName || op == spv::OpMemberName) return keep_name(one);
@@ -128,7 +128,7 @@ class WordBlocks {
     }
   }
 
-  // The new struct of a block has the old one's name; pointers into it are gone.
+  // The new struct of a block has the old one's name; pointers into the old one are removed.
   void keep_name(spirv::Words one) {
     const std::uint32_t id = spirv::operand(one, 1);
     const bool structure = std::any_of(blocks_.begin(), blocks_.end(),
@@ -137,7 +137,7 @@ class WordBlocks {
     if (!structure && (places_.count(id) == 0 || blocks_.count(id) != 0)) to_.keep(one);
   }
 
-  // What is added to a place at run time, as ids; 0 for nothing.
+  // The dynamic part of an offset, as an id; 0 for none.
   struct Moved {
     std::uint32_t registers = 0;
     std::uint32_t words = 0;

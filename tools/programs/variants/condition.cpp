@@ -17,7 +17,7 @@ constexpr std::size_t most_tokens = 4096;
 constexpr int deepest_nesting = 200;
 constexpr int deepest_macro = 64;
 
-// The macros whose replacement a token came from, innermost first: none of them is expanded again.
+// The macros from whose expansion a token comes, innermost first: none of them is expanded again.
 struct Origin {
   std::string macro;
   std::shared_ptr<const Origin> outer;
@@ -68,7 +68,7 @@ Tokens split(std::string_view text, const std::shared_ptr<const Origin>& origin)
   return tokens;
 }
 
-// Replaces macros by what they stand for and defined(X) by 1 or 0.
+// Expands macros, and replaces defined(X) by 1 or 0.
 class Expansion {
  public:
   Expansion(const Macros& macros, std::size_t& budget, Condition& result)
@@ -169,12 +169,12 @@ class Expansion {
         const Tokens& argument = (*given)[static_cast<std::size_t>(parameter - parameters.begin())];
         replaced.insert(replaced.end(), argument.begin(), argument.end());
       }
-      if (replaced.size() > most_tokens) return replaced;  // too long, which expand() says
+      if (replaced.size() > most_tokens) return replaced;  // too long, which expand() reports
     }
     return replaced;
   }
 
-  // Of a call whose '(' comes next; nothing when its ')' is missing.
+  // The arguments of a call whose '(' is next; nothing if its ')' is missing.
   static std::optional<std::vector<Tokens>> arguments(Tokens& waiting) {
     std::vector<Tokens> found(1);
     waiting.pop_back();
@@ -233,7 +233,7 @@ class Evaluation {
     return true;
   }
 
-  // What is read there has no part in the answer, so a division by zero in it is none.
+  // The operand is not evaluated, so a division by zero in it is not an error.
   template <typename Read>
   std::int64_t unless(bool unused, Read read) {
     unused_ += unused ? 1 : 0;

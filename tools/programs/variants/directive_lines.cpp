@@ -19,12 +19,12 @@ struct PlacedCharacter {
   int column = 0;
 };
 
-// Reads one logical line after another: lines joined, comments turned into one blank.
+// Reads one logical line after another: lines joined, each comment replaced by a space.
 class LogicalLines {
  public:
   explicit LogicalLines(std::string_view text) : text_(text) {}
 
-  // False at the end of the text. Of a line that is no directive only the end is looked for.
+  // False at the end of the text. Lines that are not directives are skipped.
   bool next(std::vector<PlacedCharacter>& line) {
     line.clear();
     if (at_ == text_.size()) return false;

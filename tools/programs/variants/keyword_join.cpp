@@ -22,7 +22,7 @@ class Groups {
     while (parent_[member] != member) member = parent_[member] = parent_[parent_[member]];
     return member;
   }
-  // The smaller number leads, so that a group stands where its first set does.
+  // The smaller number is the root, so that a group has the position of its first set.
   void unite(std::size_t a, std::size_t b) {
     a = find(a);
     b = find(b);
@@ -79,7 +79,7 @@ std::vector<Choice> combinations(const std::vector<const JoinedSet*>& members) {
   return choices;
 }
 
-// Which sets depend on each other: those that share a keyword and those a tie names together.
+// The groups of dependent sets: those that share a keyword and those to which one tie refers.
 struct Grouping {
   Grouping(const std::vector<JoinedSet>& sets, const std::vector<Tie>& ties_between) {
     Groups groups(sets.size());
@@ -109,7 +109,7 @@ struct Grouping {
 
   std::vector<std::size_t> group_of;                     // by set; the number of the group's first set
   std::vector<std::pair<const Tie*, std::size_t>> ties;  // with a set of the group it is for
-  const Tie* unsatisfiable = nullptr;                    // no set is left that could give what it asks for
+  const Tie* unsatisfiable = nullptr;                    // no remaining set can satisfy it
 };
 
 }  // namespace

@@ -15,7 +15,7 @@ struct Saving {
   VariantCount left;
 };
 
-// How --keywords says that a set stands still.
+// The --keywords term that fixes a set.
 std::string pin_of(const KeywordSet& set) {
   const bool can_be_off = std::any_of(set.alternatives.begin(), set.alternatives.end(),
                                       [](const Keywords& alternative) { return alternative.empty(); });

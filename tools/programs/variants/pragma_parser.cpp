@@ -59,7 +59,7 @@ bool PragmaParser::read_entry_point(Line& line) {
   }
   Word& function = line.words.front();
   if (function.text.size() > 1 && function.text.back() == ';') {
-    function.text.pop_back();  // as many published shaders have it
+    function.text.pop_back();  // which many published shaders contain
     const int semicolon = function.column + static_cast<int>(function.text.size());
     warn({line.place.file, function.line, semicolon}, "';' after the function's name has no effect");
   }
