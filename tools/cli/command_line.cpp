@@ -24,8 +24,8 @@ constexpr const char* kExitCodes =
     "Progress goes to standard error: a bar on a terminal, otherwise a line every 10 s; --quiet turns it "
     "off.";
 
-// `penumbra help measure` says what `penumbra measure --help` says. Of a tree of its own: CLI11 answers a
-// tree's help() with that of the subcommand which was parsed.
+// `penumbra help measure` says what `penumbra measure --help` says. From a separate option tree: in the
+// parsed one, CLI11's help() returns that of the parsed subcommand.
 std::string help_on(const std::string& name) {
   Context unused;
   const std::unique_ptr<CLI::App> app = command_line(unused);

@@ -26,7 +26,7 @@ using parameters::CascadeErrors;
 using parameters::CascadeSet;
 using parameters::FitInput;
 
-// Flags stand over the file, the file over the defaults; so every flag is optional here.
+// Flags override the file, the file overrides the defaults; so every flag is optional here.
 struct ConstantsOptions {
   std::string config;
   std::string matrices;
@@ -119,7 +119,7 @@ std::string constants_from_matrices(const ConstantsOptions& options) {
   return print(dump.set, parameters::verify_dump(dump.settings, dump.set), options.format);
 }
 
-// The bounds themselves are outside.
+// The bounds are exclusive.
 CLI::Validator between(const parameters::SettingKey& setting) {
   const auto check = [&setting](std::string& text) {
     char* end = nullptr;
@@ -144,7 +144,7 @@ CLI::Option* add_setting(CLI::App& command, const char* key, std::optional<Value
   return option;
 }
 
-// What describes a fit has no meaning beside matrices that are already fitted.
+// Options that describe a fit have no effect together with matrices, which are already fitted.
 void add_fit_flags(CLI::App& command, ConstantsOptions& options, CLI::Option& matrices) {
   command
       .add_option("--config", options.config,
@@ -175,7 +175,7 @@ void add_fit_flags(CLI::App& command, ConstantsOptions& options, CLI::Option& ma
   fit("/shadows/reversed_z", options.reversed_z)->check(one_of({"true", "false"}));
 }
 
-// Golden vectors bring their own set-ups: nothing that describes one goes with them.
+// Golden vectors have their own set-ups: options that describe one cannot be combined with them.
 void add_golden_flags(CLI::App& command, ConstantsOptions& options) {
   const std::vector<CLI::Option*> others =
       command.get_options([](const CLI::Option* option) { return !option->check_name("--help"); });

@@ -145,7 +145,7 @@ cost::CostReport measure(const CostOptions& options, Context& context) {
   return std::move(outcome.report);
 }
 
-// Said before anything is measured: figures that cannot be compared help nobody.
+// Checked before anything is measured: incomparable figures are useless.
 cost::CostReport checked_baseline(const CostOptions& options) {
   cost::CostReport baseline = cost::read_cost_report(options.baseline);
   if (options.any_driver) return baseline;

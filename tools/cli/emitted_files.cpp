@@ -60,7 +60,7 @@ const std::array<EmittedFile, 8>& emitted_files() {
   return files;
 }
 
-// All folders are there before the first file is written.
+// All folders are created before the first file is written.
 void write_parameters(const fs::path& package, const techniques::TechniqueList& list) {
   std::vector<std::pair<fs::path, std::string>> texts;
   for (const techniques::ParameterStruct& parameters : list.structs)

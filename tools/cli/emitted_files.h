@@ -8,7 +8,7 @@
 
 namespace penumbra::cli {
 
-// Each a file, - for standard output; empty: not asked for.
+// Each is a file, - for standard output; empty: not requested.
 struct EmittedFiles {
   std::string parameters;  // a folder
   std::string presets;

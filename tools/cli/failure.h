@@ -1,4 +1,4 @@
-// What a person is told, and a script is answered, when something was thrown.
+// The message and the exit code for an exception.
 #pragma once
 
 #include <exception>
@@ -13,12 +13,13 @@ struct Failure {
   std::string message;  // without the program's name before it
 };
 
-// What is no error of input, environment or memory, and no interruption, is a mistake in the program.
+// An exception that is not an error of input, environment or memory, and not an interruption, is a bug in the
+// program.
 Failure failure_of(const std::exception_ptr& thrown);
 
-// An exception that cannot be caught ends the program with the exit code of memory that has run out, if it is
-// that, and not with SIGABRT: destructors of JSON documents and the C++ library's directory iterators need
-// memory.
+// An exception that cannot be caught ends the program with the exit code for exhausted memory, if that is the
+// cause, and not with SIGABRT: destructors of JSON documents and the C++ library's directory iterators
+// allocate memory.
 void answer_uncaught_exceptions();
 
 }  // namespace penumbra::cli

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kIndent = 26;
 constexpr std::size_t kWidth = 100;
 
-// Words of the text in lines that fit beside the option's name.
+// Wraps the text to lines that fit beside the option's name.
 std::string wrapped(const std::string& text) {
   std::istringstream words(text);
   std::string result;

@@ -1,4 +1,4 @@
-// How help is laid out: each option with what it takes, its default and, below, how it is used.
+// The layout of help: each option with its argument, its default and, below, its description.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -7,7 +7,7 @@
 
 namespace penumbra::cli {
 
-// For the whole tree: 100 columns, descriptions that go on below themselves.
+// For the whole tree: 100 columns, descriptions wrapped below themselves.
 void lay_out_help(CLI::App& app);
 
 struct Example {
@@ -15,8 +15,7 @@ struct Example {
   const char* meaning;  // may be empty
 };
 
-// What stands below a subcommand's options: what is worth knowing besides, examples, and the program's exit
-// codes.
+// The text after a subcommand's options: notes, examples, and the program's exit codes.
 void end_help(CLI::App& command, const std::string& notes, const std::vector<Example>& examples);
 
 }  // namespace penumbra::cli

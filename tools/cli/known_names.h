@@ -1,5 +1,5 @@
-// The names that options take and that are too many for a line of help: scenes, techniques, GPU families,
-// targets, lint rules. One place for --list-..., for shells that complete them, and for what help calls them.
+// The names that options accept and that are too many for a line of help: scenes, techniques, GPU families,
+// targets, lint rules. Used by --list-..., shell completion, and help.
 #pragma once
 
 #include <CLI/CLI.hpp>

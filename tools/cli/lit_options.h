@@ -1,4 +1,4 @@
-// The options of `render` that turn numbers into photographs.
+// The options of `render` for the lit view.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -16,7 +16,7 @@ struct LitArguments {
 
 void add_lit_options(CLI::App& command, LitArguments& arguments);
 
-// How to light what the study draws. The study's own frame and window grow by the supersampling. Throws
+// The lighting of the study's frames. The study's frame and window are enlarged by the supersampling. Throws
 // InputError for a picture that would grow beyond 8192 pixels a side.
 lighting::LitSettings light_study(const LitArguments& arguments, study::StudySettings& settings);
 

@@ -93,7 +93,7 @@ std::vector<study::Subject> chosen_subjects(const MeasureOptions& options) {
   return varied_subjects(choice, options.varied);
 }
 
-// Two files of one name would be two scenes that nobody can tell apart.
+// Two files of one name would be two indistinguishable scenes.
 void refuse_equal_names(const std::vector<scene::Scene>& scenes) {
   std::set<std::string> names;
   for (const scene::Scene& scene : scenes) {

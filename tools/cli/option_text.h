@@ -1,4 +1,4 @@
-// The texts in which options hold more than one thing: NAME=VALUE, A,B,C.
+// Parses option values with several parts: NAME=VALUE, A,B,C.
 #pragma once
 
 #include <string>
@@ -13,11 +13,11 @@ std::vector<std::string> split(const std::string& text, char separator);
 std::pair<std::string, std::string> name_and_value(const std::string& option, const std::string& text);
 double number(const std::string& option, const std::string& text);  // finite
 
-// A word of a command as a shell takes it: in quotes where it needs them.
+// A word of a command, quoted for a shell if necessary.
 std::string shell_word(const std::string& text);
 
 // Throws InputError, naming the option, for a name or title that holds a control character or the beginning
-// or end of a Markdown comment: names stand in pages, captions and messages.
+// or end of a Markdown comment, because names are written into pages, captions and messages.
 void require_plain_name(const std::string& option, const std::string& text);
 
 }  // namespace penumbra::cli

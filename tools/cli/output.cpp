@@ -11,7 +11,7 @@
 namespace penumbra::cli {
 namespace {
 
-// The folder itself, or the nearest above it that is there. Throws InputError where that is a file.
+// The folder itself, or its nearest existing parent. Throws InputError if that is a file.
 std::filesystem::path nearest_folder(const std::filesystem::path& folder) {
   std::error_code status;
   std::filesystem::path there = std::filesystem::absolute(folder).lexically_normal();

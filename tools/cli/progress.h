@@ -1,5 +1,5 @@
-// How far long work has come, on standard error: a bar where a person watches a terminal, a line every ten
-// seconds where it goes to a file or a CI system's log, nothing with --quiet.
+// Progress of long work, on standard error: a bar on a terminal, a line every ten seconds in a file or a CI
+// system's log, nothing with --quiet.
 #pragma once
 
 #include <chrono>
@@ -26,7 +26,8 @@ struct ProgressOutlet {
 inline constexpr std::chrono::seconds kProgressLineInterval{10};
 
 // One stage of the work. A line reads "penumbra: LABEL: 120/400 shaders (30 %), 1 min 20 s", the time being
-// that since the run began; it is written when an update is due, so work has to update at least as often.
+// that since the start of the run; it is written by update() when it is due, so update() must be called at
+// least as often.
 class Progress {
  public:
   // Without an outlet nothing is written.

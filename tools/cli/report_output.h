@@ -1,4 +1,4 @@
-// How the subcommands that end in a validation report print it.
+// Output of the subcommands that produce a validation report.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -19,7 +19,7 @@ struct ReportOptions {
 // --format, --output, --root and --verbose.
 void add_report_options(CLI::App& command, ReportOptions& options);
 
-// Sets the exit code to findings where a variant failed.
+// Sets the exit code to findings if a variant failed.
 void write_report(const ReportOptions& options, const validation::ValidationReport& report, Context& context);
 
 }  // namespace penumbra::cli

@@ -1,4 +1,5 @@
-// Options that several subcommands have, each defined once: the same name, the same syntax, the same words.
+// Options that several subcommands have, each defined once: the same name, the same syntax, the same
+// description.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -37,7 +38,7 @@ CLI::Option* add_project(CLI::App& command, std::string& folder);
 CLI::Option* add_cginc_root(CLI::App& command, std::string& folder);
 CLI::Option* add_package_roots(CLI::App& command, std::vector<std::string>& roots);
 
-// Throws InputError where --from is given beside an option that says how to measure, which all do but `kept`.
+// Throws InputError if --from is combined with an option that affects measuring, which all do except `kept`.
 void refuse_beside_from(const CLI::App& command, const std::set<std::string>& kept);
 
 // -I and -D, for shaders of the user's own.

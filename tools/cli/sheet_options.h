@@ -22,9 +22,9 @@ struct SheetArguments {
 
 CLI::Option* add_sheet_options(CLI::App& command, SheetArguments& arguments);  // returns --sheet
 
-// Throws InputError for a crop or an inset that is none or reaches beyond the picture, for a mask where no
-// subject has one, for a sheet of more pixels than a PNG should have, and for a file in no folder or of
-// another kind than PNG and JPEG.
+// Throws InputError for a crop or an inset that is invalid or extends beyond the picture, for a mask if no
+// subject has one, for a sheet with more pixels than a PNG should have, and for a file in a missing folder or
+// of another type than PNG and JPEG.
 study::SheetOptions sheet_options(const SheetArguments& arguments, const study::StudySettings& settings,
                                   const std::vector<study::Subject>& subjects);
 

@@ -62,7 +62,7 @@ std::string bash_options(const CompletedCommand& command) {
   return words_text(names);
 }
 
-// A spec of zsh's _arguments keeps brackets and colons for itself.
+// Brackets and colons are special in a spec of zsh's _arguments.
 std::string zsh_text(const std::string& text) {
   return replaced(replaced(replaced(text, "[", "("), "]", ")"), ":", " -");
 }
@@ -118,8 +118,8 @@ std::string bash_script(const std::vector<CompletedCommand>& commands) {
   std::string names;
   for (const std::string& name : subcommands(commands)) names += (names.empty() ? "" : "|") + name;
   std::string script = fmt::format(fmt::runtime(made_by), "bash");
-  // Bash parts words at the : of package:NAME and the = of --option=VALUE, and replaces what follows the
-  // last.
+  // Bash splits words at the : of package:NAME and the = of --option=VALUE, and replaces the part after the
+  // last one.
   script += fmt::format(R"(_penumbra() {{
   local line=${{COMP_LINE:0:COMP_POINT}} given=() command='' i rest word
   for ((i = 0; i <= COMP_CWORD; ++i)); do

@@ -12,7 +12,7 @@ struct CompletedOption {
   std::string description;
   std::string placeholder;         // empty: a flag, which takes no value
   std::vector<std::string> words;  // values that are known
-  bool list = false;               // several words, parted by commas
+  bool list = false;               // several words, separated by commas
   bool files = false;              // the value may be a file
   bool folders = false;            // the value is a folder
 };
@@ -21,8 +21,8 @@ struct CompletedCommand {
   std::string name;
   std::string description;
   std::vector<CompletedOption> options;
-  std::vector<std::string> words;  // of its arguments that are no options
-  bool files = false;              // those arguments are files
+  std::vector<std::string> words;  // of its positional arguments
+  bool files = false;              // positional arguments are files
 };
 
 // The first command is the program itself, whose options go with every subcommand.

@@ -1,4 +1,4 @@
-// What `measure` and `render` say of a study beside its figures and pictures, on standard error.
+// Messages of `measure` and `render` about a study, on standard error, besides figures and pictures.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace penumbra::cli {
 
-// Nothing when the user wants quiet.
+// Nothing with --quiet.
 void tell_notes(const std::vector<std::string>& notes, const Context& context);
 
 // A line for each technique, scene and light with results that are not a visibility; such a command ends with

@@ -78,7 +78,7 @@ void add_scene_options(CLI::App& command, StudyOptions& options, const std::stri
       command.add_option("--scene", options.scenes, "Built-in scenes, package:NAME, or model files")
           ->default_str(default_scene)
           ->group(group);
-  takes(command, one_each(scene), "SCENE");  // names_or_files parts them: the name of a file may hold a comma
+  takes(command, one_each(scene), "SCENE");  // names_or_files splits them: a file name may contain a comma
   as_vector(
       number("--sun", options.sun, "DEGREES", "Sun's elevation and azimuth")->default_str("the scene's"), 2,
       2);
@@ -186,7 +186,7 @@ std::vector<scene::Scene> chosen_scenes(const StudyOptions& options,
   std::vector<scene::Scene> scenes;
   std::set<std::string> seen;
   for (const std::string& name : options.scenes.empty() ? fallback : names_or_files(options.scenes)) {
-    if (!seen.insert(name).second) continue;  // what is asked for twice is there once
+    if (!seen.insert(name).second) continue;  // duplicates are removed
     require_plain_name("--scene", std::filesystem::path(name).filename().string());
     scene::ImportOptions import = options.import;
     import.process = reading_process(options);

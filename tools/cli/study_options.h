@@ -54,20 +54,20 @@ struct StudyOptions {
   std::string output;
 };
 
-// `default_scene` is what help says stands where no scene is given.
+// `default_scene` is the default in help.
 void add_study_options(CLI::App& command, StudyOptions& options, const std::string& default_scene);
 CLI::Option* add_adapters(CLI::App& command, std::vector<std::string>& adapters);
 
 // All of these throw InputError for what is out of range or unknown, with the nearest right name.
 std::vector<scene::Scene> chosen_scenes(const StudyOptions& options,
                                         const std::vector<std::string>& fallback);
-// What imports left out, on stderr unless --quiet.
+// The notes of imports, on stderr unless --quiet.
 void tell_notes(const std::vector<scene::Scene>& scenes, const Context& context);
 platform::WorkerPool compiling_process(const StudyOptions& options);
 scene::FrameSettings frame_settings(const StudyOptions& options);
 std::vector<resolve::Adapter> chosen_adapters(const StudyOptions& options);
 
-// The bias that was asked for in place of the subject's own.
+// The requested bias, or else the subject's own.
 parameters::CasterBias chosen_bias(const StudyOptions& options, parameters::CasterBias own);
 
 gpu::Device open_device(const StudyOptions& options);

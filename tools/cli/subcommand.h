@@ -1,4 +1,4 @@
-// What every subcommand file offers main.cpp: a function that adds it to the program's command line.
+// The interface of a subcommand file: a function that adds it to the program's command line.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +15,7 @@ class App;
 
 namespace penumbra::cli {
 
-// What the program ends with; failure.h says which exception becomes which.
+// The program's exit codes; failure.h maps exceptions to them.
 enum ExitCode {
   success = 0,
   findings = 1,
@@ -37,12 +37,12 @@ struct Context {
 // Writes to standard output when `file` is empty or "-", else atomically to the file.
 void write_output(const std::string& file, std::string_view content);
 
-// Throw InputError where writing could not succeed: a folder in the file's place, a folder that is not there
-// or that nothing may be written to. Called before work begins; they leave nothing behind.
+// Throw InputError if writing could not succeed: a folder in the file's place, a folder that does not exist
+// or is not writable. Called before work begins; they leave nothing behind.
 void check_output_file(const std::string& file);      // "" and "-", standard output, pass
-void check_output_folder(const std::string& folder);  // which need not be there yet; "" passes
+void check_output_folder(const std::string& folder);  // which need not exist yet; "" passes
 
-// A cache that cannot be written to is a note: all else works. `given` by --cache, else `standard`. Throws
+// A cache that cannot be written to causes a note only. `given` by --cache, else `standard`. Throws
 // InputError where a file is in the place of the folder that was given.
 void check_cache_folder(const std::string& given, const std::filesystem::path& standard,
                         const Context& context);

@@ -11,8 +11,8 @@
 namespace penumbra::cli {
 namespace {
 
-// What other programs, and other subcommands of this one, call a thing that has one name here. Of several the
-// first counts that the subcommand has.
+// Names that other programs, or other subcommands of this one, use for an option. Of several, the first that
+// the subcommand has is suggested.
 constexpr std::pair<const char*, const char*> kOtherNames[] = {
     {"report", "format"},
     {"form", "format"},
@@ -82,7 +82,7 @@ InputError too_many(const CLI::App& command, const std::string& argument) {
   return {"", called(command) + " does not expect '" + argument + "'", see_help(command)};
 }
 
-// What CLI11 says, in this program's words.
+// CLI11's messages, rewritten in this program's terms.
 std::string plain_words(const std::string& said) {
   static const std::pair<std::regex, const char*> kWords[] = {
       {std::regex("^(\\S+): is empty$"), "$1 is empty"},
@@ -118,7 +118,7 @@ InputError usage_error(CLI::App& app, const CLI::ParseError& error) {
   if (option != unexpected.end()) return unknown_option(command, *option);
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !unexpected.empty())
     return too_many(command, unexpected.front());
-  const std::string said = plain_words(error.what());  // its own way out stands on further lines
+  const std::string said = plain_words(error.what());  // a way out of its own follows on further lines
   const std::size_t end = std::min(said.find("\n  "), said.size());
   return {"", said.substr(0, end), lines(end < said.size() ? said.substr(end + 3) : "", see_help(command))};
 }

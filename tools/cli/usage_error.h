@@ -1,5 +1,4 @@
-// What a command line that cannot be parsed is answered with: what is wrong, the nearest right name, where
-// help is.
+// The error for a command line that cannot be parsed: the problem, the nearest valid name, how to get help.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -152,7 +152,7 @@ void explain(const ValidateOptions& options, const validation::ShaderSources& so
   if (hlsl::has_errors(explanation.diagnostics)) context.exit_code = findings;
 }
 
-// What could not be read has no variants to count.
+// Files that could not be read have no variants to count.
 void tell_unread(const validation::ShaderSources& sources, Context& context) {
   for (const validation::VariantRecord& record : sources.records())
     for (const hlsl::Diagnostic& said : record.diagnostics) {
@@ -180,8 +180,8 @@ void list(const ValidateOptions& options, const validation::ShaderSources& sourc
                                           : variants::text_of(plan));
 }
 
-// A keyword that nobody declares is a slip of the pen, and would narrow nothing. Where a program was not
-// understood, it may declare the keyword.
+// A keyword that no program declares is a typing error, and would narrow nothing. A program that could not be
+// parsed may declare it.
 void refuse_unknown_keywords(const ValidateOptions& options, const validation::ShaderSources& sources,
                              const Context& context) {
   std::vector<const variants::Pragmas*> declared;
@@ -195,7 +195,7 @@ void refuse_unknown_keywords(const ValidateOptions& options, const validation::S
   }
 }
 
-// A report in place of a shader would be the end of the shader.
+// The report must not overwrite a shader.
 void refuse_inputs_as_output(const std::string& output, const project::ShaderFiles& files) {
   if (output.empty() || output == "-") return;
   for (const project::ShaderFile& file : files.files) {

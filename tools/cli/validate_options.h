@@ -1,4 +1,4 @@
-// What penumbra validate can be told.
+// The options of penumbra validate.
 #pragma once
 
 #include <cstdint>

@@ -79,7 +79,7 @@ std::string text_of(const std::vector<Setting>& settings) {
   return text;
 }
 
-// What tells a picture from its neighbours; where nothing does, everything that was set.
+// The settings that distinguish a picture from its neighbours; if there are none, all settings.
 std::string text_of_varying(const std::vector<Setting>& settings) {
   std::vector<Setting> varying;
   std::copy_if(settings.begin(), settings.end(), std::back_inserter(varying),
@@ -87,7 +87,7 @@ std::string text_of_varying(const std::vector<Setting>& settings) {
   return text_of(varying.empty() ? settings : varying);
 }
 
-// One technique's name would only repeat itself beside every value.
+// A single technique's name would be repeated with every value.
 std::string caption(const std::string& title, const std::string& varied, bool alone) {
   return alone ? varied : joined(title, varied);
 }
@@ -119,7 +119,7 @@ void give_titles(std::vector<study::Subject>& subjects, const std::vector<std::s
   for (const std::string& text : titles) {
     const std::string name = name_and_value("--title", text).first;
     require_plain_name("--title", text);
-    // A name that holds what was set holds '=' too.
+    // A name with settings contains '='.
     const auto found = std::find_if(subjects.begin(), subjects.end(), [&text](const study::Subject& subject) {
       return text.size() > subject.name.size() + 1 && text.starts_with(subject.name + "=");
     });

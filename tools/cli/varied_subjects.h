@@ -1,5 +1,5 @@
-// What `render` shows and `measure` measures: every technique with every value of its varied parameters, then
-// every adapter.
+// The subjects that `render` shows and `measure` measures: every technique with every value of its varied
+// parameters, then every adapter.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -19,10 +19,10 @@ struct VariedSubjects {
   std::vector<int> frames;  // averaged; empty: 1
   bool captions = true;     // titles are captions of pictures; else a technique's own title and what was set
   std::vector<std::string> titles{};  // NAME=TEXT: titles of subjects, by their name
-  std::string adapters = "last";      // or first: where they stand beside the techniques
+  std::string adapters = "last";      // or first: their position among the techniques
 };
 
-// What is asked for twice is there once, where it stood first.
+// Removes duplicates; the first occurrence keeps its position.
 template <typename Value>
 void drop_repetitions(std::vector<Value>& values) {
   std::vector<Value> once;

@@ -55,7 +55,7 @@ class CountingIterator {
   ReadSoFar* place_;
 };
 
-// Without memory of its own: the library's destructor allocates, and ends the program where that fails.
+// Does not own memory: the library's destructor allocates, and ends the program if that fails.
 void release(json& value) noexcept {
   for (json& element : value) {
     if (element.is_structured()) release(element);

@@ -24,7 +24,7 @@ bool is_control(char c) {
   return static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
 }
 
-// In code nothing can be escaped: control characters become blanks, and a comment's beginning is parted.
+// Nothing can be escaped in code: control characters become spaces, and the beginning of a comment is split.
 std::string harmless_code(std::string_view text) {
   std::string safe;
   for (const char c : text) {

@@ -7,7 +7,7 @@
 namespace penumbra {
 namespace {
 
-constexpr std::size_t kLongestName = 200;  // a longer one is not a slip of the keyboard
+constexpr std::size_t kLongestName = 200;  // a longer one is not a typing error
 constexpr std::size_t kMostListed = 60;
 
 std::string lower(std::string_view text) {
@@ -47,7 +47,7 @@ std::size_t word_beginning_with(const std::string& name, const std::string& give
   return at;
 }
 
-// The known name of which the given one is a part.
+// The known name that contains the given one.
 std::string longer_name(const std::string& given, const std::vector<std::string>& known) {
   if (given.size() < 3) return {};
   std::string first_word;

@@ -13,7 +13,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Opening one waits for somebody who writes. The pipes of a shell's <(...) have no path of their own.
+// Opening a named pipe blocks until there is a writer. The pipes of a shell's <(...) have no path of their
+// own.
 bool is_named_pipe(const fs::path& file) {
   std::error_code error;
   const fs::path real = fs::canonical(file, error);

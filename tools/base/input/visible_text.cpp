@@ -18,7 +18,7 @@ std::string hex_escape(unsigned char byte) {
   return {'\\', 'x', kDigits[byte >> 4U], kDigits[byte & 15U]};
 }
 
-// Of U+202A to U+202E and U+2066 to U+2069 the last byte; 0 of all else.
+// Of U+202A to U+202E and U+2066 to U+2069 the last byte; 0 for all others.
 unsigned char turns_direction(std::string_view text, std::size_t at) {
   if (byte_at(text, at) != 0xE2) return 0;
   const unsigned char second = byte_at(text, at + 1);

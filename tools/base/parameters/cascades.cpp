@@ -39,7 +39,8 @@ Sphere sphere_around(const Camera& camera, double near_distance, double far_dist
   return {camera.position + glm::normalize(camera.forward) * c, radius};
 }
 
-// What of the world one tile shows, in light space: a square of side 2 * half_extent, and a depth interval.
+// The part of the world that one tile shows, in light space: a square of side 2 * half_extent, and a depth
+// interval.
 struct TileBox {
   glm::dvec2 centre;
   double half_extent = 0.0;
@@ -64,7 +65,7 @@ LightBounds into_light(const LightAxes& axes, const Bounds& world) {
   return result;
 }
 
-// Tightens the square to the casters' shadow: what lies beside all casters, seen along the light, is lit.
+// Shrinks the square to the casters' shadow: everything beside all casters, seen along the light, is lit.
 void tighten_to(const LightBounds& casters, TileBox& box) {
   const glm::dvec2 low = glm::max(glm::dvec2(casters.minimum), box.centre - box.half_extent);
   const glm::dvec2 high = glm::min(glm::dvec2(casters.maximum), box.centre + box.half_extent);

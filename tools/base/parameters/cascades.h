@@ -67,7 +67,8 @@ struct ShadowSettings {
   std::optional<Bounds> caster_bounds{};          // world box of all casters: fixes the near plane, and the
                                                   // custom fit tightens to it when fit_to_bounds is set
   bool fit_to_bounds = false;
-  double near_plane_offset_metres = 0.2;  // corresponds to Unity's Light.shadowNearPlane; added in front of the sphere
+  double near_plane_offset_metres =
+      0.2;  // corresponds to Unity's Light.shadowNearPlane; added in front of the sphere
 };
 
 // One tile of the atlas. Matrices of URP's meaning: world_to_shadow maps world space to atlas UV (x, y) and

@@ -28,7 +28,7 @@ Floats one(double value) {
   return {static_cast<float>(value)};
 }
 
-// Every figure of a cascade, once: JSON keys, source names and meanings all come from this list.
+// Every value of a cascade, once: JSON keys, source names and descriptions all come from this list.
 struct Figure {
   const char* key;
   const char* name;

@@ -12,7 +12,7 @@ namespace penumbra::parameters {
 
 namespace {
 
-// Collects the first problem only: the person mends one thing at a time, and later ones are often its echo.
+// Collects the first problem only: users correct one at a time, and later ones are often its consequences.
 class Inspector {
  public:
   void number(const char* key, double value) {

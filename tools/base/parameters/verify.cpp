@@ -48,7 +48,7 @@ Interval split_of(const Camera& camera, const ShadowSettings& settings, int inde
   return {index == 0 ? Real{camera.near_plane} : end(index - 1), end(index)};
 }
 
-// From the positions of one near and one far corner: the point of the axis equally far from both.
+// From the positions of one near and one far corner: the point on the axis equidistant from both.
 Vec4 split_sphere(const Camera& camera, const Interval& split) {
   const Real tan_y = std::tan(Real{camera.fov_y_degrees} * std::numbers::pi_v<Real> / 360);
   const Vec3 ray(tan_y * Real{camera.aspect}, tan_y, 1);

@@ -45,7 +45,7 @@ bool flush_to_disk(std::FILE* stream) {
                         : "check the folder and its permissions; nothing was changed");
 }
 
-// A device or a pipe keeps nothing that could be lost; a rename would put a file in its place.
+// A device or a pipe stores no content that could be lost; a rename would replace it by a file.
 void write_straight(const std::filesystem::path& file, std::string_view content) {
   std::FILE* stream = std::fopen(file.string().c_str(), "wb");
   if (stream == nullptr) fail(file, {}, errno);

@@ -45,7 +45,7 @@ std::string_view build_id(const char* notes, std::size_t size) {
 int add_object(dl_phdr_info* object, std::size_t, void* state) {
   auto& hash = *static_cast<ContentHash*>(state);
   const std::string_view name = object->dlpi_name;
-  // The kernel's own object is not code that answers depend on.
+  // The kernel's own object (vDSO) does not affect results.
   if (!name.empty() && name.find('/') == std::string_view::npos) return 0;
   for (int i = 0; i < object->dlpi_phnum; ++i) {
     const ElfW(Phdr)& segment = object->dlpi_phdr[i];

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view title = "penumbra cache 1 ";
 constexpr std::string_view part_extension = ".part";
 constexpr std::size_t hash_size = 32;
-// A use is written down at most this often: the order of removal need be no finer.
+// A use is recorded at most this often: the order of removal does not need a finer resolution.
 constexpr std::chrono::minutes use_grain{10};
 
 std::string head_of(std::string_view kind, const std::string& key) {
@@ -31,7 +31,7 @@ std::string hash_of(std::string_view content) {
   return ContentHash().update(content).hex();
 }
 
-// A folder or a pipe in an entry's place is no answer.
+// A folder or a pipe in an entry's place counts as absent.
 std::optional<std::string> read_file(const fs::path& file) {
   std::error_code ignored;
   if (!fs::is_regular_file(file, ignored)) return std::nullopt;
@@ -45,7 +45,7 @@ std::optional<std::string> read_file(const fs::path& file) {
   return content;
 }
 
-// A name no other process and no other thread takes, be it forked from this one.
+// A name that is unique among processes and threads, including forked ones.
 std::string part_name() {
   static const std::uint64_t process = [] {
     std::random_device random;
@@ -56,7 +56,7 @@ std::string part_name() {
          std::string(part_extension);
 }
 
-// A file that is half-written until it is renamed, and gone if it never is: also where memory runs out.
+// A temporary file that is removed unless it is renamed, even if memory runs out.
 class PartFile {
  public:
   explicit PartFile(const fs::path& folder) : path_(folder / part_name()) {}
@@ -93,7 +93,7 @@ bool write_file(const fs::path& file, std::string_view content) {
   return stream && part.rename(file);
 }
 
-// A link in a folder that others write to may lead to a file that is not the cache's.
+// A symbolic link in a folder that others can write to may refer to a file outside of the cache.
 void mark_used(const fs::path& file) {
   std::error_code error;
   if (fs::is_symlink(fs::symlink_status(file, error))) return;
@@ -108,7 +108,7 @@ struct KeptFile {
   std::uint64_t size = 0;
 };
 
-// Whether this file is ours to remove, whatever else lies in the folder.
+// Whether this file belongs to the cache and may be removed, whatever else is in the folder.
 bool is_own(const fs::path& file, std::span<const std::string_view> kinds) {
   const std::string extension = file.extension().string();
   const std::string folder = file.parent_path().filename().string();
@@ -121,7 +121,7 @@ bool is_own(const fs::path& file, std::span<const std::string_view> kinds) {
          std::find(kinds.begin(), kinds.end(), std::string_view(extension).substr(1)) != kinds.end();
 }
 
-// All entries; half-written ones of the dead are removed on the way.
+// All entries; also removes orphaned temporary files of ended processes.
 std::vector<KeptFile> entries_in(const fs::path& directory, std::span<const std::string_view> kinds) {
   const fs::file_time_type long_ago = fs::file_time_type::clock::now() - std::chrono::hours(1);
   std::vector<KeptFile> entries;

@@ -29,7 +29,7 @@ const int signal_of_processor_time = SIGXCPU;
 
 namespace {
 
-// The three streams are nameless temporary files, not pipes: no pipe can fill up and block either side, and
+// The three streams are anonymous temporary files, not pipes: no pipe can fill up and block either side, and
 // a grandchild that outlives the child cannot keep us waiting for the end of a stream.
 class TemporaryStream {
  public:
@@ -114,7 +114,7 @@ std::vector<std::string> variables_of(const ChildCommand& command) {
   return variables;
 }
 
-// As the system wants a list of texts: pointers, the last one null.
+// A list of strings as the system expects it: pointers, the last one null.
 std::vector<char*> pointers_to(std::vector<std::string>& texts) {
   std::vector<char*> pointers;
   pointers.reserve(texts.size() + 1);

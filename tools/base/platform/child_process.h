@@ -14,9 +14,9 @@ namespace penumbra::platform {
 struct ChildCommand {
   std::string program;  // a path, or a name that is searched in PATH
   std::vector<std::string> arguments;
-  std::string input;                                  // all of its standard input
-  std::chrono::milliseconds timeout{300'000};         // for hangs; generous for a busy machine
-  std::size_t output_limit = std::size_t{256} << 20;  // bytes of output and errors together
+  std::string input;                                               // all of its standard input
+  std::chrono::milliseconds timeout{300'000};                      // for hangs; generous for a busy machine
+  std::size_t output_limit = std::size_t{256} << 20;               // bytes of output and errors together
   std::vector<std::pair<std::string, std::string>> environment{};  // added to ours, or replacing ours
 };
 

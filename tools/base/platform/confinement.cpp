@@ -23,7 +23,7 @@ namespace penumbra::platform {
 #ifndef _WIN32
 namespace {
 
-// Beyond the limit that a pool watches: what libraries and thread stacks reserve without using it.
+// Added to the limit that a pool monitors: memory that libraries and thread stacks reserve without using it.
 [[maybe_unused]] constexpr std::size_t kReservedMemory = std::size_t{512} << 20;
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)

@@ -1,4 +1,4 @@
-// A list of what is allowed, not of what is refused: what a later kernel adds is refused until it is listed.
+// A list of allowed calls, not of refused ones: calls of later kernels are refused until they are listed.
 #include "platform/system_call_filter.h"
 
 #include <asm/ioctls.h>
@@ -14,8 +14,8 @@
 namespace penumbra::platform {
 namespace {
 
-// With any arguments. Memory, threads, time, reading, the descriptors there are, and what a graphics driver
-// that is open already does with them. Names that an architecture lacks are passed over.
+// Allowed with any arguments: memory, threads, time, reading, existing descriptors, and what an open graphics
+// driver does with them. Names that an architecture lacks are skipped.
 constexpr const char* kAllowed[] = {
     // memory
     "brk", "madvise", "membarrier", "memfd_create", "mincore", "mlock", "mmap", "mmap2", "mprotect", "mremap",
@@ -64,7 +64,7 @@ class Filter {
 
   int load() {
     if (error_ != 0) return error_;
-    // Threads that run already are held to it too.
+    // Running threads are filtered, too.
     if (const int result = seccomp_attr_set(context_.get(), SCMP_FLTATR_CTL_TSYNC, 1); result != 0)
       return -result;
     return -seccomp_load(context_.get());
@@ -81,7 +81,7 @@ void allow_reading(Filter& filter) {
   filter.allow("openat", SCMP_A2(SCMP_CMP_MASKED_EQ, changing, O_RDONLY));
 }
 
-// No new process. A C library that tries clone3, whose arguments cannot be seen here, goes on to clone.
+// No new process. A C library that tries clone3, whose arguments a filter cannot see, falls back to clone.
 void allow_threads(Filter& filter) {
   filter.allow("clone", SCMP_A0(SCMP_CMP_MASKED_EQ, CLONE_THREAD, CLONE_THREAD));
   filter.rule(SCMP_ACT_ERRNO(ENOSYS), "clone3");

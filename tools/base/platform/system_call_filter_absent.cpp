@@ -1,4 +1,4 @@
-// In place of system_call_filter.cpp where libseccomp is not at hand.
+// Replaces system_call_filter.cpp if libseccomp is not available.
 #include "platform/system_call_filter.h"
 
 namespace penumbra::platform {

@@ -22,9 +22,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// How often a message that is at work is looked at: memory, time, Ctrl-C.
+// How often running messages are checked: memory, time, Ctrl-C.
 constexpr std::chrono::milliseconds watch_interval{10};
-// A worker that takes longer than this to say that it is there never will.
+// A worker that takes longer than this to report that it is ready has failed.
 constexpr std::chrono::seconds start_limit{60};
 
 std::string signal_name(int number) {
@@ -63,7 +63,7 @@ std::string settings_text(const WorkerLimits& limits) {
          std::to_string(limits.answer);
 }
 
-// A worker and the message it works at.
+// A worker and the message that it processes.
 class WorkerSlot {
  public:
   WorkerSlot(const WorkerPool& pool, WorkSource& source) : pool_(pool), source_(source) {}
@@ -134,19 +134,19 @@ class WorkerSlot {
       case FrameKind::settings:
       case FrameKind::message:
       case FrameKind::reply:
-        return fail("sent a malformed message");  // these go the other way: memory was overwritten
+        return fail("sent a malformed message");  // frames of the other direction: memory was overwritten
     }
     fail("sent a malformed message");
   }
 
-  // The worker has closed its end without being told to.
+  // The worker has closed its end unexpectedly.
   void ended() {
     const int status = process_->end();
     if (!ready_) {
       throw EnvironmentError("a worker process ended before it was ready; its output:\n" +
                              process_->output_tail());
     }
-    if (!busy_) {  // between two messages: nobody's fault that is waiting
+    if (!busy_) {  // between two messages: no waiting message is the cause
       process_.reset();
       return;
     }
@@ -168,7 +168,8 @@ class WorkerSlot {
 
   void finish() {
     busy_ = false;
-    // What compilers leave behind adds up: a worker that has grown is replaced before it counts against one.
+    // Memory leaks of compilers accumulate: a worker that has grown is replaced before a message exceeds the
+    // limit because of it.
     if (process_ && process_->resident_bytes() > pool_.limits.memory / 2) process_.reset();
     source_.finished(number_, std::exchange(outcome_, {}));
   }
@@ -183,7 +184,7 @@ class WorkerSlot {
   Clock::time_point since_;
 };
 
-// Waits until something is to be read or written, or the next look is due.
+// Waits until something can be read or written, or the next check is due.
 void serve_slots(std::vector<WorkerSlot>& slots) {
   std::vector<pollfd> waiting;
   std::vector<WorkerSlot*> owners;

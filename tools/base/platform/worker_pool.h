@@ -38,8 +38,8 @@ struct WorkerOutcome {
   std::string answer;   // the handler's result; empty if it failed
   std::string failure;  // why there is no result: "crashed with SIGSEGV", a limit; empty on success
   bool from_outside =
-      false;                // the worker was killed externally (SIGKILL, SIGTERM): the message need not be the cause
-  std::string note;         // the handler's last note before it failed
+      false;         // the worker was killed externally (SIGKILL, SIGTERM): the message need not be the cause
+  std::string note;  // the handler's last note before it failed
   std::string output_tail;  // the end of what a failed worker printed
 };
 

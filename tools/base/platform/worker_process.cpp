@@ -24,7 +24,7 @@ namespace penumbra::platform {
 namespace {
 
 constexpr std::size_t output_tail_bytes = 2048;
-// At a time: a worker that writes without end keeps the parent from nothing.
+// The most that is read at a time: a worker that writes endlessly must not block the parent.
 constexpr int most_reads = 256;
 
 #ifdef MSG_NOSIGNAL
@@ -95,7 +95,8 @@ class WorkerSettings {
     posix_spawn_file_actions_adddup2(&actions, noise, 2);
     posix_spawn_file_actions_adddup2(&actions, frames, worker_frames_descriptor);
     posix_spawnattr_init(&attributes);
-    // A group of its own: Ctrl-C at the terminal is the pool's to answer, and what it starts ends with it.
+    // A process group of its own: the pool handles Ctrl-C at the terminal, and the worker's children end with
+    // it.
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
     posix_spawnattr_setpgroup(&attributes, 0);
     sigset_t every;
@@ -149,7 +150,7 @@ void WorkerProcess::send_more() {
     if (sent > 0) {
       outbox_.erase(0, static_cast<std::size_t>(sent));
     } else if (errno == EPIPE || errno == ECONNRESET) {
-      outbox_.clear();  // it has ended; reading says so
+      outbox_.clear();  // it has ended; the next read reports it
     } else if (errno != EINTR) {
       return;
     }

@@ -23,7 +23,8 @@ class WorkerProcess {
   WorkerProcess(const WorkerProcess&) = delete;
   WorkerProcess& operator=(const WorkerProcess&) = delete;
 
-  void send(FrameKind kind, std::string_view content);  // never blocks: buffers what the socket does not accept
+  void send(FrameKind kind,
+            std::string_view content);  // never blocks: buffers what the socket does not accept
   bool has_more_to_send() const { return !outbox_.empty(); }
   void send_more();
 

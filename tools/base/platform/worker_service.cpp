@@ -26,7 +26,7 @@ namespace penumbra::platform {
 #ifndef _WIN32
 namespace {
 
-// Exits at once, quietly, when the parent has gone: nobody is left to be told anything.
+// Exits immediately and silently if the parent has ended: nobody is left to receive a message.
 class ParentLink final : public WorkerLink {
  public:
   std::string ask(std::string_view question) override {
@@ -71,10 +71,10 @@ class ParentLink final : public WorkerLink {
 
 void bind_to_parent() {
 #ifdef __linux__
-  // A parent that ended before this is noticed at the first read.
+  // If the parent has already ended, the first read reports it.
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
 #endif
-  std::signal(SIGPIPE, SIG_IGN);  // NOLINT(cert-err33-c): a closed socket is noticed where it is written
+  std::signal(SIGPIPE, SIG_IGN);  // NOLINT(cert-err33-c): a closed socket is detected when it is written to
 }
 
 // Compilers take and return the same memory for every message: giving it back to the system in between, and
@@ -104,9 +104,9 @@ Settings read_settings(ParentLink& link) {
   return settings;
 }
 
-// Said by a worker that the system gives no more memory. Allocators that are written in C end the process,
-// others throw what a library's destructors may not survive: neither is waited for.
-std::string out_of_memory;  // the frame, made while there is memory
+// Sent by a worker when the system has no more memory. Allocators written in C end the process, others throw
+// an exception that may be thrown in a library's destructor: neither is waited for.
+std::string out_of_memory;  // the frame, prepared while there is memory
 
 void end_without_memory() {
   ParentLink::write_bytes(out_of_memory);

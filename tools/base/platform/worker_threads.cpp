@@ -56,7 +56,7 @@ class ThreadsRun {
     std::size_t number_;
   };
 
-  // Waits while another thread's message may still bring more.
+  // Waits while another thread's message may still produce more.
   std::optional<WorkerMessage> next(unsigned worker) {
     std::unique_lock<std::mutex> lock(mutex_);
     for (;;) {

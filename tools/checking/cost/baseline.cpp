@@ -28,7 +28,7 @@ bool within(const std::vector<std::string>& wanted, const std::string& name) {
   return wanted.empty() || std::find(wanted.begin(), wanted.end(), name) != wanted.end();
 }
 
-// A row of a .shader names its pass behind the file.
+// A row of a .shader names its pass after the file.
 bool within_files(const std::vector<std::string>& files, const std::string& name) {
   return std::any_of(files.begin(), files.end(),
                      [&](const std::string& file) { return name == file || name.starts_with(file + ": "); });
@@ -74,7 +74,7 @@ BaselineComparison compare_with_baseline(const CostReport& report, const CostRep
   const std::map<Key, const CostRow*> before = rows_by_key(baseline);
   const std::map<Key, const CostRow*> now = rows_by_key(report);
   for (const CostRow& row : report.rows) {
-    std::set<const CostRow*> met;  // variants of one module met in one module before: said once
+    std::set<const CostRow*> met;  // variants of one module were also in one module before: reported once
     for (const CostVariant& variant : row.variants) {
       const auto found = before.find(key_of(row, variant));
       if (found == before.end()) {

@@ -9,7 +9,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Hashes tell pipelines apart, also those of two builds of one Mesa version; they cost nothing.
+// Hashes identify pipelines and differ between builds of one Mesa version; they are no cost figures.
 bool is_identity(const std::string& statistic) {
   return statistic.ends_with("Hash") || statistic.ends_with("hash");
 }
@@ -114,7 +114,7 @@ CostRow read_row(JsonObject json) {
 
 }  // namespace
 
-// A line a row: a change of one shader is a change of one line.
+// One line per row: a change of one shader changes one line.
 std::string cost_json(const CostReport& report) {
   std::vector<Json> families;
   for (const RadvFamily& family : report.families)

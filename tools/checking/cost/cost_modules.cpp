@@ -28,15 +28,15 @@ struct Source {
   CostVariant variant;
 };
 
-// Without the folder that the package happens to lie in.
+// Without the folder in which the package is installed.
 std::string file_in_package(const techniques::Technique& technique, const std::string& program) {
   for (const techniques::GraphPass& pass : technique.graph.passes)
     if (!program.empty() && pass.program == program) return pass.file;
   return technique.file();
 }
 
-// The cost of a technique is that of each program of its passes, and of its filter that of the fragment
-// shader which calls it.
+// The cost of a technique is that of each program of its passes; the cost of a filter is that of the fragment
+// shader that calls it.
 std::vector<Source> sources_of(const CostRequest& request) {
   const validation::ValidationRequest validated = as_validated(request);
   std::vector<Source> sources;
@@ -51,7 +51,7 @@ std::vector<Source> sources_of(const CostRequest& request) {
   return sources;
 }
 
-// A pass of a .shader is a file of its own: passes may have entry points of one name.
+// A pass of a .shader is treated as a file of its own: passes may have entry points of the same name.
 std::string file_and_pass(const validation::SourceProgram& program) {
   return program.pass.empty() ? program.file : program.file + ": " + program.pass;
 }

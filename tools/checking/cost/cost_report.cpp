@@ -17,7 +17,7 @@ std::string csv_cell(const std::string& text) {
   return quoted + "\"";
 }
 
-// Columns as wide as their widest cell; the first to the left, the others to the right.
+// Columns as wide as their widest cell; the first is left-aligned, the others are right-aligned.
 std::string aligned(const std::vector<std::vector<std::string>>& lines) {
   std::vector<std::size_t> widths;
   for (const std::vector<std::string>& line : lines) {
@@ -34,7 +34,7 @@ std::string aligned(const std::vector<std::vector<std::string>>& lines) {
   return text;
 }
 
-// Which techniques stand behind "(and 3 more)".
+// The techniques that "(and 3 more)" omits.
 std::string shared_modules(const CostReport& report) {
   std::set<std::string> said;
   std::string text;

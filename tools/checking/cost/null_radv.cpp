@@ -27,7 +27,7 @@ platform::ChildCommand worker_command(const NullRadv& radv) {
   command.environment = {
       {"RADV_FORCE_FAMILY", radv.family},
       {"VK_LOADER_DRIVERS_SELECT", "*radeon*"},    // the loader need not open the others
-      {"VK_LOADER_LAYERS_DISABLE", "~implicit~"},  // overlays and recorders
+      {"VK_LOADER_LAYERS_DISABLE", "~implicit~"},  // layers such as overlays and frame capture
       {"MESA_SHADER_CACHE_DISABLE", "true"},
       {"RADV_DEBUG", ""},
       {"RADV_PERFTEST", ""},
@@ -46,7 +46,7 @@ std::string last_line(std::string text) {
   return text.substr(text.rfind('\n') + 1);
 }
 
-// Why the worker gave no answer at all.
+// Why the worker sent no response.
 std::string sudden_end(const platform::ChildResult& result, const NullRadv& radv) {
   const bool out_of_processor_time = result.exit_code == 128 + platform::signal_of_processor_time;
   if (result.timed_out || out_of_processor_time)
@@ -61,7 +61,7 @@ std::string sudden_end(const platform::ChildResult& result, const NullRadv& radv
   return reason;
 }
 
-// Empty when the output is no answer.
+// Empty if the output is not a response.
 nlohmann::json answer_in(const platform::ChildResult& result) {
   if (!result.succeeded()) return {};
   nlohmann::json answer = nlohmann::json::parse(result.output, nullptr, false);

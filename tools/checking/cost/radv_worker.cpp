@@ -75,7 +75,7 @@ Json answer_of(const gpu::PipelineExecutable& executable) {
 constexpr std::size_t kMemory = std::size_t{2} << 30;  // bytes
 
 Json measure_here(const std::string& stage, const std::string& entry, std::istream& input) {
-  // The one device RADV_FORCE_FAMILY leaves of this driver; all its devices have RADV in their names.
+  // The only device of this driver under RADV_FORCE_FAMILY; all its devices have RADV in their names.
   const gpu::StatisticsDevice device("RADV");
   Json answer{{"device", device.info().name}, {"driver", device.info().driver}};
   if (stage.empty()) return answer;
@@ -84,7 +84,7 @@ Json measure_here(const std::string& stage, const std::string& entry, std::istre
   platform::confine_process(kMemory);
   try {
     const std::vector<std::uint32_t> words = read_words(input);
-    // Drivers may do anything with a module that is not valid.
+    // The behaviour of drivers is undefined for an invalid module.
     const std::vector<std::string> problems =
         shaders::validation_problems(words, shaders::VulkanVersion::v1_1, false);
     if (!problems.empty())

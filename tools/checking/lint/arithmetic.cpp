@@ -16,7 +16,7 @@ bool is_pow(const spirv::Instruction& instruction) {
   return instruction.op == spv::OpExtInst && instruction.operands[1] == GLSLstd450Pow;
 }
 
-// A whole number as the exponent is written as products, which take any base.
+// An integer exponent is compiled to multiplications, which accept any base.
 bool may_be_undefined(ValueRanges& ranges, const spirv::Instruction& pow) {
   const std::optional<double> exponent = ranges.constant(pow.operands[3]);
   if (exponent && *exponent == std::floor(*exponent)) return false;

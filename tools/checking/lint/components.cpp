@@ -34,7 +34,7 @@ ComponentLayout::Parts ComponentLayout::parts(spirv::Id type) const {
   }
 }
 
-// Types are defined before they are used, so the nesting is as deep as the source writes it.
+// Types are defined before they are used, so the recursion is as deep as the nesting in the source.
 std::size_t ComponentLayout::uncapped(spirv::Id type) {
   const auto known = counts_.find(type);
   if (known != counts_.end()) return known->second;

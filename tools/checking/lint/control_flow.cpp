@@ -38,7 +38,7 @@ std::size_t nearer(const std::vector<std::size_t>& dominator, const std::vector<
   return a;
 }
 
-// Where execution would go on after the innermost condition or loop around a node.
+// Where execution continues after the innermost condition or loop around a node.
 std::size_t end_of_construct(const ControlFlow& flow, std::size_t node) {
   for (std::size_t at = node;; at = flow.dominator[at]) {
     const std::size_t merge = flow.merge[at];
@@ -47,7 +47,7 @@ std::size_t end_of_construct(const ControlFlow& flow, std::size_t node) {
   }
 }
 
-// The graph with one exit more, reached from every end and, for loops that never end, from their headers.
+// The graph with one added exit, a successor of every end and, for infinite loops, of their headers.
 Graph with_exit(const spirv::Code& code, const spirv::Function& function, const ControlFlow& flow) {
   Graph graph = flow.successors;
   const std::size_t exit = graph.size();
@@ -92,7 +92,7 @@ Graph reversed(const Graph& graph) {
 std::vector<std::size_t> reverse_postorder(const Graph& graph, std::size_t entry) {
   std::vector<std::size_t> order;
   std::vector<bool> seen(graph.size());
-  std::vector<std::pair<std::size_t, std::size_t>> open{{entry, 0}};  // node, its next way
+  std::vector<std::pair<std::size_t, std::size_t>> open{{entry, 0}};  // node, its next successor
   seen[entry] = true;
   while (!open.empty()) {
     auto& [node, next] = open.back();

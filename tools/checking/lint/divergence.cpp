@@ -92,7 +92,7 @@ bool Divergence::source_varies(const spirv::Instruction& instruction) const {
   return !of_primitive && !code_.decoration(variable, spv::DecorationFlat);
 }
 
-// Ways that meet here carry different values, and a varying condition decides which way a pixel came.
+// Paths that join here carry different values, and a divergent condition decides which path a pixel took.
 bool Divergence::phi_varies(const spirv::Instruction& phi, std::size_t node) const {
   bool same = true;
   for (std::size_t i = 0; i + 1 < phi.operands.size(); i += 2) {
@@ -134,7 +134,7 @@ void Divergence::mark_control() {
   }
 }
 
-// What is left in memory after values took the place of variables: arrays with computed indices.
+// Variables that remain in memory after conversion to SSA: arrays with dynamic indices.
 bool Divergence::mark_stores() {
   bool changed = false;
   for (const std::size_t node : flow_.order) {
@@ -190,7 +190,8 @@ std::vector<std::size_t> Divergence::varying_branches_over(std::size_t node) con
   return found;
 }
 
-// A branch leaves a loop when the loop's header depends on it: going round again is what it decides.
+// A branch is a loop exit if the loop's header is control-dependent on it: it decides about the next
+// iteration.
 std::size_t Divergence::loop_left_by(std::size_t branch, std::size_t node) const {
   for (std::size_t inner = loops_.size(); inner-- > 0;) {  // inner loops come later
     const Loop& loop = loops_[inner];

@@ -12,10 +12,10 @@ namespace penumbra::lint {
 
 namespace {
 
-// More than this, as components times blocks, is left unchecked.
+// Functions with more components times blocks are not checked.
 constexpr std::size_t most_work = 64'000'000;
 
-// A value some components of which are unset, and where it was read from.
+// A value with unassigned components, and the variable from which it was read.
 struct PartlySet {
   Components set;
   std::size_t variable = no_node;  // the local it was loaded from, or
@@ -69,7 +69,7 @@ class FunctionAssignment {
   AssignmentFindings findings;
 
  private:
-  // Greatest solution: start from "everything is set" and take away until nothing changes.
+  // Greatest fixed point: start from "everything is set" and remove components until nothing changes.
   void settle() {
     at_end_.assign(paths_.block.size(), Components(memory_.components(), true));
     for (bool changed = true; changed;) {
@@ -150,7 +150,7 @@ class FunctionAssignment {
     return parameter >= 0 && !is_out_[static_cast<std::size_t>(parameter)];
   }
 
-  // Only kept for the call that follows, so not a read yet: the callee says what it reads.
+  // Only copied for the call that follows, so not a read yet: the callee's effect has its reads.
   bool only_for_calls(spirv::Id value) const {
     const auto& users = memory_.uses(value);
     return !users.empty() && std::all_of(users.begin(), users.end(), [&](const spirv::Instruction* user) {
@@ -168,8 +168,8 @@ class FunctionAssignment {
     const bool copied = is_aggregate(code_, instruction.type) || variable.copy_for_call;
     const bool for_calls = only_for_calls(instruction.result);
     if (copied || for_calls) {
-      // What a caller gave counts as set once it is copied to another variable: who reads the copy reads what
-      // the caller would have to answer for, and cannot.
+      // Values from the caller count as assigned once they are copied to another variable: reading the copy
+      // would have to be reported in the caller, which is not possible.
       if (for_calls || !is_given(from->variable))
         remember(instruction.result, {set, from->variable, from->part, 0});
       return;
@@ -217,7 +217,7 @@ class FunctionAssignment {
     for (std::size_t i = 0; i < part.count && i < set.size(); ++i)
       if (!set[i] && i < used.size() && used[i]) known[part.first + i] = false;
     if (all(known)) return;
-    if (of.copy_for_call) return;  // its source is reported, or what it is copied back to
+    if (of.copy_for_call) return;  // its source is reported, or the variable that it is copied back to
     if (is_given(variable)) {
       Components& needed = effect_.parameters[static_cast<std::size_t>(of.parameter)].read;
       for (std::size_t i = 0; i < known.size(); ++i) needed[i] = needed[i] || !known[i];
@@ -313,7 +313,8 @@ class FunctionAssignment {
       state_[first + i] = state_[first + i] || effect.set[i];
   }
 
-  // The variable whose value glslang's copy for a call holds; the argument itself when it is no such copy.
+  // The variable of which glslang's argument copy has the value; the argument itself if it is not such a
+  // copy.
   LocalPointer source_of(const LocalPointer& argument) const {
     const LocalVariable& copy = memory_.variables()[argument.variable];
     if (!copy.copy_for_call) return argument;
@@ -367,7 +368,7 @@ class FunctionAssignment {
     return found == values_.end() || all(found->second.set) ? nullptr : &found->second;
   }
 
-  // Two nodes may stand for one instruction: what either leaves unset is unset.
+  // Two nodes may refer to one instruction: a component that either leaves unassigned is unassigned.
   void remember(spirv::Id value, const PartlySet& what) {
     const auto [known, is_new] = values_.emplace(value, what);
     const Components before = known->second.set;

@@ -29,7 +29,7 @@ bool samples_implicitly(spv::Op op) {
   }
 }
 
-// "at line 12", "at Other.hlsl:12", or nothing when the condition has no place.
+// "at line 12", "at Other.hlsl:12", or nothing if the condition has no location.
 std::string where(const LintedCode& linted, const spirv::Function& function, std::size_t branch,
                   spirv::Place from) {
   const spirv::Instruction& end = terminator(linted.code, function.blocks[branch]);

@@ -17,7 +17,8 @@ void legalise(spvtools::Optimizer& to) {
       .RegisterPass(spvtools::CreateLocalSingleStoreElimPass())
       .RegisterPass(spvtools::CreateScalarReplacementPass(0))
       .RegisterPass(spvtools::CreateLocalAccessChainConvertPass())
-      .RegisterPass(spvtools::CreateAggressiveDCEPass())  // or access chains without use hold variables back
+      .RegisterPass(
+          spvtools::CreateAggressiveDCEPass())  // otherwise unused access chains keep variables alive
       .RegisterPass(spvtools::CreateSSARewritePass())
       .RegisterPass(spvtools::CreateCCPPass());
 }

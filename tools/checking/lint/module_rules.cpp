@@ -37,7 +37,7 @@ bool is_small(const spirv::Code& code) {
   return blocks <= most_blocks;
 }
 
-// `known`: the legalised words, where they are at hand.
+// `known`: the legalised words, if available.
 std::vector<Finding> legalised_findings(const ModuleToLint& module, const spirv::Module& spirv,
                                         const spirv::Module& known) {
   std::vector<Finding> findings;
@@ -52,7 +52,7 @@ std::vector<Finding> legalised_findings(const ModuleToLint& module, const spirv:
   return findings;
 }
 
-// An inlined function speaks once for each call.
+// An inlined function causes one finding per call.
 void sort_and_unify(std::vector<Finding>& findings) {
   std::stable_sort(findings.begin(), findings.end(),
                    [](const Finding& a, const Finding& b) { return order_of(a) < order_of(b); });
@@ -85,7 +85,8 @@ std::vector<Finding> all_findings(const ModuleToLint& module, const spirv::Modul
 
 }  // namespace
 
-// Most modules have no finding, and lines, which only say where one is, double the time of legalisation.
+// Most modules have no finding, and debug lines, which only serve to locate findings, double the time of
+// legalisation.
 std::vector<Finding> module_findings(const ModuleToLint& module) {
   if (all_findings(module, without_lines(module.spirv), module.legalised).empty()) return {};
   return all_findings(module, module.spirv, {});

@@ -91,7 +91,8 @@ void check_sampler_names(const LintedCode& linted, const std::vector<Used>& used
   }
 }
 
-// glslang's buffer for the counter of an AppendStructuredBuffer and its like: Direct3D has it in the buffer.
+// glslang's buffer for the counter of an AppendStructuredBuffer or similar: in Direct3D it is part of the
+// buffer.
 bool is_counter(const std::string& name) {
   return name.ends_with("@count");
 }
@@ -125,7 +126,7 @@ void check_sizes(const LintedCode& linted, const std::vector<Used>& used, std::v
   }
 }
 
-// Scalar components a value takes between stages, and registers when nothing is packed.
+// The number of scalar components of a value between stages, and of registers without packing.
 struct Footprint {
   std::size_t components = 0;
   std::size_t registers = 0;

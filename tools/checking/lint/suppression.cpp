@@ -16,7 +16,7 @@ constexpr std::string_view mark = "penumbra-lint:";
 
 struct Comment {
   int line = 0;
-  bool alone = false;  // nothing but blanks before it
+  bool alone = false;  // only white space before it
   bool whole_file = false;
   struct Name {
     std::string text;
@@ -39,7 +39,7 @@ void skip_blanks(std::string_view& rest) {
   while (!rest.empty() && (rest.front() == ' ' || rest.front() == '\t')) rest.remove_prefix(1);
 }
 
-// The comment of a line, without names when there is none that speaks to us.
+// The suppression comment of a line, without names if there is none.
 Comment comment_of(std::string_view line, int number) {
   Comment comment;
   comment.line = number;
@@ -85,7 +85,7 @@ struct Silenced {
 Silenced silenced_in(const std::string& text) {
   Silenced silenced;
   const std::vector<Comment> comments = comments_of(text);
-  int below = 0;  // the line under a run of lines that hold nothing but such comments
+  int below = 0;  // the line after consecutive lines with only such comments
   int last_alone = 0;
   for (std::size_t at = comments.size(); at-- > 0;) {
     const Comment& comment = comments[at];

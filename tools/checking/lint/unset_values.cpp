@@ -23,7 +23,7 @@ bool is_entry(const LintedCode& linted, const spirv::Function& function) {
   return linted.code.name(function.id).rfind('@', 0) == 0;
 }
 
-// "'o.uv', 'o.fog.x' and 3 more"; for `base` empty the members alone.
+// "'o.uv', 'o.fog.x' and 3 more"; for an empty `base` only the members.
 std::string missing(ComponentLayout& layout, const std::string& base, spirv::Id type, Components set) {
   std::string list;
   std::size_t listed = 0;
@@ -45,8 +45,8 @@ std::vector<std::string> words_of(const std::string& name, const std::string& pa
   return words;
 }
 
-// "inout TriangleStream<V> stream" is a way out of a geometry shader, not a value; SPIR-V has it as an output
-// parameter like any other, so its declaration tells.
+// "inout TriangleStream<V> stream" is an output stream of a geometry shader, not a value; in SPIR-V it is an
+// output parameter like any other, so the source declaration is used.
 bool declares_stream(const std::string& line, const std::string& parameter) {
   for (std::size_t at = line.find("Stream<"); at != std::string::npos; at = line.find("Stream<", at + 1)) {
     const std::size_t name = line.find_first_not_of(" >", std::min(line.find('>', at), line.size()));
@@ -67,7 +67,7 @@ Finding output_finding(const LintedCode& linted, ComponentLayout& layout, const 
         finding_at_function(linted, "output-not-set", output.place, name, parameter,
                             "out parameter " + missing(layout, parameter, output.type, output.set) + " of '" +
                                 name + "' is not set on every path");
-    // Direct3D refuses what is never assigned and warns of what is assigned on some paths.
+    // Direct3D rejects values that are never assigned, and warns about those assigned on some paths only.
     if (output.ever_set) finding.diagnostic.severity = hlsl::Severity::warning;
     return finding;
   }
@@ -103,7 +103,8 @@ std::vector<Finding> unset_values(const LintedCode& linted) {
   for (const spirv::Function& function : linted.code.functions()) {
     const AssignmentFindings& found = by_function[function.id];
     for (const UnsetOutput& output : found.outputs) {
-      // What a helper leaves unset in the struct it returns matters where it is read, or where it leaves.
+      // Components that a helper function leaves unassigned in a returned struct are reported where they are
+      // read, or where they leave the stage.
       const bool part_of_result = output.parameter == 0 && !output.nothing_returned;
       if (part_of_result && !is_entry(linted, function)) continue;
       Finding finding = output_finding(linted, layout, function, output);

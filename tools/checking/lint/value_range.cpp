@@ -17,7 +17,7 @@ Range hull(const Range& a, const Range& b) {
   return {std::min(a.low, b.low), std::max(a.high, b.high)};
 }
 
-// 0 times infinity is 0: neither bound is reached.
+// 0 times infinity is 0, because infinite bounds are not attained.
 double times(double a, double b) {
   return a == 0 || b == 0 ? 0 : a * b;
 }
@@ -49,7 +49,7 @@ Range ValueRanges::of(spirv::Id value) {
   if (known != known_.end()) return known->second;
   const spirv::Instruction* instruction = code_.definition(value);
   if (instruction == nullptr || depth_ > deepest) return {};
-  known_[value] = {};  // what a loop brings back
+  known_[value] = {};  // a loop-carried value
   ++depth_;
   const Range range = compute(*instruction);
   --depth_;
@@ -98,7 +98,7 @@ Range ValueRanges::of_product(spirv::Id a, spirv::Id b) {
   return a == b ? Range{std::max(0.0, absolute(of(a)).low * absolute(of(a)).low), range.high} : range;
 }
 
-// Follows a vector's parts to the one that became the component.
+// Traces a component to the part of the vector from which it comes.
 Range ValueRanges::of_component(spirv::Id vector, std::uint32_t component) {
   for (int steps = 0; steps < deepest; ++steps) {
     const spirv::Instruction* whole = code_.definition(vector);
@@ -140,7 +140,8 @@ std::uint32_t ValueRanges::components(spirv::Id value) const {
   return type != nullptr && type->op == spv::OpTypeVector ? type->operands[1] : 1;
 }
 
-// An integer that is not negative: a constant, or a loop's counter that starts at one and grows.
+// An integer that is not negative: a constant, or a loop counter that starts at such a constant and
+// increases.
 bool ValueRanges::counts_up(spirv::Id integer) const {
   const std::optional<std::int64_t> number = code_.integer(integer);
   if (number) return *number >= 0;

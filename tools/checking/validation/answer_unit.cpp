@@ -53,7 +53,7 @@ class UnitAtWork {
   void make_text() {
     try {
       source_ = shaders::expand(job_.unit.compile, memory_);
-    } catch (const InputError& error) {  // the file was there when the run began
+    } catch (const InputError& error) {  // the file existed when the run began
       reply_.compile = CompileAnswer{};
       reply_.compile->diagnostics.push_back(
           {job_.unit.compile.file.string(), 0, 0, hlsl::Severity::error, error.what(), {}});
@@ -76,7 +76,7 @@ class UnitAtWork {
 
   void answer_text() {
     reply_.text_key = text_key(job_.context, job_.unit, source_);
-    if (!source_.found_by_case)  // else a record of files does not say all
+    if (!source_.found_by_case)  // otherwise the record of files is incomplete
       keep(EntryKind::sources, sources_key(job_.context, job_.unit),
            encode(source_record(source_, reply_.text_key)));
     if (!is_mine(question_text, shared_key(job_.unit, reply_.text_key))) return;

@@ -1,5 +1,5 @@
-// What a worker does with one unit: makes its text, and unless the answer is known, compiles it and tries
-// every target.
+// A worker's processing of one unit: preprocesses its text, and unless the result is cached, compiles it and
+// checks every target.
 #pragma once
 
 #include <memory>
@@ -19,14 +19,14 @@ class UnitService {
   UnitService();
   ~UnitService();
 
-  // An encoded UnitJob to an encoded UnitReply. Bad shaders are in the reply. Throws EnvironmentError when a
-  // target's driver is not there.
+  // An encoded UnitJob to an encoded UnitReply. Errors of shaders are part of the reply. Throws
+  // EnvironmentError if a target's driver is missing.
   std::string answer(const std::string& job, platform::WorkerLink& link);
 
  private:
   struct Memory;  // of what it has read and compiled
 
-  // One for each thread that is at work; they stay for those that come after.
+  // One for each working thread; kept for later threads.
   std::mutex mutex_;
   std::vector<std::unique_ptr<Memory>> free_;
 };

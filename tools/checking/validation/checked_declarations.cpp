@@ -13,14 +13,14 @@ namespace {
 
 using hlsl::Diagnostic;
 
-// What beside the text decides what the parser says.
+// The inputs of the parser other than the text.
 std::string circumstances_of(const shaders::CompileRequest& request) {
   return std::to_string(static_cast<int>(request.stage)) + " " +
          shaders::vulkan_version_name(request.vulkan) + (request.prepare ? " prepared " : " as it is ") +
          (request.half_is_16_bits ? "16-bit half " : "");
 }
 
-// And what decides which module is made of it.
+// And those that determine the generated module.
 std::string module_circumstances_of(const shaders::CompileRequest& request) {
   std::string text = circumstances_of(request) + request.file.string() + "\n" + request.entry + "\n";
   for (const bool flag : {request.optimise, request.debug_lines, request.keep_unoptimised, request.dxc})
@@ -41,7 +41,7 @@ bool is_same(const Diagnostic& a, const Diagnostic& b) {
   return !is_before(a, b) && !is_before(b, a);
 }
 
-// By place; what has none stays behind, in its order.
+// By location; diagnostics without one come last, in their order.
 std::vector<Diagnostic> in_order(std::vector<Diagnostic> messages) {
   const auto placed = std::stable_partition(messages.begin(), messages.end(),
                                             [](const Diagnostic& message) { return message.line > 0; });
@@ -70,7 +70,7 @@ void CheckedDeclarations::learn(const hlsl::Reach& reach, const std::string& cir
         known_[circumstances + reach.unreached()[i]].push_back(message);
 }
 
-// Without files, which are each request's own.
+// Without files, which depend on the request.
 shaders::CompileResult CheckedDeclarations::compile_prepared(const shaders::CompileRequest& request,
                                                              shaders::PreprocessedSource prepared) {
   const std::string key = key_of(request, prepared.text);

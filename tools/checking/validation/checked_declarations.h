@@ -1,13 +1,13 @@
-// Compiles variants whose texts have most of their declarations in common.
+// Compiles variants whose texts share most of their declarations.
 //
-// A variant of a pipeline's shader reaches a quarter of the functions that its includes bring. The rest is
-// looked at, but once: what the parser says of a declaration is kept under a key of all that it rests on
-// (hlsl/reach.h), and said again wherever that key comes back. The module is made of what is reached, so that
-// it does not depend on what came before; nor do the messages, which for a text with an error are those of
-// the whole text.
+// A variant of a pipeline's shader reaches a quarter of the functions in its includes. The rest is checked
+// only once: the parser's diagnostics of a declaration are cached under a key of everything that it depends
+// on (hlsl/reach.h), and reported again for every text with that key. The module is compiled from the reached
+// declarations, so it does not depend on earlier compilations; nor do the diagnostics, which for a text with
+// an error are those of the whole text.
 //
-// What is reached is often the same: keywords and graphics APIs mostly change code that an entry point does
-// not use. Equal reached texts are compiled once.
+// The reached declarations are often the same: keywords and graphics APIs mostly change code that an entry
+// point does not use. Equal reached texts are compiled once. Not thread-safe.
 #pragma once
 
 #include <string>
@@ -38,12 +38,13 @@ class CheckedDeclarations {
                                           shaders::PreprocessedSource prepared);
 
   std::unordered_map<std::string, std::vector<hlsl::Diagnostic>> known_;
-  // By reached text, before and after its preparation, which evens out more: a tenth of a megabyte each.
+  // By reached text, before and after its preparation, which makes more of them equal: a tenth of a megabyte
+  // each.
   RecentResults<shaders::CompileResult> reached_{64};
   RecentResults<shaders::CompileResult> prepared_{64};
 };
 
-// How the whole text is compiled, unreached declarations included; equal in everything but time.
+// Compiles the whole text, including unreached declarations; equal results, but slower.
 shaders::CompileResult compile_whole(const shaders::CompileRequest& request,
                                      shaders::PreprocessedSource expanded);
 

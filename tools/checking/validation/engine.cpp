@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Without a folder nothing is kept.
+// Without a folder there is no cache.
 EngineOptions with_cache_folder(EngineOptions options) {
   std::error_code error;
   if (!options.cache.empty()) fs::create_directories(options.cache, error);

@@ -1,10 +1,10 @@
-// Runs units: from the cache where their sources are unchanged, in worker processes otherwise, each text and
+// Runs units: from the cache if their sources are unchanged, otherwise in worker processes, each text and
 // each module once.
 //
 // Results do not depend on the number of jobs, on the cache, or on whether processes are used: only `cached`
-// and the time do. A unit that crashes, hangs or eats memory in a compiler fails in the target that did it,
-// with the signal or the limit in its message and the text that does it in a file of its own; every other
-// unit and target gets its answer. Such failures are not kept in the cache.
+// and the time do. A unit that crashes, hangs or exhausts memory in a compiler fails in the target that
+// causes it, with the signal or the limit in its message and the text that reproduces it in a file; all other
+// units and targets get their results. Such failures are not cached.
 #pragma once
 
 #include <cstddef>
@@ -21,14 +21,14 @@
 
 namespace penumbra::validation {
 
-// How the program is started to be a worker of run_units(): this, then targets whose drivers it opens. It
-// hands the targets to serve_units().
+// The program is started as a worker of run_units() with this argument, followed by the targets whose drivers
+// it opens. It passes the targets to serve_units().
 inline constexpr const char* worker_mode = "validation-worker";
 
 struct EngineOptions {
   unsigned jobs = 1;
   Shard shard;
-  // The folder of the cache; empty keeps nothing. default_cache() is where the program keeps its own.
+  // The folder of the cache; empty: no cache. default_cache() is the program's own.
   std::filesystem::path cache;
   std::uint64_t cache_limit = std::uint64_t{512} << 20;  // bytes; the entries used longest ago go first
   // The arguments that start this program as a worker, {worker_mode} for one whose main() knows it. Without
@@ -45,16 +45,16 @@ struct EngineOptions {
 
 struct EngineRun {
   std::vector<UnitResult> results;  // of the shard's units, in their order
-  std::size_t unique_texts = 0;     // different texts among them: what there was to compile
+  std::size_t unique_texts = 0;     // distinct texts among them
   std::size_t unique_modules = 0;   // different SPIR-V modules
   std::size_t compiled = 0;         // texts that were compiled in this run, not shared and not cached
-  std::size_t damaged_entries = 0;  // of the cache: found, left aside and written again
+  std::size_t damaged_entries = 0;  // of the cache: detected, ignored and written again
 };
 
 std::filesystem::path default_cache();  // "validation" in platform::cache_directory()
 
 // Throws InputError when a unit's own file cannot be read or the cache's folder cannot be made,
-// EnvironmentError when a driver or the worker processes are not to be had, and platform::Interrupted.
+// EnvironmentError if a driver or the worker processes are not available, and platform::Interrupted.
 EngineRun run_units(const std::vector<CompileUnit>& units, const EngineOptions& options);
 
 // The worker's side; the exit code of the process.

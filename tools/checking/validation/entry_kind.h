@@ -1,4 +1,4 @@
-// The answers that validation keeps (platform/cache_store.h), by what they are.
+// The kinds of cache entries of validation (platform/cache_store.h).
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 namespace penumbra::validation {
 
 enum class EntryKind {
-  sources,  // the files a text is made of, and its key (source_record.h)
+  sources,  // the files that a text consists of, and its key (source_record.h)
   compile,  // a CompileAnswer
   emitted,  // an EmittedAnswer
 };

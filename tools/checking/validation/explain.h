@@ -1,4 +1,4 @@
-// One variant as the parser reads it: includes, macros and preparation done, every line with its origin.
+// One variant as the parser reads it: after includes, macros and preparation, every line with its origin.
 #pragma once
 
 #include <string>
@@ -8,14 +8,14 @@
 
 namespace penumbra::validation {
 
-// HLSL that compiles by itself: comments give the file, and before each line its number there; empty lines
-// are left out. What fails before there is a text is in `diagnostics`, and the text is empty.
+// Self-contained HLSL: comments give the file, and before each line its number there; empty lines are
+// omitted. Errors before there is a text are in `diagnostics`, and the text is empty.
 struct Explanation {
   std::string text;
   std::vector<hlsl::Diagnostic> diagnostics;
 };
 
-// In a worker process where the options name one. Throws EnvironmentError when none is to be had.
+// In a worker process if the options name one. Throws EnvironmentError if it is not available.
 Explanation explain(const CompileUnit& unit, const EngineOptions& options);
 
 // "/* 12 */ code" and a comment where the file changes. `main_file` names what stands before any #line.

@@ -22,7 +22,7 @@ std::string sources_key(const AnswerContext& context, const CompileUnit& unit) {
   return keyed("sources", context).update(encode(unit.compile)).update(encode(unit.lint)).hex();
 }
 
-// What only the preprocessor reads has done its work; all else may matter to the compiler.
+// Inputs of the preprocessor are already accounted for by the text; all others may affect the compiler.
 std::string text_key(const AnswerContext& context, const CompileUnit& unit,
                      const shaders::PreprocessedSource& source) {
   shaders::CompileRequest rest = unit.compile;

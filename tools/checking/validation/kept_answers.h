@@ -1,10 +1,10 @@
-// Answers of earlier runs: under which keys they are kept, and when they still hold.
+// Cached results of earlier runs: their keys, and when they are valid.
 //
-// Three steps, each with its own key, so that a change costs no more than it must:
-//   sources   the request as it is written -> which text it makes, while the files it read are unchanged
-//   compile   the text and the options of compiling it -> messages and the module
-//   emitted   the module, the targets and the drivers -> messages of the targets
-// Every key holds the identity of the build: a new program, or a new library under it, starts anew.
+// Three steps, each with its own key, so that a change invalidates as little as possible:
+//   sources   the request -> the text that results from it, while the files it read are unchanged
+//   compile   the text and the options of compiling it -> diagnostics and the module
+//   emitted   the module, the targets and the drivers -> diagnostics of the targets
+// Every key contains the identity of the build: a new program, or a new shared library, invalidates all.
 #pragma once
 
 #include <filesystem>
@@ -18,9 +18,9 @@
 
 namespace penumbra::validation {
 
-// Everything beside the unit that an answer depends on, and where answers are kept.
+// Everything that a result depends on besides the unit, and the cache's folder.
 struct AnswerContext {
-  std::filesystem::path cache;                 // empty keeps nothing
+  std::filesystem::path cache;                 // empty: no cache
   std::string build;                           // platform::build_identity()
   std::map<std::string, std::string> drivers;  // target -> the driver that checks it
 };
@@ -28,13 +28,13 @@ struct AnswerContext {
 std::string sources_key(const AnswerContext& context, const CompileUnit& unit);
 std::string text_key(const AnswerContext& context, const CompileUnit& unit,
                      const shaders::PreprocessedSource& source);
-// One unit answers for all that share its text and what is emitted from it. Units of one text for different
-// targets each have their own: there is a module to emit only where the text was compiled.
+// Units with the same text and the same emitted targets share one result. Units of one text for different
+// targets have different keys: there is a module to emit only where the text was compiled.
 std::string shared_key(const CompileUnit& unit, const std::string& text_key);
 std::string module_key(const std::vector<std::uint32_t>& spirv);
 std::string emitted_key(const AnswerContext& context, const CompileUnit& unit, const std::string& module);
 
-// The hash of what a file holds now (source_hash); nothing when it cannot be read.
+// The hash of a file's current contents (source_hash); nothing if it cannot be read.
 using HashNow = std::function<std::optional<std::string>(const std::string& file)>;
 
 std::optional<CompileAnswer> kept_compile_answer(platform::CacheStore& cache, const std::string& text_key,

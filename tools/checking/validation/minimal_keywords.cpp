@@ -28,7 +28,7 @@ bool is_same_message(const hlsl::Diagnostic& a, const hlsl::Diagnostic& b) {
          a.message == b.message;
 }
 
-// The smallest variant that has the error, and what it said there.
+// The smallest variant that has the error, and the diagnostic.
 struct Failure {
   const CompileUnit* unit = nullptr;
   std::size_t target = 0;
@@ -40,7 +40,7 @@ class Reduction {
   Reduction(const Failure& failure, const EngineOptions& engine) : failure_(failure), engine_(engine) {
     engine_.shard = {};
     engine_.progress = nullptr;
-    engine_.cache.clear();  // of variants that nobody asked for
+    engine_.cache.clear();  // of variants that were not requested
   }
 
   std::vector<std::string> reduce() {
@@ -54,7 +54,7 @@ class Reduction {
       for (std::size_t i = 0; i < needed.size(); ++i)
         if (!failing[i]) kept.push_back(needed[i]);
       if (kept.size() == needed.size()) break;
-      // Mostly no two of those that may go can stand in for each other.
+      // Usually no two removable keywords are interchangeable.
       needed = !kept.empty() && fail({kept})[0]
                    ? kept
                    : fewer[static_cast<std::size_t>(std::find(failing.begin(), failing.end(), true) -
@@ -69,7 +69,7 @@ class Reduction {
     return keywords;
   }
 
-  // Whether the error is there with each of the keyword sets.
+  // Whether the error occurs with each of the keyword sets.
   std::vector<bool> fail(const std::vector<std::vector<std::string>>& sets) const {
     std::vector<CompileUnit> units;
     units.reserve(sets.size());

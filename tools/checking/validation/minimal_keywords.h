@@ -1,8 +1,8 @@
-// Of a variant that fails, the few keywords that matter.
+// Minimises the keywords of failing variants.
 //
-// For each error, the variant with the fewest keywords that has it is compiled again with keywords left out,
-// until leaving out any one more loses the error: same file, line, column, message and target. What is tried
-// need not be a variant that Unity would build. A variant with n keywords costs between 2 and about n * n / 2
+// For each error, the variant with the fewest keywords that has it is compiled again with keywords removed,
+// until removing any other one loses the error: same file, line, column, message and target. The candidates
+// need not be variants that Unity would build. A variant with n keywords costs between 2 and about n * n / 2
 // compilations.
 #pragma once
 
@@ -14,8 +14,8 @@
 
 namespace penumbra::validation {
 
-// units[i] is where the records with place first_place + i come from. One entry for each error of a variant
-// with keywords, in the order of the records.
+// units[i] is the unit of the records with place first_place + i. One entry for each error of a variant with
+// keywords, in the order of the records.
 std::vector<MinimalKeywords> minimal_keywords(const ValidationReport& report,
                                               const std::vector<CompileUnit>& units, std::size_t first_place,
                                               const EngineOptions& engine);

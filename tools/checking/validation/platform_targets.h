@@ -19,8 +19,8 @@ struct PlatformTargets {
 };
 
 struct PlatformChoice {
-  std::optional<variants::GraphicsApi> api;  // of all targets; absent: the one whose shaders each is for
-  bool mobile = false;                       // OpenGL ES is, whatever this says
+  std::optional<variants::GraphicsApi> api;  // of all targets; absent: each target's own
+  bool mobile = false;                       // always true for OpenGL ES
   int unity_version = variants::Platform().unity_version;
 };
 

@@ -50,7 +50,8 @@ std::vector<lint::Finding> keyword_findings(const ProgramToLint& program, const 
   keywords.program = program.pass.empty() ? "this program" : "pass '" + program.pass + "'";
   keywords.declared = program.keywords;
   for (const auto& [unit, result] : results) {
-    if (result->module_key.empty()) return {};  // what does not compile may be what the keyword is for
+    if (result->module_key.empty())
+      return {};  // a variant that does not compile may be the one that the keyword changes
     keywords.variants.push_back({unit->keywords, result->module_key, source_name(*unit)});
   }
   return lint::unused_keyword_findings(keywords);

@@ -1,9 +1,10 @@
-// Lint of whole shaders: what only all variants and all passes together show (lint/program_rules.h).
+// Lint of whole shaders: rules that need all variants and all passes (lint/program_rules.h).
 //
-// Judged are programs whose variants were all asked for: of a sample, of narrowed keywords or of one shard of
-// several, what never changes there may change elsewhere. Constant buffers are compared whatever was run, for
-// the first graphics API of the request, in SubShaders of a scriptable pipeline: those that have the tag
-// RenderPipeline or a UnityPerMaterial. Variants with instancing keywords are not batched and not compared.
+// Keywords are checked in programs whose variants were all requested: in a sample, with narrowed keywords or
+// in one shard of several, code that never changes there may change elsewhere. Constant buffers are always
+// compared, for the first graphics API of the request, in SubShaders of a scriptable pipeline: those with the
+// tag RenderPipeline or a UnityPerMaterial. Variants with instancing keywords are not batched and not
+// compared.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// The answers of earlier runs, as far as the files are what they were. Internal to this room.
+// Looks up cached results of earlier runs whose files are unchanged. Internal to this room.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +14,8 @@ class Recall {
  public:
   explicit Recall(const AnswerContext& context) : context_(context), cache_(context.cache) {}
 
-  // All that a worker would reply, without making the text; nothing when any of it is not known.
-  // Throws InputError when the unit's own file cannot be read.
+  // A worker's complete reply, without preprocessing the text; nothing if any part of it is not cached.
+  // Throws InputError if the unit's own file cannot be read.
   std::optional<UnitReply> reply_to(const CompileUnit& unit);
 
   std::size_t damaged() const { return cache_.damaged(); }

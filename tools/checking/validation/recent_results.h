@@ -9,8 +9,7 @@
 
 namespace penumbra::validation {
 
-// The results that were worked out last, by a key of all that they depend on. Not for several threads at
-// once.
+// The most recent results, by a key of everything that they depend on. Not thread-safe.
 template <typename Result>
 class RecentResults {
  public:

@@ -1,4 +1,4 @@
-// What a run of validation found, record by record, and the forms it is told in.
+// The results of a validation run, record by record, and the report formats.
 #pragma once
 
 #include <cstddef>
@@ -14,13 +14,13 @@
 
 namespace penumbra::validation {
 
-// absent: the target has no such stage, or nothing that writes it; or its manifest says the target does
-// without this technique, and it does fail there. unreached: there was no SPIR-V to make the target from; its
-// failure is reported once, under "spirv". unchecked: it could not be tried here, for a reason that is not
-// the shader's (a file that only the Unity editor has).
+// absent: the target has no such stage, or nothing can emit it; or the manifest lists the technique as absent
+// for the target, and it does fail there. unreached: there was no SPIR-V to generate the target from; the
+// failure is reported once, under "spirv". unchecked: it could not be checked here, for a reason other than
+// the shader (a file that only the Unity editor has).
 enum class VariantStatus { passed, failed, absent, unreached, unchecked };
 
-// The target of what is said of a file or a pass as a whole: no variant was compiled for it.
+// The target of diagnostics about a file or a pass as a whole: no variant was compiled for it.
 inline constexpr const char* whole_source = "source";
 
 // One entry point of one file with one keyword set for one target.
@@ -36,13 +36,13 @@ struct VariantRecord {
   VariantStatus status = VariantStatus::passed;
   std::vector<hlsl::Diagnostic> diagnostics;
   std::string reason;        // why it is absent or unchecked
-  bool cached = false;       // the answer is of an earlier run
+  bool cached = false;       // the result is from an earlier run
   std::string reproduction;  // a file with the text that crashed or hung a compiler; empty without
-  std::string module;        // names the SPIR-V: records of equal module and target are one piece of work
-  std::size_t place = 0;     // of the variant in the order of the whole request, other shards' included
+  std::string module;        // identifies the SPIR-V: records of equal module and target are checked once
+  std::size_t place = 0;     // of the variant in the order of the whole request, including other shards
 };
 
-// Of one error, keywords that are enough for it and of which none may go (minimal_keywords.h).
+// For one error, a minimal set of keywords that is sufficient for it (minimal_keywords.h).
 struct MinimalKeywords {
   hlsl::Diagnostic error;
   std::vector<std::string> keywords;  // none: every variant has it
@@ -52,7 +52,7 @@ struct ValidationReport {
   std::vector<VariantRecord> records;         // in the order of the request, whatever the number of jobs
   std::size_t unique = 0;                     // distinct pairs of SPIR-V module and target among them
   double seconds = 0.0;                       // of a merged report: of all machines together
-  std::map<std::string, std::string> checks;  // target -> who has checked it
+  std::map<std::string, std::string> checks;  // target -> what has checked it
   std::map<std::string, std::string> rules;   // lint rule -> what it finds, in one sentence
   std::vector<MinimalKeywords> minimal;       // of the errors, where that was asked for
   unsigned shard = 1;                         // this report is shard `shard` of `shards`, from 1
@@ -65,7 +65,7 @@ struct ValidationReport {
 const char* status_name(VariantStatus status);  // as the enumerator is spelt
 std::optional<VariantStatus> find_status(std::string_view name);
 
-// text: for people. json: everything, and what read_report_json() takes. sarif: SARIF 2.1.0, for code
+// text: for people. json: everything, and the input of read_report_json(). sarif: SARIF 2.1.0, for code
 // scanning. junit: JUnit XML, for test reports. github: workflow commands that GitHub shows as annotations.
 enum class ReportForm { text, json, sarif, junit, github };
 
@@ -78,8 +78,8 @@ std::optional<ReportForm> find_report_form(std::string_view name);
 struct ReportStyle {
   bool colour = false;   // text: ANSI colours
   bool verbose = false;  // text: every note
-  // sarif, junit, github: files below root are named relative to it; names that are relative already start
-  // from folder. Both absolute, or empty: names stay as they are.
+  // sarif, junit, github: files below root are named relative to it; relative names start from `folder`. Both
+  // absolute, or empty: names are not changed.
   std::filesystem::path root;
   std::filesystem::path folder;
 };

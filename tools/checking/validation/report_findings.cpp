@@ -14,7 +14,7 @@ namespace penumbra::validation {
 
 namespace {
 
-// Of text that SPIRV-Cross emitted: gl_check() names the target in place of a file.
+// A diagnostic about text that SPIRV-Cross emitted: gl_check() gives the target instead of a file.
 bool in_emitted_text(const hlsl::Diagnostic& diagnostic, const VariantRecord& record) {
   return diagnostic.file == record.target;
 }
@@ -99,7 +99,7 @@ bool says_it(const std::vector<Candidate>& all, const std::vector<std::string>& 
   });
 }
 
-// Takes out every keyword that the rest says without.
+// Removes every keyword that is redundant given the rest.
 void drop_needless(const std::vector<Candidate>& all, KeywordFold& fold) {
   for (std::vector<std::string>* list : {&fold.without, &fold.with}) {
     for (std::size_t i = list->size(); i-- > 0;) {
@@ -117,7 +117,7 @@ std::string keyword_list(const std::vector<std::string>& keywords) {
 
 }  // namespace
 
-// The place a person can open: a line of emitted text is none.
+// A location that can be opened: a line of emitted text cannot.
 hlsl::Diagnostic as_told(hlsl::Diagnostic diagnostic, const VariantRecord& record) {
   if (in_emitted_text(diagnostic, record)) {
     diagnostic.message = "the generated text is rejected: " + diagnostic.message;
@@ -133,7 +133,7 @@ std::vector<Finding> findings(const ValidationReport& report) {
   Folder folder;
   for (std::size_t i = 0; i < report.records.size(); ++i) {
     const VariantRecord& record = report.records[i];
-    // Their reason is told instead; what there is to see is told at "spirv" or cannot be judged here.
+    // Their reason is reported instead; the error is reported at "spirv" or cannot be determined here.
     const bool told_otherwise =
         record.status == VariantStatus::absent || record.status == VariantStatus::unchecked;
     bool has_error = false;

@@ -1,4 +1,4 @@
-// The records of a report folded: one cause, however many variants and targets it fails, is one finding.
+// Groups the records of a report: one cause, however many variants and targets it fails, is one finding.
 // Internal to this room.
 #pragma once
 
@@ -16,14 +16,14 @@ struct Finding {
   std::vector<std::size_t> records;  // indices of those that have it, in their order
 };
 
-// The diagnostic as a finding has it: at a place that a person can open.
+// The diagnostic as reported in a finding: at a location that can be opened.
 hlsl::Diagnostic as_told(hlsl::Diagnostic diagnostic, const VariantRecord& record);
 
-// In the order of their first record. Left out is what a driver warns of in text that no person wrote; a
-// failed record without a message has a finding that says so.
+// In the order of their first record. Omits a driver's warnings about generated text; a failed record without
+// a message has a finding that says so.
 std::vector<Finding> findings(const ValidationReport& report);
 
-// One entry point with one keyword set, whatever the target: what a person calls a variant.
+// One entry point with one keyword set, for all targets: a variant from the user's point of view.
 struct Variant {
   std::size_t program = 0;            // the entry point: variants of equal program differ in keywords alone
   std::vector<std::string> keywords;  // sorted
@@ -44,23 +44,23 @@ class Variants {
   std::vector<std::vector<std::size_t>> of_program_;
 };
 
-// Which of a program's variants a finding is in, as few keywords as say it.
+// The variants of a program that have a finding, described with as few keywords as possible.
 struct KeywordFold {
   std::size_t in = 0;                // variants that have the finding
   std::size_t of = 0;                // variants of the same programs
   std::vector<std::string> with;     // keywords of all that have it, where not all have them
   std::vector<std::string> without;  // only where `exact`: keywords that none of them has
-  bool exact = false;                // those with `with` and without `without` are just those that have it
+  bool exact = false;  // the variants with `with` and without `without` are exactly those that have it
   std::vector<std::string> example;  // the smallest keyword set that has it
 };
 
 KeywordFold fold_keywords(const Finding& finding, const Variants& variants);
 
-// "ForwardLit of Custom/Water, fragment entry Frag": all that names a record's program but its file.
+// "ForwardLit of Custom/Water, fragment entry Frag": the title of a record's program without its file.
 std::string program_title(const VariantRecord& record);
 
-// "4 of 6 variants, always with A": the sentence for a fold, as every form of the report has it; empty where
-// there is one variant in all, without keywords.
+// "4 of 6 variants, always with A": the sentence for a fold, in all report formats; empty if there is only
+// one variant, without keywords.
 std::string fold_sentence(const KeywordFold& fold);
 
 // The targets of the records, each once, in order.

@@ -1,9 +1,8 @@
-// Workflow commands of GitHub Actions: ::error file=,line=,col=,title=::message
-// (docs.github.com, "Workflow commands for GitHub Actions"). One a finding: GitHub shows ten of a kind a
-// step.
-// The last line is the totals, for the log.
+// Workflow commands of GitHub Actions: ::error file=,line=,col=,title=::message (docs.github.com, "Workflow
+// commands for GitHub Actions"). One per finding: GitHub shows ten of a severity per step. The last line is
+// the totals, for the log.
 //
-// Escaped as the toolkit's command.ts does: % CR LF in messages, and : , in properties besides; and control
+// Escaped as the toolkit's command.ts does: % CR LF in messages, and also : , in properties; and control
 // characters, which GitHub then shows as %1B.
 #include <algorithm>
 
@@ -60,7 +59,7 @@ std::string annotation(const Finding& finding, const ValidationReport& report, c
   return text + message_text(message) + "\n";
 }
 
-// What was decided about a line interests nobody who reads a pull request.
+// Notes about decisions are of no interest in a pull request.
 bool is_shown(const Finding& finding) {
   return finding.diagnostic.severity != hlsl::Severity::note || !finding.diagnostic.rule.empty();
 }

@@ -1,6 +1,6 @@
-// JUnit XML as GitLab, Jenkins and GitHub's viewers read it: a testsuite a file, a testcase a variant and
-// target. Of a run too large for their pages it is a testcase an entry point and target, with its variants
-// folded.
+// JUnit XML as GitLab, Jenkins and GitHub's viewers read it: a testsuite per file, a testcase per variant and
+// target. If a run is too large for their pages, there is a testcase per entry point and target, which
+// combines its variants.
 #include <algorithm>
 #include <cstdio>
 #include <map>
@@ -15,9 +15,9 @@ namespace penumbra::validation {
 
 namespace {
 
-constexpr std::size_t most_cases = 5000;  // GitLab's page of a test report holds some thousands
+constexpr std::size_t most_cases = 5000;  // GitLab's test report page shows some thousands
 
-// What XML 1.0 cannot hold at all (2.2) becomes U+FFFD; pugixml escapes the rest.
+// Characters that XML 1.0 cannot represent (2.2) become U+FFFD; pugixml escapes the rest.
 std::string xml_text(std::string_view text) {
   constexpr std::string_view replacement = "\xEF\xBF\xBD";
   std::string out;
@@ -31,7 +31,7 @@ std::string xml_text(std::string_view text) {
   return out;
 }
 
-// pugixml says by an empty handle that memory has run out.
+// pugixml signals that memory has run out by an empty handle.
 template <typename Handle>
 Handle made(Handle handle) {
   if (!handle) throw std::bad_alloc();
@@ -50,7 +50,7 @@ void add_text(pugi::xml_node element, const std::string& text) {
   if (!made(element.append_child(pugi::node_pcdata)).set_value(text.c_str())) throw std::bad_alloc();
 }
 
-// A stream would end without a word where memory runs out.
+// A stream would silently end if memory runs out.
 struct TextWriter final : pugi::xml_writer {
   std::string text;
   void write(const void* bytes, std::size_t count) override {
@@ -188,7 +188,7 @@ class JunitReport {
     std::string reason;
     for (const std::size_t i : test.records) {
       const VariantRecord& record = report_.records[i];
-      if (record.status == VariantStatus::passed) return {};  // folded: some were tried, and passed
+      if (record.status == VariantStatus::passed) return {};  // combined: some were tried, and passed
       if (!reason.empty()) continue;
       reason = status_name(record.status);
       reason += record.status == VariantStatus::unreached ? ": there is no SPIR-V to generate it from"

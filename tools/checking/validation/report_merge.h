@@ -1,4 +1,4 @@
-// Reports read back, and the reports of all shards of one run joined into the report of that run.
+// Reads JSON reports, and merges those of all shards of a run.
 #pragma once
 
 #include <filesystem>
@@ -9,8 +9,8 @@
 
 namespace penumbra::validation {
 
-// What report_json() wrote. Throws InputError at file:line:column for anything else, and where the summary
-// does not agree with the records.
+// Reads the output of report_json(). Throws InputError at file:line:column for anything else, and if the
+// summary does not agree with the records.
 ValidationReport read_report_json(const std::filesystem::path& file);
 
 struct NamedReport {
@@ -18,10 +18,10 @@ struct NamedReport {
   ValidationReport report;
 };
 
-// Records stand in the order of the request, as the run without shards has them; counts are counted again,
-// seconds are added up, "unique" counts a module that several shards met once where records name it. Throws
-// InputError unless each shard of one request is there just once and no two hold the same record. One report
-// that is the whole run is its own merger.
+// Records are in the order of the request, as in the run without shards; counts are recomputed, seconds are
+// added up, "unique" counts a module once that occurs in several shards if records name it. Throws InputError
+// unless each shard of one request is given exactly once and no two contain the same record. A report of a
+// whole run is returned unchanged.
 ValidationReport merge_reports(std::vector<NamedReport> reports);
 
 }  // namespace penumbra::validation

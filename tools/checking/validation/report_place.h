@@ -1,4 +1,4 @@
-// Names of files and columns as other programs want them. Internal to this room.
+// File names and columns in the conventions of other programs. Internal to this room.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace penumbra::validation {
 
-// The path below the style's root, with '/'; as it is where it lies elsewhere or there is no root.
+// The path relative to the style's root, with '/'; unchanged if it is elsewhere or there is no root.
 std::string relative_file(const std::string& file, const ReportStyle& style);
 
 // RFC 3986: a relative reference, or file:///... for an absolute path. Every byte outside of the unreserved
@@ -18,7 +18,7 @@ std::string uri_of(const std::string& file);
 // Bytes before the 1-based byte column as Unicode code points, plus one; `line` may be empty.
 int column_in_characters(std::string_view line, int column);
 
-// Well-formed UTF-8: what is none becomes U+FFFD.
+// Well-formed UTF-8: invalid bytes become U+FFFD.
 std::string valid_utf8(std::string_view text);
 
 }  // namespace penumbra::validation

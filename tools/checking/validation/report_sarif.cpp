@@ -1,5 +1,6 @@
-// SARIF 2.1.0 (OASIS Standard, section numbers below), one result a finding: code scanning would drown in one
-// a variant. URIs are relative to %SRCROOT% (3.14.14), so that the log is the same on every machine.
+// SARIF 2.1.0 (OASIS Standard, section numbers below), one result per finding: one per variant would be too
+// many for code scanning. URIs are relative to %SRCROOT% (3.14.14), so that the log is the same on every
+// machine.
 #include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -80,7 +81,7 @@ class SarifLog {
     return json;
   }
 
-  // Plain text of whole sentences: one that stands alone in a list and in an annotation.
+  // Plain text in complete sentences, which can be read on its own in a list and in an annotation.
   std::string message(const Finding& finding, const KeywordFold& fold) const {
     const VariantRecord& first = report_.records[finding.records.front()];
     std::string text = finding.diagnostic.message + " (" + program_title(first);
@@ -124,7 +125,7 @@ class SarifLog {
     return at->second;
   }
 
-  // 3.27.17: stays when lines move. Equal findings of one file are told apart by their number.
+  // 3.27.17: does not change when lines move. Equal findings of one file are distinguished by their number.
   std::string fingerprint(const Finding& finding) {
     const hlsl::Diagnostic& diagnostic = finding.diagnostic;
     const std::string code = digest(finding.rule + '\n' + relative_file(diagnostic.file, style_) + '\n' +
@@ -132,7 +133,7 @@ class SarifLog {
     return code + ":" + std::to_string(++fingerprints_[code]);
   }
 
-  // 3.20: what could not be judged is the run's affair, not the shader's.
+  // 3.20: results that could not be determined concern the run, not the shader.
   Json invocation() const {
     Json json{{"executionSuccessful", true}};
     std::set<std::string> reasons;

@@ -1,5 +1,5 @@
-// The report for people: reasons for what was not judged, warnings, errors, and one line of totals at the
-// end, where a terminal stops scrolling.
+// The report for people: reasons for unchecked results, warnings, errors, and a line of totals at the end,
+// where a terminal stops scrolling.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -60,8 +60,7 @@ class TextReport {
   }
 
  private:
-  // What was decided about a line, such as which of two equal bodies was kept, interests whoever looks into
-  // it.
+  // Notes about decisions, such as which of two overloads was kept, are for a closer look.
   bool is_folded(const Finding& finding) const {
     const hlsl::Diagnostic& diagnostic = finding.diagnostic;
     return !style_.verbose && diagnostic.severity == hlsl::Severity::note && diagnostic.rule.empty() &&
@@ -118,7 +117,7 @@ class TextReport {
     std::vector<std::string> targets;
   };
 
-  // Records of one status, by who has the reason and by the reason, in order of appearance.
+  // Records of one status, grouped by owner and by reason, in order of appearance.
   template <typename Title>
   std::string by_reason(VariantStatus status, const Title& line_of) const {
     std::vector<std::pair<std::string, std::string>> order;

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A comment ends with its line, whatever a name holds.
+// A name must not end or extend the comment: line breaks and backslashes are replaced.
 std::string one_line(std::string text) {
   for (char& character : text)
     if (character == '\n' || character == '\r' || character == '\\') character = ' ';

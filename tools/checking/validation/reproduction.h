@@ -1,4 +1,4 @@
-// The file that shows a compiler's crash to whoever mends the compiler. Internal to this room.
+// A file that reproduces a compiler's crash, for bug reports. Internal to this room.
 #pragma once
 
 #include <filesystem>
@@ -9,13 +9,13 @@
 namespace penumbra::validation {
 
 struct Crash {
-  std::string target;   // in which it came
+  std::string target;   // in which it occurred
   std::string failure;  // "crashed with SIGSEGV", or the limit
-  std::string text;     // what the parser reads; empty when making it is what crashes
+  std::string text;     // what the parser reads; empty if preprocessing crashes
 };
 
-// Writes the text under a comment that says what it does, and how to see it. The file's path; empty when the
-// folder cannot be written.
+// Writes the text with a comment that describes the failure and how to reproduce it. Returns the file's path;
+// empty if the folder cannot be written.
 std::string write_reproduction(const std::filesystem::path& folder, const CompileUnit& unit,
                                const Crash& crash);
 

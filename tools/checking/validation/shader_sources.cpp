@@ -37,8 +37,8 @@ std::string pass_label(const shaderlab::Program& program) {
   return std::to_string(program.sub_shader_index) + "." + std::to_string(std::max(0, program.pass_index));
 }
 
-// What Unity puts before CGPROGRAM code (docs.unity3d.com/Manual/SL-BuiltinIncludes.html); the program then
-// keeps its lines.
+// The includes that Unity puts before CGPROGRAM code (docs.unity3d.com/Manual/SL-BuiltinIncludes.html); the
+// program keeps its line numbers.
 std::string with_implicit_includes(const std::string& text, const std::string& file) {
   return "#include \"HLSLSupport.cginc\"\n#include \"UnityShaderVariables.cginc\"\n#line 1 \"" + file +
          "\"\n" + text;
@@ -53,7 +53,7 @@ hlsl::Diagnostic no_entry_point(const SourceProgram& program) {
           {}};
 }
 
-// "Both vertex and fragment programs must be present in a shader snippet": Unity leaves the pass out.
+// "Both vertex and fragment programs must be present in a shader snippet": Unity omits the pass.
 std::optional<hlsl::Diagnostic> missing_stage(const SourceProgram& program) {
   const auto has = [&](hlsl::Stage stage) {
     return std::any_of(program.entries.begin(), program.entries.end(),
@@ -83,7 +83,7 @@ bool has_attribute(const shaderlab::Property& property, const char* name) {
                      [name](const shaderlab::Attribute& attribute) { return attribute.name.text == name; });
 }
 
-// The properties that are of the material: a renderer's own come from its MaterialPropertyBlock.
+// The material's properties: per-renderer ones come from a MaterialPropertyBlock.
 std::vector<lint::NamedPlace> numbers_of(const shaderlab::Shader& shader) {
   std::vector<lint::NamedPlace> numbers;
   for (const shaderlab::Property& property : shader.properties)
@@ -102,13 +102,13 @@ std::vector<lint::NamedPlace> declared_keywords(const variants::Pragmas& pragmas
   return declared;
 }
 
-// Which of `count` variants a sample of `most` takes: the first, the last, and evenly between.
+// The variants, of `count`, in a sample of `most`: the first, the last, and evenly spaced between.
 std::vector<std::uint64_t> sampled(std::uint64_t count, std::uint64_t most) {
   std::vector<std::uint64_t> indices;
   const std::uint64_t taken = most == 0 ? count : std::min(count, most);
   for (std::uint64_t i = 0; i < taken; ++i) {
     const bool all = taken == count || taken == 1;
-    // Quotient and remainder apart: count * i may not fit.
+    // Quotient and remainder separately: count * i may overflow.
     const std::uint64_t steps = all ? 1 : taken - 1;
     const std::uint64_t reach = count - 1;
     indices.push_back(all ? i : reach / steps * i + reach % steps * i / steps);
@@ -128,7 +128,7 @@ std::string uniforms_of(const std::vector<variants::DynamicKeyword>& keywords) {
   return text;
 }
 
-// Where a message about the entry point as such belongs.
+// The location of a message about the entry point as a whole.
 hlsl::TokenPlace place_of_entry(const variants::Pragmas& pragmas, const std::string& entry,
                                 hlsl::Stage stage) {
   for (const variants::EntryPoint& found : pragmas.entry_points)

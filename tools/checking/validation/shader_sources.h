@@ -1,5 +1,5 @@
-// What there is to compile in shader files: the programs of a .shader, the kernels of a .compute, the entry
-// point of an .hlsl, each with its variants; counted before anything is compiled.
+// The programs in shader files: the programs of a .shader, the kernels of a .compute, the entry point of an
+// .hlsl, each with its variants, which are counted before anything is compiled.
 #pragma once
 
 #include <filesystem>
@@ -29,11 +29,11 @@ struct SourceOptions {
   variants::Narrowing narrowing;
   project::IncludeRoots roots;
   std::vector<std::pair<std::string, std::string>> defines;  // for every variant
-  // Of .hlsl files: entry points named by hand. Keyword pragmas of the file count.
+  // For .hlsl files: entry points given by the user. Keyword pragmas of the file apply.
   std::vector<std::pair<std::string, hlsl::Stage>> entries;
-  // Of each entry point at most so many variants, spread evenly over all of them; 0: all.
+  // At most this many variants per entry point, spaced evenly; 0: all.
   std::uint64_t sample = 0;
-  std::vector<variants::Keywords> keyword_sets;  // of .hlsl files, instead of what their pragmas span
+  std::vector<variants::Keywords> keyword_sets;  // for .hlsl files, instead of those of their pragmas
   LintOrder lint;                                // the shader target is each variant's own
 };
 
@@ -55,7 +55,7 @@ struct SourceProgram {
   variants::Pragmas pragmas;
   std::vector<std::pair<std::string, hlsl::Stage>> entries;
   std::vector<variants::Kernel> kernels;
-  std::vector<variants::Keywords> keyword_sets;  // instead of the space, when there are any
+  std::vector<variants::Keywords> keyword_sets;  // instead of the space, if not empty
   std::shared_ptr<const variants::KeywordSpace> space;
 };
 
@@ -63,14 +63,14 @@ class ShaderSources {
  public:
   explicit ShaderSources(SourceOptions options) : options_(std::move(options)) {}
 
-  // A file that cannot be read throws InputError; what is wrong inside becomes a failed or unchecked record.
+  // A file that cannot be read throws InputError; errors in it become failed or unchecked records.
   void add(const project::ShaderFile& file);
 
   const std::vector<SourceProgram>& programs() const { return programs_; }
   // Files, programs and passes that are not compiled, and why: a syntax error, a surface shader, GLSL.
   const std::vector<VariantRecord>& records() const { return records_; }
-  // Whether programs() declare every keyword of the files: not where a file or its pragmas were not
-  // understood.
+  // Whether programs() declare every keyword of the files: false if a file or its pragmas could not be
+  // parsed.
   bool knows_keywords() const { return knows_keywords_; }
 
   variants::Plan plan() const;

@@ -1,4 +1,4 @@
-// The part of a run that one machine of several takes.
+// The part of a run that one of several machines processes.
 #pragma once
 
 #include <cstddef>
@@ -13,10 +13,10 @@ struct Shard {
   unsigned count = 1;
 };
 
-// The places in `units` of those that belong to the shard, ascending. Every unit belongs to exactly one.
-// Which one does not depend on the order of units, on the other units, or on where the checkout lies (as long
-// as the units lie in the same folders below their common one): a shard's cache stays of use when units come
-// and go. Shards differ in size as random draws do, by about the square root of their size.
+// The indices in `units` of those that belong to the shard, ascending. Every unit belongs to exactly one
+// shard, independent of the order of units, of the other units, and of the checkout's location (as long as
+// the units have the same paths below their common folder): a shard's cache remains useful when units are
+// added or removed. The sizes of shards vary like random draws, by about the square root of their size.
 std::vector<std::size_t> units_of_shard(const std::vector<CompileUnit>& units, const Shard& shard);
 
 }  // namespace penumbra::validation

@@ -2,10 +2,10 @@
 
 namespace penumbra::validation {
 
-// What units of one run share; less than everything is there to be measured.
+// What the units of a run share; less than `everything` is only for benchmarks.
 enum class Sharing {
-  nothing,       // every unit pays for itself
-  declarations,  // what a unit does not reach is looked at once (checked_declarations.h)
+  nothing,       // every unit is processed on its own
+  declarations,  // unreached declarations are checked once (checked_declarations.h)
   everything,    // each text, each reached text and each module once
 };
 

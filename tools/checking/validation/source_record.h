@@ -1,7 +1,8 @@
-// Which files a text was made of, so that the next run need not make it again to know that it is the same.
+// The files that a text consists of, so that the next run can tell without preprocessing that it is
+// unchanged.
 //
-// The record is true while every file that was read holds what it held, and every place where an #include was
-// looked for first is still empty: a file that appears there would be read instead.
+// The record is valid while every file that was read has the same contents, and every candidate that did not
+// exist when an #include was resolved still does not exist: it would take precedence.
 #pragma once
 
 #include <filesystem>
@@ -16,10 +17,10 @@
 
 namespace penumbra::validation {
 
-// Of the text as a compiler reads it: byte order mark and line endings make no difference.
+// The hash of the text as a compiler reads it: byte order mark and line endings make no difference.
 std::string source_hash(std::string_view normalised_text);
 
-// What the disk holds, each file looked at once: a run sees one state of every file. Not for several threads.
+// The current state of files, each read once: a run sees one state of every file. Not thread-safe.
 class FilesNow {
  public:
   const std::optional<std::string>& hash(const std::string& file);  // nothing when it cannot be read

@@ -1,4 +1,4 @@
-// What there is to compile: a request unrolled into sources with their keywords. Internal to this room.
+// Expands a request into sources with their keywords. Internal to this room.
 #pragma once
 
 #include <string>

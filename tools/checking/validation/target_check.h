@@ -1,5 +1,5 @@
-// What one target says to a module: emitted by SPIRV-Cross and, where that is wanted, compiled and linked by
-// this machine's driver for it. Internal to this room.
+// Checks a module for one target: emitted by SPIRV-Cross and, if requested, compiled and linked by this
+// machine's driver. Internal to this room.
 #pragma once
 
 #include <string>
@@ -11,22 +11,22 @@
 
 namespace penumbra::validation {
 
-// Why no shader of this stage is made for the target; empty where one is.
+// Why the target has no shaders of this stage; empty if it has.
 std::string why_absent(hlsl::Stage stage, const std::string& target);
 
-// Nothing for "spirv": a module that is there has passed; nothing for a stage that is absent. Throws
-// EnvironmentError when GL is needed and not there.
+// Nothing for "spirv", because an existing module has passed, and for a stage that is absent. Throws
+// EnvironmentError if GL is needed and missing.
 std::vector<hlsl::Diagnostic> check_target(shaders::CrossCompiler& module, hlsl::Stage stage,
                                            const std::string& target, bool with_driver);
 
 // The driver that checks the target; empty where none does. Throws EnvironmentError as above.
 std::string checking_driver(const std::string& target);
 
-// Of these targets, on this thread, so that checking them later opens no file. The driver keeps nothing on
-// disk.
+// Opens the drivers of these targets on this thread, so that checking them later opens no file. The driver's
+// disk cache is disabled.
 void open_drivers(const std::vector<std::string>& targets);
 
-// Who checks the target, for reports: "compiled and linked by OpenGL driver ..." and the like.
+// What checks the target, for reports: "compiled and linked by OpenGL driver ..." and similar.
 std::string checked_by(const std::string& target);
 
 }  // namespace penumbra::validation

@@ -1,7 +1,7 @@
-// One thing to validate, and what came of it: what goes to a worker, and what comes back and is kept.
+// One unit of validation and its result: the messages to and from workers, and the cache entries.
 //
-// The encoded forms are bytes of this build's own: both ends are the same program, and the cache's keys hold
-// the identity of the build. Decoding refuses what is truncated or damaged.
+// The encoded forms are specific to this build: both ends are the same program, and the cache's keys contain
+// the identity of the build. Decoding rejects truncated and damaged data.
 #pragma once
 
 #include <filesystem>
@@ -19,15 +19,15 @@
 
 namespace penumbra::validation {
 
-// What lint is told of a unit (lint/module_rules.h).
+// The lint options of a unit (lint/module_rules.h).
 struct LintOrder {
   bool wanted = false;
   int shader_target = 0;              // ten times `#pragma target`; 0: none was given
   std::vector<std::string> left_out;  // rules
 };
 
-// One entry point of one file with one keyword set. All but the request, the targets and the lint is for the
-// report: answers do not depend on it.
+// One entry point of one file with one keyword set. Everything except the request, the targets and the lint
+// options is for the report only: results do not depend on it.
 struct CompileUnit {
   std::string technique;
   std::string file;
@@ -40,8 +40,8 @@ struct CompileUnit {
   LintOrder lint;
 };
 
-// Adds what tells the unit apart from others of its file: technique, shader, pass, entry point, stage,
-// keywords.
+// Adds everything that distinguishes the unit from others of its file: technique, shader, pass, entry point,
+// stage, keywords.
 void add_names(platform::ContentHash& hash, const CompileUnit& unit);
 
 struct TargetResult {

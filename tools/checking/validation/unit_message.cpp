@@ -11,7 +11,7 @@ using platform::ByteWriter;
 
 namespace {
 
-// Nothing, or what `decode` makes of the text; spoils the reader when it makes nothing of it.
+// Nothing, or the result of `decode`; puts the reader into its error state if the text cannot be decoded.
 template <typename Value, typename Decode>
 std::optional<Value> read_optional(ByteReader& in, const Decode& decode) {
   if (!in.flag()) return std::nullopt;

@@ -29,14 +29,15 @@ AnswerContext context_of(const std::vector<CompileUnit>& units, const EngineOpti
   return context;
 }
 
-// As serve_units() takes them: a worker opens its drivers before it gives up what opening them needs.
+// The arguments of serve_units(): a worker opens its drivers before it drops the privileges that opening them
+// needs.
 std::vector<std::string> with_drivers(std::vector<std::string> arguments, const AnswerContext& context) {
   for (const auto& [target, driver] : context.drivers)
     if (!driver.empty()) arguments.push_back(target);
   return arguments;
 }
 
-// The target that tells what the compilation said.
+// The target that reports the compilation's diagnostics.
 std::size_t speaks_for_compile(const CompileUnit& unit) {
   const auto spirv = std::find_if(unit.targets.begin(), unit.targets.end(), is_spirv_target);
   return spirv == unit.targets.end() ? 0 : static_cast<std::size_t>(spirv - unit.targets.begin());
@@ -125,7 +126,7 @@ void UnitRun::keep(UnitReply& reply) {
     cache_.store(name_of(entry.kind), entry.key, entry.content);
 }
 
-// Variants have few layouts among them.
+// Variants share few layouts.
 void UnitRun::share_buffers(UnitReply& reply) {
   if (!reply.compile || !reply.compile->buffers) return;
   std::shared_ptr<const std::string>& buffers = reply.compile->buffers;
@@ -147,7 +148,8 @@ void UnitRun::crashed(std::size_t place, const platform::WorkerOutcome& outcome)
   send_first(place);
 }
 
-// Its text is there, or making it crashes as well. What crashed in one target has the others to go.
+// Its text exists, or producing it crashes as well. After a crash in one target, the others are still
+// checked.
 void UnitRun::reproduced(std::size_t place, const platform::WorkerOutcome& outcome) {
   State& state = states_[place];
   Crash crash = *std::exchange(state.reproducing, std::nullopt);
@@ -203,7 +205,7 @@ UnitResult UnitRun::result_of(std::size_t place) const {
   return result;
 }
 
-// Told by one target; without a module the others are not reached.
+// Reported by one target; without a module the others are unreached.
 void UnitRun::add_compile_answer(const CompileUnit& unit, const State& compiled, UnitResult& result) const {
   const std::size_t speaker = speaks_for_compile(unit);
   if (compiled.reply.compile) {
@@ -229,7 +231,7 @@ void UnitRun::add_emitted_answers(const CompileUnit& unit, const State& emitted,
       const std::vector<hlsl::Diagnostic>& said = emitted.reply.emitted->at(next++);
       diagnostics.insert(diagnostics.end(), said.begin(), said.end());
       add_failure(unit, emitted, unit.targets[i], result.targets[i]);
-    } else {  // the module came out once, and then a second try at it crashed before
+    } else {  // the module was compiled once, and a second attempt crashed earlier
       add_failure(unit, emitted, note_compile, result.targets[i]);
     }
   }
@@ -239,7 +241,7 @@ void UnitRun::add_failure(const CompileUnit& unit, const State& state, std::stri
                           TargetResult& result) {
   const auto failure = state.failures.find(std::string(target));
   if (failure == state.failures.end()) return;
-  const bool lint = target == note_lint;  // the compiler was content
+  const bool lint = target == note_lint;  // the compiler reported nothing
   result.diagnostics.push_back({unit.file,
                                 0,
                                 0,

@@ -14,7 +14,7 @@ namespace penumbra::validation {
 
 namespace {
 
-// A target that a technique's manifest gives up on is tried all the same, so that the entry goes when it can.
+// A target that a technique's manifest lists as absent is still tried, so that an outdated entry is reported.
 void judge(VariantRecord& record, const techniques::Technique* technique) {
   if (technique == nullptr) return;
   const auto absent = technique->targets_absent.find(record.target);
@@ -44,7 +44,7 @@ hlsl::Diagnostic diagnostic_at(const std::string& where, std::string message) {
   return diagnostic;
 }
 
-// What the target lacks of what the technique's graph asks of it fails, although the program compiles.
+// A target that lacks a feature required by the technique's graph fails, although the program compiles.
 void add_target_problems(VariantRecord& record, const techniques::Technique* technique) {
   if (technique == nullptr || record.status == VariantStatus::unreached) return;
   for (const techniques::GraphPass& pass : technique->graph.passes) {
@@ -90,7 +90,7 @@ void add_records(const SourceVariant& variant, const UnitResult& result, std::si
   }
 }
 
-// What was asked for, without the shard: equal for all shards of one run.
+// The request without the shard: equal for all shards of one run.
 std::string fingerprint_of(const ValidationRequest& request, const std::vector<CompileUnit>& units) {
   platform::ContentHash hash;
   for (const CompileUnit& unit : units) hash.update(encode(unit));
@@ -104,7 +104,7 @@ ValidationReport validate(const ValidationRequest& request) {
   const auto start = std::chrono::steady_clock::now();
   ValidationReport report;
   for (const std::string& target : request.targets) report.checks[target] = checked_by(target);
-  // What was said before anything was compiled belongs to the first shard.
+  // Diagnostics from before compilation belong to the first shard.
   if (request.engine.shard.index == 1) report.records = request.records;
   for (std::size_t i = 0; i < report.records.size(); ++i) report.records[i].place = i;
   std::vector<SourceVariant> variants = source_variants(request);
@@ -125,7 +125,7 @@ ValidationReport validate(const ValidationRequest& request) {
   report.unique = unique.size();
   if (request.lint.wanted) {
     for (const lint::RuleInfo& rule : lint::rules()) report.rules[rule.name] = rule.summary;
-    // A shard alone sees a part of the variants.
+    // A single shard has only a part of the variants.
     if (report.shards == 1)
       for (VariantRecord& record : program_findings(request.programs, units, run.results, request.lint)) {
         record.place = request.records.size() + units.size() + report.records.size();
