@@ -1,4 +1,4 @@
-// sky_light(), kept on disk under the hash of all it depends on, so that each frame's is gathered once.
+// sky_light(), cached on disk under the hash of its inputs.
 #pragma once
 
 #include <filesystem>

@@ -174,7 +174,7 @@ class MaterialReader {
     }
     const TexturePyramid* normals = pyramids_.find(material.normal_texture, TexelMeaning::vector);
     if (normals == nullptr || uv_area == 0.0) return;
-    // The ways in which u grows and v falls on the triangle.
+    // The directions in which u increases and v decreases on the triangle.
     const glm::dvec3 ab = corners.position[1] - corners.position[0];
     const glm::dvec3 ac = corners.position[2] - corners.position[0];
     const glm::dvec3 along_u = (ab * (c - a).y - ac * (b - a).y) / uv_area;
@@ -182,7 +182,7 @@ class MaterialReader {
     point.normal = bent(point, along_u, against_v, glm::dvec3(normals->read(uv, footprint)));
   }
 
-  // Back to the flat normal's side where the map would bend it under the surface.
+  // Keeps it on the flat normal's side if the normal map would bend it below the surface.
   static glm::vec3 bent(const SurfacePoint& point, const glm::dvec3& along_u, const glm::dvec3& against_v,
                         const glm::dvec3& map) {
     const glm::dvec3 normal(point.normal);

@@ -1,4 +1,4 @@
-// What the camera sees at each pixel, ready to be lit: where, which way it faces, of which material.
+// The surface that the camera sees at each pixel, ready for lighting: position, orientation, material.
 //
 // The point is where the ray through the pixel's centre meets the plane of the pixel's triangle, in double;
 // vertex normals, texture coordinates and the normal map are read there, textures through the pixel's

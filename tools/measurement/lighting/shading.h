@@ -1,12 +1,12 @@
-// What one surface sends to the camera of the light that reaches it.
+// The light that a surface reflects to the camera.
 //
-// Matt reflection after Lambert, and a gloss by GGX (B. Walter et al., "Microfacet Models for Refraction
-// through Rough Surfaces", EGSR 2007) with the joint Smith term and Schlick's Fresnel term at the 4 % of
-// common materials; what the gloss takes, the matt part lacks. The sky's gloss is B. Karis' fit ("Physically
-// Based Shading on Mobile", 2014) times the sky light around. Where the triangle turns from the sun before
-// its interpolated normal does, light fades by M. Chiang et al., "Taming the Shadow Terminator" (SIGGRAPH
-// 2019). A translucent surface passes its share of the light from behind on as if it were matt there, too.
-// Spaces: all directions unit and away from the surface. Reentrant.
+// Lambertian diffuse reflection, and a specular term by GGX (B. Walter et al., "Microfacet Models for
+// Refraction through Rough Surfaces", EGSR 2007) with the joint Smith term and Schlick's Fresnel term at the
+// 4 % of common materials; the energy of the specular term is subtracted from the diffuse one. The sky's
+// specular reflection is B. Karis' fit ("Physically Based Shading on Mobile", 2014) times the sky light
+// around. Where the triangle turns from the sun before its interpolated normal does, light fades by M. Chiang
+// et al., "Taming the Shadow Terminator" (SIGGRAPH 2019). A translucent surface transmits its share of the
+// light from behind diffusely. Spaces: all directions unit and away from the surface. Reentrant.
 #pragma once
 
 #include <glm/vec3.hpp>

@@ -1,8 +1,8 @@
-// The nearest stored depth of every power-of-two block of one cascade tile: what lets a search skip texels.
+// The nearest stored depth of every power-of-two block of one cascade tile, which lets a search skip texels.
 //
-// Depths become heights, larger = nearer to the light: the depth itself with reversed Z, its negative else,
-// so that no bit is lost. Texels that hold no caster have height -infinity: the cleared far value, and
-// whatever is not in [0, 1] (NaN and infinities).
+// Depths become heights, larger = nearer to the light: the depth itself with reversed Z, otherwise its
+// negative, so that no bit is lost. Texels without a caster have height -infinity: the cleared far value, and
+// everything outside [0, 1] (NaN and infinities).
 #pragma once
 
 #include <cstddef>

@@ -30,7 +30,7 @@ void check_indices(const scene::Mesh& mesh) {
   }
 }
 
-// Takes back the hits where the surface is open.
+// Rejects hits where the surface is open.
 void pass_openings(const RTCFilterFunctionNArguments* asked) {
   const auto& scene = *static_cast<const EmbreeScene*>(asked->geometryUserPtr);
   for (unsigned lane = 0; lane < asked->N; ++lane) {

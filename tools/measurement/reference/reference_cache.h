@@ -1,5 +1,5 @@
-// References kept on disk (platform/cache_store.h) under the hash of all they depend on, so that each is
-// computed once. Several processes may share a directory: writers of one key write the same bytes.
+// References cached on disk (platform/cache_store.h) under the hash of everything they depend on. Several
+// processes may share a directory: writers of one key write the same bytes.
 #pragma once
 
 #include <cstddef>
@@ -19,13 +19,13 @@ class ReferenceCache {
   // An empty path means "reference" in platform::cache_directory(). The directory is made on first write.
   explicit ReferenceCache(std::filesystem::path directory = {});
 
-  // key: platform::ContentHash::hex(). The caller puts everything into it that the image depends on, the
-  // version of its algorithm included.
+  // key: platform::ContentHash::hex(). It must cover everything that the image depends on, including the
+  // version of its algorithm.
   std::optional<VisibilityImage> find(const std::string& key) const;
   // False when the file cannot be written (full disk, permissions); nothing partial is left.
   bool store(const std::string& key, const VisibilityImage& image) const;
 
-  // The beginning of an unfinished answer: the pixels of its first rows.
+  // A partial result: the pixels of its first rows.
   std::vector<HalfCounts> find_beginning(const std::string& key) const;  // empty when there is none
   bool store_beginning(const std::string& key, std::span<const HalfCounts> counts) const;
   void drop_beginning(const std::string& key) const;

@@ -51,7 +51,7 @@ class RowRun {
   }
 
  private:
-  // More threads than the machine runs at once would only make oneTBB warn.
+  // More threads than hardware threads would only cause a warning of oneTBB.
   static int threads(int jobs) {
     const int most = tbb::info::default_concurrency();
     return jobs > 0 ? std::min(jobs, most) : most;

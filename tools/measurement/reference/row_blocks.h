@@ -1,4 +1,5 @@
-// How a reference runs: rows in order, each block of them on all threads; cancelled and resumed between.
+// Runs a reference: rows in order, each block of them on all threads; can be cancelled and resumed between
+// blocks.
 #pragma once
 
 #include <cstdint>
@@ -17,14 +18,15 @@ struct RunOptions {
   int jobs = 0;  // threads; 0 takes all. The result does not depend on it.
   // Called on the caller's thread after each block of rows; done and total in rays (points of the disc).
   std::function<void(double done, double total)> progress;
-  // Asked often, from any thread; once true, finished rows are kept and platform::Interrupted is thrown.
+  // Polled frequently, from any thread; once true, finished rows are stored and platform::Interrupted is
+  // thrown.
   std::function<bool()> cancelled = platform::interrupted;
   double checkpoint_seconds = 2.0;  // a killed process loses at most this much work and one block
 };
 
 struct RowJob {
   ImageSize size;
-  std::vector<std::uint8_t> valid;                     // pixels without receiver are not asked
+  std::vector<std::uint8_t> valid;                     // pixels without a receiver are skipped
   int samples = 0;                                     // into VisibilityImage
   int rays_per_pixel = 0;                              // for progress
   std::string key;                                     // names the answer in the cache

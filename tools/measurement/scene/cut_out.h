@@ -1,9 +1,9 @@
-// Where a scene's cut-out surfaces are open: one answer for rays (Embree's filter), and the tables by which
-// the rasteriser's shaders (shaders/CutOut.hlsl) compute the same.
+// Where a scene's cut-out surfaces are open: one evaluation for rays (Embree's filter), and the tables with
+// which the rasteriser's shaders (shaders/CutOut.hlsl) compute the same.
 //
-// The formulas are those of AlphaPattern and CutOut (material.h), in single precision, step by step the same
-// here and in HLSL: both sides see one silhouette, to the rounding of the texture coordinates where they are
-// interpolated.
+// The formulas are those of AlphaPattern and CutOut (material.h), in single precision, operation by operation
+// the same here and in HLSL: both see the same silhouette, up to the rounding of interpolated texture
+// coordinates.
 #pragma once
 
 #include <array>
@@ -19,7 +19,8 @@ class ContentHash;
 
 namespace penumbra::scene {
 
-inline constexpr float kLargestTexCoord = 1e6F;  // there a float tells no texels of a repeated texture apart
+inline constexpr float kLargestTexCoord =
+    1e6F;  // beyond it, a float cannot resolve the texels of a repeated texture
 
 class CutOuts {
  public:
@@ -52,7 +53,7 @@ class CutOuts {
   const std::vector<Entry>& entries() const { return entries_; }
   const std::vector<std::uint32_t>& texels() const { return texels_; }
 
-  // All that decides what is open; nothing when nothing can be.
+  // Adds everything that affects where surfaces are open; nothing if there are no cut-outs.
   void add_to(platform::ContentHash& hash) const;
 
  private:

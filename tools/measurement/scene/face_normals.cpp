@@ -9,8 +9,8 @@ namespace penumbra::scene {
 namespace {
 
 constexpr double kCosOfSmoothingAngle = 0.5;  // 60 degrees
-// A hub of more faces than this (the tip of a finely cut cone) is smoothed over the first of them only: the
-// loop below is quadratic in it.
+// A vertex with more faces than this (the tip of a finely tessellated cone) is smoothed over the first of
+// them only: the loop below is quadratic.
 constexpr std::size_t kLargestHub = 64;
 
 struct Corner {

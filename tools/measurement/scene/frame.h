@@ -1,5 +1,5 @@
-// What the GPU rasterises of a scene for one light and one set of map settings: the cascade atlas and the
-// receivers seen by the camera. Everything after this room starts from a Frame.
+// The GPU's output for a scene, a light and map settings: the cascade atlas and the receivers that the camera
+// sees. All later rooms start from a Frame.
 #pragma once
 
 #include <cstddef>
@@ -49,9 +49,9 @@ struct Receivers {
   std::vector<std::uint32_t> triangle{};
 };
 
-// Away from the light: what the rasteriser adds to each caster's depth, beside the vertices' own bias. The
-// first counts the format's smallest steps, the second is times the depth's steepest change from texel to
-// texel.
+// The rasteriser's bias away from the light, which is added to each caster's depth in addition to the bias of
+// the vertices. The first is in smallest steps of the format, the second is multiplied by the largest change
+// of depth from texel to texel.
 struct RasterBias {
   double constant = 0.0;
   double slope = 0.0;
@@ -70,8 +70,8 @@ struct FrameSettings {
   DepthFormat format = DepthFormat::d32;
   int width = 480;  // of the receivers
   int height = 270;
-  // How far the lens stands beside the picture's axis, in half pictures to the right and up: the projection
-  // of an eye of a headset, or of Unity's Camera.lensShift, is not symmetric. Cascades are fitted without it.
+  // The lens shift in half pictures to the right and up: the projection of an eye of a headset, or of Unity's
+  // Camera.lensShift, is not symmetric. Cascades are fitted without it.
   glm::dvec2 lens_shift{0.0};
 };
 

@@ -13,7 +13,7 @@ namespace penumbra::scene {
 inline constexpr int kLargestImageSide = 8192;  // pixels
 
 // 8 bits a channel as stored; grey becomes three equal channels, absent alpha 255. Throws InputError naming
-// the file for what cannot be read, is none of these formats, is broken, or is larger than the limit.
+// the file if it cannot be read, has none of these formats, is invalid, or is larger than the limit.
 Texture read_image(const std::filesystem::path& file);
 
 // The same from memory; `name` is what messages call it.

@@ -44,7 +44,8 @@ void stand_up(ModelFile& model, double sign) {
   }
 }
 
-// A triangle's corners in double lose its area when they are rounded to float: what is that flat goes now.
+// A nearly degenerate triangle loses its area when its corners are rounded from double to float: it is
+// removed here.
 void drop_triangles_without_area(ModelFile& model) {
   constexpr double flat = 1e-7;  // area over longest edge squared, about float's rounding
   std::vector<std::uint32_t> kept;

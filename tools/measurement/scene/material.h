@@ -1,5 +1,5 @@
-// What a surface looks like: colour, roughness and the textures of both, which pictures of light alone read;
-// and where it is open, which shadows depend on.
+// The appearance of a surface: colour, roughness and their textures, which only lit pictures use; and its
+// cut-outs, which affect shadows.
 #pragma once
 
 #include <cstdint>

@@ -1,15 +1,15 @@
-// Solids in metres, gathered into one indexed mesh.
+// Builds one indexed mesh from solids, in metres.
 //
 // Winding: cross(b - a, c - a) of a triangle (a, b, c) points out of the solid. In Unity's left-handed space
 // that is clockwise seen from outside, Unity's front face. Every solid is closed; faces of a box have their
-// own vertices (flat normals), the mantle of a tube shares them (smooth normals).
+// own vertices (flat normals), the lateral surface of a tube shares them (smooth normals).
 //
-// What is drawn has the material in use at that time. Texture coordinates lie on the surface at one texture
-// per so many metres; u runs along the grain: a quad's longer edge, a tube's axis.
+// Solids get the current material. Texture coordinates are in units of the texture's size in metres on the
+// surface; u runs along the grain: a quad's longer edge, a tube's axis.
 //
-// All is computed in double and rounded once, to multiples of 2^-20 (a micrometre), so that the last bits in
-// which mathematics libraries differ do not reach the mesh: the same calls give the same bytes on every
-// machine.
+// Everything is computed in double and rounded once, to multiples of 2^-20 (a micrometre), so that
+// differences in the last bits of mathematics libraries do not affect the mesh: the same calls give the same
+// bytes on every machine.
 #pragma once
 
 #include <array>

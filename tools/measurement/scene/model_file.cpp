@@ -26,14 +26,13 @@
 namespace penumbra::scene {
 namespace {
 
-// The formats we stand for. All other loaders are taken out: the importer tries every one of them on a file
-// it does not recognise, and each is a way for garbage to be mistaken for something.
-// OFF is not among ours: its loader believes any count that a header states, and a file of a few hundred
-// bytes keeps it busy for minutes.
+// The supported formats. All other loaders are removed: the importer library tries each of them on a file it
+// does not recognise, and each might misinterpret garbage. OFF is not supported: its loader trusts the counts
+// in a header, and a file of a few hundred bytes keeps it busy for minutes.
 constexpr std::array<std::string_view, 8> kExtensions{"gltf", "glb", "obj", "3ds",
                                                       "ply",  "stl", "dae", "fbx"};
 
-constexpr std::size_t kMostMaterials = 65'000;  // a triangle names its own by 16 bits
+constexpr std::size_t kMostMaterials = 65'000;  // a triangle's material index has 16 bits
 
 bool known(std::string_view extension) {
   return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();

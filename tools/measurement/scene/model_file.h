@@ -26,8 +26,9 @@ struct ModelFile {
   ModelMaterials surface;
 };
 
-// Throws InputError as scene::import() does. Nothing is repaired or joined here: the importer's own steps are
-// kept to validation and triangulation, since each further one is a way for an odd file to fail.
+// Throws InputError as scene::import() does. Nothing is repaired or merged here: the importer library's own
+// steps are limited to validation and triangulation, because each further one is a way for an unusual file to
+// fail.
 ModelFile read_model_file(const std::filesystem::path& file, std::size_t triangle_limit);
 
 }  // namespace penumbra::scene

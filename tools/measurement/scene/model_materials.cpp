@@ -25,7 +25,7 @@ float factor(float value) {
   return std::isfinite(value) ? std::clamp(value, 0.0F, 1.0F) : 0.5F;
 }
 
-// "%20" is a blank, as in any URI.
+// "%20" is a space, as in any URI.
 std::string percent_decoded(const std::string& text) {
   std::string decoded;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -107,7 +107,7 @@ class Reader {
     unsigned uv_channel = 0;
     TextureWrap wrap_u = TextureWrap::repeat;
     TextureWrap wrap_v = TextureWrap::repeat;
-    bool lost = false;         // the material names one that cannot be had
+    bool lost = false;         // the material names one that cannot be loaded
     bool transformed = false;  // its coordinates are
   };
 
@@ -141,7 +141,7 @@ class Reader {
     result_.materials.push_back(std::move(made));
   }
 
-  // A mesh has one set of coordinates here: what reads others than the first is left out.
+  // A mesh has one set of coordinates here: textures that use another set than the first are omitted.
   void keep_with(const Slot& first, const char* first_name, Slot& slot, const char* name,
                  const Material& material) {
     if (slot.texture < 0 || slot.uv_channel == first.uv_channel) return;

@@ -1,6 +1,5 @@
-// Models and pictures read in a process of their own, which gives up what reading does not need
-// (platform/confinement.h): libraries that read dozens of formats crash, hang and take all memory on files
-// that are made for it.
+// Reads models and pictures in a worker process with dropped privileges (platform/confinement.h): libraries
+// that read dozens of formats crash, hang and exhaust memory on malicious files.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +19,7 @@ inline constexpr const char* reading_mode = "scene-reader";
 
 struct ReadingProcess {
   // That start this program as serve_readings(), {reading_mode} for one whose main() knows it. Without any,
-  // the file is read in this process, and what it does to a library it does to the program.
+  // the file is read in this process, without isolation.
   std::vector<std::string> arguments;
   platform::WorkerLimits limits{.answer = std::size_t{4} << 30};
 };

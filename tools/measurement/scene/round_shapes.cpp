@@ -81,7 +81,7 @@ void MeshBuilder::lathe(const Lathe& lathe) {
     const Ring made{static_cast<std::uint32_t>(mesh_.positions.size()), radius == 0.0};
     for (int side = 0; side < (made.is_point ? 1 : lathe.sides); ++side) {
       const double angle = 2.0 * std::numbers::pi * side / lathe.sides;
-      // From +Z towards +X: with Y up, that is the direction in which a mantle's rings are walked.
+      // From +Z towards +X: with Y up, that is the direction of the rings of a lateral surface.
       const glm::dvec3 out{std::sin(angle), 0.0, std::cos(angle)};
       const glm::dvec3 turned = lathe.pose.rotation * (normal.x * out + glm::dvec3(0.0, normal.y, 0.0));
       const double girth = 2.0 * std::numbers::pi * std::min(side, lathe.sides - side) / lathe.sides;

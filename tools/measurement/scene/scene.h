@@ -1,4 +1,4 @@
-// What is seen and what casts: triangles in metres, a camera at human height, a sun or a spot light.
+// A scene: triangles in metres, a camera at human height, a sun or a spot light.
 #pragma once
 
 #include <cstdint>
@@ -82,9 +82,9 @@ struct ImportOptions {
 //
 // Files are right-handed with +Y up (or +Z with z_up) and become Unity's left-handed space as Unity's glTF
 // importers do it: x changes its sign, and with it the winding. The model is moved so that its box stands on
-// y = 0 with its centre over the origin; the camera frames it and its shadow (framing.h).
-// Materials and textures come with it (scene/model_materials.h); a texture that cannot be had leaves a note.
-// Triangles without area are dropped; vertices without a usable normal get their face's.
+// y = 0 with its centre over the origin; the camera frames it and its shadow (framing.h). Materials and
+// textures come with it (scene/model_materials.h); a texture that cannot be loaded causes a note. Triangles
+// without area are dropped; vertices without a usable normal get their face's.
 Scene import(const std::filesystem::path& file, const ImportOptions& options);
 
 // A real model that a Debian package brings; never part of this repository.
@@ -107,8 +107,8 @@ Scene package_model(std::string_view name, const ImportOptions& options = {},
 // Every name that load() knows, in the order reports list them: built-in ones, then "package:" ones.
 std::vector<std::string> scene_names();
 
-// What a person wrote after --scene: a built-in name, "package:NAME", or the path of a file. What is none of
-// them throws InputError naming the nearest name.
+// The argument of --scene: a built-in name, "package:NAME", or the path of a file. For anything else, throws
+// InputError suggesting the nearest name.
 Scene load(std::string_view name_or_file, const ImportOptions& options = {});
 
 }  // namespace penumbra::scene

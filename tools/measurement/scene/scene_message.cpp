@@ -31,8 +31,8 @@ bool is_finite(const glm::dvec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-// The members by name and all of them, here and below: one more in the struct, and this does not compile
-// until it is written.
+// Structured bindings of all members, here and below: adding a member to a struct breaks the build until it
+// is serialised, too.
 void write(ByteWriter& out, const Texture& texture) {
   const auto& [width, height, rgba] = texture;
   out.value(width);

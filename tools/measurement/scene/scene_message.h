@@ -1,5 +1,5 @@
-// Scenes as bytes, between the process that reads a model and the one that uses it. What comes from there is
-// not believed: a model may have taken that process over. Internal to this room, but for tests.
+// Serialised scenes, between the process that reads a model and the one that uses it. The data is not
+// trusted: a malicious model may have compromised that process. Internal to this room, except for tests.
 #pragma once
 
 #include <string>
@@ -16,8 +16,8 @@ ImportOptions read_import_options(platform::ByteReader& in);
 std::string encode(const Texture& texture);
 std::string encode(const Scene& scene);
 
-// Throw std::invalid_argument for bytes that are damaged, or that say what no import says: indices, materials
-// and textures out of range, numbers that are not finite, sizes that do not agree.
+// Throw std::invalid_argument for damaged data, or values that no import produces: indices, materials and
+// textures out of range, numbers that are not finite, inconsistent sizes.
 Texture decode_texture(std::string_view bytes);
 Scene decode_scene(std::string_view bytes);
 

@@ -1,5 +1,5 @@
-// Random numbers that are the same on every machine: the raw output of the standard's mt19937, which is fixed
-// to the bit, without the standard's distributions, which are not.
+// Random numbers that are the same on every machine: the raw output of the standard's mt19937, which the
+// standard defines exactly, without its distributions, which it does not.
 #pragma once
 
 #include <cstdint>

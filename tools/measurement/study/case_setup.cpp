@@ -11,7 +11,7 @@
 namespace penumbra::study {
 namespace {
 
-// Of the picture's size each way, so that its area doubles from step to step; and where it ends.
+// The growth factor of the picture's width and height, which doubles its area per step; and the limit.
 constexpr std::array kPictureSteps{1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 16.0};
 constexpr int kLargestWidth = 3840;
 constexpr int kLargestHeight = 2160;
@@ -65,8 +65,8 @@ CaseSetup CaseBuilder::build(const scene::Scene& scene, scene::Rasteriser& raste
   return setup;
 }
 
-// A few rays a pixel of the smallest picture tell how much penumbra there is; it grows with the picture's
-// area.
+// A few rays per pixel of the smallest picture estimate the number of penumbra pixels, which grows with the
+// picture's area.
 void CaseBuilder::enlarge(CaseSetup& setup, scene::Rasteriser& rasteriser) const {
   const scene::Frame frame = rasteriser.frame(frame_settings(setup, {}));
   const parameters::Light light{setup.scene.light_direction, setup.light_degrees};
@@ -113,7 +113,7 @@ void CaseBuilder::add_view(CaseSetup& setup, scene::Rasteriser& rasteriser,
       {request, std::move(frame), std::move(on_device), std::move(pan), std::nullopt, std::move(key)});
 }
 
-// Of the light as it is, whatever the subjects were told.
+// For the actual light, whatever diameter the subjects are given.
 reference::VisibilityImage CaseBuilder::same_map_estimate(const CaseSetup& setup,
                                                           scene::Rasteriser& rasteriser,
                                                           const View& view) const {
@@ -125,7 +125,7 @@ reference::VisibilityImage CaseBuilder::same_map_estimate(const CaseSetup& setup
                                       run_options("same-map estimate, " + setup.label(), " points"), &cache_);
 }
 
-// The first is the view's own; each further one shows everything a pixel further left.
+// The first is the view's own frame; in each further one everything moves one pixel to the left.
 std::vector<FrameOfCase> CaseBuilder::pan_frames(const scene::FrameSettings& settings,
                                                  scene::Rasteriser& rasteriser) const {
   std::vector<FrameOfCase> frames;

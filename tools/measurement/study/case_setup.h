@@ -43,8 +43,8 @@ struct View {
   std::string key;  // of scene, light, map and receivers
 };
 
-// Everything known about one scene under one light before the first subject is asked. Receivers, and with
-// them T1, are those of every view.
+// Everything known about one scene under one light before the first subject runs. All views share the
+// receivers and therefore T1.
 struct CaseSetup {
   const scene::Scene& scene;
   double light_degrees = 0.0;
@@ -63,7 +63,7 @@ struct CaseSetup {
 // Draws the scene for each request, and ray traces the reference.
 class CaseBuilder {
  public:
-  // The settings, the progress and the cache have to outlive it.
+  // The settings, the progress and the cache must outlive it.
   CaseBuilder(const gpu::Device& device, const std::vector<Subject>& subjects, const StudySettings& settings,
               const StudyProgress& progress, const reference::ReferenceCache& cache);
 

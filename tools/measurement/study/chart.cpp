@@ -27,7 +27,7 @@ struct Layout {
   double right = 20.0;
   double top = 30.0;
   double bottom = 56.0;
-  bool drops_labels = false;  // beyond kAlwaysLabelled, those of points behind the front that find no room
+  bool drops_labels = false;  // beyond kAlwaysLabelled, labels of dominated points without room
 };
 
 constexpr Layout kFile{};
@@ -47,7 +47,7 @@ constexpr std::string_view kFront = "#0b4f8a";
 constexpr std::string_view kStep = "#7fb2de";
 }  // namespace ink
 
-// What a page calls each ink.
+// The page's CSS variable for each colour.
 constexpr std::pair<std::string_view, std::string_view> kVariables[] = {
     {ink::kGround, "ground"}, {ink::kTitle, "ink"},   {ink::kTick, "tick"},  {ink::kAxis, "axis"},
     {ink::kGrid, "grid"},     {ink::kPoint, "point"}, {ink::kOther, "tick"}, {ink::kLeader, "axis"},
@@ -78,7 +78,7 @@ bool is_drawn(const Chart& chart, const ChartPoint& point) {
   return std::isfinite(point.x) && std::isfinite(point.y) && (!chart.x_logarithmic || point.x > 0.0);
 }
 
-// One pair of axes for all panels, so that the eye may compare them.
+// The same axes for all panels, so that they can be compared.
 Axes axes_of(const Chart& chart) {
   double least_x = std::numeric_limits<double>::infinity();
   double most_x = -least_x;
@@ -186,7 +186,7 @@ class Script {
                                screen_x(kFromEdge), screen_y((frame.top + frame.bottom) / 2.0), ink::kTick);
   }
 
-  // What labels should keep off: the points, and the steps of the front (across first, then down).
+  // Obstacles for labels: the points, and the steps of the front (horizontal first, then vertical).
   std::vector<Box> obstacles(const ChartPanel& panel, const Box& frame) const {
     constexpr double kPointRadius = 5.0;
     constexpr double kLineRadius = 2.0;
@@ -348,7 +348,7 @@ void colour_by_variables(std::string& svg) {
   }
 }
 
-// Titles of gnuplot's own would show when a pointer rests on the chart, in place of what the page says there.
+// gnuplot's own titles would be shown as tooltips, instead of the page's.
 void remove_titles(std::string& svg) {
   for (std::size_t at = svg.find("<title>"); at != std::string::npos; at = svg.find("<title>", at)) {
     const std::size_t end = svg.find("</title>", at);

@@ -1,4 +1,4 @@
-// Labelled scatter charts with a front, drawn by gnuplot as SVG: panels one above the other.
+// Labelled scatter charts with a Pareto front, drawn by gnuplot as SVG: panels one above the other.
 #pragma once
 
 #include <string>
@@ -10,9 +10,9 @@ struct ChartPoint {
   std::string label;
   double x = 0.0;
   double y = 0.0;
-  std::string
-      note{};  // what a page says of it beside the label: figures with units, and what they are means of
-  std::string name{};  // by which a page knows what it stands for, in every chart and beyond
+  std::string note{};  // a page's text about it in addition to the label: figures with units, and what they
+                       // are means of
+  std::string name{};  // identifies it on a page, in every chart and elsewhere
 };
 
 struct ChartPanel {
@@ -31,12 +31,12 @@ struct Chart {
   std::vector<ChartPanel> panels;
 };
 
-// Same chart, same bytes (with one gnuplot). Dark ink on its own light ground: reads on light and dark pages.
-// Points that are not finite are left out. Throws EnvironmentError when gnuplot is missing, fails or takes
-// over 20 s, and std::invalid_argument when no panel has a point to draw.
+// Same chart, same bytes (with one gnuplot). Dark on its own light background: legible on light and dark
+// pages. Points that are not finite are omitted. Throws EnvironmentError when gnuplot is missing, fails or
+// takes over 20 s, and std::invalid_argument when no panel has a point to draw.
 std::string render_svg(const Chart& chart);
 
-// Where a point lies in its panel's drawing, in pixels from the left upper corner.
+// The position of a point in its panel's drawing, in pixels from the upper left corner.
 struct DrawnPoint {
   std::size_t index = 0;  // in ChartPanel::points
   double x = 0.0;
@@ -55,9 +55,9 @@ struct DrawnPanel {
   std::vector<DrawnPoint> points;
 };
 
-// Each panel as a drawing narrow enough for a telephone, all with the same axes. Labels stand at the points
-// of the front alone (at all of them where there is no front): a page names the others when they are pointed
-// at. Same chart, same bytes; throws as render_svg does.
+// Each panel as a drawing narrow enough for a telephone, all with the same axes. Only the points of the front
+// have labels (all of them if there is no front): a page names the others when the pointer is over them. Same
+// chart, same bytes; throws as render_svg does.
 std::vector<DrawnPanel> render_panels(const Chart& chart);
 
 }  // namespace penumbra::study

@@ -12,7 +12,7 @@
 namespace penumbra::study {
 namespace {
 
-constexpr double kHasRoom = 60.0;  // cost of a place that covers nothing and belongs to its point
+constexpr double kHasRoom = 60.0;  // cost of a position without overlaps that is clearly at its point
 
 double area(const Box& box) {
   return std::max(box.right - box.left, 0.0) * std::max(box.bottom - box.top, 0.0);
@@ -73,7 +73,7 @@ bool lines_cross(const LabelRequest& a, const Box& label_a, const LabelRequest& 
   return side(a0, a1, b0) * side(a0, a1, b1) < 0.0 && side(b0, b1, a0) * side(b0, b1, a1) < 0.0;
 }
 
-// The labels as far as they stand, and what they keep off.
+// The labels placed so far, and the obstacles.
 struct Surroundings {
   const std::vector<LabelRequest>& requests;
   const std::vector<Box>& obstacles;
@@ -90,7 +90,7 @@ double covered_area(const Surroundings& around, std::size_t own, const Box& box)
   return covered;
 }
 
-// How much a reader could take it for the label of another point: 0, not at all, to 1 for each such point.
+// The ambiguity of the label: from 0 to 1 for each other point to which it could seem to belong.
 double ambiguity(const Surroundings& around, std::size_t own, const Box& box) {
   constexpr double kReach = 16.0;
   double sum = 0.0;
@@ -123,7 +123,7 @@ double line_crossings(const Surroundings& around, std::size_t own, const Box& bo
   return crossings;
 }
 
-// As soon as it is not below the limit, a part of it is enough.
+// Once the cost reaches the limit, it need not be complete.
 double cost(const Surroundings& around, std::size_t own, const Box& box, double distance, double limit) {
   constexpr double kAmbiguity = 400.0;  // as bad as so many square pixels covered
   constexpr double kCrossing = 20.0;    // for each pixel
@@ -162,7 +162,8 @@ struct Placement {
   double cost = 0.0;
 };
 
-// In this order, then again now that the others stand, until none moves or a few times.
+// Places them in this order, then again given the positions of the others, until none moves, at most a few
+// times.
 Placement placed_in_order(const std::vector<LabelRequest>& requests, const std::vector<Box>& obstacles,
                           const Box& frame, double font_pixels, const std::vector<std::size_t>& order) {
   constexpr int kRounds = 6;

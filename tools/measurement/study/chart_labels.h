@@ -1,4 +1,4 @@
-// Where the labels of a scatter chart go: near their points, off each other and inside the frame.
+// Places the labels of a scatter chart: near their points, without overlaps and inside the frame.
 #pragma once
 
 #include <cstddef>
@@ -33,11 +33,11 @@ struct PlacedLabel {
 
 double overlap_area(const Box& a, const Box& b);
 
-// Each label takes, of places on rings around its point, the one that covers least of other labels, of the
-// obstacles (points, lines) and of what lies outside the frame, that stands nearest to its own point rather
-// than to another label's, and whose line crosses no other label, point or line; in several orders, a few
-// times each now that the others stand. The order that costs least is taken. Near places win ties. Beyond the
-// first `always` labels, those that find no room are left out. The same input gives the same places.
+// Each label takes, of candidate positions on rings around its point, the one that overlaps other labels,
+// obstacles (points, lines) and the outside of the frame least, that is nearest to its own point rather than
+// to another label's, and whose leader line crosses no other label, point or line. Several orders of
+// placement are tried, each with a few iterations of refinement; the one with the lowest cost is taken. Near
+// positions win ties. Beyond the first `always` labels, those without room are omitted. Deterministic.
 std::vector<std::optional<PlacedLabel>> place_labels(
     const std::vector<LabelRequest>& requests, const std::vector<Box>& obstacles, const Box& frame,
     double font_pixels, std::size_t always = std::numeric_limits<std::size_t>::max());

@@ -1,6 +1,6 @@
-// Numbers per pixel made visible: visibility, signed error, fetches.
+// Visualises numbers per pixel: visibility, signed error, fetches.
 //
-// Pixels without a receiver are one pale blue-grey, values that are no number (or no visibility) magenta:
+// Pixels without a receiver are a pale blue-grey, values that are NaN (or not a visibility) are magenta:
 // neither colour occurs in any ramp.
 #pragma once
 
@@ -29,7 +29,7 @@ Rgb error_colour(double share);
 // colours. Clamped to [0, 1].
 Rgb fetch_colour(double share);
 
-// Kinds of things, in colours that stay apart for colour-blind people: M. Okabe and K. Ito, "Color Universal
+// Categories, in colours that colour-blind people can distinguish: M. Okabe and K. Ito, "Color Universal
 // Design" (2008).
 enum class Category { orange, sky_blue, bluish_green, yellow, blue, vermillion, reddish_purple };
 Rgb category_colour(Category category);

@@ -10,7 +10,7 @@ namespace penumbra::study {
 namespace {
 
 constexpr int kCaptionGap = 4;   // between a caption and its picture
-constexpr Rgb kInk{34, 34, 34};  // a grey: sheets of greys keep within a palette
+constexpr Rgb kInk{34, 34, 34};  // grey: sheets in shades of grey fit a palette
 
 std::vector<std::string> lines_of(const std::string& caption) {
   std::vector<std::string> lines;

@@ -1,4 +1,4 @@
-// Pictures set side by side under captions, as one picture: for a README and for `penumbra render`.
+// Pictures arranged side by side with captions, as one picture: for a README and for `penumbra render`.
 #pragma once
 
 #include <optional>

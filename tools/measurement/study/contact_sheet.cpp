@@ -103,7 +103,7 @@ Cells cells_of(const std::vector<Record>& records, const std::vector<PictureRow>
   return cells;
 }
 
-// Wide sheets are shown small: their letters grow with them, so that they stay legible on a page.
+// Wide sheets are shown scaled down: their text grows with them, so that it remains legible on a page.
 int text_size(int sheet_width) {
   constexpr int kLettersPerSheet = 60;
   return std::clamp(sheet_width / kLettersPerSheet, kTextSize, 3 * kTextSize);
@@ -120,7 +120,7 @@ bool captions_fit(const std::vector<CaptionedPicture>& cells, int text) {
                      [&](const CaptionedPicture& cell) { return caption_width(cell.caption, text) <= room; });
 }
 
-// Rather a little smaller than broken into more lines.
+// A slightly smaller text is preferred to more lines.
 int fitting_text_size(const std::vector<CaptionedPicture>& cells, int largest) {
   for (int text = largest; text >= std::max(kTextSize, largest * 3 / 4); --text) {
     if (captions_fit(cells, text)) return text;

@@ -1,5 +1,5 @@
-// A contact sheet: what a light really casts and what each subject makes of it, side by side, each picture
-// under its name, its error and its cost.
+// A contact sheet: the ray-traced reference and the result of each subject, side by side, each with its name,
+// error and cost.
 #pragma once
 
 #include <optional>
@@ -38,8 +38,8 @@ struct SheetOptions {
 
 // Per scene and light the ray-traced reference, then the subjects. `records` and `rows` are those of one
 // study, in its order; a record's title names its pictures, and its figures are the caption's. Captions keep
-// to their cells: long lines are broken. Throws std::invalid_argument when they do not go together, for a
-// window or an inset beyond the pictures, and for insets too wide to stand side by side beneath one.
+// to their cells: long lines are broken. Throws std::invalid_argument if they are inconsistent, for a window
+// or an inset beyond the pictures, and for insets that do not fit side by side beneath one.
 Picture contact_sheet(const std::vector<Record>& records, const std::vector<PictureRow>& rows,
                       const SheetOptions& options);
 

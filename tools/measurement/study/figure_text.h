@@ -1,9 +1,9 @@
-// A figure as text, with no more digits than its interval holds: "0.147 ± 0.031".
+// A figure as text, with no more digits than its interval justifies: "0.147 ± 0.031".
 //
-// The half width is the longer side of the 95 % interval, to one or two digits; the figure ends where they
-// end. An interval that ends at a bound, 0 or 1, is not symmetric and stands with both ends: "0.07 [0,
-// 0.17]". A figure whose interval has no width (a constant, or a rate of exactly 0) stands alone, with three
-// significant digits.
+// The half width is the longer side of the 95 % interval, rounded to one or two digits; the figure has the
+// same decimals. An interval that ends at a bound, 0 or 1, is not symmetric and is printed with both ends:
+// "0.07 [0, 0.17]". A figure whose interval has no width (a constant, or a rate of exactly 0) is printed
+// alone, with three significant digits.
 #pragma once
 
 #include <optional>
@@ -23,7 +23,7 @@ struct Estimate {
 // scale is applied first: 100 for percent. Never more than most_decimals. An absent figure is "–".
 std::string figure_text(const std::optional<Estimate>& estimate, double scale = 1.0, int most_decimals = 4);
 
-// The same without its interval, for places whose intervals stand elsewhere.
+// The same without its interval, where the interval is shown elsewhere.
 std::string figure_text_alone(const std::optional<Estimate>& estimate, double scale = 1.0,
                               int most_decimals = 4);
 

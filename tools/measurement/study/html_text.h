@@ -1,4 +1,4 @@
-// Text and pictures as HTML may hold them.
+// Encodes text and pictures for HTML.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 namespace penumbra::study {
 
 // Safe in element content and in quoted attributes: & < > " ' escaped, control characters (tab and line feed
-// apart) and bytes that are no UTF-8 replaced by U+FFFD.
+// apart) and bytes that are not valid UTF-8 replaced by U+FFFD.
 std::string escape_html(std::string_view text);
 
 // A command as a block of code, escaped: lines wrap between its words, never at the hyphens of an option.

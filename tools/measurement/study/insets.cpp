@@ -63,7 +63,7 @@ Picture with_insets(const Picture& picture, int zoom, const std::vector<PictureW
                frame_colour(i));
   }
   place_picture(canvas, 0, 0, marked);
-  // What is left of the width stands between them, so that the outer ones align with the picture.
+  // The remaining width is distributed between them, so that the outer ones align with the picture.
   const int between = windows.size() > 1 ? rest / (static_cast<int>(windows.size()) - 1) : 0;
   int left = windows.size() > 1 ? kFrame : kFrame + rest / 2;
   const int top = marked.height + kPictureGap + kFrame;

@@ -54,8 +54,8 @@ double standard_deviation(const std::vector<double>& values) {
   return std::sqrt(squares / static_cast<double>(values.size() - 1));
 }
 
-// Around a figure that `count` independent things stand behind. Drawing them with replacement gives a
-// variance that is too small by (count - 1) / count.
+// Around a figure that is derived from `count` independent samples. Resampling them with replacement
+// underestimates the variance by the factor (count - 1) / count.
 Interval interval_of(double figure, const std::vector<double>& replicates, std::size_t count, double least,
                      double most) {
   const auto n = static_cast<double>(count);

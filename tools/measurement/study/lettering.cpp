@@ -69,7 +69,7 @@ const stbtt_fontinfo& font() {
   return kept.info;
 }
 
-// One character of UTF-8 from the front of the text, which loses it.
+// Removes one UTF-8 character from the front of the text and returns it.
 char32_t next_letter(std::string_view& text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char first = byte(0);
@@ -169,7 +169,7 @@ std::string Lettering::cut_to(std::string_view text, int most) const {
 void Lettering::draw(Picture& picture, int left, int top, std::string_view text, Rgb ink) const {
   const std::u32string letters = letters_of(text);
   const int baseline = top + static_cast<int>(std::lround(ascent_));
-  float pen = 0.0F;  // from `left`, so that a text looks alike wherever it stands
+  float pen = 0.0F;  // from `left`, so that a text looks the same at every position
   for (std::size_t i = 0; i < letters.size(); ++i) {
     const float whole = std::floor(pen);
     const Glyph glyph = glyph_of(letters[i], scale_, pen - whole);

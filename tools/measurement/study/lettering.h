@@ -2,7 +2,7 @@
 // variable PENUMBRA_FONT names.
 //
 // The same font and text give the same pixels (stb_truetype: no hinting, kerning as the font has it). UTF-8;
-// what is no UTF-8, and characters that the font lacks, are drawn as '?'.
+// invalid UTF-8 and characters that the font lacks are drawn as '?'.
 #pragma once
 
 #include <string>

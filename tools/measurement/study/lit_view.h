@@ -1,6 +1,6 @@
 // The pictures of a study as photographs: what each subject's shadows look like on lit materials.
 //
-// Collects every answer of a study and lights its frame; the reference's picture is lit by the ray-traced
+// Collects every result of a study and lights its frame; the reference's picture is lit by the ray-traced
 // visibility. A study that this view listens to runs at `supersampling` times the size of the pictures.
 #pragma once
 
@@ -22,8 +22,8 @@ class LitView {
   // For StudySettings::answered. Throws what lighting::LitFrame does.
   void add(const SubjectAnswer& answer);
 
-  // Puts the lit pictures in the place of references and results, and brings all others down to their size.
-  // rows: of the study that was listened to. Throws std::invalid_argument for another number of rows.
+  // Replaces references and results by the lit pictures, and scales all others down to their size. rows: of
+  // the same study. Throws std::invalid_argument for another number of rows.
   void replace_pictures(std::vector<PictureRow>& rows) const;
 
  private:

@@ -11,7 +11,7 @@ namespace {
 
 enum class PixelClass { umbra, penumbra, lit };
 
-// No float equals 0.02 or 0.98, so the open bounds of the definition leave no pixel without a class.
+// No float equals 0.02 or 0.98, so every pixel has a class although the bounds of the definition are open.
 PixelClass classify(double t1) {
   if (t1 < kUmbraBelow) return PixelClass::umbra;
   return t1 > kLitAbove ? PixelClass::lit : PixelClass::penumbra;
@@ -61,7 +61,7 @@ class Share {
   std::size_t count_ = 0;
 };
 
-// Which block of pixels each pixel is in.
+// The block of each pixel.
 class Blocks {
  public:
   Blocks(std::size_t pixels, int width) : width_(width > 0 ? static_cast<std::size_t>(width) : 0) {
@@ -109,7 +109,7 @@ std::optional<double> percentile(std::vector<Value>& values, double fraction) {
   return static_cast<double>(*nth);
 }
 
-// Two passes over a handful of seeds: the one-pass formula cancels where the variance is small.
+// Two passes over a few seeds: the one-pass formula suffers cancellation if the variance is small.
 std::optional<double> sample_variance(const std::vector<double>& values) {
   if (values.size() < 2) return std::nullopt;
   double mean = 0.0;

@@ -1,14 +1,15 @@
-// What a shadow technique gets wrong: its visibility images against ray tracing, and what it fetched.
+// The error of a shadow technique: its visibility images against ray tracing, and its fetches.
 //
-// Visibility is 1 where the whole light disc is seen, 0 where none of it is. References (design, contract 7):
-//   T1  ray-traced area light on the real geometry: the truth every error here is taken against
-//   T2  the exhaustive answer from the same shadow map: a defined reference, not a bound
+// Visibility is 1 where the whole light disc is visible, 0 where none of it is. References (design, contract
+// 7):
+//   T1  ray-traced area light on the real geometry: the ground truth of all errors here
+//   T2  the exhaustive result from the same shadow map: a defined reference, not a bound
 //   T3  the technique itself with unlimited samples
-// Pixel classes follow T1 alone, so that every technique is judged on the same pixels:
+// Pixel classes depend only on T1, so that every technique is evaluated on the same pixels:
 //   umbra T1 < 0.02, penumbra 0.02 < T1 < 0.98, lit T1 > 0.98.
 //
-// All sums are double and run over pixels in row order, then over seeds: the same images give the same bits.
-// A figure without a single pixel to stand on is absent (null in JSON), never 0.
+// All sums are in double and run over pixels in row order, then over seeds: the same images give the same
+// bits. A figure without any pixel is absent (null in JSON), never 0.
 #pragma once
 
 #include <cstddef>
@@ -27,7 +28,7 @@ inline constexpr double kLeakAbove = 0.1;
 inline constexpr double kFalseShadowBelow = 0.9;
 
 // Every span holds one value per pixel, in the same row order. Pixels whose valid entry is 0 (no receiver)
-// count nowhere.
+// are ignored.
 struct MeasuredImages {
   std::span<const float> t1;
   std::span<const std::uint8_t> valid;
@@ -45,10 +46,10 @@ struct MeasuredImages {
 inline constexpr int kBlocksAcross = 32;
 inline constexpr int kSmallestBlock = 4;
 
-// What a penumbra mask takes away, as shares.
+// The pixels that a penumbra mask skips, as shares.
 struct MaskShares {
   double pixels_saved = 0.0;                       // of all pixels: those the mask leaves out
-  std::optional<double> penumbra_pixels_missed{};  // of penumbra pixels: those it leaves out all the same
+  std::optional<double> penumbra_pixels_missed{};  // of penumbra pixels: those it skips by mistake
 
   bool operator==(const MaskShares&) const = default;
 };
@@ -64,14 +65,14 @@ struct ErrorShare {
 // Where the error comes from. Per pixel (T2-T1) + (T3-T2) + (result-T3) = result-T1, so the means add up to
 // the bias. The RMSEs do not add and do not subtract: the three shares are correlated.
 struct ErrorSplit {
-  std::optional<ErrorShare> map;        // T2 - T1: what the map's resolution and one layer lose
-  std::optional<ErrorShare> algorithm;  // T3 - T2: what the technique's model of the penumbra loses
-  std::optional<ErrorShare> sampling;   // result - T3: what few samples lose
+  std::optional<ErrorShare> map;        // T2 - T1: the error of the map's resolution and its single layer
+  std::optional<ErrorShare> algorithm;  // T3 - T2: the error of the technique's penumbra model
+  std::optional<ErrorShare> sampling;   // result - T3: the error of few samples
 
   bool operator==(const ErrorSplit&) const = default;
 };
 
-// Of the figures of the same names; absent where the figure is, or where it stands on one block.
+// Of the figures of the same names; absent where the figure is, or if it depends on one block only.
 struct MetricIntervals {
   std::optional<Interval> rmse_penumbra;
   std::optional<Interval> rmse_all;

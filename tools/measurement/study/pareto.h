@@ -1,4 +1,4 @@
-// Which choices are worth having: nothing else is both cheaper and better.
+// The Pareto front: the choices for which nothing is both cheaper and better.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@ struct CostAndError {
 };
 
 // Indices of the points that no other point dominates, by rising cost. A point dominates another when it is
-// not worse in either figure and better in one; equal points stay together. Points that are not finite never
-// stand.
+// not worse in either figure and better in one; equal points are kept together. Points that are not finite
+// are excluded.
 std::vector<std::size_t> pareto_front(const std::vector<CostAndError>& points);
 
 }  // namespace penumbra::study

@@ -15,7 +15,7 @@ std::optional<double> price_of(const SummaryLine& line, Cost cost) {
   return line.fetches ? std::optional(line.fetches->value) : std::nullopt;
 }
 
-// What a page says of a point.
+// The page's text about a point.
 std::string note(const Results& results, const SummaryLine& line, Cost cost) {
   const std::string price = cost == Cost::time
                                 ? fmt::format("{:.3g} ms, {}", line.time_ms.value_or(0.0), time_kind(results))
@@ -31,7 +31,7 @@ ChartPanel panel_of(const Results& results, double light_degrees, Cost cost) {
   for (const SummaryLine& line : summarise(results)) {
     const std::optional<double> price = price_of(line, cost);
     if (line.light_degrees != light_degrees || !line.complete || !price || !line.rmse_penumbra) continue;
-    if (!(*price > 0.0)) continue;  // without a fetch there is no place on a logarithmic axis
+    if (!(*price > 0.0)) continue;  // 0 has no position on a logarithmic axis
     panel.points.push_back(
         {line.choice.shown, *price, line.rmse_penumbra->value, note(results, line, cost), line.choice.label});
     points.push_back({*price, line.rmse_penumbra->value});

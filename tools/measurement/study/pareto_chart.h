@@ -1,4 +1,4 @@
-// The charts of a study: what each technique costs against how wrong it is, one panel per light.
+// The charts of a study: the cost of each technique against its error, one panel per light.
 #pragma once
 
 #include "study/chart.h"

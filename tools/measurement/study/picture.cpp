@@ -19,7 +19,7 @@ std::size_t offset(const Picture& picture, int x, int y) {
          3;
 }
 
-// libpng's simplified interface: it keeps its own long jumps to itself.
+// libpng's simplified interface, which handles its long jumps internally.
 struct PngImage {
   png_image image{};
 

@@ -8,7 +8,7 @@ namespace {
 
 // Version of what is stored under unlimited_key: raise it when the meaning of T3 changes.
 constexpr int kUnlimitedVersion = 1;
-constexpr int kUnlimitedSeeds = 4;  // rotations averaged: thousands of taps leave little for them to do
+constexpr int kUnlimitedSeeds = 4;  // rotations averaged: with thousands of taps they have little effect
 
 std::string unlimited_key(const View& view, const resolve::CompiledGraph& graph) {
   platform::ContentHash hash;

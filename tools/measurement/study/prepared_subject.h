@@ -1,4 +1,4 @@
-// A subject compiled, and what it answers in a case. Internal to this room.
+// A compiled subject, and its results for a case. Internal to this room.
 #pragma once
 
 #include <cstdint>
@@ -14,12 +14,12 @@
 
 namespace penumbra::study {
 
-// What one subject answers in one case.
+// One subject's results for one case.
 using Answer = resolve::GraphResult;
 
 class PreparedSubject {
  public:
-  // The subject has to outlive it.
+  // The subject must outlive it.
   PreparedSubject(const gpu::Device& device, const Subject& subject, const StudySettings& settings);
 
   const Subject& subject() const { return *subject_; }

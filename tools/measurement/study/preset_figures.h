@@ -1,4 +1,4 @@
-// What the quality presets cost and how wrong they are, as the C# that the package's inspector shows
+// The cost and error of the quality presets, as C# for the package's inspector
 // (Editor/Inspectors/PresetFigures.cs).
 #pragma once
 

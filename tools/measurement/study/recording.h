@@ -1,4 +1,4 @@
-// What a study keeps of an answer: figures and pictures. Internal to this room.
+// Records the results of a subject: figures and pictures. Internal to this room.
 #pragma once
 
 #include <optional>

@@ -101,7 +101,7 @@ std::string machine(const Results& results) {
          command_html(results.command);
 }
 
-// Which reference stands behind the figures, and how exact it is, per scene and light.
+// The reference of the figures, and its accuracy, per scene and light.
 std::string references(const Results& results) {
   std::string rows;
   std::vector<std::tuple<std::string, double, ReferenceNote>> seen;

@@ -1,9 +1,9 @@
-// report.html: everything one run of `penumbra measure` found, in one file that needs nothing else.
+// report.html: all results of one run of `penumbra measure`, in one self-contained file.
 //
-// The page holds its style, its script, its charts (inline SVG) and its pictures (PNG in base64, decoded when
-// they are looked at), and a content security policy that forbids it to load anything. It follows the
-// reader's light or dark setting and prints. Without its script it shows every figure and chart; sorting,
-// filtering and the picture viewer need it.
+// The page contains its style, its script, its charts (inline SVG) and its pictures (PNG in base64, decoded
+// when they are viewed), and a content security policy that forbids loading anything. It follows the reader's
+// light or dark setting and prints. Without its script it shows every figure and chart; sorting, filtering
+// and the picture viewer need it.
 #pragma once
 
 #include <filesystem>

@@ -8,7 +8,7 @@
 namespace penumbra::study {
 namespace {
 
-// Larger than what is drawn: a finger has to find it.
+// Larger than the drawn point, for touch input.
 constexpr double kReach = 11.0;
 
 std::string point_html(const DrawnPoint& drawn, const ChartPoint& point) {

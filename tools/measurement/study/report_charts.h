@@ -1,4 +1,5 @@
-// The charts of a report as HTML: drawings whose points can be pointed at, and reached by keyboard.
+// The charts of a report as HTML: drawings whose points respond to the pointer and can be reached by
+// keyboard.
 #pragma once
 
 #include <string>

@@ -23,7 +23,7 @@ std::string with_minus(const std::string& text) {
   return result;
 }
 
-// Terms and what they are, under one heading. Absent figures are not added.
+// Terms and their definitions, under one heading. Absent figures are not added.
 class Group {
  public:
   explicit Group(std::string title) : title_(std::move(title)) {}

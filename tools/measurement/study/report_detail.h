@@ -1,4 +1,4 @@
-// Everything the report says of one record, or of a mean, beside its headline figures.
+// All details of one record, or of a mean, beyond its headline figures.
 #pragma once
 
 #include <string>

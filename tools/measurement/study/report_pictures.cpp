@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// What a painted picture of visibility holds, by pixel.
+// The data of a picture of visibility, by pixel.
 struct Planes {
   Picture visibility;  // in 255ths; 0 where there is none
   Picture receivers;   // 255 where there is one

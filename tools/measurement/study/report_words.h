@@ -1,4 +1,4 @@
-// What the figures of a report mean, in words: the sections a reader looks things up in.
+// Definitions of the report's figures: its reference sections.
 #pragma once
 
 #include <string>

@@ -42,7 +42,7 @@ std::string provenance(const Results& results) {
   return text;
 }
 
-// What stands behind a light's means.
+// The sample behind a light's means.
 std::string sample_text(const Results& results, double light) {
   const LightSample sample = sample_of(results, light);
   return fmt::format("{} light, {} scene{}, {} penumbra pixels, at least {} per scene:\n\n",
@@ -146,7 +146,7 @@ double middle_light(const Results& results) {
   return lights[lights.size() / 2];
 }
 
-// "URP High: 0.31 ± 0.10 with 16 texture fetches per pixel (16 per pixel in penumbra)"; units stand once.
+// "URP High: 0.31 ± 0.10 with 16 texture fetches per pixel (16 per pixel in penumbra)"; units are given once.
 std::string line_block(const Results& results) {
   const double light = middle_light(results);
   std::string figures;

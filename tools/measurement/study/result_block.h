@@ -1,4 +1,4 @@
-// The result blocks of README and pages: what was run where, then a table per light.
+// The result blocks of README and pages: the run's settings, then a table per light.
 #pragma once
 
 #include <string>
@@ -25,8 +25,8 @@ struct BlockStyle {
 };
 
 // Markdown: means over scenes of errors, rates and fetches with their intervals. Techniques go by their
-// titles; the full form gives their names, too. No time stands in it: a software device's ranks nothing.
-// Throws InputError when none of the rows was measured.
+// titles; the full form gives their names, too. It contains no times, because those of a software device do
+// not rank techniques. Throws InputError when none of the rows was measured.
 std::string result_block(const Results& results, const BlockStyle& style);
 
 // The text with what stands between the two markers of the block's name replaced by the block; the rest is

@@ -1,8 +1,9 @@
-// results.json: what one run of `penumbra measure` found, one record per scene, technique, light and map; and
-// one entry of `frames` per scene and light, with what all records of it were measured on.
+// results.json: the results of one run of `penumbra measure`, one record per scene, technique, light and map;
+// and one entry of `frames` per scene and light, with the properties that its records share.
 //
-// Nothing in it depends on the day or the folder: the same run writes the same bytes, times apart. Times are
-// milliseconds per frame; on a software device they are CPU time, say so, and rank nothing.
+// Nothing in it depends on the date or the folder: the same run writes the same bytes, except for times.
+// Times are milliseconds per frame; on a software device they are CPU time, are labelled so, and rank
+// nothing.
 #pragma once
 
 #include <filesystem>
@@ -31,21 +32,21 @@ struct ReferenceNote {
   bool operator==(const ReferenceNote&) const = default;
 };
 
-// What one subject was measured at. Subjects run at their own recommended settings unless told otherwise.
+// The settings at which a subject was measured: its own recommended settings by default.
 struct RunSettings {
   double depth_bias = 1.0;  // URP's unitless settings, of the casters
   double normal_bias = 1.0;
   double constant_bias = 0.0;  // of the rasteriser, times the map format's smallest step
   double slope_bias = 0.0;     // of the rasteriser, times the depth's change from texel to texel
   parameters::SoftQuality soft_quality = parameters::SoftQuality::medium;  // by which URP scales both
-  double light_scale = 1.0;    // the diameter that the subject was told, over the light's
+  double light_scale = 1.0;    // the diameter that the subject is given, divided by the light's
   std::vector<double> splits;  // fractions of the shadow distance where all cascades but the last end
   bool reversed_z = true;
 
   bool operator==(const RunSettings&) const = default;
 };
 
-// What every subject saw of one scene under one light.
+// The properties of one scene under one light that all subjects share.
 struct MeasuredFrame {
   std::string scene;
   double light_degrees = 0.0;
@@ -66,7 +67,7 @@ struct PackageNote {
   bool operator==(const PackageNote&) const = default;
 };
 
-// What one pass of a technique reads and writes in a frame.
+// The texture reads and writes of one pass of a technique in a frame.
 struct PassRecord {
   std::string pass;
   std::string runs;                // frame, cascade or bake
@@ -77,7 +78,7 @@ struct PassRecord {
   bool operator==(const PassRecord&) const = default;
 };
 
-// What the pixels that read one cascade show; each figure as in Metrics.
+// The figures of the pixels that read one cascade, as in Metrics.
 struct CascadeRecord {
   std::size_t pixels = 0;
   std::size_t penumbra_pixels = 0;
@@ -138,7 +139,8 @@ bool has_invalid_values(const Results& results);
 // "CPU time" or "GPU time".
 std::string_view time_kind(const Results& results);
 
-// What the record was measured on. Throws std::invalid_argument when there is none: no file is read so.
+// The frame of the record. Throws std::invalid_argument if there is none, which cannot happen for a file that
+// was read.
 const MeasuredFrame& frame_of(const Results& results, const Record& record);
 
 std::string to_json(const Results& results);

@@ -169,7 +169,7 @@ class LineWriter {
  private:
   static constexpr std::size_t kLineEnd = 110;
 
-  // Names come from files and devices: a byte that is no UTF-8 becomes U+FFFD instead of an exception.
+  // Names come from files and devices: an invalid UTF-8 byte becomes U+FFFD instead of an exception.
   static std::string leaf(const Json& json) {
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
   }

@@ -1,13 +1,14 @@
-// What a technique or adapter is called where there is little room: in captions, charts, tables and chips.
+// Short titles of techniques and adapters, where there is little room: in captions, charts, tables and
+// buttons.
 #pragma once
 
 #include <string>
 
 namespace penumbra::study {
 
-// The title without what it says in detail: of a quality preset, the passes it consists of, and whose it is
-// ("Penumbra High" of "Preset High: PCSS 12+24, masked"); of an adapter, its file ("mine" of "mine
-// (Mine.hlsl)"). Every other title stays whole. Without a title: the name.
+// The title without its details: for a quality preset, without its passes ("Penumbra High" for "Preset High:
+// PCSS 12+24, masked"); for an adapter, without its file ("mine" for "mine (Mine.hlsl)"). Every other title
+// is unchanged. Without a title: the name.
 std::string short_title(const std::string& name, const std::string& title);
 
 }  // namespace penumbra::study

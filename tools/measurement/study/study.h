@@ -2,8 +2,9 @@
 // tracing on the same frame.
 //
 // Per scene and light: the frame is rasterised once per bias and diameter that subjects ask for; T1 is
-// ray-traced once, T2 estimated once per bias, both kept on disk; every subject is resolved for each noise
-// seed, counted and timed; T3 is the subject with unlimited samples, kept on disk too. Nothing here prints.
+// ray-traced once, T2 estimated once per bias, both cached on disk; every subject is resolved for each noise
+// seed, counted and timed; T3 is the subject with unlimited samples, cached on disk, too. Nothing here
+// prints.
 #pragma once
 
 #include <cstdint>
@@ -34,11 +35,11 @@ struct Subject {
   std::map<std::string, std::vector<double>> parameters;
   std::vector<techniques::CascadeRule> cascades{};  // of the technique
   resolve::ShadowGraph graph;
-  parameters::CasterBias bias{};                    // that its casters are drawn with
-  double light_scale = 1.0;                         // the diameter that it is told, over the light's
+  parameters::CasterBias bias{};                    // with which its casters are drawn
+  double light_scale = 1.0;                         // the diameter that it is given, divided by the light's
   std::optional<resolve::ShadowGraph> unlimited{};  // absent: the subject takes no samples and is its own T3
-  // Frames, each with noise of its own, whose mean counts as the subject's one answer: what an antialiasing
-  // over time comes to where nothing moves. 1: every noise seed is an answer.
+  // The number of frames with different noise whose mean is the subject's result: what temporal antialiasing
+  // converges to in a static scene. 1: every noise seed is a separate result.
   int averaged_frames = 1;
 };
 
@@ -46,7 +47,7 @@ Subject technique_subject(const techniques::TechniqueList& list, const technique
                           bool reversed_z);
 Subject adapter_subject(const resolve::Adapter& adapter, bool reversed_z);
 
-// What one subject answered in one frame, as numbers. Valid during the call that hands it over.
+// The result of one subject in one frame. Valid during the callback.
 struct SubjectAnswer {
   const scene::Scene& scene;
   const scene::Frame& frame;
@@ -60,9 +61,9 @@ struct StudySettings {
   std::vector<double> light_degrees;
   // The light, the shadow distance and the casters' bias are set per scene, light and subject.
   scene::FrameSettings frame;
-  // Of each scene and light, T1 should have at least so many; the picture grows from frame.width x
+  // The minimum number of penumbra pixels in T1 of each scene and light; the picture grows from frame.width x
   // frame.height, by steps that about double its area up to sixteen times each way and 3840 x 2160, until it
-  // has. 0: the picture stays.
+  // has. 0: the picture's size is fixed.
   int penumbra_pixels = 0;
   int reference_samples = 1024;
   std::uint64_t seed = 1;
@@ -70,7 +71,7 @@ struct StudySettings {
   int timing_repeats = 5;
   bool split_error = true;  // T2 and T3
   int pan_frames = 0;       // of a slow pan, for shimmer; below 2: none
-  // The part of the picture that figures are of; shimmer, and the pictures, are of all of it. Absent: all.
+  // The part of the picture that is measured; shimmer, and the pictures, cover all of it. Absent: all.
   std::optional<PictureWindow> window;
   // Passes of PenumbraDebugViews.shader to draw of every subject that runs over the screen.
   std::vector<std::string> debug_views{};
@@ -91,11 +92,11 @@ struct StudyOutcome {
   std::vector<Record> records;
   std::vector<PictureRow> pictures;  // of every record
   std::vector<std::string>
-      notes;  // uniforms nobody provides, pictures with too little penumbra, and the like
+      notes;  // uniforms that are not provided, pictures with too little penumbra, and similar
 };
 
 // Throws InputError for shaders that do not compile and for a scene with a spot light, platform::Interrupted
-// when the user stops; answers that were finished are kept either way.
+// if the user interrupts; finished results are cached in either case.
 StudyOutcome run_study(gpu::Device& device, const std::vector<Subject>& subjects,
                        const StudySettings& settings, const StudyProgress& progress);
 

@@ -24,7 +24,7 @@ struct Choice {
 
 // Means over scenes, each scene weighing the same, whatever its number of penumbra pixels, with 95 %
 // intervals over scenes and the pixels of each (study/interval.h). A mean over fewer scenes than the light
-// was measured on is not comparable: `complete` is false, and the line ranks nowhere.
+// was measured on is not comparable: `complete` is false, and the line is not ranked.
 struct SummaryLine {
   Choice choice;
   double light_degrees = 0.0;
@@ -39,7 +39,7 @@ struct SummaryLine {
   std::optional<double> time_ms{};                // median of a frame
 };
 
-// What the means of one light stand on.
+// The sample behind the means of one light.
 struct LightSample {
   std::size_t scenes = 0;                    // with a penumbra to measure
   std::size_t smallest_penumbra_pixels = 0;  // of those scenes
@@ -69,10 +69,9 @@ struct Headline {
   std::string detail;
 };
 
-// The lowest error, the cheapest way to come within 10 % of it, and the error of the cheapest technique of
-// all, each of the latter only where it is another technique than that of the lowest error: means over all
-// scenes and lights, costs in fetches (times on a software device rank nothing). Empty when no technique was
-// measured on every scene and light.
+// The lowest error, the cheapest technique within 10 % of it, and the error of the cheapest technique of all;
+// the latter two only if they are a different technique: means over all scenes and lights, costs in fetches
+// (times on a software device rank nothing). Empty when no technique was measured on every scene and light.
 std::vector<Headline> headlines(const Results& results);
 
 }  // namespace penumbra::study

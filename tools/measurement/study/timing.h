@@ -6,8 +6,7 @@
 
 namespace penumbra::study {
 
-// Milliseconds of one frame. The spread is the distance between the quartiles: one late interrupt of the
-// machine moves neither figure.
+// Milliseconds of one frame. The spread is the interquartile range: neither figure is sensitive to outliers.
 struct Timing {
   double median_ms = 0.0;
   double spread_ms = 0.0;
