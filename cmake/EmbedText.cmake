@@ -1,9 +1,9 @@
-# Text files of a program that runs from anywhere, as constants of it.
+# Embeds text files as constants, for a program that runs from any folder.
 #
 # penumbra_embed_text(TARGET CONSTANT NAMESPACE HEADER FILE...) compiles the files, one after the other, into the
-# target as the std::string_view CONSTANT of NAMESPACE, which HEADER declares. A change of a file builds it anew.
+# target as the std::string_view CONSTANT of NAMESPACE, which HEADER declares. A change of a file rebuilds it.
 #
-# Bytes are written one by one: a compiler may refuse long string literals (Microsoft's takes 16 kB).
+# Bytes are written one by one: a compiler may reject long string literals (Microsoft's takes 16 kB).
 if(CMAKE_SCRIPT_MODE_FILE)
   set(bytes "")
   string(REPLACE "|" ";" FILES "${FILES}")

@@ -1,7 +1,7 @@
 # penumbra_add_case_groups(NAME PROGRAM PROPERTIES...), called by ctest itself before the tests
 #
-# Asks a GoogleTest program for its cases and makes a test of each group that shares what takes longest to make, a
-# device and compiled pipelines: the cases of one suite, and of a suite with parameters those of one parameter. The
+# Lists the cases of a GoogleTest program and creates a test for each group that shares expensive fixtures, a device and
+# compiled pipelines: the cases of one suite, or of one parameter of a parameterised suite. The
 # tests are NAME.SUITE and NAME.SUITE/PARAMETER.
 function(penumbra_add_case_groups name program)
   if(NOT EXISTS "${program}")

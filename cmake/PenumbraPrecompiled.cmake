@@ -1,5 +1,5 @@
 # Headers that are parsed once for many sources, with PENUMBRA_PRECOMPILED_HEADERS; the release preset sets it. The
-# other presets build every source with its own includes alone, so that one that includes too little is found there.
+# other presets build every source with its own includes alone, so that a missing include is found there.
 # With ccache, set CCACHE_SLOPPINESS=pch_defines,time_macros, or nothing is cached.
 #
 # penumbra_precompiled(TARGET)        the standard library, one file for all rooms
@@ -17,7 +17,7 @@ function(penumbra_unoptimised_tests target)
   endif()
 endfunction()
 
-# The target that owns a file which others use.
+# The target that owns the precompiled header that others use.
 function(penumbra_precompiled_owner owner)
   set(source ${PROJECT_BINARY_DIR}/${owner}.cpp)
   file(CONFIGURE OUTPUT ${source} CONTENT "// CMake precompiles headers for targets with a source only.\n")

@@ -14,7 +14,7 @@ function(penumbra_warnings target)
       # GCC 12 reports overlapping copies inside std::string's operator+ that cannot happen (GCC bug 105651).
       target_compile_options(${target} PRIVATE -Wno-restrict)
       if(PENUMBRA_PRECOMPILED_HEADERS)
-        # Nor does it know a system header again that comes from a precompiled one, and reports what it inlines of it.
+        # It also does not recognise a system header in a precompiled one, and warns about code inlined from it.
         target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread)
       endif()
     endif()
@@ -29,7 +29,7 @@ endfunction()
 #
 # Declares the static library penumbra_NAME (alias penumbra::NAME) of one folder in tools/ or one of its groups.
 # USES lists the rooms it may include; tests/architecture checks them against the one-way order.
-# LIGHTLY_OPTIMISED where no run takes long in its code, which reads options and writes texts: it compiles faster.
+# LIGHTLY_OPTIMISED for code without influence on run time, such as options and output: it compiles faster.
 set(penumbra_include_directories
     ${PROJECT_SOURCE_DIR}/tools ${PROJECT_SOURCE_DIR}/tools/base ${PROJECT_SOURCE_DIR}/tools/programs
     ${PROJECT_SOURCE_DIR}/tools/checking ${PROJECT_SOURCE_DIR}/tools/measurement)
@@ -52,8 +52,8 @@ function(penumbra_room name)
   target_link_libraries(penumbra_${name} PUBLIC ${ROOM_PUBLIC_LIBRARIES} PRIVATE ${ROOM_PRIVATE_LIBRARIES})
 endfunction()
 
-# mimalloc in place of the C library's allocator, where it is at hand: compilers ask for small pieces of memory
-# without end. The sanitizers bring their own. On Windows the C library's stays.
+# mimalloc instead of the C library's allocator, if available: compilers make very many small allocations. Sanitizers
+# have their own. On Windows the C library's is used.
 function(penumbra_allocator target)
   if(WIN32 OR CMAKE_CXX_FLAGS MATCHES "-fsanitize=")
     return()
@@ -63,7 +63,7 @@ function(penumbra_allocator target)
     return()
   endif()
   if(NOT APPLE)
-    target_link_options(${target} PRIVATE LINKER:--no-as-needed)  # it is used by no name of its own
+    target_link_options(${target} PRIVATE LINKER:--no-as-needed)  # no symbol of it is referenced directly
   endif()
   target_link_libraries(${target} PRIVATE mimalloc)
 endfunction()
@@ -93,8 +93,8 @@ endfunction()
 # One GoogleTest program whose cases CTest lists one by one; with GROUPED in groups, for suites whose cases share a
 # device and pipelines that take longer to make than to use (PenumbraCaseGroups.cmake). OPTIMISED where the tests' own
 # loops would take longer without, SEPARATE where sources have names in common (PenumbraUnity.cmake). Tests of a higher
-# COST start first. There is no limit of time but CTest's own of 25 minutes, which only what hangs can reach: how long a
-# test takes says nothing of what it tests. Drivers keep what they compile in the build tree, so that tests share it.
+# COST start first. There is no time limit but CTest's own of 25 minutes, which only a hang reaches: the duration of a
+# test is not tested. Drivers cache compiled shaders in the build tree, so that tests share them.
 function(penumbra_test name)
   cmake_parse_arguments(TEST "GROUPED;OPTIMISED;SEPARATE" "COST" "SOURCES;LIBRARIES;LABELS" ${ARGN})
   if(PENUMBRA_FUZZ)

@@ -1,12 +1,12 @@
-# Writes OUTPUT, a C++ file that defines penumbra::platform's text of the commit SOURCE is at: empty outside of a git
-# checkout, "-dirty" behind it where what the program is made of was changed since. Left alone while it stays the same.
+# Writes OUTPUT, a C++ file that defines penumbra::platform's text of the commit of SOURCE: empty outside of a git
+# checkout, followed by "-dirty" if the program's sources were changed since. Not rewritten if it is unchanged.
 execute_process(COMMAND git -C ${SOURCE} rev-parse --show-toplevel
                 OUTPUT_VARIABLE top OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
 set(commit "")
 if(NOT failed)
   file(REAL_PATH "${top}" top)
   file(REAL_PATH "${SOURCE}" source)
-  if(top STREQUAL source)  # a tarball unpacked inside of somebody else's repository is not at that one's commit
+  if(top STREQUAL source)  # a tarball unpacked inside of another repository does not have that one's commit
     execute_process(COMMAND git -C ${SOURCE} rev-parse HEAD
                     OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
     execute_process(COMMAND git -C ${SOURCE} status --porcelain -- tools ShaderLibrary Shaders cmake CMakeLists.txt

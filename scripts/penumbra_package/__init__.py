@@ -1,1 +1,1 @@
-"""What scripts/package is made of: which files the package has, the rules they keep, and the forms it leaves in."""
+"""The parts of scripts/package: the files of the package, the rules that they follow, and the output formats."""

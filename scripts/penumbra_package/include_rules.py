@@ -1,4 +1,4 @@
-"""Every #include of a shader file leads to a file, in the case in which that is written.
+"""Every #include of a shader file resolves to a file, with its exact case.
 
 Paths are as Unity reads them: from the including file's folder, or "Packages/NAME/..." (Unity's manual, "include and
 include_with_pragmas directives in HLSL"). Files of another package are looked for where its folder is given.
@@ -26,13 +26,13 @@ def without_comments(text):
 
 
 def includes(text):
-    """What each #include names, as written, with the place."""
+    """The argument of each #include, as written, with its location."""
     for match in INCLUDE.finditer(without_comments(text)):
         yield match[1], match.start(1)
 
 
 def case_on_disk(root, path):
-    """The path as the disk has it below the root, or None where it has it in no case."""
+    """The path with the case that it has on disk below the root, or None if it does not exist in any case."""
     real = []
     for part in path.split("/"):
         folder = os.path.join(root, *real)

@@ -1,4 +1,4 @@
-"""Links and pictures of the pages that ship lead to what ships, so that they work where the package is installed."""
+"""Links and pictures of shipped pages refer to shipped files, so that they work in the installed package."""
 import posixpath
 import re
 from urllib.parse import unquote
@@ -11,7 +11,7 @@ OF_THE_WEB = re.compile(r"[A-Za-z][A-Za-z0-9+.-]*:|#")
 
 
 def targets(package, page):
-    """What the page's links and pictures lead to below the package's root: as written, the path, the place."""
+    """The targets of the page's links and pictures below the package's root: as written, the path, the location."""
     text = package.text(page)
     prose = CODE.sub(lambda match: re.sub(r"[^\n]", " ", match[0]), text)
     for match in LINK.finditer(prose):

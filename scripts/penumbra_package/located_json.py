@@ -1,4 +1,4 @@
-"""JSON whose values know their line and column, so that a rule can say where a file breaks it."""
+"""JSON values with line and column, so that a rule can report where a file violates it."""
 import json
 from json.decoder import WHITESPACE, scanstring
 
@@ -27,7 +27,7 @@ class Document:
             raise Malformed(Problem(path, "is JSON nested too deeply to read")) from error
 
     def problem(self, place, message):
-        """At the place, or where that is missing at what should hold it."""
+        """At the location, or at its container if it is missing."""
         while place not in self.offsets:
             place = place[:-1]
         return at_offset(self.path, self.text, self.offsets[place], message)

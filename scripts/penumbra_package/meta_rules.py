@@ -1,4 +1,4 @@
-"""A .meta for every visible path, a path for every .meta, and each GUID the one that its path gives."""
+"""A .meta for every visible path, a path for every .meta, and each GUID the one derived from its path."""
 import re
 
 from .metas import guid, importer, wants_meta
@@ -34,7 +34,7 @@ def importer_problem(package, meta, text):
 
 def is_below_samples(path):
     """Samples are copied into the user's project with their .meta files, so that assets of a sample can refer to
-    each other; nobody reads one below any other hidden folder."""
+    each other; no .meta file is read below other hidden folders."""
     return path.startswith("Samples~/")
 
 
@@ -47,7 +47,7 @@ def check(package):
         if meta[:-5] not in package.files | package.folders:
             yield Problem(meta, f"belongs to {meta[:-5]}, which is not in the package: remove it, or bring that back")
         elif not is_visible(meta) and not is_below_samples(meta):
-            yield Problem(meta, "lies where Unity reads none: remove it")
+            yield Problem(meta, "is in a folder where Unity reads no .meta files: remove it")
         else:
             text = package.text(meta)
             found = (guid_problem(package, meta, text, owners), importer_problem(package, meta, text))

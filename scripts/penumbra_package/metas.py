@@ -1,4 +1,4 @@
-"""The .meta file that Unity wants beside every visible path, made rather than drawn, so that it is the same for ever.
+"""The .meta file that Unity requires beside every visible path, with a GUID that is derived from the path.
 
 The GUID is the MD5 of the package's name and the path: whoever refers to an asset of the package finds it again in
 every version, as long as its path stays.

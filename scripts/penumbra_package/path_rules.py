@@ -1,4 +1,4 @@
-"""Files that every system can hold, that npm packs as it is told to, and that Unity takes for what they are."""
+"""File names that are valid on every system, that npm packs as configured, and that Unity imports as intended."""
 import posixpath
 import re
 
@@ -9,7 +9,7 @@ from .problem import Problem
 NATIVE = {".c", ".cc", ".cpp", ".cxx", ".h", ".hh", ".hpp", ".hxx", ".java", ".jslib", ".jspre", ".kt", ".m", ".mm",
           ".swift"}
 CHANGES_WHITELIST = (".gitignore", ".npmignore")
-# What Windows refuses in a name, and what none should need.
+# Characters that Windows rejects in a name, and others that no name should need.
 UNUSABLE = re.compile(r'[<>:"|?*\\\x00-\x1f\x7f]|[. ](/|$)|[^\x00-\x7f]')
 
 

@@ -1,4 +1,4 @@
-"""What only the repository can be asked: that all of the package ships, nothing else does, and its versions agree."""
+"""Rules that need the repository: all of the package ships, nothing else does, and its versions agree."""
 import re
 
 from .package import files_below

@@ -10,11 +10,11 @@ import re
 from .package import Package, files_below
 from .problem import Stop
 
-# What npm packs whatever `files` says, and what it leaves out wherever it lies (npm's manual, "package.json", files).
+# Files that npm packs whatever `files` says, and files that it always omits (npm's manual, "package.json", files).
 ALWAYS = re.compile(r"package\.json|(README|LICEN[CS]E)(\.[^/]*)?", re.IGNORECASE)
 NEVER = re.compile(r"(^|/)(\..*\.swp|\._[^/]*|\.DS_Store|\.npmrc|[^/]*\.orig|npm-debug\.log|(CVS|\.svn|\.hg)/.*)$")
 
-# The repository's README speaks to everybody who builds, measures or installs; the package's to who has installed it.
+# The repository's README is for everybody who builds, measures or installs; the package's for its users.
 SOURCES = {"README.md": "scripts/package-readme.md"}
 
 FORM = re.compile(r"!?(?:[\w~-][\w~. -]*/[\w~.* /-]*|[\w~*][\w~.* -]*)")

@@ -106,7 +106,7 @@ class Metas(UnpackedTarball):
 
     def test_hidden_folders_have_none(self):
         self.write("Documentation~/bias.md.meta", "")
-        self.assert_problems("Documentation~/bias.md.meta: lies where Unity reads none: remove it")
+        self.assert_problems("Documentation~/bias.md.meta: is in a folder where Unity reads no .meta files: remove it")
 
     def test_samples_may_have_them(self):
         self.add_sample("Made", "Made.cs", "class Made {}\n")
