@@ -4,11 +4,12 @@
 #include <filesystem>
 #include <functional>
 #include <system_error>
-#include <utility>
+#include <vector>
 
 #include "cli/subcommand.h"
 #include "input/input_error.h"
 #include "shaders/package_shader.h"
+#include "techniques/graph_emit.h"
 #include "techniques/look_emit.h"
 #include "techniques/option_emit.h"
 #include "techniques/packing_cases.h"
@@ -60,38 +61,63 @@ const std::array<EmittedFile, 8>& emitted_files() {
   return files;
 }
 
-// All folders are created before the first file is written.
-void write_parameters(const fs::path& package, const techniques::TechniqueList& list) {
-  std::vector<std::pair<fs::path, std::string>> texts;
-  for (const techniques::ParameterStruct& parameters : list.structs)
-    for (const techniques::EmittedFile& emitted :
-         std::array{techniques::emit_hlsl(parameters), techniques::emit_csharp(parameters)})
-      texts.emplace_back(package / emitted.file, emitted.text);
-  for (const auto& [file, text] : texts) {
-    std::error_code error;
-    fs::create_directories(file.parent_path(), error);
-    if (error) throw InputError(file.parent_path().string(), "the folder cannot be made: " + error.message());
+// Several, in a folder of a package.
+struct EmittedFolder {
+  const char* option;
+  std::string EmittedFiles::*folder;
+  const char* description;
+  std::function<std::vector<techniques::EmittedFile>(const techniques::TechniqueList&)> files;
+};
+
+std::vector<techniques::EmittedFile> parameters(const techniques::TechniqueList& list) {
+  std::vector<techniques::EmittedFile> files;
+  for (const techniques::ParameterStruct& one : list.structs) {
+    files.push_back(techniques::emit_hlsl(one));
+    files.push_back(techniques::emit_csharp(one));
   }
-  for (const auto& [file, text] : texts) write_output(file.string(), text);
+  return files;
+}
+
+const std::array<EmittedFolder, 2>& emitted_folders() {
+  static const std::array<EmittedFolder, 2> folders{
+      {{"--emit-parameters", &EmittedFiles::parameters,
+        "Every parameter struct as HLSL beside its manifest and as C# in Runtime/Parameters, in this folder "
+        "of "
+        "a package",
+        parameters},
+       {"--emit-graphs", &EmittedFiles::graphs,
+        "Every manifest's graphs of passes as C# in Runtime/Techniques, in this folder of a package",
+        techniques::emit_graphs_csharp}}};
+  return folders;
+}
+
+// All folders are created before the first file is written.
+void write_folder(const fs::path& package, const std::vector<techniques::EmittedFile>& files) {
+  for (const techniques::EmittedFile& emitted : files) {
+    const fs::path folder = (package / emitted.file).parent_path();
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) throw InputError(folder.string(), "the folder cannot be made: " + error.message());
+  }
+  for (const techniques::EmittedFile& emitted : files)
+    write_output((package / emitted.file).string(), emitted.text);
 }
 
 }  // namespace
 
 bool EmittedFiles::any() const {
-  bool asked = !parameters.empty();
+  bool asked = false;
+  for (const EmittedFolder& emitted : emitted_folders()) asked = asked || !(this->*emitted.folder).empty();
   for (const EmittedFile& emitted : emitted_files()) asked = asked || !(this->*emitted.file).empty();
   return asked;
 }
 
 void add_emitted_options(CLI::App& command, EmittedFiles& files) {
-  command
-      .add_option(
-          "--emit-parameters", files.parameters,
-          "Every parameter struct as HLSL beside its manifest and as C# in Runtime/Parameters, in this "
-          "folder of a package")
-      ->type_name("FOLDER")
-      ->default_str("none")
-      ->group(kGroup);
+  for (const EmittedFolder& emitted : emitted_folders())
+    command.add_option(emitted.option, files.*emitted.folder, emitted.description)
+        ->type_name("FOLDER")
+        ->default_str("none")
+        ->group(kGroup);
   for (const EmittedFile& emitted : emitted_files())
     command.add_option(emitted.option, files.*emitted.file, emitted.description)
         ->type_name("FILE")
@@ -100,12 +126,14 @@ void add_emitted_options(CLI::App& command, EmittedFiles& files) {
 }
 
 void check_emitted(const EmittedFiles& files) {
-  if (!files.parameters.empty()) check_output_folder(files.parameters);
+  for (const EmittedFolder& emitted : emitted_folders())
+    if (!(files.*emitted.folder).empty()) check_output_folder(files.*emitted.folder);
   for (const EmittedFile& emitted : emitted_files()) check_output_file(files.*emitted.file);
 }
 
 void write_emitted(const EmittedFiles& files, const techniques::TechniqueList& list) {
-  if (!files.parameters.empty()) write_parameters(files.parameters, list);
+  for (const EmittedFolder& emitted : emitted_folders())
+    if (!(files.*emitted.folder).empty()) write_folder(files.*emitted.folder, emitted.files(list));
   for (const EmittedFile& emitted : emitted_files())
     if (!(files.*emitted.file).empty()) write_output(files.*emitted.file, emitted.text(list));
 }

@@ -8,9 +8,10 @@
 
 namespace penumbra::cli {
 
-// Each is a file, - for standard output; empty: not requested.
+// Each is a file, - for standard output, except two folders; empty: not requested.
 struct EmittedFiles {
   std::string parameters;  // a folder
+  std::string graphs;      // a folder
   std::string presets;
   std::string looks;
   std::string keywords;

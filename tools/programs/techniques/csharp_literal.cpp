@@ -1,6 +1,7 @@
 #include "techniques/csharp_literal.h"
 
 #include <array>
+#include <cctype>
 #include <charconv>
 
 namespace penumbra::techniques {
@@ -20,6 +21,18 @@ std::string csharp_text(const std::string& text) {
     quoted += character;
   }
   return quoted + "\"";
+}
+
+std::string csharp_name(const std::string& name) {
+  std::string text;
+  bool begins = true;
+  for (const unsigned char character : name) {
+    const bool belongs = std::isalnum(character) != 0;
+    if (belongs && text.empty() && std::isdigit(character) != 0) text = "Of";
+    if (belongs) text += static_cast<char>(begins ? std::toupper(character) : character);
+    begins = !belongs;
+  }
+  return text;
 }
 
 }  // namespace penumbra::techniques

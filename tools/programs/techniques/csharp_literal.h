@@ -11,4 +11,7 @@ std::string csharp_float(double value);
 // In quotes, with what C# reads otherwise escaped; for texts on one line.
 std::string csharp_text(const std::string& text);
 
+// What C# calls something of a manifest: crisp-noon is CrispNoon, 3-taps is Of3Taps.
+std::string csharp_name(const std::string& name);
+
 }  // namespace penumbra::techniques

@@ -1,7 +1,5 @@
 #include "techniques/look_emit.h"
 
-#include <cctype>
-
 #include "techniques/csharp_literal.h"
 
 namespace penumbra::techniques {
@@ -39,17 +37,6 @@ constexpr const char* look_table_end = R"(        };
     }
 }
 )";
-
-// crisp-noon: CrispNoon.
-std::string csharp_name(const std::string& name) {
-  std::string text;
-  bool begins = true;
-  for (const char character : name) {
-    if (character != '-') text += static_cast<char>(begins ? std::toupper(character) : character);
-    begins = character == '-';
-  }
-  return text;
-}
 
 std::string enum_value(const Look& look) {
   return "        /// <summary>" + look.doc + "</summary>\n        [InspectorName(" +

@@ -2,16 +2,10 @@
 // hold the struct and the same packing (parameter_packing.h).
 #pragma once
 
-#include <string>
-
+#include "techniques/emitted_file.h"
 #include "techniques/parameter_struct.h"
 
 namespace penumbra::techniques {
-
-struct EmittedFile {
-  std::string file;  // relative to the package's folder
-  std::string text;
-};
 
 EmittedFile emit_hlsl(const ParameterStruct& parameters);
 EmittedFile emit_csharp(const ParameterStruct& parameters);

@@ -58,6 +58,14 @@ struct Technique {
   bool is_sampled() const;                        // has unlimited values, in some cascade at least
 };
 
+// A graph of a manifest by its own name, whether a technique of the list has it or not.
+struct NamedGraph {
+  std::string name;
+  std::string manifest;  // relative to the list's package where it lies in it
+  std::string where;     // file:line:column of its name
+  PassGraph graph;       // nothing is wrong with it; in running order
+};
+
 // How a light looks, whatever technique draws its shadows: an artist's choice beside the quality presets.
 struct Look {
   std::string name;                       // for example crisp-noon
@@ -71,6 +79,7 @@ struct TechniqueList {
   std::filesystem::path package;  // its folder; files that lie in it are named relative to it
   std::vector<ParameterStruct> structs;
   std::vector<Technique> techniques;
+  std::vector<NamedGraph> graphs;  // all but those that are parts of others
   std::vector<Look> looks;
   std::vector<FeatureOption> options;  // in the order in which inspectors show them
   std::vector<Selection> selections;

@@ -1,6 +1,7 @@
 // The techniques of a manifest (manifest_reader.h).
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "hlsl/identifier.h"
@@ -28,6 +29,16 @@ TechniqueBias read_bias(JsonObject object) {
   require_known(object, "soft_quality", "soft quality", bias.soft_quality, soft_qualities);
   object.finish();
   return bias;
+}
+
+// In running order. A problem of the graph as a whole is reported at the key.
+PassGraph checked(const JsonObject& object, const std::string& key, PassGraph graph) {
+  if (const std::optional<GraphProblem> problem = graph_problem(graph)) {
+    if (problem->where.empty()) object.fail(key, problem->text, problem->way_out);
+    throw InputError(problem->where, problem->text, problem->way_out);
+  }
+  graph.passes = *in_running_order(graph);
+  return graph;
 }
 
 // Entries over the defaults of their manifest: what an entry leaves out is theirs.
@@ -100,12 +111,7 @@ class TechniqueReader {
       require_known(from, key, "graph", name, known);
       graph = graphs_.at(name);
     }
-    if (const std::optional<GraphProblem> problem = graph_problem(graph)) {
-      if (problem->where.empty()) from.fail(key, problem->text, problem->way_out);
-      throw InputError(problem->where, problem->text, problem->way_out);
-    }
-    graph.passes = *in_running_order(graph);
-    return graph;
+    return checked(from, key, std::move(graph));
   }
 
   CascadeRule read_rule(JsonObject& object, const Technique& technique) {
@@ -237,18 +243,38 @@ class TechniqueReader {
   JsonObject shared_values_;
 };
 
-}  // namespace
-
-void add_techniques(const Manifest& manifest, TechniqueList& list) {
-  JsonObject root(manifest.document);
-  for (const char* key : {"order", "structs", "options", "defaults"}) root.has(key);  // read elsewhere
-  const ManifestFiles files(manifest.file, list.package);
+std::map<std::string, PassGraph> read_graphs(JsonObject& root, const TechniqueList& list,
+                                             const ManifestFiles& files) {
   std::map<std::string, PassGraph> graphs;
   for (JsonObject& object : root.objects("graphs")) {
     const std::string name = required_text(object, "name");
     if (!graphs.emplace(name, read_graph(object, list, files, graphs)).second)
       object.fail("name", "there are two graphs '" + name + "'");
   }
+  return graphs;
+}
+
+// Graphs that are parts of others may be incomplete; all others are checked.
+void add_graphs(JsonObject& root, const std::map<std::string, PassGraph>& graphs, const std::string& manifest,
+                TechniqueList& list) {
+  std::set<std::string> parts;
+  for (JsonObject& object : root.objects("graphs"))
+    for (const std::string& part : object.texts("parts")) parts.insert(part);
+  for (JsonObject& object : root.objects("graphs")) {
+    const std::string name = required_text(object, "name");
+    if (!parts.contains(name))
+      list.graphs.push_back({name, manifest, object.where("name"), checked(object, "name", graphs.at(name))});
+  }
+}
+
+}  // namespace
+
+void add_techniques(const Manifest& manifest, TechniqueList& list) {
+  JsonObject root(manifest.document);
+  for (const char* key : {"order", "structs", "options", "defaults"}) root.has(key);  // read elsewhere
+  const ManifestFiles files(manifest.file, list.package);
+  std::map<std::string, PassGraph> graphs = read_graphs(root, list, files);
+  add_graphs(root, graphs, files.named(manifest.file), list);
   TechniqueReader reader(manifest, list, std::move(graphs));
   std::size_t index = 0;
   for (JsonObject& object : root.objects("techniques")) {

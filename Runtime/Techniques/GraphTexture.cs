@@ -1,0 +1,57 @@
+using UnityEngine.Experimental.Rendering;
+
+namespace Penumbra
+{
+    /// <summary>What a texture of a graph is as large as, before its divisor.</summary>
+    internal enum GraphExtent
+    {
+        /// <summary>The camera's target, with a slice for each eye where two are drawn at once.</summary>
+        Screen,
+
+        /// <summary>The main light's shadow map, all cascades; the same for both eyes.</summary>
+        Map,
+
+        /// <summary>A cascade's tile of the map, a layer for each cascade.</summary>
+        Tile,
+
+        /// <summary>A size of its own.</summary>
+        Fixed,
+    }
+
+    /// <summary>A texture of a graph, as its manifest declares it: see Documentation~/add-technique.md.</summary>
+    internal readonly struct GraphTexture
+    {
+        internal readonly string name;
+        internal readonly GraphExtent extent;
+        internal readonly GraphicsFormat format;
+
+        /// <summary>Texels of the extent per texel, along each axis.</summary>
+        internal readonly int divisor;
+
+        /// <summary>Of a fixed extent; a depth above 1 is a 3D texture.</summary>
+        internal readonly int width;
+        internal readonly int height;
+        internal readonly int depth;
+
+        /// <summary>Levels; 0: down to one texel.</summary>
+        internal readonly int mips;
+
+        internal readonly int layers;
+        internal readonly int samples;
+
+        internal GraphTexture(string name, GraphExtent extent, GraphicsFormat format, int divisor = 1, int width = 0,
+                              int height = 0, int depth = 1, int mips = 1, int layers = 1, int samples = 1)
+        {
+            this.name = name;
+            this.extent = extent;
+            this.format = format;
+            this.divisor = divisor;
+            this.width = width;
+            this.height = height;
+            this.depth = depth;
+            this.mips = mips;
+            this.layers = layers;
+            this.samples = samples;
+        }
+    }
+}

@@ -1,0 +1,103 @@
+// Graphs as C#: what is checked in is what the manifests say, and names that C# cannot have are refused.
+#include "techniques/graph_emit.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "input/input_error.h"
+#include "shaders/shader_files.h"
+
+namespace penumbra::techniques {
+namespace {
+
+namespace fs = std::filesystem;
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+void expect_checked_in(const fs::path& folder, const fs::path& list, const std::string& way_out) {
+  const std::vector<EmittedFile> files = emit_graphs_csharp(read_technique_list(list));
+  ASSERT_EQ(files.size(), 1U);
+  EXPECT_EQ(text_of(folder / files[0].file), files[0].text) << "write it anew: " << way_out;
+}
+
+TEST(GraphEmit, TheLibrarysGraphsAreCheckedIn) {
+  expect_checked_in(PENUMBRA_SOURCE_DIR, PENUMBRA_SOURCE_DIR, "penumbra validate --emit-graphs .");
+}
+
+TEST(GraphEmit, TheAddedTechniquesGraphsAreCheckedIn) {
+  const fs::path added = fs::path(PENUMBRA_SOURCE_DIR) / "tests/techniques/added";
+  for (const char* name : {"Means", "Blocks"})
+    expect_checked_in(added, added / (std::string(name) + ".technique.json"),
+                      "cd tests/techniques/added && penumbra validate --technique-list " + std::string(name) +
+                          ".technique.json --emit-graphs .");
+}
+
+class GraphEmitTest : public testing::Test {
+ protected:
+  GraphEmitTest() { files_.write("T.shader", "// here\n"); }
+
+  static std::string graph(const std::string& name, const std::string& texture = "\"format\": \"r8\"") {
+    return R"({"name": ")" + name + R"(", "textures": [{"name": "visibility", )" + texture + R"(}],
+      "passes": [{"name": "Draw", "kind": "raster", "shader": "T.shader", "writes": ["visibility"]}],
+      "visibility": "visibility"})";
+  }
+
+  std::string emitted(const std::string& graphs) const {
+    const fs::path manifest =
+        files_.write("lit-up.technique.json", "{\"graphs\": [" + graphs + R"(], "techniques": [
+      {"name": "t", "title": "T", "family": "t", "source": "s", "graph": "first"}]})");
+    return emit_graphs_csharp(read_technique_list(manifest)).at(0).text;
+  }
+
+  std::string problem(const std::string& graphs) const {
+    try {
+      (void)emitted(graphs);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  shaders::ShaderFiles files_;
+};
+
+TEST_F(GraphEmitTest, NamesAreCSharps) {
+  EXPECT_THAT(emitted(graph("first") + "," + graph("2x-second graph")),
+              AllOf(HasSubstr("static class LitUpGraphs"), HasSubstr("TechniqueGraph First ="),
+                    HasSubstr("TechniqueGraph Of2xSecondGraph =")));
+}
+
+TEST_F(GraphEmitTest, NamesThatCSharpCannotHaveAreRefused) {
+  EXPECT_THAT(
+      problem(graph("first") + "," + graph("First")),
+      AllOf(HasSubstr("lit-up.technique.json:3:"), HasSubstr("'first' and 'First' are both First in C#")));
+  EXPECT_THAT(problem(graph("first") + "," + graph("---")), HasSubstr("'---' is no name that C# can have"));
+}
+
+TEST_F(GraphEmitTest, APartIsNotWhole) {
+  const std::string part = R"({"name": "part", "textures": [{"name": "mask", "format": "r8"}],
+      "passes": [{"name": "Mask", "kind": "raster", "shader": "T.shader", "writes": ["mask"]}], "mask": "mask"})";
+  std::string whole = graph("first");
+  whole.insert(1, R"("parts": ["part"], )");
+  EXPECT_THAT(emitted(part + "," + whole), AllOf(HasSubstr("mask = 0"), HasSubstr("visibility = 1"),
+                                                 Not(HasSubstr("TechniqueGraph Part"))));
+}
+
+TEST_F(GraphEmitTest, AGraphThatNoTechniqueHasIsCheckedToo) {
+  EXPECT_THAT(problem(graph("first") + "," + graph("second", "\"format\": \"r8\", \"divisor\": 2")),
+              HasSubstr("the visibility has not one texel for each pixel of the screen"));
+}
+
+}  // namespace
+}  // namespace penumbra::techniques

@@ -1,0 +1,15 @@
+// The graphs of the manifests as the C# that the renderer feature runs them from: Runtime/Techniques, one
+// file for each manifest that has some, NAMEGraphs.cs.
+#pragma once
+
+#include <vector>
+
+#include "techniques/emitted_file.h"
+#include "techniques/technique_list.h"
+
+namespace penumbra::techniques {
+
+// Throws InputError where C# has one name for two graphs of a manifest.
+std::vector<EmittedFile> emit_graphs_csharp(const TechniqueList& list);
+
+}  // namespace penumbra::techniques
