@@ -107,7 +107,7 @@ TEST_F(BadInput, IncludeCycle) {
   const auto result = run({"validate", file.string(), "--entry", "Main", "--stage", "compute"});
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.output + result.errors,
-              AllOf(HasSubstr("a.hlsl"), HasSubstr("b.hlsl"), HasSubstr("the includes never end")));
+              AllOf(HasSubstr("a.hlsl"), HasSubstr("b.hlsl"), HasSubstr("includes nest too deeply")));
 }
 
 TEST_F(BadInput, UnreadableFolder) {

@@ -77,8 +77,8 @@ void check_array_sizes(TokenText& text, const EntryPoint& entry);
 // false, and nothing else may process the text.
 bool check_nesting(TokenText& text);
 
-// A struct that contains itself, or has so many members, including those of nested structs, that compilers run
-// out of time or memory: returns false, and nothing else may process the text.
+// A struct that contains itself, or has so many members, including those of nested structs, that compilers
+// run out of time or memory: returns false, and nothing else may process the text.
 bool check_struct_sizes(TokenText& text);
 
 // Members of a cbuffer whose packoffset() overlaps another's (FXC X4019), that straddle registers or are not
