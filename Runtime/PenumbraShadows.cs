@@ -16,6 +16,9 @@ namespace Penumbra
     {
         internal const string ShaderName = "Hidden/Penumbra/Shadows";
 
+        /// <summary>Path in the package of the shader of that name, as graphs have it.</summary>
+        internal const string ShaderFile = "Shaders/PenumbraShadows.shader";
+
 #if UNITY_EDITOR
         // Keeps the variants of URP's shaders that read the screen-space texture in the player.
         [UnityEditor.ShaderKeywordFilter.SelectIf(true, keywordNames: ShadowKeywords.ScreenName)]
@@ -54,6 +57,9 @@ namespace Penumbra
         /// <summary>Why the last camera was left to URP; None when it was not.</summary>
         internal SkipReason LastSkip { get; private set; }
 
+        /// <summary>With SkipReason.MissingPass: what is missing.</summary>
+        internal string MissingPass { get; private set; }
+
         /// <inheritdoc/>
         public override void Create()
         {
@@ -67,7 +73,7 @@ namespace Penumbra
             debugPass = debugPass ?? new ClassicDebugPass(shadowPass);
 #endif
             FindShaders();
-            passAssets.Give(ShadowPassList.All);
+            draw?.Dispose();
             LeftOpen.Watch(this);
         }
 
@@ -84,7 +90,12 @@ namespace Penumbra
                 LastSkip = SkipReason.UnsupportedDevice;
                 return;
             }
-            draw.Prepare(options);
+            MissingPass = draw.Prepare(options);
+            if (MissingPass != null)
+            {
+                LastSkip = SkipReason.MissingPass;
+                return;
+            }
             shadowPass.Setup(draw, UrpFrame.Frame(source, options, settings.noise));
 #if !UNITY_6000_0_OR_NEWER
             shadowPass.SetPath(UrpFrame.IsDeferred(renderer, renderingData.cameraData));
@@ -121,7 +132,7 @@ namespace Penumbra
         internal void FindShaders()
         {
 #if UNITY_EDITOR
-            bool changed = passAssets.Find(ShadowPassList.All);
+            bool changed = passAssets.Find(ChainGraphs.All);
             changed |= Find(ref shader, ShaderName);
             changed |= Find(ref debugShader, DebugViewDraw.ShaderName);
             if (changed) UnityEditor.EditorUtility.SetDirty(this);
@@ -140,7 +151,7 @@ namespace Penumbra
             if (material != null) return true;
             material = MaterialOf(ref shader, ShaderName);
             if (material == null) return false;
-            draw = new ChainDraw(material);
+            draw = new ChainDraw(material, passAssets);
             return true;
         }
 
@@ -165,12 +176,11 @@ namespace Penumbra
         protected override void Dispose(bool disposing)
         {
             LeftOpen.Forget(this);
-#if !UNITY_6000_0_OR_NEWER
             shadowPass?.Dispose();
-#endif
             shadowPass = null;
             restorePass = null;
             debugPass = null;
+            draw?.Dispose();
             draw = null;
             debugDraw = null;
             CoreUtils.Destroy(material);

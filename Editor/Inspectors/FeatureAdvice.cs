@@ -29,6 +29,9 @@ namespace Penumbra.Editor
 
         /// <summary>Why the last camera was left to URP.</summary>
         internal SkipReason lastSkip;
+
+        /// <summary>With SkipReason.MissingPass: what is missing.</summary>
+        internal string missingPass;
     }
 
     internal readonly struct Advice
@@ -54,6 +57,9 @@ namespace Penumbra.Editor
             if (!state.shaderFound)
                 Say(MessageType.Error, "The shader " + PenumbraShadows.ShaderName + " is missing or does not compile " +
                                        "for this platform. Reimport the package; URP draws its own shadows meanwhile.");
+            if (state.lastSkip == SkipReason.MissingPass)
+                Say(MessageType.Error, "A pass of the technique cannot run: " + state.missingPass + ". Reimport the " +
+                                       "package, or choose another technique; URP draws its own shadows meanwhile.");
             if (state.compatibilityMode)
                 Say(MessageType.Error, "The render graph is switched off (Project Settings > Graphics > Compatibility " +
                                        "Mode). Penumbra records with the render graph only on Unity 6: switch " +
@@ -103,6 +109,7 @@ namespace Penumbra.Editor
                 case SkipReason.SceneViewOff:
                 case SkipReason.ReflectionProbesOff:
                 case SkipReason.MissingShader:
+                case SkipReason.MissingPass:
                 case SkipReason.CompatibilityMode:
                     return null;
                 case SkipReason.SceneLightingOff:

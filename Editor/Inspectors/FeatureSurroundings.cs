@@ -16,6 +16,7 @@ namespace Penumbra.Editor
             state.shaderFound = IsFound(PenumbraShadows.ShaderName);
             state.debugShaderFound = IsFound(DebugViewDraw.ShaderName);
             state.lastSkip = feature.LastSkip;
+            state.missingPass = feature.MissingPass;
             state.compatibilityMode = UrpFrame.InCompatibilityMode();
             state.settings = feature.Settings;
             state.openGl = SystemInfo.graphicsDeviceType == GraphicsDeviceType.OpenGLCore ||

@@ -21,7 +21,7 @@ namespace Penumbra.Editor
             var programs = new ChainPrograms();
             foreach (PenumbraShadowsSettings feature in features)
                 foreach (ShadowOptions options in VolumeStacks.Over(feature.Options(), volumes))
-                    programs.Add(ShadowChain.Of(options, ShadowPassList.All));
+                    programs.Add(ShadowChain.Of(options));
             return programs;
         }
 
@@ -29,9 +29,10 @@ namespace Penumbra.Editor
         {
             foreach (ChainStep step in chain.Steps)
             {
-                if (step.recorder != null) continue;  // draws with what is its own, if it draws
-                if (!keywordsOf.TryGetValue(step.shaderPass, out List<IReadOnlyList<string>> sets))
-                    keywordsOf[step.shaderPass] = sets = new List<IReadOnlyList<string>>();
+                if (step.pass.asset != PenumbraShadows.ShaderFile) continue;
+                string pass = step.pass.program;
+                if (!keywordsOf.TryGetValue(pass, out List<IReadOnlyList<string>> sets))
+                    keywordsOf[pass] = sets = new List<IReadOnlyList<string>>();
                 if (!sets.Any(set => set.SequenceEqual(chain.Keywords))) sets.Add(chain.Keywords);
             }
         }

@@ -1,96 +1,77 @@
+using System;
 using System.Collections.Generic;
-using System.Linq;
 using UnityEngine;
 using UnityEngine.Rendering;
 
 namespace Penumbra
 {
     /// <summary>
-    /// Records a chain, its draws with one material: the same for both of URP's ways to record a frame. Allocates when
-    /// the chain changes, not while it draws.
+    /// Records a chain: the same for both of URP's ways to record a frame. Allocates for options that need a chain which
+    /// none before them did, not while it draws.
     /// </summary>
-    internal sealed class ChainDraw
+    internal sealed class ChainDraw : IDisposable
     {
         private readonly FrameUniforms uniforms = new FrameUniforms();
-        private readonly Material material;
-        private readonly IReadOnlyList<ShadowPass> available;
-        private readonly LocalKeyword[] keywords;
-        private readonly bool[] isOn;
-        private readonly List<int> shaderPasses = new List<int>();
-        private ShadowOptions chainOptions;
+        private readonly PassMaterials materials;
+        private readonly Dictionary<int, PreparedChain> chains = new Dictionary<int, PreparedChain>();
+        private PreparedChain current;
 
-        /// <summary>Its textures and draws; null before the first Prepare.</summary>
-        internal ShadowChain Chain { get; private set; }
+        /// <summary>Its textures and steps; null before the first Prepare.</summary>
+        internal ShadowChain Chain => current?.chain;
 
-        internal ChainDraw(Material material) : this(material, ShadowPassList.All, ChainKeywords.All) { }
-
-        internal ChainDraw(Material material, IReadOnlyList<ShadowPass> available, IReadOnlyList<string> declared)
+        internal ChainDraw(Material material, PassAssets assets)
         {
-            this.material = material;
-            this.available = available;
-            keywords = declared.Select(name => new LocalKeyword(material.shader, name)).ToArray();
-            isOn = new bool[keywords.Length];
+            materials = new PassMaterials(material, assets);
         }
 
-        /// <summary>Makes the chain for these options, if it is not the one there is.</summary>
-        internal void Prepare(in ShadowOptions options)
+        /// <summary>Chooses the chain of these options. Returns what it lacks to run; null: nothing.</summary>
+        internal string Prepare(in ShadowOptions options)
         {
-            if (Chain != null && chainOptions.Equals(options)) return;
-            Chain = ShadowChain.Of(options, available);
-            chainOptions = options;
-            shaderPasses.Clear();
-            foreach (ChainStep step in Chain.Steps)
-                shaderPasses.Add(step.recorder == null ? material.FindPass(step.shaderPass) : ShadowChain.None);
-            for (int i = 0; i < isOn.Length; ++i) isOn[i] = Chain.Keywords.Contains(keywords[i].name);
+            int key = ChainGraphs.Key(options);
+            if (!chains.TryGetValue(key, out current))
+                chains[key] = current = new PreparedChain(ShadowChain.Of(options), materials);
+            return current.problem;
         }
 
-        /// <summary>`slots` in the order of Chain.Slots.</summary>
-        internal void Draw(CommandBuffer commands, in ShadowFrame frame, RTHandle[] slots)
+        /// <summary>`slots` and `buffers` in the order of the chain's.</summary>
+        internal void Draw(CommandBuffer commands, in ShadowFrame frame, RTHandle[] slots, GraphicsBuffer[] buffers)
         {
             uniforms.Set(commands, frame);
-            SetKeywords(commands);
-            for (int i = 0; i < Chain.Passes.Count; ++i) Chain.Passes[i].SetUniforms(commands, frame);
+            for (int i = 0; i < current.assets.Length; ++i) current.assets[i].SetKeywords(commands);
+            if (frame.storeIsEmpty) ClearHistories(commands, slots);
             for (int i = 0; i < Chain.Steps.Count; ++i)
             {
-                Take(commands, frame, slots, i);
-                Publish(commands, slots, i);
+                var step = new StepDraw(current, i, slots, buffers);
+                step.Draw(commands, frame);
+                Publish(commands, frame, slots, i);
             }
         }
 
-        // By the command buffer, not on the material: another camera may want another technique before this one's
-        // commands have run.
-        private void SetKeywords(CommandBuffer commands)
+        private void ClearHistories(CommandBuffer commands, RTHandle[] slots)
         {
-            for (int i = 0; i < keywords.Length; ++i) commands.SetKeyword(material, keywords[i], isOn[i]);
+            for (int i = 0; i < Chain.Histories.Count; ++i)
+                CoreUtils.SetRenderTarget(commands, slots[Chain.Histories[i].before], RenderBufferLoadAction.DontCare,
+                                          RenderBufferStoreAction.Store, ClearFlag.Color, Color.clear);
         }
 
-        private void Take(CommandBuffer commands, in ShadowFrame frame, RTHandle[] slots, int index)
-        {
-            ChainStep step = Chain.Steps[index];
-            if (step.source != ShadowChain.None)
-            {
-                commands.SetGlobalTexture(FrameUniforms.SourceTexture, slots[step.source]);
-                commands.SetGlobalVector(FrameUniforms.SourceSize,
-                                         FrameUniforms.Size(frame, Chain.Slots[step.source]));
-            }
-            commands.SetGlobalVector(FrameUniforms.TargetSize,
-                                     FrameUniforms.Size(frame, Chain.Slots[step.target]));
-            if (step.recorder != null)
-            {
-                step.recorder.Record(commands, frame, slots[step.target], step.run);
-                return;
-            }
-            CoreUtils.SetRenderTarget(commands, slots[step.target], RenderBufferLoadAction.DontCare,
-                                      RenderBufferStoreAction.Store, ClearFlag.None, Color.clear);
-            commands.DrawProcedural(Matrix4x4.identity, material, shaderPasses[index], MeshTopology.Triangles, 3, 1,
-                                    null);
-        }
-
-        private void Publish(CommandBuffer commands, RTHandle[] slots, int step)
+        private void Publish(CommandBuffer commands, in ShadowFrame frame, RTHandle[] slots, int step)
         {
             for (int i = 0; i < Chain.Globals.Count; ++i)
-                if (Chain.Globals[i].afterStep == step)
-                    commands.SetGlobalTexture(Chain.Globals[i].property, slots[Chain.Globals[i].texture]);
+            {
+                if (Chain.Globals[i].afterStep != step) continue;
+                ChainBinding texture = Chain.Globals[i].texture;
+                commands.SetGlobalTexture(texture.property, slots[texture.index]);
+                commands.SetGlobalVector(texture.sizeProperty,
+                                         TextureSize.Drawn(Chain.Slots[texture.index], frame).Uniform);
+            }
+        }
+
+        /// <summary>Chains are made anew of the assets that there are then.</summary>
+        public void Dispose()
+        {
+            chains.Clear();
+            current = null;
+            materials.Dispose();
         }
     }
 }

@@ -2,20 +2,29 @@ using System.Collections.Generic;
 
 namespace Penumbra
 {
-    /// <summary>Keywords of Hidden/Penumbra/Shadows: the techniques' and the passes'.</summary>
+    /// <summary>Shader keywords of chains: the techniques' and the graphs'.</summary>
     internal static class ChainKeywords
     {
-        /// <summary>All that a pass of the shader may declare.</summary>
-        internal static readonly IReadOnlyList<string> All = Of(TechniqueTable.Keywords, ShadowPassList.All);
+        /// <summary>All that a program of a chain may declare.</summary>
+        internal static IReadOnlyList<string> All
+        {
+            get
+            {
+                List<string> all = Of(null, ChainGraphs.All);
+                foreach (string name in TechniqueTable.Keywords)
+                    if (name != null) all.Add(name);
+                return all;
+            }
+        }
 
-        /// <summary>The ones there are; null stands for none.</summary>
-        internal static List<string> Of(IEnumerable<string> techniques, IEnumerable<ShadowPass> passes)
+        /// <summary>Each once; a null is none.</summary>
+        internal static List<string> Of(string technique, IEnumerable<TechniqueGraph> graphs)
         {
             var keywords = new List<string>();
-            foreach (string name in techniques)
-                if (name != null) keywords.Add(name);
-            foreach (ShadowPass pass in passes)
-                if (pass.Keyword != null) keywords.Add(pass.Keyword);
+            if (technique != null) keywords.Add(technique);
+            foreach (TechniqueGraph graph in graphs)
+                foreach (string name in graph.keywords)
+                    if (!keywords.Contains(name)) keywords.Add(name);
             return keywords;
         }
     }

@@ -3,47 +3,76 @@ using UnityEngine.Experimental.Rendering;
 
 namespace Penumbra
 {
-    /// <summary>What a texture of a chain is as large as, before its divisor.</summary>
-    internal enum ChainExtent
-    {
-        /// <summary>The camera's target, with a slice for each eye where two are drawn at once.</summary>
-        Screen,
-
-        /// <summary>The main light's shadow map, all cascades; the same for both eyes.</summary>
-        ShadowMap,
-    }
-
     /// <summary>
-    /// A texture of a chain: one in `divisor` of its extent's pixels along each axis. Equal ones that are not alive
+    /// A texture of a chain: what a graph declares, and what its passes make of it. Equal ones that are not alive
     /// together share one.
     /// </summary>
     internal readonly struct ChainTexture : IEquatable<ChainTexture>
     {
-        internal readonly ChainExtent extent;
-        internal readonly int divisor;
+        internal readonly GraphExtent extent;
         internal readonly GraphicsFormat format;
+        internal readonly int divisor;
+        internal readonly int width;
+        internal readonly int height;
+        internal readonly int depth;
+        internal readonly int mips;
+        internal readonly int layers;
+        internal readonly int samples;
 
-        /// <summary>Compute shaders write it.</summary>
+        /// <summary>Kernels write it.</summary>
         internal readonly bool randomWrite;
 
-        internal ChainTexture(ChainExtent extent, int divisor, GraphicsFormat format, bool randomWrite = false)
+        /// <summary>Holds what it has from frame to frame.</summary>
+        internal readonly bool kept;
+
+        /// <summary>A mip level of such a texture alone; 0: the whole texture.</summary>
+        internal readonly int level;
+
+        internal ChainTexture(in GraphTexture texture, bool randomWrite, bool kept)
         {
-            this.extent = extent;
-            this.divisor = divisor;
-            this.format = format;
+            extent = texture.extent;
+            format = texture.format;
+            divisor = texture.divisor;
+            width = texture.width;
+            height = texture.height;
+            depth = texture.depth;
+            mips = texture.mips;
+            layers = texture.layers;
+            samples = texture.samples;
             this.randomWrite = randomWrite;
+            this.kept = kept;
+            level = 0;
+        }
+
+        private ChainTexture(in ChainTexture whole, int level)
+        {
+            this = whole;
+            mips = 1;
+            randomWrite = kept = false;
+            this.level = level;
         }
 
         /// <summary>One channel of 8 bits over the screen: visibility, or a mask.</summary>
         internal static ChainTexture OfScreen(int divisor) =>
-            new ChainTexture(ChainExtent.Screen, divisor, GraphicsFormat.R8_UNorm);
+            new ChainTexture(new GraphTexture("", GraphExtent.Screen, GraphicsFormat.R8_UNorm, divisor), false, false);
 
-        /// <summary>Size along one axis: rounded up, so that the last pixels of an odd extent have one too.</summary>
-        internal int Size(int extentSize) => Math.Max(1, (extentSize + divisor - 1) / divisor);
+        /// <summary>For a copy of one of its levels, from 0.</summary>
+        internal ChainTexture CopyOf(int ofLevel) => new ChainTexture(this, ofLevel);
 
-        public bool Equals(ChainTexture other) => extent == other.extent && divisor == other.divisor &&
-                                                  format == other.format && randomWrite == other.randomWrite;
+        /// <summary>
+        /// The pipeline does not lend such a texture for a frame: what is kept, and what has mip levels, which URP's
+        /// textures of the render graph have not.
+        /// </summary>
+        internal bool IsOwned => kept || mips != 1;
+
+        /// <summary>What is kept equals nothing, not even itself: nobody shares it.</summary>
+        public bool Equals(ChainTexture other) =>
+            !kept && !other.kept && extent == other.extent && format == other.format && divisor == other.divisor &&
+            width == other.width && height == other.height && depth == other.depth && mips == other.mips &&
+            layers == other.layers && samples == other.samples && randomWrite == other.randomWrite &&
+            level == other.level;
+
         public override bool Equals(object other) => other is ChainTexture texture && Equals(texture);
-        public override int GetHashCode() => ((int)format * 397) ^ (divisor << 2) ^ ((int)extent << 1);
+        public override int GetHashCode() => ((int)format * 397) ^ (divisor << 2) ^ (level << 8) ^ ((int)extent << 1);
     }
 }

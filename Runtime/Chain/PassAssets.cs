@@ -6,8 +6,8 @@ using Object = UnityEngine.Object;
 namespace Penumbra
 {
     /// <summary>
-    /// The shaders and compute shaders that passes bring, kept in the feature's asset: a player contains what an asset
-    /// refers to, and passes are no assets.
+    /// The shaders and compute shaders of passes beside the feature's own, kept in the feature's asset: a player
+    /// contains what an asset refers to, and graphs are no assets.
     /// </summary>
     [Serializable]
     internal sealed class PassAssets
@@ -20,42 +20,42 @@ namespace Penumbra
         [SerializeField] private List<Object> assets = new List<Object>();
 
         /// <summary>In the editor: looks for what is not there yet. True when something has been added.</summary>
-        internal bool Find(IReadOnlyList<ShadowPass> passes)
+        internal bool Find(IEnumerable<TechniqueGraph> graphs)
         {
             bool changed = false;
 #if UNITY_EDITOR
-            foreach (ShadowPass pass in passes)
-            {
-                if (pass.AssetPath == null || Of(pass) != null) continue;
-                var asset = UnityEditor.AssetDatabase.LoadAssetAtPath<Object>(Package + pass.AssetPath);
-                if (asset == null) continue;
-                int at = paths.IndexOf(pass.AssetPath);
-                if (at >= 0)
-                {
-                    assets[at] = asset;
-                }
-                else
-                {
-                    paths.Add(pass.AssetPath);
-                    assets.Add(asset);
-                }
-                changed = true;
-            }
+            foreach (TechniqueGraph graph in graphs)
+                foreach (GraphPass pass in graph.passes)
+                    changed |= pass.asset != PenumbraShadows.ShaderFile && Find(pass.asset);
 #endif
             return changed;
         }
 
-        /// <summary>Hands each pass its own; null where it is missing.</summary>
-        internal void Give(IReadOnlyList<ShadowPass> passes)
+        /// <summary>Null where it is missing.</summary>
+        internal Object Of(string path)
         {
-            foreach (ShadowPass pass in passes)
-                if (pass.AssetPath != null) pass.SetAsset(Of(pass));
-        }
-
-        private Object Of(ShadowPass pass)
-        {
-            int at = paths.IndexOf(pass.AssetPath);
+            int at = paths.IndexOf(path);
             return at >= 0 && at < assets.Count ? assets[at] : null;
         }
+
+#if UNITY_EDITOR
+        private bool Find(string path)
+        {
+            if (Of(path) != null) return false;
+            var asset = UnityEditor.AssetDatabase.LoadAssetAtPath<Object>(Package + path);
+            if (asset == null) return false;
+            int at = paths.IndexOf(path);
+            if (at >= 0)
+            {
+                assets[at] = asset;
+            }
+            else
+            {
+                paths.Add(path);
+                assets.Add(asset);
+            }
+            return true;
+        }
+#endif
     }
 }

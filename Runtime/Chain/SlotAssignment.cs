@@ -1,50 +1,44 @@
 using System.Collections.Generic;
+using System.Linq;
 
 namespace Penumbra
 {
+    /// <summary>The steps of a chain during which a texture holds something.</summary>
+    internal struct TextureUse
+    {
+        internal int firstWrite;
+        internal int lastUse;
+    }
+
     /// <summary>
-    /// Gives every texture of a chain a slot: equal textures that are not alive at the same time share it. The
-    /// last draw's, which is the result, has slot 0; what nobody reads any more by then may lie there before it.
+    /// Gives every texture of a chain a slot: equal textures that are not alive at the same time share it. The result
+    /// has slot 0; what nobody reads any more when that is written may lie there before it.
     /// </summary>
     internal static class SlotAssignment
     {
-        /// <summary>Fills `slots` and returns each texture's slot. What is published lives to the end.</summary>
-        internal static int[] Assign(List<ChainStep> steps, List<ChainTexture> textures, List<ChainGlobal> globals,
+        /// <summary>Fills `slots` and returns each texture's slot.</summary>
+        internal static int[] Assign(IReadOnlyList<ChainTexture> textures, IReadOnlyList<TextureUse> uses, int output,
                                      List<ChainTexture> slots)
         {
-            int[] lastRead = LastReads(steps, textures.Count);
-            foreach (ChainGlobal global in globals) lastRead[global.texture] = steps.Count;
             var slotOf = new int[textures.Count];
             var freeFrom = new List<int> { 0 };  // of each slot: the first step that may write it again
             slots.Clear();
-            slots.Add(textures[steps[steps.Count - 1].target]);
-            int last = steps.Count - 1;
-            for (int at = 0; at < last; ++at)
+            slots.Add(textures[output]);
+            foreach (int texture in Enumerable.Range(0, textures.Count).OrderBy(one => uses[one].firstWrite))
             {
-                int texture = steps[at].target;
-                int first = lastRead[texture] < last ? ShadowChain.Output : ShadowChain.Output + 1;
-                int slot = FreeSlot(slots, freeFrom, textures[texture], first, at);
+                if (texture == output) continue;
+                int first = uses[texture].lastUse < uses[output].firstWrite ? ShadowChain.Output : ShadowChain.Output + 1;
+                int slot = FreeSlot(slots, freeFrom, textures[texture], first, uses[texture].firstWrite);
                 if (slot == slots.Count)
                 {
                     slots.Add(textures[texture]);
                     freeFrom.Add(0);
                 }
                 slotOf[texture] = slot;
-                freeFrom[slot] = lastRead[texture] + 1;
+                freeFrom[slot] = uses[texture].lastUse + 1;
             }
-            slotOf[steps[last].target] = ShadowChain.Output;
+            slotOf[output] = ShadowChain.Output;
             return slotOf;
-        }
-
-        private static int[] LastReads(List<ChainStep> steps, int textures)
-        {
-            var lastRead = new int[textures];
-            for (int at = 0; at < steps.Count; ++at)
-            {
-                lastRead[steps[at].target] = at;
-                if (steps[at].source != ShadowChain.None) lastRead[steps[at].source] = at;
-            }
-            return lastRead;
         }
 
         private static int FreeSlot(List<ChainTexture> slots, List<int> freeFrom, in ChainTexture texture, int first,

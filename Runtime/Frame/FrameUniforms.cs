@@ -14,9 +14,10 @@ namespace Penumbra
         internal static readonly int ScreenToWorldMatrices = Shader.PropertyToID("_PenumbraScreenToWorld");
         internal static readonly int ScreenSize = Shader.PropertyToID("_PenumbraScreenSize");
         internal static readonly int TargetSize = Shader.PropertyToID("_PenumbraTargetSize");
-        internal static readonly int SourceSize = Shader.PropertyToID("_PenumbraSourceSize");
-        internal static readonly int SourceTexture = Shader.PropertyToID("_PenumbraSourceTexture");
-        internal static readonly int ScreenSpaceShadowmap = Shader.PropertyToID("_ScreenSpaceShadowmapTexture");
+        internal static readonly int Mip = Shader.PropertyToID("_PenumbraMip");
+        internal static readonly int Cascade = Shader.PropertyToID("_PenumbraCascade");
+        internal static readonly int Tile = Shader.PropertyToID("_PenumbraTile");
+        internal static readonly int ScreenSpaceShadowmap = Shader.PropertyToID(ShadowChain.OutputName);
 
         private readonly Matrix4x4[] screenToWorld = new Matrix4x4[ShadowFrame.MostViews];
 
@@ -27,21 +28,20 @@ namespace Penumbra
             frame.uniforms.PcssAngular.SetGlobal(commands);
             frame.uniforms.PcssClassic.SetGlobal(commands);
             frame.uniforms.PcssHdrp.SetGlobal(commands);
-            commands.SetGlobalVector(ScreenSize, Size(frame, ChainTexture.OfScreen(1)));
+            SetMask(commands, frame);
+            DenoiseParameters.Default.SetGlobal(commands);
+            commands.SetGlobalVector(ScreenSize, TextureSize.Drawn(ChainTexture.OfScreen(1), frame).Uniform);
             screenToWorld[0] = frame.screenToWorld0;
             screenToWorld[1] = frame.screenToWorld1;
             commands.SetGlobalMatrixArray(ScreenToWorldMatrices, screenToWorld);
         }
 
-        /// <summary>Width, height and their inverses of what is drawn of a texture.</summary>
-        internal static Vector4 Size(in ShadowFrame frame, in ChainTexture texture)
+        // The mask covers the penumbrae that the filter draws.
+        private static void SetMask(CommandBuffer commands, in ShadowFrame frame)
         {
-            bool ofScreen = texture.extent == ChainExtent.Screen;
-            float width = ofScreen ? Mathf.Ceil(texture.Size(frame.width) * frame.widthScale)
-                                   : texture.Size(frame.MapWidth);
-            float height = ofScreen ? Mathf.Ceil(texture.Size(frame.height) * frame.heightScale)
-                                    : texture.Size(frame.MapHeight);
-            return new Vector4(width, height, 1.0f / width, 1.0f / height);
+            MaskParameters parameters = MaskParameters.Default;
+            parameters.maskPenumbraMetres = frame.uniforms.PcssAngular.maxPenumbraMetres;
+            parameters.SetGlobal(commands);
         }
     }
 }

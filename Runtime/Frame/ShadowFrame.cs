@@ -27,8 +27,20 @@ namespace Penumbra
         internal Matrix4x4 screenToWorld0;
         internal Matrix4x4 screenToWorld1;
 
-        /// <summary>Of the shadow map, all cascades, in texels.</summary>
-        internal int MapWidth => (int)uniforms.MainLightAtlasTexelSize.z;
-        internal int MapHeight => (int)uniforms.MainLightAtlasTexelSize.w;
+        /// <summary>Drawn at once.</summary>
+        internal int views;
+
+        /// <summary>Of the shadow map.</summary>
+        internal AtlasLayout layout;
+
+        /// <summary>Bits of the cascades that were drawn anew; URP draws all of them for every camera.</summary>
+        internal int updatedCascades;
+
+        /// <summary>What the chain keeps of this camera from frame to frame holds nothing yet.</summary>
+        internal bool storeIsEmpty;
+
+        internal bool UpdatesAny => storeIsEmpty || updatedCascades != 0;
+
+        internal bool Updates(int cascade) => storeIsEmpty || (updatedCascades >> cascade & 1) != 0;
     }
 }

@@ -57,6 +57,9 @@ namespace Penumbra
         NoCasters,
         InvalidCascade,
         MissingShader,
+
+        /// <summary>Of the shader or another asset of the technique's graph: see PenumbraShadows.MissingPass.</summary>
+        MissingPass,
         CompatibilityMode,
         UnsupportedDevice,
         MetaQuest,

@@ -74,8 +74,9 @@ namespace Penumbra
         {
             ShadowFrame frame = default;
             frame.options = options;
-            frame.uniforms = new ShadowUniforms(options.Parameters(),
-                                                new AtlasLayout(source.mapWidth, source.cascadeCount),
+            frame.layout = new AtlasLayout(source.mapWidth, source.cascadeCount);
+            frame.updatedCascades = (1 << frame.layout.Cascades) - 1;
+            frame.uniforms = new ShadowUniforms(options.Parameters(), frame.layout,
                                                 noise == NoiseMode.PerFrame ? Time.frameCount : 0);
             return frame;
         }
@@ -87,11 +88,12 @@ namespace Penumbra
         internal static bool TrySetCamera(ref ShadowFrame frame, ref FrameCamera camera)
         {
             SetSize(ref frame, camera.cameraTargetDescriptor);
+            frame.views = camera.xr.enabled && camera.xr.singlePassEnabled ? 2 : 1;
             frame.overlay = camera.renderType == CameraRenderType.Overlay;
             if (!TryGetScreenToWorld(camera.GetViewMatrix(0), camera.GetProjectionMatrix(0),
                                      out frame.screenToWorld0)) return false;
             frame.screenToWorld1 = frame.screenToWorld0;
-            return !camera.xr.enabled || !camera.xr.singlePassEnabled ||
+            return frame.views == 1 ||
                    TryGetScreenToWorld(camera.GetViewMatrix(1), camera.GetProjectionMatrix(1),
                                        out frame.screenToWorld1);
         }
@@ -131,38 +133,55 @@ namespace Penumbra
 #endif
         }
 
-        /// <summary>A texture of the chain: one sample; over the screen in the camera's arrangement of eyes.</summary>
+        /// <summary>A texture of the chain; of the screen in the camera's arrangement of eyes.</summary>
         internal static RenderTextureDescriptor Texture(RenderTextureDescriptor target, in ChainTexture texture,
                                                         in ShadowFrame frame)
         {
-            if (texture.extent == ChainExtent.ShadowMap)
-            {
-                target.width = frame.MapWidth;
-                target.height = frame.MapHeight;
-                target.volumeDepth = 1;
-                target.dimension = TextureDimension.Tex2D;
-                target.vrUsage = VRTextureUsage.None;
-                target.useDynamicScale = false;
-            }
-            target.width = texture.Size(target.width);
-            target.height = texture.Size(target.height);
-            target.msaaSamples = 1;
+            TextureSize size = TextureSize.Of(texture, frame);
+            target.width = size.width;
+            target.height = size.height;
+            if (texture.extent != GraphExtent.Screen || texture.layers > 1) SetSlices(ref target, texture, size.depth);
+            // A copy of a level is as large as that is without: the part of it that is drawn fits.
+            if (texture.extent != GraphExtent.Screen || texture.level > 0) target.useDynamicScale = false;
+            target.msaaSamples = texture.samples;
+            target.bindMS = texture.samples > 1;
+            target.useMipMap = texture.mips != 1;
+            target.autoGenerateMips = false;
             target.enableRandomWrite = texture.randomWrite;
             target.depthStencilFormat = GraphicsFormat.None;
             target.graphicsFormat = Supported(texture.format);
             return target;
         }
 
-        // One channel of 8 bits is the one format that some devices cannot draw to.
-        private static GraphicsFormat Supported(GraphicsFormat format)
+        // The same for both eyes.
+        private static void SetSlices(ref RenderTextureDescriptor target, in ChainTexture texture, int slices)
         {
-            if (format != GraphicsFormat.R8_UNorm) return format;
-#if UNITY_6000_0_OR_NEWER
-            bool renders = SystemInfo.IsFormatSupported(format, GraphicsFormatUsage.Render);
-#else
-            bool renders = SystemInfo.IsFormatSupported(format, FormatUsage.Render);
-#endif
-            return renders ? format : GraphicsFormat.B8G8R8A8_UNorm;
+            target.volumeDepth = slices;
+            target.dimension = texture.depth > 1 ? TextureDimension.Tex3D
+                               : texture.layers > 1 || texture.extent == GraphExtent.Tile ? TextureDimension.Tex2DArray
+                                                                                         : TextureDimension.Tex2D;
+            target.vrUsage = VRTextureUsage.None;
         }
+
+        // One channel of 8 bits is the one format that has another in its place.
+        private static GraphicsFormat Supported(GraphicsFormat format) =>
+            format == GraphicsFormat.R8_UNorm && !CanDrawTo(format) ? GraphicsFormat.B8G8R8A8_UNorm : format;
+
+        /// <summary>The device can do with such a texture what the chain does; copies of levels are not drawn to.</summary>
+        internal static bool IsSupported(in ChainTexture texture) =>
+            texture.randomWrite ? CanWrite(texture.format) : texture.level > 0 || CanDrawTo(Supported(texture.format));
+
+#if UNITY_6000_0_OR_NEWER
+        private static bool CanDrawTo(GraphicsFormat format) =>
+            SystemInfo.IsFormatSupported(format, GraphicsFormatUsage.Render);
+
+        private static bool CanWrite(GraphicsFormat format) =>
+            SystemInfo.IsFormatSupported(format, GraphicsFormatUsage.LoadStore);
+#else
+        private static bool CanDrawTo(GraphicsFormat format) => SystemInfo.IsFormatSupported(format, FormatUsage.Render);
+
+        private static bool CanWrite(GraphicsFormat format) =>
+            SystemInfo.IsFormatSupported(format, FormatUsage.LoadStore);
+#endif
     }
 }

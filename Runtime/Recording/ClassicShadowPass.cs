@@ -8,14 +8,19 @@ namespace Penumbra
     /// <summary>URP 14: draws the chain and switches receivers to its texture.</summary>
     internal sealed class ClassicShadowPass : ScriptableRenderPass
     {
-        private readonly RTHandle[] slots = new RTHandle[ShadowChain.SlotNames.Length];
+        private readonly CameraStores stores = new CameraStores();
+
+        // Those that no camera owns are all cameras': each draws them anew.
+        private RTHandle[] shared = new RTHandle[0];
+        private RTHandle[] slots = new RTHandle[0];
+        private CameraStore store;
         private ChainDraw draw;
         private ShadowFrame frame;
 
         /// <summary>For the camera of the last Setup; what it has drawn stays bound.</summary>
         internal bool HasDrawn { get; private set; }
         internal bool IsOverlay => frame.overlay;
-        internal bool HasMask => draw.Chain.Published(MaskPass.Texture) != ShadowChain.None;
+        internal bool HasMask => draw.Chain.Mask != ShadowChain.None;
         internal ref readonly ShadowOptions Options => ref frame.options;
 
         internal ClassicShadowPass()
@@ -45,12 +50,20 @@ namespace Penumbra
 
         public override void OnCameraSetup(CommandBuffer cmd, ref RenderingData renderingData)
         {
-            RenderTextureDescriptor target = renderingData.cameraData.cameraTargetDescriptor;
-            for (int i = 0; i < draw.Chain.Slots.Count; ++i)
-                RenderingUtils.ReAllocateIfNeeded(ref slots[i], UrpFrame.Texture(target, draw.Chain.Slots[i], frame),
-                                                  FilterMode.Bilinear, TextureWrapMode.Clamp,
-                                                  name: ShadowChain.SlotNames[i]);
-            Release(draw.Chain.Slots.Count);
+            ref CameraData camera = ref renderingData.cameraData;
+            RenderTextureDescriptor target = camera.cameraTargetDescriptor;
+            ShadowChain chain = draw.Chain;
+            UrpFrame.SetSize(ref frame, target);
+            store = stores.Of(camera.camera, camera.xr.multipassId);
+            store.Prepare(chain, target, ref frame);
+            if (slots.Length != chain.Slots.Count) Resize(chain.Slots.Count);
+            for (int i = 0; i < slots.Length; ++i)
+            {
+                if (chain.Slots[i].IsOwned)
+                    slots[i] = store.Textures[i];
+                else
+                    Allocate(i, UrpFrame.Texture(target, chain.Slots[i], frame));
+            }
             // The renderer has to know what the last draw leaves bound, or it does not bind its own again.
             ConfigureTarget(slots[ShadowChain.Output]);
             ConfigureClear(ClearFlag.None, Color.white);
@@ -62,7 +75,8 @@ namespace Penumbra
             CommandBuffer commands = CommandBufferPool.Get();
             using (new ProfilingScope(commands, profilingSampler))
             {
-                draw.Draw(commands, frame, slots);
+                draw.Draw(commands, frame, slots, store.Buffers);
+                store.SetFilled();
                 commands.SetGlobalTexture(FrameUniforms.ScreenSpaceShadowmap, slots[ShadowChain.Output]);
                 ShadowKeywords.Global.Open(commands);
             }
@@ -71,15 +85,24 @@ namespace Penumbra
             HasDrawn = true;
         }
 
-        internal void Dispose() => Release(0);
-
-        private void Release(int first)
+        private void Allocate(int slot, in RenderTextureDescriptor texture)
         {
-            for (int i = first; i < slots.Length; ++i)
-            {
-                slots[i]?.Release();
-                slots[i] = null;
-            }
+            RenderingUtils.ReAllocateIfNeeded(ref shared[slot], texture, FilterMode.Bilinear, TextureWrapMode.Clamp,
+                                              name: draw.Chain.SlotNames[slot]);
+            slots[slot] = shared[slot];
+        }
+
+        private void Resize(int count)
+        {
+            for (int i = count; i < shared.Length; ++i) shared[i]?.Release();
+            System.Array.Resize(ref shared, count);
+            System.Array.Resize(ref slots, count);
+        }
+
+        internal void Dispose()
+        {
+            Resize(0);
+            stores.Dispose();
         }
     }
 }

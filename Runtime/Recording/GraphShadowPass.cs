@@ -17,12 +17,21 @@ namespace Penumbra
     {
         private sealed class PassData
         {
-            internal readonly TextureHandle[] textures = new TextureHandle[ShadowChain.SlotNames.Length];
-            internal readonly RTHandle[] slots = new RTHandle[ShadowChain.SlotNames.Length];
+            internal TextureHandle[] textures = new TextureHandle[0];
+            internal RTHandle[] slots = new RTHandle[0];
+            internal CameraStore store;
             internal ChainDraw draw;
             internal ShadowFrame frame;
+
+            internal void SetCount(int slotCount)
+            {
+                if (slots.Length == slotCount) return;
+                textures = new TextureHandle[slotCount];
+                slots = new RTHandle[slotCount];
+            }
         }
 
+        private readonly CameraStores stores = new CameraStores();
         private ChainDraw draw;
         private ShadowFrame frame;
 
@@ -57,19 +66,21 @@ namespace Penumbra
             using (IUnsafeRenderGraphBuilder builder =
                        renderGraph.AddUnsafePass("Penumbra Shadows", out PassData data, profilingSampler))
             {
+                RenderTextureDescriptor target = camera.cameraTargetDescriptor;
+                CameraStore store = stores.Of(camera.camera, camera.xr.multipassId);
+                store.Prepare(draw.Chain, target, ref frame);
                 data.draw = draw;
                 data.frame = frame;
-                for (int i = 0; i < draw.Chain.Slots.Count; ++i)
+                data.store = store;
+                data.SetCount(draw.Chain.Slots.Count);
+                for (int i = 0; i < data.textures.Length; ++i)
                 {
-                    RenderTextureDescriptor texture =
-                        UrpFrame.Texture(camera.cameraTargetDescriptor, draw.Chain.Slots[i], frame);
-                    data.textures[i] = UniversalRenderer.CreateRenderGraphTexture(
-                        renderGraph, texture, ShadowChain.SlotNames[i], false, FilterMode.Bilinear);
+                    data.textures[i] = draw.Chain.Slots[i].IsOwned ? renderGraph.ImportTexture(store.Textures[i])
+                                                                   : Lent(renderGraph, target, i);
                     builder.UseTexture(data.textures[i], AccessFlags.ReadWrite);
                 }
                 Visibility = data.textures[ShadowChain.Output];
-                int mask = draw.Chain.Published(MaskPass.Texture);
-                if (mask != ShadowChain.None) Mask = data.textures[mask];
+                if (draw.Chain.Mask != ShadowChain.None) Mask = data.textures[draw.Chain.Mask];
                 if (resources.cameraDepthTexture.IsValid()) builder.UseTexture(resources.cameraDepthTexture);
                 if (resources.mainShadowsTexture.IsValid()) builder.UseTexture(resources.mainShadowsTexture);
                 builder.SetGlobalTextureAfterPass(data.textures[ShadowChain.Output],
@@ -81,13 +92,21 @@ namespace Penumbra
             }
         }
 
+        private TextureHandle Lent(RenderGraph renderGraph, in RenderTextureDescriptor target, int slot) =>
+            UniversalRenderer.CreateRenderGraphTexture(renderGraph,
+                                                       UrpFrame.Texture(target, draw.Chain.Slots[slot], frame),
+                                                       draw.Chain.SlotNames[slot], false, FilterMode.Bilinear);
+
         private static void Execute(PassData data, UnsafeGraphContext context)
         {
             CommandBuffer commands = CommandBufferHelpers.GetNativeCommandBuffer(context.cmd);
-            for (int i = 0; i < data.draw.Chain.Slots.Count; ++i) data.slots[i] = data.textures[i];
-            data.draw.Draw(commands, data.frame, data.slots);
+            for (int i = 0; i < data.slots.Length; ++i) data.slots[i] = data.textures[i];
+            data.draw.Draw(commands, data.frame, data.slots, data.store.Buffers);
+            data.store.SetFilled();
             ShadowKeywords.Global.Open(commands);
         }
+
+        internal void Dispose() => stores.Dispose();
     }
 }
 #endif

@@ -39,8 +39,12 @@ namespace Penumbra
         internal readonly int layers;
         internal readonly int samples;
 
+        /// <summary>The texture whose content of the frame before it holds, 0 in the first; None: passes write it.</summary>
+        internal readonly int previousOf;
+
         internal GraphTexture(string name, GraphExtent extent, GraphicsFormat format, int divisor = 1, int width = 0,
-                              int height = 0, int depth = 1, int mips = 1, int layers = 1, int samples = 1)
+                              int height = 0, int depth = 1, int mips = 1, int layers = 1, int samples = 1,
+                              int previousOf = TechniqueGraph.None)
         {
             this.name = name;
             this.extent = extent;
@@ -52,6 +56,7 @@ namespace Penumbra
             this.mips = mips;
             this.layers = layers;
             this.samples = samples;
+            this.previousOf = previousOf;
         }
     }
 }

@@ -85,6 +85,16 @@ TEST_F(GraphEmitTest, NamesThatCSharpCannotHaveAreRefused) {
   EXPECT_THAT(problem(graph("first") + "," + graph("---")), HasSubstr("'---' is no name that C# can have"));
 }
 
+TEST_F(GraphEmitTest, AHistoryNamesWhatItIsOf) {
+  const std::string graph = R"({"name": "first", "textures": [
+        {"name": "before", "previous_of": "visibility"}, {"name": "visibility", "format": "r8"}],
+      "passes": [{"name": "Draw", "kind": "raster", "shader": "T.shader", "reads": {"_Before": "before"},
+                  "writes": ["visibility"]}], "visibility": "visibility"})";
+  EXPECT_THAT(emitted(graph),
+              HasSubstr("new GraphTexture(\"before\", GraphExtent.Screen, GraphicsFormat.R8_UNorm, "
+                        "previousOf: 1)"));
+}
+
 TEST_F(GraphEmitTest, APartIsNotWhole) {
   const std::string part = R"({"name": "part", "textures": [{"name": "mask", "format": "r8"}],
       "passes": [{"name": "Mask", "kind": "raster", "shader": "T.shader", "writes": ["mask"]}], "mask": "mask"})";

@@ -99,6 +99,47 @@ TEST_F(PassGraphTest, PassesRunAfterThoseWhoseOutputTheyRead) {
   EXPECT_EQ(tiles.buffer("list")->words_per_texel, 1);
 }
 
+// The mean of this frame and the ones before.
+constexpr const char* kMean = R"({
+"graphs": [{"name": "mean",
+  "textures": [
+    {"name": "now", "format": "r16f"},
+    {"name": "before", "previous_of": "mean"},
+    {"name": "mean", "format": "r16f", "divisor": 1},
+    {"name": "visibility", "format": "r8"}],
+  "passes": [
+    {"name": "Show", "kind": "raster", "shader": "V.shader", "reads": {"_A": "mean"}, "writes": ["visibility"]},
+    {"name": "Mean", "kind": "raster", "shader": "V.shader", "reads": {"_A": "now", "_B": "before"}, "writes": ["mean"]},
+    {"name": "Now", "kind": "raster", "shader": "V.shader", "writes": ["now"]}],
+  "visibility": "visibility"}],
+"techniques": [{"name": "mean", "title": "Mean", "family": "mean", "source": "s", "graph": "mean"}]})";
+
+TEST_F(PassGraphTest, ATextureMayBeReadAsItWasAFrameAgo) {
+  const PassGraph mean = read(kMean);
+  EXPECT_THAT(names(mean), ElementsAre("Now", "Mean", "Show"));
+  EXPECT_EQ(mean.texture("before")->previous_of, "mean");
+  EXPECT_EQ(mean.texture("before")->format, "r16f");
+  EXPECT_EQ(mean.texture("now")->previous_of, "");
+}
+
+TEST_F(PassGraphTest, AWrongHistoryIsFound) {
+  const std::string before = R"({"name": "before", "previous_of": "mean"})";
+  EXPECT_THAT(problem(kMean, R"("previous_of": "mean")", R"("previous_of": "meen")"),
+              AllOf(HasSubstr("t.technique.json:5:"), HasSubstr("there is no texture 'meen'")));
+  EXPECT_THAT(problem(kMean, before, R"({"name": "before", "previous_of": "mean", "format": "r8"})"),
+              HasSubstr("'before' is 'mean' a frame ago, and has its format"));
+  EXPECT_THAT(problem(kMean, before, R"({"name": "before", "previous_of": "before"})"),
+              HasSubstr("'before' is itself a frame old"));
+  EXPECT_THAT(problem(kMean, R"("writes": ["now"])", R"("writes": ["now", "before"])"),
+              AllOf(HasSubstr("t.technique.json:11:"),
+                    HasSubstr("'Now' writes 'before', which is 'mean' a frame ago")));
+  EXPECT_THAT(problem(kMean, R"(, "_B": "before")", ""), HasSubstr("nothing reads 'before'"));
+  EXPECT_THAT(problem(kMean, R"("visibility": "visibility")", R"("visibility": "before")"),
+              HasSubstr("'before' is a frame old, and the graph's result"));
+  EXPECT_THAT(problem(kMean, R"("writes": ["mean"])", R"("runs": "bake", "writes": ["mean"])"),
+              HasSubstr("'Mean' does not write 'mean' in every frame"));
+}
+
 TEST_F(PassGraphTest, NamesThatNothingHasOrTwoHaveAreFound) {
   EXPECT_THAT(
       problem(kVariance, R"({"_Source": "rows"})", R"({"_Source": "row"})"),

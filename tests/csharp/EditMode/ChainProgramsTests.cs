@@ -47,7 +47,7 @@ namespace Penumbra.Tests
                     continue;
                 }
                 foreach (string technique in TechniqueTable.Keywords)
-                    foreach (string mask in new[] { null, MaskPass.KeywordName })
+                    foreach (string mask in new[] { null, "_PENUMBRA_MASK" })
                         yield return (pass, new[] { technique, mask }.Where(name => name != null).ToArray());
             }
         }
@@ -65,9 +65,9 @@ namespace Penumbra.Tests
 
         private static IEnumerable<string> Asked(in ShadowOptions options)
         {
-            ShadowChain chain = ShadowChain.Of(options, ShadowPassList.All);
-            return chain.Steps.Select(step => Text(step.shaderPass,
-                                                   chain.Keywords.Where(Declared(step.shaderPass).Contains)));
+            ShadowChain chain = ShadowChain.Of(options);
+            return chain.Steps.Select(step => step.pass.program)
+                .Select(pass => Text(pass, chain.Keywords.Where(Declared(pass).Contains)));
         }
 
         [Test]

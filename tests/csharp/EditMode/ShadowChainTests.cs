@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using System.Linq;
 using NUnit.Framework;
+using UnityEngine;
 using UnityEngine.Experimental.Rendering;
 
 namespace Penumbra.Tests
@@ -18,10 +19,8 @@ namespace Penumbra.Tests
             return options;
         }
 
-        private static ShadowChain Chain(ShadowOptions options) => ShadowChain.Of(options, ShadowPassList.All);
-
         private static string[] Names(ShadowOptions options) =>
-            Chain(options).Steps.Select(step => step.shaderPass).ToArray();
+            ShadowChain.Of(options).Steps.Select(step => step.pass.program).ToArray();
 
         private static IEnumerable<ShadowOptions> EveryChain()
         {
@@ -30,18 +29,21 @@ namespace Penumbra.Tests
                     yield return Options((bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0, technique);
         }
 
+        private static readonly string[] Mask = { "PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical" };
+        private static readonly string[] Denoise = { "DenoiseHorizontal", "DenoiseVertical" };
+
         [Test]
         public void DrawsOnlyWhatTheOptionsNeed()
         {
-            Assert.That(Names(Options(false, false, false)), Is.EqualTo(new[] { "Resolve" }));
-            Assert.That(Names(Options(true, false, false)),
-                        Is.EqualTo(new[] { "PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical", "Resolve" }));
-            Assert.That(Names(Options(false, true, false)), Is.EqualTo(new[] { "Resolve", "Upsample" }));
-            Assert.That(Names(Options(false, false, true)),
-                        Is.EqualTo(new[] { "Resolve", "DenoiseHorizontal", "DenoiseVertical" }));
-            Assert.That(Names(Options(true, true, true)),
-                        Is.EqualTo(new[] { "PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical", "Resolve",
-                                           "Upsample", "DenoiseHorizontal", "DenoiseVertical" }));
+            for (int bits = 0; bits < 8; ++bits)
+            {
+                bool mask = (bits & 1) != 0, half = (bits & 2) != 0, denoise = (bits & 4) != 0;
+                IEnumerable<string> expected = mask ? Mask : new string[0];
+                expected = expected.Append("Resolve");
+                if (half) expected = expected.Append("Upsample");
+                if (denoise) expected = expected.Concat(Denoise);
+                Assert.That(Names(Options(mask, half, denoise)), Is.EqualTo(expected));
+            }
         }
 
         [Test]
@@ -57,129 +59,148 @@ namespace Penumbra.Tests
         }
 
         [TestCaseSource(nameof(EveryChain))]
+        public void OptionsOfOneKeyNeedOneChain(ShadowOptions options)
+        {
+            foreach (ShadowOptions other in EveryChain())
+                if (ChainGraphs.Key(options) == ChainGraphs.Key(other))
+                {
+                    Assert.That(Names(other), Is.EqualTo(Names(options)));
+                    Assert.That(ShadowChain.Of(other).Keywords, Is.EqualTo(ShadowChain.Of(options).Keywords));
+                }
+        }
+
+        [TestCaseSource(nameof(EveryChain))]
         public void EveryChainEndsInTheTextureThatReceiversRead(ShadowOptions options)
         {
-            ShadowChain chain = Chain(options);
-            Assert.That(chain.Visibility, Is.EqualTo(ShadowChain.Output));
-            Assert.That(chain.Steps[chain.Steps.Count - 1].target, Is.EqualTo(ShadowChain.Output));
+            ShadowChain chain = ShadowChain.Of(options);
+            Assert.That(chain.Steps.Last().Target, Is.EqualTo(ShadowChain.Output));
             Assert.That(chain.Slots[ShadowChain.Output].divisor, Is.EqualTo(1));
+            Assert.That(chain.SlotNames, Is.Unique);
+            Assert.That(chain.SlotNames[ShadowChain.Output], Is.EqualTo("_ScreenSpaceShadowmapTexture"));
         }
 
         [TestCaseSource(nameof(EveryChain))]
         public void WhatADrawReadsIsThereAndNotItsOwnTarget(ShadowOptions options)
         {
+            ShadowChain chain = ShadowChain.Of(options);
             var holds = new Dictionary<int, string>();
-            foreach (ChainStep step in Chain(options).Steps)
+            foreach (ChainStep step in chain.Steps)
             {
-                Assert.That(step.source, Is.Not.EqualTo(step.target));
-                if (step.source != ShadowChain.None) Assert.That(holds.Keys, Has.Member(step.source));
-                if (step.shaderPass != "Resolve") { holds[step.target] = step.shaderPass; continue; }
-                int mask = Chain(options).Published(MaskPass.Texture);
-                Assert.That(mask == ShadowChain.None, Is.EqualTo(!options.mask || !options.technique.TakesSamples()));
-                if (mask != ShadowChain.None)
-                    Assert.That(holds[mask], Is.EqualTo("MaskBlurVertical"), "the mask was overwritten");
-                holds[step.target] = step.shaderPass;
+                foreach (ChainBinding read in step.reads)
+                {
+                    Assert.That(read.index, Is.Not.EqualTo(step.Target));
+                    Assert.That(holds.Keys, Has.Member(read.index));
+                    if (read.property == Shader.PropertyToID("_PenumbraMaskTexture"))
+                        Assert.That(holds[read.index], Is.EqualTo("MaskBlurVertical"), "the mask was overwritten");
+                }
+                holds[step.Target] = step.pass.program;
             }
+            bool masked = options.mask && options.technique.TakesSamples();
+            Assert.That(chain.Mask != ShadowChain.None, Is.EqualTo(masked));
+            Assert.That(chain.Steps.Single(step => step.pass.program == "Resolve").reads.Length,
+                        Is.EqualTo(masked ? 1 : 0));
+            if (masked) Assert.That(holds[chain.Mask], Is.EqualTo("MaskBlurVertical"), "a debug view shows it");
         }
 
         [Test]
         public void TexturesThatAreNotAliveTogetherShareASlot()
         {
             // Of seven textures: the upsampled lies where the result will, the mask where its first version was.
-            ShadowChain chain = Chain(Options(true, true, true));
+            ShadowChain chain = ShadowChain.Of(Options(true, true, true));
             Assert.That(chain.Slots.Select(slot => slot.divisor), Is.EqualTo(new[] { 1, 4, 4, 2, 1 }));
         }
 
-        private sealed class TwoQuarterPasses : ShadowPass
+        private static GraphPass Pass(string program, PassFrequency runs, int target, params GraphBinding[] reads) =>
+            new GraphPass
+            {
+                asset = PenumbraShadows.ShaderFile, program = program, runs = runs, reads = reads,
+                writes = new[] { GraphBinding.Texture(target) },
+            };
+
+        private static GraphTexture Texture(string name, GraphExtent extent = GraphExtent.Screen, int divisor = 1) =>
+            new GraphTexture(name, extent, GraphicsFormat.R8_UNorm, divisor);
+
+        // The map's halves, made once for each cascade that is new, and a filter that reads them.
+        private static TechniqueGraph MapGraph() => new TechniqueGraph
         {
-            internal override int Order => 350;
-            internal override bool IsNeeded(in ShadowOptions options) => true;
-            internal override void AddSteps(ShadowChain chain, in ShadowOptions options) =>
-                chain.Draw("Second", MaskPass.Divisor, chain.Draw("First", MaskPass.Divisor));
+            name = "map",
+            textures = new[]
+            {
+                Texture("whole", GraphExtent.Map), Texture("half", GraphExtent.Map, 2),
+                Texture("noise", GraphExtent.Map), Texture("table", GraphExtent.Map, 2),
+            },
+            passes = new[]
+            {
+                Pass("Noise", PassFrequency.Bake, 2), Pass("Table", PassFrequency.Bake, 3, GraphBinding.Texture("_A", 2)),
+                Pass("Whole", PassFrequency.Cascade, 0), Pass("Half", PassFrequency.Cascade, 1,
+                                                              GraphBinding.Texture("_A", 0), GraphBinding.Texture("_B", 3)),
+            },
+            keywords = new[] { "_HALVES" },
+            filterTextures = new[] { GraphBinding.Texture("_PenumbraHalfTexture", 1) },
+        };
+
+        private static ShadowChain WithMapGraph() =>
+            new ShadowChain(new[] { MapGraph(), PenumbraShadowsGraphs.PcssMasked }, "_TECHNIQUE");
+
+        [Test]
+        public void AFiltersGraphRunsBeforeTheScreens()
+        {
+            ShadowChain chain = WithMapGraph();
+            Assert.That(chain.Steps.Select(step => step.pass.program),
+                        Is.EqualTo(new[] { "Noise", "Table", "Whole", "Half" }.Concat(Mask).Append("Resolve")));
+            Assert.That(chain.Keywords, Is.EqualTo(new[] { "_TECHNIQUE", "_HALVES", "_PENUMBRA_MASK" }));
+            ChainGlobal half = chain.Globals.Single();
+            Assert.That(half.afterStep, Is.EqualTo(3));
+            Assert.That(half.texture.property, Is.EqualTo(Shader.PropertyToID("_PenumbraHalfTexture")));
+            Assert.That(half.texture.sizeProperty, Is.EqualTo(Shader.PropertyToID("_PenumbraHalfSize")));
+            Assert.That(half.texture.index, Is.EqualTo(chain.Steps[3].Target));
         }
 
-        /// <summary>A debug view shows it after the chain.</summary>
+        /// <summary>What is only read in frames in which it is written need not be kept.</summary>
+        [Test]
+        public void WhatIsReadMoreOftenThanWrittenIsKeptAndNobodyElses()
+        {
+            ShadowChain chain = WithMapGraph();
+            string[] kept = chain.Steps.Where(step => chain.Slots[step.Target].kept)
+                .Select(step => step.pass.program).ToArray();
+            Assert.That(kept, Is.EqualTo(new[] { "Table", "Half" }));
+            foreach (string program in kept)
+            {
+                int slot = chain.Steps.Single(step => step.pass.program == program).Target;
+                Assert.That(chain.Steps.Count(step => step.Target == slot), Is.EqualTo(1), program);
+            }
+            int[] whole = new[] { 0, 2 }.Select(at => chain.Steps[at].Target).ToArray();
+            Assert.That(whole[0], Is.EqualTo(whole[1]), "the noise is read no more when the first cascade is drawn");
+        }
+
+        /// <summary>A debug view shows the mask.</summary>
         [Test]
         public void TheMaskIsNotWrittenOver()
         {
-            ShadowPass[] passes =
-                ShadowPassList.All.Append(new TwoQuarterPasses()).OrderBy(pass => pass.Order).ToArray();
-            ShadowChain chain = ShadowChain.Of(Options(true, false, true), passes);
-            ChainStep[] later = chain.Steps.SkipWhile(step => step.shaderPass != "Resolve").ToArray();
-            Assert.That(later.Length, Is.EqualTo(5));
-            Assert.That(later.Select(step => step.target), Has.None.EqualTo(chain.Published(MaskPass.Texture)));
-        }
-
-        [TestCase(1, 1920, 1920)]
-        [TestCase(2, 1921, 961)]
-        [TestCase(4, 1921, 481)]
-        [TestCase(4, 2, 1)]
-        public void SlotsRoundUp(int divisor, int screen, int size) =>
-            Assert.That(ChainTexture.OfScreen(divisor).Size(screen), Is.EqualTo(size));
-
-        [Test]
-        public void PassesAreFoundInTheirOrder()
-        {
-            Assert.That(ShadowPassList.All.Select(pass => pass.Order), Is.Ordered.And.Unique);
-            Assert.That(ShadowPassList.All.Select(pass => pass.GetType()),
-                        Is.EqualTo(new[] { typeof(MaskPass), typeof(ResolvePass), typeof(UpsamplePass),
-                                           typeof(DenoisePass) }));
-        }
-
-        /// <summary>What a later one could be: a reduction of the shadow map by a compute shader, read by name.</summary>
-        private sealed class MapReduction : ShadowPass
-        {
-            internal static readonly ChainTexture Half =
-                new ChainTexture(ChainExtent.ShadowMap, 2, GraphicsFormat.B8G8R8A8_UNorm, randomWrite: true);
-
-            internal override int Order => 50;
-            internal override string Keyword => "_MAP_REDUCTION";
-            internal override bool IsNeeded(in ShadowOptions options) => options.mask;
-
-            internal override void AddSteps(ShadowChain chain, in ShadowOptions options)
+            var later = new TechniqueGraph
             {
-                int half = chain.Run(this, 0, Half);
-                var quarter = new ChainTexture(ChainExtent.ShadowMap, 4, Half.format, randomWrite: true);
-                chain.Publish(chain.Run(this, 1, quarter, half), 7);
-            }
+                textures = new[] { Texture("a", divisor: 4), Texture("b", divisor: 4), Texture("visibility") },
+                passes = new[]
+                {
+                    Pass("A", PassFrequency.Frame, 0), Pass("B", PassFrequency.Frame, 1, GraphBinding.Texture("_A", 0)),
+                    Pass("C", PassFrequency.Frame, 2, GraphBinding.Texture("_B", 1)),
+                },
+                visibility = 2,
+            };
+            var chain = new ShadowChain(new[] { PenumbraShadowsGraphs.PcssMasked, later }, null);
+            ChainStep[] behind = chain.Steps.SkipWhile(step => step.pass.program != "Resolve").ToArray();
+            Assert.That(behind.Length, Is.EqualTo(4));
+            Assert.That(behind.Select(step => step.Target), Has.None.EqualTo(chain.Mask));
         }
 
         [Test]
-        public void APassMayRecordStepsOfItsOwnIntoTexturesOfItsOwn()
-        {
-            var reduction = new MapReduction();
-            ShadowPass[] passes = ShadowPassList.All.Append(reduction).OrderBy(pass => pass.Order).ToArray();
-            ShadowChain chain = ShadowChain.Of(Options(true, true, true), passes);
-            Assert.That(chain.Steps.Take(2).Select(step => step.recorder), Is.All.SameAs(reduction));
-            Assert.That(chain.Steps.Take(2).Select(step => step.run), Is.EqualTo(new[] { 0, 1 }));
-            Assert.That(chain.Steps[1].source, Is.EqualTo(chain.Steps[0].target));
-            Assert.That(chain.Slots[chain.Steps[0].target], Is.EqualTo(MapReduction.Half));
-            Assert.That(chain.Published(7), Is.EqualTo(chain.Steps[1].target));
-            Assert.That(chain.Steps.Skip(2).Select(step => step.target), Has.None.EqualTo(chain.Published(7)));
-            Assert.That(chain.Keywords, Has.Member("_MAP_REDUCTION"));
-            Assert.That(ShadowChain.Of(Options(false, true, true), passes).Keywords, Has.None.EqualTo("_MAP_REDUCTION"));
-        }
-
-        [Test]
-        public void AStepThatNobodyRecordsIsRefused() =>
-            Assert.That(() => new MapReduction().Record(null, default, null, 0),
-                        Throws.TypeOf<System.NotSupportedException>().With.Message.Contains("MapReduction"));
-
-        [Test]
-        public void TheKeywordsAreTheTechniquesAndThePasses() =>
+        public void TheKeywordsAreTheTechniquesAndTheGraphs() =>
             Assert.That(ChainKeywords.All, Is.EquivalentTo(TechniqueTable.Keywords.Where(name => name != null)
                                                                .Append("_PENUMBRA_MASK")));
 
-        private sealed class WithoutVisibility : ShadowPass
-        {
-            internal override int Order => 1;
-            internal override bool IsNeeded(in ShadowOptions options) => true;
-            internal override void AddSteps(ShadowChain chain, in ShadowOptions options) => chain.Draw("Mine", 1);
-        }
-
         [Test]
         public void AChainWithoutAResultIsRefused() =>
-            Assert.That(() => ShadowChain.Of(default, new ShadowPass[] { new WithoutVisibility() }),
+            Assert.That(() => new ShadowChain(new[] { MapGraph() }, null),
                         Throws.InvalidOperationException.With.Message.Contains("visibility"));
     }
 }

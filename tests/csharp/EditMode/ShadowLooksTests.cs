@@ -190,7 +190,7 @@ namespace Penumbra.Tests
         }
 
         private static string[] Passes(ShadowOptions options) =>
-            ShadowChain.Of(options, ShadowPassList.All).Steps.Select(step => step.shaderPass).ToArray();
+            ShadowChain.Of(options).Steps.Select(step => step.pass.program).ToArray();
 
         [Test]
         public void AnInspectorSaysWhatALookStandsFor()

@@ -186,8 +186,9 @@ namespace Penumbra.Tests
             options.denoise = true;
             RenderTextureDescriptor target = new FakeScene().Target();
             target.msaaSamples = samples;
-            return ShadowChain.Of(options, ShadowPassList.All).Slots
-                .Select(slot => UrpFrame.Texture(target, slot, default)).ToArray();
+            ShadowFrame frame = default;
+            UrpFrame.SetSize(ref frame, target);
+            return ShadowChain.Of(options).Slots.Select(slot => UrpFrame.Texture(target, slot, frame)).ToArray();
         }
 
         [TestCase(1)]
@@ -252,9 +253,10 @@ namespace Penumbra.Tests
             ShadowSource source = UrpFrame.Source(ref data);
             ShadowFrame frame = UrpFrame.Frame(source, feature.Settings.Options(), NoiseMode.PerFrame);
             UrpFrame.SetSize(ref frame, new FakeScene().Target());
-            var draw = new ChainDraw(new Material(FakeShader.Install()));
+            var draw = new ChainDraw(new Material(FakeShader.Install()), new PassAssets());
             draw.Prepare(feature.Settings.Options());
             RTHandle[] slots = draw.Chain.Slots.Select(slot => new RTHandle()).ToArray();
+            var buffers = new GraphicsBuffer[0];
             var commands = new CommandBuffer();
 #if UNITY_6000_0_OR_NEWER
             var restoring = new RasterCommandBuffer { Wrapped = commands };
@@ -267,7 +269,7 @@ namespace Penumbra.Tests
                 renderer.Queue.Clear();
                 feature.AddRenderPasses(renderer, ref data);
                 draw.Prepare(feature.Settings.Options());
-                draw.Draw(commands, frame, slots);
+                draw.Draw(commands, frame, slots, buffers);
                 ShadowKeywords.Global.Open(commands);
                 ShadowKeywords.Global.Restore(restoring, 4);
             }

@@ -36,9 +36,13 @@ namespace Penumbra.Tests
                                   Casters && !SceneLightingOff &&
                                   (CascadeWithoutView < 0 || CascadeWithoutView >= Cascades);
 
+        private Camera camera;
+
+        /// <summary>The same in every frame.</summary>
         internal Camera MakeCamera()
         {
-            var camera = new Camera { allowDynamicResolution = DynamicResolution };
+            camera = camera ?? new Camera();
+            camera.allowDynamicResolution = DynamicResolution;
             if (SceneLightingOff) CoreUtils.Unlit.Add(camera);
             return camera;
         }

@@ -1,31 +1,20 @@
 using NUnit.Framework;
 using UnityEditor;
 using UnityEngine;
-using UnityEngine.Rendering;
 
 namespace Penumbra.Tests
 {
     /// <summary>What a pass brings along is in the feature's asset, and thereby in players.</summary>
     public sealed class PassAssetsTests
     {
-        private sealed class Bringer : ShadowPass
+        private const string Reduction = "Shaders/Reduction.compute";
+        private const string Path = "Packages/com.penumbra.shadows/" + Reduction;
+
+        private static readonly TechniqueGraph[] Graphs =
         {
-            internal Object Given;
-
-            internal override int Order => 60;
-            internal override string AssetPath => "Shaders/Reduction.compute";
-            internal override void SetAsset(Object asset) => Given = asset;
-            internal override bool IsNeeded(in ShadowOptions options) => Given != null;
-            internal override void AddSteps(ShadowChain chain, in ShadowOptions options) { }
-        }
-
-        private const string Path = "Packages/com.penumbra.shadows/Shaders/Reduction.compute";
-
-        private readonly Bringer bringer = new Bringer();
-        private ShadowPass[] passes;
-
-        [SetUp]
-        public void SetUp() => passes = new ShadowPass[] { bringer, new ResolvePass() };
+            PenumbraShadowsGraphs.Pcss,
+            new TechniqueGraph { passes = new[] { new GraphPass { kind = PassKind.Compute, asset = Reduction } } },
+        };
 
         [TearDown]
         public void TearDown() => AssetDatabase.Assets.Clear();
@@ -34,32 +23,37 @@ namespace Penumbra.Tests
         public void TheEditorFindsItOnceAndThePlayerHasIt()
         {
             var kept = new PassAssets();
-            Assert.That(kept.Find(passes), Is.False, "not imported yet");
-            kept.Give(passes);
-            Assert.That(bringer.IsNeeded(default), Is.False);
+            Assert.That(kept.Find(Graphs), Is.False, "not imported yet");
+            Assert.That(kept.Of(Reduction), Is.Null);
 
-            var shader = new Shader();
+            var shader = new ComputeShader();
             AssetDatabase.Assets[Path] = shader;
-            Assert.That(kept.Find(passes));
-            Assert.That(kept.Find(passes), Is.False, "is there already");
+            Assert.That(kept.Find(Graphs));
+            Assert.That(kept.Find(Graphs), Is.False, "is there already");
             AssetDatabase.Assets.Clear();  // as in a player
-            kept.Give(passes);
-            Assert.That(bringer.Given, Is.SameAs(shader));
+            Assert.That(kept.Of(Reduction), Is.SameAs(shader));
         }
 
         [Test]
         public void AnAssetThatWentIsFoundAgain()
         {
             var kept = new PassAssets();
-            var old = new Shader();
+            var old = new ComputeShader();
             AssetDatabase.Assets[Path] = old;
-            kept.Find(passes);
+            kept.Find(Graphs);
             old.Destroyed = true;
-            var shader = new Shader();
+            var shader = new ComputeShader();
             AssetDatabase.Assets[Path] = shader;
-            Assert.That(kept.Find(passes));
-            kept.Give(passes);
-            Assert.That(bringer.Given, Is.SameAs(shader));
+            Assert.That(kept.Find(Graphs));
+            Assert.That(kept.Of(Reduction), Is.SameAs(shader));
+        }
+
+        /// <summary>The feature has its own shader apart, by its name.</summary>
+        [Test]
+        public void TheFeaturesOwnShaderIsNotAmongThem()
+        {
+            AssetDatabase.Assets["Packages/com.penumbra.shadows/" + PenumbraShadows.ShaderFile] = new Shader();
+            Assert.That(new PassAssets().Find(Graphs), Is.False);
         }
     }
 }

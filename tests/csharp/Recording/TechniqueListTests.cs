@@ -90,23 +90,25 @@ namespace Penumbra.Tests
             JsonElement[] passes = technique.GetProperty("passes").EnumerateArray().ToArray();
             var textures = technique.GetProperty("textures").EnumerateArray()
                 .ToDictionary(texture => texture.GetProperty("name").GetString());
-            ShadowChain chain = ShadowChain.Of(ShadowPresets.Options(preset), ShadowPassList.All);
-            Assert.That(chain.Steps.Select(step => step.shaderPass),
+            ShadowChain chain = ShadowChain.Of(ShadowPresets.Options(preset));
+            Assert.That(chain.Steps.Select(step => step.pass.program),
                         Is.EqualTo(passes.Select(pass => pass.GetProperty("program").GetString())));
             for (int i = 0; i < passes.Length; ++i)
             {
                 string target = passes[i].GetProperty("writes")[0].GetString();
-                ChainTexture slot = chain.Slots[chain.Steps[i].target];
+                ChainTexture slot = chain.Slots[chain.Steps[i].Target];
                 Assert.That(slot.divisor, Is.EqualTo(textures[target].GetProperty("divisor").GetInt32()), target);
                 Assert.That(slot.extent.ToString().ToLowerInvariant(),
                             Is.EqualTo(textures[target].GetProperty("extent").GetString()), target);
                 Assert.That(slot.format, Is.EqualTo(GraphicsFormat.R8_UNorm), target);
                 Assert.That(textures[target].GetProperty("format").GetString(), Is.EqualTo("r8"), target);
-                bool reads = passes[i].GetProperty("reads").TryGetProperty("_PenumbraSourceTexture", out JsonElement source);
-                Assert.That(chain.Steps[i].source != ShadowChain.None, Is.EqualTo(reads), target);
-                if (!reads) continue;
-                int writer = Array.FindIndex(passes, pass => pass.GetProperty("writes")[0].GetString() == source.GetString());
-                Assert.That(chain.Steps[i].source, Is.EqualTo(chain.Steps[writer].target), target);
+                JsonProperty[] reads = passes[i].GetProperty("reads").EnumerateObject().ToArray();
+                Assert.That(chain.Steps[i].pass.reads.Select(read => read.property),
+                            Is.EqualTo(reads.Select(read => read.Name)), target);
+                IEnumerable<int> writers = reads.Select(read => Array.FindIndex(
+                    passes, pass => pass.GetProperty("writes")[0].GetString() == read.Value.GetString()));
+                Assert.That(chain.Steps[i].reads.Select(read => read.index),
+                            Is.EqualTo(writers.Select(writer => chain.Steps[writer].Target)), target);
             }
         }
 
@@ -117,8 +119,8 @@ namespace Penumbra.Tests
                 Path.Combine(FakeShader.PackageRoot(), "Shaders", "PenumbraShadows.shader"));
             var options = ShadowPresets.Options(QualityPreset.Ultra);
             options.halfResolution = true;
-            foreach (ChainStep step in ShadowChain.Of(options, ShadowPassList.All).Steps)
-                Assert.That(shader, Does.Contain("Name \"" + step.shaderPass + "\""));
+            foreach (ChainStep step in ShadowChain.Of(options).Steps)
+                Assert.That(shader, Does.Contain("Name \"" + step.pass.program + "\""));
             foreach (string keyword in TechniqueTable.Keywords.Where(name => name != null))
                 Assert.That(shader, Does.Contain(" " + keyword));
         }

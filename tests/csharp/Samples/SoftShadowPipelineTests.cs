@@ -61,7 +61,7 @@ namespace Penumbra.Samples.CustomPipeline
         public void EachCascadeHasItsTileAndItsBias()
         {
             Render();
-            Assert.That(device.Draws.Take(3).Select(draw => ((Rect)draw.Uniforms["viewport"]).x),
+            Assert.That(device.Draws.Take(3).Select(draw => draw.Viewport.Value.x),
                         Is.EqualTo(new[] { 0.0f, 1024.0f, 0.0f }));
             // Squares of 2, 4 and 6 m in 1024 texels; a bias of one texel.
             Assert.That(device.Draws.Take(3).Select(draw => ((Vector4)draw.Uniforms["_SunCasterBias"]).x * 1024.0f),

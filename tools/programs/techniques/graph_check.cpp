@@ -71,10 +71,47 @@ Found unknown_name(const PassGraph& graph) {
   for (const GraphBuffer& buffer : graph.buffers)
     if (!buffer.texture.empty() && graph.texture(buffer.texture) == nullptr)
       return GraphProblem{buffer.where, "there is no texture '" + buffer.texture + "'", known_names(graph)};
+  for (const GraphTexture& texture : graph.textures)
+    if (!texture.previous_of.empty() && graph.texture(texture.previous_of) == nullptr)
+      return GraphProblem{texture.where, "there is no texture '" + texture.previous_of + "'",
+                          known_names(graph)};
   for (const std::string& name : {graph.visibility, graph.mask})
     if (!name.empty() && graph.texture(name) == nullptr)
       return GraphProblem{"", "there is no texture '" + name + "'", known_names(graph)};
   return std::nullopt;
+}
+
+// Of a texture that another one was a frame ago: that is written in every frame, this by nobody.
+Found wrong_history(const PassGraph& graph, const GraphTexture& texture) {
+  const std::string& now = texture.previous_of;
+  if (!graph.texture(now)->previous_of.empty())
+    return GraphProblem{texture.where, "'" + now + "' is itself a frame old", "only one frame is kept"};
+  for (const GraphPass& pass : graph.passes) {
+    if (writes_to(pass, texture.name))
+      return GraphProblem{
+          pass.where, "'" + pass.name + "' writes '" + texture.name + "', which is '" + now + "' a frame ago",
+          "write '" + now + "'"};
+    if (writes_to(pass, now) && pass.frequency != Frequency::frame)
+      return GraphProblem{pass.where,
+                          "'" + pass.name + "' does not write '" + now + "' in every frame, and '" +
+                              texture.name + "' is what it was a frame ago",
+                          ""};
+  }
+  if (is_output(graph, texture.name))
+    return GraphProblem{texture.where, "'" + texture.name + "' is a frame old, and the graph's result", ""};
+  return std::nullopt;
+}
+
+bool is_read(const PassGraph& graph, const std::string& name) {
+  return std::any_of(graph.passes.begin(), graph.passes.end(), [&](const GraphPass& pass) {
+    return reads(graph, pass, name) && !writes_to(pass, name);
+  });
+}
+
+// Its history is read: then it is, too.
+bool is_read_later(const PassGraph& graph, const std::string& name) {
+  return std::any_of(graph.textures.begin(), graph.textures.end(),
+                     [&](const GraphTexture& texture) { return texture.previous_of == name; });
 }
 
 // Of one texture or buffer: one writer, a reader.
@@ -96,10 +133,7 @@ Found wrong_use(const PassGraph& graph, const std::string& name, const std::stri
     return pass.each_mip && writes_to(pass, name);
   });
   if (makers > 1) return GraphProblem{where, "more than one pass makes the mip levels of '" + name + "'", ""};
-  const bool read = std::any_of(graph.passes.begin(), graph.passes.end(), [&](const GraphPass& pass) {
-    return reads(graph, pass, name) && !writes_to(pass, name);
-  });
-  if (!read && !is_output(graph, name))
+  if (!is_read(graph, name) && !is_read_later(graph, name) && !is_output(graph, name))
     return GraphProblem{where, "nothing reads '" + name + "'",
                         graph.visibility.empty() && graph.filter_pass() == nullptr
                             ? "where it is the graph's result, add \"visibility\": \"" + name + "\""
@@ -303,8 +337,15 @@ std::optional<GraphProblem> graph_problem(const PassGraph& graph) {
     if (Found found = wrong_texture(texture)) return found;
   for (const GraphPass& pass : graph.passes)
     if (Found found = wrong_pass(graph, pass)) return found;
-  for (const GraphTexture& texture : graph.textures)
-    if (Found found = wrong_use(graph, texture.name, texture.where)) return found;
+  for (const GraphTexture& texture : graph.textures) {
+    if (texture.previous_of.empty()) {
+      if (Found found = wrong_use(graph, texture.name, texture.where)) return found;
+      continue;
+    }
+    if (Found found = wrong_history(graph, texture)) return found;
+    if (!is_read(graph, texture.name))
+      return GraphProblem{texture.where, "nothing reads '" + texture.name + "'", "delete it"};
+  }
   for (const GraphBuffer& buffer : graph.buffers)
     if (Found found = wrong_use(graph, buffer.name, buffer.where)) return found;
   if (!in_running_order(graph)) {

@@ -53,7 +53,7 @@ std::string extent(ExtentOf extent) {
   return "GraphExtent.Fixed";
 }
 
-std::string texture(const GraphTexture& texture) {
+std::string texture(const PassGraph& graph, const GraphTexture& texture) {
   Arguments arguments;
   arguments.add(csharp_text(texture.name))
       .add(extent(texture.extent))
@@ -66,6 +66,8 @@ std::string texture(const GraphTexture& texture) {
   arguments.number("mips", texture.mips, 1)
       .number("layers", texture.layers, 1)
       .number("samples", texture.samples, 1);
+  if (!texture.previous_of.empty())
+    arguments.add("previousOf: " + std::to_string(index_of(graph.textures, texture.previous_of)));
   return "new GraphTexture(" + arguments.text() + ")";
 }
 
@@ -158,7 +160,7 @@ std::string csharp_graph(const NamedGraph& named) {
   std::vector<std::string> textures;
   std::vector<std::string> buffers;
   std::vector<std::string> keywords;
-  for (const GraphTexture& one : graph.textures) textures.push_back(texture(one));
+  for (const GraphTexture& one : graph.textures) textures.push_back(texture(graph, one));
   for (const GraphBuffer& one : graph.buffers) buffers.push_back(buffer(graph, one));
   for (const std::string& keyword : graph.keywords) keywords.push_back(csharp_text(keyword));
   std::string text = "        internal static readonly TechniqueGraph " + csharp_name(named.name) +

@@ -38,6 +38,16 @@ GraphTexture read_texture(JsonObject object) {
   GraphTexture texture;
   texture.name = required_identifier(object, "name");
   texture.where = object.where("name");
+  texture.previous_of = object.text("previous_of", "");
+  if (!texture.previous_of.empty()) {
+    for (const char* key : {"extent", "divisor", "size", "format", "mips", "layers", "samples"})
+      if (object.has(key))
+        object.fail(key,
+                    "'" + texture.name + "' is '" + texture.previous_of + "' a frame ago, and has its " + key,
+                    "leave it out");
+    object.finish();
+    return texture;
+  }
   texture.extent = chosen<ExtentOf>(object, "extent", "screen", "extent",
                                     {{"screen", ExtentOf::screen},
                                      {"map", ExtentOf::map},
@@ -142,6 +152,20 @@ void require_bounded(JsonObject& object, const PassGraph& graph) {
                 "a graph has at most " + std::to_string(kMostItems) + " passes, textures and buffers");
 }
 
+// What is not declared is said by graph_problem().
+void give_shapes(std::vector<GraphTexture>& textures, const PassGraph& graph) {
+  for (GraphTexture& texture : textures) {
+    if (texture.previous_of.empty()) continue;
+    const GraphTexture* now = graph.texture(texture.previous_of);
+    if (now == nullptr) continue;
+    GraphTexture shaped = *now;
+    shaped.name = texture.name;
+    shaped.where = texture.where;
+    shaped.previous_of = texture.previous_of;
+    texture = shaped;
+  }
+}
+
 void add(PassGraph& graph, const PassGraph& part) {
   append(graph.textures, part.textures);
   append(graph.buffers, part.buffers);
@@ -204,6 +228,7 @@ PassGraph read_graph(JsonObject& object, const TechniqueList& list, const Manife
   for (const JsonObject& pass : object.objects("passes"))
     graph.passes.push_back(read_pass(pass, list, files));
   require_bounded(object, graph);
+  give_shapes(graph.textures, PassGraph(graph));
   append(graph.keywords, read_keywords(object, "keywords"));
   graph.visibility = object.text("visibility", graph.visibility);
   graph.mask = object.text("mask", graph.mask);

@@ -26,6 +26,7 @@ struct GraphTexture {
   int mips = 1;               // 0: down to one texel
   int layers = 1;             // of a tile: one for each cascade, whatever this says
   int samples = 1;            // of each texel
+  std::string previous_of;    // holds what this texture held a frame ago, 0 in the first; has its shape
 };
 
 // Words of 32 bits: as many as a fixed number and so many for each texel of a texture.

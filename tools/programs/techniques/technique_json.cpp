@@ -35,9 +35,11 @@ const char* name_of(PassKind kind) {
 }
 
 Json of(const GraphTexture& texture) {
-  return {{"name", texture.name},     {"extent", name_of(texture.extent)}, {"divisor", texture.divisor},
-          {"size", texture.size},     {"format", texture.format},          {"mips", texture.mips},
-          {"layers", texture.layers}, {"samples", texture.samples}};
+  Json json{{"name", texture.name},     {"extent", name_of(texture.extent)}, {"divisor", texture.divisor},
+            {"size", texture.size},     {"format", texture.format},          {"mips", texture.mips},
+            {"layers", texture.layers}, {"samples", texture.samples}};
+  if (!texture.previous_of.empty()) json["previous_of"] = texture.previous_of;
+  return json;
 }
 
 Json of(const GraphPass& pass) {

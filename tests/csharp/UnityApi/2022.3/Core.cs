@@ -4,7 +4,7 @@ using Penumbra.UnityApi;
 namespace UnityEngine.Experimental.Rendering
 {
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
-    public enum FormatUsage { Render = 4 }
+    public enum FormatUsage { Render = 4, LoadStore = 10 }
 }
 
 namespace UnityEngine

@@ -7,7 +7,7 @@ namespace UnityEngine.Experimental.Rendering
 {
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     [Flags]
-    public enum GraphicsFormatUsage { Render = 1 << 4 }
+    public enum GraphicsFormatUsage { Render = 1 << 4, LoadStore = 1 << 10 }
 }
 
 namespace UnityEngine
@@ -194,6 +194,8 @@ namespace UnityEngine.Rendering.RenderGraphModule
 
         [OwnBehaviour] public RenderGraph() { }
         [OwnBehaviour] public List<Pass> Passes { get; } = new List<Pass>();
+
+        public TextureHandle ImportTexture(RTHandle rt) => new TextureHandle { Handle = rt };
 
         public IUnsafeRenderGraphBuilder AddUnsafePass<PassData>(string passName, out PassData passData,
                                                                  ProfilingSampler sampler,

@@ -147,6 +147,21 @@ namespace UnityEngine.Rendering.Universal
         public virtual void RecordRenderGraph(RenderGraph renderGraph, ContextContainer frameData) { }
     }
 
+    [ReadFrom(At.Universal17, "universal", "Runtime/RenderingUtils.cs")]
+    public static class RenderingUtils
+    {
+        public static bool ReAllocateHandleIfNeeded(ref RTHandle handle, in RenderTextureDescriptor descriptor,
+                                                    FilterMode filterMode = FilterMode.Point,
+                                                    TextureWrapMode wrapMode = TextureWrapMode.Repeat,
+                                                    int anisoLevel = 1, float mipMapBias = 0, string name = "")
+        {
+            if (handle != null && handle.Descriptor.IsSame(descriptor)) return false;
+            handle?.Release();
+            handle = new RTHandle { What = name, Descriptor = descriptor };
+            return true;
+        }
+    }
+
     [ReadFrom(At.Universal17, "universal", "Runtime/UniversalRendererRenderGraph.cs")]
     public sealed partial class UniversalRenderer : ScriptableRenderer
     {

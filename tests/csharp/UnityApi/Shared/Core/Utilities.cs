@@ -7,7 +7,7 @@ namespace UnityEngine.Rendering
     [ReadFrom(At.Core14, "core", "Runtime/Common/CommonStructs.cs")]
     [ReadFrom(At.Core17, "core", "Runtime/Common/CommonStructs.cs")]
     [Flags]
-    public enum ClearFlag { None = 0 }
+    public enum ClearFlag { None = 0, Color = 1 << 0 }
 
     [ReadFrom(At.Core14, "core", "Runtime/Textures/RTHandle.cs")]
     [ReadFrom(At.Core17, "core", "Runtime/Textures/RTHandle.cs")]
@@ -45,7 +45,9 @@ namespace UnityEngine.Rendering
                                            int miplevel = 0, CubemapFace cubemapFace = CubemapFace.Unknown,
                                            int depthSlice = -1)
         {
-            if (!CommandBuffer.Silent) Recorded.Target(cmd, buffer.What);
+            if (CommandBuffer.Silent) return;
+            Recorded.Target(cmd, buffer.What, miplevel, depthSlice, loadAction);
+            if (clearFlag != ClearFlag.None) Recorded.Clear(cmd);
         }
     }
 
@@ -91,6 +93,7 @@ namespace UnityEngine.Experimental.Rendering
 
         public bool enabled => viewCount > 0;
         public int viewCount => Views;
+        public int multipassId { get; [OwnBehaviour] set; }
         public bool singlePassEnabled => viewCount > 1;
     }
 }

@@ -42,6 +42,16 @@ namespace UnityEngine.Rendering
             if (!Silent) Recorded.MaterialKeyword(this, keyword.name, value);
         }
 
+        public void SetKeyword(ComputeShader computeShader, in LocalKeyword keyword, bool value)
+        {
+            if (!Silent) Recorded.MaterialKeyword(this, keyword.name, value);
+        }
+
+        public void SetGlobalInteger(int nameID, int value)
+        {
+            if (!Silent) Recorded.Uniform(this, nameID, value);
+        }
+
         public void SetGlobalVector(int nameID, Vector4 value)
         {
             if (!Silent) Recorded.Uniform(this, nameID, value);
@@ -66,6 +76,80 @@ namespace UnityEngine.Rendering
         {
             if (!Silent) Recorded.Draw(this, material.shader.PassNames[shaderPass], vertexCount * instanceCount);
         }
+
+        [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/RenderingCommandBuffer.cs")]
+        [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/RenderingCommandBuffer.cs")]
+        public void SetGlobalBuffer(int nameID, GraphicsBuffer value)
+        {
+            if (!Silent) Recorded.Texture(this, nameID, value.What);
+        }
+
+        public void SetViewport(Rect pixelRect)
+        {
+            if (!Silent) Recorded.Viewport(this, pixelRect);
+        }
+
+        public void SetRenderTarget(RenderTargetIdentifier[] colors, RenderTargetIdentifier depth, int mipLevel,
+                                    CubemapFace cubemapFace, int depthSlice)
+        {
+            if (!Silent) Recorded.Targets(this, colors, mipLevel, depthSlice);
+        }
+
+        [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/RenderingCommandBuffer.cs")]
+        [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/RenderingCommandBuffer.cs")]
+        public void CopyTexture(RenderTargetIdentifier src, int srcElement, int srcMip, int srcX, int srcY,
+                                int srcWidth, int srcHeight, RenderTargetIdentifier dst, int dstElement, int dstMip,
+                                int dstX, int dstY)
+        {
+            if (!Silent)
+                Recorded.Copy(this, src.What + " slice " + srcElement + " mip " + srcMip + " " + srcX + " " + srcY + " " +
+                                    srcWidth + "x" + srcHeight + " to " + dst.What + " slice " + dstElement + " mip " +
+                                    dstMip + " " + dstX + " " + dstY);
+        }
+
+        [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/RenderingCommandBuffer.cs")]
+        [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/RenderingCommandBuffer.cs")]
+        public void SetComputeTextureParam(ComputeShader computeShader, int kernelIndex, int nameID,
+                                           RenderTargetIdentifier rt)
+        {
+            if (!Silent) Recorded.Texture(this, nameID, rt.What);
+        }
+
+        [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/RenderingCommandBuffer.cs")]
+        [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/RenderingCommandBuffer.cs")]
+        public void SetComputeTextureParam(ComputeShader computeShader, int kernelIndex, int nameID,
+                                           RenderTargetIdentifier rt, int mipLevel)
+        {
+            if (!Silent) Recorded.Texture(this, nameID, rt.What + " mip " + mipLevel);
+        }
+
+        [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/RenderingCommandBuffer.cs")]
+        [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/RenderingCommandBuffer.cs")]
+        public void SetComputeBufferParam(ComputeShader computeShader, int kernelIndex, int nameID,
+                                          GraphicsBuffer buffer)
+        {
+            if (!Silent) Recorded.Texture(this, nameID, buffer.What);
+        }
+
+        [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/RenderingCommandBuffer.cs")]
+        [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/RenderingCommandBuffer.cs")]
+        public void DispatchCompute(ComputeShader computeShader, int kernelIndex, int threadGroupsX,
+                                    int threadGroupsY, int threadGroupsZ)
+        {
+            if (!Silent)
+                Recorded.Dispatch(this, computeShader.Kernels[kernelIndex].Name,
+                                  threadGroupsX + " " + threadGroupsY + " " + threadGroupsZ);
+        }
+
+        [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/RenderingCommandBuffer.cs")]
+        [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/RenderingCommandBuffer.cs")]
+        public void DispatchCompute(ComputeShader computeShader, int kernelIndex, GraphicsBuffer indirectBuffer,
+                                    uint argsOffset)
+        {
+            if (!Silent)
+                Recorded.Dispatch(this, computeShader.Kernels[kernelIndex].Name,
+                                  "as " + indirectBuffer.What + " at " + argsOffset);
+        }
     }
 
     /// <summary>The commands, apart so that a silent buffer makes no closures.</summary>
@@ -87,7 +171,26 @@ namespace UnityEngine.Rendering
         public static void Draw(CommandBuffer buffer, string pass, int vertices) =>
             buffer.Add(device => device.Draw(pass, vertices));
 
-        public static void Target(CommandBuffer buffer, string target) =>
-            buffer.Add(device => device.Target = target);
+        public static void Target(CommandBuffer buffer, string target, int mip = 0, int slice = -1,
+                                  RenderBufferLoadAction load = RenderBufferLoadAction.Load) =>
+            buffer.Add(device => device.SetTarget(target + (mip > 0 ? " mip " + mip : "") +
+                                                  (slice >= 0 ? " slice " + slice : ""), load));
+
+        public static void Targets(CommandBuffer buffer, RenderTargetIdentifier[] colors, int mip, int slice)
+        {
+            string all = "";
+            foreach (RenderTargetIdentifier color in colors) all += (all == "" ? "" : " + ") + color.What;
+            Target(buffer, all, mip, slice);
+        }
+
+        public static void Clear(CommandBuffer buffer) => buffer.Add(device => device.Clear());
+
+        public static void Viewport(CommandBuffer buffer, Rect rect) =>
+            buffer.Add(device => device.SetViewport(rect));
+
+        public static void Copy(CommandBuffer buffer, string what) => buffer.Add(device => device.Copies.Add(what));
+
+        public static void Dispatch(CommandBuffer buffer, string kernel, string groups) =>
+            buffer.Add(device => device.Dispatch(kernel, groups));
     }
 }

@@ -9,9 +9,19 @@ namespace UnityEngine.Rendering
     {
         public sealed class DrawCall
         {
+            /// <summary>Or the kernel.</summary>
             public string Pass;
             public int Vertices;
             public string Target;
+
+            /// <summary>Null: all of the target.</summary>
+            public Rect? Viewport;
+
+            /// <summary>What becomes of what the target holds.</summary>
+            public RenderBufferLoadAction Load;
+
+            /// <summary>Of a kernel: the numbers, or which buffer has them.</summary>
+            public string Groups;
             public Dictionary<string, object> Uniforms;
             public Dictionary<string, string> Textures;
             public SortedSet<string> Keywords;
@@ -22,23 +32,42 @@ namespace UnityEngine.Rendering
         public Dictionary<string, object> Uniforms { get; } = new Dictionary<string, object>();
         public Dictionary<string, string> Textures { get; } = new Dictionary<string, string>();
         public List<DrawCall> Draws { get; } = new List<DrawCall>();
+        public List<string> Copies { get; } = new List<string>();
         public string Target { get; set; } = "camera";
+        private RenderBufferLoadAction load;
+        private Rect? viewport;
+
+        /// <summary>With the whole of it as the viewport.</summary>
+        public void SetTarget(string target, RenderBufferLoadAction loadAction)
+        {
+            Target = target;
+            load = loadAction;
+            viewport = null;
+        }
+
+        public void Clear() => Draws.Add(Call("clear", 0, null));
+
+        public void SetViewport(Rect rect) => viewport = rect;
 
         public void SetKeyword(string name, bool value) => Set(Keywords, name, value);
         public void SetMaterialKeyword(string name, bool value) => Set(MaterialKeywords, name, value);
 
-        public void Draw(string pass, int vertices)
+        public void Draw(string pass, int vertices) => Draws.Add(Call(pass, vertices, null));
+
+        public void Dispatch(string kernel, string groups) => Draws.Add(Call(kernel, 0, groups));
+
+        private DrawCall Call(string pass, int vertices, string groups) => new DrawCall
         {
-            Draws.Add(new DrawCall
-            {
-                Pass = pass,
-                Vertices = vertices,
-                Target = Target,
-                Uniforms = new Dictionary<string, object>(Uniforms),
-                Textures = new Dictionary<string, string>(Textures),
-                Keywords = new SortedSet<string>(MaterialKeywords),
-            });
-        }
+            Pass = pass,
+            Vertices = vertices,
+            Groups = groups,
+            Target = groups == null ? Target : null,
+            Load = load,
+            Viewport = groups == null ? viewport : null,
+            Uniforms = new Dictionary<string, object>(Uniforms),
+            Textures = new Dictionary<string, string>(Textures),
+            Keywords = new SortedSet<string>(MaterialKeywords),
+        };
 
         public void Play(CommandBuffer commands)
         {

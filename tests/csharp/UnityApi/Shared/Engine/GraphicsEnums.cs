@@ -49,7 +49,11 @@ namespace UnityEngine.Rendering
 
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
-    public enum TextureDimension { Tex2D = 2, Tex2DArray = 5 }
+    public enum TextureDimension { Tex2D = 2, Tex3D = 3, Tex2DArray = 5 }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
+    public enum BuiltinRenderTextureType { None = 0 }
 }
 
 namespace UnityEngine
@@ -63,5 +67,5 @@ namespace UnityEngine.Experimental.Rendering
 {
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
-    public enum GraphicsFormat { None = 0, R8_UNorm = 5, B8G8R8A8_UNorm = 59 }
+    public enum GraphicsFormat { None = 0, R8_UNorm = 5, R32_UInt = 37, R32_SFloat = 49, B8G8R8A8_UNorm = 59 }
 }

@@ -12,6 +12,7 @@ namespace UnityEngine
 
         public static float Sqrt(float f) => (float)Math.Sqrt(f);
         public static float Ceil(float f) => (float)Math.Ceiling(f);
+        public static int CeilToInt(float f) => (int)Math.Ceiling(f);
         public static int Clamp(int value, int min, int max) => value < min ? min : value > max ? max : value;
         public static float Clamp(float value, float min, float max) => value < min ? min : value > max ? max : value;
         public static int Min(int a, int b) => a < b ? a : b;

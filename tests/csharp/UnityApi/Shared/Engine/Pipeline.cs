@@ -77,6 +77,7 @@ namespace UnityEngine
     {
         public static int graphicsShaderLevel { get; [OwnBehaviour] set; } = 50;
         public static Rendering.GraphicsDeviceType graphicsDeviceType => Rendering.GraphicsDeviceType.Vulkan;
+        public static bool supportsComputeShaders { get; [OwnBehaviour] set; } = true;
         public static bool graphicsUVStartsAtTop { get; [OwnBehaviour] set; } = true;
         public static bool usesReversedZBuffer { get; [OwnBehaviour] set; } = true;
 

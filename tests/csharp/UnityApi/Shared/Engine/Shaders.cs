@@ -21,7 +21,12 @@ namespace UnityEngine
 
         [OwnBehaviour] public Shader() { }
 
+        /// <summary>Local ones that it declares; null: whatever one asks for.</summary>
+        [OwnBehaviour] public List<string> KeywordNames { get; set; }
+
         public bool isSupported { get; [OwnBehaviour] set; } = true;
+
+        public LocalKeywordSpace keywordSpace => new LocalKeywordSpace(KeywordNames);
 
         [OwnBehaviour] public static Dictionary<string, object> Globals { get; } = new Dictionary<string, object>();
 
@@ -46,6 +51,66 @@ namespace UnityEngine
             if (!properties.Contains(name)) properties.Add(name);
             return properties.IndexOf(name);
         }
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Shaders/ComputeShader.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Shaders/ComputeShader.bindings.cs")]
+    public sealed partial class ComputeShader : Object
+    {
+        [OwnBehaviour]
+        public sealed class Kernel
+        {
+            public string Name;
+            public uint X;
+            public uint Y;
+            public uint Z;
+            public bool IsSupported = true;
+        }
+
+        [OwnBehaviour] public List<Kernel> Kernels { get; } = new List<Kernel>();
+
+        [OwnBehaviour] public ComputeShader() { }
+
+        public LocalKeywordSpace keywordSpace => new LocalKeywordSpace(new List<string>());
+
+        public int FindKernel(string name) => Kernels.FindIndex(kernel => kernel.Name == name);
+
+        public bool HasKernel(string name) => FindKernel(name) >= 0;
+
+        public bool IsSupported(int kernelIndex) => Kernels[kernelIndex].IsSupported;
+
+        public void GetKernelThreadGroupSizes(int kernelIndex, out uint x, out uint y, out uint z)
+        {
+            x = Kernels[kernelIndex].X;
+            y = Kernels[kernelIndex].Y;
+            z = Kernels[kernelIndex].Z;
+        }
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsBuffer.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsBuffer.bindings.cs")]
+    public sealed partial class GraphicsBuffer : IDisposable
+    {
+        [Flags]
+        public enum Target { Structured = 1 << 4, IndirectArguments = 1 << 8 }
+
+        /// <summary>All that are not released.</summary>
+        [OwnBehaviour] public static readonly List<GraphicsBuffer> Living = new List<GraphicsBuffer>();
+
+        [OwnBehaviour] public string What { get; }
+
+        public GraphicsBuffer(Target target, int count, int stride)
+        {
+            this.count = count;
+            What = target + " of " + count + " x " + stride;
+            Living.Add(this);
+        }
+
+        public int count { get; }
+
+        public void Release() => Living.Remove(this);
+
+        public void Dispose() => Release();
     }
 
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Shaders/Material.bindings.cs")]
@@ -84,9 +149,26 @@ namespace UnityEngine.Rendering
     public readonly struct LocalKeyword : IEquatable<LocalKeyword>
     {
         public string name { get; }
+        public bool isValid => name != null;
 
         public LocalKeyword(Shader shader, string name) { this.name = name; }
 
+        [OwnBehaviour] public LocalKeyword(string name) { this.name = name; }
+
         public bool Equals(LocalKeyword rhs) => name == rhs.name;
+    }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Shaders/LocalKeywordSpace.bindings.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Shaders/LocalKeywordSpace.bindings.cs")]
+    public readonly struct LocalKeywordSpace : IEquatable<LocalKeywordSpace>
+    {
+        private readonly List<string> declared;
+
+        [OwnBehaviour] public LocalKeywordSpace(List<string> declared) { this.declared = declared; }
+
+        public LocalKeyword FindKeyword(string name) =>
+            declared == null || declared.Contains(name) ? new LocalKeyword(name) : default;
+
+        public bool Equals(LocalKeywordSpace rhs) => declared == rhs.declared;
     }
 }

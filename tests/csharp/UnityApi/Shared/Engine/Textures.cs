@@ -31,9 +31,21 @@ namespace UnityEngine
         public GraphicsFormat graphicsFormat { get; set; }
         public GraphicsFormat depthStencilFormat { get; set; }
         public bool useDynamicScale { get; set; }
+        public bool useMipMap { get; set; }
+        public bool autoGenerateMips { get; set; }
+        public bool bindMS { get; set; }
         public bool enableRandomWrite { get; set; }
         public Rendering.TextureDimension dimension { get; set; }
         public VRTextureUsage vrUsage { get; set; }
+
+        /// <summary>Equals() would allocate.</summary>
+        [OwnBehaviour]
+        public bool IsSame(in RenderTextureDescriptor other) =>
+            width == other.width && height == other.height && msaaSamples == other.msaaSamples &&
+            volumeDepth == other.volumeDepth && graphicsFormat == other.graphicsFormat &&
+            depthStencilFormat == other.depthStencilFormat && useDynamicScale == other.useDynamicScale &&
+            useMipMap == other.useMipMap && autoGenerateMips == other.autoGenerateMips && bindMS == other.bindMS &&
+            enableRandomWrite == other.enableRandomWrite && dimension == other.dimension && vrUsage == other.vrUsage;
     }
 }
 
@@ -44,6 +56,9 @@ namespace UnityEngine.Rendering
     public partial struct RenderTargetIdentifier : IEquatable<RenderTargetIdentifier>
     {
         [OwnBehaviour] public string What { get; set; }
+
+        public static implicit operator RenderTargetIdentifier(BuiltinRenderTextureType type) =>
+            new RenderTargetIdentifier { What = type.ToString() };
 
         public bool Equals(RenderTargetIdentifier rhs) => What == rhs.What;
     }

@@ -34,6 +34,19 @@ namespace UnityEngine
         public bool Equals(Vector3 other) => x == other.x && y == other.y && z == other.z;
     }
 
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Math/Vector3Int.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Math/Vector3Int.cs")]
+    public struct Vector3Int : IEquatable<Vector3Int>
+    {
+        public int x { get; set; }
+        public int y { get; set; }
+        public int z { get; set; }
+
+        public Vector3Int(int x, int y, int z) { this.x = x; this.y = y; this.z = z; }
+
+        public bool Equals(Vector3Int other) => x == other.x && y == other.y && z == other.z;
+    }
+
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Math/Vector4.cs")]
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/Math/Vector4.cs")]
     public struct Vector4 : IEquatable<Vector4>

@@ -221,8 +221,6 @@ namespace UnityEngine.Rendering
 
         public void ClearRenderTarget(bool clearDepth, bool clearColor, Color backgroundColor) { }
 
-        public void SetViewport(Rect pixelRect) => Recorded.Uniform(this, Shader.PropertyToID("viewport"), pixelRect);
-
         public void SetViewProjectionMatrices(Matrix4x4 view, Matrix4x4 proj) { }
 
         public void SetGlobalVectorArray(int nameID, Vector4[] values) =>

@@ -1,0 +1,189 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using UnityEngine;
+
+namespace Penumbra
+{
+    /// <summary>
+    /// Makes a chain of graphs. It numbers textures as they come; Finish() finds out how long each of them lives and puts
+    /// slots for the numbers.
+    /// </summary>
+    internal sealed class ChainBuilder
+    {
+        private readonly List<ChainTexture> textures = new List<ChainTexture>();
+        private readonly List<ChainTexture> slots = new List<ChainTexture>();
+        private readonly List<GraphBuffer> buffers = new List<GraphBuffer>();
+        private readonly List<ChainStep> steps = new List<ChainStep>();
+        private readonly List<ChainGlobal> globals = new List<ChainGlobal>();
+        private readonly List<ChainHistory> histories = new List<ChainHistory>();
+        private int visibility = ShadowChain.None;
+
+        internal IReadOnlyList<ChainStep> Steps => steps;
+        internal IReadOnlyList<ChainTexture> Slots => slots;
+        internal IReadOnlyList<GraphBuffer> Buffers => buffers;
+        internal IReadOnlyList<ChainGlobal> Globals => globals;
+        internal IReadOnlyList<ChainHistory> Histories => histories;
+        internal int Mask { get; private set; } = ShadowChain.None;
+
+        internal void Add(TechniqueGraph graph)
+        {
+            int firstTexture = textures.Count;
+            int firstBuffer = buffers.Count;
+            for (int i = 0; i < graph.textures.Length; ++i)
+            {
+                // Both of a history are written by turns.
+                int previousOf = graph.textures[i].previousOf;
+                int written = previousOf == TechniqueGraph.None ? i : previousOf;
+                textures.Add(new ChainTexture(graph.textures[i], IsWrittenByKernels(graph, written), IsKept(graph, i)));
+                if (written != i)
+                    histories.Add(new ChainHistory { now = firstTexture + written, before = firstTexture + i });
+            }
+            foreach (GraphBuffer buffer in graph.buffers)
+                buffers.Add(new GraphBuffer(buffer.name, buffer.words, buffer.wordsPerTexel,
+                                            Moved(buffer.texture, firstTexture), buffer.indirect));
+            foreach (GraphPass pass in graph.passes) steps.Add(Step(pass, firstTexture, firstBuffer));
+            foreach (GraphBinding texture in graph.filterTextures)
+                globals.Add(new ChainGlobal
+                {
+                    texture = Binding(texture, firstTexture, firstBuffer), afterStep = steps.Count - 1,
+                });
+            if (graph.visibility != TechniqueGraph.None) visibility = firstTexture + graph.visibility;
+            if (graph.mask != TechniqueGraph.None) Mask = firstTexture + graph.mask;
+        }
+
+        private static int Moved(int index, int first) => index == TechniqueGraph.None ? ShadowChain.None : first + index;
+
+        private static bool IsWrittenByKernels(TechniqueGraph graph, int texture) =>
+            graph.passes.Any(pass => pass.kind == PassKind.Compute && pass.Writes(false, texture));
+
+        // Somebody reads it in frames in which nobody writes it.
+        private static bool IsKept(TechniqueGraph graph, int texture)
+        {
+            if (graph.textures[texture].previousOf != TechniqueGraph.None) return true;
+            if (graph.textures.Any(other => other.previousOf == texture)) return true;
+            PassFrequency written = graph.passes.Where(pass => pass.Writes(false, texture)).Min(pass => pass.runs);
+            bool byFilter = graph.filterTextures.Any(binding => binding.index == texture);
+            return byFilter && written < PassFrequency.Frame ||
+                   graph.passes.Any(pass => pass.Reads(false, texture) && pass.runs > written);
+        }
+
+        private ChainStep Step(GraphPass pass, int firstTexture, int firstBuffer)
+        {
+            ChainBinding Bound(GraphBinding binding) => Binding(binding, firstTexture, firstBuffer);
+            var step = new ChainStep
+            {
+                pass = pass, reads = pass.reads.Select(Bound).ToArray(), writes = pass.writes.Select(Bound).ToArray(),
+            };
+            if (pass.kind == PassKind.Compute)
+            {
+                step.threadsOf = Moved(pass.groups.texelsOf, firstTexture);
+                step.indirect = Moved(pass.groups.indirect, firstBuffer);
+            }
+            for (int i = 0; i < step.reads.Length; ++i)
+                if (pass.eachMip && !step.reads[i].isBuffer && pass.Writes(false, pass.reads[i].index))
+                    step.reads[i].levels = LevelCopies(textures[step.reads[i].index]);
+            return step;
+        }
+
+        private static ChainBinding Binding(in GraphBinding binding, int firstTexture, int firstBuffer)
+        {
+            ChainBinding bound = default;
+            bound.isBuffer = binding.isBuffer;
+            bound.index = (binding.isBuffer ? firstBuffer : firstTexture) + binding.index;
+            if (binding.property == null) return bound;
+            bound.property = Shader.PropertyToID(binding.property);
+            if (!binding.isBuffer) bound.sizeProperty = Shader.PropertyToID(SizeName(binding.property));
+            return bound;
+        }
+
+        // _PenumbraSourceSize of _PenumbraSourceTexture.
+        private static string SizeName(string texture)
+        {
+            const string ending = "Texture";
+            return (texture.EndsWith(ending, StringComparison.Ordinal)
+                        ? texture.Substring(0, texture.Length - ending.Length)
+                        : texture) + "Size";
+        }
+
+        // One for each level that may be the one before another.
+        private int[] LevelCopies(in ChainTexture texture)
+        {
+            var copies = new int[(texture.mips == 0 ? MostLevels : texture.mips) - 1];
+            for (int level = 0; level < copies.Length; ++level)
+            {
+                copies[level] = textures.Count;
+                textures.Add(texture.CopyOf(level));
+            }
+            return copies;
+        }
+
+        private const int MostLevels = 15;  // of 16384 texels
+
+        internal void Finish()
+        {
+            if (visibility == ShadowChain.None)
+                throw new InvalidOperationException("no graph of the chain ends in a visibility");
+            int[] slotOf = SlotAssignment.Assign(textures, Uses(), visibility, slots);
+            foreach (ChainStep step in steps)
+            {
+                PutSlots(step.reads, slotOf);
+                PutSlots(step.writes, slotOf);
+                if (step.threadsOf != ShadowChain.None) step.threadsOf = slotOf[step.threadsOf];
+            }
+            for (int i = 0; i < globals.Count; ++i)
+            {
+                ChainGlobal global = globals[i];
+                global.texture.index = slotOf[global.texture.index];
+                globals[i] = global;
+            }
+            for (int i = 0; i < histories.Count; ++i)
+                histories[i] = new ChainHistory
+                {
+                    now = slotOf[histories[i].now], before = slotOf[histories[i].before],
+                };
+            for (int i = 0; i < buffers.Count; ++i)
+                if (buffers[i].texture != ShadowChain.None)
+                    buffers[i] = new GraphBuffer(buffers[i].name, buffers[i].words, buffers[i].wordsPerTexel,
+                                                 slotOf[buffers[i].texture], buffers[i].indirect);
+            if (Mask != ShadowChain.None) Mask = slotOf[Mask];
+        }
+
+        // The mask lives to the end: a debug view shows it. So does what the screen's passes find by name.
+        private TextureUse[] Uses()
+        {
+            var uses = Enumerable.Repeat(new TextureUse { firstWrite = steps.Count, lastUse = -1 }, textures.Count)
+                .ToArray();
+            void Use(int texture, int first, int last)
+            {
+                uses[texture].firstWrite = Math.Min(uses[texture].firstWrite, first);
+                uses[texture].lastUse = Math.Max(uses[texture].lastUse, last);
+            }
+            for (int at = 0; at < steps.Count; ++at)
+            {
+                foreach (ChainBinding write in steps[at].writes)
+                    if (!write.isBuffer) Use(write.index, at, at);
+                foreach (ChainBinding read in steps[at].reads)
+                {
+                    if (!read.isBuffer) Use(read.index, at, at);
+                    foreach (int copy in read.levels ?? Array.Empty<int>()) Use(copy, at, at);
+                }
+            }
+            foreach (ChainGlobal global in globals) uses[global.texture.index].lastUse = steps.Count;
+            if (Mask != ShadowChain.None) uses[Mask].lastUse = steps.Count;
+            uses[visibility].lastUse = steps.Count;
+            return uses;
+        }
+
+        private static void PutSlots(ChainBinding[] bindings, int[] slotOf)
+        {
+            for (int i = 0; i < bindings.Length; ++i)
+            {
+                if (bindings[i].isBuffer) continue;
+                bindings[i].index = slotOf[bindings[i].index];
+                for (int level = 0; level < (bindings[i].levels?.Length ?? 0); ++level)
+                    bindings[i].levels[level] = slotOf[bindings[i].levels[level]];
+            }
+        }
+    }
+}

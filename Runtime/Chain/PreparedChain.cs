@@ -1,0 +1,74 @@
+using System.Collections.Generic;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Penumbra
+{
+    /// <summary>A chain with its programs, or with what stands against running it.</summary>
+    internal sealed class PreparedChain
+    {
+        internal readonly ShadowChain chain;
+        internal readonly ProgramAsset[] assets;
+
+        /// <summary>In the order of the chain's steps.</summary>
+        internal readonly PassProgram[] programs;
+
+        /// <summary>Room for the targets of steps that draw into several; null of others.</summary>
+        internal readonly RenderTargetIdentifier[][] targets;
+
+        /// <summary>What is missing, for a reader; null: nothing.</summary>
+        internal readonly string problem;
+
+        internal PreparedChain(ShadowChain chain, PassMaterials materials)
+        {
+            this.chain = chain;
+            programs = new PassProgram[chain.Steps.Count];
+            targets = new RenderTargetIdentifier[chain.Steps.Count][];
+            problem = FormatProblem();
+            IReadOnlyList<string> known = ChainKeywords.All;
+            var used = new Dictionary<string, ProgramAsset>();
+            for (int i = 0; i < programs.Length && problem == null; ++i)
+            {
+                GraphPass pass = chain.Steps[i].pass;
+                if (!used.TryGetValue(pass.asset, out ProgramAsset asset))
+                {
+                    problem = materials.Find(pass, out Object found, out Material material);
+                    if (problem != null) break;
+                    asset = used[pass.asset] = new ProgramAsset(found, material, known, chain.Keywords);
+                }
+                problem = Find(pass, asset, out programs[i]);
+                if (pass.kind == PassKind.Raster && pass.writes.Length > 1)
+                    targets[i] = new RenderTargetIdentifier[pass.writes.Length];
+            }
+            assets = new ProgramAsset[used.Count];
+            used.Values.CopyTo(assets, 0);
+        }
+
+        private string FormatProblem()
+        {
+            foreach (ChainTexture texture in chain.Slots)
+                if (!UrpFrame.IsSupported(texture))
+                    return "this device cannot " + (texture.randomWrite ? "write" : "draw to") + " textures of " +
+                           texture.format;
+            return null;
+        }
+
+        private static string Find(GraphPass pass, ProgramAsset asset, out PassProgram program)
+        {
+            program = default;
+            if (pass.kind == PassKind.Raster)
+            {
+                program = new PassProgram(asset, asset.material.FindPass(pass.program));
+                return program.index >= 0 ? null : pass.asset + " has no pass '" + pass.program + "'";
+            }
+            if (!asset.kernels.HasKernel(pass.program))
+                return pass.asset + " has no kernel '" + pass.program + "', or it does not compile";
+            int kernel = asset.kernels.FindKernel(pass.program);
+            if (!asset.kernels.IsSupported(kernel))
+                return "this device cannot run kernel '" + pass.program + "' of " + pass.asset;
+            asset.kernels.GetKernelThreadGroupSizes(kernel, out uint x, out uint y, out uint z);
+            program = new PassProgram(asset, kernel, new Vector3Int((int)x, (int)y, (int)z));
+            return null;
+        }
+    }
+}

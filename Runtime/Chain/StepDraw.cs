@@ -1,0 +1,175 @@
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Penumbra
+{
+    /// <summary>
+    /// Records one step of a chain: as often as it has mip levels to make and cascades were drawn anew. Lives on the
+    /// stack.
+    /// </summary>
+    internal readonly ref struct StepDraw
+    {
+        private readonly ShadowChain chain;
+        private readonly ChainStep step;
+        private readonly PassProgram program;
+        private readonly RenderTargetIdentifier[] targets;
+        private readonly RTHandle[] slots;
+        private readonly GraphicsBuffer[] buffers;
+
+        internal StepDraw(PreparedChain prepared, int index, RTHandle[] slots, GraphicsBuffer[] buffers)
+        {
+            chain = prepared.chain;
+            step = chain.Steps[index];
+            program = prepared.programs[index];
+            targets = prepared.targets[index];
+            this.slots = slots;
+            this.buffers = buffers;
+        }
+
+        internal void Draw(CommandBuffer commands, in ShadowFrame frame)
+        {
+            if (step.pass.runs == PassFrequency.Bake && !frame.storeIsEmpty) return;
+            if (step.ByCascade && !frame.UpdatesAny) return;
+            if (!step.pass.eachMip)
+            {
+                DrawCascades(commands, frame, 0);
+                return;
+            }
+            int levels = PassGeometry.Levels(chain.Slots[step.Target], frame, step.ByCascade);
+            for (int mip = 1; mip < levels; ++mip)
+            {
+                CopyLevel(commands, frame, mip - 1);
+                commands.SetGlobalInteger(FrameUniforms.Mip, mip);
+                DrawCascades(commands, frame, mip);
+            }
+        }
+
+        private void DrawCascades(CommandBuffer commands, in ShadowFrame frame, int mip)
+        {
+            if (!step.ByCascade)
+            {
+                DrawOnce(commands, frame, 0, mip);
+                return;
+            }
+            for (int cascade = 0; cascade < frame.layout.Cascades; ++cascade)
+                if (frame.Updates(cascade)) DrawOnce(commands, frame, cascade, mip);
+        }
+
+        private void DrawOnce(CommandBuffer commands, in ShadowFrame frame, int cascade, int mip)
+        {
+            SetSizes(commands, frame, cascade, mip);
+            if (step.pass.kind == PassKind.Compute) Dispatch(commands, frame, mip);
+            else DrawTriangle(commands, frame, cascade, mip);
+        }
+
+        private void SetSizes(CommandBuffer commands, in ShadowFrame frame, int cascade, int mip)
+        {
+            for (int i = 0; i < step.reads.Length; ++i)
+            {
+                if (step.reads[i].isBuffer) continue;
+                int level = step.reads[i].levels != null ? mip - 1 : 0;
+                commands.SetGlobalVector(step.reads[i].sizeProperty,
+                                         TextureSize.Drawn(chain.Slots[step.reads[i].index], frame).At(level).Uniform);
+            }
+            if (step.Target == ShadowChain.None) return;
+            ChainTexture target = chain.Slots[step.Target];
+            commands.SetGlobalVector(FrameUniforms.TargetSize, TextureSize.Drawn(target, frame).At(mip).Uniform);
+            if (!step.ByCascade) return;
+            Rect tile = PassGeometry.Area(target, frame, true, cascade, mip);
+            commands.SetGlobalInteger(FrameUniforms.Cascade, cascade);
+            commands.SetGlobalVector(FrameUniforms.Tile, new Vector4(tile.x, tile.y, tile.width, tile.height));
+        }
+
+        private void DrawTriangle(CommandBuffer commands, in ShadowFrame frame, int cascade, int mip)
+        {
+            for (int i = 0; i < step.reads.Length; ++i)
+            {
+                ChainBinding read = step.reads[i];
+                if (read.isBuffer) commands.SetGlobalBuffer(read.property, buffers[read.index]);
+                else commands.SetGlobalTexture(read.property, slots[Read(read, mip)]);
+            }
+            ChainTexture target = chain.Slots[step.Target];
+            int slice = step.ByCascade && target.extent == GraphExtent.Tile ? cascade : -1;
+            bool isTile = step.ByCascade && target.extent == GraphExtent.Map;
+            SetTargets(commands, mip, slice, isTile);
+            if (isTile) commands.SetViewport(PassGeometry.Area(target, frame, true, cascade, mip));
+            commands.DrawProcedural(Matrix4x4.identity, program.asset.material, program.index, MeshTopology.Triangles, 3,
+                                    1, null);
+        }
+
+        // The other cascades' tiles stay as they are.
+        private void SetTargets(CommandBuffer commands, int mip, int slice, bool load)
+        {
+            if (targets == null)
+            {
+                CoreUtils.SetRenderTarget(commands, slots[step.Target],
+                                          load ? RenderBufferLoadAction.Load : RenderBufferLoadAction.DontCare,
+                                          RenderBufferStoreAction.Store, ClearFlag.None, Color.clear, mip,
+                                          CubemapFace.Unknown, slice);
+                return;
+            }
+            for (int i = 0; i < targets.Length; ++i) targets[i] = slots[step.writes[i].index];
+            commands.SetRenderTarget(targets, BuiltinRenderTextureType.None, mip, CubemapFace.Unknown, slice);
+        }
+
+        private void Dispatch(CommandBuffer commands, in ShadowFrame frame, int mip)
+        {
+            ComputeShader kernels = program.asset.kernels;
+            if (step.IsSparse) ClearTargets(commands, mip);
+            for (int i = 0; i < step.reads.Length; ++i)
+            {
+                ChainBinding read = step.reads[i];
+                if (read.isBuffer) Bind(commands, read);
+                else commands.SetComputeTextureParam(kernels, program.index, read.property, slots[Read(read, mip)]);
+            }
+            for (int i = 0; i < step.writes.Length; ++i)
+            {
+                ChainBinding write = step.writes[i];
+                if (write.isBuffer) Bind(commands, write);
+                else commands.SetComputeTextureParam(kernels, program.index, write.property, slots[write.index], mip);
+            }
+            if (step.indirect != ShadowChain.None)
+            {
+                commands.DispatchCompute(kernels, program.index, buffers[step.indirect], 0);
+                return;
+            }
+            GraphGroups groups = step.pass.groups;
+            Vector3Int count = step.threadsOf == ShadowChain.None
+                                   ? new Vector3Int(groups.x, groups.y, groups.z)
+                                   : PassGeometry.Groups(chain.Slots[step.threadsOf], frame, step.ByCascade, mip,
+                                                         program.threads);
+            commands.DispatchCompute(kernels, program.index, count.x, count.y, count.z);
+        }
+
+        // What it does not write is 0, not what another frame has left.
+        private void ClearTargets(CommandBuffer commands, int mip)
+        {
+            for (int i = 0; i < step.writes.Length; ++i)
+                if (!step.writes[i].isBuffer)
+                    CoreUtils.SetRenderTarget(commands, slots[step.writes[i].index], RenderBufferLoadAction.DontCare,
+                                              RenderBufferStoreAction.Store, ClearFlag.Color, Color.clear, mip);
+        }
+
+        private void Bind(CommandBuffer commands, in ChainBinding buffer) =>
+            commands.SetComputeBufferParam(program.asset.kernels, program.index, buffer.property,
+                                           buffers[buffer.index]);
+
+        private static int Read(in ChainBinding read, int mip) => read.levels == null ? read.index : read.levels[mip - 1];
+
+        // A texture cannot be read while a level of it is drawn into: programs read a copy of the level before.
+        private void CopyLevel(CommandBuffer commands, in ShadowFrame frame, int level)
+        {
+            for (int i = 0; i < step.reads.Length; ++i)
+            {
+                ChainBinding read = step.reads[i];
+                if (read.levels == null) continue;
+                ChainTexture texture = chain.Slots[read.index];
+                TextureSize size = TextureSize.Drawn(texture, frame).At(level);
+                int slices = texture.extent == GraphExtent.Screen && size.depth == 1 ? frame.views : size.depth;
+                for (int slice = 0; slice < slices; ++slice)
+                    commands.CopyTexture(slots[read.index], slice, level, 0, 0, size.width, size.height,
+                                         slots[read.levels[level]], slice, 0, 0, 0);
+            }
+        }
+    }
+}

@@ -1,0 +1,61 @@
+using System.IO;
+using System.Text.RegularExpressions;
+using UnityEditor;
+using UnityEngine;
+
+namespace Penumbra.Tests
+{
+    /// <summary>
+    /// The techniques of tests/techniques/added, which the C++ tools run too, in the place of one of the feature's: their
+    /// graphs as `penumbra validate --emit-graphs` writes them, their assets as far as names and groups of threads go.
+    /// </summary>
+    internal static class AddedTechniques
+    {
+        internal const ShadowTechnique Place = ShadowTechnique.Tent3x3;
+
+        private const string Package = "Packages/com.penumbra.shadows/";
+
+        private static string Text(string file) =>
+            File.ReadAllText(Path.Combine(FakeShader.PackageRoot(), "tests", "techniques", "added", file));
+
+        /// <summary>Its shader; imported, as far as the editor goes.</summary>
+        internal static Shader AddMeans()
+        {
+            TechniquePasses.Graphs[Place] = MeansGraphs.Means;
+            var shader = new Shader { name = "Hidden/Means" };
+            foreach (Match pass in Regex.Matches(Text("Means.shader"), "Name \"(\\w+)\""))
+                shader.PassNames.Add(pass.Groups[1].Value);
+            AssetDatabase.Assets[Package + "Means.shader"] = shader;
+            return shader;
+        }
+
+        /// <summary>Its kernels; the same.</summary>
+        internal static ComputeShader AddBlocks()
+        {
+            TechniquePasses.Graphs[Place] = BlocksGraphs.Blocks;
+            var kernels = new ComputeShader { name = "Blocks" };
+            foreach (Match kernel in Regex.Matches(Text("Blocks.compute"),
+                                                   "\\[numthreads\\((\\d+), (\\d+), (\\d+)\\)\\]\\s+void (\\w+)"))
+                kernels.Kernels.Add(new ComputeShader.Kernel
+                {
+                    Name = kernel.Groups[4].Value, X = uint.Parse(kernel.Groups[1].Value),
+                    Y = uint.Parse(kernel.Groups[2].Value), Z = uint.Parse(kernel.Groups[3].Value),
+                });
+            AssetDatabase.Assets[Package + "Blocks.compute"] = kernels;
+            return kernels;
+        }
+
+        internal static void Remove()
+        {
+            TechniquePasses.Graphs.Clear();
+            AssetDatabase.Assets.Clear();
+        }
+
+        internal static ShadowOptions Options()
+        {
+            ShadowOptions options = ShadowPresets.Options(QualityPreset.Low);
+            options.technique = Place;
+            return options;
+        }
+    }
+}
