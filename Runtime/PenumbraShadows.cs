@@ -90,7 +90,7 @@ namespace Penumbra
                 LastSkip = SkipReason.UnsupportedDevice;
                 return;
             }
-            MissingPass = draw.Prepare(options);
+            MissingPass = draw.Prepare(options, source.views);
             if (MissingPass != null)
             {
                 LastSkip = SkipReason.MissingPass;

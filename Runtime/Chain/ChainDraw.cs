@@ -25,12 +25,13 @@ namespace Penumbra
         }
 
         /// <summary>Chooses the chain of these options. Returns what it lacks to run; null: nothing.</summary>
-        internal string Prepare(in ShadowOptions options)
+        /// <param name="views">Drawn at once.</param>
+        internal string Prepare(in ShadowOptions options, int views)
         {
             int key = ChainGraphs.Key(options);
             if (!chains.TryGetValue(key, out current))
                 chains[key] = current = new PreparedChain(ShadowChain.Of(options), materials);
-            return current.problem;
+            return current.problem ?? (views > 1 ? current.stereoProblem : null);
         }
 
         /// <summary>`slots` and `buffers` in the order of the chain's.</summary>
@@ -38,20 +39,30 @@ namespace Penumbra
         {
             uniforms.Set(commands, frame);
             for (int i = 0; i < current.assets.Length; ++i) current.assets[i].SetKeywords(commands);
-            if (frame.storeIsEmpty) ClearHistories(commands, slots);
+            if (frame.historiesAreEmpty) ClearHistories(commands, frame, slots);
             for (int i = 0; i < Chain.Steps.Count; ++i)
             {
+                // Eyes that are drawn at once are two instances of a draw and two slices of the target.
+                bool oneView = frame.views > 1 && Chain.Steps[i].pass.kind != PassKind.Compute &&
+                               !Chain.IsOverScreen(Chain.Steps[i]);
+                if (oneView) frame.xr.StopSinglePass(commands);
                 var step = new StepDraw(current, i, slots, buffers);
                 step.Draw(commands, frame);
+                if (oneView) frame.xr.StartSinglePass(commands);
                 Publish(commands, frame, slots, i);
             }
         }
 
-        private void ClearHistories(CommandBuffer commands, RTHandle[] slots)
+        private void ClearHistories(CommandBuffer commands, in ShadowFrame frame, RTHandle[] slots)
         {
             for (int i = 0; i < Chain.Histories.Count; ++i)
-                CoreUtils.SetRenderTarget(commands, slots[Chain.Histories[i].before], RenderBufferLoadAction.DontCare,
-                                          RenderBufferStoreAction.Store, ClearFlag.Color, Color.clear);
+            {
+                int before = Chain.Histories[i].before;
+                int levels = PassGeometry.Levels(Chain.Slots[before], frame, false);
+                for (int mip = 0; mip < levels; ++mip)
+                    CoreUtils.SetRenderTarget(commands, slots[before], RenderBufferLoadAction.DontCare,
+                                              RenderBufferStoreAction.Store, ClearFlag.Color, Color.clear, mip);
+            }
         }
 
         private void Publish(CommandBuffer commands, in ShadowFrame frame, RTHandle[] slots, int step)

@@ -48,7 +48,7 @@ namespace Penumbra
         {
             this = whole;
             mips = 1;
-            randomWrite = kept = false;
+            kept = false;
             this.level = level;
         }
 

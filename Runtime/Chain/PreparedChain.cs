@@ -19,12 +19,16 @@ namespace Penumbra
         /// <summary>What is missing, for a reader; null: nothing.</summary>
         internal readonly string problem;
 
+        /// <summary>The same, where both eyes are drawn at once.</summary>
+        internal readonly string stereoProblem;
+
         internal PreparedChain(ShadowChain chain, PassMaterials materials)
         {
             this.chain = chain;
             programs = new PassProgram[chain.Steps.Count];
             targets = new RenderTargetIdentifier[chain.Steps.Count][];
-            problem = FormatProblem();
+            problem = DeviceLimits.Problem(chain);
+            stereoProblem = DeviceLimits.StereoProblem(chain);
             IReadOnlyList<string> known = ChainKeywords.All;
             var used = new Dictionary<string, ProgramAsset>();
             for (int i = 0; i < programs.Length && problem == null; ++i)
@@ -42,15 +46,6 @@ namespace Penumbra
             }
             assets = new ProgramAsset[used.Count];
             used.Values.CopyTo(assets, 0);
-        }
-
-        private string FormatProblem()
-        {
-            foreach (ChainTexture texture in chain.Slots)
-                if (!UrpFrame.IsSupported(texture))
-                    return "this device cannot " + (texture.randomWrite ? "write" : "draw to") + " textures of " +
-                           texture.format;
-            return null;
         }
 
         private static string Find(GraphPass pass, ProgramAsset asset, out PassProgram program)

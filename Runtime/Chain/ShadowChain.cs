@@ -38,6 +38,13 @@ namespace Penumbra
         /// <summary>The mask's slot; None without one.</summary>
         internal int Mask { get; }
 
+        /// <summary>Of what stays from frame to frame something is as large as the screen.</summary>
+        internal bool KeepsScreen { get; }
+
+        /// <summary>Its target has a slice for each eye where two are drawn at once.</summary>
+        internal bool IsOverScreen(ChainStep step) =>
+            step.Target != None && Slots[step.Target].extent == GraphExtent.Screen;
+
         /// <summary>The chain that these options need.</summary>
         internal static ShadowChain Of(in ShadowOptions options) =>
             new ShadowChain(ChainGraphs.Of(options), TechniqueTable.Keywords[(int)options.technique]);
@@ -57,6 +64,7 @@ namespace Penumbra
             Mask = builder.Mask;
             SlotNames = Enumerable.Range(0, Slots.Count)
                 .Select(slot => slot == Output ? OutputName : "_PenumbraSlot" + slot).ToArray();
+            KeepsScreen = Slots.Any(slot => slot.kept && slot.extent == GraphExtent.Screen);
             Keywords = ChainKeywords.Of(techniqueKeyword, graphs);
         }
     }

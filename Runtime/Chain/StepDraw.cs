@@ -109,7 +109,8 @@ namespace Penumbra
                 return;
             }
             for (int i = 0; i < targets.Length; ++i) targets[i] = slots[step.writes[i].index];
-            commands.SetRenderTarget(targets, BuiltinRenderTextureType.None, mip, CubemapFace.Unknown, slice);
+            // Its depth, of which it has none.
+            commands.SetRenderTarget(targets, targets[0], mip, CubemapFace.Unknown, slice);
         }
 
         private void Dispatch(CommandBuffer commands, in ShadowFrame frame, int mip)

@@ -1,4 +1,5 @@
 using UnityEngine;
+using UnityEngine.Experimental.Rendering;
 
 namespace Penumbra
 {
@@ -15,6 +16,9 @@ namespace Penumbra
         /// <summary>The camera draws over what another one has drawn.</summary>
         internal bool overlay;
 
+        /// <summary>A face of a reflection probe.</summary>
+        internal bool isProbe;
+
         /// <summary>Of the camera's target in pixels, before dynamic resolution.</summary>
         internal int width;
         internal int height;
@@ -30,6 +34,9 @@ namespace Penumbra
         /// <summary>Drawn at once.</summary>
         internal int views;
 
+        /// <summary>Where two views are drawn at once: the pass of XR that does so.</summary>
+        internal XRPass xr;
+
         /// <summary>Of the shadow map.</summary>
         internal AtlasLayout layout;
 
@@ -38,6 +45,9 @@ namespace Penumbra
 
         /// <summary>What the chain keeps of this camera from frame to frame holds nothing yet.</summary>
         internal bool storeIsEmpty;
+
+        /// <summary>No frame was before this one.</summary>
+        internal bool historiesAreEmpty;
 
         internal bool UpdatesAny => storeIsEmpty || updatedCascades != 0;
 

@@ -19,6 +19,9 @@ namespace Penumbra
         /// <summary>URP's receivers do not get to the screen-space texture: see UrpFrame.MetaQuest.</summary>
         internal bool metaQuest;
 
+        /// <summary>Drawn at once.</summary>
+        internal int views;
+
         /// <summary>The asset, the quality level and the device allow main light shadows.</summary>
         internal bool supported;
 

@@ -33,6 +33,7 @@ namespace Penumbra
             RenderTexture texture = data.cameraData.targetTexture;
             source.depthOnly = texture != null && texture.format == RenderTextureFormat.Depth;
             source.metaQuest = MetaQuest;
+            source.views = Views(data.cameraData.xr);
             source.supported = data.shadowData.supportsMainLightShadows;
             source.mainLightIndex = data.lightData.mainLightIndex;
             source.distanceMetres = data.cameraData.maxShadowDistance;
@@ -74,6 +75,7 @@ namespace Penumbra
         {
             ShadowFrame frame = default;
             frame.options = options;
+            frame.isProbe = source.cameraType == CameraType.Reflection;
             frame.layout = new AtlasLayout(source.mapWidth, source.cascadeCount);
             frame.updatedCascades = (1 << frame.layout.Cascades) - 1;
             frame.uniforms = new ShadowUniforms(options.Parameters(), frame.layout,
@@ -88,7 +90,8 @@ namespace Penumbra
         internal static bool TrySetCamera(ref ShadowFrame frame, ref FrameCamera camera)
         {
             SetSize(ref frame, camera.cameraTargetDescriptor);
-            frame.views = camera.xr.enabled && camera.xr.singlePassEnabled ? 2 : 1;
+            frame.views = Views(camera.xr);
+            frame.xr = camera.xr;
             frame.overlay = camera.renderType == CameraRenderType.Overlay;
             if (!TryGetScreenToWorld(camera.GetViewMatrix(0), camera.GetProjectionMatrix(0),
                                      out frame.screenToWorld0)) return false;
@@ -97,6 +100,8 @@ namespace Penumbra
                    TryGetScreenToWorld(camera.GetViewMatrix(1), camera.GetProjectionMatrix(1),
                                        out frame.screenToWorld1);
         }
+
+        private static int Views(XRPass xr) => xr.enabled && xr.singlePassEnabled ? 2 : 1;
 
         internal static void SetSize(ref ShadowFrame frame, in RenderTextureDescriptor target)
         {
@@ -149,7 +154,7 @@ namespace Penumbra
             target.autoGenerateMips = false;
             target.enableRandomWrite = texture.randomWrite;
             target.depthStencilFormat = GraphicsFormat.None;
-            target.graphicsFormat = Supported(texture.format);
+            target.graphicsFormat = DeviceFormats.Of(texture);
             return target;
         }
 
@@ -162,26 +167,5 @@ namespace Penumbra
                                                                                          : TextureDimension.Tex2D;
             target.vrUsage = VRTextureUsage.None;
         }
-
-        // One channel of 8 bits is the one format that has another in its place.
-        private static GraphicsFormat Supported(GraphicsFormat format) =>
-            format == GraphicsFormat.R8_UNorm && !CanDrawTo(format) ? GraphicsFormat.B8G8R8A8_UNorm : format;
-
-        /// <summary>The device can do with such a texture what the chain does; copies of levels are not drawn to.</summary>
-        internal static bool IsSupported(in ChainTexture texture) =>
-            texture.randomWrite ? CanWrite(texture.format) : texture.level > 0 || CanDrawTo(Supported(texture.format));
-
-#if UNITY_6000_0_OR_NEWER
-        private static bool CanDrawTo(GraphicsFormat format) =>
-            SystemInfo.IsFormatSupported(format, GraphicsFormatUsage.Render);
-
-        private static bool CanWrite(GraphicsFormat format) =>
-            SystemInfo.IsFormatSupported(format, GraphicsFormatUsage.LoadStore);
-#else
-        private static bool CanDrawTo(GraphicsFormat format) => SystemInfo.IsFormatSupported(format, FormatUsage.Render);
-
-        private static bool CanWrite(GraphicsFormat format) =>
-            SystemInfo.IsFormatSupported(format, FormatUsage.LoadStore);
-#endif
     }
 }

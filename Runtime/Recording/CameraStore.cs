@@ -1,7 +1,6 @@
 using System;
 using UnityEngine;
 using UnityEngine.Rendering;
-using UnityEngine.Rendering.Universal;
 
 namespace Penumbra
 {
@@ -13,8 +12,14 @@ namespace Penumbra
     {
         private const int WordBytes = 4;
 
+        private readonly SlotTextures owned = new SlotTextures();
         private ShadowChain chain;
         private bool isFilled;
+
+        // A frame's histories are the other way round than those of the frame before.
+        private bool isSwapped;
+        private float filledWidthScale;
+        private float filledHeightScale;
 
         /// <summary>In the order of the chain's slots; null where a texture is lent for each frame.</summary>
         internal RTHandle[] Textures { get; private set; } = Array.Empty<RTHandle>();
@@ -22,31 +27,46 @@ namespace Penumbra
         /// <summary>In the order of the chain's.</summary>
         internal GraphicsBuffer[] Buffers { get; private set; } = Array.Empty<GraphicsBuffer>();
 
-        /// <summary>Time.frameCount when it was asked for last.</summary>
-        internal int LastFrame { get; set; }
-
         /// <summary>Makes what is not there, or not as large as this frame's. Tells the frame when it is empty.</summary>
         internal void Prepare(ShadowChain forChain, in RenderTextureDescriptor target, ref ShadowFrame frame)
         {
             if (forChain != chain) Begin(forChain);
             for (int i = 0; i < Textures.Length; ++i)
-                if (chain.Slots[i].IsOwned && Allocate(ref Textures[i], UrpFrame.Texture(target, chain.Slots[i], frame),
-                                                       chain.SlotNames[i])) isFilled = false;
+            {
+                if (!chain.Slots[i].IsOwned) continue;
+                RenderTextureDescriptor texture = UrpFrame.Texture(target, chain.Slots[i], frame);
+                if (owned.Allocate(i, texture, chain.SlotNames[i])) isFilled = false;
+                Textures[i] = owned[i];
+            }
             for (int i = 0; i < Buffers.Length; ++i)
                 if (Allocate(ref Buffers[i], chain.Buffers[i], frame)) isFilled = false;
+            // The device gives textures of the screen other memory.
+            if (chain.KeepsScreen && IsScaledAnew(frame)) isFilled = false;
+            if (isSwapped) SwapHistories();
             frame.storeIsEmpty = !isFilled;
+            // The faces of a probe are views of their own, of one camera and in one frame.
+            frame.historiesAreEmpty = !isFilled || frame.isProbe;
         }
 
         /// <summary>The chain has been recorded whole: what is now is a frame old in the next.</summary>
-        internal void SetFilled()
+        internal void SetFilled(in ShadowFrame frame)
         {
             isFilled = true;
+            isSwapped = !isSwapped;
+            filledWidthScale = frame.widthScale;
+            filledHeightScale = frame.heightScale;
+        }
+
+        private bool IsScaledAnew(in ShadowFrame frame) =>
+            filledWidthScale != frame.widthScale || filledHeightScale != frame.heightScale;
+
+        private void SwapHistories()
+        {
             for (int i = 0; i < chain.Histories.Count; ++i)
             {
                 ChainHistory history = chain.Histories[i];
-                RTHandle now = Textures[history.now];
-                Textures[history.now] = Textures[history.before];
-                Textures[history.before] = now;
+                Textures[history.now] = owned[history.before];
+                Textures[history.before] = owned[history.now];
             }
         }
 
@@ -54,18 +74,10 @@ namespace Penumbra
         {
             Dispose();
             chain = forChain;
+            owned.MakeRoom(chain.Slots.Count);
             Textures = new RTHandle[chain.Slots.Count];
             Buffers = new GraphicsBuffer[chain.Buffers.Count];
         }
-
-        private static bool Allocate(ref RTHandle texture, in RenderTextureDescriptor descriptor, string name) =>
-#if UNITY_6000_0_OR_NEWER
-            RenderingUtils.ReAllocateHandleIfNeeded(ref texture, descriptor, FilterMode.Bilinear, TextureWrapMode.Clamp,
-                                                    name: name);
-#else
-            RenderingUtils.ReAllocateIfNeeded(ref texture, descriptor, FilterMode.Bilinear, TextureWrapMode.Clamp,
-                                              name: name);
-#endif
 
         // Grows only: dynamic resolution must not allocate.
         private bool Allocate(ref GraphicsBuffer buffer, in GraphBuffer declared, in ShadowFrame frame)
@@ -87,12 +99,12 @@ namespace Penumbra
         /// <inheritdoc/>
         public void Dispose()
         {
-            foreach (RTHandle texture in Textures) texture?.Release();
+            owned.Dispose();
             foreach (GraphicsBuffer buffer in Buffers) buffer?.Release();
             Textures = Array.Empty<RTHandle>();
             Buffers = Array.Empty<GraphicsBuffer>();
             chain = null;
-            isFilled = false;
+            isFilled = isSwapped = false;
         }
     }
 }

@@ -10,8 +10,11 @@ namespace Penumbra
     {
         private readonly CameraStores stores = new CameraStores();
 
-        // Those that no camera owns are all cameras': each draws them anew.
-        private RTHandle[] shared = new RTHandle[0];
+        // Those that no camera owns are all cameras' of one size and chain: each draws them anew. Cameras that differ must
+        // not make each other's anew by turns, and a window that is pulled larger must not leave many behind.
+        private const int SharedIdleFrames = 8;
+        private readonly RecentlyUsed<(ShadowChain chain, int width, int height, int slices), SlotTextures> shared =
+            new RecentlyUsed<(ShadowChain chain, int width, int height, int slices), SlotTextures>(SharedIdleFrames);
         private RTHandle[] slots = new RTHandle[0];
         private CameraStore store;
         private ChainDraw draw;
@@ -56,14 +59,11 @@ namespace Penumbra
             UrpFrame.SetSize(ref frame, target);
             store = stores.Of(camera.camera, camera.xr.multipassId);
             store.Prepare(chain, target, ref frame);
-            if (slots.Length != chain.Slots.Count) Resize(chain.Slots.Count);
-            for (int i = 0; i < slots.Length; ++i)
-            {
-                if (chain.Slots[i].IsOwned)
-                    slots[i] = store.Textures[i];
-                else
-                    Allocate(i, UrpFrame.Texture(target, chain.Slots[i], frame));
-            }
+            if (slots.Length < chain.Slots.Count) slots = new RTHandle[chain.Slots.Count];
+            SlotTextures ofSize = shared.Of((chain, target.width, target.height, target.volumeDepth));
+            ofSize.MakeRoom(chain.Slots.Count);
+            for (int i = 0; i < chain.Slots.Count; ++i)
+                slots[i] = chain.Slots[i].IsOwned ? store.Textures[i] : Shared(ofSize, i, target);
             // The renderer has to know what the last draw leaves bound, or it does not bind its own again.
             ConfigureTarget(slots[ShadowChain.Output]);
             ConfigureClear(ClearFlag.None, Color.white);
@@ -76,7 +76,7 @@ namespace Penumbra
             using (new ProfilingScope(commands, profilingSampler))
             {
                 draw.Draw(commands, frame, slots, store.Buffers);
-                store.SetFilled();
+                store.SetFilled(frame);
                 commands.SetGlobalTexture(FrameUniforms.ScreenSpaceShadowmap, slots[ShadowChain.Output]);
                 ShadowKeywords.Global.Open(commands);
             }
@@ -85,23 +85,17 @@ namespace Penumbra
             HasDrawn = true;
         }
 
-        private void Allocate(int slot, in RenderTextureDescriptor texture)
+        private RTHandle Shared(SlotTextures textures, int slot, in RenderTextureDescriptor target)
         {
-            RenderingUtils.ReAllocateIfNeeded(ref shared[slot], texture, FilterMode.Bilinear, TextureWrapMode.Clamp,
-                                              name: draw.Chain.SlotNames[slot]);
-            slots[slot] = shared[slot];
-        }
-
-        private void Resize(int count)
-        {
-            for (int i = count; i < shared.Length; ++i) shared[i]?.Release();
-            System.Array.Resize(ref shared, count);
-            System.Array.Resize(ref slots, count);
+            textures.Allocate(slot, UrpFrame.Texture(target, draw.Chain.Slots[slot], frame),
+                              draw.Chain.SlotNames[slot]);
+            return textures[slot];
         }
 
         internal void Dispose()
         {
-            Resize(0);
+            shared.Dispose();
+            slots = new RTHandle[0];
             stores.Dispose();
         }
     }

@@ -23,9 +23,10 @@ namespace Penumbra
             internal ChainDraw draw;
             internal ShadowFrame frame;
 
-            internal void SetCount(int slotCount)
+            // It serves cameras of different chains by turns: grows only.
+            internal void MakeRoom(int slotCount)
             {
-                if (slots.Length == slotCount) return;
+                if (slots.Length >= slotCount) return;
                 textures = new TextureHandle[slotCount];
                 slots = new RTHandle[slotCount];
             }
@@ -72,8 +73,8 @@ namespace Penumbra
                 data.draw = draw;
                 data.frame = frame;
                 data.store = store;
-                data.SetCount(draw.Chain.Slots.Count);
-                for (int i = 0; i < data.textures.Length; ++i)
+                data.MakeRoom(draw.Chain.Slots.Count);
+                for (int i = 0; i < draw.Chain.Slots.Count; ++i)
                 {
                     data.textures[i] = draw.Chain.Slots[i].IsOwned ? renderGraph.ImportTexture(store.Textures[i])
                                                                    : Lent(renderGraph, target, i);
@@ -85,6 +86,12 @@ namespace Penumbra
                 if (resources.mainShadowsTexture.IsValid()) builder.UseTexture(resources.mainShadowsTexture);
                 builder.SetGlobalTextureAfterPass(data.textures[ShadowChain.Output],
                                                   FrameUniforms.ScreenSpaceShadowmap);
+                // Else the graph lends their memory to others behind this pass.
+                for (int i = 0; i < draw.Chain.Globals.Count; ++i)
+                {
+                    ChainBinding texture = draw.Chain.Globals[i].texture;
+                    builder.SetGlobalTextureAfterPass(data.textures[texture.index], texture.property);
+                }
                 builder.AllowPassCulling(false);
                 builder.AllowGlobalStateModification(true);
                 builder.SetRenderFunc(static (PassData passData, UnsafeGraphContext context) =>
@@ -100,9 +107,9 @@ namespace Penumbra
         private static void Execute(PassData data, UnsafeGraphContext context)
         {
             CommandBuffer commands = CommandBufferHelpers.GetNativeCommandBuffer(context.cmd);
-            for (int i = 0; i < data.slots.Length; ++i) data.slots[i] = data.textures[i];
+            for (int i = 0; i < data.draw.Chain.Slots.Count; ++i) data.slots[i] = data.textures[i];
             data.draw.Draw(commands, data.frame, data.slots, data.store.Buffers);
-            data.store.SetFilled();
+            data.store.SetFilled(data.frame);
             ShadowKeywords.Global.Open(commands);
         }
 

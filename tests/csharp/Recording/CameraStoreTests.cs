@@ -45,7 +45,7 @@ namespace Penumbra.Tests
             var assets = new PassAssets();
             assets.Find(ChainGraphs.All);
             draw = new ChainDraw(new Material(FakeShader.Install()), assets);
-            Assert.That(draw.Prepare(frame.options), Is.Null);
+            Assert.That(draw.Prepare(frame.options, 1), Is.Null);
             lent = draw.Chain.Slots.Select((slot, i) => new RTHandle { What = draw.Chain.SlotNames[i] }).ToArray();
         }
 
@@ -56,13 +56,13 @@ namespace Penumbra.Tests
         private void Record(in RenderTextureDescriptor target)
         {
             UrpFrame.SetSize(ref frame, target);
-            draw.Prepare(frame.options);
+            draw.Prepare(frame.options, 1);
             CameraStore store = stores.Of(camera, 0);
             store.Prepare(draw.Chain, target, ref frame);
             for (int i = 0; i < lent.Length; ++i)
                 if (draw.Chain.Slots[i].IsOwned) lent[i] = store.Textures[i];
             draw.Draw(commands, frame, lent, store.Buffers);
-            store.SetFilled();
+            store.SetFilled(frame);
         }
 
         private string[] Draws(int updated, int width = 321)
@@ -220,6 +220,87 @@ namespace Penumbra.Tests
         }
 
         [Test]
+        public void EveryLevelOfAHistoryIsEmptyAtFirst()
+        {
+            TechniqueGraph mean = Mean();
+            for (int i = 0; i < 2; ++i)
+                mean.textures[i] = new GraphTexture("t", GraphExtent.Screen, GraphicsFormat.R32_SFloat, mips: 2,
+                                                    previousOf: i == 0 ? 1 : TechniqueGraph.None);
+            TechniquePasses.Graphs[AddedTechniques.Place] = mean;
+            Prepare();
+            Draws(0);
+            string before = device.Draws.First(call => call.Pass == "Upsample").Textures["_Before"];
+            Assert.That(device.Draws.Where(call => call.Pass == "clear").Select(call => call.Target),
+                        Is.EqualTo(new[] { before, before + " mip 1" }));
+        }
+
+        /// <summary>One camera draws all faces, in one frame.</summary>
+        [Test]
+        public void TheFaceOfAProbeHasNoHistory()
+        {
+            TechniquePasses.Graphs[AddedTechniques.Place] = Mean();
+            Prepare();
+            frame.isProbe = true;
+            for (int face = 0; face < 6; ++face)
+                Assert.That(Draws(0), Is.EqualTo(new[] { "clear", "Upsample", "Resolve" }));
+        }
+
+        /// <summary>The device puts a scaled texture elsewhere in its memory.</summary>
+        [TestCase(true)]
+        [TestCase(false)]
+        public void AnotherScaleOfDynamicResolutionBeginsAnew(bool keepsScreen)
+        {
+            TechniquePasses.Graphs[AddedTechniques.Place] = Baked(keepsScreen ? GraphExtent.Screen : GraphExtent.Fixed);
+            Prepare();
+            RenderTextureDescriptor target = new FakeScene { DynamicResolution = true }.Target();
+            void ExpectEmpty(float scale, bool empty)
+            {
+                ScalableBufferManager.widthScaleFactor = scale;
+                Record(target);
+                Assert.That(frame.storeIsEmpty, Is.EqualTo(empty), scale.ToString());
+            }
+            try
+            {
+                ExpectEmpty(1.0f, true);
+                ExpectEmpty(1.0f, false);
+                ExpectEmpty(0.5f, keepsScreen);
+                ExpectEmpty(0.5f, false);
+            }
+            finally
+            {
+                ScalableBufferManager.widthScaleFactor = 1.0f;
+            }
+        }
+
+        [Test]
+        public void WhatTheDeviceHasLostIsMadeAgain()
+        {
+            TechniquePasses.Graphs[AddedTechniques.Place] = Baked(GraphExtent.Fixed);
+            Prepare();
+            Draws(0);
+            RenderTexture baked = stores.Of(camera, 0).Textures.First(texture => texture != null).rt;
+            baked.Lost = true;
+            Assert.That(Draws(0), Is.EqualTo(new[] { "PenumbraMask", "Resolve" }));
+            baked.Lost = false;
+            Assert.That(Draws(0), Is.EqualTo(new[] { "Resolve" }));
+        }
+
+        /// <summary>Three cascades' tiles are as large as four's.</summary>
+        [Test]
+        public void TilesOfMoreCascadesAreOthers()
+        {
+            TechniquePasses.Graphs[AddedTechniques.Place] = Baked(GraphExtent.Tile);
+            Prepare();
+            frame.layout = new AtlasLayout(2048, 3);
+            Draws(0);
+            RTHandle ofThree = stores.Of(camera, 0).Textures.First(texture => texture != null);
+            frame.layout = new AtlasLayout(2048, 4);
+            Assert.That(Draws(0), Is.EqualTo(new[] { "PenumbraMask", "Resolve" }));
+            Assert.That(stores.Of(camera, 0).Textures.First(texture => texture != null), Is.Not.SameAs(ofThree));
+            Assert.That(ofThree.Released);
+        }
+
+        [Test]
         public void EyesThatAreDrawnOneAfterTheOtherHaveTheirOwn() =>
             Assert.That(stores.Of(camera, 1), Is.Not.SameAs(stores.Of(camera, 0)));
 
@@ -251,12 +332,12 @@ namespace Penumbra.Tests
             AddedTechniques.AddMeans();
             Prepare();
             ShadowOptions[] turns = { frame.options, ShadowPresets.Options(QualityPreset.Ultra) };
-            foreach (ShadowOptions options in turns) draw.Prepare(options);
+            foreach (ShadowOptions options in turns) draw.Prepare(options, 1);
             long before = GC.GetAllocatedBytesForCurrentThread();
             for (int i = 0; i < 1000; ++i)
             {
                 turns[1].angularDiameterDegrees += 1e-3f;
-                draw.Prepare(turns[i % 2]);
+                draw.Prepare(turns[i % 2], 1);
             }
             Assert.That(GC.GetAllocatedBytesForCurrentThread() - before, Is.Zero);
         }

@@ -107,13 +107,13 @@ namespace Penumbra.Tests
 
         private static void Record(RenderGraph.Pass pass, CommandBuffer commands)
         {
-            if (pass.RasterWork == null)
+            if (!pass.IsRaster)
             {
-                pass.Work(new UnsafeGraphContext { cmd = new UnsafeCommandBuffer { Wrapped = commands } });
+                pass.Run(new UnsafeGraphContext { cmd = new UnsafeCommandBuffer { Wrapped = commands } });
                 return;
             }
             Recorded.Target(commands, pass.Attachment.Handle.What);
-            pass.RasterWork(new RasterGraphContext { cmd = new RasterCommandBuffer { Wrapped = commands } });
+            pass.Run(new RasterGraphContext { cmd = new RasterCommandBuffer { Wrapped = commands } });
         }
     }
 }

@@ -63,6 +63,20 @@ namespace Penumbra.Tests
             Assert.That(passes.TakeWhile(pass => !Draws(pass)).Count(), Is.EqualTo(1));
         }
 
+        /// <summary>Else the graph gives their memory to others, and shaders of the opaque pass read that.</summary>
+        [Test]
+        public void WhatShadersFindByNameOutlivesThePass()
+        {
+            AddedTechniques.AddMeans();
+            feature.Settings.preset = QualityPreset.Custom;
+            feature.Settings.custom = AddedTechniques.Options();
+            feature.Create();
+            RenderGraph.Pass pass = Recorded(new FakeScene()).Single(any => any.Name == "Penumbra Shadows");
+            AddedTechniques.Remove();
+            Assert.That(pass.Globals.Select(global => Shader.PropertyName(global.property)),
+                        Is.EquivalentTo(new[] { "_ScreenSpaceShadowmapTexture", "_PenumbraBlurredTexture" }));
+        }
+
         [Test]
         public void NothingIsRestoredWhereNothingWasSwitched() =>
             Assert.That(Recorded(new FakeScene { Projection = Matrix4x4.zero }).Select(pass => pass.Name),

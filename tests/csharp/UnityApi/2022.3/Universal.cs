@@ -83,7 +83,7 @@ namespace UnityEngine.Rendering.Universal
                                               bool isShadowMap = false, int anisoLevel = 1, float mipMapBias = 0,
                                               string name = "")
         {
-            if (handle != null && handle.Descriptor.IsSame(descriptor)) return false;
+            if (handle != null && handle.What == name && handle.Descriptor.IsSame(descriptor)) return false;
             handle?.Release();
             handle = new RTHandle { What = name, Descriptor = descriptor };
             return true;

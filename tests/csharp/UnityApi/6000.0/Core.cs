@@ -160,24 +160,28 @@ namespace UnityEngine.Rendering.RenderGraphModule
             where PassData : class, new();
     }
 
-    /// <summary>Keeps what is recorded; Run() does it.</summary>
+    /// <summary>Keeps what is recorded. Passes and their data are pooled, as the real ones are.</summary>
     [ReadFrom(At.Core17, "core", "Runtime/RenderGraph/RenderGraph.cs")]
     public partial class RenderGraph
     {
         [OwnBehaviour]
-        public sealed class Pass : IUnsafeRenderGraphBuilder, IRasterRenderGraphBuilder
+        public class Pass : IUnsafeRenderGraphBuilder, IRasterRenderGraphBuilder
         {
             public string Name;
-            public object Data;
             public bool MayBeCulled = true;
             public bool ChangesGlobalState;
-            public Action<UnsafeGraphContext> Work;
-            public Action<RasterGraphContext> RasterWork;
             public TextureHandle Attachment;
             public List<(TextureHandle texture, AccessFlags access)> Textures =
                 new List<(TextureHandle, AccessFlags)>();
             public bool IsRaster;
             public List<(TextureHandle texture, int property)> Globals = new List<(TextureHandle, int)>();
+
+            /// <summary>Null: a pass of URP's own.</summary>
+            public virtual object Data => null;
+
+            public virtual void Run(UnsafeGraphContext context) { }
+            public virtual void Run(RasterGraphContext context) { }
+            public virtual void GiveBack() { }
 
             public void UseTexture(in TextureHandle input, AccessFlags flags) => Textures.Add((input, flags));
             public void SetGlobalTextureAfterPass(in TextureHandle input, int propertyId) =>
@@ -185,15 +189,62 @@ namespace UnityEngine.Rendering.RenderGraphModule
             public void AllowPassCulling(bool value) => MayBeCulled = value;
             public void AllowGlobalStateModification(bool value) => ChangesGlobalState = value;
             public void SetRenderFunc<PassData>(BaseRenderFunc<PassData, UnsafeGraphContext> renderFunc)
-                where PassData : class, new() => Work = context => renderFunc((PassData)Data, context);
+                where PassData : class, new() => ((DataPass<PassData>)this).UnsafeWork = renderFunc;
             public void SetRenderFunc<PassData>(BaseRenderFunc<PassData, RasterGraphContext> renderFunc)
-                where PassData : class, new() => RasterWork = context => renderFunc((PassData)Data, context);
+                where PassData : class, new() => ((DataPass<PassData>)this).RasterWork = renderFunc;
             public void SetRenderAttachment(TextureHandle tex, int index, AccessFlags flags) => Attachment = tex;
             public void Dispose() { }
         }
 
+        private sealed class DataPass<PassData> : Pass where PassData : class, new()
+        {
+            private static readonly Stack<DataPass<PassData>> pool = new Stack<DataPass<PassData>>();
+            internal readonly PassData OwnData = new PassData();
+            internal BaseRenderFunc<PassData, UnsafeGraphContext> UnsafeWork;
+            internal BaseRenderFunc<PassData, RasterGraphContext> RasterWork;
+
+            internal static DataPass<PassData> Take() => pool.Count > 0 ? pool.Pop() : new DataPass<PassData>();
+
+            public override object Data => OwnData;
+            public override void Run(UnsafeGraphContext context) => UnsafeWork(OwnData, context);
+            public override void Run(RasterGraphContext context) => RasterWork(OwnData, context);
+
+            public override void GiveBack()
+            {
+                Textures.Clear();
+                Globals.Clear();
+                MayBeCulled = true;
+                ChangesGlobalState = false;
+                Attachment = default;
+                pool.Push(this);
+            }
+        }
+
         [OwnBehaviour] public RenderGraph() { }
         [OwnBehaviour] public List<Pass> Passes { get; } = new List<Pass>();
+
+        /// <summary>Ends a camera: its passes serve the next one.</summary>
+        [OwnBehaviour]
+        public void GiveBack()
+        {
+            foreach (Pass pass in Passes) pass.GiveBack();
+            Passes.Clear();
+            foreach (RTHandle texture in lent) free.Push(texture);
+            lent.Clear();
+        }
+
+        private readonly List<RTHandle> lent = new List<RTHandle>();
+        private readonly Stack<RTHandle> free = new Stack<RTHandle>();
+
+        [OwnBehaviour]
+        public TextureHandle Lend(string name, in RenderTextureDescriptor descriptor)
+        {
+            RTHandle texture = free.Count > 0 ? free.Pop() : new RTHandle();
+            texture.What = name;
+            texture.Descriptor = descriptor;
+            lent.Add(texture);
+            return new TextureHandle { Handle = texture };
+        }
 
         public TextureHandle ImportTexture(RTHandle rt) => new TextureHandle { Handle = rt };
 
@@ -218,8 +269,10 @@ namespace UnityEngine.Rendering.RenderGraphModule
         private Pass Add<PassData>(string passName, bool isRaster, out PassData passData)
             where PassData : class, new()
         {
-            passData = new PassData();
-            var pass = new Pass { Name = passName, Data = passData, IsRaster = isRaster };
+            DataPass<PassData> pass = DataPass<PassData>.Take();
+            pass.Name = passName;
+            pass.IsRaster = isRaster;
+            passData = pass.OwnData;
             Passes.Add(pass);
             return pass;
         }

@@ -68,6 +68,12 @@ namespace UnityEngine.Rendering.Universal
         public ref RenderTexture targetTexture => ref Data.targetTexture;
         public ref CameraType cameraType => ref Data.cameraType;
         public ref float maxShadowDistance => ref Data.maxShadowDistance;
+
+        public XRPass xr
+        {
+            get => Data.xr;
+            internal set => Data.SetXr(value);
+        }
     }
 
     [ReadFrom(At.Universal17, "universal", "Runtime/FrameData/UniversalRenderingData.cs")]
@@ -155,7 +161,7 @@ namespace UnityEngine.Rendering.Universal
                                                     TextureWrapMode wrapMode = TextureWrapMode.Repeat,
                                                     int anisoLevel = 1, float mipMapBias = 0, string name = "")
         {
-            if (handle != null && handle.Descriptor.IsSame(descriptor)) return false;
+            if (handle != null && handle.What == name && handle.Descriptor.IsSame(descriptor)) return false;
             handle?.Release();
             handle = new RTHandle { What = name, Descriptor = descriptor };
             return true;
@@ -171,6 +177,6 @@ namespace UnityEngine.Rendering.Universal
                                                              string name, bool clear,
                                                              FilterMode filterMode = FilterMode.Point,
                                                              TextureWrapMode wrapMode = TextureWrapMode.Clamp) =>
-            new TextureHandle { Handle = new RTHandle { What = name, Descriptor = desc } };
+            renderGraph.Lend(name, desc);
     }
 }

@@ -18,6 +18,8 @@ namespace UnityEngine.Rendering
         [OwnBehaviour] public RenderTextureDescriptor Descriptor { get; set; }
         [OwnBehaviour] public bool Released { get; private set; }
 
+        public RenderTexture rt { get; } = new RenderTexture();
+
         public void Release() => Released = true;
 
         public static implicit operator RenderTargetIdentifier(RTHandle handle) =>
@@ -85,6 +87,8 @@ namespace UnityEngine.Rendering
 
 namespace UnityEngine.Experimental.Rendering
 {
+    using UnityEngine.Rendering;
+
     [ReadFrom(At.Core14, "core", "Runtime/XR/XRPass.cs")]
     [ReadFrom(At.Core17, "core", "Runtime/XR/XRPass.cs")]
     public class XRPass
@@ -95,5 +99,14 @@ namespace UnityEngine.Experimental.Rendering
         public int viewCount => Views;
         public int multipassId { get; [OwnBehaviour] set; }
         public bool singlePassEnabled => viewCount > 1;
+
+        public void StartSinglePass(CommandBuffer cmd) => Set(cmd, true);
+
+        public void StopSinglePass(CommandBuffer cmd) => Set(cmd, false);
+
+        private void Set(CommandBuffer commands, bool on)
+        {
+            if (singlePassEnabled && !CommandBuffer.Silent) Recorded.Keyword(commands, "STEREO_INSTANCING_ON", on);
+        }
     }
 }

@@ -25,6 +25,7 @@ namespace UnityEngine.Rendering
             public Dictionary<string, object> Uniforms;
             public Dictionary<string, string> Textures;
             public SortedSet<string> Keywords;
+            public SortedSet<string> GlobalKeywords;
         }
 
         public SortedSet<string> Keywords { get; } = new SortedSet<string>();
@@ -67,11 +68,12 @@ namespace UnityEngine.Rendering
             Uniforms = new Dictionary<string, object>(Uniforms),
             Textures = new Dictionary<string, string>(Textures),
             Keywords = new SortedSet<string>(MaterialKeywords),
+            GlobalKeywords = new SortedSet<string>(Keywords),
         };
 
         public void Play(CommandBuffer commands)
         {
-            foreach (System.Action<FakeDevice> command in commands.Commands) command(this);
+            for (int i = 0; i < commands.Commands.Count; ++i) commands.Commands[i](this);
         }
 
         private static void Set(SortedSet<string> set, string name, bool value)

@@ -53,7 +53,8 @@ namespace UnityEngine.Rendering
 
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
-    public enum BuiltinRenderTextureType { None = 0 }
+    [System.Flags]
+    public enum CopyTextureSupport { None = 0, Basic = 1 << 0 }
 }
 
 namespace UnityEngine

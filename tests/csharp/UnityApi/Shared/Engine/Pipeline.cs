@@ -78,6 +78,13 @@ namespace UnityEngine
         public static int graphicsShaderLevel { get; [OwnBehaviour] set; } = 50;
         public static Rendering.GraphicsDeviceType graphicsDeviceType => Rendering.GraphicsDeviceType.Vulkan;
         public static bool supportsComputeShaders { get; [OwnBehaviour] set; } = true;
+        public static bool supports3DRenderTextures { get; [OwnBehaviour] set; } = true;
+        public static bool supports2DArrayTextures { get; [OwnBehaviour] set; } = true;
+        public static int supportsMultisampledTextures { get; [OwnBehaviour] set; } = 1;
+        public static Rendering.CopyTextureSupport copyTextureSupport { get; [OwnBehaviour] set; } =
+            Rendering.CopyTextureSupport.Basic;
+        public static int supportedRenderTargetCount { get; [OwnBehaviour] set; } = 8;
+        public static int maxComputeBufferInputsFragment { get; [OwnBehaviour] set; } = 8;
         public static bool graphicsUVStartsAtTop { get; [OwnBehaviour] set; } = true;
         public static bool usesReversedZBuffer { get; [OwnBehaviour] set; } = true;
 

@@ -18,6 +18,11 @@ namespace UnityEngine
         [OwnBehaviour] public RenderTexture() { }
 
         public RenderTextureFormat format { get; set; }
+
+        /// <summary>The device has lost it.</summary>
+        [OwnBehaviour] public bool Lost { get; set; }
+
+        public bool IsCreated() => !Lost;
     }
 
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/Texture.cs")]
@@ -38,14 +43,14 @@ namespace UnityEngine
         public Rendering.TextureDimension dimension { get; set; }
         public VRTextureUsage vrUsage { get; set; }
 
-        /// <summary>Equals() would allocate.</summary>
+        /// <summary>As RenderingUtils.RTHandleNeedsReAlloc has it before URP 17.5: without slices.</summary>
         [OwnBehaviour]
         public bool IsSame(in RenderTextureDescriptor other) =>
             width == other.width && height == other.height && msaaSamples == other.msaaSamples &&
-            volumeDepth == other.volumeDepth && graphicsFormat == other.graphicsFormat &&
-            depthStencilFormat == other.depthStencilFormat && useDynamicScale == other.useDynamicScale &&
-            useMipMap == other.useMipMap && autoGenerateMips == other.autoGenerateMips && bindMS == other.bindMS &&
-            enableRandomWrite == other.enableRandomWrite && dimension == other.dimension && vrUsage == other.vrUsage;
+            graphicsFormat == other.graphicsFormat && depthStencilFormat == other.depthStencilFormat &&
+            useDynamicScale == other.useDynamicScale && useMipMap == other.useMipMap &&
+            autoGenerateMips == other.autoGenerateMips && bindMS == other.bindMS &&
+            enableRandomWrite == other.enableRandomWrite && dimension == other.dimension;
     }
 }
 
@@ -56,9 +61,6 @@ namespace UnityEngine.Rendering
     public partial struct RenderTargetIdentifier : IEquatable<RenderTargetIdentifier>
     {
         [OwnBehaviour] public string What { get; set; }
-
-        public static implicit operator RenderTargetIdentifier(BuiltinRenderTextureType type) =>
-            new RenderTargetIdentifier { What = type.ToString() };
 
         public bool Equals(RenderTargetIdentifier rhs) => What == rhs.What;
     }

@@ -1,0 +1,78 @@
+using System.Linq;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Penumbra
+{
+    /// <summary>
+    /// What stands against running a chain on this device, for a reader. Of WebGL and OpenGL ES for the most part; the
+    /// programs themselves are PreparedChain's affair.
+    /// </summary>
+    internal static class DeviceLimits
+    {
+        /// <summary>Null: nothing.</summary>
+        internal static string Problem(ShadowChain chain)
+        {
+            foreach (ChainTexture texture in chain.Slots)
+            {
+                string problem = Problem(texture);
+                if (problem != null) return problem;
+            }
+            foreach (ChainStep step in chain.Steps)
+            {
+                string problem = Problem(step);
+                if (problem != null) return problem;
+            }
+            return null;
+        }
+
+        private static string Problem(in ChainTexture texture)
+        {
+            if (!DeviceFormats.IsSupported(texture))
+                return "this device cannot " + (texture.randomWrite ? "write" : "draw to") + " textures of " +
+                       texture.format;
+            if (texture.depth > 1 && !SystemInfo.supports3DRenderTextures)
+                return "this device cannot draw to 3D textures";
+            if ((texture.layers > 1 || texture.extent == GraphExtent.Tile) && !SystemInfo.supports2DArrayTextures)
+                return "this device has no arrays of textures";
+            return texture.samples > 1 && SystemInfo.supportsMultisampledTextures == 0
+                       ? "this device cannot read textures of several samples" : null;
+        }
+
+        private static string Problem(ChainStep step)
+        {
+            string pass = "pass '" + step.pass.program + "' ";
+            if (step.reads.Any(read => read.levels != null) &&
+                (SystemInfo.copyTextureSupport & CopyTextureSupport.Basic) == 0)
+                return pass + "makes mip levels of copies, and this device cannot copy textures";
+            if (step.pass.kind != PassKind.Raster) return null;
+            if (step.writes.Length > SystemInfo.supportedRenderTargetCount)
+                return pass + "draws to " + step.writes.Length + " textures at once, and this device to " +
+                       SystemInfo.supportedRenderTargetCount;
+            int buffers = step.reads.Count(read => read.isBuffer);
+            return buffers > SystemInfo.maxComputeBufferInputsFragment
+                       ? pass + "reads " + buffers + " buffers, and this device's shaders read " +
+                             SystemInfo.maxComputeBufferInputsFragment
+                       : null;
+        }
+
+        /// <summary>
+        /// The same where both eyes are drawn at once: textures of the screen are arrays there, which raster passes are
+        /// compiled for and kernels are not.
+        /// </summary>
+        internal static string StereoProblem(ShadowChain chain)
+        {
+            const string remedy = "; XR's multi-pass mode draws one after the other";
+            foreach (ChainTexture texture in chain.Slots)
+                if (texture.extent == GraphExtent.Screen && texture.layers > 1)
+                    return "a texture of the screen has layers, which cannot be drawn for both eyes at once" + remedy;
+            foreach (ChainStep step in chain.Steps)
+                if (step.pass.kind == PassKind.Compute &&
+                    step.reads.Concat(step.writes)
+                        .Any(used => !used.isBuffer && chain.Slots[used.index].extent == GraphExtent.Screen))
+                    return "kernel '" + step.pass.program + "' works on the screen, which cannot be done for both eyes " +
+                           "at once" + remedy;
+            return null;
+        }
+    }
+}

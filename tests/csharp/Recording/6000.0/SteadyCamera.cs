@@ -1,0 +1,42 @@
+using System.Collections.Generic;
+using UnityEngine;
+using UnityEngine.Rendering;
+using UnityEngine.Rendering.RenderGraphModule;
+using UnityEngine.Rendering.Universal;
+
+namespace Penumbra.Tests
+{
+    /// <summary>A camera whose frames allocate what the feature does, nothing of the fake URP's own.</summary>
+    internal sealed class SteadyCamera
+    {
+        private readonly RoomyRenderer renderer = new RoomyRenderer();
+        private readonly RenderGraph graph = new RenderGraph();
+        private readonly UnsafeGraphContext context;
+        private readonly RasterGraphContext rasterContext;
+        private RenderingData data;
+
+        private sealed class RoomyRenderer : ScriptableRenderer
+        {
+        }
+
+        internal SteadyCamera(FakeScene scene)
+        {
+            data = FakeUrp.Data(scene, scene.MakeCamera());
+            var commands = new CommandBuffer();
+            context = new UnsafeGraphContext { cmd = new UnsafeCommandBuffer { Wrapped = commands } };
+            rasterContext = new RasterGraphContext { cmd = new RasterCommandBuffer { Wrapped = commands } };
+        }
+
+        internal void Render(PenumbraShadows feature)
+        {
+            List<ScriptableRenderPass> queue = renderer.Queue;
+            queue.Clear();
+            feature.AddRenderPasses(renderer, ref data);
+            for (int i = 0; i < queue.Count; ++i) queue[i].RecordRenderGraph(graph, data.Frame);
+            for (int i = 0; i < graph.Passes.Count; ++i)
+                if (graph.Passes[i].IsRaster) graph.Passes[i].Run(rasterContext);
+                else graph.Passes[i].Run(context);
+            graph.GiveBack();
+        }
+    }
+}
