@@ -27,7 +27,7 @@ float PenumbraMainLightVisibility(float3 positionWS, float3 normalWS, float2 pix
     if (!shadow.covered) return 1.0;
     const float visibility =
         FilterByKeyword(TEXTURE2D_SHADOW_ARGS(_MainLightShadowmapTexture, sampler_PenumbraLinearClampCompare),
-                        sampler_PenumbraPointClamp, shadow.receiver, shadow.tile);
+                        sampler_PenumbraPointClamp, shadow.receiver, shadow.tile, shadow.cascade);
     return ApplyPenumbraStrength(visibility);
 }
 

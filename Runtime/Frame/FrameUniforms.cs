@@ -28,12 +28,19 @@ namespace Penumbra
             frame.uniforms.PcssAngular.SetGlobal(commands);
             frame.uniforms.PcssClassic.SetGlobal(commands);
             frame.uniforms.PcssHdrp.SetGlobal(commands);
+            SetCascades(commands, TechniqueTable.Cascades[(int)frame.options.technique], frame.uniforms);
             SetMask(commands, frame);
             DenoiseParameters.Default.SetGlobal(commands);
             commands.SetGlobalVector(ScreenSize, TextureSize.Drawn(ChainTexture.OfScreen(1), frame).Uniform);
             screenToWorld[0] = frame.screenToWorld0;
             screenToWorld[1] = frame.screenToWorld1;
             commands.SetGlobalMatrixArray(ScreenToWorldMatrices, screenToWorld);
+        }
+
+        private static void SetCascades(CommandBuffer commands, CascadeVector[] vectors, in ShadowUniforms uniforms)
+        {
+            for (int i = 0; i < vectors.Length; ++i)
+                commands.SetGlobalVector(vectors[i].Uniform, vectors[i].In(uniforms));
         }
 
         // The mask covers the penumbrae that the filter draws.

@@ -41,6 +41,18 @@ namespace Penumbra
                             Bounded.Count(maskLargestRadius, 0, 1024),
                             0.0f);
 
+        /// <summary>What a uniform of its own holds; false for others.</summary>
+        internal bool TryGet(int uniform, out Vector4 vector)
+        {
+            if (uniform == Uniform0)
+            {
+                vector = Vector0;
+                return true;
+            }
+            vector = default;
+            return false;
+        }
+
         /// <summary>Sets the uniforms for all draws behind it. Does not allocate.</summary>
         public void SetGlobal(CommandBuffer commands)
         {

@@ -61,5 +61,10 @@ namespace Penumbra
                 minFilterTanHalf = (float)cones.MinFilterTanHalf,
             };
         }
+
+        /// <summary>What a uniform of one of the techniques' parameters holds; false for others.</summary>
+        internal bool TryGet(int uniform, out Vector4 vector) =>
+            PcssAngular.TryGet(uniform, out vector) || PcssClassic.TryGet(uniform, out vector) ||
+            PcssHdrp.TryGet(uniform, out vector);
     }
 }

@@ -75,6 +75,17 @@ namespace Penumbra
             },
         };
 
+        /// <summary>What filters are told from a cascade on, by the technique's rules; empty without any.</summary>
+        internal static readonly CascadeVector[][] Cascades =
+        {
+            new CascadeVector[0],
+            new CascadeVector[0],
+            new CascadeVector[0],
+            new CascadeVector[0],
+            new CascadeVector[0],
+            new CascadeVector[0],
+        };
+
         /// <summary>It samples the light's disc: penumbrae widen with the disc, and are grainy.</summary>
         internal static bool TakesSamples(this ShadowTechnique technique) => Sampled[(int)technique];
 

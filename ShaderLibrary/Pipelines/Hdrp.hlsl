@@ -81,6 +81,7 @@ struct PenumbraHdrpCascade
 struct PenumbraHdrpLight
 {
     bool covered;   // false: no map covers the position, it is lit
+    int cascade;
     float strength; // of the shadow: the light's dimmer, reduced where the last cascade fades out
     ShadowReceiver receiver;
     ShadowTile tile;
@@ -205,7 +206,8 @@ PenumbraHdrpLight PreparePenumbraHdrpLight(float3 positionRWS, float3 normalWS, 
     const int last = min(int(shadows.cascadeDirection.w), count) - 1;
     const float noise = GradientNoise(pixel, uint(max(_PenumbraMainLightParams.z, 0.0)));
     const bool next = cascade.index < last && cascade.blend > noise;
-    const HDShadowData data = _HDShadowDatas[sun.shadowIndex + cascade.index + (next ? 1 : 0)];
+    light.cascade = cascade.index + (next ? 1 : 0);
+    const HDShadowData data = _HDShadowDatas[sun.shadowIndex + light.cascade];
     const float3 towardLight = dot(normalWS, sun.forward) > 0.0 ? -normalWS : normalWS;
 
     light.covered = abs(data.proj.x) > 0.0 && abs(data.proj.z) > 0.0 && data.shadowMapSize.x > 0.0;
@@ -227,7 +229,7 @@ float PenumbraHdrpVisibility(float3 positionRWS, float3 normalWS, float2 pixel)
 #else
     const float visibility =
         FilterByKeyword(TEXTURE2D_SHADOW_ARGS(_ShadowmapCascadeAtlas, sampler_PenumbraLinearClampCompare),
-                        sampler_PenumbraPointClamp, light.receiver, light.tile);
+                        sampler_PenumbraPointClamp, light.receiver, light.tile, light.cascade);
 #endif
     return 1.0 + light.strength * (visibility - 1.0);
 }

@@ -13,7 +13,8 @@
 //               none of them            FilterTent5x5Plane  Filters/TentPcf.hlsl
 // Source:     see each filter's file.
 // Inputs:     shadow map, its comparison and point samplers, ShadowReceiver, ShadowTile; the uniforms below, which the C#
-//             structs of these names in Runtime/Parameters fill.
+//             structs of these names in Runtime/Parameters fill; cascade: the receiver's, for techniques with rules for far
+//             cascades, whose uniforms have the first one in their names.
 // Cost:       the technique's fetches.
 // Guarantees: [0, 1]. Only the file of the selected filter is included.
 // Use it:     after a pipeline's bindings, as Shadows.hlsl and Hdrp.hlsl do. Not: directly from a shader.
@@ -101,7 +102,7 @@ PcssHdrpParameters PenumbraPcssHdrp()
 }
 
 float FilterByKeyword(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SAMPLER(sampler_point),
-                      ShadowReceiver receiver, ShadowTile tile)
+                      ShadowReceiver receiver, ShadowTile tile, int cascade)
 {
 #if defined(PENUMBRA_USES_HARD)
     return FilterHard(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), receiver, tile);

@@ -37,6 +37,7 @@ float4 _PenumbraMainLightParams;
 struct PenumbraMainLight
 {
     bool covered; // false: no map covers the position, it is lit
+    int cascade;
     ShadowReceiver receiver;
     ShadowTile tile;
 };
@@ -81,10 +82,11 @@ PenumbraMainLight PreparePenumbraMainLight(float3 positionWS, float3 normalWS, f
     // URP fills the slots of missing cascades with a matrix that maps everything to one point.
     const bool mapped = dot(worldToShadow[0].xyz, worldToShadow[0].xyz) > 0.0;
     shadow.covered = cascade < count && mapped && shadowCoord.z > 0.0 && shadowCoord.z < 1.0;
+    shadow.cascade = min(cascade, count - 1);
     shadow.receiver.shadowCoord = shadowCoord;
     shadow.receiver.depthGradient = ReceiverPlaneFromNormal(normalWS, worldToShadow);
     shadow.receiver.rotation = DiskRotation(pixel, uint(max(_PenumbraMainLightParams.z, 0.0)));
-    shadow.tile = PenumbraMainLightTile(worldToShadow, min(cascade, count - 1), count, _PenumbraMainLightParams.y);
+    shadow.tile = PenumbraMainLightTile(worldToShadow, shadow.cascade, count, _PenumbraMainLightParams.y);
     return shadow;
 }
 

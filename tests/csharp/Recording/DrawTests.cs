@@ -244,6 +244,33 @@ namespace Penumbra.Tests
             Assert.That(feature.LastSkip, Is.EqualTo(SkipReason.MissingShader));
         }
 
+        /// <summary>A technique without rules has none of their uniforms set.</summary>
+        [Test]
+        public void RulesForCascadesAreToldWithTheFrameTheyChange()
+        {
+            const string name = "_PenumbraPcssAngularParameters0From2";
+            CascadeVector[][] table = TechniqueTable.Cascades;
+            CascadeVector[] none = table[(int)ShadowTechnique.Pcss];
+            feature.Settings.preset = QualityPreset.High;
+            feature.Create();
+            urp.Render(new FakeScene(), feature);
+            Assert.That(urp.Device.Uniforms.Keys, Has.None.EqualTo(name));
+            try
+            {
+                table[(int)ShadowTechnique.Pcss] = new[]
+                {
+                    new CascadeVector(name, "_PenumbraPcssAngularParameters0", 2, 0.0f, 5.0f, 0.0f, 0.0f),
+                };
+                urp.Render(new FakeScene(), feature);
+            }
+            finally
+            {
+                table[(int)ShadowTechnique.Pcss] = none;
+            }
+            var near = (Vector4)urp.Device.Uniforms["_PenumbraPcssAngularParameters0"];
+            Assert.That(urp.Device.Uniforms[name], Is.EqualTo(new Vector4(near.x, 5.0f, near.z, near.w)));
+        }
+
         [Test]
         public void AFrameAllocatesNothing()
         {

@@ -2,6 +2,7 @@
 
 #include <glm/vec4.hpp>
 
+#include "techniques/cascade_rules.h"
 #include "techniques/parameter_packing.h"
 #include "techniques/technique_call.h"
 
@@ -33,9 +34,8 @@ UniformValues parameter_uniforms(const techniques::TechniqueList& list,
   for (const techniques::ParameterStruct* parameters : list.structs_of(technique))
     set_packed(uniforms, *parameters, values,
                [&](std::size_t i) { return techniques::uniform_name(*parameters, i); });
-  for (const techniques::CascadeRule& rule : technique.cascades) {
-    Values of_rule = rule.values;
-    if (rule.technique.empty()) of_rule.insert(technique.values.begin(), technique.values.end());
+  for (const techniques::CascadeRule& rule : techniques::compiled_rules(list, technique)) {
+    Values of_rule = techniques::values_of(rule, technique);
     if (const techniques::ParameterStruct* parameters = list.find_struct(rule.filter.parameters))
       set_packed(uniforms, *parameters, with_taps(std::move(of_rule), rule.unlimited, taps),
                  [&](std::size_t i) { return techniques::uniform_name(*parameters, i, rule); });

@@ -50,7 +50,14 @@ namespace Penumbra
         {{
 {defaults}        }};
 
-{packed}        /// <summary>Sets the uniforms for all draws behind it. Does not allocate.</summary>
+{packed}        /// <summary>What a uniform of its own holds; false for others.</summary>
+        internal bool TryGet(int uniform, out Vector4 vector)
+        {{
+{gets}            vector = default;
+            return false;
+        }}
+
+        /// <summary>Sets the uniforms for all draws behind it. Does not allocate.</summary>
         public void SetGlobal(CommandBuffer commands)
         {{
 {sets}        }}
@@ -208,11 +215,18 @@ EmittedFile emit_csharp(const ParameterStruct& parameters) {
   const auto set = [](std::size_t i) {
     return fmt::format("            commands.SetGlobalVector(Uniform{}, Vector{});\n", i, i);
   };
+  const auto get = [](std::size_t i) {
+    return fmt::format(
+        "            if (uniform == Uniform{0})\n            {{\n                vector = Vector{0};\n"
+        "                return true;\n            }}\n",
+        i);
+  };
   return {"Runtime/Parameters/" + parameters.name + ".cs",
           fmt::format(kCsharp, fmt::arg("doc", escaped(parameters.doc)),
                       fmt::arg("manifest", parameters.manifest), fmt::arg("name", parameters.name),
                       fmt::arg("ids", csharp_ids(parameters)), fmt::arg("fields", csharp_fields(parameters)),
                       fmt::arg("defaults", defaults), fmt::arg("packed", csharp_packed(parameters)),
+                      fmt::arg("gets", of_each_vector(parameters, "", get)),
                       fmt::arg("sets", of_each_vector(parameters, "", set)))};
 }
 

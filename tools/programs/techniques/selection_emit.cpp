@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "input/input_error.h"
+#include "techniques/cascade_rules.h"
 #include "techniques/csharp_literal.h"
 
 namespace penumbra::techniques {
@@ -30,6 +31,13 @@ constexpr const char* table_begin = R"(    }
     {
         /// <summary>Shader keywords; null for what the shader does without any.</summary>
         internal static readonly string[] Keywords =
+        {
+)";
+
+constexpr const char* cascades_begin = R"(        };
+
+        /// <summary>What filters are told from a cascade on, by the technique's rules; empty without any.</summary>
+        internal static readonly CascadeVector[][] Cascades =
         {
 )";
 
@@ -71,7 +79,7 @@ std::string options_of(const Selection& selection) {
 
 std::string emit_selections_csharp(const TechniqueList& list) {
   const std::string indent(12, ' ');
-  std::string entries, keywords, sampled, options;
+  std::string entries, keywords, sampled, options, cascades;
   for (const Selection* selection : offered(list)) {
     entries += (entries.empty() ? "" : "\n") + ("        /// <summary>" + selection->doc) +
                "</summary>\n        [InspectorName(" + csharp_text(selection->title) + ")]\n        " +
@@ -79,10 +87,12 @@ std::string emit_selections_csharp(const TechniqueList& list) {
     keywords += indent + (selection->keyword.empty() ? "null" : csharp_text(selection->keyword)) + ",\n";
     sampled += (sampled.empty() ? "" : ", ") + std::string(selection->is_sampled ? "true" : "false");
     options += indent + options_of(*selection) + ",\n";
+    cascades += emit_cascade_row(list, list.find(selection->technique));
   }
   return enum_begin + entries + table_begin + keywords +
          "        };\n\n        private static readonly bool[] Sampled = { " + sampled +
-         " };\n\n        private static readonly string[][] Options =\n        {\n" + options + table_end;
+         " };\n\n        private static readonly string[][] Options =\n        {\n" + options +
+         cascades_begin + cascades + table_end;
 }
 
 }  // namespace penumbra::techniques

@@ -7,6 +7,7 @@
 
 #include "input/input_error.h"
 #include "techniques/parameter_packing.h"
+#include "techniques/technique_call.h"
 
 namespace penumbra::techniques {
 namespace {
@@ -19,7 +20,8 @@ constexpr const char* header = R"(// Penumbra: the technique that a shader keywo
 
 constexpr const char* rest_of_header = R"(// Source:     see each filter's file.
 // Inputs:     shadow map, its comparison and point samplers, ShadowReceiver, ShadowTile; the uniforms below, which the C#
-//             structs of these names in Runtime/Parameters fill.
+//             structs of these names in Runtime/Parameters fill; cascade: the receiver's, for techniques with rules for far
+//             cascades, whose uniforms have the first one in their names.
 // Cost:       the technique's fetches.
 // Guarantees: [0, 1]. Only the file of the selected filter is included.
 // Use it:     after a pipeline's bindings, as Shadows.hlsl and Hdrp.hlsl do. Not: directly from a shader.
@@ -65,23 +67,27 @@ class KeywordWriter {
     choose();
     include();
     declare();
+    declare_rules();
     call();
     return text_ + "\n#endif\n";
   }
 
  private:
-  static std::string file_of(const Selection& selection) {
+  static std::string file_of(const FilterCall& filter) {
     constexpr std::string_view library = "ShaderLibrary/";
-    const std::string& file = selection.filter.file;
-    return file.starts_with(library) ? file.substr(library.size()) : file;
+    return filter.file.starts_with(library) ? filter.file.substr(library.size()) : filter.file;
+  }
+
+  const std::vector<CascadeRule>& rules_of(const Selection& selection) const {
+    return list_.find(selection.technique).cascades;
   }
 
   void describe() {
     for (const Selection* selection : by_keyword_)
       text_ += fmt::format("//               {:<24}{:<20}{}\n", selection->keyword,
-                           selection->filter.function, file_of(*selection));
+                           selection->filter.function, file_of(selection->filter));
     text_ += fmt::format("//               {:<24}{:<20}{}\n", "none of them", otherwise_->filter.function,
-                         file_of(*otherwise_));
+                         file_of(otherwise_->filter));
   }
 
   // One macro for the filter that is used, none for that without a keyword.
@@ -118,15 +124,28 @@ class KeywordWriter {
   }
 
   void include() {
-    branch([](const Selection& selection) { return "#include \"../" + file_of(selection) + "\""; });
+    branch([this](const Selection& selection) {
+      std::string lines = "#include \"../" + file_of(selection.filter) + "\"";
+      std::vector<std::string> included{file_of(selection.filter)};
+      for (const CascadeRule& rule : rules_of(selection)) {
+        if (std::find(included.begin(), included.end(), file_of(rule.filter)) != included.end()) continue;
+        included.push_back(file_of(rule.filter));
+        lines += "\n#include \"../" + included.back() + "\"";
+      }
+      return lines;
+    });
   }
 
   std::vector<const ParameterStruct*> structs() const {
     std::vector<const ParameterStruct*> used;
-    for (const Selection& selection : list_.selections) {
-      const ParameterStruct* parameters = list_.find_struct(selection.filter.parameters);
+    const auto use = [&](const FilterCall& filter) {
+      const ParameterStruct* parameters = list_.find_struct(filter.parameters);
       if (parameters != nullptr && std::find(used.begin(), used.end(), parameters) == used.end())
         used.push_back(parameters);
+    };
+    for (const Selection& selection : list_.selections) {
+      use(selection.filter);
+      for (const CascadeRule& rule : rules_of(selection)) use(rule.filter);
     }
     return used;
   }
@@ -152,17 +171,64 @@ class KeywordWriter {
     }
   }
 
-  std::string call_of(const Selection& selection) const {
-    std::string call = "    return " + selection.filter.function + "(";
+  // Uniforms of rules, for shaders that have them alone.
+  void declare_rules() {
+    for (const Selection& selection : list_.selections) {
+      std::string lines;
+      for (const CascadeRule& rule : rules_of(selection))
+        if (const ParameterStruct* parameters = list_.find_struct(rule.filter.parameters))
+          for (std::size_t i = 0; i < vector_count(*parameters); ++i)
+            lines += "float4 " + uniform_name(*parameters, i, rule) + ";\n";
+      if (lines.empty()) continue;
+      const std::string condition =
+          selection.keyword.empty() ? none_of_them() : "defined(" + macro_of(selection) + ")";
+      text_ += fmt::format("\n#if {}\n{}#endif\n", condition, lines);
+    }
+  }
+
+  std::string none_of_them() const {
+    std::string condition;
+    for (const Selection* selection : by_keyword_)
+      condition += (condition.empty() ? "!defined(" : " && !defined(") + macro_of(*selection) + ")";
+    return condition.empty() ? "1" : condition;
+  }
+
+  // By falling index, each for its first cascade and those behind it.
+  std::string calls_of(const Selection& selection) const {
+    std::string calls;
+    for (const CascadeRule& rule : rules_of(selection)) {
+      std::string vectors;
+      if (const ParameterStruct* parameters = list_.find_struct(rule.filter.parameters)) {
+        for (std::size_t i = 0; i < vector_count(*parameters); ++i)
+          vectors += (i == 0 ? "" : ", ") + uniform_name(*parameters, i, rule);
+        vectors = "Unpack" + parameters->name + "(" + vectors + ")";
+      }
+      const std::string test = fmt::format("    if (cascade >= {}) return ", rule.from);
+      calls.insert(0, call_of(selection, rule.filter, test, vectors) + "\n");
+    }
+    const ParameterStruct* parameters = list_.find_struct(selection.filter.parameters);
+    return calls + call_of(selection, selection.filter, "    return ",
+                           parameters == nullptr ? "" : unpacker_of(*parameters) + "()");
+  }
+
+  std::string call_of(const Selection& selection, const FilterCall& filter, const std::string& begin,
+                      const std::string& parameters) const {
+    std::string call = begin + filter.function + "(";
     const std::string indent(call.size(), ' ');
     std::string arguments;
-    for (const std::string& argument : selection.filter.arguments)
+    for (const std::string& argument : filter.arguments) {
+      if (argument == "pointSampler" && !selection.reads_raw_depth())
+        throw InputError(
+            selection.where,
+            "'" + selection.name + "' reads raw depths in far cascades alone: '" + filter.function +
+                "' takes the point sampler",
+            "shaders must know from the first cascade on that they do: give it a filter that does");
       arguments += argument == "shadowMap" ? "TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), "
                                            : "sampler_point, ";
+    }
     arguments += "receiver, tile";
     call += arguments;
-    if (const ParameterStruct* parameters = list_.find_struct(selection.filter.parameters))
-      call += ",\n" + indent + unpacker_of(*parameters) + "()";
+    if (!parameters.empty()) call += ",\n" + indent + parameters;
     return call + ");";
   }
 
@@ -170,8 +236,8 @@ class KeywordWriter {
     text_ +=
         "\nfloat FilterByKeyword(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), "
         "SAMPLER(sampler_point),\n"
-        "                      ShadowReceiver receiver, ShadowTile tile)\n{\n";
-    branch([this](const Selection& selection) { return call_of(selection); });
+        "                      ShadowReceiver receiver, ShadowTile tile, int cascade)\n{\n";
+    branch([this](const Selection& selection) { return calls_of(selection); });
     text_ += "}\n";
   }
 
