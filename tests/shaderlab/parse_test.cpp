@@ -251,8 +251,9 @@ TEST(Commands, ThatLackANumberLeaveTheWordToTheNextCommand) {
 TEST(Commands, WhatUnityReadsAndNoReferenceHasIsAWarning) {
   EXPECT_THAT(
       messages(in_pass("ZTest On")),
-      ElementsAre("a:2:7: warning: 'On' is no comparison, although Unity reads it: it takes Never, Less, "
-                  "Equal, LEqual, Greater, NotEqual, GEqual, Always, Off, False, Disabled"));
+      ElementsAre(
+          "a:2:7: warning: 'On' is not a comparison, although Unity accepts it: it takes Never, Less, "
+          "Equal, LEqual, Greater, NotEqual, GEqual, Always, Off, False, Disabled"));
   const std::string named = "Shader \"x\" { SubShader {\nName \"Face\" Tags { } Pass { Name \"Mine\" } } }";
   EXPECT_THAT(messages(named), ElementsAre("a:2:1: warning: this Name is in no Pass and names nothing"));
   EXPECT_EQ(parse_shader(named, "a").shader.sub_shaders.at(0).passes.at(0).name.text, "Mine");

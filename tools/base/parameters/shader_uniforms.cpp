@@ -71,7 +71,7 @@ ShaderUniforms shader_uniforms(const SoftShadowParameters& parameters, const Atl
 HdrpVectors hdrp_vectors(const Cascade& cascade, const SoftShadowParameters& parameters) {
   const Cones cones = cones_of(parameters);
   const Real scale = 2 * Real{cascade.uv_per_metre} / cascade.depth_per_metre;
-  // What lies behind the whole depth range is no blocker, so at 0 degrees that range is the farthest.
+  // Nothing beyond the depth range is a blocker, so at 0 degrees the range is the farthest distance.
   const Real farthest = metres(parameters.max_penumbra_metres) / (2 * cones.light);
   const bool finite = farthest <= std::numeric_limits<float>::max();
   return {.params0 = {static_cast<double>(cones.light * scale), inverse(cones.light * scale),

@@ -8,8 +8,8 @@
 namespace penumbra::platform {
 
 // Throws penumbra::InputError naming the file and the system's reason (full disk, no permission, no such
-// folder); the old content, if any, stays, and the temporary file is removed. What is there and is no file,
-// as /dev/null, is written to as it is.
+// folder); the old content, if any, stays, and the temporary file is removed. A target that is not a regular
+// file, such as /dev/null, is written to directly.
 void write_file_atomically(const std::filesystem::path& file, std::string_view content);
 void write_file_atomically(const std::filesystem::path& file, std::span<const std::byte> content);
 

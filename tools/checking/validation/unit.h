@@ -53,7 +53,7 @@ struct TargetResult {
 struct UnitResult {
   std::size_t unit = 0;               // its place among the units of the run
   std::vector<TargetResult> targets;  // in the order of CompileUnit::targets
-  std::string text_key;    // equal for units that are one to the parser; empty when there is no text
+  std::string text_key;    // equal for units with the same text for the parser; empty if there is no text
   std::string module_key;  // of the SPIR-V; empty when there is none
   // The include that only the Unity editor has, for want of which every target is unchecked; empty without.
   std::string missing_editor_include;
@@ -69,7 +69,7 @@ struct CompileAnswer {
   std::string module_key;              // empty when there is no SPIR-V
   std::string missing_editor_include;  // as in shaders::PreprocessedSource
   // The files that the messages quote, and those that silence a lint rule, with the hash of what they held.
-  // Comments are no part of a text key: the answer of an equal text is taken only where these are the same.
+  // Comments are not part of a text key: a cached result is used only if these are the same.
   std::vector<std::pair<std::string, std::string>> quoted;
   std::shared_ptr<const std::string> buffers;  // as in UnitResult
 };

@@ -1,4 +1,4 @@
-// What lint says of one compiled unit, and what it takes from it to judge whole shaders later
+// Lint of one compiled unit, and the data that it collects for the later lint of whole shaders
 // (program_lint.h). Internal to this room.
 #pragma once
 

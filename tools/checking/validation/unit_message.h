@@ -1,4 +1,4 @@
-// What a unit's worker is told, and what it tells.
+// The messages to and from a unit's worker.
 //
 // Units of one run share answers: once the text is there the worker asks whether another unit has the same,
 // and once the module is there whether another has that. The run, which knows all that are at work, answers

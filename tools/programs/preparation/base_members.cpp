@@ -71,13 +71,13 @@ class BaseMembers {
   }
 
   // The contents of the braces, without functions that a derived struct redeclares.
-  std::string members(const StructType& base, const std::vector<const StructType*>& heirs) const {
+  std::string members(const StructType& base, const std::vector<const StructType*>& derived) const {
     const hlsl::Declaration& from = declaration(base);
     std::string copied;
     std::size_t at = from.open + 1;
     for (const hlsl::Declaration& function : base.functions) {
-      const bool hidden = std::any_of(heirs.begin(), heirs.end(), [&](const StructType* heir) {
-        return has_function(*heir, text_[function.name].spelling);
+      const bool hidden = std::any_of(derived.begin(), derived.end(), [&](const StructType* derived_type) {
+        return has_function(*derived_type, text_[function.name].spelling);
       });
       if (!hidden) continue;
       copied += text_.spelled(at, function.first - at) + " ";
@@ -92,8 +92,8 @@ class BaseMembers {
     });
   }
 
-  bool inherits(std::string_view heir, std::string_view base) const {
-    for (const StructType* type = find(heir); type != nullptr; type = base_of(*type))
+  bool inherits(std::string_view derived_type, std::string_view base) const {
+    for (const StructType* type = find(derived_type); type != nullptr; type = base_of(*type))
       if (type->base == base) return base_of(*type) != nullptr;
     return false;
   }

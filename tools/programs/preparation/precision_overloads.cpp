@@ -50,28 +50,28 @@ std::string widened(const std::string& parameter) {
   return result;
 }
 
-struct TwinnedFunction {
+struct OverloadedFunction {
   const hlsl::Declaration* declaration;
   std::string name;  // with its namespaces
   std::vector<std::string> parameters;
   std::vector<std::string> widened_parameters;
 };
 
-TwinnedFunction read_function(const TokenText& text, const hlsl::Declaration& declaration) {
-  TwinnedFunction function{&declaration,
-                           declaration.scope + std::string(text[declaration.name].spelling),
-                           hlsl::parameter_types(text.tokens(), declaration),
-                           {}};
+OverloadedFunction read_function(const TokenText& text, const hlsl::Declaration& declaration) {
+  OverloadedFunction function{&declaration,
+                              declaration.scope + std::string(text[declaration.name].spelling),
+                              hlsl::parameter_types(text.tokens(), declaration),
+                              {}};
   for (const std::string& type : function.parameters) function.widened_parameters.push_back(widened(type));
   return function;
 }
 
 // Those that share their name with another; only they can be overloads.
-std::vector<TwinnedFunction> overloaded_functions(const TokenText& text) {
+std::vector<OverloadedFunction> overloaded_functions(const TokenText& text) {
   std::unordered_map<std::string_view, int> definitions;  // by name, of all namespaces together
   for (const hlsl::Declaration& declaration : text.declarations())
     if (declaration.kind == hlsl::Declaration::Kind::function) ++definitions[text[declaration.name].spelling];
-  std::vector<TwinnedFunction> functions;
+  std::vector<OverloadedFunction> functions;
   for (const hlsl::Declaration& declaration : text.declarations()) {
     if (declaration.kind != hlsl::Declaration::Kind::function) continue;
     if (definitions[text[declaration.name].spelling] > 1)
@@ -80,7 +80,7 @@ std::vector<TwinnedFunction> overloaded_functions(const TokenText& text) {
   return functions;
 }
 
-int narrow_parameters(const TwinnedFunction& function) {
+int narrow_parameters(const OverloadedFunction& function) {
   int count = 0;
   for (std::size_t i = 0; i < function.parameters.size(); ++i)
     count += function.parameters[i] != function.widened_parameters[i] ? 1 : 0;
@@ -88,7 +88,7 @@ int narrow_parameters(const TwinnedFunction& function) {
 }
 
 // float f(float x) { return f(half(x)); }: with one body left it would call itself.
-bool calls_its_name(const TokenText& text, const TwinnedFunction& function) {
+bool calls_its_name(const TokenText& text, const OverloadedFunction& function) {
   const hlsl::Declaration& declaration = *function.declaration;
   const std::string_view name = text[declaration.name].spelling;
   for (std::size_t at = declaration.open; at < declaration.close; ++at)
@@ -98,7 +98,7 @@ bool calls_its_name(const TokenText& text, const TwinnedFunction& function) {
 
 // Which of two overloads keeps its body: one that does not forward to the other, then the one with more
 // full-precision parameters.
-bool better(const TokenText& text, const TwinnedFunction& a, const TwinnedFunction& b) {
+bool better(const TokenText& text, const OverloadedFunction& a, const OverloadedFunction& b) {
   const bool a_calls = calls_its_name(text, a);
   const bool b_calls = calls_its_name(text, b);
   return a_calls != b_calls ? b_calls : narrow_parameters(a) < narrow_parameters(b);
@@ -110,7 +110,7 @@ std::string list(const std::vector<std::string>& types) {
   return "(" + text + ")";
 }
 
-std::string widened_signature(const TwinnedFunction& function) {
+std::string widened_signature(const OverloadedFunction& function) {
   return function.name + list(function.widened_parameters);
 }
 
@@ -159,7 +159,7 @@ bool same_bodies(const TokenText& text, const hlsl::Declaration& a, const hlsl::
   return true;
 }
 
-void drop(TokenText& text, const TwinnedFunction& gone, const TwinnedFunction& kept) {
+void drop(TokenText& text, const OverloadedFunction& gone, const OverloadedFunction& kept) {
   const std::size_t kept_at = kept.declaration->name;
   const bool same = same_bodies(text, *gone.declaration, *kept.declaration);
   text.note(gone.declaration->name, same ? hlsl::Severity::note : hlsl::Severity::warning,
@@ -170,32 +170,32 @@ void drop(TokenText& text, const TwinnedFunction& gone, const TwinnedFunction& k
   text.replace(gone.declaration->open, gone.declaration->close - gone.declaration->open + 1, ";");
 }
 
-using Twins = std::vector<const TwinnedFunction*>;  // that differ only in precision, in source order
+using Overloads = std::vector<const OverloadedFunction*>;  // that differ only in precision, in source order
 
-bool bodies_differ(const TokenText& text, const Twins& twins) {
-  return std::any_of(twins.begin(), twins.end(), [&](const TwinnedFunction* twin) {
-    return !same_bodies(text, *twin->declaration, *twins[0]->declaration);
+bool bodies_differ(const TokenText& text, const Overloads& overloads) {
+  return std::any_of(overloads.begin(), overloads.end(), [&](const OverloadedFunction* overload) {
+    return !same_bodies(text, *overload->declaration, *overloads[0]->declaration);
   });
 }
 
-bool is_in_one(const Twins& twins, std::size_t at) {
-  return std::any_of(twins.begin(), twins.end(), [&](const TwinnedFunction* twin) {
-    return at >= twin->declaration->first && at <= twin->declaration->last;
+bool is_in_one(const Overloads& overloads, std::size_t at) {
+  return std::any_of(overloads.begin(), overloads.end(), [&](const OverloadedFunction* overload) {
+    return at >= overload->declaration->first && at <= overload->declaration->last;
   });
 }
 
 // The overload with the most parameters as narrow as the arguments.
-const TwinnedFunction* chosen_by(const std::vector<Precision>& arguments, const Twins& twins) {
-  const TwinnedFunction* best = nullptr;
+const OverloadedFunction* chosen_by(const std::vector<Precision>& arguments, const Overloads& overloads) {
+  const OverloadedFunction* best = nullptr;
   int most = -1;
-  for (const TwinnedFunction* twin : twins) {
-    if (twin->parameters.size() != arguments.size()) return nullptr;
+  for (const OverloadedFunction* overload : overloads) {
+    if (overload->parameters.size() != arguments.size()) return nullptr;
     int matches = 0;
     for (std::size_t i = 0; i < arguments.size(); ++i) {
-      const bool narrow = twin->parameters[i] != twin->widened_parameters[i];
+      const bool narrow = overload->parameters[i] != overload->widened_parameters[i];
       matches += narrow == (arguments[i] == Precision::narrow) ? 1 : 0;
     }
-    if (matches > most) best = twin;
+    if (matches > most) best = overload;
     most = std::max(most, matches);
   }
   return best;
@@ -203,14 +203,14 @@ const TwinnedFunction* chosen_by(const std::vector<Precision>& arguments, const 
 
 // The overload that all calls outside of these overloads select; null if they select several, or there is no
 // call.
-const TwinnedFunction* called_twin(const TokenText& text, const Twins& twins) {
-  const std::string_view name = text[twins[0]->declaration->name].spelling;
-  const TwinnedFunction* called = nullptr;
+const OverloadedFunction* called_overload(const TokenText& text, const Overloads& overloads) {
+  const std::string_view name = text[overloads[0]->declaration->name].spelling;
+  const OverloadedFunction* called = nullptr;
   for (std::size_t at = 1; at + 1 < text.size(); ++at) {
     const bool call = text.is(at, name) && text.is(at + 1, "(") && text.matching_bracket(at + 1) != npos &&
                       !text.is(at - 1, ".");
-    if (!call || is_in_one(twins, at)) continue;
-    const TwinnedFunction* chosen = chosen_by(argument_precisions(text, at + 1), twins);
+    if (!call || is_in_one(overloads, at)) continue;
+    const OverloadedFunction* chosen = chosen_by(argument_precisions(text, at + 1), overloads);
     if (chosen == nullptr || chosen == called) continue;
     if (called != nullptr) return nullptr;
     called = chosen;
@@ -219,27 +219,28 @@ const TwinnedFunction* called_twin(const TokenText& text, const Twins& twins) {
 }
 
 // Which of them keeps its body.
-const TwinnedFunction* kept_twin(const TokenText& text, const Twins& twins) {
-  const TwinnedFunction* best = twins[0];
-  for (const TwinnedFunction* twin : twins)
-    if (better(text, *twin, *best)) best = twin;
-  const bool hands_on =
-      std::any_of(twins.begin(), twins.end(), [&](const auto* twin) { return calls_its_name(text, *twin); });
-  if (twins.size() == 1 || hands_on || !bodies_differ(text, twins)) return best;
-  const TwinnedFunction* called = called_twin(text, twins);
+const OverloadedFunction* kept_overload(const TokenText& text, const Overloads& overloads) {
+  const OverloadedFunction* best = overloads[0];
+  for (const OverloadedFunction* overload : overloads)
+    if (better(text, *overload, *best)) best = overload;
+  const bool forwards = std::any_of(overloads.begin(), overloads.end(),
+                                    [&](const auto* overload) { return calls_its_name(text, *overload); });
+  if (overloads.size() == 1 || forwards || !bodies_differ(text, overloads)) return best;
+  const OverloadedFunction* called = called_overload(text, overloads);
   return called != nullptr ? called : best;
 }
 
 }  // namespace
 
 void merge_precision_overloads(TokenText& text) {
-  const std::vector<TwinnedFunction> functions = overloaded_functions(text);
-  std::unordered_map<std::string, Twins> groups;
-  for (const TwinnedFunction& function : functions) groups[widened_signature(function)].push_back(&function);
-  std::unordered_map<std::string, const TwinnedFunction*> kept;
-  for (const TwinnedFunction& function : functions) {
-    const TwinnedFunction*& best = kept[widened_signature(function)];
-    if (best == nullptr) best = kept_twin(text, groups[widened_signature(function)]);
+  const std::vector<OverloadedFunction> functions = overloaded_functions(text);
+  std::unordered_map<std::string, Overloads> groups;
+  for (const OverloadedFunction& function : functions)
+    groups[widened_signature(function)].push_back(&function);
+  std::unordered_map<std::string, const OverloadedFunction*> kept;
+  for (const OverloadedFunction& function : functions) {
+    const OverloadedFunction*& best = kept[widened_signature(function)];
+    if (best == nullptr) best = kept_overload(text, groups[widened_signature(function)]);
     if (function.parameters == best->parameters)
       continue;  // itself, or a definition with identical parameter types
     drop(text, function, *best);

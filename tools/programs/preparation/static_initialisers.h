@@ -3,8 +3,8 @@
 // recursion, or drops the callee as unused and crashes. The value is computed in a generated function, and
 // every function that reads the constant begins with a local constant of that name and value.
 //
-// Constants only, because they have one value wherever they are read; arrays need explicit sizes. A function
-// with a parameter of the same name does not read the constant.
+// Constants only, because their value is the same everywhere; arrays need explicit sizes. A function with a
+// parameter of the same name does not read the constant.
 #pragma once
 
 #include "preparation/token_text.h"

@@ -168,7 +168,7 @@ ValueProblem value_problem(const std::string& command, Values values, const Comm
   if (known) return {"write " + command + " " + value.text + " without quotation marks"};
   const std::string takes = "it takes " + listed(words);
   if (values == Values::comparison && is_word && is_on(value.text))
-    return {"'" + value.text + "' is no comparison, although Unity reads it: " + takes,
+    return {"'" + value.text + "' is not a comparison, although Unity accepts it: " + takes,
             hlsl::Severity::warning};
   const std::string hint = near_name_hint(value.text, words);
   return {shown + ": " + (hint.empty() ? takes : hint)};

@@ -33,7 +33,7 @@ struct ValueProblem {
 };
 
 // The problem with a value of that command; none for a valid value and for [_Property]. `ZTest On`, which no
-// reference lists and Unity accepts, is a warning. So are numbers that are no value of the enumeration.
+// reference lists and Unity accepts, is a warning. So are numbers that are not a value of the enumeration.
 ValueProblem value_problem(const std::string& command, Values values, const Command::Value& value);
 
 }  // namespace penumbra::shaderlab

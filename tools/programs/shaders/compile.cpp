@@ -116,8 +116,8 @@ hlsl::Diagnostic at_place(const Source& source, const SourcePlace& place, const 
   return diagnostic;
 }
 
-bool told(const Source& source, const hlsl::SourceFiles& sources, const std::vector<ModuleProblem>& problems,
-          CompileResult& result) {
+bool report(const Source& source, const hlsl::SourceFiles& sources,
+            const std::vector<ModuleProblem>& problems, CompileResult& result) {
   for (const ModuleProblem& problem : problems)
     result.diagnostics.push_back(at_place(source, problem.place, sources, problem.message));
   return !problems.empty();
@@ -127,17 +127,17 @@ bool told(const Source& source, const hlsl::SourceFiles& sources, const std::vec
 bool put_right(const Source& source, const hlsl::SourceFiles& sources, glslang::TIntermediate& tree,
                CompileResult& result) {
   put_operations_right(tree);
-  return !told(source, sources, write_out_matrix_operations(tree, {source.text, source.name}), result);
+  return !report(source, sources, write_out_matrix_operations(tree, {source.text, source.name}), result);
 }
 
 // Valid SPIR-V that HLSL does not allow.
 void tell_problems(const Source& source, const hlsl::SourceFiles& sources, const glslang::TIntermediate& tree,
                    bool divides, CompileResult& result) {
-  told(source, sources, hlsl_problems(source.request, tree, result.spirv, divides), result);
-  told(source, sources, shared_registers(result.spirv, source.text, source.name), result);
-  told(source, sources, integer_matrices(result.spirv, source.text, source.name), result);
+  report(source, sources, hlsl_problems(source.request, tree, result.spirv, divides), result);
+  report(source, sources, shared_registers(result.spirv, source.text, source.name), result);
+  report(source, sources, integer_matrices(result.spirv, source.text, source.name), result);
   if (source.request.stage == hlsl::Stage::compute)
-    told(source, sources, beyond_group_limits(tree, result.spirv, source.text, source.name), result);
+    report(source, sources, beyond_group_limits(tree, result.spirv, source.text, source.name), result);
 }
 
 bool finish_module(const Source& source, const hlsl::SourceFiles& sources, const glslang::TIntermediate& tree,
@@ -169,9 +169,9 @@ bool build(const Source& source, const hlsl::SourceFiles& sources, CompileResult
   program.addShader(&shader.get());
   if (!link(source, sources, program, result)) return false;
   glslang::TIntermediate& tree = *program.getIntermediate(language(source.request.stage));
-  if (told(source, sources, reads_without_comparing(tree), result)) return false;
-  if (told(source, sources, unwritable_arguments(tree), result)) return false;
-  if (told(source, sources, refused_operands(tree), result)) return false;
+  if (report(source, sources, reads_without_comparing(tree), result)) return false;
+  if (report(source, sources, unwritable_arguments(tree), result)) return false;
+  if (report(source, sources, refused_operands(tree), result)) return false;
   if (!put_right(source, sources, tree, result)) return false;
   if (!generate(source, tree, result) || !finish_module(source, sources, tree, result)) return false;
   if (source.request.stage == hlsl::Stage::vertex) result.input_semantics = input_semantics(tree);

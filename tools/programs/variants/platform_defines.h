@@ -19,7 +19,7 @@
 // Deliberately absent, because a library defines them from the macros above and would define them twice:
 //   - from the core package, API/D3D11.hlsl, Vulkan.hlsl, Metal.hlsl, Switch.hlsl, GLCore.hlsl, GLES3.hlsl:
 //     UNITY_UV_STARTS_AT_TOP, UNITY_REVERSED_Z (first four), UNITY_NEAR_CLIP_VALUE,
-//     UNITY_RAW_FAR_CLIP_VALUE, CBUFFER_START, TEXTURE2D and its kin, PLATFORM_SUPPORTS_*, UNITY_BRANCH, ...;
+//     UNITY_RAW_FAR_CLIP_VALUE, CBUFFER_START, TEXTURE2D and similar, PLATFORM_SUPPORTS_*, UNITY_BRANCH, ...;
 //   - from UnityInstancing.hlsl (core) or UnityInstancing.cginc: UNITY_INSTANCING_ENABLED of INSTANCING_ON,
 //     UNITY_PROCEDURAL_INSTANCING_ENABLED of PROCEDURAL_INSTANCING_ON, UNITY_DOTS_INSTANCING_ENABLED of
 //     DOTS_INSTANCING_ON, UNITY_STEREO_INSTANCING_ENABLED of STEREO_INSTANCING_ON;

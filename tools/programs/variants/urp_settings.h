@@ -49,7 +49,7 @@
 //   fog  of linear, exp, exp2: never the FOG_* that is not listed
 //   xr   of instancing, multiview, single_pass: the stereo keywords, as one more set; none without it. On
 //   OpenGL
-//        ES never instancing, which multiview stands in for there (on_api() in keyword_space.h)
+//        ES never instancing, which multiview replaces there (on_api() in keyword_space.h)
 //
 // Lightmap, fog and instancing keywords are stripped by Unity itself, from the scenes and Project Settings >
 // Graphics (Unity Manual, "Shader variant stripping"), not by URP. Whatever the settings, URP strips:
