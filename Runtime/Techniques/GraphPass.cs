@@ -7,6 +7,9 @@ namespace Penumbra
         /// <summary>A pass of a shader, drawn over all of its targets.</summary>
         Raster,
 
+        /// <summary>A pass of a shader that draws the casters: for each cascade, or as the camera sees them.</summary>
+        Casters,
+
         /// <summary>A kernel of a compute shader.</summary>
         Compute,
     }
@@ -37,8 +40,14 @@ namespace Penumbra
         internal PassFrequency runs = PassFrequency.Frame;
         internal GraphBinding[] reads = Array.Empty<GraphBinding>();
 
-        /// <summary>Of a raster pass its targets, in order.</summary>
+        /// <summary>Of a pass that draws its targets, in order.</summary>
         internal GraphBinding[] writes = Array.Empty<GraphBinding>();
+
+        /// <summary>Of casters: the texture that they are tested against and whose depth they write; -1: none.</summary>
+        internal int depth = -1;
+
+        /// <summary>Of casters: they are tested against the shadow map.</summary>
+        internal bool testsShadowMap;
 
         /// <summary>Once for each mip level but the first, from the level before.</summary>
         internal bool eachMip;
@@ -46,7 +55,8 @@ namespace Penumbra
         /// <summary>Of a kernel.</summary>
         internal GraphGroups groups;
 
-        internal bool Writes(bool isBuffer, int index) => Has(writes, isBuffer, index);
+        internal bool Writes(bool isBuffer, int index) =>
+            Has(writes, isBuffer, index) || !isBuffer && depth == index;
 
         internal bool Reads(bool isBuffer, int index) =>
             Has(reads, isBuffer, index) || isBuffer && kind == PassKind.Compute && groups.indirect == index;

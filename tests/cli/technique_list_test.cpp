@@ -57,6 +57,28 @@ TEST_F(TechniqueListCommand, KernelsAreValidatedMeasuredAndCosted) {
     EXPECT_THAT(cost.output, HasSubstr(kernel));
 }
 
+TEST_F(TechniqueListCommand, PassesOfCastersAreValidatedMeasuredAndCosted) {
+  const auto valid = run({"validate", "--technique-list", added("Layers"), "--no-cache"});
+  EXPECT_EQ(valid.exit_code, 0) << valid.output;
+  // Two passes of two stages with and without alpha test, and the filter's two; in both directions of depth.
+  EXPECT_THAT(valid.output, HasSubstr("20 variants for 5 targets: 100 results"));
+
+  const auto measured =
+      run({"measure", "--technique-list", added("Layers"), "--scene", "trees", "--light", "2", "--map-size",
+           "128", "--size", "32x16", "--reference-samples", "32", "--timing-repeats", "0", "--no-split"});
+  ASSERT_EQ(measured.exit_code, 0) << measured.errors;
+  const nlohmann::json record = nlohmann::json::parse(measured.output).at("records").at(0);
+  EXPECT_EQ(record.at("technique"), "layers");
+  const nlohmann::json& layers = record.at("passes").at(0);
+  EXPECT_EQ(layers.at("pass"), "Layers");
+  EXPECT_EQ(layers.at("runs"), "cascade");
+  EXPECT_GT(layers.at("texels_written_per_pixel"), 0.0);
+
+  const auto cost = run({"cost", "--technique-list", added("Layers"), "--family", "navi21"});
+  EXPECT_EQ(cost.exit_code, 0) << cost.errors;
+  for (const char* pass : {"layers: Layers", "layers: Nearest"}) EXPECT_THAT(cost.output, HasSubstr(pass));
+}
+
 TEST_F(TechniqueListCommand, AMistakeIsNamedAtItsLine) {
   const std::string manifest =
       write("a.technique.json", "{\"techniques\": [\n {\"name\": \"a\", \"tilte\": \"A\"}]}").string();

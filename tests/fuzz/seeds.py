@@ -100,7 +100,8 @@ def models():
 
 def technique_list():
     """The library's manifests, shortened, and those of the tests; the files that they name are the target's own."""
-    texts = [*raw_strings('techniques/pass_graph_test.cpp', 'techniques/technique_list_test.cpp'),
+    texts = [*raw_strings('techniques/caster_graph_test.cpp', 'techniques/pass_graph_test.cpp',
+                          'techniques/technique_list_test.cpp'),
              *(file.read_bytes() for file in sorted(tests.glob('techniques/added/*.technique.json')))]
     for name in ('ShaderLibrary/Filters/FixedPcf', 'ShaderLibrary/Filters/PcssAngular', 'Shaders/PenumbraShadows'):
         document = json.loads((root / f'{name}.technique.json').read_text())

@@ -72,6 +72,27 @@ TEST_F(GpuRaster, DrawsBothFaces) {
   EXPECT_EQ(depth.download<float>(), std::vector<float>(16, 0.5F));
 }
 
+// Which of the depths 1/4, 1/2 and 3/4 passes over a target that holds 1/2.
+TEST_F(GpuRaster, EveryDepthTestKeepsWhatItsNameSays) {
+  const std::vector<std::pair<DepthTest, std::array<bool, 3>>> passing{
+      {DepthTest::less, {true, false, false}},      {DepthTest::greater, {false, false, true}},
+      {DepthTest::less_equal, {true, true, false}}, {DepthTest::greater_equal, {false, true, true}},
+      {DepthTest::equal, {false, true, false}},     {DepthTest::always, {true, true, true}}};
+  for (const auto& [test, passes] : passing) {
+    for (std::size_t i = 0; i < passes.size(); ++i) {
+      RasterShaders made = shaders(Format::depth32, true);
+      made.depth_test = test;
+      RasterPass pass = pass_of(made, sheet(0.25F * static_cast<float>(i + 1)));
+      const Image colour(*device, Format::rgba32f, 1, 1);
+      const Image other(*device, Format::r32f, 1, 1);
+      const Image depth(*device, Format::depth32, 1, 1);
+      pass.draw({{&colour, &other}, &depth, 0.5F}, {tile_at(0, 0, 1, 6)});
+      const Colour expected = passes[i] ? Colour{1, 2, 3, 4} : Colour{0, 0, 0, 0};
+      EXPECT_EQ(colour.download<Colour>().front(), expected) << static_cast<int>(test) << ", " << i;
+    }
+  }
+}
+
 TEST_F(GpuRaster, KeepsTheNearerSurfaceInEitherDirection) {
   std::vector<Corner> corners = sheet(0.25F);
   for (const float other : {0.75F, 0.5F}) {

@@ -12,9 +12,13 @@ class GpuSampler : public Gpu {
   template <typename Result>
   std::vector<Result> run(const std::string& shader, const std::string& sampler_name, const Image& map,
                           SamplerKind kind, const std::vector<Point>& points) {
+    return run<Result>(shader, sampler_name, map, Sampler(*device, kind), points);
+  }
+  template <typename Result>
+  std::vector<Result> run(const std::string& shader, const std::string& sampler_name, const Image& map,
+                          const Sampler& sampler, const std::vector<Point>& points) {
     const std::vector<std::uint32_t> spirv = compile_test_shader(shader);
     ComputePass pass(*device, {.spirv = spirv});
-    const Sampler sampler(*device, kind);
     const Buffer where(*device, std::span<const Point>(points));
     const Buffer result(*device, points.size() * sizeof(Result));
     pass.bindings().image("_Map", map);
@@ -49,6 +53,25 @@ TEST_F(GpuSampler, LessEqualIsLitInFrontOfAndOnTheTexel) {
                      {kNear, kFar, 0.5F},
                      {kNear, kFar, 0.50001F}}),
             (std::vector<float>{1, 1, 0, 1, 1, 0, 1, 0}));
+}
+
+// Of columns 0, 1, 2 and 3, right of the picture and left of it, where each way to go on differs.
+TEST_F(GpuSampler, WrapsEachAxisInItsOwnWay) {
+  Image map(*device, Format::r32f, 4, 4);
+  std::vector<float> texels;
+  for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 4; ++column) texels.push_back(static_cast<float>(10 * row + column));
+  map.upload(texels);
+  const std::vector<Point> points{{1.125F, 0.125F}, {-0.375F, 0.125F}, {0.125F, 1.375F}};
+  const auto read = [&](SamplerWrap u, SamplerWrap v) {
+    std::vector<float> values;
+    for (const Point& texel : run<Point>("Sample.hlsl", "_Sampler", map, Sampler(*device, u, v), points))
+      values.push_back(texel[0]);
+    return values;
+  };
+  EXPECT_EQ(read(SamplerWrap::repeat, SamplerWrap::mirror), (std::vector<float>{0, 2, 20}));
+  EXPECT_EQ(read(SamplerWrap::mirror, SamplerWrap::clamp), (std::vector<float>{3, 1, 30}));
+  EXPECT_EQ(read(SamplerWrap::clamp, SamplerWrap::repeat), (std::vector<float>{3, 0, 10}));
 }
 
 TEST_F(GpuSampler, UnormDepthsCompareAsTheirFractions) {

@@ -125,6 +125,36 @@ TEST_F(GpuSequence, DispatchesAsManyGroupsAsAnEarlierPassCounted) {
   EXPECT_THROW(sequence.dispatch_indirect(run, run.bindings(), groups, 2), std::invalid_argument);
 }
 
+TEST_F(GpuSequence, ClearsEveryLevelAndLayerBetweenPasses) {
+  const Image image = pyramid();
+  const Image layers(*device, ImageShape{.format = Format::rg32f, .width = 2, .height = 1, .layers = 2});
+  const Image depth(*device, Format::depth32, 2, 2);
+  const Image depth16(*device, Format::depth16, 1, 1);
+  Image numbers(*device, Format::r32ui, 1, 1);
+  numbers.upload(std::vector<std::uint32_t>{7});
+  ComputePass reduce = pass("Reduce");
+  reduce.bindings().image("_Below", image, {.first_mip = 0, .mips = 1});
+  reduce.bindings().image("_Above", image, {.first_mip = 1});
+  Sequence sequence(*device);
+  sequence.clear(image, 0.25F);
+  sequence.dispatch(reduce, reduce.bindings(), {4, 4, 1});
+  sequence.clear(layers, 3.0F);
+  sequence.clear(depth, 1.0F);
+  sequence.clear(depth16, 0.0F);
+  sequence.clear(numbers, 0.0F);
+  sequence.run();
+  EXPECT_EQ(image.download<float>({0, 0}), std::vector<float>(64, 0.25F));
+  EXPECT_EQ(image.download<float>({1, 0}), std::vector<float>(16, 0.25F));
+  EXPECT_EQ(image.download<float>({3, 0}), std::vector<float>{0.25F});
+  for (int layer = 0; layer < 2; ++layer)
+    EXPECT_EQ(layers.download<float>({0, layer}), std::vector<float>(4, 3.0F));
+  EXPECT_EQ(depth.download<float>(), std::vector<float>(4, 1.0F));
+  EXPECT_EQ(depth16.download<std::uint16_t>(), std::vector<std::uint16_t>{0});
+  EXPECT_EQ(numbers.download<std::uint32_t>(), std::vector<std::uint32_t>{0});
+  EXPECT_TRUE(sequence.waited().at(1));
+  EXPECT_THROW(sequence.clear(numbers, 1.0F), std::invalid_argument);
+}
+
 TEST_F(GpuSequence, RefusesWhatHasNoMeaning) {
   const Image image = pyramid();
   ComputePass reduce = pass("Reduce");

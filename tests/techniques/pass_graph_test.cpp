@@ -219,7 +219,7 @@ TEST_F(PassGraphTest, TexturesThatNoDeviceHasAreFound) {
   EXPECT_THAT(of_rows(R"("samples": 3, "format": "rg32f")"), HasSubstr("samples are 1, 2, 4 or 8"));
   EXPECT_THAT(of_rows(R"("samples": 4, "mips": 2, "format": "rg32f")"), HasSubstr("one mip level"));
   EXPECT_THAT(of_rows(R"("extent": "map", "format": "depth32")"),
-              HasSubstr("only the casters' map has a depth format"));
+              HasSubstr("'Rows' writes 'rows', of format depth32"));
   EXPECT_THAT(problem(kTiles, R"("format": "r16ui")", R"("format": "r16ui", "samples": 4)"),
               HasSubstr("cannot write 'marks' of several samples"));
 }

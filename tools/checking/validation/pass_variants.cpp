@@ -39,8 +39,18 @@ std::vector<SourceVariant> pass_variants(const ValidationRequest& request,
     }
     const shaders::PackageShader& shader =
         parsed.try_emplace(file, file, request.package_roots).first->second;
-    for (const hlsl::Stage stage : {hlsl::Stage::vertex, hlsl::Stage::fragment})
-      variants.push_back(variant_of(pass, shader.request(pass.program, stage, on, reversed_z)));
+    std::vector<std::vector<std::string>> keyword_sets{on};
+    if (pass.kind == techniques::PassKind::casters &&
+        !shader.declared(pass.program, {techniques::alpha_test_keyword}).empty()) {
+      keyword_sets.push_back(on);
+      keyword_sets.back().emplace_back(techniques::alpha_test_keyword);
+    }
+    for (std::size_t i = 0; i < keyword_sets.size(); ++i)
+      for (const hlsl::Stage stage : {hlsl::Stage::vertex, hlsl::Stage::fragment}) {
+        variants.push_back(
+            variant_of(pass, shader.request(pass.program, stage, keyword_sets[i], reversed_z)));
+        if (i > 0) variants.back().unit.keywords.emplace_back(techniques::alpha_test_keyword);
+      }
   }
   return variants;
 }

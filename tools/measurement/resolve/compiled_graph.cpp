@@ -18,6 +18,7 @@ CompiledProgram program_of(const std::string& name, const ModuleOrder& order, Co
   if (order.vertex) program.vertex_entry = order.vertex->entry;
   program.named_at = std::move(modules.named_at);
   program.vertex = std::move(modules.vertex);
+  program.vertex_inputs = std::move(modules.vertex_inputs);
   program.plain = std::move(modules.plain);
   program.counting = std::move(modules.counting);
   if (notes != nullptr) notes->insert(notes->end(), modules.notes.begin(), modules.notes.end());
@@ -76,11 +77,14 @@ CompiledProgram compile_pass(const shaders::PackageShader& shader, const std::st
   order.plain = shader.request(pass, hlsl::Stage::fragment, keywords, reversed_z);
   order.file = order.plain.file.string();
   order.name = order.file + ": " + pass;
-  return program_of(pass, order, compile_modules(order, process));
+  CompiledProgram program = program_of(pass, order, compile_modules(order, process));
+  program.render_commands = shader.render_commands(pass);
+  program.file = order.file;
+  return program;
 }
 
 CompiledGraph compile(const ShadowGraph& graph, const platform::WorkerPool& process) {
-  CompiledGraph compiled{graph, {}, {}};
+  CompiledGraph compiled{graph, {}, {}, {}};
   std::map<std::filesystem::path, shaders::PackageShader> parsed;
   for (const GraphPass& pass : graph.graph.passes) {
     switch (pass.kind) {
@@ -90,10 +94,19 @@ CompiledGraph compile(const ShadowGraph& graph, const platform::WorkerPool& proc
             program_of(graph.name, order, compile_modules(order, process), &compiled.notes));
         break;
       }
-      case PassKind::raster: {
+      case PassKind::raster:
+      case PassKind::casters: {
         const std::filesystem::path file = (graph.package / pass.file).lexically_normal();
-        compiled.programs.push_back(compile_pass(parsed.try_emplace(file, file).first->second, pass.program,
-                                                 graph.keywords, graph.reversed_z, process));
+        const shaders::PackageShader& shader = parsed.try_emplace(file, file).first->second;
+        if (pass.kind == PassKind::casters &&
+            !shader.declared(pass.program, {techniques::alpha_test_keyword}).empty()) {
+          std::vector<std::string> keywords = graph.keywords;
+          keywords.emplace_back(techniques::alpha_test_keyword);
+          compiled.alpha_tested.emplace(compiled.programs.size(), compile_pass(shader, pass.program, keywords,
+                                                                               graph.reversed_z, process));
+        }
+        compiled.programs.push_back(
+            compile_pass(shader, pass.program, graph.keywords, graph.reversed_z, process));
         break;
       }
       case PassKind::compute:

@@ -36,9 +36,12 @@ ShadowGraph filter_graph(const ShadowShader& shader);
 
 // The program of one pass, compiled as it ships and with its texels counted.
 struct CompiledProgram {
-  std::string name;                             // what messages call it
-  std::map<std::string, std::string> named_at;  // "file:line" where a resource is first named
-  std::vector<std::uint32_t> vertex;            // empty: a compute shader
+  std::string name;                                         // what messages call it
+  std::map<std::string, std::string> named_at;              // "file:line" where a resource is first named
+  std::vector<std::uint32_t> vertex;                        // empty: a compute shader
+  std::map<std::uint32_t, std::string> vertex_inputs{};     // semantics of those that it reads, by location
+  std::vector<shaderlab::RenderCommand> render_commands{};  // of a pass of a .shader
+  std::string file{};                                       // of it
   std::vector<std::uint32_t> plain;
   std::vector<std::uint32_t> counting;  // shaders/counted_module.h
   std::string vertex_entry{};
@@ -48,7 +51,9 @@ struct CompiledProgram {
 struct CompiledGraph {
   ShadowGraph source;
   std::vector<CompiledProgram> programs;  // of source.graph.passes
-  std::vector<std::string> notes;         // the compiler's, for example which body of two was kept
+  // Of passes of casters that declare techniques::alpha_test_keyword, with it: for materials with alpha test.
+  std::map<std::size_t, CompiledProgram> alpha_tested;
+  std::vector<std::string> notes;  // the compiler's, for example which body of two was kept
 };
 
 // In `process`, whose arguments start this program as serve_modules(); here, where it has none. Throws

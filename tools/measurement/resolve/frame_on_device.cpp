@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <span>
 
 #include "parameters/half_angle.h"
@@ -126,6 +127,16 @@ MapLayout layout_of(const scene::Frame& frame) {
   return layout;
 }
 
+// From UV and stored depth, homogeneous, to clip space whose y = -1 is the first row.
+glm::dmat4 clip_from_uv(double offset_x, double offset_y, double scale_x, double scale_y) {
+  glm::dmat4 matrix(1.0);
+  matrix[0][0] = 2.0 / scale_x;
+  matrix[1][1] = 2.0 / scale_y;
+  matrix[3][0] = -2.0 * offset_x / scale_x - 1.0;
+  matrix[3][1] = -2.0 * offset_y / scale_y - 1.0;
+  return matrix;
+}
+
 glm::vec4 main_light_params(const parameters::CascadeSet& set) {
   const double tan_half = parameters::tan_half(set.angular_diameter_degrees);
   return {static_cast<float>(set.cascades.size()), static_cast<float>(tan_half), 0.0f, 0.0f};
@@ -133,8 +144,11 @@ glm::vec4 main_light_params(const parameters::CascadeSet& set) {
 
 }  // namespace
 
-FrameOnDevice::FrameOnDevice(const gpu::Device& device, const scene::Frame& frame)
-    : width_(frame.receivers.width),
+FrameOnDevice::FrameOnDevice(const gpu::Device& device, const scene::Frame& frame,
+                             const CastersOnDevice* casters)
+    : casters_(casters),
+      cascades_(frame.cascades),
+      width_(frame.receivers.width),
       height_(frame.receivers.height),
       map_layout_(layout_of(frame)),
       atlas_(device, gpu_format(frame.atlas.format), frame.atlas.width, frame.atlas.height),
@@ -158,6 +172,25 @@ UniformValues FrameOnDevice::uniforms(int noise_frame) const {
   glm::vec4 params = main_light_params_;
   params.z = static_cast<float>(noise_frame);
   values.set("_PenumbraMainLightParams", params);
+  return values;
+}
+
+UniformValues FrameOnDevice::caster_uniforms(int index) const {
+  const parameters::Cascade& cascade = cascades_.cascades.at(static_cast<std::size_t>(index));
+  const glm::dvec4& tile = cascade.offset_scale;
+  const std::array to_clip{clip_from_uv(tile.x, tile.y, tile.z, tile.w) * cascade.world_to_shadow};
+  UniformValues values;
+  values.set("unity_MatrixVP", std::span<const glm::dmat4>(to_clip));
+  values.set("_ShadowBias", glm::vec4(static_cast<float>(cascade.depth_bias_metres),
+                                      static_cast<float>(cascade.normal_bias_metres), 0.0F, 0.0F));
+  values.set("_LightDirection", glm::vec4(glm::vec3(-cascades_.light_direction), 0.0F));
+  return values;
+}
+
+UniformValues FrameOnDevice::caster_uniforms(const CameraImage& camera) {
+  const std::array to_clip{clip_from_uv(0.0, 0.0, 1.0, 1.0) * glm::inverse(camera.screen_to_world)};
+  UniformValues values;
+  values.set("unity_MatrixVP", std::span<const glm::dmat4>(to_clip));
   return values;
 }
 

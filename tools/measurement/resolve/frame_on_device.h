@@ -8,6 +8,8 @@
 #include <string>
 
 #include "gpu/resources.h"
+#include "resolve/camera_image.h"
+#include "resolve/casters_on_device.h"
 #include "resolve/map_layout.h"
 #include "resolve/uniform_values.h"
 #include "scene/frame.h"
@@ -16,7 +18,9 @@ namespace penumbra::resolve {
 
 class FrameOnDevice {
  public:
-  FrameOnDevice(const gpu::Device& device, const scene::Frame& frame);
+  // `casters`: for graphs that draw them; kept by reference.
+  FrameOnDevice(const gpu::Device& device, const scene::Frame& frame,
+                const CastersOnDevice* casters = nullptr);
 
   int width() const { return width_; }
   int height() const { return height_; }
@@ -30,9 +34,19 @@ class FrameOnDevice {
   UniformValues uniforms(int noise_frame) const;
   const MapLayout& map_layout() const { return map_layout_; }
 
+  const CastersOnDevice* casters() const { return casters_; }
+  const gpu::Image& atlas() const { return atlas_; }
+  // unity_MatrixVP, world space to the clip space of the cascade's tile; _ShadowBias and _LightDirection as
+  // URP sets them for its own casters.
+  UniformValues caster_uniforms(int cascade) const;
+  // unity_MatrixVP of the camera.
+  static UniformValues caster_uniforms(const CameraImage& camera);
+
   const gpu::Buffer& visibility() const { return visibility_; }
 
  private:
+  const CastersOnDevice* casters_;
+  parameters::CascadeSet cascades_;
   int width_;
   int height_;
   MapLayout map_layout_;

@@ -4,7 +4,9 @@
 #include <numeric>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
+#include "input/input_error.h"
 #include "resolve/graph_resources.h"
 #include "resolve/pass_geometry.h"
 #include "resolve/screen_uniforms.h"
@@ -44,14 +46,27 @@ void add(std::vector<float>& sums, const std::vector<float>& terms) {
   for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += terms[i];
 }
 
-TargetFormats target_formats(const PassGraph& graph, const GraphPass& pass) {
+TargetFormats target_formats(const ShadowGraph& source, const GraphPass& pass, gpu::Format shadow_map) {
+  const PassGraph& graph = source.graph;
   TargetFormats formats;
+  formats.reversed_z = source.reversed_z;
   if (pass.kind == PassKind::filter)
     formats.colours = {gpu::Format::r32f};  // of a function in a fragment shader
-  if (pass.kind != PassKind::raster) return formats;
+  if (!techniques::is_drawn(pass.kind)) return formats;
   for (const auto& [shader_name, name] : pass.writes) {
     formats.colours.push_back(measured_format(*graph.texture(name)));
     formats.samples = graph.texture(name)->samples;
+  }
+  if (pass.kind == PassKind::casters) {
+    formats.casters = formats.keep = true;  // cleared before the first draw
+    const GraphTexture* depth = graph.texture(pass.depth);
+    if (depth != nullptr) {
+      formats.depth = measured_format(*depth);
+      formats.samples = depth->samples;
+    }
+    formats.depth_is_shadow_map = pass.depth == techniques::shadow_map_name;
+    if (formats.depth_is_shadow_map) formats.depth = shadow_map;
+    return formats;
   }
   // The other cascades' tiles.
   formats.keep = pass.frequency == techniques::Frequency::cascade &&
@@ -100,10 +115,13 @@ class GraphRunner::Run {
     if (camera_ != nullptr) set_screen(values, *camera_);
     for (Step& step : steps_) {
       UniformValues all = values;
+      if (step.part != nullptr) all.merge(frame_.casters()->uniforms());
+      if (step.part != nullptr) all.merge(step.part->uniforms);
       all.merge(step.uniforms);
       const bool is_filter = runner_.graph().passes[step.pass].kind == PassKind::filter;
       for (const std::string& name :
-           program(step.pass).set_uniforms(step.bindings, all, is_filter ? numbers() : UniformNumbers{}))
+           program(step.pass, step.part)
+               .set_uniforms(step.bindings, all, is_filter ? numbers() : UniformNumbers{}))
         unset_.insert(name);
     }
     const std::vector<double> times = sequence_.run();
@@ -138,7 +156,7 @@ class GraphRunner::Run {
       counts.pass = pass.name;
       counts.frequency = pass.frequency;
       for (const Step& step : steps_) {
-        if (step.pass != i) continue;
+        if (step.pass != i || !step.counter.buffer) continue;
         const auto [fetches, written] = step.counter.buffer->counts();
         counts.fetches += sum(fetches) / pixels;
         counts.texels_written += sum(written) / pixels;
@@ -160,12 +178,15 @@ class GraphRunner::Run {
   struct Step {
     std::size_t pass = 0;
     gpu::Bindings bindings;
-    UniformValues uniforms;  // of this step alone
-    Counter counter;
+    UniformValues uniforms;                       // of this step alone
+    Counter counter;                              // of casters the first step's holds the counts of all
+    const CastersOnDevice::Part* part = nullptr;  // of casters
   };
 
-  ProgramOnDevice& program(std::size_t pass) {
-    return counting_ ? runner_.counting_[pass] : runner_.plain_[pass];
+  ProgramOnDevice& program(std::size_t pass, const CastersOnDevice::Part* part = nullptr) {
+    Programs& programs = counting_ ? runner_.counting_[pass] : runner_.plain_[pass];
+    const bool alpha_tested = part != nullptr && part->alpha_test && programs.alpha_tested;
+    return alpha_tested ? *programs.alpha_tested : programs.usual;
   }
   const UniformNumbers& numbers() const {
     static const UniformNumbers none;
@@ -270,6 +291,10 @@ class GraphRunner::Run {
     const int cascades =
         pass.frequency == techniques::Frequency::cascade ? static_cast<int>(extents_.map.origins.size()) : 1;
     const GraphTexture* written = geometry_.first_written_texture(pass);
+    if (pass.kind == PassKind::casters) {
+      add_casters(index, cascades);
+      return;
+    }
     const int mips = pass.each_mip ? geometry_.mips(*written, cascades) : 1;
     for (int mip = pass.each_mip ? 1 : 0; mip < mips; ++mip)
       for (int cascade = 0; cascade < cascades; ++cascade) add_step(index, cascade, mip);
@@ -296,10 +321,66 @@ class GraphRunner::Run {
           used.dispatch(sequence_, bindings, geometry_.groups(pass, used.workgroup_size(), mip));
         break;
       case PassKind::raster:
-        used.draw(sequence_, bindings, geometry_.targets(pass, cascade, mip),
+        used.draw(sequence_, bindings, geometry_.targets(pass, cascade, mip, frame_.atlas()),
                   geometry_.tile(pass, cascade, mip));
         break;
+      case PassKind::casters:
+        break;  // add_casters()
     }
+  }
+
+  // A draw for each cascade and material, into targets that are empty before the first.
+  void add_casters(std::size_t index, int cascades) {
+    const GraphPass& pass = runner_.graph().passes[index];
+    if (frame_.casters() == nullptr)
+      throw std::invalid_argument("a graph of casters needs those of the frame");
+    for (const auto& [shader_name, name] : pass.writes) sequence_.clear(resources_.texture(name), 0.0F);
+    if (resources_.is_texture(pass.depth))
+      sequence_.clear(resources_.texture(pass.depth), runner_.graph_.source.reversed_z ? 0.0F : 1.0F);
+    Counter counter = counter_of(pass, 0);
+    const gpu::Buffer* counts = counter.buffer ? &counter.buffer->buffer() : nullptr;
+    for (int cascade = 0; cascade < cascades; ++cascade)
+      for (const CastersOnDevice::Part& part : frame_.casters()->parts())
+        add_part(index, cascade, part, counts, std::exchange(counter, {}));
+  }
+
+  void require_other_textures(const GraphPass& pass, const ProgramOnDevice& used) const {
+    if (pass.depth != techniques::shadow_map_name) return;
+    for (const shaders::Resource& resource : used.resources())
+      if (frame_.images().count(resource.name) != 0)
+        throw InputError(
+            pass.where,
+            "'" + pass.name + "' reads '" + resource.name + "', the shadow map that it is tested against",
+            "read a copy, or leave out \"depth\"");
+  }
+
+  void add_part(std::size_t index, int cascade, const CastersOnDevice::Part& part, const gpu::Buffer* counts,
+                Counter counter) {
+    const GraphPass& pass = runner_.graph().passes[index];
+    ProgramOnDevice& used = program(index, &part);
+    require_other_textures(pass, used);
+    NamedResources named = named_resources(pass, 0);
+    named.images["_BaseMap"] = {&frame_.casters()->base_map(part)};
+    named.samplers["sampler_BaseMap"] = &part.sampler;
+    add_own_samplers(used, named);
+    if (counts != nullptr) named.buffers[shaders::texel_counts_name] = counts;
+    UniformValues uniforms = geometry_.uniforms(pass, cascade, 0);
+    if (pass.frequency == techniques::Frequency::cascade)
+      uniforms.merge(frame_.caster_uniforms(cascade));
+    else if (camera_ != nullptr)
+      uniforms.merge(FrameOnDevice::caster_uniforms(*camera_));
+    else
+      throw std::invalid_argument("casters that the camera sees need a camera");
+    steps_.push_back({index, used.bind(named), std::move(uniforms), std::move(counter), &part});
+    used.set_uniforms(steps_.back().bindings, {});
+    gpu::VertexStreams streams;
+    for (const std::string& semantic : used.vertex_inputs())
+      streams.inputs.push_back(frame_.casters()->vertices(semantic));
+    streams.indices = &part.indices;
+    gpu::RasterTile tile = geometry_.tile(pass, cascade, 0);
+    tile.vertex_count = part.index_count;
+    used.draw(sequence_, steps_.back().bindings, geometry_.targets(pass, cascade, 0, frame_.atlas()), tile,
+              streams);
   }
 
   // Once per receiver: a compute shader, or a user's function as a fragment shader over the picture.
@@ -335,17 +416,36 @@ GraphRunner::GraphRunner(const gpu::Device& device, CompiledGraph graph)
       graph_(std::move(graph)),
       own_(device, graph_.source.filter ? graph_.source.filter->textures : std::vector<AdapterTexture>{}) {
   for (std::size_t i = 0; i < graph_.programs.size(); ++i) {
-    const TargetFormats targets = target_formats(this->graph(), this->graph().passes[i]);
-    plain_.emplace_back(device, graph_.programs[i], ProgramOnDevice::Module::as_shipped, targets);
-    counting_.emplace_back(device, graph_.programs[i], ProgramOnDevice::Module::counting, targets);
+    plain_.push_back(made(i, ProgramOnDevice::Module::as_shipped));
+    counting_.push_back(made(i, ProgramOnDevice::Module::counting));
     if (this->graph().passes[i].kind == PassKind::filter && graph_.source.filter)
-      check_numbers_of(*graph_.source.filter, graph_.programs[i], plain_.back());
+      check_numbers_of(*graph_.source.filter, graph_.programs[i], plain_.back().usual);
+  }
+}
+
+GraphRunner::Programs GraphRunner::made(std::size_t pass, ProgramOnDevice::Module module) const {
+  const TargetFormats targets = target_formats(graph_.source, graph().passes[pass], shadow_map_);
+  Programs programs{ProgramOnDevice(*device_, graph_.programs[pass], module, targets), std::nullopt};
+  const auto alpha_tested = graph_.alpha_tested.find(pass);
+  if (alpha_tested != graph_.alpha_tested.end())
+    programs.alpha_tested.emplace(*device_, alpha_tested->second, module, targets);
+  return programs;
+}
+
+void GraphRunner::fit_to(gpu::Format shadow_map) {
+  if (shadow_map == shadow_map_) return;
+  shadow_map_ = shadow_map;
+  for (std::size_t i = 0; i < graph().passes.size(); ++i) {
+    if (graph().passes[i].depth != techniques::shadow_map_name) continue;
+    plain_[i] = made(i, ProgramOnDevice::Module::as_shipped);
+    counting_[i] = made(i, ProgramOnDevice::Module::counting);
   }
 }
 
 GraphResult GraphRunner::run(const FrameOnDevice& frame, const CameraImage* camera,
                              const RunOptions& options) {
   GraphResult result;
+  fit_to(frame.atlas().format());
   Run plain(*this, frame, camera, ProgramOnDevice::Module::as_shipped);
   const int seeds = graph_.source.uses_noise ? std::max(1, options.noise_seeds) : 1;
   for (int seed = 0; seed < seeds; ++seed) {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,9 +53,9 @@ class GraphRunner {
 
   void set_parameters(const UniformValues& parameters) { graph_.source.parameters.merge(parameters); }
 
-  // The camera is read by graphs that run over the screen. Throws InputError when a program binds a texture,
-  // sampler or buffer that neither the graph nor the harness provides; std::invalid_argument without a camera
-  // that is needed.
+  // The camera is read by graphs that run over the screen or draw what it sees. Throws InputError when a
+  // program binds a texture, sampler or buffer that neither the graph nor the harness provides;
+  // std::invalid_argument without a camera or the frame's casters, where they are needed.
   GraphResult run(const FrameOnDevice& frame, const CameraImage* camera, const RunOptions& options = {});
   GraphResult run(const FrameOnDevice& frame, const RunOptions& options = {}) {
     return run(frame, nullptr, options);
@@ -65,8 +66,18 @@ class GraphRunner {
 
   const gpu::Device* device_;
   CompiledGraph graph_;
-  std::vector<ProgramOnDevice> plain_;
-  std::vector<ProgramOnDevice> counting_;
+  // Of a pass; `alpha_tested`: for casters of materials with alpha test, where that is another program.
+  struct Programs {
+    ProgramOnDevice usual;
+    std::optional<ProgramOnDevice> alpha_tested;
+  };
+  Programs made(std::size_t pass, ProgramOnDevice::Module module) const;
+  // Passes that are tested against the shadow map are made for its format.
+  void fit_to(gpu::Format shadow_map);
+
+  gpu::Format shadow_map_ = gpu::Format::depth32;
+  std::vector<Programs> plain_;
+  std::vector<Programs> counting_;
   AdapterResources own_;
 };
 

@@ -26,7 +26,11 @@ const MissingName kAdapterFunction{
 
 CompiledModules compile_here(const ModuleOrder& order) {
   CompiledModules made;
-  if (order.vertex) made.vertex = required_module(*order.vertex);
+  if (order.vertex) {
+    VertexModule vertex = required_vertex_module(*order.vertex);
+    made.vertex = std::move(vertex.spirv);
+    made.vertex_inputs = std::move(vertex.inputs);
+  }
   shaders::CompileRequest plain = order.plain;
   plain.keep_unoptimised = true;
   hlsl::SourceFiles sources;
@@ -68,6 +72,10 @@ std::string encode(const CompiledModules& made) {
   ByteWriter out;
   for (const auto* module : {&made.vertex, &made.plain, &made.counting}) out.values(*module);
   out.list(made.notes, [&](const std::string& note) { out.text(note); });
+  out.list(made.vertex_inputs, [&](const auto& input) {
+    out.number(input.first);
+    out.text(input.second);
+  });
   out.list(made.named_at, [&](const auto& place) {
     out.text(place.first);
     out.text(place.second);
@@ -80,6 +88,11 @@ CompiledModules decode_modules(const std::string& bytes) {
   CompiledModules made;
   for (auto* module : {&made.vertex, &made.plain, &made.counting}) *module = in.values<std::uint32_t>();
   made.notes = in.list<std::string>([&] { return in.text(); });
+  for (auto& input : in.list<std::pair<std::uint32_t, std::string>>([&] {
+         const auto location = static_cast<std::uint32_t>(in.number());
+         return std::pair(location, in.text());
+       }))
+    made.vertex_inputs.insert(std::move(input));
   for (auto& place : in.list<std::pair<std::string, std::string>>([&] {
          std::string name = in.text();
          return std::pair(std::move(name), in.text());

@@ -23,8 +23,9 @@ struct ModuleOrder {
 };
 
 struct CompiledModules {
-  std::vector<std::uint32_t> vertex;    // empty without a request
-  std::vector<std::uint32_t> plain;     // as it ships
+  std::vector<std::uint32_t> vertex;                   // empty without a request
+  std::map<std::uint32_t, std::string> vertex_inputs;  // semantics of those that it reads, by location
+  std::vector<std::uint32_t> plain;                    // as it ships
   std::vector<std::uint32_t> counting;  // the same, with its texels counted: shaders/counted_module.h
   std::vector<std::string> notes;
   std::map<std::string, std::string> named_at;  // "file:line" where a resource is first named

@@ -28,7 +28,7 @@ bool runs_for_each_tile(const GraphPass& pass, const GraphTexture& target) {
 const GraphTexture* PassGeometry::first_written_texture(const GraphPass& pass) const {
   for (const auto& [shader_name, name] : pass.writes)
     if (resources_.is_texture(name)) return graph_.texture(name);
-  return nullptr;
+  return graph_.texture(pass.depth);
 }
 
 int PassGeometry::mips(const GraphTexture& texture, int cascades) const {
@@ -38,12 +38,18 @@ int PassGeometry::mips(const GraphTexture& texture, int cascades) const {
   return levels;
 }
 
-gpu::RasterTargets PassGeometry::targets(const GraphPass& pass, int cascade, int mip) const {
-  gpu::RasterTargets targets;
-  for (const auto& [shader_name, name] : pass.writes) {
+gpu::RasterTargets PassGeometry::targets(const GraphPass& pass, int cascade, int mip,
+                                         const gpu::Image& shadow_map) const {
+  const auto target = [&](const std::string& name) {
     const bool layers = graph_.texture(name)->extent == techniques::ExtentOf::tile;
-    targets.colours.push_back({&resources_.texture(name), mip, layers ? cascade : 0});
-  }
+    return gpu::RasterTarget(&resources_.texture(name), mip, layers ? cascade : 0);
+  };
+  gpu::RasterTargets targets;
+  for (const auto& [shader_name, name] : pass.writes) targets.colours.push_back(target(name));
+  if (pass.depth == techniques::shadow_map_name)
+    targets.depth = &shadow_map;
+  else if (!pass.depth.empty())
+    targets.depth = target(pass.depth);
   return targets;
 }
 

@@ -20,12 +20,15 @@ class PassGeometry {
                const GraphExtents& extents)
       : graph_(graph), resources_(resources), extents_(extents) {}
 
+  // The first of those that it writes, its depth last; null: none.
   const techniques::GraphTexture* first_written_texture(const techniques::GraphPass& pass) const;
 
   // Levels of a texture that is made for so many cascades: in the last no tile is smaller than a texel.
   int mips(const techniques::GraphTexture& texture, int cascades) const;
 
-  gpu::RasterTargets targets(const techniques::GraphPass& pass, int cascade, int mip) const;
+  // `shadow_map`: what casters may be tested against.
+  gpu::RasterTargets targets(const techniques::GraphPass& pass, int cascade, int mip,
+                             const gpu::Image& shadow_map) const;
 
   // All of the targets, or one cascade's tile of the map; one triangle over it. Throws InputError, at the
   // texture, where its divisor does not divide the tile.

@@ -1,7 +1,9 @@
 #include "resolve/program_on_device.h"
 
+#include <algorithm>
 #include <stdexcept>
 
+#include "resolve/casters_on_device.h"
 #include "resolve/provided.h"
 
 namespace penumbra::resolve {
@@ -23,15 +25,78 @@ gpu::RasterShaders raster_shaders(const CompiledProgram& program, const std::vec
   shaders.vertex_entry = program.vertex_entry;
   shaders.fragment_entry = program.entry;
   shaders.colours = targets.colours;
+  shaders.depth = targets.depth;
   shaders.samples = targets.samples;
   shaders.keep = targets.keep;
+  if (program.render_commands.empty() && !targets.casters) return shaders;
+  const RasterState state =
+      raster_state(program.render_commands, program.file, targets.colours.size(), targets.reversed_z);
+  shaders.blends = state.blends;
+  if (!targets.casters) return shaders;
+  if (!state.both_faces)
+    throw InputError(program.file,
+                     "pass '" + program.name + "' draws one face of its triangles, here both are drawn",
+                     "give it Cull Off");
+  if (targets.depth_is_shadow_map && state.depth_write)
+    throw InputError(program.file, "pass '" + program.name + "' writes depth into the shadow map",
+                     "give it ZWrite Off");
+  shaders.depth_test = state.depth_test;
+  shaders.depth_write = state.depth_write;
+  shaders.depth_clamp = state.depth_clamp;
+  shaders.constant_depth_bias = state.constant_depth_bias;
+  shaders.slope_depth_bias = state.slope_depth_bias;
+  for (const auto& [location, semantic] : program.vertex_inputs)
+    shaders.inputs.push_back({location, CastersOnDevice::components(semantic)});
   return shaders;
+}
+
+void require_known_inputs(const CompiledProgram& program) {
+  for (const auto& [location, semantic] : program.vertex_inputs)
+    if (CastersOnDevice::components(semantic) == 0)
+      throw InputError(program.file,
+                       "pass '" + program.name + "' reads the vertex input " +
+                           (semantic.empty() ? "at location " + std::to_string(location) : semantic) +
+                           ", which casters do not have here",
+                       "they have " + CastersOnDevice::semantics());
+}
+
+// A vertex stage and a fragment stage have their uniforms from one text: of two blocks of one name the longer
+// one is filled.
+std::vector<shaders::Resource> joined(std::vector<shaders::Resource> resources,
+                                      const std::vector<shaders::Resource>& of_vertex,
+                                      const CompiledProgram& program) {
+  for (const shaders::Resource& added : of_vertex) {
+    const auto same =
+        std::find_if(resources.begin(), resources.end(),
+                     [&](const shaders::Resource& resource) { return resource.name == added.name; });
+    if (same == resources.end()) {
+      resources.push_back(added);
+      continue;
+    }
+    for (std::size_t i = 0; i < std::min(same->members.size(), added.members.size()); ++i)
+      if (same->members[i].name != added.members[i].name ||
+          same->members[i].offset != added.members[i].offset)
+        throw InputError(
+            program.file,
+            "pass '" + program.name +
+                "' declares other uniforms in its vertex stage than in its "
+                "fragment stage: '" +
+                added.members[i].name + "' and '" + same->members[i].name + "'",
+            "declare them outside of what depends on SHADER_STAGE_VERTEX and SHADER_STAGE_FRAGMENT");
+    std::vector<bool> read;
+    const shaders::Resource& shorter = same->size < added.size ? *same : added;
+    for (const shaders::UniformMember& member : shorter.members) read.push_back(member.read);
+    if (same->size < added.size) *same = added;
+    for (std::size_t i = 0; i < read.size(); ++i) same->members[i].read = same->members[i].read || read[i];
+  }
+  return resources;
 }
 
 void refuse_bindings_of_the_vertex_stage(const CompiledProgram& program) {
   const std::vector<shaders::Resource> bound = shaders::reflect(program.vertex).resources;
-  if (bound.empty()) return;
-  throw InputError(program.name, "the vertex stage reads '" + bound.front().name + "'",
+  if (bound.empty() && program.vertex_inputs.empty()) return;
+  const std::string read = bound.empty() ? program.vertex_inputs.begin()->second : bound.front().name;
+  throw InputError(program.name, "the vertex stage reads '" + read + "'",
                    "the vertex stage of a pass over its whole target needs only SV_VertexID");
 }
 
@@ -73,7 +138,13 @@ ProgramOnDevice::ProgramOnDevice(const gpu::Device& device, const CompiledProgra
   if (program.vertex.empty()) {
     compute_.emplace(device, gpu::ComputeShader{.spirv = words, .entry = program.entry});
   } else {
-    refuse_bindings_of_the_vertex_stage(program);
+    if (targets.casters) {
+      require_known_inputs(program);
+      resources_ = joined(std::move(resources_), shaders::reflect(program.vertex).resources, program);
+      for (const auto& [location, semantic] : program.vertex_inputs) vertex_inputs_.push_back(semantic);
+    } else {
+      refuse_bindings_of_the_vertex_stage(program);
+    }
     raster_.emplace(device, raster_shaders(program, words, targets));
   }
 }
@@ -136,8 +207,9 @@ void ProgramOnDevice::dispatch_indirect(gpu::Sequence& sequence, const gpu::Bind
 }
 
 void ProgramOnDevice::draw(gpu::Sequence& sequence, const gpu::Bindings& bindings,
-                           const gpu::RasterTargets& targets, const gpu::RasterTile& tile) const {
-  sequence.draw(raster_.value(), bindings, targets, {tile});
+                           const gpu::RasterTargets& targets, const gpu::RasterTile& tile,
+                           const gpu::VertexStreams& streams) const {
+  sequence.draw(raster_.value(), bindings, targets, {tile}, streams);
 }
 
 }  // namespace penumbra::resolve

@@ -11,6 +11,7 @@
 
 #include "gpu/sequence.h"
 #include "resolve/compiled_graph.h"
+#include "resolve/raster_state.h"
 #include "resolve/uniform_values.h"
 #include "shaders/reflect.h"
 
@@ -31,8 +32,12 @@ struct NamedResources {
 // What a raster program draws into.
 struct TargetFormats {
   std::vector<gpu::Format> colours;
+  std::optional<gpu::Format> depth{};
   int samples = 1;
-  bool keep = false;  // what the targets hold outside of the tiles that are drawn
+  bool keep = false;     // what the targets hold outside of the tiles that are drawn
+  bool casters = false;  // triangles of the scene instead of one over the tile
+  bool depth_is_shadow_map = false;
+  bool reversed_z = true;
 };
 
 // All of an image, by one triangle.
@@ -42,7 +47,9 @@ class ProgramOnDevice {
  public:
   enum class Module { as_shipped, counting };
 
-  // `targets`: of a raster program. Throws InputError when a raster program's vertex stage binds anything.
+  // `targets`: of a raster program. Throws InputError for render states that are not drawn here, for vertex
+  // inputs that the scene's triangles lack, and when the vertex stage of a pass over its whole target reads
+  // anything.
   ProgramOnDevice(const gpu::Device& device, const CompiledProgram& program, Module module,
                   const TargetFormats& targets = {});
 
@@ -63,7 +70,10 @@ class ProgramOnDevice {
   void dispatch_indirect(gpu::Sequence& sequence, const gpu::Bindings& bindings,
                          const gpu::Buffer& groups) const;
   void draw(gpu::Sequence& sequence, const gpu::Bindings& bindings, const gpu::RasterTargets& targets,
-            const gpu::RasterTile& tile) const;
+            const gpu::RasterTile& tile, const gpu::VertexStreams& streams = {}) const;
+
+  // Semantics of the vertex shader's inputs, in the order in which draw() takes their streams.
+  const std::vector<std::string>& vertex_inputs() const { return vertex_inputs_; }
 
   const std::vector<shaders::Resource>& resources() const { return resources_; }
 
@@ -73,6 +83,7 @@ class ProgramOnDevice {
   std::string name_;
   std::map<std::string, std::string> named_at_;
   std::vector<shaders::Resource> resources_;
+  std::vector<std::string> vertex_inputs_;
   std::array<std::uint32_t, 3> workgroup_size_{};
   std::optional<gpu::ComputePass> compute_;  // this or
   std::optional<gpu::RasterPass> raster_;    // that

@@ -1,6 +1,7 @@
 #include "resolve/required_module.h"
 
 #include "input/input_error.h"
+#include "shaders/pipeline_interface.h"
 
 namespace penumbra::resolve {
 namespace {
@@ -12,6 +13,19 @@ std::string way_out_of(const std::string& messages, const MissingName& needed) {
     if (messages.find(macro) != std::string::npos) return "only 2D textures are provided: TEXTURE2D";
   }
   return "";
+}
+
+void require_success(const shaders::CompileRequest& request, const shaders::CompileResult& result,
+                     const MissingName* needed = nullptr) {
+  if (!hlsl::has_errors(result.diagnostics)) return;
+  std::string messages;
+  for (const hlsl::Diagnostic& diagnostic : result.diagnostics) {
+    if (diagnostic.severity == hlsl::Severity::error)
+      messages += (messages.empty() ? "" : "\n") + hlsl::format(diagnostic);
+  }
+  const std::string way_out = needed == nullptr ? "" : way_out_of(messages, *needed);
+  throw InputError(request.file.string(), "does not compile:",
+                   messages + (way_out.empty() ? "" : "\n  " + way_out));  // lines stay lines there alone
 }
 
 }  // namespace
@@ -28,15 +42,20 @@ std::vector<std::uint32_t> required_module(const shaders::CompileRequest& reques
       notes->push_back(hlsl::format(diagnostic));
     }
   }
-  if (!hlsl::has_errors(result.diagnostics)) return std::move(result.spirv);
-  std::string messages;
-  for (const hlsl::Diagnostic& diagnostic : result.diagnostics) {
-    if (diagnostic.severity == hlsl::Severity::error)
-      messages += (messages.empty() ? "" : "\n") + hlsl::format(diagnostic);
+  require_success(request, result, needed);
+  return std::move(result.spirv);
+}
+
+VertexModule required_vertex_module(const shaders::CompileRequest& request) {
+  shaders::CompileResult result = shaders::compile(request);
+  require_success(request, result);
+  VertexModule module{std::move(result.spirv), {}};
+  for (const shaders::StageLocation& input :
+       shaders::pipeline_interface(module.spirv, request.entry).inputs) {
+    const auto semantic = result.input_semantics.find(input.location);
+    module.inputs[input.location] = semantic == result.input_semantics.end() ? "" : semantic->second;
   }
-  const std::string way_out = needed == nullptr ? "" : way_out_of(messages, *needed);
-  throw InputError(request.file.string(), "does not compile:",
-                   messages + (way_out.empty() ? "" : "\n  " + way_out));  // lines stay lines there alone
+  return module;
 }
 
 }  // namespace penumbra::resolve

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -22,5 +23,12 @@ std::vector<std::uint32_t> required_module(const shaders::CompileRequest& reques
                                            const MissingName* needed = nullptr,
                                            hlsl::SourceFiles* sources = nullptr,
                                            std::vector<std::uint32_t>* unoptimised = nullptr);
+
+// The same of a vertex shader, with the semantics of those inputs that it reads, by location.
+struct VertexModule {
+  std::vector<std::uint32_t> spirv;
+  std::map<std::uint32_t, std::string> inputs;
+};
+VertexModule required_vertex_module(const shaders::CompileRequest& request);
 
 }  // namespace penumbra::resolve

@@ -52,7 +52,10 @@ CaseBuilder::CaseBuilder(const gpu::Device& device, const std::vector<Subject>& 
     : device_(device), subjects_(subjects), settings_(settings), progress_(progress), cache_(cache) {}
 
 CaseSetup CaseBuilder::build(const scene::Scene& scene, scene::Rasteriser& rasteriser, double degrees) const {
-  CaseSetup setup{scene, degrees, {}, {}, settings_.frame.width, settings_.frame.height};
+  CaseSetup setup{scene, nullptr, degrees, {}, {}, settings_.frame.width, settings_.frame.height};
+  if (std::any_of(subjects_.begin(), subjects_.end(),
+                  [](const Subject& subject) { return subject.graph.graph.draws_casters(); }))
+    setup.casters = std::make_unique<const resolve::CastersOnDevice>(device_, scene);
   if (settings_.penumbra_pixels > 0) enlarge(setup, rasteriser);
   for (const Subject& subject : subjects_) add_view(setup, rasteriser, FrameRequest::of(subject));
   const parameters::Light light{scene.light_direction, degrees};
@@ -106,8 +109,8 @@ void CaseBuilder::add_view(CaseSetup& setup, scene::Rasteriser& rasteriser,
                                  [&](const View& view) { return view.request == request; });
   if (known) return;
   scene::Frame frame = rasteriser.frame(frame_settings(setup, request));
-  FrameOfCase on_device = on_device_frame(frame);
-  std::vector<FrameOfCase> pan = pan_frames(frame.settings, rasteriser);
+  FrameOfCase on_device = on_device_frame(frame, setup.casters.get());
+  std::vector<FrameOfCase> pan = pan_frames(setup, frame.settings, rasteriser);
   std::string key = case_key(setup.scene, frame);
   setup.views.push_back(
       {request, std::move(frame), std::move(on_device), std::move(pan), std::nullopt, std::move(key)});
@@ -126,7 +129,7 @@ reference::VisibilityImage CaseBuilder::same_map_estimate(const CaseSetup& setup
 }
 
 // The first is the view's own frame; in each further one everything moves one pixel to the left.
-std::vector<FrameOfCase> CaseBuilder::pan_frames(const scene::FrameSettings& settings,
+std::vector<FrameOfCase> CaseBuilder::pan_frames(const CaseSetup& setup, const scene::FrameSettings& settings,
                                                  scene::Rasteriser& rasteriser) const {
   std::vector<FrameOfCase> frames;
   if (settings_.pan_frames < 2) return frames;
@@ -134,16 +137,17 @@ std::vector<FrameOfCase> CaseBuilder::pan_frames(const scene::FrameSettings& set
     scene::FrameSettings moved = settings;
     moved.lens_shift.x += k * 2.0 / moved.width;
     const scene::Frame frame = rasteriser.frame(moved);
-    frames.push_back(on_device_frame(frame));
+    frames.push_back(on_device_frame(frame, setup.casters.get()));
   }
   return frames;
 }
 
 // The camera's image only for those who read it.
-FrameOfCase CaseBuilder::on_device_frame(const scene::Frame& frame) const {
+FrameOfCase CaseBuilder::on_device_frame(const scene::Frame& frame,
+                                         const resolve::CastersOnDevice* casters) const {
   const bool read = std::any_of(subjects_.begin(), subjects_.end(),
-                                [](const Subject& subject) { return subject.graph.graph.over_screen(); });
-  return {{device_, frame}, read ? std::optional(resolve::camera_image(frame)) : std::nullopt};
+                                [](const Subject& subject) { return subject.graph.graph.needs_camera(); });
+  return {{device_, frame, casters}, read ? std::optional(resolve::camera_image(frame)) : std::nullopt};
 }
 
 reference::RunOptions CaseBuilder::run_options(const std::string& work, const std::string& unit) const {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,6 +48,7 @@ struct View {
 // receivers and therefore T1.
 struct CaseSetup {
   const scene::Scene& scene;
+  std::unique_ptr<const resolve::CastersOnDevice> casters;  // of the scene, where a subject draws them
   double light_degrees = 0.0;
   reference::VisibilityImage t1;
   std::vector<View> views;  // one for each request of the subjects
@@ -73,8 +75,8 @@ class CaseBuilder {
   void enlarge(CaseSetup& setup, scene::Rasteriser& rasteriser) const;
   scene::FrameSettings frame_settings(const CaseSetup& setup, const FrameRequest& request) const;
   void add_view(CaseSetup& setup, scene::Rasteriser& rasteriser, const FrameRequest& request) const;
-  FrameOfCase on_device_frame(const scene::Frame& frame) const;
-  std::vector<FrameOfCase> pan_frames(const scene::FrameSettings& settings,
+  FrameOfCase on_device_frame(const scene::Frame& frame, const resolve::CastersOnDevice* casters) const;
+  std::vector<FrameOfCase> pan_frames(const CaseSetup& setup, const scene::FrameSettings& settings,
                                       scene::Rasteriser& rasteriser) const;
   reference::VisibilityImage same_map_estimate(const CaseSetup& setup, scene::Rasteriser& rasteriser,
                                                const View& view) const;

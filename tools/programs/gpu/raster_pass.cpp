@@ -84,6 +84,24 @@ vk::PipelineColorBlendAttachmentState blend_of(Blend blend) {
   return state;
 }
 
+vk::CompareOp compare_of(DepthTest test) {
+  switch (test) {
+    case DepthTest::less:
+      return vk::CompareOp::eLess;
+    case DepthTest::greater:
+      return vk::CompareOp::eGreater;
+    case DepthTest::less_equal:
+      return vk::CompareOp::eLessOrEqual;
+    case DepthTest::greater_equal:
+      return vk::CompareOp::eGreaterOrEqual;
+    case DepthTest::equal:
+      return vk::CompareOp::eEqual;
+    case DepthTest::always:
+      break;
+  }
+  return vk::CompareOp::eAlways;
+}
+
 std::vector<vk::PipelineColorBlendAttachmentState> blends_of(const RasterShaders& shaders) {
   std::vector<vk::PipelineColorBlendAttachmentState> states;
   for (std::size_t at = 0; at < shaders.colours.size(); ++at)
@@ -300,10 +318,9 @@ vk::Pipeline RasterState::pipeline() {
   samples.rasterizationSamples = static_cast<vk::SampleCountFlagBits>(shaders.samples);
   samples.sampleShadingEnable = shaders.shade_each_sample;
   samples.minSampleShading = 1.0F;
-  const vk::CompareOp nearer =
-      shaders.depth_test == DepthTest::less ? vk::CompareOp::eLess : vk::CompareOp::eGreater;
-  const vk::PipelineDepthStencilStateCreateInfo depth(
-      {}, shaders.depth.has_value(), shaders.depth.has_value() && shaders.depth_write, nearer);
+  const vk::PipelineDepthStencilStateCreateInfo depth({}, shaders.depth.has_value(),
+                                                      shaders.depth.has_value() && shaders.depth_write,
+                                                      compare_of(shaders.depth_test));
   const std::vector<vk::PipelineColorBlendAttachmentState> blends = blends_of(shaders);
   const vk::PipelineColorBlendStateCreateInfo blend({}, VK_FALSE, vk::LogicOp::eCopy, blends);
   const std::array dynamic_states{vk::DynamicState::eViewport, vk::DynamicState::eScissor};

@@ -18,8 +18,9 @@
 
 namespace penumbra::gpu {
 
-// Which fragment survives: the nearer one, in conventional or reversed Z.
-enum class DepthTest { less, greater };
+// Which fragment survives, by its depth against the one that is there. The nearer one: less in conventional
+// and greater in reversed Z.
+enum class DepthTest { less, greater, less_equal, greater_equal, equal, always };
 
 // What becomes of a colour and the one that is there: replaced; added; the smaller or larger of each channel;
 // mixed by the new one's alpha.

@@ -135,9 +135,12 @@ enum class SamplerKind {
   compare_greater_equal
 };
 
+enum class SamplerWrap { repeat, mirror, clamp };  // of coordinates outside 0..1
+
 class Sampler {
  public:
   Sampler(const Device& device, SamplerKind kind);
+  Sampler(const Device& device, SamplerWrap u, SamplerWrap v);  // linear
   const std::shared_ptr<SamplerState>& state() const { return state_; }
 
  private:

@@ -21,12 +21,29 @@ vk::SamplerCreateInfo describe(SamplerKind kind) {
   return info;
 }
 
+vk::SamplerAddressMode address_mode(SamplerWrap wrap) {
+  if (wrap == SamplerWrap::repeat) return vk::SamplerAddressMode::eRepeat;
+  return wrap == SamplerWrap::mirror ? vk::SamplerAddressMode::eMirroredRepeat
+                                     : vk::SamplerAddressMode::eClampToEdge;
+}
+
+std::shared_ptr<SamplerState> make_sampler(const Device& device, const vk::SamplerCreateInfo& info) {
+  auto state = std::make_shared<SamplerState>();
+  state->device = device.state();
+  guarded(*state->device, "make a sampler",
+          [&] { state->sampler = vk::raii::Sampler(state->device->device, info); });
+  return state;
+}
+
 }  // namespace
 
-Sampler::Sampler(const Device& device, SamplerKind kind) : state_(std::make_shared<SamplerState>()) {
-  state_->device = device.state();
-  guarded(*state_->device, "make a sampler",
-          [this, kind] { state_->sampler = vk::raii::Sampler(state_->device->device, describe(kind)); });
+Sampler::Sampler(const Device& device, SamplerKind kind) : state_(make_sampler(device, describe(kind))) {}
+
+Sampler::Sampler(const Device& device, SamplerWrap u, SamplerWrap v) {
+  vk::SamplerCreateInfo info = describe(SamplerKind::linear_repeat);
+  info.addressModeU = address_mode(u);
+  info.addressModeV = address_mode(v);
+  state_ = make_sampler(device, info);
 }
 
 }  // namespace penumbra::gpu

@@ -82,6 +82,25 @@ void Sequence::fill(const Buffer& buffer, std::uint32_t word) {
   state_->steps.push_back(std::move(step));
 }
 
+void Sequence::clear(const Image& image, float value) {
+  const std::shared_ptr<ImageState> state = image.state();
+  if (is_integer(state->shape.format) && value != 0.0F)
+    throw std::invalid_argument("images of integers are cleared to 0");
+  constexpr vk::ImageLayout layout = vk::ImageLayout::eTransferDstOptimal;
+  SequenceStep step;
+  step.uses.images.push_back({state, state->whole(), layout, transfer_write});
+  step.used = state;
+  step.record = [state, value](const vk::raii::CommandBuffer& commands) {
+    const vk::ImageSubresourceRange range = state->range(state->whole());
+    if (is_depth(state->shape.format))
+      commands.clearDepthStencilImage(*state->image, layout, vk::ClearDepthStencilValue(value, 0), range);
+    else
+      commands.clearColorImage(*state->image, layout,
+                               vk::ClearColorValue(std::array{value, value, value, value}), range);
+  };
+  state_->steps.push_back(std::move(step));
+}
+
 std::vector<double> Sequence::run() {
   DeviceState& device = *state_->device;
   for (const SequenceStep& step : state_->steps)

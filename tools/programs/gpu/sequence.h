@@ -35,6 +35,8 @@ class Sequence {
   void draw(const RasterPass& pass, const Bindings& bindings, const RasterTargets& targets,
             const std::vector<RasterTile>& tiles, const VertexStreams& streams = {});
   void fill(const Buffer& buffer, std::uint32_t word);
+  // Every texel of every level and layer: each channel, or the depth. Of integer formats 0 alone.
+  void clear(const Image& image, float value);
 
   // One submission. The time of each step on the device in nanoseconds; without timestamps the first has the
   // wall-clock time of all and the others 0. Throws EnvironmentError on timeout or device loss.

@@ -110,6 +110,10 @@ CompileRequest PackageShader::request(const std::string& pass, hlsl::Stage stage
   return compile;
 }
 
+std::vector<shaderlab::RenderCommand> PackageShader::render_commands(const std::string& pass) const {
+  return shaderlab::render_commands(program(pass));
+}
+
 std::vector<std::string> PackageShader::pass_names() const {
   std::vector<std::string> names;
   names.reserve(programs_.size());

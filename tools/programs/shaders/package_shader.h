@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "shaderlab/programs.h"
+#include "shaderlab/render_commands.h"
 #include "shaderlab/tree.h"
 #include "shaders/compile.h"
 
@@ -24,6 +25,9 @@ class PackageShader {
   // depth convention is Vulkan's if reversed, else OpenGL's. Throws InputError for an unknown pass.
   CompileRequest request(const std::string& pass, hlsl::Stage stage, const std::vector<std::string>& keywords,
                          bool reversed_z) const;
+
+  // Its render state: shaderlab::render_commands().
+  std::vector<shaderlab::RenderCommand> render_commands(const std::string& pass) const;
 
   const std::string& name() const { return shader_->name.text; }
   std::vector<std::string> pass_names() const;  // of the first SubShader

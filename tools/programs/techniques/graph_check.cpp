@@ -3,6 +3,7 @@
 #include <set>
 
 #include "input/nearest_name.h"
+#include "techniques/caster_check.h"
 #include "techniques/graph_order.h"
 #include "techniques/texel_formats.h"
 
@@ -19,8 +20,6 @@ bool is_output(const PassGraph& graph, const std::string& name) {
 }
 
 // The checks, one idea each. All return the first problem.
-
-using Found = std::optional<GraphProblem>;
 
 Found repeated_name(const PassGraph& graph) {
   std::set<std::string> seen;
@@ -43,6 +42,14 @@ std::string known_names(const PassGraph& graph) {
   return text.empty() ? "the graph has no textures and no buffers" : "the graph has: " + text;
 }
 
+Found reserved_name(const PassGraph& graph) {
+  for (const GraphTexture& texture : graph.textures)
+    if (texture.name == shadow_map_name)
+      return GraphProblem{texture.where, "texture 'shadowMap': the shadow map itself has that name",
+                          "rename it"};
+  return std::nullopt;
+}
+
 Found unknown_name(const PassGraph& graph) {
   const auto known = [&](const std::string& name) {
     return graph.texture(name) != nullptr || graph.buffer(name) != nullptr;
@@ -53,9 +60,12 @@ Found unknown_name(const PassGraph& graph) {
         if (!known(name))
           return GraphProblem{pass.where, "'" + pass.name + "' names '" + name + "', which is not declared",
                               known_names(graph)};
+    if (!pass.depth.empty() && pass.depth != shadow_map_name && graph.texture(pass.depth) == nullptr)
+      return GraphProblem{pass.where, "there is no texture '" + pass.depth + "'",
+                          known_names(graph) + "; or test against \"" + shadow_map_name + "\""};
     if (pass.kind == PassKind::filter && pass.filter)
       for (const std::string& argument : pass.filter->arguments)
-        if (argument != "shadowMap" && argument != "pointSampler" && argument != "linearSampler" &&
+        if (argument != shadow_map_name && argument != "pointSampler" && argument != "linearSampler" &&
             graph.texture(argument) == nullptr)
           return GraphProblem{
               pass.where, "'" + argument + "' is no argument of a filter",
@@ -133,7 +143,8 @@ Found wrong_use(const PassGraph& graph, const std::string& name, const std::stri
     return pass.each_mip && writes_to(pass, name);
   });
   if (makers > 1) return GraphProblem{where, "more than one pass makes the mip levels of '" + name + "'", ""};
-  if (!is_read(graph, name) && !is_read_later(graph, name) && !is_output(graph, name))
+  if (!is_read(graph, name) && !is_read_later(graph, name) && !is_output(graph, name) &&
+      !is_depth(graph, name))
     return GraphProblem{where, "nothing reads '" + name + "'",
                         graph.visibility.empty() && graph.filter_pass() == nullptr
                             ? "where it is the graph's result, add \"visibility\": \"" + name + "\""
@@ -158,8 +169,6 @@ Found wrong_texture(const GraphTexture& texture) {
     for (const TexelFormat& format : texel_formats()) known.emplace_back(format.name);
     return problem("unknown format '" + texture.format + "'", unknown_name_way_out(texture.format, known));
   }
-  if (find_texel_format(texture.format)->depth)
-    return problem("only the casters' map has a depth format", "r32f holds depths, too");
   if (texture.divisor < 1 || texture.divisor > 64) return problem("a divisor is 1 to 64");
   if (texture.extent == ExtentOf::fixed)
     for (const int size : texture.size)
@@ -169,16 +178,14 @@ Found wrong_texture(const GraphTexture& texture) {
   if (texture.samples != 1 && texture.samples != 2 && texture.samples != 4 && texture.samples != 8)
     return problem("samples are 1, 2, 4 or 8");
   const bool flat = texture.extent != ExtentOf::fixed || texture.size[2] == 1;
+  if (find_texel_format(texture.format)->depth && (texture.mips != 1 || texture.layers != 1 || !flat))
+    return problem("a depth target has one mip level, one layer and no depth");
   if (texture.samples > 1 && (texture.mips != 1 || texture.layers != 1 || !flat))
     return problem("a texture with several samples has one mip level, one layer and no depth");
   if (texture.layers > 1 && !flat) return problem("a 3D texture has one layer");
   if (texture.extent == ExtentOf::fixed && fixed_bytes(texture) > kMostBytes)
     return problem("takes more than 1 GiB");
   return std::nullopt;
-}
-
-bool same_extent(const GraphTexture& a, const GraphTexture& b) {
-  return a.extent == b.extent && a.divisor == b.divisor && a.size == b.size && a.samples == b.samples;
 }
 
 Found wrong_kernel_target(const GraphPass& pass, const GraphTexture& texture) {
@@ -189,7 +196,7 @@ Found wrong_kernel_target(const GraphPass& pass, const GraphTexture& texture) {
       ""};
 }
 
-Found wrong_raster_target(const GraphPass& pass, const GraphTexture& texture) {
+Found wrong_drawn_target(const GraphPass& pass, const GraphTexture& texture) {
   const auto problem = [&](const std::string& text) {
     return GraphProblem{pass.where, "'" + pass.name + "' draws into '" + texture.name + "', " + text, ""};
   };
@@ -204,23 +211,22 @@ Found wrong_targets(const PassGraph& graph, const GraphPass& pass) {
     return GraphProblem{pass.where, "'" + pass.name + "' " + text, ""};
   };
   constexpr std::size_t kMostTargets = 8;  // of one draw, on every API
-  if (pass.kind == PassKind::raster && pass.writes.size() > kMostTargets)
+  if (is_drawn(pass.kind) && pass.writes.size() > kMostTargets)
     return problem("draws into more than 8 targets");
   const GraphTexture* first = nullptr;
   std::set<std::string> seen;
   for (const auto& [shader_name, name] : pass.writes) {
     if (!seen.insert(name).second) return problem("writes '" + name + "' twice");
     const GraphTexture* texture = graph.texture(name);
-    if (texture == nullptr && pass.kind == PassKind::raster)
+    if (texture == nullptr && is_drawn(pass.kind))
       return problem("draws into '" + name + "', which is a buffer");
     if (texture == nullptr) continue;
-    const bool in_cascades = texture->extent == ExtentOf::map || texture->extent == ExtentOf::tile;
-    if (pass.frequency == Frequency::cascade && !in_cascades)
+    if (pass.frequency == Frequency::cascade && !in_cascades(*texture))
       return problem("runs for each cascade, and writes '" + name + "', which is not of the map or a tile");
     Found found = pass.kind == PassKind::compute ? wrong_kernel_target(pass, *texture)
-                                                 : wrong_raster_target(pass, *texture);
+                                                 : wrong_drawn_target(pass, *texture);
     if (found) return found;
-    if (first != nullptr && pass.kind == PassKind::raster && !same_extent(*first, *texture))
+    if (first != nullptr && is_drawn(pass.kind) && !same_extent(*first, *texture))
       return problem("draws into '" + first->name + "' and '" + name + "', which differ in size or samples");
     if (first != nullptr && pass.each_mip && first->mips != texture->mips)
       return problem("makes mip levels of '" + first->name + "' and '" + name +
@@ -240,7 +246,9 @@ Found wrong_pass(const PassGraph& graph, const GraphPass& pass) {
     if (pass.frequency != Frequency::frame) return problem("calls a filter, which runs every frame");
     return std::nullopt;
   }
-  if (pass.writes.empty()) return problem("writes nothing");
+  if (pass.kind == PassKind::casters)
+    if (Found found = wrong_casters(graph, pass)) return found;
+  if (pass.writes.empty() && pass.kind != PassKind::casters) return problem("writes nothing");
   if (pass.each_mip) {
     for (const auto& [shader_name, name] : pass.writes) {
       const GraphTexture* texture = graph.texture(name);
@@ -249,6 +257,8 @@ Found wrong_pass(const PassGraph& graph, const GraphPass& pass) {
                        "that is a texture with several levels which the pass also reads");
     }
   } else {
+    if (!pass.depth.empty() && reads(graph, pass, pass.depth))
+      return problem("reads '" + pass.depth + "', which it draws into");
     for (const auto& [shader_name, name] : pass.writes)
       if (reads(graph, pass, name))
         return problem("reads '" + name + "', which it writes", "only with \"each_mip\": true");
@@ -332,9 +342,11 @@ Found wrong_result(const PassGraph& graph) {
 std::optional<GraphProblem> graph_problem(const PassGraph& graph) {
   if (graph.passes.empty()) return GraphProblem{"", "the graph has no passes", ""};
   if (Found found = repeated_name(graph)) return found;
+  if (Found found = reserved_name(graph)) return found;
   if (Found found = unknown_name(graph)) return found;
   for (const GraphTexture& texture : graph.textures)
     if (Found found = wrong_texture(texture)) return found;
+  if (Found found = misused_depth(graph)) return found;
   for (const GraphPass& pass : graph.passes)
     if (Found found = wrong_pass(graph, pass)) return found;
   for (const GraphTexture& texture : graph.textures) {

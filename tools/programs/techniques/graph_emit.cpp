@@ -132,13 +132,17 @@ std::string pass(const PassGraph& graph, const GraphPass& pass) {
   };
   const bool kernel = pass.kind == PassKind::compute;
   std::string text = std::string(item_indent) + "new GraphPass\n" + item_indent + "{\n";
-  text += member("kind", kernel ? "PassKind.Compute" : "PassKind.Raster");
+  text += member("kind", "PassKind." + csharp_name(name_of(pass.kind)));
   text += member("asset", csharp_text(pass.file));
   text += member("program", csharp_text(pass.program));
   if (pass.frequency != Frequency::frame)
     text += member("runs", "PassFrequency." + frequency(pass.frequency));
   text += bindings(graph, "reads", pass.reads);
   text += bindings(graph, "writes", pass.writes);
+  if (pass.depth == shadow_map_name)
+    text += member("testsShadowMap", "true");
+  else if (!pass.depth.empty())
+    text += member("depth", std::to_string(index_of(graph.textures, pass.depth)));
   if (pass.each_mip) text += member("eachMip", "true");
   if (kernel) text += member("groups", groups(graph, pass.groups));
   return text + item_indent + "},\n";

@@ -114,9 +114,11 @@ GraphPass read_pass(JsonObject object, const TechniqueList& list, const Manifest
   GraphPass pass;
   pass.name = required_text(object, "name");
   pass.where = object.where("name");
-  pass.kind = chosen<PassKind>(
-      object, "kind", "", "kind of pass",
-      {{"filter", PassKind::filter}, {"raster", PassKind::raster}, {"compute", PassKind::compute}});
+  pass.kind = chosen<PassKind>(object, "kind", "", "kind of pass",
+                               {{"filter", PassKind::filter},
+                                {"raster", PassKind::raster},
+                                {"casters", PassKind::casters},
+                                {"compute", PassKind::compute}});
   pass.frequency = chosen<Frequency>(
       object, "runs", "frame", "frequency",
       {{"frame", Frequency::frame}, {"cascade", Frequency::cascade}, {"bake", Frequency::bake}});
@@ -132,7 +134,10 @@ GraphPass read_pass(JsonObject object, const TechniqueList& list, const Manifest
       for (const std::string& target : object.texts("writes")) pass.writes.emplace_back("", target);
     pass.parameters = object.texts("parameters");
     require_structs(object, list, pass.parameters);
-    pass.each_mip = object.boolean("each_mip", false);
+    if (pass.kind == PassKind::casters)
+      pass.depth = object.text("depth", "");
+    else
+      pass.each_mip = object.boolean("each_mip", false);
     if (kernel) pass.groups = read_groups(object.object("groups"));
   }
   object.finish();

@@ -28,8 +28,8 @@ class ManifestFiles {
 //  buffers: [{name, words, words_per_texel, texture, indirect}],
 //  passes: [{name, kind, runs, shader and pass | compute and kernel | filter (pass and kernel: else the
 //  name), reads: {name in the shader: name},
-//            writes: [names], or of a kernel {name in the shader: name}, parameters, each_mip,
-//            groups: {fixed | texels_of | indirect}}],
+//            writes: [names], or of a kernel {name in the shader: name}, parameters, each_mip, or of casters
+//            depth: name, groups: {fixed | texels_of | indirect}}],
 //  keywords, visibility, mask}
 PassGraph read_graph(JsonObject& object, const TechniqueList& list, const ManifestFiles& files,
                      const std::map<std::string, PassGraph>& known);

@@ -44,6 +44,7 @@ bool waits_for(const PassGraph& graph, const GraphPass& later, const GraphPass& 
 }
 
 bool writes_to(const GraphPass& pass, const std::string& name) {
+  if (pass.depth == name && !name.empty()) return true;
   return std::any_of(pass.writes.begin(), pass.writes.end(),
                      [&](const auto& written) { return written.second == name; });
 }
@@ -58,6 +59,20 @@ const char* name_of(Frequency frequency) {
       break;
   }
   return "frame";
+}
+
+const char* name_of(PassKind kind) {
+  switch (kind) {
+    case PassKind::filter:
+      return "filter";
+    case PassKind::raster:
+      return "raster";
+    case PassKind::casters:
+      return "casters";
+    case PassKind::compute:
+      break;
+  }
+  return "compute";
 }
 
 const GraphTexture* PassGraph::texture(const std::string& name) const {
@@ -78,6 +93,17 @@ const FilterCall* PassGraph::filter() const {
   const auto found = std::find_if(passes.rbegin(), passes.rend(),
                                   [](const GraphPass& pass) { return pass.filter.has_value(); });
   return found == passes.rend() ? nullptr : &*found->filter;
+}
+
+bool PassGraph::draws_casters() const {
+  return std::any_of(passes.begin(), passes.end(),
+                     [](const GraphPass& pass) { return pass.kind == PassKind::casters; });
+}
+
+bool PassGraph::needs_camera() const {
+  return over_screen() || std::any_of(passes.begin(), passes.end(), [](const GraphPass& pass) {
+           return pass.kind == PassKind::casters && pass.frequency == Frequency::frame;
+         });
 }
 
 PassGraph graph_of(FilterCall filter, const std::string& where) {

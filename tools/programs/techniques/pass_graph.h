@@ -39,6 +39,13 @@ struct GraphBuffer {
   bool indirect = false;  // the first three words are the numbers of groups of dispatches
 };
 
+// What filters and passes of casters call the shadow map.
+inline constexpr const char* shadow_map_name = "shadowMap";
+
+// The keyword of materials with alpha test, as URP's own shaders declare it. Programs of casters that declare
+// it have it on for such materials alone.
+inline constexpr const char* alpha_test_keyword = "_ALPHATEST_ON";
+
 // A function of the shader library: visibility of a receiver. Its arguments are these in order, then
 // ShadowReceiver, ShadowTile and, where `parameters` is not empty, that struct.
 struct FilterCall {
@@ -50,14 +57,20 @@ struct FilterCall {
 };
 
 enum class PassKind {
-  filter,  // calls a FilterCall for each receiver; the last of its graph
-  raster,  // a pass of a .shader, drawn over all of its targets
-  compute  // a kernel of a .compute
+  filter,   // calls a FilterCall for each receiver; the last of its graph
+  raster,   // a pass of a .shader, drawn over all of its targets
+  casters,  // a pass of a .shader that draws the scene's casters, for each cascade or as the camera sees them
+  compute   // a kernel of a .compute
 };
+
+inline bool is_drawn(PassKind kind) {
+  return kind == PassKind::raster || kind == PassKind::casters;
+}
 
 enum class Frequency { bake, cascade, frame };  // once; for each cascade that was drawn anew; every frame
 
 const char* name_of(Frequency frequency);  // as manifests have it
+const char* name_of(PassKind kind);
 
 // How many groups of threads a kernel is started with.
 struct GroupCount {
@@ -75,15 +88,18 @@ struct GraphPass {
   std::string program;  // pass of the .shader or kernel of the .compute
   // What the program calls a texture or buffer, and which one of the graph it is.
   std::vector<std::pair<std::string, std::string>> reads;
-  std::vector<std::pair<std::string, std::string>> writes;  // of raster passes the targets in order, unnamed
-  std::vector<std::string> parameters;                      // structs
-  bool each_mip = false;  // once for each mip level but the first, from the level before
+  std::vector<std::pair<std::string, std::string>> writes;  // of drawn passes the targets in order, unnamed
+  // Of casters: the texture that they are tested against and whose depth they write, shadow_map_name, or
+  // empty: no depth test.
+  std::string depth;
+  std::vector<std::string> parameters;  // structs
+  bool each_mip = false;                // once for each mip level but the first, from the level before
   GroupCount groups;
   // What it computes at a receiver: always of a filter, of others where they call one.
   std::optional<FilterCall> filter;
 };
 
-// A texture or buffer by its name in the graph.
+// A texture or buffer by its name in the graph; a depth target is written, too.
 bool writes_to(const GraphPass& pass, const std::string& name);
 
 struct PassGraph {
@@ -99,6 +115,8 @@ struct PassGraph {
   const GraphPass* filter_pass() const;  // of kind filter; null: none
   const FilterCall* filter() const;      // of the last pass that has one
   bool over_screen() const { return !visibility.empty(); }
+  bool draws_casters() const;
+  bool needs_camera() const;  // over the screen, or draws what the camera sees of the casters
 };
 
 // A graph of that filter alone.
@@ -111,9 +129,9 @@ struct GraphProblem {
 };
 
 // The first thing that is wrong: names that nothing has or two have, a texture that nothing or two passes
-// write, or nothing reads, passes that wait for each other, a pass that runs more rarely than what it reads,
-// targets of different extents, uses that a format does not have anywhere, no visibility or one of another
-// size than the screen's.
+// write, or nothing reads, depth where there is none, passes that wait for each other, a pass that runs more
+// rarely than what it reads, targets of different extents, uses that a format does not have anywhere, no
+// visibility or one of another size than the screen's.
 std::optional<GraphProblem> graph_problem(const PassGraph& graph);
 
 // The passes such that each comes after those whose output it reads, else in the order given; absent where

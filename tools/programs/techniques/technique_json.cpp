@@ -22,18 +22,6 @@ const char* name_of(ExtentOf extent) {
   return "fixed";
 }
 
-const char* name_of(PassKind kind) {
-  switch (kind) {
-    case PassKind::filter:
-      return "filter";
-    case PassKind::raster:
-      return "raster";
-    case PassKind::compute:
-      break;
-  }
-  return "compute";
-}
-
 Json of(const GraphTexture& texture) {
   Json json{{"name", texture.name},     {"extent", name_of(texture.extent)}, {"divisor", texture.divisor},
             {"size", texture.size},     {"format", texture.format},          {"mips", texture.mips},
@@ -47,14 +35,16 @@ Json of(const GraphPass& pass) {
   for (const auto& [shader_name, name] : pass.reads) reads[shader_name] = name;
   Json writes = Json::array();
   for (const auto& [shader_name, name] : pass.writes) writes.push_back(name);
-  return {{"name", pass.name},
-          {"kind", name_of(pass.kind)},
-          {"runs", name_of(pass.frequency)},
-          {"file", pass.file},
-          {"program", pass.program},
-          {"reads", std::move(reads)},
-          {"writes", std::move(writes)},
-          {"function", pass.filter ? pass.filter->function : ""}};
+  Json json{{"name", pass.name},
+            {"kind", name_of(pass.kind)},
+            {"runs", name_of(pass.frequency)},
+            {"file", pass.file},
+            {"program", pass.program},
+            {"reads", std::move(reads)},
+            {"writes", std::move(writes)},
+            {"function", pass.filter ? pass.filter->function : ""}};
+  if (!pass.depth.empty()) json["depth"] = pass.depth;
+  return json;
 }
 
 Json of(const std::map<std::string, std::vector<double>>& numbers_by_field) {

@@ -4,6 +4,7 @@
 #define PENUMBRA_SAMPLES_CORE_INCLUDED
 
 #include "../../../../../tools/programs/shaders/unity/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
+#include "../../../../../tools/programs/shaders/unity/com.unity.render-pipelines.core/ShaderLibrary/SpaceTransforms.hlsl"
 
 // As URP 14 and 17.0 have it.
 #if defined(_FORWARD_PLUS)
@@ -23,37 +24,9 @@
 #define TRANSFORM_TEX(uv, name) ((uv) * name##_ST.xy + name##_ST.zw)
 #define MAX_VISIBLE_LIGHTS 256
 
-CBUFFER_START(UnityPerDraw)
-float4x4 unity_ObjectToWorld;
-float4x4 unity_WorldToObject;
-float4 unity_LODFade;
-float4 unity_WorldTransformParams;
-CBUFFER_END
-
-float4x4 unity_MatrixVP;
 float3 _WorldSpaceCameraPos;
 float4 _ScaledScreenParams;
 half4 unity_FogColor;
-
-float3 TransformObjectToWorld(float3 positionOS)
-{
-    return mul(unity_ObjectToWorld, float4(positionOS, 1.0)).xyz;
-}
-
-float4 TransformWorldToHClip(float3 positionWS)
-{
-    return mul(unity_MatrixVP, float4(positionWS, 1.0));
-}
-
-float4 TransformObjectToHClip(float3 positionOS)
-{
-    return TransformWorldToHClip(TransformObjectToWorld(positionOS));
-}
-
-float3 TransformObjectToWorldNormal(float3 normalOS)
-{
-    return normalize(mul(normalOS, (float3x3)unity_WorldToObject));
-}
 
 half3 NormalizeNormalPerPixel(half3 normalWS)
 {

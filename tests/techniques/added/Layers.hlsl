@@ -1,0 +1,17 @@
+// The filter of Layers.technique.json: every surface before the receiver takes a share of the light that is left.
+#include "Core/DepthConvention.hlsl"
+#include "Core/ShadowStructs.hlsl"
+struct LayersParameters { float opacity; };
+LayersParameters UnpackLayersParameters(float4 packed0)
+{
+    LayersParameters parameters;
+    parameters.opacity = packed0.x;
+    return parameters;
+}
+float FilterLayers(TEXTURE2D(nearest), TEXTURE2D(layers), ShadowReceiver receiver, ShadowTile tile,
+                   LayersParameters parameters)
+{
+    const int2 texel = int2(receiver.shadowCoord.xy * tile.atlasTexelSize.zw);
+    if (DepthGap(LOAD_TEXTURE2D(nearest, texel).x, receiver.shadowCoord.z) <= 0.0) return 1.0;
+    return pow(1.0 - parameters.opacity, LOAD_TEXTURE2D(layers, texel).x);
+}

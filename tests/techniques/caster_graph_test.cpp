@@ -1,0 +1,158 @@
+// What a pass that draws the casters may be: its targets, its depth and when it runs, each mistake with its
+// own message at its own place.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "input/input_error.h"
+#include "shaders/shader_files.h"
+#include "techniques/graph_emit.h"
+#include "techniques/pass_graph.h"
+#include "techniques/technique_json.h"
+#include "techniques/technique_list.h"
+
+namespace penumbra::techniques {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+// The casters behind the nearest ones, and what covers both; the passes are not in the order in which they
+// have to run.
+constexpr const char* kLayers = R"({
+"graphs": [{"name": "layers",
+  "textures": [
+    {"name": "nearest", "extent": "map", "format": "depth32"},
+    {"name": "second", "extent": "map", "format": "r32f"},
+    {"name": "behind", "extent": "map", "format": "depth32"},
+    {"name": "colour", "extent": "map", "format": "rgba8"}],
+  "passes": [
+    {"name": "filter", "kind": "filter",
+     "filter": {"file": "L.hlsl", "function": "FilterLayers", "arguments": ["nearest", "second", "colour"]}},
+    {"name": "Second", "kind": "casters", "shader": "L.shader", "runs": "cascade",
+     "reads": {"_Nearest": "nearest"}, "writes": ["second"], "depth": "behind"},
+    {"name": "Colour", "kind": "casters", "shader": "L.shader", "runs": "cascade", "writes": ["colour"],
+     "depth": "shadowMap"},
+    {"name": "Nearest", "kind": "casters", "shader": "L.shader", "runs": "cascade", "depth": "nearest"}]}],
+"techniques": [{"name": "layers", "title": "Layers", "family": "layers", "source": "s", "graph": "layers"}]})";
+
+// What the camera sees of the casters.
+constexpr const char* kSeen = R"({
+"graphs": [{"name": "seen",
+  "textures": [
+    {"name": "visibility", "format": "r32f"},
+    {"name": "depth", "format": "depth24"}],
+  "passes": [
+    {"name": "Seen", "kind": "casters", "shader": "L.shader", "writes": ["visibility"], "depth": "depth"}],
+  "visibility": "visibility"}],
+"techniques": [{"name": "seen", "title": "Seen", "family": "seen", "source": "s", "graph": "seen"}]})";
+
+class CasterGraph : public testing::Test {
+ protected:
+  CasterGraph() {
+    for (const char* name : {"L.hlsl", "L.shader"}) files_.write(name, "// here\n");
+  }
+
+  TechniqueList list(const std::string& text) const {
+    return read_technique_list(files_.write("t.technique.json", text));
+  }
+  // What is said of the text with one thing changed.
+  std::string problem(std::string text, const std::string& from, const std::string& to) const {
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    text.replace(at, from.size(), to);
+    try {
+      (void)list(text);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+
+  shaders::ShaderFiles files_;
+};
+
+TEST_F(CasterGraph, WaitsForTheDepthThatItReads) {
+  const PassGraph graph = list(kLayers).techniques.at(0).graph;
+  std::vector<std::string> names;
+  for (const GraphPass& pass : graph.passes) names.push_back(pass.name);
+  EXPECT_THAT(names, ElementsAre("Colour", "Nearest", "Second", "filter"));
+  EXPECT_EQ(graph.passes[0].kind, PassKind::casters);
+  EXPECT_EQ(graph.passes[0].depth, shadow_map_name);
+  EXPECT_EQ(graph.passes[2].depth, "behind");
+  EXPECT_TRUE(writes_to(graph.passes[1], "nearest"));
+  EXPECT_EQ(problem(kSeen, "s\"", "s\""), "no error");
+}
+
+TEST_F(CasterGraph, IsWrittenAsJsonAndAsCSharp) {
+  const TechniqueList layers = list(kLayers);
+  EXPECT_THAT(techniques_json(layers),
+              AllOf(HasSubstr("\"kind\": \"casters\""), HasSubstr("\"depth\": \"behind\"")));
+  EXPECT_THAT(emit_graphs_csharp(layers).at(0).text,
+              AllOf(HasSubstr("kind = PassKind.Casters,"), HasSubstr("depth = 2,"), HasSubstr("depth = 0,"),
+                    HasSubstr("testsShadowMap = true,"),
+                    HasSubstr("new GraphTexture(\"nearest\", GraphExtent.Map, GraphicsFormat.D32_SFloat)")));
+}
+
+TEST_F(CasterGraph, ADepthHasADepthFormatAndNothingElseDoes) {
+  EXPECT_THAT(
+      problem(kLayers, R"("writes": ["second"], "depth": "behind")", R"("writes": ["second", "behind"])"),
+      AllOf(HasSubstr("t.technique.json:11:"), HasSubstr("'Second' writes 'behind', of format depth32"),
+            HasSubstr("r32f holds depths, too")));
+  EXPECT_THAT(problem(kLayers, R"({"name": "behind", "extent": "map", "format": "depth32"})",
+                      R"({"name": "behind", "extent": "map", "format": "r32f"})"),
+              AllOf(HasSubstr("'Second' has 'behind' as its depth, of format r32f"),
+                    HasSubstr("depth16, depth24 and depth32")));
+  EXPECT_THAT(problem(kLayers, R"("format": "depth32"},
+    {"name": "second")",
+                      R"("format": "depth32", "mips": 2},
+    {"name": "second")"),
+              HasSubstr("texture 'nearest': a depth target has one mip level"));
+}
+
+TEST_F(CasterGraph, ADepthIsATextureOrTheShadowMap) {
+  EXPECT_THAT(problem(kLayers, R"("depth": "behind")", R"("depth": "behnd")"),
+              AllOf(HasSubstr("there is no texture 'behnd'"), HasSubstr("or test against \"shadowMap\"")));
+  EXPECT_THAT(problem(kLayers, R"("depth": "behind")", R"("depth": "nearest")"),
+              HasSubstr("'Second' reads 'nearest', which it draws into"));
+  EXPECT_THAT(problem(kLayers, R"("name": "behind")", R"("name": "shadowMap")"),
+              HasSubstr("texture 'shadowMap': the shadow map itself has that name"));
+  EXPECT_THAT(
+      problem(kLayers, R"({"name": "colour", "extent": "map")",
+              R"({"name": "colour", "extent": "map", "divisor": 2)"),
+      AllOf(HasSubstr("'Colour' tests against the shadow map, whose texels are not those of 'colour'"),
+            HasSubstr("the extent \"map\"")));
+  EXPECT_THAT(problem(kLayers, R"("depth": "nearest")", R"("depth": "shadowMap")"),
+              HasSubstr("'Nearest' tests against the shadow map, and writes nothing"));
+  EXPECT_THAT(problem(kLayers, R"(, "depth": "nearest")", ""),
+              AllOf(HasSubstr("'Nearest' writes nothing"), HasSubstr("\"writes\", \"depth\" or both")));
+  EXPECT_THAT(problem(kLayers, R"({"name": "behind", "extent": "map")",
+                      R"({"name": "behind", "extent": "map", "divisor": 2)"),
+              HasSubstr("'Second' draws into 'second' and depth 'behind', which differ in size or samples"));
+}
+
+TEST_F(CasterGraph, TheLightSeesThemOfEachCascadeAndTheCameraEveryFrame) {
+  EXPECT_THAT(problem(kLayers, R"("runs": "cascade", "depth": "nearest")", R"("depth": "nearest")"),
+              AllOf(HasSubstr("'Nearest' draws casters into 'nearest', which each cascade has a part of"),
+                    HasSubstr("add \"runs\": \"cascade\"")));
+  EXPECT_THAT(problem(kLayers, R"({"name": "nearest", "extent": "map")",
+                      R"({"name": "nearest", "extent": "fixed", "size": [64, 64, 1])"),
+              AllOf(HasSubstr("'Nearest' draws casters into 'nearest', which has a size of its own"),
+                    HasSubstr("extents map and tile")));
+  EXPECT_THAT(problem(kSeen, R"("kind": "casters")", R"("kind": "casters", "runs": "bake")"),
+              HasSubstr("'Seen' draws what the camera sees, which changes every frame"));
+  EXPECT_THAT(problem(kSeen, R"("kind": "casters")", R"("kind": "casters", "runs": "cascade")"),
+              HasSubstr("'Seen' draws what the camera sees, which changes every frame"));
+}
+
+TEST_F(CasterGraph, HasNoKeysOfOtherPasses) {
+  EXPECT_THAT(problem(kSeen, R"("kind": "casters")", R"("kind": "casters", "each_mip": true)"),
+              HasSubstr("unknown key 'each_mip'"));
+  EXPECT_THAT(problem(kSeen, R"("kind": "casters")", R"("kind": "raster")"),
+              HasSubstr("unknown key 'depth'"));
+  EXPECT_THAT(problem(kSeen, R"("kind": "casters")", R"("kind": "castors")"),
+              AllOf(HasSubstr("unknown kind of pass 'castors'"), HasSubstr("did you mean 'casters'?")));
+}
+
+}  // namespace
+}  // namespace penumbra::techniques

@@ -1,0 +1,174 @@
+#include "resolve/raster_state.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+
+#include "input/input_error.h"
+
+namespace penumbra::resolve {
+namespace {
+
+using shaderlab::RenderCommand;
+using Words = std::vector<std::string>;
+
+std::string lower(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+// One command of a pass, in lower case: ShaderLab's words may be written in either.
+struct State {
+  const RenderCommand& command;
+  const std::string& pass;
+  Words values;
+
+  State(const RenderCommand& of, const std::string& in) : command(of), pass(in) {
+    for (const std::string& value : of.values) values.push_back(lower(value));
+  }
+
+  [[noreturn]] void refuse(const std::string& way_out) const {
+    std::string written = command.name;
+    for (const std::string& value : command.values) written += " " + value;
+    throw InputError(pass + ":" + std::to_string(command.place.line), "'" + written + "' is not drawn here",
+                     way_out);
+  }
+  bool is(const Words& words) const { return values == words; }
+  // On, True or 1 against Off, False or 0.
+  bool on() const {
+    if (is({"on"}) || is({"true"}) || is({"1"})) return true;
+    if (is({"off"}) || is({"false"}) || is({"0"})) return false;
+    refuse("give it On or Off");
+  }
+  float number(std::size_t at) const {
+    float result = 0.0F;
+    if (at >= values.size()) refuse("it has two numbers");
+    const std::string& text = values[at];
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), result);
+    if (read.ec != std::errc() || read.ptr != text.data() + text.size()) refuse("it has two numbers");
+    return result;
+  }
+};
+
+gpu::DepthTest depth_test(const State& state, bool reversed_z) {
+  using gpu::DepthTest;
+  if (state.is({"less"}) || state.is({"2"})) return reversed_z ? DepthTest::greater : DepthTest::less;
+  if (state.is({"lequal"}) || state.is({"4"}))
+    return reversed_z ? DepthTest::greater_equal : DepthTest::less_equal;
+  if (state.is({"greater"}) || state.is({"5"})) return reversed_z ? DepthTest::less : DepthTest::greater;
+  if (state.is({"gequal"}) || state.is({"7"}))
+    return reversed_z ? DepthTest::less_equal : DepthTest::greater_equal;
+  if (state.is({"equal"}) || state.is({"3"})) return DepthTest::equal;
+  if (state.is({"always"}) || state.is({"8"}) || state.is({"off"}) || state.is({"0"}))
+    return DepthTest::always;
+  state.refuse("the depth tests are Less, LEqual, Equal, GEqual, Greater and Always");
+}
+
+// A leading number is a target's, unless it is followed by nothing.
+std::optional<std::size_t> target_of(Words& values) {
+  if (values.size() < 2 || values.front().size() != 1 ||
+      std::isdigit(static_cast<unsigned char>(values.front()[0])) == 0)
+    return std::nullopt;
+  const auto target = static_cast<std::size_t>(values.front()[0] - '0');
+  values.erase(values.begin());
+  return target;
+}
+
+// What Blend and BlendOp say of each target.
+struct BlendStates {
+  std::vector<gpu::Blend> factors;
+  std::vector<std::optional<gpu::Blend>> operations;  // Min and Max, for which factors count nothing
+
+  explicit BlendStates(std::size_t targets) : factors(targets, gpu::Blend::none), operations(targets) {}
+
+  void set_factors(const State& state) {
+    Words values = state.values;
+    const std::optional<std::size_t> target = target_of(values);
+    if (values.size() == 4 && values[0] == values[2] && values[1] == values[3]) values.resize(2);
+    if (values == Words{"off"} || values == Words{"one", "zero"})
+      assign(factors, target, gpu::Blend::none);
+    else if (values == Words{"one", "one"})
+      assign(factors, target, gpu::Blend::add);
+    else if (values == Words{"srcalpha", "oneminussrcalpha"})
+      assign(factors, target, gpu::Blend::alpha);
+    else
+      state.refuse("colours are replaced, added (One One) or mixed (SrcAlpha OneMinusSrcAlpha), alpha alike");
+  }
+
+  void set_operations(const State& state) {
+    Words values = state.values;
+    const std::optional<std::size_t> target = target_of(values);
+    if (values.size() == 2 && values[0] == values[1]) values.resize(1);
+    if (values == Words{"add"})
+      assign(operations, target, std::optional<gpu::Blend>());
+    else if (values == Words{"min"})
+      assign(operations, target, std::optional(gpu::Blend::smallest));
+    else if (values == Words{"max"})
+      assign(operations, target, std::optional(gpu::Blend::largest));
+    else
+      state.refuse("the operations are Add, Min and Max, for alpha alike");
+  }
+
+  std::vector<gpu::Blend> result() const {
+    std::vector<gpu::Blend> blends = factors;
+    for (std::size_t i = 0; i < blends.size(); ++i) {
+      // Unity, too, blends only where Blend says so.
+      if (operations[i] && blends[i] != gpu::Blend::none) blends[i] = *operations[i];
+    }
+    return blends;
+  }
+
+ private:
+  template <typename Value>
+  static void assign(std::vector<Value>& values, std::optional<std::size_t> target, const Value& value) {
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (!target || *target == i) values[i] = value;
+  }
+};
+
+bool is_whole_mask(const std::string& mask) {
+  return mask.size() == 4 && std::all_of(mask.begin(), mask.end(), [&](char c) {
+           return std::string_view("rgba").find(c) != std::string_view::npos &&
+                  std::count(mask.begin(), mask.end(), c) == 1;
+         });
+}
+
+}  // namespace
+
+RasterState raster_state(const std::vector<RenderCommand>& commands, const std::string& pass,
+                         std::size_t targets, bool reversed_z) {
+  RasterState result;
+  if (reversed_z) result.depth_test = gpu::DepthTest::greater_equal;
+  const float away_from_viewer = reversed_z ? -1.0F : 1.0F;
+  BlendStates blends(targets);
+  for (const RenderCommand& command : commands) {
+    const State state(command, pass);
+    const std::string name = lower(command.name);
+    if (name == "cull") {
+      result.both_faces = state.is({"off"}) || state.is({"false"}) || state.is({"0"});
+    } else if (name == "ztest") {
+      result.depth_test = depth_test(state, reversed_z);
+    } else if (name == "zwrite") {
+      result.depth_write = state.on();
+    } else if (name == "zclip") {
+      result.depth_clamp = !state.on();
+    } else if (name == "offset") {
+      result.slope_depth_bias = away_from_viewer * state.number(0);
+      result.constant_depth_bias = away_from_viewer * state.number(1);
+    } else if (name == "blend") {
+      blends.set_factors(state);
+    } else if (name == "blendop") {
+      blends.set_operations(state);
+    } else if (name == "colormask") {
+      Words mask = state.values;
+      if (!mask.empty() && targets > 0 && !is_whole_mask(mask.front()))
+        state.refuse("all channels are written: RGBA");
+    } else if (name == "stencil" || ((name == "alphatomask" || name == "conservative") && state.on())) {
+      state.refuse("there is no such state here");
+    }
+  }
+  result.blends = blends.result();
+  return result;
+}
+
+}  // namespace penumbra::resolve

@@ -1,0 +1,94 @@
+#include "techniques/caster_check.h"
+
+#include <algorithm>
+
+#include "techniques/texel_formats.h"
+
+namespace penumbra::techniques {
+namespace {
+
+bool has_depth_format(const GraphTexture& texture) {
+  return find_texel_format(texture.format)->depth;
+}
+
+GraphProblem problem_of(const GraphPass& pass, const std::string& text, const std::string& way_out = "") {
+  return {pass.where, "'" + pass.name + "' " + text, way_out};
+}
+
+// The shadow map holds the depth of casters that are drawn where it has them.
+Found wrong_map_depth(const PassGraph& graph, const GraphPass& pass) {
+  if (pass.writes.empty())
+    return problem_of(pass, "tests against the shadow map, and writes nothing", "give it \"writes\"");
+  const GraphTexture* target = graph.texture(pass.writes.front().second);
+  if (target == nullptr) return std::nullopt;  // wrong_targets()
+  if (target->extent == ExtentOf::map && target->divisor == 1 && target->samples == 1) return std::nullopt;
+  return problem_of(pass,
+                    "tests against the shadow map, whose texels are not those of '" + target->name + "'",
+                    "give '" + target->name + "' the extent \"map\", without divisor and samples");
+}
+
+Found wrong_own_depth(const PassGraph& graph, const GraphPass& pass) {
+  const GraphTexture& depth = *graph.texture(pass.depth);
+  if (!has_depth_format(depth))
+    return problem_of(pass, "has '" + depth.name + "' as its depth, of format " + depth.format,
+                      "give it one of depth16, depth24 and depth32");
+  for (const auto& [shader_name, name] : pass.writes) {
+    const GraphTexture* target = graph.texture(name);
+    if (target != nullptr && !same_extent(*target, depth))
+      return problem_of(
+          pass, "draws into '" + name + "' and depth '" + depth.name + "', which differ in size or samples");
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool same_extent(const GraphTexture& a, const GraphTexture& b) {
+  return a.extent == b.extent && a.divisor == b.divisor && a.size == b.size && a.samples == b.samples;
+}
+
+bool in_cascades(const GraphTexture& texture) {
+  return texture.extent == ExtentOf::map || texture.extent == ExtentOf::tile;
+}
+
+bool is_depth(const PassGraph& graph, const std::string& name) {
+  return std::any_of(graph.passes.begin(), graph.passes.end(),
+                     [&](const GraphPass& pass) { return pass.depth == name; });
+}
+
+Found wrong_casters(const PassGraph& graph, const GraphPass& pass) {
+  const bool map_depth = pass.depth == shadow_map_name;
+  const bool own_depth = !pass.depth.empty() && !map_depth;
+  if (map_depth) {
+    if (Found found = wrong_map_depth(graph, pass)) return found;
+  } else if (own_depth) {
+    if (Found found = wrong_own_depth(graph, pass)) return found;
+  } else if (pass.writes.empty()) {
+    return problem_of(pass, "writes nothing", "give it \"writes\", \"depth\" or both");
+  }
+  const GraphTexture* target = graph.texture(own_depth ? pass.depth : pass.writes.front().second);
+  if (target == nullptr) return std::nullopt;  // wrong_targets()
+  if (target->extent == ExtentOf::fixed)
+    return problem_of(pass, "draws casters into '" + target->name + "', which has a size of its own",
+                      "the light sees them in the extents map and tile, the camera in screen");
+  if (in_cascades(*target) && pass.frequency != Frequency::cascade)
+    return problem_of(pass, "draws casters into '" + target->name + "', which each cascade has a part of",
+                      "add \"runs\": \"cascade\"");
+  if (target->extent == ExtentOf::screen && pass.frequency != Frequency::frame)
+    return problem_of(pass, "draws what the camera sees, which changes every frame",
+                      "leave out \"runs\", or give it \"frame\"");
+  return std::nullopt;
+}
+
+Found misused_depth(const PassGraph& graph) {
+  for (const GraphPass& pass : graph.passes)
+    for (const auto& [shader_name, name] : pass.writes) {
+      const GraphTexture* texture = graph.texture(name);
+      if (texture != nullptr && has_depth_format(*texture))
+        return problem_of(pass, "writes '" + name + "', of format " + texture->format,
+                          "only casters write depth, into their \"depth\"; r32f holds depths, too");
+    }
+  return std::nullopt;
+}
+
+}  // namespace penumbra::techniques

@@ -1,0 +1,26 @@
+// What is wrong with a pass that draws the casters. Internal to this room.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "techniques/pass_graph.h"
+
+namespace penumbra::techniques {
+
+using Found = std::optional<GraphProblem>;
+
+bool same_extent(const GraphTexture& a, const GraphTexture& b);
+bool in_cascades(const GraphTexture& texture);
+
+// Whether any pass draws with that texture as its depth.
+bool is_depth(const PassGraph& graph, const std::string& name);
+
+// Targets that nothing is drawn into from the light or the camera, the frequency that belongs to each, and a
+// depth target that does not fit them.
+Found wrong_casters(const PassGraph& graph, const GraphPass& pass);
+
+// Textures of a depth format that a pass writes as anything but its depth.
+Found misused_depth(const PassGraph& graph);
+
+}  // namespace penumbra::techniques
