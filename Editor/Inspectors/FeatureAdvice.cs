@@ -32,6 +32,9 @@ namespace Penumbra.Editor
 
         /// <summary>With SkipReason.MissingPass: what is missing.</summary>
         internal string missingPass;
+
+        /// <summary>The technique draws casters of its own.</summary>
+        internal bool drawsCascades;
     }
 
     internal readonly struct Advice
@@ -90,6 +93,10 @@ namespace Penumbra.Editor
             if (state.openGl && state.settings.Options().technique.TakesSamples())
                 Say(MessageType.Info, "This editor draws with OpenGL, which does not define how PCSS reads the shadow map: " +
                                       "here PCSS is replaced by Tent 7x7. Vulkan, Direct3D and Metal have it.");
+            if (state.drawsCascades)
+                Say(MessageType.Info, "This technique draws the casters once more, by Unity's lists of visible objects: " +
+                                      "what casts Shadows Only is not among them, and what casts none (Cast Shadows: " +
+                                      "Off) is.");
             if (showsView && state.debugShaderFound)
                 Say(MessageType.Info, "A debug view is drawn over the picture, here and in development builds.");
             if (!state.deferred && !state.depthPriming && !state.tileOnly)

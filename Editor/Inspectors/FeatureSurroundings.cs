@@ -1,3 +1,4 @@
+using System.Linq;
 using UnityEditor;
 using UnityEngine;
 using UnityEngine.Rendering;
@@ -17,6 +18,8 @@ namespace Penumbra.Editor
             state.debugShaderFound = IsFound(DebugViewDraw.ShaderName);
             state.lastSkip = feature.LastSkip;
             state.missingPass = feature.MissingPass;
+            state.drawsCascades = ChainGraphs.Of(feature.Settings.Options())
+                .Any(graph => graph.passes.Any(pass => pass.kind == PassKind.Casters && pass.runs == PassFrequency.Cascade));
             state.compatibilityMode = UrpFrame.InCompatibilityMode();
             state.settings = feature.Settings;
             state.openGl = SystemInfo.graphicsDeviceType == GraphicsDeviceType.OpenGLCore ||

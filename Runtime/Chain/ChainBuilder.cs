@@ -35,7 +35,8 @@ namespace Penumbra
                 // Both of a history are written by turns.
                 int previousOf = graph.textures[i].previousOf;
                 int written = previousOf == TechniqueGraph.None ? i : previousOf;
-                textures.Add(new ChainTexture(graph.textures[i], IsWrittenByKernels(graph, written), IsKept(graph, i)));
+                textures.Add(new ChainTexture(graph.textures[i], IsWrittenByKernels(graph, written), IsKept(graph, i),
+                                              graph.passes.Any(pass => pass.depth == i)));
                 if (written != i)
                     histories.Add(new ChainHistory { now = firstTexture + written, before = firstTexture + i });
             }
@@ -75,6 +76,7 @@ namespace Penumbra
             {
                 pass = pass, reads = pass.reads.Select(Bound).ToArray(), writes = pass.writes.Select(Bound).ToArray(),
             };
+            step.depth = Moved(pass.depth, firstTexture);
             if (pass.kind == PassKind.Compute)
             {
                 step.threadsOf = Moved(pass.groups.texelsOf, firstTexture);
@@ -130,6 +132,7 @@ namespace Penumbra
                 PutSlots(step.reads, slotOf);
                 PutSlots(step.writes, slotOf);
                 if (step.threadsOf != ShadowChain.None) step.threadsOf = slotOf[step.threadsOf];
+                if (step.depth != ShadowChain.None) step.depth = slotOf[step.depth];
             }
             for (int i = 0; i < globals.Count; ++i)
             {
@@ -163,6 +166,7 @@ namespace Penumbra
             {
                 foreach (ChainBinding write in steps[at].writes)
                     if (!write.isBuffer) Use(write.index, at, at);
+                if (steps[at].depth != ShadowChain.None) Use(steps[at].depth, at, at);
                 foreach (ChainBinding read in steps[at].reads)
                 {
                     if (!read.isBuffer) Use(read.index, at, at);

@@ -34,8 +34,13 @@ namespace Penumbra
             return current.problem ?? (views > 1 ? current.stereoProblem : null);
         }
 
+        /// <summary>Of a step of the chain.</summary>
+        internal ref readonly PassProgram Program(int step) => ref current.programs[step];
+
         /// <summary>`slots` and `buffers` in the order of the chain's.</summary>
-        internal void Draw(CommandBuffer commands, in ShadowFrame frame, RTHandle[] slots, GraphicsBuffer[] buffers)
+        /// <param name="casters">Of chains that draw objects, with its lists.</param>
+        internal void Draw(CommandBuffer commands, in ShadowFrame frame, RTHandle[] slots, GraphicsBuffer[] buffers,
+                           CasterFrame casters = null)
         {
             uniforms.Set(commands, frame);
             for (int i = 0; i < current.assets.Length; ++i) current.assets[i].SetKeywords(commands);
@@ -46,7 +51,7 @@ namespace Penumbra
                 bool oneView = frame.views > 1 && Chain.Steps[i].pass.kind != PassKind.Compute &&
                                !Chain.IsOverScreen(Chain.Steps[i]);
                 if (oneView) frame.xr.StopSinglePass(commands);
-                var step = new StepDraw(current, i, slots, buffers);
+                var step = new StepDraw(current, i, slots, buffers, casters);
                 step.Draw(commands, frame);
                 if (oneView) frame.xr.StartSinglePass(commands);
                 Publish(commands, frame, slots, i);

@@ -37,6 +37,9 @@ namespace Penumbra
         internal int threadsOf = ShadowChain.None;
         internal int indirect = ShadowChain.None;
 
+        /// <summary>Of casters: the slot of their own depth; else None.</summary>
+        internal int depth = ShadowChain.None;
+
         internal bool ByCascade => pass.runs == PassFrequency.Cascade;
 
         /// <summary>
@@ -45,14 +48,17 @@ namespace Penumbra
         /// </summary>
         internal bool IsSparse => pass.kind == PassKind.Compute && threadsOf == ShadowChain.None && !ByCascade;
 
-        /// <summary>The first texture that it writes; None where it writes buffers alone.</summary>
+        /// <summary>
+        /// The first texture that it writes, of casters without another one their depth; None where it writes buffers
+        /// alone.
+        /// </summary>
         internal int Target
         {
             get
             {
                 foreach (ChainBinding write in writes)
                     if (!write.isBuffer) return write.index;
-                return ShadowChain.None;
+                return depth;
             }
         }
     }

@@ -22,13 +22,16 @@ namespace Penumbra
         /// <summary>Kernels write it.</summary>
         internal readonly bool randomWrite;
 
+        /// <summary>Of a format of depth, which casters are tested against.</summary>
+        internal readonly bool isDepth;
+
         /// <summary>Holds what it has from frame to frame.</summary>
         internal readonly bool kept;
 
         /// <summary>A mip level of such a texture alone; 0: the whole texture.</summary>
         internal readonly int level;
 
-        internal ChainTexture(in GraphTexture texture, bool randomWrite, bool kept)
+        internal ChainTexture(in GraphTexture texture, bool randomWrite, bool kept, bool isDepth = false)
         {
             extent = texture.extent;
             format = texture.format;
@@ -41,6 +44,7 @@ namespace Penumbra
             samples = texture.samples;
             this.randomWrite = randomWrite;
             this.kept = kept;
+            this.isDepth = isDepth;
             level = 0;
         }
 

@@ -45,7 +45,11 @@ namespace Penumbra
             if (step.reads.Any(read => read.levels != null) &&
                 (SystemInfo.copyTextureSupport & CopyTextureSupport.Basic) == 0)
                 return pass + "makes mip levels of copies, and this device cannot copy textures";
-            if (step.pass.kind != PassKind.Raster) return null;
+            if (step.pass.kind == PassKind.Compute) return null;
+#if !UNITY_6000_0_OR_NEWER
+            if (step.pass.testsShadowMap)
+                return pass + "tests casters against the shadow map, which URP 14 keeps to itself; Unity 6 does not";
+#endif
             if (step.writes.Length > SystemInfo.supportedRenderTargetCount)
                 return pass + "draws to " + step.writes.Length + " textures at once, and this device to " +
                        SystemInfo.supportedRenderTargetCount;

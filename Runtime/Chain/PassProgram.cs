@@ -30,6 +30,18 @@ namespace Penumbra
                 for (int k = 0; k < on.Count; ++k) isOn[i] |= on[k] == keywords[i].name;
         }
 
+        /// <summary>
+        /// Casters have their own materials and the keywords of these. Null: none of the chain's is missed.
+        /// </summary>
+        internal string CasterProblem(GraphPass pass)
+        {
+            for (int i = 0; i < keywords.Length; ++i)
+                if (isOn[i])
+                    return "pass '" + pass.program + "' of " + pass.asset + " draws objects with their own materials, " +
+                           "on which keyword " + keywords[i].name + " is not";
+            return null;
+        }
+
         // By the command buffer, not on the asset: another camera may want another technique before this one's commands
         // have run.
         internal void SetKeywords(CommandBuffer commands)

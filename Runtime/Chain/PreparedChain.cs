@@ -41,7 +41,9 @@ namespace Penumbra
                     asset = used[pass.asset] = new ProgramAsset(found, material, known, chain.Keywords);
                 }
                 problem = Find(pass, asset, out programs[i]);
-                if (pass.kind == PassKind.Raster && pass.writes.Length > 1)
+                if (problem == null && pass.kind == PassKind.Casters) problem = asset.CasterProblem(pass);
+                if (pass.kind == PassKind.Raster && pass.writes.Length > 1 ||
+                    pass.kind == PassKind.Casters && pass.writes.Length > 0)
                     targets[i] = new RenderTargetIdentifier[pass.writes.Length];
             }
             assets = new ProgramAsset[used.Count];
@@ -51,7 +53,7 @@ namespace Penumbra
         private static string Find(GraphPass pass, ProgramAsset asset, out PassProgram program)
         {
             program = default;
-            if (pass.kind == PassKind.Raster)
+            if (pass.kind != PassKind.Compute)
             {
                 program = new PassProgram(asset, asset.material.FindPass(pass.program));
                 return program.index >= 0 ? null : pass.asset + " has no pass '" + pass.program + "'";

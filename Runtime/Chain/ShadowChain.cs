@@ -45,6 +45,10 @@ namespace Penumbra
         internal bool IsOverScreen(ChainStep step) =>
             step.Target != None && Slots[step.Target].extent == GraphExtent.Screen;
 
+        /// <summary>A step draws objects of the scene; one of them does so for each cascade.</summary>
+        internal bool DrawsObjects { get; }
+        internal bool DrawsCascades { get; }
+
         /// <summary>The chain that these options need.</summary>
         internal static ShadowChain Of(in ShadowOptions options) =>
             new ShadowChain(ChainGraphs.Of(options), TechniqueTable.Keywords[(int)options.technique]);
@@ -65,6 +69,8 @@ namespace Penumbra
             SlotNames = Enumerable.Range(0, Slots.Count)
                 .Select(slot => slot == Output ? OutputName : "_PenumbraSlot" + slot).ToArray();
             KeepsScreen = Slots.Any(slot => slot.kept && slot.extent == GraphExtent.Screen);
+            DrawsObjects = Steps.Any(step => step.pass.kind == PassKind.Casters);
+            DrawsCascades = Steps.Any(step => step.pass.kind == PassKind.Casters && step.ByCascade);
             Keywords = ChainKeywords.Of(techniqueKeyword, graphs);
         }
     }

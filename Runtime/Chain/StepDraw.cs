@@ -15,8 +15,11 @@ namespace Penumbra
         private readonly RenderTargetIdentifier[] targets;
         private readonly RTHandle[] slots;
         private readonly GraphicsBuffer[] buffers;
+        private readonly CasterFrame casters;
+        private readonly int index;
 
-        internal StepDraw(PreparedChain prepared, int index, RTHandle[] slots, GraphicsBuffer[] buffers)
+        internal StepDraw(PreparedChain prepared, int index, RTHandle[] slots, GraphicsBuffer[] buffers,
+                          CasterFrame casters)
         {
             chain = prepared.chain;
             step = chain.Steps[index];
@@ -24,6 +27,8 @@ namespace Penumbra
             targets = prepared.targets[index];
             this.slots = slots;
             this.buffers = buffers;
+            this.casters = casters;
+            this.index = index;
         }
 
         internal void Draw(CommandBuffer commands, in ShadowFrame frame)
@@ -59,6 +64,7 @@ namespace Penumbra
         {
             SetSizes(commands, frame, cascade, mip);
             if (step.pass.kind == PassKind.Compute) Dispatch(commands, frame, mip);
+            else if (step.pass.kind == PassKind.Casters) DrawCasters(commands, frame, cascade);
             else DrawTriangle(commands, frame, cascade, mip);
         }
 
@@ -80,7 +86,31 @@ namespace Penumbra
             commands.SetGlobalVector(FrameUniforms.Tile, new Vector4(tile.x, tile.y, tile.width, tile.height));
         }
 
-        private void DrawTriangle(CommandBuffer commands, in ShadowFrame frame, int cascade, int mip)
+        // What no caster covers is 0, and as far as depth goes.
+        private void DrawCasters(CommandBuffer commands, in ShadowFrame frame, int cascade)
+        {
+            BindReads(commands, 0);
+            ChainTexture target = chain.Slots[step.Target];
+            int slice = step.ByCascade && target.extent == GraphExtent.Tile ? cascade : -1;
+            RenderTargetIdentifier depth = step.depth != ShadowChain.None ? slots[step.depth]
+                                           : step.pass.testsShadowMap ? casters.shadowMap : slots[step.Target];
+            if (targets == null)
+            {
+                commands.SetRenderTarget(depth, 0, CubemapFace.Unknown, slice);
+            }
+            else
+            {
+                for (int i = 0; i < targets.Length; ++i) targets[i] = slots[step.writes[i].index];
+                commands.SetRenderTarget(targets, depth, 0, CubemapFace.Unknown, slice);
+            }
+            if (step.ByCascade && target.extent == GraphExtent.Map)
+                commands.SetViewport(PassGeometry.Area(target, frame, true, cascade, 0));
+            commands.ClearRenderTarget(step.depth != ShadowChain.None, targets != null, Color.clear);
+            if (step.ByCascade) casters.DrawCascade(commands, index, cascade);
+            else casters.Draw(commands, index);
+        }
+
+        private void BindReads(CommandBuffer commands, int mip)
         {
             for (int i = 0; i < step.reads.Length; ++i)
             {
@@ -88,6 +118,11 @@ namespace Penumbra
                 if (read.isBuffer) commands.SetGlobalBuffer(read.property, buffers[read.index]);
                 else commands.SetGlobalTexture(read.property, slots[Read(read, mip)]);
             }
+        }
+
+        private void DrawTriangle(CommandBuffer commands, in ShadowFrame frame, int cascade, int mip)
+        {
+            BindReads(commands, mip);
             ChainTexture target = chain.Slots[step.Target];
             int slice = step.ByCascade && target.extent == GraphExtent.Tile ? cascade : -1;
             bool isTile = step.ByCascade && target.extent == GraphExtent.Map;

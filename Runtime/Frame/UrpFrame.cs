@@ -153,8 +153,8 @@ namespace Penumbra
             target.useMipMap = texture.mips != 1;
             target.autoGenerateMips = false;
             target.enableRandomWrite = texture.randomWrite;
-            target.depthStencilFormat = GraphicsFormat.None;
-            target.graphicsFormat = DeviceFormats.Of(texture);
+            target.depthStencilFormat = texture.isDepth ? texture.format : GraphicsFormat.None;
+            target.graphicsFormat = texture.isDepth ? GraphicsFormat.None : DeviceFormats.Of(texture);
             return target;
         }
 

@@ -16,6 +16,7 @@ namespace Penumbra
         private readonly RecentlyUsed<(ShadowChain chain, int width, int height, int slices), SlotTextures> shared =
             new RecentlyUsed<(ShadowChain chain, int width, int height, int slices), SlotTextures>(SharedIdleFrames);
         private RTHandle[] slots = new RTHandle[0];
+        private readonly CasterFrame casters = new CasterFrame();
         private CameraStore store;
         private ChainDraw draw;
         private ShadowFrame frame;
@@ -75,7 +76,8 @@ namespace Penumbra
             CommandBuffer commands = CommandBufferPool.Get();
             using (new ProfilingScope(commands, profilingSampler))
             {
-                draw.Draw(commands, frame, slots, store.Buffers);
+                if (draw.Chain.DrawsObjects) ListCasters(context, ref renderingData);
+                draw.Draw(commands, frame, slots, store.Buffers, casters);
                 store.SetFilled(frame);
                 commands.SetGlobalTexture(FrameUniforms.ScreenSpaceShadowmap, slots[ShadowChain.Output]);
                 ShadowKeywords.Global.Open(commands);
@@ -83,6 +85,31 @@ namespace Penumbra
             context.ExecuteCommandBuffer(commands);
             CommandBufferPool.Release(commands);
             HasDrawn = true;
+        }
+
+        private void ListCasters(ScriptableRenderContext context, ref RenderingData data)
+        {
+            casters.camera = data.cameraData.camera;
+            casters.cameraView = data.cameraData.GetViewMatrix();
+            casters.cameraProjection = data.cameraData.GetProjectionMatrix();
+            casters.seen = data.cullResults;
+            casters.light = data.lightData.visibleLights[data.lightData.mainLightIndex];
+            casters.MakeRoom(draw.Chain.Steps.Count);
+            if (draw.Chain.DrawsCascades)
+                CasterCulling.Cull(context, casters, data.lightData.mainLightIndex, data.shadowData, frame);
+            for (int step = 0; step < draw.Chain.Steps.Count; ++step)
+            {
+                if (draw.Chain.Steps[step].pass.kind != PassKind.Casters) continue;
+                bool byCascade = draw.Chain.Steps[step].ByCascade;
+                for (int cascade = 0; cascade < (byCascade ? frame.layout.Cascades : 1); ++cascade)
+                {
+                    if (byCascade && !casters.cascades[cascade].isCulled) continue;
+                    RendererListParams list = byCascade
+                                                  ? CasterCulling.OfCascade(casters, cascade, draw.Program(step))
+                                                  : CasterCulling.OfCamera(casters, draw.Program(step));
+                    casters.Set(CasterFrame.IndexOf(step, cascade), context.CreateRendererList(ref list));
+                }
+            }
         }
 
         private RTHandle Shared(SlotTextures textures, int slot, in RenderTextureDescriptor target)

@@ -22,10 +22,14 @@ namespace Penumbra
             internal CameraStore store;
             internal ChainDraw draw;
             internal ShadowFrame frame;
+            internal readonly CasterFrame casters = new CasterFrame();
+            internal RendererListHandle[] lists = new RendererListHandle[0];
+            internal TextureHandle shadowMap;
 
             // It serves cameras of different chains by turns: grows only.
-            internal void MakeRoom(int slotCount)
+            internal void MakeRoom(int slotCount, int listCount)
             {
+                if (lists.Length < listCount) lists = new RendererListHandle[listCount];
                 if (slots.Length >= slotCount) return;
                 textures = new TextureHandle[slotCount];
                 slots = new RTHandle[slotCount];
@@ -35,6 +39,7 @@ namespace Penumbra
         private readonly CameraStores stores = new CameraStores();
         private ChainDraw draw;
         private ShadowFrame frame;
+        private ScriptableRenderContext context;
 
         /// <summary>Of the camera being recorded; not valid where nothing is drawn.</summary>
         internal TextureHandle Visibility { get; private set; }
@@ -49,7 +54,11 @@ namespace Penumbra
         {
             renderPassEvent = RenderPassEvent.AfterRenderingPrePasses + 1;
             profilingSampler = new ProfilingSampler("Penumbra Shadows");
+            RenderPipelineManager.beginCameraRendering += Begin;
         }
+
+        // Recording has no context to cull with, the camera's begin has.
+        private void Begin(ScriptableRenderContext ofCamera, Camera camera) => context = ofCamera;
 
         internal void Setup(ChainDraw draw, in ShadowFrame frame)
         {
@@ -73,7 +82,8 @@ namespace Penumbra
                 data.draw = draw;
                 data.frame = frame;
                 data.store = store;
-                data.MakeRoom(draw.Chain.Slots.Count);
+                data.MakeRoom(draw.Chain.Slots.Count,
+                              draw.Chain.DrawsObjects ? draw.Chain.Steps.Count * CasterFrame.MostCascades : 0);
                 for (int i = 0; i < draw.Chain.Slots.Count; ++i)
                 {
                     data.textures[i] = draw.Chain.Slots[i].IsOwned ? renderGraph.ImportTexture(store.Textures[i])
@@ -92,11 +102,42 @@ namespace Penumbra
                     ChainBinding texture = draw.Chain.Globals[i].texture;
                     builder.SetGlobalTextureAfterPass(data.textures[texture.index], texture.property);
                 }
+                data.shadowMap = resources.mainShadowsTexture;
+                if (draw.Chain.DrawsObjects) ListCasters(renderGraph, builder, frameData, data);
                 builder.AllowPassCulling(false);
                 builder.AllowGlobalStateModification(true);
                 builder.SetRenderFunc(static (PassData passData, UnsafeGraphContext context) =>
                                           Execute(passData, context));
             }
+        }
+
+        private void ListCasters(RenderGraph renderGraph, IUnsafeRenderGraphBuilder builder,
+                                 ContextContainer frameData, PassData data)
+        {
+            UniversalCameraData camera = frameData.Get<UniversalCameraData>();
+            UniversalLightData lights = frameData.Get<UniversalLightData>();
+            CasterFrame casters = data.casters;
+            casters.camera = camera.camera;
+            casters.cameraView = camera.GetViewMatrix();
+            casters.cameraProjection = camera.GetProjectionMatrix();
+            casters.seen = frameData.Get<UniversalRenderingData>().cullResults;
+            casters.light = lights.visibleLights[lights.mainLightIndex];
+            if (draw.Chain.DrawsCascades)
+                CasterCulling.Cull(context, casters, lights.mainLightIndex, frameData.Get<UniversalShadowData>(), frame);
+            for (int step = 0; step < draw.Chain.Steps.Count; ++step)
+                for (int cascade = 0; cascade < CasterFrame.MostCascades; ++cascade)
+                {
+                    ref RendererListHandle list = ref data.lists[CasterFrame.IndexOf(step, cascade)];
+                    list = default;
+                    ChainStep drawn = draw.Chain.Steps[step];
+                    if (drawn.pass.kind != PassKind.Casters) continue;
+                    if (drawn.ByCascade ? cascade >= frame.layout.Cascades || !casters.cascades[cascade].isCulled
+                                        : cascade > 0) continue;
+                    list = renderGraph.CreateRendererList(
+                        drawn.ByCascade ? CasterCulling.OfCascade(casters, cascade, draw.Program(step))
+                                        : CasterCulling.OfCamera(casters, draw.Program(step)));
+                    builder.UseRendererList(list);
+                }
         }
 
         private TextureHandle Lent(RenderGraph renderGraph, in RenderTextureDescriptor target, int slot) =>
@@ -108,12 +149,26 @@ namespace Penumbra
         {
             CommandBuffer commands = CommandBufferHelpers.GetNativeCommandBuffer(context.cmd);
             for (int i = 0; i < data.draw.Chain.Slots.Count; ++i) data.slots[i] = data.textures[i];
-            data.draw.Draw(commands, data.frame, data.slots, data.store.Buffers);
+            if (data.draw.Chain.DrawsObjects) TakeLists(data);
+            data.draw.Draw(commands, data.frame, data.slots, data.store.Buffers, data.casters);
             data.store.SetFilled(data.frame);
             ShadowKeywords.Global.Open(commands);
         }
 
-        internal void Dispose() => stores.Dispose();
+        // The graph makes lists of what their handles say just before the pass.
+        private static void TakeLists(PassData data)
+        {
+            data.casters.shadowMap = data.shadowMap.IsValid() ? data.shadowMap : null;
+            data.casters.MakeRoom(data.draw.Chain.Steps.Count);
+            for (int i = 0; i < data.draw.Chain.Steps.Count * CasterFrame.MostCascades; ++i)
+                if (data.lists[i].IsValid()) data.casters.Set(i, data.lists[i]);
+        }
+
+        internal void Dispose()
+        {
+            RenderPipelineManager.beginCameraRendering -= Begin;
+            stores.Dispose();
+        }
     }
 }
 #endif

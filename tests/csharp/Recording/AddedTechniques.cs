@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using System.IO;
 using System.Text.RegularExpressions;
 using UnityEditor;
@@ -22,7 +23,7 @@ namespace Penumbra.Tests
         internal static Shader AddMeans()
         {
             TechniquePasses.Graphs[Place] = MeansGraphs.Means;
-            var shader = new Shader { name = "Hidden/Means" };
+            var shader = new Shader { name = "Hidden/Means", KeywordNames = new List<string>() };
             foreach (Match pass in Regex.Matches(Text("Means.shader"), "Name \"(\\w+)\""))
                 shader.PassNames.Add(pass.Groups[1].Value);
             AssetDatabase.Assets[Package + "Means.shader"] = shader;

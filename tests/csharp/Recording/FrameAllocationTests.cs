@@ -43,6 +43,15 @@ namespace Penumbra.Tests
             },
             new object[]
             {
+                (Action)(() =>
+                {
+                    AddedTechniques.AddMeans();
+                    TechniquePasses.Graphs[AddedTechniques.Place] = CasterTests.OfMap;
+                }),
+                new[] { AddedTechniques.Options(), Screen(QualityPreset.High) },
+            },
+            new object[]
+            {
                 (Action)(() => AddedTechniques.AddBlocks()), new[] { AddedTechniques.Options(), Screen(QualityPreset.High) },
             },
         };

@@ -120,6 +120,17 @@ namespace UnityEngine.Rendering.RenderGraphModule
         public static implicit operator RTHandle(TextureHandle texture) => texture.Handle;
     }
 
+    [ReadFrom(At.Core17, "core", "Runtime/RenderGraph/RenderGraphResourceRendererList.cs")]
+    public struct RendererListHandle
+    {
+        [OwnBehaviour] public bool Valid { get; set; }
+        [OwnBehaviour] public RendererList List { get; set; }
+
+        public bool IsValid() => Valid;
+
+        public static implicit operator RendererList(RendererListHandle rendererList) => rendererList.List;
+    }
+
     [ReadFrom(At.Core17, "core", "Runtime/RenderGraph/RenderGraph.cs")]
     public class UnsafeGraphContext
     {
@@ -141,6 +152,7 @@ namespace UnityEngine.Rendering.RenderGraphModule
     {
         void UseTexture(in TextureHandle input, AccessFlags flags = AccessFlags.Read);
         void SetGlobalTextureAfterPass(in TextureHandle input, int propertyId);
+        void UseRendererList(in RendererListHandle input);
         void AllowPassCulling(bool value);
         void AllowGlobalStateModification(bool value);
     }
@@ -174,6 +186,7 @@ namespace UnityEngine.Rendering.RenderGraphModule
             public List<(TextureHandle texture, AccessFlags access)> Textures =
                 new List<(TextureHandle, AccessFlags)>();
             public bool IsRaster;
+            public List<RendererListHandle> Lists = new List<RendererListHandle>();
             public List<(TextureHandle texture, int property)> Globals = new List<(TextureHandle, int)>();
 
             /// <summary>Null: a pass of URP's own.</summary>
@@ -186,6 +199,7 @@ namespace UnityEngine.Rendering.RenderGraphModule
             public void UseTexture(in TextureHandle input, AccessFlags flags) => Textures.Add((input, flags));
             public void SetGlobalTextureAfterPass(in TextureHandle input, int propertyId) =>
                 Globals.Add((input, propertyId));
+            public void UseRendererList(in RendererListHandle input) => Lists.Add(input);
             public void AllowPassCulling(bool value) => MayBeCulled = value;
             public void AllowGlobalStateModification(bool value) => ChangesGlobalState = value;
             public void SetRenderFunc<PassData>(BaseRenderFunc<PassData, UnsafeGraphContext> renderFunc)
@@ -213,6 +227,7 @@ namespace UnityEngine.Rendering.RenderGraphModule
             {
                 Textures.Clear();
                 Globals.Clear();
+                Lists.Clear();
                 MayBeCulled = true;
                 ChangesGlobalState = false;
                 Attachment = default;
@@ -245,6 +260,9 @@ namespace UnityEngine.Rendering.RenderGraphModule
             lent.Add(texture);
             return new TextureHandle { Handle = texture };
         }
+
+        public RendererListHandle CreateRendererList(in RendererListParams desc) =>
+            new RendererListHandle { Valid = true, List = new RendererList { What = desc.Pass } };
 
         public TextureHandle ImportTexture(RTHandle rt) => new TextureHandle { Handle = rt };
 

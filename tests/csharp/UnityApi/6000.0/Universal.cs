@@ -153,6 +153,18 @@ namespace UnityEngine.Rendering.Universal
         public virtual void RecordRenderGraph(RenderGraph renderGraph, ContextContainer frameData) { }
     }
 
+    [ReadFrom(At.Universal17, "universal", "Runtime/ShadowUtils.cs")]
+    public static class ShadowUtils
+    {
+        public static Vector4 GetShadowBias(ref VisibleLight shadowLight, int shadowLightIndex, UniversalShadowData shadowData,
+                                            Matrix4x4 lightProjectionMatrix, float shadowResolution) =>
+            new Vector4(1.0f / lightProjectionMatrix.m00, shadowResolution, 0.0f, 0.0f);
+
+        public static void SetupShadowCasterConstantBuffer(CommandBuffer cmd, ref VisibleLight shadowLight,
+                                                           Vector4 shadowBias) =>
+            cmd.SetGlobalVector(Shader.PropertyToID("_ShadowBias"), shadowBias);
+    }
+
     [ReadFrom(At.Universal17, "universal", "Runtime/RenderingUtils.cs")]
     public static class RenderingUtils
     {

@@ -84,6 +84,11 @@ namespace UnityEngine.Rendering
             if (!Silent) Recorded.Texture(this, nameID, value.What);
         }
 
+        public void SetRenderTarget(RenderTargetIdentifier rt, int mipLevel, CubemapFace cubemapFace, int depthSlice)
+        {
+            if (!Silent) Recorded.Target(this, rt.What, mipLevel, depthSlice);
+        }
+
         public void SetViewport(Rect pixelRect)
         {
             if (!Silent) Recorded.Viewport(this, pixelRect);
@@ -92,7 +97,7 @@ namespace UnityEngine.Rendering
         public void SetRenderTarget(RenderTargetIdentifier[] colors, RenderTargetIdentifier depth, int mipLevel,
                                     CubemapFace cubemapFace, int depthSlice)
         {
-            if (!Silent) Recorded.Targets(this, colors, mipLevel, depthSlice);
+            if (!Silent) Recorded.Targets(this, colors, depth, mipLevel, depthSlice);
         }
 
         [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/RenderingCommandBuffer.cs")]
@@ -176,14 +181,23 @@ namespace UnityEngine.Rendering
             buffer.Add(device => device.SetTarget(target + (mip > 0 ? " mip " + mip : "") +
                                                   (slice >= 0 ? " slice " + slice : ""), load));
 
-        public static void Targets(CommandBuffer buffer, RenderTargetIdentifier[] colors, int mip, int slice)
+        public static void Targets(CommandBuffer buffer, RenderTargetIdentifier[] colors,
+                                   RenderTargetIdentifier depth, int mip, int slice)
         {
             string all = "";
             foreach (RenderTargetIdentifier color in colors) all += (all == "" ? "" : " + ") + color.What;
+            if (!depth.Equals(colors[0])) all += " over " + depth.What;
             Target(buffer, all, mip, slice);
         }
 
         public static void Clear(CommandBuffer buffer) => buffer.Add(device => device.Clear());
+
+        /// <summary>As drawing is told, not as a draw.</summary>
+        public static void Clear(CommandBuffer buffer, string what) =>
+            buffer.Add(device => device.Uniforms["cleared"] = what);
+
+        public static void View(CommandBuffer buffer, Matrix4x4 view, Matrix4x4 projection) =>
+            buffer.Add(device => device.Uniforms["view"] = (view, projection));
 
         public static void Viewport(CommandBuffer buffer, Rect rect) =>
             buffer.Add(device => device.SetViewport(rect));

@@ -68,5 +68,5 @@ namespace UnityEngine.Experimental.Rendering
 {
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
-    public enum GraphicsFormat { None = 0, R8_UNorm = 5, R32_UInt = 37, R32_SFloat = 49, B8G8R8A8_UNorm = 59 }
+    public enum GraphicsFormat { None = 0, R8_UNorm = 5, R32_UInt = 37, R32_SFloat = 49, B8G8R8A8_UNorm = 59, D32_SFloat = 93 }
 }

@@ -17,6 +17,12 @@ namespace UnityEngine
         public bool allowDynamicResolution { get; set; }
     }
 
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Geometry/Plane.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/Geometry/Plane.cs")]
+    public partial struct Plane
+    {
+    }
+
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsComponents.bindings.cs")]
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsComponents.bindings.cs")]
     [ReadFrom(At.Unity65, "engine", "Runtime/Export/Graphics/Light.bindings.cs")]
@@ -122,6 +128,9 @@ namespace UnityEngine.Rendering
     public partial struct CullingResults : IEquatable<CullingResults>
     {
         [OwnBehaviour] public bool HasCasters { get; set; }
+
+        /// <summary>For what is not the camera: its radius.</summary>
+        [OwnBehaviour] public string Culled { get; set; }
 
         public bool GetShadowCasterBounds(int lightIndex, out Bounds outBounds)
         {

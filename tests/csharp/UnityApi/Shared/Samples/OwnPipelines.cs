@@ -43,9 +43,20 @@ namespace UnityEngine.Rendering
     public struct ScriptableCullingParameters : IEquatable<ScriptableCullingParameters>
     {
         public float shadowDistance { get; set; }
+        public bool isOrthographic { get; set; }
+        public Matrix4x4 cullingMatrix { get; set; }
+        public CullingOptions cullingOptions { get; set; }
+        public int cullingPlaneCount { get; set; }
+
+        public void SetCullingPlane(int index, Plane plane) { }
 
         public bool Equals(ScriptableCullingParameters other) => shadowDistance == other.shadowDistance;
     }
+
+    [ReadFrom(At.Unity2022, "engine", "Runtime/Export/RenderPipeline/CullingParameters.cs")]
+    [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/CullingParameters.cs")]
+    [Flags]
+    public enum CullingOptions { None = 0, ForceEvenIfCameraIsNotActive = 1 << 0 }
 
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/RenderPipeline/ShadowSplitData.cs")]
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/ShadowSplitData.cs")]
@@ -53,6 +64,9 @@ namespace UnityEngine.Rendering
     {
         public Vector4 cullingSphere { get; set; }
         public float shadowCascadeBlendCullingFactor { get; set; }
+        public int cullingPlaneCount { get; set; }
+
+        public Plane GetCullingPlane(int index) => default;
 
         public bool Equals(ShadowSplitData other) => cullingSphere.Equals(other.cullingSphere);
     }
@@ -131,10 +145,19 @@ namespace UnityEngine.Rendering
     {
         [OwnBehaviour] public string Pass { get; }
 
+        public Shader overrideShader { get; set; }
+        public int overrideShaderPassIndex { get; set; }
+
         public DrawingSettings(ShaderTagId shaderPassName, SortingSettings sortingSettings)
         {
             Pass = shaderPassName.name;
+            overrideShader = null;
+            overrideShaderPassIndex = 0;
         }
+
+        /// <summary>Tags are the objects' own, the program may be another.</summary>
+        [OwnBehaviour]
+        public string What => overrideShader == null ? Pass : Pass + " by " + overrideShader.PassNames[overrideShaderPassIndex];
 
         public bool Equals(DrawingSettings other) => Pass == other.Pass;
     }
@@ -143,6 +166,7 @@ namespace UnityEngine.Rendering
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/RenderQueueRange.cs")]
     public struct RenderQueueRange : IEquatable<RenderQueueRange>
     {
+        public static RenderQueueRange all => default;
         public static RenderQueueRange opaque => default;
 
         public bool Equals(RenderQueueRange other) => true;
@@ -170,11 +194,13 @@ namespace UnityEngine.Rendering
     public struct RendererListParams : IEquatable<RendererListParams>
     {
         [OwnBehaviour] public string Pass { get; }
+        [OwnBehaviour] public string Culled { get; }
 
         public RendererListParams(CullingResults cullingResults, DrawingSettings drawSettings,
                                   FilteringSettings filteringSettings)
         {
-            Pass = drawSettings.Pass;
+            Pass = CommandBuffer.Silent ? "" : drawSettings.What + cullingResults.Culled;
+            Culled = cullingResults.Culled;
         }
 
         public bool Equals(RendererListParams other) => Pass == other.Pass;
@@ -186,7 +212,13 @@ namespace UnityEngine.Rendering
         [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/ScriptableRenderContext.bindings.cs")]
         public static void EmitWorldGeometryForSceneView(Camera cullingCamera) { }
 
-        public CullingResults Cull(ref ScriptableCullingParameters parameters) => CullingResults.Next;
+        public CullingResults Cull(ref ScriptableCullingParameters parameters)
+        {
+            CullingResults results = CullingResults.Next;
+            if (parameters.isOrthographic && !CommandBuffer.Silent)
+                results.Culled = " of " + 1.0f / parameters.cullingMatrix.m00;
+            return results;
+        }
 
         public void SetupCameraProperties(Camera camera, bool stereoSetup = false) => Device.Target = "camera";
 
@@ -219,16 +251,25 @@ namespace UnityEngine.Rendering
         public void SetRenderTarget(RenderTargetIdentifier rt, RenderBufferLoadAction loadAction,
                                     RenderBufferStoreAction storeAction) => Recorded.Target(this, rt.What);
 
-        public void ClearRenderTarget(bool clearDepth, bool clearColor, Color backgroundColor) { }
+        public void ClearRenderTarget(bool clearDepth, bool clearColor, Color backgroundColor)
+        {
+            if (!Silent) Recorded.Clear(this, (clearDepth ? "depth" : "") + (clearColor ? "colour" : ""));
+        }
 
-        public void SetViewProjectionMatrices(Matrix4x4 view, Matrix4x4 proj) { }
+        public void SetViewProjectionMatrices(Matrix4x4 view, Matrix4x4 proj)
+        {
+            if (!Silent) Recorded.View(this, view, proj);
+        }
 
         public void SetGlobalVectorArray(int nameID, Vector4[] values) =>
             Recorded.Uniform(this, nameID, values.Clone());
 
         [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/RenderingCommandBuffer.cs")]
         [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/RenderingCommandBuffer.cs")]
-        public void DrawRendererList(RendererList rendererList) => Recorded.Draw(this, rendererList.What, 0);
+        public void DrawRendererList(RendererList rendererList)
+        {
+            if (!Silent) Recorded.Draw(this, rendererList.What, 0);
+        }
     }
 }
 

@@ -1,0 +1,80 @@
+using UnityEngine;
+using UnityEngine.Rendering;
+using UnityEngine.Rendering.Universal;
+#if UNITY_6000_0_OR_NEWER
+using FrameShadows = UnityEngine.Rendering.Universal.UniversalShadowData;
+#else
+using FrameShadows = UnityEngine.Rendering.Universal.ShadowData;
+#endif
+
+namespace Penumbra
+{
+    /// <summary>
+    /// Finds the casters of each cascade, and lists them for a program. URP's own lists of casters draw materials' own
+    /// ShadowCaster passes and take no other program; the camera's culling results hold what the camera sees and none of
+    /// the casters beside its picture. So each cascade is culled once more, as an orthographic camera of the light.
+    /// </summary>
+    internal static class CasterCulling
+    {
+        // Materials that have this pass cast; those that have that one are in the camera's depth.
+        private static readonly ShaderTagId casters = new ShaderTagId("ShadowCaster");
+        private static readonly ShaderTagId opaques = new ShaderTagId("DepthOnly");
+
+        /// <summary>`frame.camera`, `seen` and `light` are set.</summary>
+        internal static void Cull(ScriptableRenderContext context, CasterFrame frame, int lightIndex,
+                                  FrameShadows shadows, in ShadowFrame shadow)
+        {
+            int resolution = shadow.layout.TileResolution;
+            for (int cascade = 0; cascade < shadow.layout.Cascades; ++cascade)
+            {
+                ref CasterView view = ref frame.cascades[cascade];
+                view.isCulled = shadow.Updates(cascade) &&
+                    frame.seen.ComputeDirectionalShadowMatricesAndCullingPrimitives(
+                        lightIndex, cascade, shadow.layout.Cascades, shadows.mainLightShadowCascadesSplit, resolution,
+                        frame.light.light.shadowNearPlane, out view.view, out view.projection,
+                        out ShadowSplitData split) &&
+                    TryCull(context, frame.camera, split, ref view);
+                if (!view.isCulled) continue;
+#if UNITY_6000_0_OR_NEWER
+                view.bias = ShadowUtils.GetShadowBias(ref frame.light, lightIndex, shadows, view.projection, resolution);
+#else
+                view.bias =
+                    ShadowUtils.GetShadowBias(ref frame.light, lightIndex, ref shadows, view.projection, resolution);
+#endif
+            }
+        }
+
+        private static bool TryCull(ScriptableRenderContext context, Camera camera, in ShadowSplitData split,
+                                    ref CasterView view)
+        {
+            if (!camera.TryGetCullingParameters(out ScriptableCullingParameters parameters)) return false;
+            // The camera's layers and levels of detail remain. Occlusion is the camera's, and no light is asked for.
+            parameters.cullingOptions = CullingOptions.ForceEvenIfCameraIsNotActive;
+            parameters.isOrthographic = true;
+            parameters.cullingMatrix = view.projection * view.view;
+            parameters.cullingPlaneCount = split.cullingPlaneCount;
+            for (int plane = 0; plane < split.cullingPlaneCount; ++plane)
+                parameters.SetCullingPlane(plane, split.GetCullingPlane(plane));
+            view.casters = context.Cull(ref parameters);
+            return true;
+        }
+
+        internal static RendererListParams OfCascade(CasterFrame frame, int cascade, in PassProgram program) =>
+            List(frame.cascades[cascade].casters, frame.camera, casters, RenderQueueRange.all, program);
+
+        internal static RendererListParams OfCamera(CasterFrame frame, in PassProgram program) =>
+            List(frame.seen, frame.camera, opaques, RenderQueueRange.opaque, program);
+
+        // The shader, not a material: alpha cut-outs and displacements are of each object's own.
+        private static RendererListParams List(in CullingResults results, Camera camera, ShaderTagId tag,
+                                               RenderQueueRange queues, in PassProgram program)
+        {
+            var sorting = new SortingSettings(camera) { criteria = SortingCriteria.CommonOpaque };
+            var drawing = new DrawingSettings(tag, sorting)
+            {
+                overrideShader = program.asset.material.shader, overrideShaderPassIndex = program.index,
+            };
+            return new RendererListParams(results, drawing, new FilteringSettings(queues));
+        }
+    }
+}
