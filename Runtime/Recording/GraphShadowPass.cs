@@ -40,6 +40,7 @@ namespace Penumbra
         private ChainDraw draw;
         private ShadowFrame frame;
         private ScriptableRenderContext context;
+        private Camera begun;
 
         /// <summary>Of the camera being recorded; not valid where nothing is drawn.</summary>
         internal TextureHandle Visibility { get; private set; }
@@ -55,10 +56,17 @@ namespace Penumbra
             renderPassEvent = RenderPassEvent.AfterRenderingPrePasses + 1;
             profilingSampler = new ProfilingSampler("Penumbra Shadows");
             RenderPipelineManager.beginCameraRendering += Begin;
+            RenderPipelineManager.endCameraRendering += End;
         }
 
-        // Recording has no context to cull with, the camera's begin has.
-        private void Begin(ScriptableRenderContext ofCamera, Camera camera) => context = ofCamera;
+        // Recording has no context to cull with, the camera's begin has; behind its end it is no longer there.
+        private void Begin(ScriptableRenderContext ofCamera, Camera camera)
+        {
+            context = ofCamera;
+            begun = camera;
+        }
+
+        private void End(ScriptableRenderContext ofCamera, Camera camera) => begun = null;
 
         internal void Setup(ChainDraw draw, in ShadowFrame frame)
         {
@@ -122,7 +130,8 @@ namespace Penumbra
             casters.cameraProjection = camera.GetProjectionMatrix();
             casters.seen = frameData.Get<UniversalRenderingData>().cullResults;
             casters.light = lights.visibleLights[lights.mainLightIndex];
-            if (draw.Chain.DrawsCascades)
+            for (int cascade = 0; cascade < CasterFrame.MostCascades; ++cascade) casters.cascades[cascade].isCulled = false;
+            if (draw.Chain.DrawsCascades && begun == camera.camera)
                 CasterCulling.Cull(context, casters, lights.mainLightIndex, frameData.Get<UniversalShadowData>(), frame);
             for (int step = 0; step < draw.Chain.Steps.Count; ++step)
                 for (int cascade = 0; cascade < CasterFrame.MostCascades; ++cascade)
@@ -167,6 +176,8 @@ namespace Penumbra
         internal void Dispose()
         {
             RenderPipelineManager.beginCameraRendering -= Begin;
+            RenderPipelineManager.endCameraRendering -= End;
+            begun = null;
             stores.Dispose();
         }
     }

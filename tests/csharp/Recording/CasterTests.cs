@@ -5,6 +5,9 @@ using Penumbra.Editor;
 using UnityEngine;
 using UnityEngine.Experimental.Rendering;
 using UnityEngine.Rendering;
+#if UNITY_6000_0_OR_NEWER
+using UnityEngine.Rendering.RenderGraphModule;
+#endif
 using UnityEngine.Rendering.Universal;
 
 namespace Penumbra.Tests
@@ -147,6 +150,26 @@ namespace Penumbra.Tests
             FakeDevice.DrawCall draw = Draws(AgainstTheMap())[0];
             Assert.That(draw.Target, Does.EndWith(" over _MainLightShadowmapTexture"));
             Assert.That(draw.Uniforms["cleared"], Is.EqualTo("colour"));
+        }
+
+        /// <summary>A context from before is none: the engine would be asked through what is no longer there.</summary>
+        [Test]
+        public void WithoutTheCamerasBeginNothingIsCulled()
+        {
+            TechniquePasses.Graphs[AddedTechniques.Place] = OfMap;
+            feature.Create();
+            var scene = new FakeScene();
+            urp.Render(scene, feature);
+            RenderingData data = FakeUrp.Data(scene, scene.MakeCamera());
+            var renderer = new Queue();
+            feature.AddRenderPasses(renderer, ref data);
+            var graph = new RenderGraph();
+            foreach (ScriptableRenderPass pass in renderer.Queue) pass.RecordRenderGraph(graph, data.Frame);
+            Assert.That(graph.Passes.Single(pass => pass.Name == "Penumbra Shadows").Lists, Is.Empty);
+        }
+
+        private sealed class Queue : ScriptableRenderer
+        {
         }
 
         [Test]

@@ -38,6 +38,7 @@ namespace Penumbra.Tests
             catch (InvalidOperationException)
             {
             }
+            RenderPipelineManager.EndCamera(context, camera);
             keywords.AtEnd = Now();
             return keywords;
         }

@@ -13,6 +13,7 @@ namespace Penumbra.Tests
         private readonly RenderGraph graph = new RenderGraph();
         private readonly UnsafeGraphContext context;
         private readonly RasterGraphContext rasterContext;
+        private readonly Camera camera;
         private RenderingData data;
 
         private sealed class RoomyRenderer : ScriptableRenderer
@@ -21,7 +22,8 @@ namespace Penumbra.Tests
 
         internal SteadyCamera(FakeScene scene)
         {
-            data = FakeUrp.Data(scene, scene.MakeCamera());
+            camera = scene.MakeCamera();
+            data = FakeUrp.Data(scene, camera);
             var commands = new CommandBuffer();
             context = new UnsafeGraphContext { cmd = new UnsafeCommandBuffer { Wrapped = commands } };
             rasterContext = new RasterGraphContext { cmd = new RasterCommandBuffer { Wrapped = commands } };
@@ -31,12 +33,14 @@ namespace Penumbra.Tests
         {
             List<ScriptableRenderPass> queue = renderer.Queue;
             queue.Clear();
+            RenderPipelineManager.BeginCamera(default, camera);
             feature.AddRenderPasses(renderer, ref data);
             for (int i = 0; i < queue.Count; ++i) queue[i].RecordRenderGraph(graph, data.Frame);
             for (int i = 0; i < graph.Passes.Count; ++i)
                 if (graph.Passes[i].IsRaster) graph.Passes[i].Run(rasterContext);
                 else graph.Passes[i].Run(context);
             graph.GiveBack();
+            RenderPipelineManager.EndCamera(default, camera);
         }
     }
 }

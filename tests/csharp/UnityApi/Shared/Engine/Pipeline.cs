@@ -168,10 +168,15 @@ namespace UnityEngine.Rendering
     public static partial class RenderPipelineManager
     {
         public static event Action<ScriptableRenderContext, Camera> beginCameraRendering;
+        public static event Action<ScriptableRenderContext, Camera> endCameraRendering;
 
         [OwnBehaviour]
         public static void BeginCamera(ScriptableRenderContext context, Camera camera) =>
             beginCameraRendering?.Invoke(context, camera);
+
+        [OwnBehaviour]
+        public static void EndCamera(ScriptableRenderContext context, Camera camera) =>
+            endCameraRendering?.Invoke(context, camera);
     }
 }
 
