@@ -20,13 +20,18 @@ namespace Penumbra.Tests
             File.ReadAllText(Path.Combine(FakeShader.PackageRoot(), "tests", "techniques", "added", file));
 
         /// <summary>Its shader; imported, as far as the editor goes.</summary>
-        internal static Shader AddMeans()
+        internal static Shader AddMeans() => Add(MeansGraphs.Means, "Means");
+
+        /// <summary>The same; its passes draw the casters.</summary>
+        internal static Shader AddLayers() => Add(LayersGraphs.Layers, "Layers");
+
+        private static Shader Add(TechniqueGraph graph, string name)
         {
-            TechniquePasses.Graphs[Place] = MeansGraphs.Means;
-            var shader = new Shader { name = "Hidden/Means", KeywordNames = new List<string>() };
-            foreach (Match pass in Regex.Matches(Text("Means.shader"), "Name \"(\\w+)\""))
+            TechniquePasses.Graphs[Place] = graph;
+            var shader = new Shader { name = "Hidden/" + name, KeywordNames = new List<string>() };
+            foreach (Match pass in Regex.Matches(Text(name + ".shader"), "Name \"(\\w+)\""))
                 shader.PassNames.Add(pass.Groups[1].Value);
-            AssetDatabase.Assets[Package + "Means.shader"] = shader;
+            AssetDatabase.Assets[Package + name + ".shader"] = shader;
             return shader;
         }
 

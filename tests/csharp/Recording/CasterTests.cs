@@ -98,6 +98,25 @@ namespace Penumbra.Tests
             Assert.That(draws.Select(draw => draw.Uniforms["cleared"]), Is.All.EqualTo("depthcolour"));
         }
 
+        /// <summary>The same files that the C++ tools validate and measure; no C# of its own but its graph.</summary>
+        [Test]
+        public void AnAddedTechniqueDrawsThemAndItsFilterFindsTheTextures()
+        {
+            AddedTechniques.AddLayers();
+            List<FakeDevice.DrawCall> draws = Draws(LayersGraphs.Layers);
+            Assert.That(draws.Select(draw => draw.Pass),
+                        Is.EqualTo(new[] { "Layers", "Nearest" }
+                                       .SelectMany(pass => new[] { 1, 2, 3, 4 }.Select(
+                                           radius => "ShadowCaster by " + pass + " of " + radius))
+                                       .Append("Resolve")));
+            FakeDevice.DrawCall layers = draws[0], nearest = draws[4], resolve = draws.Last();
+            Assert.That((layers.Uniforms["cleared"], nearest.Uniforms["cleared"]), Is.EqualTo(("colour", "depth")));
+            Assert.That(draws.Take(4).Select(draw => draw.Viewport.Value), Is.Unique);
+            Assert.That(resolve.Textures["_PenumbraLayersTexture"], Is.EqualTo(layers.Target));
+            Assert.That(resolve.Textures["_PenumbraNearestTexture"], Is.EqualTo(nearest.Target));
+            Assert.That(layers.Target, Is.Not.EqualTo(nearest.Target));
+        }
+
         [Test]
         public void TheCamerasMatricesAreThereAgain()
         {
