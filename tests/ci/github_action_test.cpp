@@ -140,6 +140,16 @@ TEST_F(GithubRun, BadInputKeepsItsCodeAndLeavesNoReport) {
   EXPECT_EQ(run_step({{"program", PENUMBRA_PROGRAM}, {"arguments", "'Assets/Good.hlsl"}}).exit_code, 2);
 }
 
+// It would check the tool's own library, and be green whatever the project holds.
+TEST_F(GithubRun, WithoutAnythingToValidateItFails) {
+  for (const char* arguments : {"", "  "}) {
+    const auto result = run_step({{"program", stub_program(0).string()}, {"arguments", arguments}});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.errors, AllOf(HasSubstr("ARGUMENTS"), HasSubstr("--project FOLDER")));
+    EXPECT_FALSE(std::filesystem::exists(path("called")));
+  }
+}
+
 TEST_F(GithubRun, AMissingProgramIsTheEnvironmentsFault) {
   EXPECT_EQ(run_step({{"program", "/no/such/penumbra"}}).exit_code, 3);
 }
@@ -152,9 +162,11 @@ TEST_F(GithubRun, ArgumentsAreNeverRun) {
 }
 
 TEST_F(GithubRun, AShardIsHandedOnAndItsReportIsLeftForTheMerge) {
-  const auto result = run_step({{"program", stub_program(0).string()}, {"shard", "2/4"}});
+  const auto result =
+      run_step({{"program", stub_program(0).string()}, {"arguments", "--project ."}, {"shard", "2/4"}});
   EXPECT_EQ(result.exit_code, 0) << result.errors;
-  EXPECT_EQ(read("called"), "validate\n--shard\n2/4\n--format\njson\n-o\npenumbra-reports/penumbra.json\n");
+  EXPECT_EQ(read("called"),
+            "validate\n--project\n.\n--shard\n2/4\n--format\njson\n-o\npenumbra-reports/penumbra.json\n");
 }
 
 TEST_F(GithubRun, ReportsOfAllShardsAreJoined) {

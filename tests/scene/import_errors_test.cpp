@@ -79,6 +79,35 @@ TEST_F(ImportTest, RefusesAGltfWhoseBufferIsMissing) {
   EXPECT_THAT(refusal(write("missing_buffer.gltf", text)), HasSubstr("elsewhere.bin"));
 }
 
+// Neither by "..", nor by an absolute path, nor through a link.
+TEST_F(ImportTest, ReadsNoFileOutsideOfTheModelsFolder) {
+  namespace fs = std::filesystem;
+  fs::create_directories(folder_ / "model");
+  const fs::path bytes = write("secret.bin", std::string(36, '\0'));
+  write("model/inside.bin", std::string(36, '\1'));
+  fs::create_symlink(bytes, folder_ / "model" / "link.bin");
+  const auto with_buffer = [&](const std::string& uri) {
+    std::string text = gltf(kTriangle);
+    const std::size_t begin = text.find("data:"), end = text.find('"', begin);
+    text.replace(begin, end - begin, uri);
+    return write("model/model.gltf", text);
+  };
+  for (const char* uri : {"../secret.bin", "link.bin"})
+    EXPECT_THAT(refusal(with_buffer(uri)),
+                AllOf(HasSubstr("model.gltf: names the file '"), HasSubstr("outside the model's folder")))
+        << uri;
+  // Beneath the model's folder by the importer library, unless that is the working directory.
+  EXPECT_THAT(refusal(with_buffer(bytes.string())), HasSubstr("secret.bin"));
+  const fs::path before = fs::current_path();
+  fs::current_path(folder_ / "model");
+  EXPECT_THAT(refusal("model.gltf"), HasSubstr("outside the model's folder"));
+  fs::current_path(before);
+  EXPECT_THAT(refusal(with_buffer("inside.bin")), testing::Not(HasSubstr("outside the model's folder")));
+  write("colours.mtl", "newmtl red\nKd 1 0 0\n");
+  EXPECT_THAT(refusal(write("model/model.obj", "mtllib ../colours.mtl\nusemtl red\n" + kTetrahedron)),
+              HasSubstr("names the file '"));
+}
+
 TEST_F(ImportTest, RefusesMoreTrianglesThanTheLimit) {
   // Its faces share vertices, so that the limit on those is not what is met.
   const auto file =

@@ -22,6 +22,7 @@
 
 #include "input/input_error.h"
 #include "scene/cut_out.h"
+#include "scene/model_folder.h"
 
 namespace penumbra::scene {
 namespace {
@@ -240,9 +241,14 @@ void append_triangles(ModelFile& model, const PlacedMesh& placed, const Triangle
 ModelFile read_model_file(const std::filesystem::path& file, std::size_t triangle_limit) {
   check_readable(file);
   Assimp::Importer importer;
+  auto* folder = new ModelFolder(file);
+  importer.SetIOHandler(folder);  // which owns it
   keep_known_loaders(importer);
   const aiScene* scene =
       importer.ReadFile(file.string(), aiProcess_ValidateDataStructure | aiProcess_Triangulate);
+  if (!folder->refused().empty())
+    refuse(file, "names the file '" + folder->refused() + "', which lies outside the model's folder",
+           "copy it beside the model, and name it there");
   if (scene == nullptr || scene->mRootNode == nullptr) {
     refuse(file, "cannot be read: " + one_line(importer.GetErrorString()));
   }

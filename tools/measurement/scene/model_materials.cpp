@@ -15,6 +15,7 @@
 
 #include "input/input_error.h"
 #include "scene/image_file.h"
+#include "scene/model_folder.h"
 
 namespace penumbra::scene {
 namespace {
@@ -48,13 +49,10 @@ fs::path texture_file(std::string path, const fs::path& model) {
   const fs::path folder = fs::canonical(model.has_parent_path() ? model.parent_path() : fs::path("."));
   std::error_code error;
   if (!fs::exists(folder / path, error)) path = percent_decoded(path);
-  const fs::path resolved = fs::weakly_canonical(folder / path, error);
-  const fs::path relative = resolved.lexically_relative(folder);
-  if (error || relative.empty() || *relative.begin() == "..") {
-    throw InputError(path, "lies outside the model's folder");
-  }
-  if (!fs::is_regular_file(resolved, error)) throw InputError(path, "no such file");
-  return resolved;
+  const std::optional<fs::path> resolved = in_model_folder(path, model);
+  if (!resolved) throw InputError(path, "lies outside the model's folder");
+  if (!fs::is_regular_file(*resolved, error)) throw InputError(path, "no such file");
+  return *resolved;
 }
 
 Texture embedded_texture(const aiTexture& texture, const std::string& name) {

@@ -1,0 +1,35 @@
+// The files that a model may have read: those in its own folder. Internal to this room.
+#pragma once
+
+#include <assimp/DefaultIOSystem.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace penumbra::scene {
+
+// `path`, relative to the model's folder or absolute, with its links resolved; empty outside of that folder.
+// It need not exist.
+std::optional<std::filesystem::path> in_model_folder(const std::filesystem::path& path,
+                                                     const std::filesystem::path& model);
+
+// What the importer library opens files with: the model, and buffers and material libraries in its folder.
+class ModelFolder final : public Assimp::DefaultIOSystem {
+ public:
+  explicit ModelFolder(std::filesystem::path model) : model_(std::move(model)) {}
+
+  bool Exists(const char* file) const override { return allows(file) && DefaultIOSystem::Exists(file); }
+  Assimp::IOStream* Open(const char* file, const char* mode = "rb") override;
+
+  // The first file outside of the folder that the model named; empty: none.
+  const std::string& refused() const { return refused_; }
+
+ private:
+  bool allows(const std::string& file) const;
+
+  std::filesystem::path model_;
+  mutable std::string refused_;
+};
+
+}  // namespace penumbra::scene
