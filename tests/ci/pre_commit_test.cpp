@@ -56,6 +56,17 @@ TEST_F(PreCommit, StagedIncludesAreFound) {
   EXPECT_EQ(hook("-- Assets/Good.hlsl").exit_code, 0);
 }
 
+TEST_F(PreCommit, IncludesMayHaveAnyExtension) {
+  write("Common/Quarter", "float Quarter(float x) { return 0.25 * x; }\n");
+  write("Assets/Half.hlsli", "#include <../Common/Quarter>\nfloat Half(float x) { return 2 * Quarter(x); }\n");
+  write("Assets/Part.inc", "#\tinclude \"Half.hlsli\"\n");
+  write("Assets/Good.hlsl",
+        "# include  \"Part.inc\"\nfloat4 Main(float2 uv : TEXCOORD0) : SV_Target { return Half(uv.x); }\n");
+  git("git add . && rm Common/Quarter Assets/Half.hlsli Assets/Part.inc");
+  const auto result = hook("-- Assets/Good.hlsl");
+  EXPECT_EQ(result.exit_code, 0) << result.output << result.errors;
+}
+
 TEST_F(PreCommit, IncludesMayLeadAnywhereInTheRepositoryAndNotOutOfIt) {
   write("Common/Part.hlsl", "float Half(float x) { return 0.5 * x; }\n");
   const std::string main = "float4 Main(float2 uv : TEXCOORD0) : SV_Target { return Half(uv.x); }\n";
