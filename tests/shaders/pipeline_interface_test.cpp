@@ -61,15 +61,19 @@ TEST(PipelineInterface, LocationsHaveTheSemanticsOfTheSource) {
   request.stage = hlsl::Stage::vertex;
   const CompileResult result = compile(request);
   ASSERT_FALSE(result.spirv.empty());
-  std::map<std::string, std::uint32_t> read;
+  std::map<int, std::uint32_t> components;
   for (const StageLocation& input : pipeline_interface(result.spirv, "Main").inputs)
-    read[result.input_semantics.at(input.location)] = input.components;
+    components[static_cast<int>(input.location)] = input.components;
+  std::map<std::string, std::uint32_t> read;
+  for (const SignatureElement& element : result.signature)
+    if (!element.output && element.read) read[element.semantic] = components.at(element.location);
   const std::map<std::string, std::uint32_t> expected{{"POSITION0", 4}, {"TANGENT0", 4}, {"TEXCOORD3", 2}};
   EXPECT_EQ(read, expected);
   std::vector<std::string> declared;
-  for (const auto& [location, semantic] : result.input_semantics) declared.push_back(semantic);
-  EXPECT_THAT(declared,
-              testing::UnorderedElementsAre("NORMAL0", "COLOR0", "POSITION0", "TEXCOORD3", "TANGENT0"));
+  for (const SignatureElement& element : result.signature)
+    declared.push_back(element.semantic + (element.output ? " out" : ""));
+  EXPECT_THAT(declared, testing::UnorderedElementsAre("NORMAL0", "COLOR0", "POSITION0", "TEXCOORD3",
+                                                      "SV_VERTEXID", "TANGENT0", "SV_POSITION out"));
 }
 
 TEST(PipelineInterface, LocationsOfMatricesArraysAndIntegers) {

@@ -50,7 +50,8 @@ UnitReply full_reply() {
                                 "4567",
                                 "UnityCG.cginc",
                                 {{"a.hlsl", "89ab"}},
-                                std::make_shared<const std::string>("layouts")};
+                                std::make_shared<const std::string>("layouts"),
+                                std::make_shared<const std::string>("signature")};
   reply.emitted = EmittedAnswer{{}, {diagnostic(), diagnostic()}};
   reply.dependencies = {"a.hlsl", "b.hlsl"};
   reply.compile_cached = true;

@@ -317,20 +317,22 @@ void add_validate(CLI::App& app, Context& context) {
       "Compile every shader variant for every target, without Unity, and report each error at its line");
   auto options = std::make_shared<ValidateOptions>();
   add_validate_options(*command, *options);
-  end_help(*command,
-           "Each target is generated from the source as Unity compiles it for that graphics API; --api uses "
-           "one API for\nall. The exit code is 1 if a variant fails. MSL and HLSL are emitted but not "
-           "compiled, because their compilers\ndo not run here. ESSL and GLSL are compiled and linked by "
-           "this machine's OpenGL driver through EGL.",
-           {{"penumbra validate --project MyGame", "every shader of a Unity project"},
-            {"penumbra validate Water.shader --keywords '+_NORMALMAP -DEBUG_DISPLAY'",
-             "only some variants of a file"},
-            {"penumbra validate --project MyGame --count --what-if=-_FOAM",
-             "how many variants the keyword _FOAM adds"},
-            {"penumbra validate Water.shader --target spirv,msl23 --minimize",
-             "the smallest set of keywords that causes each failure"},
-            {"penumbra validate --project MyGame --shard 1/4 --format json -o shard-1.json",
-             "on one of four machines"}});
+  end_help(
+      *command,
+      "Each target is generated from the source as Unity compiles it for that graphics API; --api uses "
+      "one API for\nall. The exit code is 1 if a variant fails. MSL and HLSL are emitted but not "
+      "compiled, because their compilers\ndo not run here. ESSL and GLSL are compiled and linked by "
+      "this machine's OpenGL driver through EGL, each\nstage alone; then the semantics of a program's stages "
+      "are compared.",
+      {{"penumbra validate --project MyGame", "every shader of a Unity project"},
+       {"penumbra validate Water.shader --keywords '+_NORMALMAP -DEBUG_DISPLAY'",
+        "only some variants of a file"},
+       {"penumbra validate --project MyGame --count --what-if=-_FOAM",
+        "how many variants the keyword _FOAM adds"},
+       {"penumbra validate Water.shader --target spirv,msl23 --minimize",
+        "the smallest set of keywords that causes each failure"},
+       {"penumbra validate --project MyGame --shard 1/4 --format json -o shard-1.json",
+        "on one of four machines"}});
   command->callback([command, options, &context] { run_validate(*command, *options, context); });
 }
 

@@ -112,7 +112,10 @@ class UnitAtWork {
     spirv_ = std::move(result.spirv);
     CompileAnswer answer;
     answer.diagnostics = std::move(result.diagnostics);
-    if (!spirv_.empty()) answer.module_key = module_key(spirv_);
+    if (!spirv_.empty()) {
+      answer.module_key = module_key(spirv_);
+      answer.signature = std::make_shared<const std::string>(encode(result.signature));
+    }
     if (!result.unoptimised.empty() && !is_given_up(note_lint)) lint(result, answer);
     for (SourceState& file : files)
       if (file.silences ||

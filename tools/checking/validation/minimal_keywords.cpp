@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "validation/report_findings.h"
@@ -43,9 +44,11 @@ class Reduction {
     engine_.cache.clear();  // of variants that were not requested
   }
 
-  std::vector<std::string> reduce() {
+  // Nothing for an error that the unit does not have on its own: one between two stages.
+  std::optional<std::vector<std::string>> reduce() {
     std::vector<std::string> needed = failure_.unit->keywords;
-    if (fail({{}})[0]) return {};
+    if (!fail({needed})[0]) return std::nullopt;
+    if (fail({{}})[0]) return std::vector<std::string>{};
     while (needed.size() > 1) {
       std::vector<std::vector<std::string>> fewer;
       for (std::size_t i = 0; i < needed.size(); ++i) fewer.push_back(without(needed, i));
@@ -118,7 +121,8 @@ std::vector<MinimalKeywords> minimal_keywords(const ValidationReport& report,
     if (finding.diagnostic.severity != hlsl::Severity::error) continue;
     const Failure failure = smallest_failure(finding, report, units, first_place);
     if (failure.unit == nullptr || failure.unit->keywords.empty()) continue;
-    list.push_back({finding.diagnostic, Reduction(failure, engine).reduce()});
+    if (std::optional<std::vector<std::string>> needed = Reduction(failure, engine).reduce())
+      list.push_back({finding.diagnostic, *std::move(needed)});
   }
   return list;
 }

@@ -272,6 +272,7 @@ void ShaderSources::add_program(const SourceProgram& program) {
       if (!std::exchange(lacks_stage, true)) say(one.file, one.shader, one.pass, {*missing});
     one.space = std::make_shared<variants::KeywordSpace>(
         one.pragmas, variants::on_api(options_.narrowing, one.platform.api));
+    one.number = static_cast<int>(programs_.size());
     programs_.push_back(std::move(one));
   }
   if (is_for_another_api)
@@ -338,6 +339,8 @@ CompileUnit ShaderSources::unit(const SourceProgram& program, const std::string&
   unit.compile.prepare = true;
   unit.compile.vulkan = program.vulkan;
   const int target = variants::shader_target(program.pragmas, keywords);
+  unit.program = program.number;
+  unit.stage_keywords = variants::keeps_stage_keywords(program.platform.api);
   unit.lint = options_.lint;
   unit.lint.shader_target = program.pragmas.targets.empty() ? 0 : target;
   for (const auto& [name, value] : variants::platform_defines(program.platform, stage, target))

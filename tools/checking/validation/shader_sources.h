@@ -39,6 +39,7 @@ struct SourceOptions {
 
 // One program of a file for one platform.
 struct SourceProgram {
+  int number = 0;  // its place among the programs
   std::string file;
   std::string shader;  // see VariantRecord
   std::string pass;

@@ -30,7 +30,8 @@ fs::path common_folder(const std::vector<CompileUnit>& units) {
 std::uint64_t place_of(const CompileUnit& unit, const fs::path& common) {
   platform::ContentHash hash;
   hash.update(fs::absolute(unit.file).lexically_normal().lexically_relative(common).generic_string());
-  add_names(hash, unit);
+  const bool compared = unit.program >= 0 && unit.compile.stage != hlsl::Stage::compute;
+  compared ? add_variant_names(hash, unit) : add_names(hash, unit);
   return std::stoull(hash.hex().substr(0, 16), nullptr, 16);
 }
 

@@ -27,6 +27,11 @@ void write(ByteWriter& out, const std::vector<Pair>& pairs) {
   });
 }
 
+void write(ByteWriter& out, const std::shared_ptr<const std::string>& text) {
+  out.number(text ? 1 : 0);
+  out.text(text ? *text : std::string());
+}
+
 void write(ByteWriter& out, const LintOrder& order) {
   const auto& [wanted, shader_target, left_out] = order;
   out.number(wanted ? 1 : 0);
@@ -38,6 +43,12 @@ int read_place(ByteReader& in) {
   const std::uint64_t value = in.number();
   if (value > 0x7FFFFFFF) in.spoil();
   return value > 0x7FFFFFFF ? 0 : static_cast<int>(value);
+}
+
+std::shared_ptr<const std::string> read_shared_text(ByteReader& in) {
+  const bool exists = in.flag();
+  std::string text = in.text();
+  return exists ? std::make_shared<const std::string>(std::move(text)) : nullptr;
 }
 
 std::vector<std::string> read_texts(ByteReader& in) {
@@ -56,8 +67,12 @@ std::vector<Pair> read_pairs(ByteReader& in) {
 }  // namespace
 
 void add_names(platform::ContentHash& hash, const CompileUnit& unit) {
-  hash.update(unit.technique).update(unit.shader).update(unit.pass);
+  add_variant_names(hash, unit);
   hash.update(unit.compile.entry).update(static_cast<int>(unit.compile.stage));
+}
+
+void add_variant_names(platform::ContentHash& hash, const CompileUnit& unit) {
+  hash.update(unit.technique).update(unit.shader).update(unit.pass);
   for (const std::string& keyword : unit.keywords) hash.update(keyword);
 }
 
@@ -111,8 +126,8 @@ std::string encode(const CompileAnswer& answer) {
   out.text(answer.module_key);
   out.text(answer.missing_editor_include);
   write(out, answer.quoted);
-  out.number(answer.buffers ? 1 : 0);
-  out.text(answer.buffers ? *answer.buffers : std::string());
+  write(out, answer.buffers);
+  write(out, answer.signature);
   return out.take();
 }
 
@@ -123,9 +138,8 @@ std::optional<CompileAnswer> decode_compile_answer(std::string_view bytes) {
   answer.module_key = in.text();
   answer.missing_editor_include = in.text();
   answer.quoted = read_pairs(in);
-  const bool has_buffers = in.flag();
-  std::string buffers = in.text();
-  if (has_buffers) answer.buffers = std::make_shared<const std::string>(std::move(buffers));
+  answer.buffers = read_shared_text(in);
+  answer.signature = read_shared_text(in);
   if (!in.exhausted()) return std::nullopt;
   return answer;
 }
@@ -134,6 +148,19 @@ std::string encode(const EmittedAnswer& answer) {
   ByteWriter out;
   out.list(answer, [&](const std::vector<Diagnostic>& diagnostics) { write(out, diagnostics); });
   return out.take();
+}
+
+std::string encode(const shaders::Signature& signature) {
+  ByteWriter out;
+  write(out, signature);
+  return out.take();
+}
+
+std::optional<shaders::Signature> decode_signature(std::string_view bytes) {
+  ByteReader in(bytes);
+  shaders::Signature signature = shaders::read_signature(in);
+  if (!in.exhausted()) return std::nullopt;
+  return signature;
 }
 
 std::optional<EmittedAnswer> decode_emitted_answer(std::string_view bytes) {

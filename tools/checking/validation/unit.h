@@ -38,11 +38,17 @@ struct CompileUnit {
   shaders::CompileRequest compile;
   std::vector<std::string> targets;  // "spirv" and names of shaders::Target
   LintOrder lint;
+  // Equal for the stages of one program, which are compared (stage_linkage.h); -1: of none. Not sent to
+  // workers.
+  int program = -1;
+  bool stage_keywords = true;  // as variants::keeps_stage_keywords(); not sent either
 };
 
 // Adds everything that distinguishes the unit from others of its file: technique, shader, pass, entry point,
 // stage, keywords.
 void add_names(platform::ContentHash& hash, const CompileUnit& unit);
+// The same for all stages of a variant: without entry point and stage.
+void add_variant_names(platform::ContentHash& hash, const CompileUnit& unit);
 
 struct TargetResult {
   VariantStatus status = VariantStatus::passed;  // passed, failed, unreached or unchecked
@@ -61,6 +67,8 @@ struct UnitResult {
   bool cached = false;                              // the answer is of an earlier run
   // Its constant buffers, as decode_buffers() takes them; null when it was not linted.
   std::shared_ptr<const std::string> buffers;
+  std::shared_ptr<const std::string>
+      signature;  // as decode_signature() takes it; null when there is no module
 };
 
 // What became of one text, up to valid SPIR-V.
@@ -71,7 +79,8 @@ struct CompileAnswer {
   // The files that the messages quote, and those that silence a lint rule, with the hash of what they held.
   // Comments are not part of a text key: a cached result is used only if these are the same.
   std::vector<std::pair<std::string, std::string>> quoted;
-  std::shared_ptr<const std::string> buffers;  // as in UnitResult
+  std::shared_ptr<const std::string> buffers;    // as in UnitResult
+  std::shared_ptr<const std::string> signature;  // likewise
 };
 
 // What became of one module in every target but "spirv", in the order of CompileUnit::targets.
@@ -83,8 +92,10 @@ std::string encode(const CompileUnit& unit);
 std::string encode(const std::vector<hlsl::Diagnostic>& diagnostics);
 std::string encode(const CompileAnswer& answer);
 std::string encode(const EmittedAnswer& answer);
+std::string encode(const shaders::Signature& signature);
 std::optional<CompileUnit> decode_unit(std::string_view bytes);
 std::optional<CompileAnswer> decode_compile_answer(std::string_view bytes);
 std::optional<EmittedAnswer> decode_emitted_answer(std::string_view bytes);
+std::optional<shaders::Signature> decode_signature(std::string_view bytes);
 
 }  // namespace penumbra::validation

@@ -65,7 +65,7 @@ void UnitRun::recall() {
     texts_.emplace(shared_key(unit(place), reply->text_key), place);
     if (reply->emitted)
       modules_.emplace(emitted_key(context_, unit(place), reply->compile->module_key), place);
-    share_buffers(*reply);
+    share_texts(*reply);
     states_[place].reply = *std::move(reply);
     say_done();
   }
@@ -116,7 +116,7 @@ void UnitRun::finished(std::size_t place, platform::WorkerOutcome outcome) {
   }
   damaged_ += reply->damaged;
   keep(*reply);
-  share_buffers(*reply);
+  share_texts(*reply);
   state.reply = *std::move(reply);
   say_done();
 }
@@ -126,11 +126,11 @@ void UnitRun::keep(UnitReply& reply) {
     cache_.store(name_of(entry.kind), entry.key, entry.content);
 }
 
-// Variants share few layouts.
-void UnitRun::share_buffers(UnitReply& reply) {
-  if (!reply.compile || !reply.compile->buffers) return;
-  std::shared_ptr<const std::string>& buffers = reply.compile->buffers;
-  buffers = buffers_.try_emplace(*buffers, buffers).first->second;
+// Variants have few different layouts and signatures.
+void UnitRun::share_texts(UnitReply& reply) {
+  if (!reply.compile) return;
+  for (std::shared_ptr<const std::string>* text : {&reply.compile->buffers, &reply.compile->signature})
+    if (*text) *text = shared_texts_.try_emplace(**text, *text).first->second;
 }
 
 void UnitRun::say_done() {
@@ -213,6 +213,7 @@ void UnitRun::add_compile_answer(const CompileUnit& unit, const State& compiled,
     result.module_key = compiled.reply.compile->module_key;
     result.missing_editor_include = compiled.reply.compile->missing_editor_include;
     result.buffers = compiled.reply.compile->buffers;
+    result.signature = compiled.reply.compile->signature;
     add_failure(unit, compiled, note_lint, result.targets[speaker]);
   } else {
     add_failure(unit, compiled, note_compile, result.targets[speaker]);

@@ -49,7 +49,7 @@ class UnitRun final : public platform::WorkSource {
   void send_first(std::size_t place) { waiting_.put_first(place); }
   void say_done();
   void keep(UnitReply& reply);
-  void share_buffers(UnitReply& reply);
+  void share_texts(UnitReply& reply);
   void crashed(std::size_t place, const platform::WorkerOutcome& outcome);
   void reproduced(std::size_t place, const platform::WorkerOutcome& outcome);
   const std::filesystem::path& keep_folder();
@@ -70,7 +70,7 @@ class UnitRun final : public platform::WorkSource {
   WaitingUnits waiting_;
   std::map<std::string, std::size_t> texts_;    // shared_key() -> the place whose answer it is
   std::map<std::string, std::size_t> modules_;  // emitted key -> likewise
-  std::map<std::string, std::shared_ptr<const std::string>> buffers_;
+  std::map<std::string, std::shared_ptr<const std::string>> shared_texts_;
   std::size_t done_ = 0;
   std::size_t damaged_ = 0;
   platform::CacheStore cache_;

@@ -8,6 +8,7 @@
 #include "platform/content_hash.h"
 #include "validation/minimal_keywords.h"
 #include "validation/source_variants.h"
+#include "validation/stage_linkage.h"
 #include "validation/target_check.h"
 
 namespace penumbra::validation {
@@ -112,7 +113,8 @@ ValidationReport validate(const ValidationRequest& request) {
   std::vector<CompileUnit> units;
   units.reserve(variants.size());
   for (const SourceVariant& variant : variants) units.push_back(variant.unit);
-  const EngineRun run = run_units(units, request.engine);
+  EngineRun run = run_units(units, request.engine);
+  link_stages(units, request.engine, run.results);
   report.shard = request.engine.shard.index;
   report.shards = request.engine.shard.count;
   report.fingerprint = fingerprint_of(request, units);

@@ -1,5 +1,7 @@
 #include "resolve/required_module.h"
 
+#include <algorithm>
+
 #include "input/input_error.h"
 #include "shaders/pipeline_interface.h"
 
@@ -52,8 +54,11 @@ VertexModule required_vertex_module(const shaders::CompileRequest& request) {
   VertexModule module{std::move(result.spirv), {}};
   for (const shaders::StageLocation& input :
        shaders::pipeline_interface(module.spirv, request.entry).inputs) {
-    const auto semantic = result.input_semantics.find(input.location);
-    module.inputs[input.location] = semantic == result.input_semantics.end() ? "" : semantic->second;
+    const auto element = std::find_if(
+        result.signature.begin(), result.signature.end(), [&](const shaders::SignatureElement& declared) {
+          return !declared.output && declared.location == static_cast<int>(input.location);
+        });
+    module.inputs[input.location] = element == result.signature.end() ? "" : element->semantic;
   }
   return module;
 }

@@ -70,9 +70,9 @@ class EntrySemantics {
   EntrySemantics(TokenText& text, const EntryPoint& entry)
       : text_(text), entry_(entry), repeated_(text, entry.dxc) {}
 
-  void run() {
+  std::vector<SemanticPlace> run() {
     const std::vector<const hlsl::Declaration*> named = entry_functions(text_, entry_);
-    if (named.size() != 1 || named.front()->parameters_close == npos) return;
+    if (named.size() != 1 || named.front()->parameters_close == npos) return {};
     const hlsl::Declaration& function = *named.front();
     check(returned(function), 0);
     for (std::size_t at = function.parameters_open + 1; at < function.parameters_close;) {
@@ -80,6 +80,7 @@ class EntrySemantics {
       check(value(at, end), 0);
       at = end + 1;
     }
+    return std::move(places_);
   }
 
  private:
@@ -249,6 +250,9 @@ class EntrySemantics {
                                  "': write one of them");
     // `inout half4 c : SV_Target` reads the current pixel (#pragma require framebufferfetch).
     const bool fetches = value.direction.in && value.direction.out && entry_.stage == hlsl::Stage::fragment;
+    for (const bool output : {false, true})
+      if (output ? value.direction.out : value.direction.in)
+        places_.push_back({semantic, output, text_.file_of(value.semantic), text_[value.semantic].line});
     if (value.direction.in && !fetches)
       judge(value.semantic, semantic, semantic_problem(semantic, entry_.stage, true));
     if (value.direction.out) judge(value.semantic, semantic, semantic_problem(semantic, entry_.stage, false));
@@ -273,12 +277,13 @@ class EntrySemantics {
   RepeatedSemantics repeated_;
   std::set<std::pair<const hlsl::Declaration*, bool>> checked_;
   std::set<std::size_t> reported_;
+  std::vector<SemanticPlace> places_;
 };
 
 }  // namespace
 
-void check_entry_semantics(TokenText& text, const EntryPoint& entry) {
-  EntrySemantics(text, entry).run();
+std::vector<SemanticPlace> check_entry_semantics(TokenText& text, const EntryPoint& entry) {
+  return EntrySemantics(text, entry).run();
 }
 
 }  // namespace penumbra::preparation

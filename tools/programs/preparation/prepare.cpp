@@ -113,11 +113,12 @@ PreparedShader prepare(std::string preprocessed, const std::string& main_file,
                        const std::optional<EntryPoint>& entry) {
   TokenText text(std::move(preprocessed), main_file);
   if (!check_nesting(text) || !check_struct_sizes(text)) return {{}, text.notes()};
+  std::vector<SemanticPlace> semantics;
   if (entry) {
     check_semicolons(text);
     check_interfaces(text);
     check_thread_group(text, *entry);
-    check_entry_semantics(text, *entry);
+    semantics = check_entry_semantics(text, *entry);
     if (!entry->dxc) check_switch_cases(text);
     check_constant_divisions(text);
     check_initialiser_counts(text);
@@ -134,7 +135,7 @@ PreparedShader prepare(std::string preprocessed, const std::string& main_file,
     check_repeated_globals(text);
   }
   for (const Pass& pass : passes()) pass.run(text);
-  return {text.print(), text.notes()};
+  return {text.print(), text.notes(), std::move(semantics)};
 }
 
 }  // namespace penumbra::preparation

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "hlsl/diagnostic.h"
+#include "preparation/semantic_place.h"
 #include "preparation/source_checks.h"
 #include "preparation/token_text.h"
 
@@ -28,6 +29,7 @@ std::span<const Pass> passes();
 struct PreparedShader {
   std::string text;  // with #line directives
   std::vector<Note> notes;
+  std::vector<SemanticPlace> semantics{};  // of the entry point
 };
 
 // `preprocessed`: no comments, no macros, #line directives. Lines before the first #line are in `main_file`.

@@ -5,8 +5,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "hlsl/stage.h"
+#include "preparation/semantic_place.h"
 #include "preparation/token_text.h"
 
 namespace penumbra::preparation {
@@ -30,8 +32,9 @@ void check_semicolons(TokenText& text);
 void check_thread_group(TokenText& text, const EntryPoint& entry);
 
 // Inputs and outputs of the entry point without a semantic, or with one that its stage does not have: FXC
-// X3502, X4502. Reports nothing if there is no entry point of that name, or several.
-void check_entry_semantics(TokenText& text, const EntryPoint& entry);
+// X3502, X4502. Reports nothing if there is no entry point of that name, or several. Returns where those with
+// a semantic are.
+std::vector<SemanticPlace> check_entry_semantics(TokenText& text, const EntryPoint& entry);
 
 // An integer constant divided by a constant zero, which glslang's constant folding hides: FXC X4010.
 void check_constant_divisions(TokenText& text);

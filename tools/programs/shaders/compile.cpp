@@ -17,7 +17,6 @@
 #include "shaders/generated_words.h"
 #include "shaders/group_limits.h"
 #include "shaders/hlsl_problems.h"
-#include "shaders/input_semantics.h"
 #include "shaders/integer_matrices.h"
 #include "shaders/macro_expansion.h"
 #include "shaders/matrix_operations.h"
@@ -29,6 +28,7 @@
 #include "shaders/source_memory.h"
 #include "shaders/source_shader.h"
 #include "shaders/spirv_module.h"
+#include "shaders/tree_signature.h"
 #include "shaders/whole_matrices.h"
 #include "shaders/written_arguments.h"
 #include "shaders/zero_divisions.h"
@@ -174,7 +174,7 @@ bool build(const Source& source, const hlsl::SourceFiles& sources, CompileResult
   if (report(source, sources, refused_operands(tree), result)) return false;
   if (!put_right(source, sources, tree, result)) return false;
   if (!generate(source, tree, result) || !finish_module(source, sources, tree, result)) return false;
-  if (source.request.stage == hlsl::Stage::vertex) result.input_semantics = input_semantics(tree);
+  result.signature = tree_signature(tree, result.spirv);
   if (!source.request.keep_unoptimised) return true;
   spv::SpvBuildLogger said_before;
   result.unoptimised = generated_words(tree, true, said_before);
@@ -251,6 +251,7 @@ void prepare(const CompileRequest& request, PreprocessedSource& expanded) {
       preparation::prepare(std::move(expanded.text), request.file.string(),
                            preparation::EntryPoint{request.entry, request.stage, request.dxc});
   expanded.text = std::move(prepared.text);
+  expanded.semantics = std::move(prepared.semantics);
   for (preparation::Note& note : prepared.notes) {
     note.source_line = expanded.sources.line(note.file, note.line);
     if (note.count > 0) note.column = column_of(note);
@@ -276,7 +277,9 @@ CompileResult compile(const CompileRequest& request, PreprocessedSource source) 
       add_further_errors({request, request.file.string(), source.text, {}}, source.sources, result);
   } else if (!build({request, request.file.string(), source.text, {}}, source.sources, result)) {
     result.spirv.clear();
+    result.signature.clear();
   }
+  add_places(source.semantics, result.signature);
   result.sources = std::move(source.sources);
   return result;
 }

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -13,7 +12,9 @@
 #include "hlsl/source_text.h"
 #include "hlsl/stage.h"
 #include "hlsl/token_place.h"
+#include "preparation/semantic_place.h"
 #include "project/package_root.h"
+#include "shaders/stage_signature.h"
 #include "shaders/vulkan_version.h"
 
 namespace penumbra::shaders {
@@ -56,6 +57,7 @@ struct PreprocessedSource {
   // The include that ended the compilation, if it is one that ships only with the Unity editor
   // (project/editor_includes.h): reports count these separately from errors of the shader.
   std::string missing_editor_include{};
+  std::vector<preparation::SemanticPlace> semantics{};  // of the entry point, where the source is prepared
 };
 
 class SourceMemory;  // source_memory.h: files read once for many compilations
@@ -70,8 +72,7 @@ struct CompileResult {
   std::vector<std::filesystem::path> dependencies;  // every file that was read
   std::string missing_editor_include{};             // as in PreprocessedSource
   hlsl::SourceFiles sources;                        // the texts of all file names in messages and OpLine
-  // Of a vertex shader's inputs, by location: "TEXCOORD0". Inputs that it never reads are included.
-  std::map<std::uint32_t, std::string> input_semantics;
+  Signature signature;                              // of the entry point; empty when there is no module
 };
 
 // These functions do not throw for an invalid shader; expand() and its callers throw InputError if `file`

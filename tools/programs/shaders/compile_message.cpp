@@ -81,6 +81,22 @@ void write(ByteWriter& out, const std::vector<Diagnostic>& diagnostics) {
   out.list(diagnostics, [&](const Diagnostic& diagnostic) { write(out, diagnostic); });
 }
 
+void write(ByteWriter& out, const Signature& signature) {
+  out.list(signature, [&](const SignatureElement& element) {
+    out.text(element.semantic);
+    out.number(element.output ? 1 : 0);
+    out.number(element.per_patch ? 1 : 0);
+    out.number(static_cast<std::uint64_t>(element.location + 1));
+    out.number(static_cast<std::uint64_t>(element.type));
+    out.number(static_cast<std::uint64_t>(element.components));
+    out.number(static_cast<std::uint64_t>(element.count));
+    out.number(element.read ? 1 : 0);
+    out.text(element.written);
+    out.text(element.file);
+    out.number(static_cast<std::uint64_t>(element.line));
+  });
+}
+
 CompileRequest read_compile_request(ByteReader& in) {
   CompileRequest request;
   request.file = in.text();
@@ -119,6 +135,24 @@ std::vector<Diagnostic> read_diagnostics(ByteReader& in) {
     diagnostic.source_line = in.text();
     diagnostic.rule = in.text();
     return diagnostic;
+  });
+}
+
+Signature read_signature(ByteReader& in) {
+  return in.list<SignatureElement>([&] {
+    SignatureElement element;
+    element.semantic = in.text();
+    element.output = in.flag();
+    element.per_patch = in.flag();
+    element.location = read_place(in) - 1;
+    element.type = in.enumerator(SignatureType::other);
+    element.components = read_place(in);
+    element.count = read_place(in);
+    element.read = in.flag();
+    element.written = in.text();
+    element.file = in.text();
+    element.line = read_place(in);
+    return element;
   });
 }
 

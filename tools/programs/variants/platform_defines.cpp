@@ -36,6 +36,10 @@ const char* renderer_name(GraphicsApi api) {
   return names_of(api).renderer;
 }
 
+bool keeps_stage_keywords(GraphicsApi api) {
+  return api != GraphicsApi::vulkan && api != GraphicsApi::glcore && api != GraphicsApi::gles3;
+}
+
 std::optional<GraphicsApi> find_graphics_api(std::string_view renderer) {
   for (const ApiNames& names : api_names)
     if (renderer == names.renderer) return names.api;

@@ -50,6 +50,11 @@ inline constexpr GraphicsApi all_graphics_apis[] = {GraphicsApi::d3d11, Graphics
 const char* renderer_name(GraphicsApi api);
 std::optional<GraphicsApi> find_graphics_api(std::string_view renderer);
 
+// Whether a stage-specific keyword (multi_compile_fragment and others) is defined in its stage alone. For
+// OpenGL and Vulkan the editor defines it in all stages (Unity Manual, "Declaring and using shader
+// keywords").
+bool keeps_stage_keywords(GraphicsApi api);
+
 struct Platform {
   GraphicsApi api = GraphicsApi::vulkan;
   bool mobile = false;

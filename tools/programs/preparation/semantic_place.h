@@ -1,0 +1,15 @@
+// Where a source declares the semantics of its entry point.
+#pragma once
+
+#include <string>
+
+namespace penumbra::preparation {
+
+struct SemanticPlace {
+  std::string semantic;  // as written
+  bool output = false;
+  std::string file;
+  int line = 0;
+};
+
+}  // namespace penumbra::preparation

@@ -1,0 +1,34 @@
+// The signature of an entry point: its inputs and outputs by their HLSL semantics, which SPIR-V does not
+// keep.
+//
+// Based on "Signatures", https://learn.microsoft.com/windows/win32/direct3dhlsl/dx-graphics-hlsl-signatures.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace penumbra::shaders {
+
+// other: bool, and types that stages do not exchange.
+enum class SignatureType { floating, signed_integer, unsigned_integer, other };
+
+struct SignatureElement {
+  std::string semantic;  // in capitals, with its number: "TEXCOORD0"; "SV_POSITION" and others without one
+  bool output = false;
+  bool per_patch = false;  // of a hull or domain program: not of a control point
+  int location = -1;       // in SPIR-V; -1: a built-in value
+  SignatureType type = SignatureType::other;
+  int components = 0;   // of one semantic, 1 to 4; 0: unknown
+  int count = 1;        // consecutive semantics: elements of an array, vectors of a matrix
+  bool read = false;    // inputs: by an instruction of the optimised program
+  std::string written;  // the semantic as the source has it
+  std::string file;     // where the source has the semantic; line 0: unknown
+  int line = 0;
+
+  bool operator==(const SignatureElement&) const = default;
+};
+
+using Signature = std::vector<SignatureElement>;
+
+}  // namespace penumbra::shaders

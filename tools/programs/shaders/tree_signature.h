@@ -1,0 +1,21 @@
+// The signature of a compiled entry point, from its syntax tree and its module. Internal to this room.
+#pragma once
+
+#include <glslang/MachineIndependent/localintermediate.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "preparation/semantic_place.h"
+#include "shaders/stage_signature.h"
+
+namespace penumbra::shaders {
+
+// Inputs and outputs in the order of their declaration, without their places.
+Signature tree_signature(const glslang::TIntermediate& tree, std::span<const std::uint32_t> spirv);
+
+// `places` are those of the same entry point.
+void add_places(const std::vector<preparation::SemanticPlace>& places, Signature& signature);
+
+}  // namespace penumbra::shaders
