@@ -66,16 +66,15 @@ void place_errors(const std::string& text, const hlsl::SourceFiles& sources) {
 }
 
 void remove_errors(const std::string& text) {
-  const std::size_t tokens = hlsl::lex(text).size();
   shaders::ErrorRemoval removal(text);
-  for (std::size_t token = 0; token < tokens; token += 1 + tokens / 8) {
+  for (std::size_t offset = 0; offset < text.size(); offset += 1 + text.size() / 8) {
     const std::string before = removal.text();
-    const bool part = removal.remove_part(token, token % 2 == 1);
+    const bool part = removal.remove_part(offset, offset % 2 == 1);
     const std::string& after = removal.text();
     require(part || after == before, "what cannot be taken out is left alone");
     require(std::count(after.begin(), after.end(), '\n') == std::count(before.begin(), before.end(), '\n'),
             "what is taken out leaves its lines");
-    if (part) removal.remove_body(token);
+    if (part) removal.remove_body(offset);
   }
 }
 

@@ -42,6 +42,16 @@ TEST(ErrorRecovery, GoesOnInTheSameFunction) {
                   "5:13: unknown variable 'three'"));
 }
 
+// Operators of two characters are one token for the parser.
+TEST(ErrorRecovery, RemovesTheRightCodeAfterOperators) {
+  EXPECT_THAT(
+      errors("bool Before(int a) {\n    a += 1; a -= 1; a <<= 2;\n    return a == 1 && a != 2 || a >= 3;\n}\n"
+             "float First(float x) {\n    float a = one; float b = 2;\n    return a + b;\n}\n"
+             "float Second(float x) { return two; }\n" +
+             kMain),
+      ElementsAre("6:15: unknown variable 'one'", "9:32: unknown variable 'two'"));
+}
+
 TEST(ErrorRecovery, ReadsOnAfterAMissingSemicolon) {
   EXPECT_THAT(
       errors("struct S { float a; };\nS First(float x) {\n    S s;\n    s.a = 1\n    return s;\n}\nfloat "

@@ -3,8 +3,8 @@
 // A variant of a pipeline's shader reaches a quarter of the functions in its includes. The rest is checked
 // only once: the parser's diagnostics of a declaration are cached under a key of everything that it depends
 // on (hlsl/reach.h), and reported again for every text with that key. The module is compiled from the reached
-// declarations, so it does not depend on earlier compilations; nor do the diagnostics, which for a text with
-// an error are those of the whole text.
+// declarations, so it does not depend on earlier compilations; nor do the diagnostics. Those of a
+// text with errors come from the reached declarations and the others with an error.
 //
 // The reached declarations are often the same: keywords and graphics APIs mostly change code that an entry
 // point does not use. Equal reached texts are compiled once. Not thread-safe.
@@ -12,6 +12,7 @@
 
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "hlsl/reach.h"
@@ -30,18 +31,25 @@ class CheckedDeclarations {
 
  private:
   std::vector<std::size_t> unknown(const hlsl::Reach& reach, const std::string& circumstances) const;
-  void learn(const hlsl::Reach& reach, const std::string& circumstances,
-             const std::vector<hlsl::Diagnostic>& said, const std::vector<std::size_t>& checked);
+  bool learn(const hlsl::Reach& reach, const std::string& circumstances,
+             const shaders::FrontEndMessages& said, const std::vector<std::size_t>& checked);
+  std::vector<std::size_t> wrong(const hlsl::Reach& reach, const std::string& circumstances) const;
+  bool agrees(const hlsl::Reach& reach, const std::string& circumstances,
+              const std::vector<hlsl::Diagnostic>& said) const;
+  shaders::CompileResult compile_wrong(const shaders::CompileRequest& request,
+                                       shaders::PreprocessedSource source, const std::string& text);
   shaders::CompileResult compile_reached(const shaders::CompileRequest& request,
                                          shaders::PreprocessedSource reached, Sharing sharing);
   shaders::CompileResult compile_prepared(const shaders::CompileRequest& request,
                                           shaders::PreprocessedSource prepared);
 
   std::unordered_map<std::string, std::vector<hlsl::Diagnostic>> known_;
+  std::unordered_set<std::string> wrong_;  // those with an error
   // By reached text, before and after its preparation, which makes more of them equal: a tenth of a megabyte
   // each.
   RecentResults<shaders::CompileResult> reached_{64};
   RecentResults<shaders::CompileResult> prepared_{64};
+  RecentResults<shaders::CompileResult> failed_{64};
 };
 
 // Compiles the whole text, including unreached declarations; equal results, but slower.

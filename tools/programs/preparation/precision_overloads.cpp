@@ -201,15 +201,46 @@ const OverloadedFunction* chosen_by(const std::vector<Precision>& arguments, con
   return best;
 }
 
-// The overload that all calls outside of these overloads select; null if they select several, or there is no
-// call.
-const OverloadedFunction* called_overload(const TokenText& text, const Overloads& overloads) {
+// Which tokens may be executed: those outside of functions, and those of functions that the entry point
+// reaches by their names. Without an entry point, all.
+std::vector<bool> reached_tokens(const TokenText& text) {
+  std::vector<bool> reached(text.size(), true);
+  if (text.entry().empty()) return reached;
+  std::unordered_map<std::string_view, std::vector<const hlsl::Declaration*>> functions;
+  for (const hlsl::Declaration& declaration : text.declarations()) {
+    const bool is_function = declaration.kind == hlsl::Declaration::Kind::function;
+    if (is_function) functions[text[declaration.name].spelling].push_back(&declaration);
+    if (is_function || declaration.kind == hlsl::Declaration::Kind::prototype)
+      std::fill(reached.begin() + static_cast<std::ptrdiff_t>(declaration.first),
+                reached.begin() + static_cast<std::ptrdiff_t>(declaration.last) + 1, false);
+  }
+  std::vector<std::string_view> wanted{text.entry()};
+  for (std::size_t at = 0; at < text.size(); ++at)
+    if (reached[at] && text.is_identifier(at)) wanted.push_back(text[at].spelling);
+  while (!wanted.empty()) {
+    const auto found = functions.find(wanted.back());
+    wanted.pop_back();
+    if (found == functions.end()) continue;
+    for (const hlsl::Declaration* function : found->second)
+      for (std::size_t at = function->first; at <= function->last; ++at) {
+        reached[at] = true;
+        if (text.is_identifier(at)) wanted.push_back(text[at].spelling);
+      }
+    functions.erase(found);
+  }
+  return reached;
+}
+
+// The overload that all reached calls outside of these overloads select; null if they select several, or
+// there is no call.
+const OverloadedFunction* called_overload(const TokenText& text, const Overloads& overloads,
+                                          const std::vector<bool>& reached) {
   const std::string_view name = text[overloads[0]->declaration->name].spelling;
   const OverloadedFunction* called = nullptr;
   for (std::size_t at = 1; at + 1 < text.size(); ++at) {
     const bool call = text.is(at, name) && text.is(at + 1, "(") && text.matching_bracket(at + 1) != npos &&
                       !text.is(at - 1, ".");
-    if (!call || is_in_one(overloads, at)) continue;
+    if (!call || !reached[at] || is_in_one(overloads, at)) continue;
     const OverloadedFunction* chosen = chosen_by(argument_precisions(text, at + 1), overloads);
     if (chosen == nullptr || chosen == called) continue;
     if (called != nullptr) return nullptr;
@@ -219,14 +250,16 @@ const OverloadedFunction* called_overload(const TokenText& text, const Overloads
 }
 
 // Which of them keeps its body.
-const OverloadedFunction* kept_overload(const TokenText& text, const Overloads& overloads) {
+const OverloadedFunction* kept_overload(const TokenText& text, const Overloads& overloads,
+                                        std::vector<bool>& reached) {
   const OverloadedFunction* best = overloads[0];
   for (const OverloadedFunction* overload : overloads)
     if (better(text, *overload, *best)) best = overload;
   const bool forwards = std::any_of(overloads.begin(), overloads.end(),
                                     [&](const auto* overload) { return calls_its_name(text, *overload); });
   if (overloads.size() == 1 || forwards || !bodies_differ(text, overloads)) return best;
-  const OverloadedFunction* called = called_overload(text, overloads);
+  if (reached.empty()) reached = reached_tokens(text);
+  const OverloadedFunction* called = called_overload(text, overloads, reached);
   return called != nullptr ? called : best;
 }
 
@@ -238,9 +271,10 @@ void merge_precision_overloads(TokenText& text) {
   for (const OverloadedFunction& function : functions)
     groups[widened_signature(function)].push_back(&function);
   std::unordered_map<std::string, const OverloadedFunction*> kept;
+  std::vector<bool> reached;  // computed when a group asks for it
   for (const OverloadedFunction& function : functions) {
     const OverloadedFunction*& best = kept[widened_signature(function)];
-    if (best == nullptr) best = kept_overload(text, groups[widened_signature(function)]);
+    if (best == nullptr) best = kept_overload(text, groups[widened_signature(function)], reached);
     if (function.parameters == best->parameters)
       continue;  // itself, or a definition with identical parameter types
     drop(text, function, *best);

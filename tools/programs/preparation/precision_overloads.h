@@ -6,9 +6,9 @@
 // The one with the most full-precision parameters keeps its body, the first of several; one that calls its
 // own name, and so may forward to another overload, only if all do. The others become declarations, each with
 // a note. If the two bodies differ in more than the spelling of types (HALF_EPS against FLT_EPS), the choice
-// matters: the kept body is the one that overload resolution selects for the calls, the note is a warning,
-// and calls of both are an error. Definitions with identical parameter types are not merged: every compiler
-// rejects them.
+// matters: the kept body is the one that overload resolution selects for the calls that the entry point
+// reaches, and the note is a warning. Definitions with identical parameter types are not merged: every
+// compiler rejects them.
 #pragma once
 
 #include "preparation/token_text.h"

@@ -115,6 +115,7 @@ PreparedShader prepare(std::string preprocessed, const std::string& main_file,
   if (!check_nesting(text) || !check_struct_sizes(text)) return {{}, text.notes()};
   std::vector<SemanticPlace> semantics;
   if (entry) {
+    text.set_entry(entry->name);
     check_semicolons(text);
     check_interfaces(text);
     check_thread_group(text, *entry);

@@ -153,7 +153,6 @@ void TokenText::append_made(const Edit& edit) {
 
 void TokenText::apply() {
   if (edits_.empty()) return;
-  is_edited_ = true;
   std::stable_sort(edits_.begin(), edits_.end(), [](const Edit& a, const Edit& b) {
     return a.first != b.first ? a.first < b.first
                               : a.count == 0 && b.count > 0;  // what goes before comes first
@@ -184,20 +183,30 @@ std::string TokenText::file_of(std::size_t at) const {
   return at < tokens_.size() ? std::string(tokens_[at].file) : main_file_;
 }
 
-bool TokenText::same_line(std::size_t a, std::size_t b) const {
-  return tokens_[a].line == tokens_[b].line && same_file(tokens_[a].file, tokens_[b].file);
+std::size_t TokenText::original(std::size_t at) {
+  if (at >= tokens_.size()) return npos;
+  if (original_.empty()) original_ = hlsl::lex(text_);
+  const char* const place = tokens_[at].spelling.data();
+  const auto found = std::lower_bound(
+      original_.begin(), original_.end(), place,
+      [](const Token& token, const char* other) { return std::less<>()(token.spelling.data(), other); });
+  const bool is_there = found != original_.end() && found->spelling.data() == place;
+  return is_there ? static_cast<std::size_t>(found - original_.begin()) : npos;
 }
 
 void TokenText::note(std::size_t at, hlsl::Severity severity, std::string message) {
-  const bool is_there = at < tokens_.size();
-  Note note{{file_of(at), is_there ? tokens_[at].line : 0, 0, severity, std::move(message), {}}};
-  if (is_there && !is_edited_) {
-    note.spelling = tokens_[at].spelling;
-    const auto counted = [&](std::size_t other) { return tokens_[other].spelling == note.spelling; };
-    for (std::size_t before = at; before > 0 && same_line(before - 1, at); --before)
+  Note note{{file_of(at), at < tokens_.size() ? tokens_[at].line : 0, 0, severity, std::move(message), {}}};
+  if (const std::size_t given = original(at); given != npos) {
+    const Token& token = original_[given];
+    note.spelling = token.spelling;
+    const auto same_line = [&](std::size_t other) {
+      return original_[other].line == token.line && same_file(original_[other].file, token.file);
+    };
+    const auto counted = [&](std::size_t other) { return original_[other].spelling == token.spelling; };
+    for (std::size_t before = given; before > 0 && same_line(before - 1); --before)
       note.rank += counted(before - 1) ? 1 : 0;
     note.count = note.rank + 1;
-    for (std::size_t after = at + 1; after < tokens_.size() && same_line(after, at); ++after)
+    for (std::size_t after = given + 1; after < original_.size() && same_line(after); ++after)
       note.count += counted(after) ? 1 : 0;
   }
   notes_.push_back(std::move(note));

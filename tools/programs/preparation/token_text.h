@@ -26,7 +26,7 @@ inline constexpr std::size_t npos = static_cast<std::size_t>(-1);
 class ValueTypes;
 
 // A message at a token. The preprocessor keeps no columns: `rank` and `count` identify the token among those
-// of the line with the same spelling (hlsl::column_in); a count of 0, after an edit, means unknown.
+// of the given line with the same spelling (hlsl::column_in); a count of 0 means that it was inserted.
 struct Note : hlsl::Diagnostic {
   std::string spelling{};
   std::size_t rank = 0;
@@ -86,6 +86,10 @@ class TokenText {
   void note(std::size_t at, hlsl::Severity severity, std::string message);
   const std::vector<Note>& notes() const { return notes_; }
 
+  // The entry point's name; empty: of a text without one.
+  const std::string& entry() const { return entry_; }
+  void set_entry(std::string name) { entry_ = std::move(name); }
+
   std::string file_of(std::size_t at) const;  // main_file before the first #line that names one
   std::string print() const;
 
@@ -98,13 +102,15 @@ class TokenText {
   };
 
   void match_brackets();
-  bool same_line(std::size_t a, std::size_t b) const;
+  // The token's index in the text as it was given, and those tokens; npos for an inserted one.
+  std::size_t original(std::size_t at);
   void append_kept(std::size_t first, std::size_t end);
   void append_made(const Edit& edit);
   std::uint32_t number_of(const hlsl::Token& token);
 
   std::string text_;
   std::string main_file_;
+  std::string entry_;
   std::vector<hlsl::Token> tokens_;
   hlsl::StringInterner words_;          // all identifiers that are or were in the text
   std::vector<std::uint32_t> numbers_;  // of every token's identifier
@@ -117,7 +123,7 @@ class TokenText {
   std::vector<Edit> edits_;
   std::deque<std::string> made_;  // the spellings of inserted tokens
   std::vector<Note> notes_;
-  bool is_edited_ = false;
+  std::vector<hlsl::Token> original_;  // the tokens before the first edit, when a note asks for them
   // Computed on demand, valid until apply().
   mutable std::optional<std::vector<hlsl::Declaration>> declarations_;
   mutable std::shared_ptr<const ValueTypes> types_;

@@ -68,15 +68,16 @@ bool tells_an_error(const std::string& log, const hlsl::SourceFiles& sources) {
 }
 
 bool parse(const Source& source, glslang::TShader& shader, const hlsl::SourceFiles& sources,
-           CompileResult& result) {
+           CompileResult& result, FoundErrors* found = nullptr) {
   glslang::TShader::ForbidIncluder nothing_left_to_include;
   const bool parsed = shader.parse(GetDefaultResources(), hlsl_version, false, messages_of(source.request),
                                    nothing_left_to_include);
   const std::string log = shader.getInfoLog();
   for (hlsl::Diagnostic& warning : warnings(log, sources)) result.diagnostics.push_back(std::move(warning));
   if (parsed && !tells_an_error(log, sources)) return true;
-  for (hlsl::Diagnostic& error : errors_of(source, log, sources))
-    result.diagnostics.push_back(std::move(error));
+  FoundErrors all = errors_of(source, log, sources);
+  for (hlsl::Diagnostic& error : all.errors) result.diagnostics.push_back(std::move(error));
+  if (found != nullptr) *found = std::move(all);
   return false;
 }
 
@@ -272,10 +273,12 @@ CompileResult compile(const CompileRequest& request, PreprocessedSource source) 
   result.diagnostics = std::move(source.diagnostics);
   result.dependencies = std::move(source.dependencies);
   result.missing_editor_include = std::move(source.missing_editor_include);
+  const std::string* suggested = source.suggested.empty() ? nullptr : &source.suggested;
   if (hlsl::has_errors(result.diagnostics)) {
     if (!source.text.empty())
-      add_further_errors({request, request.file.string(), source.text, {}}, source.sources, result);
-  } else if (!build({request, request.file.string(), source.text, {}}, source.sources, result)) {
+      add_further_errors({request, request.file.string(), source.text, {}, suggested}, source.sources,
+                         result);
+  } else if (!build({request, request.file.string(), source.text, {}, suggested}, source.sources, result)) {
     result.spirv.clear();
     result.signature.clear();
   }
@@ -288,19 +291,24 @@ CompileResult compile(const CompileRequest& request) {
   return compile(request, preprocess(request));
 }
 
-std::vector<hlsl::Diagnostic> front_end_messages(const CompileRequest& request,
-                                                 const PreprocessedSource& source) {
+FrontEndMessages front_end_messages(const CompileRequest& request, const PreprocessedSource& source) {
   initialise_glslang_once();
+  FrontEndMessages found{source.diagnostics};
+  if (hlsl::has_errors(found.messages)) return {std::move(found.messages), false};
   CompileResult result;
-  result.diagnostics = source.diagnostics;
-  if (hlsl::has_errors(result.diagnostics)) return result.diagnostics;
-  const Source whole{request, request.file.string(), source.text, {}};
-  SourceShader shader(whole);
-  if (!parse(whole, shader.get(), source.sources, result)) return result.diagnostics;
-  glslang::TProgram program;
-  program.addShader(&shader.get());
-  link(whole, source.sources, program, result);
-  return result.diagnostics;
+  const auto accepts = [&](const std::string& text, FoundErrors* errors) {
+    const std::string* suggested = source.suggested.empty() ? nullptr : &source.suggested;
+    const Source whole{request, request.file.string(), text, {}, suggested};
+    SourceShader shader(whole);
+    if (!parse(whole, shader.get(), source.sources, result, errors)) return false;
+    glslang::TProgram program;
+    program.addShader(&shader.get());
+    return link(whole, source.sources, program, result);
+  };
+  FoundErrors errors;
+  if (!accepts(source.text, &errors)) found.complete = errors.rest && accepts(*errors.rest, nullptr);
+  for (hlsl::Diagnostic& said : result.diagnostics) found.messages.push_back(std::move(said));
+  return found;
 }
 
 }  // namespace penumbra::shaders

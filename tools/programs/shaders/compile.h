@@ -57,6 +57,9 @@ struct PreprocessedSource {
   // The include that ended the compilation, if it is one that ships only with the Unity editor
   // (project/editor_includes.h): reports count these separately from errors of the shader.
   std::string missing_editor_include{};
+  // A text whose identifiers are suggested in place of unknown ones; empty: `text`, which is then not a part
+  // of another.
+  std::string suggested{};
   std::vector<preparation::SemanticPlace> semantics{};  // of the entry point, where the source is prepared
 };
 
@@ -83,9 +86,13 @@ PreprocessedSource preprocess(const CompileRequest& request);                   
 CompileResult compile(const CompileRequest& request, PreprocessedSource source);
 CompileResult compile(const CompileRequest& request);  // all three
 
+struct FrontEndMessages {
+  std::vector<hlsl::Diagnostic> messages;
+  bool complete = true;  // every declaration without an error among them has none
+};
+
 // All diagnostics of a preprocessed source up to linking, including those in functions that its entry point
 // does not reach: if none is an error, the front end accepts it.
-std::vector<hlsl::Diagnostic> front_end_messages(const CompileRequest& request,
-                                                 const PreprocessedSource& source);
+FrontEndMessages front_end_messages(const CompileRequest& request, const PreprocessedSource& source);
 
 }  // namespace penumbra::shaders

@@ -51,28 +51,35 @@ bool is_still_there(const hlsl::Diagnostic& before, const hlsl::Diagnostic& now)
 
 }  // namespace
 
-std::vector<hlsl::Diagnostic> errors_of(const Source& source, const std::string& log,
-                                        const hlsl::SourceFiles& sources) {
+FoundErrors errors_of(const Source& source, const std::string& log, const hlsl::SourceFiles& sources) {
   PlacedError found = placed_error(failure_of(source, log, source.text), sources);
-  std::vector<hlsl::Diagnostic> errors{found.diagnostic};
+  FoundErrors all{{found.diagnostic}};
+  bool repeated = false;
   ErrorRemoval rest(source.text);
-  for (std::size_t round = 0; round < most_rounds && errors.size() < most_errors && found.token; ++round) {
+  const auto accepts = [&](const Parse& parse) {
+    if (parse.accepted && !repeated) all.rest = rest.text();
+    return parse.accepted;
+  };
+  for (std::size_t round = 0; round < most_rounds && all.errors.size() < most_errors && found.offset;
+       ++round) {
     const hlsl::Diagnostic before = found.diagnostic;
     const bool lacks_semicolon = before.message.starts_with("expected ';'");
-    if (!rest.remove_part(*found.token, lacks_semicolon)) break;
+    if (!rest.remove_part(*found.offset, lacks_semicolon)) break;
     Parse parse = parse_again(source, rest.text());
-    if (parse.accepted) break;
+    if (accepts(parse)) break;
     found = placed_error(failure_of(source, parse.log, rest.text()), sources);
-    if (found.token && is_still_there(before, found.diagnostic)) {  // the removed code was not the cause
-      if (!rest.remove_body(*found.token)) break;
+    if (found.offset && is_still_there(before, found.diagnostic)) {  // the removed code was not the cause
+      if (!rest.remove_body(*found.offset)) break;
       parse = parse_again(source, rest.text());
-      if (parse.accepted) break;
+      if (accepts(parse)) break;
       found = placed_error(failure_of(source, parse.log, rest.text()), sources);
     }
     const bool is_news = found.diagnostic.line > 0 && !is_own_making(found.diagnostic);
-    if (is_news && !has_message(errors, found.diagnostic.message)) errors.push_back(found.diagnostic);
+    const bool is_told = has_message(all.errors, found.diagnostic.message);
+    if (is_news && !is_told) all.errors.push_back(found.diagnostic);
+    repeated = repeated || !is_news || is_told;
   }
-  return errors;
+  return all;
 }
 
 }  // namespace penumbra::shaders

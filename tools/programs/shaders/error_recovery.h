@@ -6,6 +6,7 @@
 // own.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,9 +14,13 @@
 
 namespace penumbra::shaders {
 
-// In source order, at least one. `log`: the parser's messages about the source. Errors with the same text are
-// reported once.
-std::vector<hlsl::Diagnostic> errors_of(const Source& source, const std::string& log,
-                                        const hlsl::SourceFiles& sources);
+struct FoundErrors {
+  std::vector<hlsl::Diagnostic> errors;  // in source order, at least one; those with the same text once
+  // The text without the code of the errors, if the parser accepts it and no error was left out.
+  std::optional<std::string> rest{};
+};
+
+// `log`: the parser's messages about the source.
+FoundErrors errors_of(const Source& source, const std::string& log, const hlsl::SourceFiles& sources);
 
 }  // namespace penumbra::shaders

@@ -1,5 +1,6 @@
 #include "shaders/error_removal.h"
 
+#include <algorithm>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -37,6 +38,15 @@ void blank(std::string& text, std::size_t begin, std::size_t end) {
 class Remedy {
  public:
   explicit Remedy(std::string& text) : text_(text), tokens_(hlsl::lex(text)) {}
+
+  // The last token that begins there or before; of an operator of two characters, its first.
+  std::size_t token_at(std::size_t place) const {
+    const auto after = std::upper_bound(
+        tokens_.begin(), tokens_.end(), place, [this](std::size_t wanted, const hlsl::Token& token) {
+          return wanted < static_cast<std::size_t>(token.spelling.data() - text_.data());
+        });
+    return after == tokens_.begin() ? 0 : static_cast<std::size_t>(after - tokens_.begin()) - 1;
+  }
 
   // False if the token is in no function's body, or its function was already emptied. `lacks_semicolon`: the
   // token is the first one after the statement.
@@ -141,12 +151,14 @@ class Remedy {
 
 ErrorRemoval::ErrorRemoval(std::string text) : text_(std::move(text)) {}
 
-bool ErrorRemoval::remove_part(std::size_t token, bool lacks_semicolon) {
-  return Remedy(text_).apply(token, lacks_semicolon, emptied_);
+bool ErrorRemoval::remove_part(std::size_t offset, bool lacks_semicolon) {
+  Remedy remedy(text_);
+  return remedy.apply(remedy.token_at(offset), lacks_semicolon, emptied_);
 }
 
-bool ErrorRemoval::remove_body(std::size_t token) {
-  return Remedy(text_).empty_around(token, emptied_);
+bool ErrorRemoval::remove_body(std::size_t offset) {
+  Remedy remedy(text_);
+  return remedy.empty_around(remedy.token_at(offset), emptied_);
 }
 
 }  // namespace penumbra::shaders

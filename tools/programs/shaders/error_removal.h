@@ -15,12 +15,12 @@ class ErrorRemoval {
  public:
   explicit ErrorRemoval(std::string text);  // preprocessed HLSL
 
-  // Removes the code around that token of the current text: the initialiser or the statement that contains
-  // it, or else the whole body of its function, which is replaced by a return statement. False if the token
-  // is in no function, or its function was already emptied; the text is then unchanged. `lacks_semicolon`:
-  // the token is the first one after the statement.
-  bool remove_part(std::size_t token, bool lacks_semicolon);
-  bool remove_body(std::size_t token);  // the whole body at once
+  // Removes the code around the token that begins at `offset` of the current text: the initialiser or the
+  // statement that contains it, or else the whole body of its function, which is replaced by a return
+  // statement. False if the token is in no function, or its function was already emptied; the text is then
+  // unchanged. `lacks_semicolon`: the token is the first one after the statement.
+  bool remove_part(std::size_t offset, bool lacks_semicolon);
+  bool remove_body(std::size_t offset);  // the whole body at once
 
   const std::string& text() const { return text_; }
 

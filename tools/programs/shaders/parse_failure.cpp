@@ -162,19 +162,23 @@ bool names_something_unknown(const LogLine& error) {
 }
 
 // A method's name is printed as "__BI_Sample"; a function that the text does not declare is unknown.
-std::string unknown_name(LogLine error, const Surroundings& around, const hlsl::TokenPlaces& places) {
+std::string unknown_name(LogLine error, const Surroundings& around, const hlsl::TokenPlaces& places,
+                         const std::string* suggested) {
+  const std::optional<hlsl::TokenPlaces> others =
+      suggested == nullptr ? std::nullopt : std::optional<hlsl::TokenPlaces>(std::in_place, *suggested, "");
+  const hlsl::TokenPlaces& names = others ? *others : places;
   const std::string built_in = "__BI_";
   if (error.token.starts_with(built_in)) {
     error.token.erase(0, built_in.size());
     return "no method '" + error.token + "' takes these arguments" + nearest_method(error.token);
   }
   if (error.message != "no matching overloaded function found")
-    return sentence(error, around) + nearest_word(error.token, places);
+    return sentence(error, around) + nearest_word(error.token, names);
   const std::size_t function = places.function(error.token);
   if (function != places.size()) return sentence(error, around) + "; there is " + signature(places, function);
   return is_intrinsic(error.token)
              ? sentence(error, around)
-             : "unknown function '" + error.token + "'" + nearest_word(error.token, places);
+             : "unknown function '" + error.token + "'" + nearest_word(error.token, names);
 }
 
 // A missing ';' is detected at the next token, often a line or a file later; it is reported after the
@@ -196,7 +200,7 @@ hlsl::Diagnostic missing_semicolon(LogLine error, std::size_t at, const Surround
 }
 
 hlsl::Diagnostic at_token(const LogLine& error, std::size_t at, const hlsl::TokenPlaces& places,
-                          const hlsl::SourceFiles& sources) {
+                          const hlsl::SourceFiles& sources, const std::string* suggested) {
   const Surroundings around = surroundings(places, at);
   if (is_missing_semicolon(error, around, at)) return missing_semicolon(error, at, around, places, sources);
   if (error.message == "Expected" && error.token.starts_with("loop") && at > 0)  // detected after 'break'
@@ -208,9 +212,10 @@ hlsl::Diagnostic at_token(const LogLine& error, std::size_t at, const hlsl::Toke
   if (error.message != "Expected" && place.file == error.file && place.line == error.line)
     if (const int column = column_of(error.token, sources.line(error.file, error.line)); column != 0)
       place.column = column;
-  return at_place(
-      place, names_something_unknown(error) ? unknown_name(error, around, places) : sentence(error, around),
-      sources);
+  return at_place(place,
+                  names_something_unknown(error) ? unknown_name(error, around, places, suggested)
+                                                 : sentence(error, around),
+                  sources);
 }
 
 hlsl::Diagnostic of_include(LogLine line, const std::string& problem, const hlsl::SourceFiles& sources) {
@@ -267,7 +272,8 @@ PlacedError placed_error(const ParseFailure& failure, const hlsl::SourceFiles& s
   if (!of_preprocessor(*error)) {
     const hlsl::TokenPlaces places(failure.preprocessed, failure.main_file);
     if (const std::optional<std::size_t> at = find_token(failure, *error, places, sources))
-      return {at_token(*error, *at, places, sources), at};
+      return {at_token(*error, *at, places, sources, failure.suggested),
+              static_cast<std::size_t>(places[*at].spelling.data() - failure.preprocessed.data())};
   }
   return {at_line(*error, sources), {}};
 }

@@ -26,13 +26,14 @@ struct ParseFailure {
   std::optional<std::string> include_failure;
   std::string preprocessed;  // glslang's own preprocessor output, may be empty
   std::function<std::string(const std::string& text)> log_of;  // of the same shader with another text
+  const std::string* suggested = nullptr;  // the text whose names are suggested; null: `preprocessed`
 };
 
 struct PlacedError {
   hlsl::Diagnostic diagnostic;
-  // The token of the preprocessed text at which the parser stopped; nothing if it is unknown, and if the
-  // error is elsewhere (a bracket that is never closed).
-  std::optional<std::size_t> token;
+  // Where in the preprocessed text the token begins at which the parser stopped; nothing if that is unknown,
+  // and if the error is elsewhere (a bracket that is never closed).
+  std::optional<std::size_t> offset;
 };
 
 PlacedError placed_error(const ParseFailure& failure, const hlsl::SourceFiles& sources);

@@ -61,8 +61,12 @@ SourceShader::SourceShader(const Source& source)
 }
 
 ParseFailure failure_of(const Source& source, const std::string& log, const std::string& expanded) {
-  return {log, source.name, std::nullopt, expanded,
-          [&source](const std::string& text) { return log_of(source, text); }};
+  return {log,
+          source.name,
+          std::nullopt,
+          expanded,
+          [&source](const std::string& text) { return log_of(source, text); },
+          source.suggested};
 }
 
 }  // namespace penumbra::shaders

@@ -17,7 +17,8 @@ struct Source {
   const CompileRequest& request;
   std::string name;
   const std::string& text;
-  std::string preamble;  // #define lines before the text that do not count as lines
+  std::string preamble;                    // #define lines before the text that do not count as lines
+  const std::string* suggested = nullptr;  // as in PreprocessedSource; null: the text
 };
 
 EShLanguage language(hlsl::Stage stage);
