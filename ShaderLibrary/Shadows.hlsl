@@ -1,10 +1,14 @@
 // Penumbra: soft shadows of URP's main light, in one include.
 //
-//   #pragma multi_compile_local _ _PENUMBRA_TENT_3X3 _PENUMBRA_TENT_7X7 _PENUMBRA_PCSS
+//   #pragma multi_compile_fragment _ _MAIN_LIGHT_SHADOWS _MAIN_LIGHT_SHADOWS_CASCADE _MAIN_LIGHT_SHADOWS_SCREEN
+//   #pragma multi_compile_local_fragment _ _PENUMBRA_TENT_3X3 _PENUMBRA_TENT_7X7 _PENUMBRA_PCSS
 //   #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Lighting.hlsl"
 //   #include "Packages/com.penumbra.shadows/ShaderLibrary/Shadows.hlsl"
 //   ...
-//   float visibility = PenumbraMainLightVisibility(positionWS, normalWS, positionCS.xy);
+//   float visibility = 1.0;
+//   #if defined(MAIN_LIGHT_CALCULATE_SHADOWS)  // URP's, from its keywords: without one on, it has no shadow map
+//   visibility = PenumbraMainLightVisibility(positionWS, normalWS, positionCS.xy);
+//   #endif
 //
 // Computes:   visibility of the main light at a world position, with the technique that the keyword selects:
 //             _PENUMBRA_HARD, _PENUMBRA_BILINEAR, _PENUMBRA_FOUR_TAP, _PENUMBRA_TENT_3X3, _PENUMBRA_TENT_7X7,

@@ -1,6 +1,8 @@
-// The samples' shaders compile for every target and keyword, without a finding of the lint rules: the custom
-// pipeline's as it is, which needs nothing of Unity's, the forward shader with stand-ins for the URP files
-// that it includes.
+// The samples' shaders, and README's example of one, compile for every target and keyword, without a finding
+// of the lint rules: the custom pipeline's as it is, which needs nothing of Unity's, those of URP with
+// stand-ins for the URP files that they include.
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -72,6 +74,25 @@ TEST_F(SampleShaders, TheForwardShaderCompilesForEveryTechniqueShadowAndLight) {
             (std::set<std::string>{"ForwardLit", "ShadowCaster", "DepthOnly", "DepthNormals"}));
   const int forward = 1 + 6 * 4 * 2 * 2, caster = 2 + 1, depth = 1 + 1, normals = 1 + 2;
   EXPECT_EQ(report["summary"]["variants"], (forward + caster + depth + normals) * 5);
+  EXPECT_EQ(report["summary"]["failed"], 0);
+  EXPECT_THAT(findings(report), IsEmpty());
+}
+
+// README's first block of HLSL, as what its reader pastes it into.
+std::string readme_shader() {
+  std::ifstream file(kSource + "/README.md", std::ios::binary);
+  const std::string page((std::istreambuf_iterator<char>(file)), {});
+  const std::string start = "```hlsl\n";
+  const std::size_t begin = page.find(start) + start.size();
+  return "Shader \"Readme\" { SubShader { Pass {\nHLSLPROGRAM\n" +
+         page.substr(begin, page.find("```", begin) - begin) + "ENDHLSL\n} } }\n";
+}
+
+// Each keyword that it lists changes the shader: one that does not is a finding.
+TEST_F(SampleShaders, ReadmesCompilesWithAndWithoutAShadowMap) {
+  write("Readme.shader", readme_shader());
+  const nlohmann::json report = validate(path("Readme.shader").string());
+  EXPECT_EQ(report["summary"]["variants"], (1 + 4) * 5);
   EXPECT_EQ(report["summary"]["failed"], 0);
   EXPECT_THAT(findings(report), IsEmpty());
 }
