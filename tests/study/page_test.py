@@ -95,6 +95,31 @@ class PresetCosts(unittest.TestCase):
             "| High | Mask | 900 | 8 | 1800 |"), text)
 
 
+class DepthFetches(unittest.TestCase):
+    SCREEN = results(record("pcss-angular-24-16", fetches_mean=30.0), record("pcss-angular-24-16", "b", fetches_mean=20.0),
+                     record("screen-pcss-angular-24-16", fetches_mean=35.5),
+                     record("screen-pcss-angular-24-16", "b", fetches_mean=25.5))
+
+    def test_the_pass_without_a_mask_and_the_masked_presets(self):
+        def masked(name, scene, light, fetches, saved):
+            return record("preset-" + name, scene, light, (saved, 0.0), preprocess_fetches_per_pixel=fetches)
+
+        text = page.depth_fetches(results(record("preset-low"), *(
+            row for name in ("high", "ultra") for row in (
+                masked(name, "a", 2.0, 2.0, 0.1), masked(name, "b", 2.0, 3.0, 0.3),
+                masked(name, "a", 5.0, 1.0, 0.0), masked(name, "b", 5.0, 1.0, 0.02)))), self.SCREEN)
+        self.assertTrue(text.endswith(
+            "| fetches per pixel | 2° light | 5° light |\n|:--|--:|--:|\n"
+            "| position and normal from the camera's depth, of the pass without a mask | 5.5 | - |\n"
+            "| High, Ultra: the passes of the mask | 2.5 | 1.0 |\n"
+            "| High, Ultra: pixels where the mask skips the filter, % | 20 | 1 |"), text)
+
+    def test_different_masks_are_refused(self):
+        with self.assertRaisesRegex(page.Problem, "different masks"):
+            page.depth_fetches(results(record("preset-high", mask=(0.1, 0.0), preprocess_fetches_per_pixel=1.0),
+                                       record("preset-ultra", mask=(0.1, 0.0), preprocess_fetches_per_pixel=2.0)), self.SCREEN)
+
+
 class PresetMasks(unittest.TestCase):
     def test_lights_are_columns_and_scenes_rows(self):
         text = page.preset_masks(results(
