@@ -1,6 +1,7 @@
 """scripts/pictures over the pages as they are, and over made-up ones; the program is a stand-in that says what it is
 asked for."""
 import os
+import re
 import shutil
 import subprocess
 import tempfile
@@ -21,6 +22,12 @@ class Pages(unittest.TestCase):
         self.assertEqual(set(drawn), there)
         for name, page in drawn.items():
             self.assertRegex((ROOT / page).read_text(), rf"\]\(images/{name}\.(png|jpg)\)")
+
+    def test_a_picture_of_the_readme_is_the_one_that_its_command_draws(self):
+        readme = (ROOT / "README.md").read_text()
+        shown = re.findall(r"\]\(Documentation~/images/([a-z-]+)\.(?:png|jpg)\)", readme)
+        self.assertEqual(re.findall("`PENUMBRA_URP_PACKAGES=DIR scripts/pictures ([a-z-]+)`", readme), shown)
+        subprocess.run([ROOT / SCRIPT, "--list", *shown], check=True, capture_output=True)
 
     def test_no_picture_is_large(self):
         for file in (ROOT / "Documentation~" / "images").iterdir():
