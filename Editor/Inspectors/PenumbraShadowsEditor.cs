@@ -12,6 +12,7 @@ namespace Penumbra.Editor
             SerializedProperty settings = serializedObject.FindProperty("settings");
             SerializedProperty preset = settings.FindPropertyRelative(nameof(PenumbraShadowsSettings.preset));
             EditorGUILayout.PropertyField(preset, OptionFields.Preset);
+            CustomFields.KeepPreset(settings, ((PenumbraShadows)target).Settings);
             if ((QualityPreset)preset.intValue == QualityPreset.Custom)
                 ShowOptions(settings.FindPropertyRelative(nameof(PenumbraShadowsSettings.custom)));
             else

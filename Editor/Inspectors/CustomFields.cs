@@ -1,0 +1,37 @@
+using UnityEditor;
+
+namespace Penumbra.Editor
+{
+    /// <summary>
+    /// The options of the preset Custom. Written through the serialized object, as LookFields are, so that undo takes the
+    /// choice of Custom and its values back at once.
+    /// </summary>
+    internal static class CustomFields
+    {
+        /// <summary>
+        /// Where `edited` has just got the preset Custom, its options become those in force until then: the picture stays as
+        /// it was, and the user changes one option of a preset instead of setting them all.
+        /// </summary>
+        /// <param name="edited">The feature's settings before they are applied.</param>
+        /// <param name="inForce">The same settings as the feature still has them.</param>
+        internal static void KeepPreset(SerializedProperty edited, PenumbraShadowsSettings inForce)
+        {
+            SerializedProperty preset = edited.FindPropertyRelative(nameof(PenumbraShadowsSettings.preset));
+            if ((QualityPreset)preset.intValue != QualityPreset.Custom || inForce.preset == QualityPreset.Custom) return;
+            Write(edited.FindPropertyRelative(nameof(PenumbraShadowsSettings.custom)), inForce.Options());
+        }
+
+        private static void Write(SerializedProperty custom, in ShadowOptions options)
+        {
+            custom.FindPropertyRelative(nameof(options.technique)).intValue = (int)options.technique;
+            custom.FindPropertyRelative(nameof(options.angularDiameterDegrees)).floatValue = options.angularDiameterDegrees;
+            custom.FindPropertyRelative(nameof(options.blockerSamples)).intValue = options.blockerSamples;
+            custom.FindPropertyRelative(nameof(options.filterSamples)).intValue = options.filterSamples;
+            custom.FindPropertyRelative(nameof(options.softnessCapMetres)).floatValue = options.softnessCapMetres;
+            custom.FindPropertyRelative(nameof(options.minFilterTexels)).floatValue = options.minFilterTexels;
+            custom.FindPropertyRelative(nameof(options.mask)).boolValue = options.mask;
+            custom.FindPropertyRelative(nameof(options.halfResolution)).boolValue = options.halfResolution;
+            custom.FindPropertyRelative(nameof(options.denoise)).boolValue = options.denoise;
+        }
+    }
+}
