@@ -47,7 +47,6 @@ namespace Penumbra.Editor
         internal static string WithPasses(string text)
         {
             ShaderStructure structure = ShaderStructure.Of(text);
-            string newline = text.Contains("\r\n") ? "\r\n" : "\n";
             foreach (SubShaderText subShader in Enumerable.Reverse(structure.subShaders))
             {
                 List<string> passes = Lacking(subShader, structure.shared);
@@ -56,10 +55,18 @@ namespace Penumbra.Editor
                 string before = text.Substring(line, subShader.end - line);
                 bool ownLine = before.Trim().Length == 0;
                 string indent = ownLine ? before : "";
+                string newline = LineEndBefore(text, line);
                 string added = string.Concat(passes.Select(pass => indent + "    UsePass \"" + Lent(pass) + "\"" + newline));
                 text = ownLine ? text.Insert(line, added) : text.Insert(subShader.end, newline + added);
             }
             return text;
+        }
+
+        // As the line above ends, or where there is none as the first one does.
+        private static string LineEndBefore(string text, int line)
+        {
+            int end = line > 0 ? line - 1 : text.IndexOf('\n');
+            return end > 0 && text[end - 1] == '\r' ? "\r\n" : "\n";
         }
 
         // Unity turns names of passes into upper case, and finds them by that alone.

@@ -118,7 +118,15 @@ namespace Penumbra.Editor
         private static readonly string[] Shaders = { ".shader" };
 
         internal static List<ReceiverProblem> Find() =>
-            In(AssetDatabase.GetAllAssetPaths().Where(IsFile), path => File.ReadAllText(Path.GetFullPath(path)));
+            In(AssetDatabase.GetAllAssetPaths().Where(IsFile), path => ShaderFile.Read(path).text);
+
+        /// <summary>What was found, of shaders and of renderers together.</summary>
+        internal static string Summary(int count)
+        {
+            if (count == 0) return "Every opaque shader that takes the main light's shadow can read its own from the screen.";
+            return count + (count == 1 ? " problem" : " problems") +
+                   " with reading the main light's shadow from the screen.";
+        }
 
         /// <summary>A package's shader is one no more as soon as the project has its copy.</summary>
         internal static List<ReceiverProblem> In(IEnumerable<string> paths, Func<string, string> read)
@@ -184,17 +192,21 @@ namespace Penumbra.Editor
             return problem.passes != null ? ReceiverDepth.WithPasses(text) : text;
         }
 
+        /// <summary>Does what CanApply promises; an IOException says what keeps the file from being written.</summary>
         internal static void Apply(in ReceiverProblem problem)
         {
+            ShaderFile file = ShaderFile.Read(problem.path);
+            string text = Fixed(problem, file.text, IsFile);
             string target = problem.path;
             if (problem.fix == ReceiverFix.CopyToProject)
             {
                 target = AssetDatabase.GenerateUniqueAssetPath(OfProject + Path.GetFileName(problem.path));
                 if (!AssetDatabase.CopyAsset(problem.path, target))
-                    throw new IOException("cannot copy " + problem.path + " to " + target);
+                    throw new IOException(problem.path + " cannot be copied to " + target + ". Check that the folder can be " +
+                                          "written, and try again.");
+                ShaderFile.MakeWritable(target);
             }
-            string text = File.ReadAllText(Path.GetFullPath(problem.path));
-            File.WriteAllText(target, Fixed(problem, text, IsFile));
+            file.Write(target, text);
             AssetDatabase.ImportAsset(target);
         }
 

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.IO;
 using UnityEditor;
 using UnityEngine;
 using UnityEngine.Rendering.Universal;
@@ -13,6 +14,7 @@ namespace Penumbra.Editor
     {
         private List<ReceiverProblem> problems;
         private List<(ScriptableRendererData renderer, int layers)> renderers;
+        private string failure;  // of the last fix; null where it was done
         private Vector2 scroll;
 
         [MenuItem("Window/Rendering/Penumbra Receivers")]
@@ -26,13 +28,14 @@ namespace Penumbra.Editor
 
         private void OnGUI()
         {
-            if (GUILayout.Button("Look through the project") || problems == null) Look();
+            if (GUILayout.Button("Look through the project") || problems == null)
+            {
+                failure = null;
+                Look();
+            }
             int count = problems.Count + renderers.Count;
-            EditorGUILayout.HelpBox(count == 0
-                                        ? "Every opaque shader that takes the main light's shadow can read its own from the " +
-                                          "screen."
-                                        : count + " problems with reading the main light's shadow from the screen.",
-                                    count == 0 ? MessageType.Info : MessageType.Warning);
+            EditorGUILayout.HelpBox(ReceiverReport.Summary(count), count == 0 ? MessageType.Info : MessageType.Warning);
+            if (failure != null) EditorGUILayout.HelpBox(failure, MessageType.Error);
             scroll = EditorGUILayout.BeginScrollView(scroll);
             bool changed = false;
             foreach ((ScriptableRendererData renderer, int layers) in renderers) changed |= Show(renderer, layers);
@@ -50,12 +53,20 @@ namespace Penumbra.Editor
             return true;
         }
 
-        private static bool Show(in ReceiverProblem problem)
+        private bool Show(in ReceiverProblem problem)
         {
             EditorGUILayout.LabelField(problem.path, EditorStyles.boldLabel);
             EditorGUILayout.LabelField(problem.Explanation, EditorStyles.wordWrappedLabel);
             if (!problem.CanApply || !GUILayout.Button(ButtonText(problem.fix))) return false;
-            ReceiverReport.Apply(problem);
+            failure = null;
+            try
+            {
+                ReceiverReport.Apply(problem);
+            }
+            catch (IOException kept)
+            {
+                failure = kept.Message;
+            }
             return true;
         }
 

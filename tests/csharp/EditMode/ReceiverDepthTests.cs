@@ -122,6 +122,15 @@ namespace Penumbra.Tests
         }
 
         [Test]
+        public void AddedLinesEndAsTheLineAbove()
+        {
+            string windows = SubShader(Forward).Replace("\n", "\r\n"), unix = SubShader(Forward);
+            string added = ReceiverDepth.WithPasses("Shader \"A\"\n{\n" + windows + unix + "}\n");
+            Assert.That(added, Does.Contain("}\r\n    UsePass \"Universal Render Pipeline/Lit/DEPTHONLY\"\r\n    UsePass")
+                            .And.Contains("}\n    UsePass \"Universal Render Pipeline/Lit/DEPTHONLY\"\n    UsePass"));
+        }
+
+        [Test]
         public void ABraceAfterOtherTextStaysTheLast()
         {
             string with = ReceiverDepth.WithPasses("Shader \"A\" { SubShader { " + Forward.TrimEnd() + " } }");

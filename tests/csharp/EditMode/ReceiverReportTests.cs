@@ -37,6 +37,12 @@ namespace Penumbra.Tests
             }));
         }
 
+        [TestCase(0, "Every opaque shader")]
+        [TestCase(1, "1 problem with")]
+        [TestCase(2, "2 problems with")]
+        public void TheSummaryCounts(int count, string start) =>
+            Assert.That(ReceiverReport.Summary(count), Does.StartWith(start).And.EndsWith("from the screen."));
+
         [Test]
         public void EachExplanationNamesWhatIsMissing()
         {
