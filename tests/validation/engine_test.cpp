@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <sstream>
 
@@ -311,6 +312,19 @@ TEST_F(Isolation, ACrashOfThePreprocessorLeavesTheSource) {
   const UnitResult result = run_with("crash@preprocess").results[1];
   EXPECT_THAT(statuses(result), ElementsAre(failed, unreached, unreached));
   EXPECT_THAT(read(result.targets[0].reproduction), HasSubstr("#include \"Shared.hlsl\""));
+}
+
+// It would take twice the time limit.
+TEST_F(Isolation, ATextThatCannotBeMadeIsTriedOnce) {
+  const std::string pipe = files_.path("pipe").string();
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const int descriptor = ::open(pipe.c_str(), O_RDWR | O_NONBLOCK);
+  ASSERT_EQ(::write(descriptor, "xxx", 3), 3);
+  EXPECT_THAT(statuses(run_with("crash-counted:" + pipe + "@preprocess").results[1]),
+              ElementsAre(failed, unreached, unreached));
+  std::array<char, 4> left{};
+  EXPECT_EQ(::read(descriptor, left.data(), left.size()), 2);
+  ::close(descriptor);
 }
 
 TEST_F(Isolation, AHangEndsAtItsTime) {

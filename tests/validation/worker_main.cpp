@@ -33,6 +33,7 @@ void misbehave(const std::string& how) {
   if (how == "crash") std::abort();
   if (how == "kill") std::raise(SIGKILL);
   if (how.starts_with("kill-once:") && takes_a_byte(how.substr(10))) std::raise(SIGKILL);
+  if (how.starts_with("crash-counted:") && takes_a_byte(how.substr(14))) std::abort();
   if (how == "hang") std::this_thread::sleep_for(std::chrono::hours(1));
   while (how == "eat") {
     constexpr std::size_t bite = std::size_t{8} << 20U;
@@ -54,7 +55,7 @@ class MisbehavingLink final : public platform::WorkerLink {
   }
   void note(std::string_view text) override {
     link_.note(text);
-    if (where_ == (text == note_compile ? "preprocess" : text)) misbehave(how_);
+    if (text != note_compile && where_ == (text == note_text ? "preprocess" : text)) misbehave(how_);
   }
 
  private:

@@ -43,7 +43,7 @@ class UnitAtWork {
         cache_(job.context.cache) {}
 
   UnitReply answer() {
-    link_.note(note_compile);
+    link_.note(note_text);
     make_text();
     reply_.damaged = cache_.damaged();
     return std::move(reply_);
@@ -59,6 +59,7 @@ class UnitAtWork {
           {job_.unit.compile.file.string(), 0, 0, hlsl::Severity::error, error.what(), {}});
       return;
     }
+    link_.note(note_compile);
     reply_.dependencies = source_.dependencies;
     if (job_.text_only) {
       shaders::prepare(job_.unit.compile, source_);

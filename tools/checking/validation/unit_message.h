@@ -56,7 +56,9 @@ inline constexpr char question_module = 'm';
 inline constexpr std::string_view answer_mine = "mine";
 inline constexpr std::string_view answer_known = "known";
 
-// The notes while the text is made and compiled, and while it is linted; after that each target's name.
+// The notes while the text is made, while it is compiled, and while it is linted; after that each target's
+// name.
+inline constexpr std::string_view note_text = "text";
 inline constexpr std::string_view note_compile = "spirv";
 inline constexpr std::string_view note_lint = "lint";
 

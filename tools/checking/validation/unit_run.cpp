@@ -139,11 +139,17 @@ void UnitRun::say_done() {
 }
 
 void UnitRun::crashed(std::size_t place, const platform::WorkerOutcome& outcome) {
-  const std::string target = outcome.note.empty() ? std::string(note_compile) : outcome.note;
+  const bool has_no_text = outcome.note.empty() || outcome.note == note_text;
+  const std::string target = has_no_text ? std::string(note_compile) : outcome.note;
   std::string message = "the compiler " + outcome.failure;
   if (!outcome.output_tail.empty()) message += "; it said: " + outcome.output_tail;
   if (target == note_lint) message = "lint " + outcome.failure + " and reports nothing about this variant";
   states_[place].failures[target] = {std::move(message), {}};
+  if (has_no_text) {  // a second attempt would end in the same way, and take as long
+    states_[place].failures[target].reproduction =
+        write_reproduction(keep_folder(), unit(place), {target, outcome.failure, {}});
+    return say_done();
+  }
   states_[place].reproducing = Crash{target, outcome.failure, {}};
   send_first(place);
 }
