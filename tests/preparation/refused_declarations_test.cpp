@@ -95,6 +95,14 @@ TEST(Arrays, HaveASize) {
   EXPECT_THAT(refused_in("float a[-2], b[0];"),
               ElementsAre("3: the array 'a' has a negative size",
                           "3: the array 'b' has 0 elements: it needs at least one"));
+  for (const char* large : {"65537", "0x10001", "70000u", "99999999999999999999"})
+    EXPECT_THAT(
+        refused("static float a[2][" + std::string(large) + "];"),
+        ElementsAre(
+            "1: the array 'a' has more than 65536 elements in one dimension: use a buffer or a texture"))
+        << large;
+  EXPECT_THAT(refused("static float a[65536][0x10000];"), IsEmpty());
+  EXPECT_THAT(refused("static float a[65537];", true), IsEmpty());
   EXPECT_THAT(refused("Texture2D t[] : register(t0, space1);"), ElementsAre(HasSubstr("has no size")));
   EXPECT_THAT(refused("Texture2D t[] : register(t0, space1);", true), IsEmpty());
   EXPECT_THAT(refused("static const float a[] = { 1, 2 }; static const int N = 3; float b[N - 1][2];"),

@@ -1,4 +1,8 @@
+#include <charconv>
+#include <cstdint>
 #include <string>
+#include <string_view>
+#include <system_error>
 
 #include "preparation/resource_types.h"
 #include "preparation/source_checks.h"
@@ -7,6 +11,18 @@
 namespace penumbra::preparation {
 
 namespace {
+
+constexpr std::uint64_t most_elements = 65536;  // FXC X3059
+
+// A literal: 1024, 0x400, 1024U.
+bool is_above(std::string_view literal, std::uint64_t most) {
+  const bool hexadecimal = literal.starts_with("0x") || literal.starts_with("0X");
+  if (hexadecimal) literal.remove_prefix(2);
+  std::uint64_t number = 0;
+  const auto read =
+      std::from_chars(literal.data(), literal.data() + literal.size(), number, hexadecimal ? 16 : 10);
+  return read.ec == std::errc::result_out_of_range || (read.ec == std::errc() && number > most);
+}
 
 class ArraySizes {
  public:
@@ -26,6 +42,8 @@ class ArraySizes {
         if (needs_size(value)) refuse(value, " has no size: write how many elements it has");
       } else if (close == open + 2 && text_.is(open + 1, "0")) {
         refuse(value, " has 0 elements: it needs at least one");
+      } else if (!dxc_ && close == open + 2 && is_above(text_[open + 1].spelling, most_elements)) {
+        refuse(value, " has more than 65536 elements in one dimension: use a buffer or a texture");
       } else if (close == open + 3 && text_.is(open + 1, "-") &&
                  text_[open + 2].kind == hlsl::Token::Kind::number) {
         refuse(value, " has a negative size");
