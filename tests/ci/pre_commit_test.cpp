@@ -58,7 +58,8 @@ TEST_F(PreCommit, StagedIncludesAreFound) {
 
 TEST_F(PreCommit, IncludesMayHaveAnyExtension) {
   write("Common/Quarter", "float Quarter(float x) { return 0.25 * x; }\n");
-  write("Assets/Half.hlsli", "#include <../Common/Quarter>\nfloat Half(float x) { return 2 * Quarter(x); }\n");
+  write("Assets/Half.hlsli",
+        "#include <../Common/Quarter>\nfloat Half(float x) { return 2 * Quarter(x); }\n");
   write("Assets/Part.inc", "#\tinclude \"Half.hlsli\"\n");
   write("Assets/Good.hlsl",
         "# include  \"Part.inc\"\nfloat4 Main(float2 uv : TEXCOORD0) : SV_Target { return Half(uv.x); }\n");

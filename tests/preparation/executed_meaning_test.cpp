@@ -281,7 +281,7 @@ TEST(ExecutedConstants, OfWhatIsWrittenLaterAreAnError) {
   EXPECT_THAT(run("Out[0] = Other();"), ElementsAre(6));
   EXPECT_THAT([&] { run("u = 100; Out[0] = Other();"); },
               ThrowsMessage<std::runtime_error>(
-                  HasSubstr(":3: error: not supported here: 's' is initialised from 'u'")));
+                  HasSubstr(":3:20: error: not supported here: 's' is initialised from 'u'")));
   EXPECT_THAT(
       [] {
         outputs("Set(g); Out[0] = s;", {0}, 1,
