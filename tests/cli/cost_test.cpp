@@ -46,6 +46,24 @@ TEST_F(Cost, AUsersFileWithKeywordSetsGivesTheSameBytesTwice) {
   EXPECT_EQ(run(command).output, once.output);
 }
 
+TEST_F(Cost, StagesThatAreNotMeasuredAreNamed) {
+  const std::string file =
+      write("Geometry.shader",
+            "Shader \"G\" { SubShader { Pass {\nHLSLPROGRAM\n#pragma vertex Vert\n#pragma geometry "
+            "Geom\n#pragma "
+            "fragment Frag\nstruct V { float4 p : SV_Position; };\nV Vert(float4 p : POSITION) { V v; v.p = "
+            "p; return "
+            "v; }\n[maxvertexcount(1)] void Geom(point V v[1], inout PointStream<V> s) { s.Append(v[0]); }\n"
+            "float4 Frag() : SV_Target { return 1; }\nENDHLSL\n} } }\n")
+          .string();
+  const auto result = run({"cost", file, "--family", "navi21", "--format", "csv"});
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(result.errors,
+              HasSubstr("Geometry.shader:2:1: warning: the geometry program 'Geom' is not measured: only "
+                        "vertex, fragment and compute programs are"));
+  EXPECT_THAT(result.output, AllOf(HasSubstr(",Vert,"), HasSubstr(",Frag,")));
+}
+
 TEST_F(Cost, EveryPassOfAShaderHasItsRows) {
   const std::string file =
       write(

@@ -140,7 +140,7 @@ cost::CostReport measure(const CostOptions& options, Context& context) {
   }
   for (const hlsl::Diagnostic& diagnostic : outcome.diagnostics)
     std::fprintf(stderr, "%s\n", hlsl::format(diagnostic).c_str());
-  if (!outcome.diagnostics.empty()) context.exit_code = findings;
+  if (hlsl::has_errors(outcome.diagnostics)) context.exit_code = findings;
   outcome.report.command = reproducing_command(options);
   return std::move(outcome.report);
 }

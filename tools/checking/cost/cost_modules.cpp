@@ -60,6 +60,20 @@ bool is_measured(hlsl::Stage stage) {
   return stage == hlsl::Stage::vertex || stage == hlsl::Stage::fragment || stage == hlsl::Stage::compute;
 }
 
+std::vector<hlsl::Diagnostic> errors_of(std::vector<hlsl::Diagnostic> said) {
+  std::erase_if(said, [](const hlsl::Diagnostic& one) { return one.severity != hlsl::Severity::error; });
+  return said;
+}
+
+void add_new(std::vector<hlsl::Diagnostic>& said, const std::vector<hlsl::Diagnostic>& more) {
+  for (const hlsl::Diagnostic& diagnostic : more) {
+    const bool known = std::any_of(said.begin(), said.end(), [&](const hlsl::Diagnostic& other) {
+      return hlsl::format(other) == hlsl::format(diagnostic);
+    });
+    if (!known) said.push_back(diagnostic);
+  }
+}
+
 // As `penumbra validate` compiles the file for Vulkan: with its pragmas and Unity's macros. Without keyword
 // sets a program of a .shader or .compute is its first variant, the one with the fewest keywords.
 void add_file(const CostRequest& request, const ShaderFile& shader, std::vector<Source>& sources,
@@ -73,29 +87,30 @@ void add_file(const CostRequest& request, const ShaderFile& shader, std::vector<
   validation::ShaderSources file(std::move(options));
   file.add({shader.file, shader.file.string(), true});
   for (const validation::VariantRecord& record : file.records()) {
-    said.insert(said.end(), record.diagnostics.begin(), record.diagnostics.end());
+    add_new(said, errors_of(record.diagnostics));
     if (!record.reason.empty())
       said.push_back({record.file, 0, 0, hlsl::Severity::error, "not measured: " + record.reason, {}});
   }
   for (const validation::SourceProgram& program : file.programs()) {
     for (std::size_t i = 0; i < program.entries.size() + program.kernels.size(); ++i) {
       const hlsl::Stage stage = i < program.entries.size() ? program.entries[i].second : hlsl::Stage::compute;
-      if (!is_measured(stage)) continue;
+      if (!is_measured(stage)) {
+        said.push_back({program.file,
+                        program.line,
+                        program.column,
+                        hlsl::Severity::warning,
+                        std::string("the ") + hlsl::stage_name(stage) + " program '" +
+                            program.entries[i].first +
+                            "' is not measured: only vertex, fragment and compute programs are",
+                        {}});
+        continue;
+      }
       std::vector<variants::Keywords> sets = shader.keyword_sets;
       if (sets.empty()) sets.push_back(program.space->variants(stage).at(0));
       for (const variants::Keywords& keywords : sets)
         sources.push_back(
             {file.entry_unit(program, i, keywords).compile, file_and_pass(program), {"", keywords}});
     }
-  }
-}
-
-void add_new(std::vector<hlsl::Diagnostic>& said, const std::vector<hlsl::Diagnostic>& more) {
-  for (const hlsl::Diagnostic& diagnostic : more) {
-    const bool known = std::any_of(said.begin(), said.end(), [&](const hlsl::Diagnostic& other) {
-      return hlsl::format(other) == hlsl::format(diagnostic);
-    });
-    if (diagnostic.severity == hlsl::Severity::error && !known) said.push_back(diagnostic);
   }
 }
 
@@ -117,7 +132,7 @@ CostModules compile_modules(const CostRequest& request) {
     const auto& [compile, file, variant] = sources[i];
     const std::vector<std::uint32_t>& spirv = compiled[i].spirv;
     if (spirv.empty()) {
-      add_new(made.diagnostics, compiled[i].diagnostics);
+      add_new(made.diagnostics, errors_of(compiled[i].diagnostics));
       continue;
     }
     const auto [place, is_new] =

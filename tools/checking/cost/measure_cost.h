@@ -44,7 +44,8 @@ struct CostRequest {
 
 struct CostOutcome {
   CostReport report;                          // rows by family, then in the order of the request
-  std::vector<hlsl::Diagnostic> diagnostics;  // of shaders that do not compile: they have no row
+  std::vector<hlsl::Diagnostic> diagnostics;  // errors: of shaders that do not compile and have no row;
+                                              // warnings: of stages not measured
 };
 
 // Throws InputError for an unknown family or a file that cannot be read, EnvironmentError without RADV,
