@@ -21,8 +21,9 @@ struct MergedTwins {
   std::vector<Note> notes;
 };
 
-MergedTwins merge(const std::string& text) {
+MergedTwins merge(const std::string& text, const std::string& entry = "") {
   TokenText tokens(text, "main.hlsl");
+  tokens.set_entry(entry);
   merge_precision_overloads(tokens);
   return {tokens.print(), tokens.notes()};
 }
@@ -50,6 +51,28 @@ TEST(PrecisionTwins, TheFloatBodyStaysWhicheverComesFirst) {
   const std::string wide = "float2 f(float2 x) { return 2; }";
   EXPECT_EQ(squeezed(merge(narrow + wide).text), squeezed("half2 f(half2 x) ;" + wide));
   EXPECT_EQ(squeezed(merge(wide + narrow).text), squeezed(wide + "half2 f(half2 x) ;"));
+}
+
+TEST(PrecisionTwins, OnlyCallsThatTheEntryPointReachesDecide) {
+  const std::string twins = "half f(half x) { return 1; } float f(float x) { return 2; } ";
+  const std::string narrow = "half g(half x) { return f(x); } ";
+  const std::string wide = "float h(float x) { return f(x); } ";
+  const std::string kept_wide = squeezed("half f(half x) ; float f(float x) { return 2; }");
+  const std::string kept_narrow = squeezed("half f(half x) { return 1; } float f(float x) ;");
+  const std::string main = "float Main() { return g(1) + 1; } ";
+  for (const std::string& declared : {std::string(), std::string("float h(float x); ")}) {
+    const MergedTwins reached = merge(declared + twins + narrow + wide + main, "Main");
+    EXPECT_THAT(squeezed(reached.text), HasSubstr(kept_narrow)) << declared;
+    EXPECT_EQ(reached.notes.at(0).severity, hlsl::Severity::warning);
+  }
+  const MergedTwins unreached = merge(twins + narrow + "float Main() { return 1; } ", "Main");
+  EXPECT_THAT(squeezed(unreached.text), HasSubstr(kept_wide));
+  EXPECT_EQ(unreached.notes.at(0).severity, hlsl::Severity::note) << "it cannot change what Main does";
+  EXPECT_THAT(
+      squeezed(
+          merge(twins + narrow + "static const float c = g(1); float Main() { return c; }", "Main").text),
+      HasSubstr(kept_narrow))
+      << "an initialiser calls it";
 }
 
 TEST(PrecisionTwins, TheBodyThatDoesTheWorkStays) {

@@ -159,10 +159,44 @@ bool same_bodies(const TokenText& text, const hlsl::Declaration& a, const hlsl::
   return true;
 }
 
-void drop(TokenText& text, const OverloadedFunction& gone, const OverloadedFunction& kept) {
+// Which tokens may be executed: those outside of functions, and those of functions that the entry point
+// reaches by their names. Without an entry point, all.
+std::vector<bool> reached_tokens(const TokenText& text) {
+  std::vector<bool> reached(text.size(), true);
+  if (text.entry().empty()) return reached;
+  std::unordered_map<std::string_view, std::vector<const hlsl::Declaration*>> functions;
+  for (const hlsl::Declaration& declaration : text.declarations()) {
+    const bool is_function = declaration.kind == hlsl::Declaration::Kind::function;
+    if (is_function) functions[text[declaration.name].spelling].push_back(&declaration);
+    if (is_function || declaration.kind == hlsl::Declaration::Kind::prototype)
+      std::fill(reached.begin() + static_cast<std::ptrdiff_t>(declaration.first),
+                reached.begin() + static_cast<std::ptrdiff_t>(declaration.last) + 1, false);
+  }
+  std::vector<std::string_view> wanted{text.entry()};
+  for (std::size_t at = 0; at < text.size(); ++at)
+    if (reached[at] && text.is_identifier(at)) wanted.push_back(text[at].spelling);
+  while (!wanted.empty()) {
+    const auto found = functions.find(wanted.back());
+    wanted.pop_back();
+    if (found == functions.end()) continue;
+    for (const hlsl::Declaration* function : found->second)
+      for (std::size_t at = function->first; at <= function->last; ++at) {
+        reached[at] = true;
+        if (text.is_identifier(at)) wanted.push_back(text[at].spelling);
+      }
+    functions.erase(found);
+  }
+  return reached;
+}
+
+// A warning if it may change what the entry point does. `reached`: empty, or as reached_tokens().
+void drop(TokenText& text, const OverloadedFunction& gone, const OverloadedFunction& kept,
+          std::vector<bool>& reached) {
   const std::size_t kept_at = kept.declaration->name;
   const bool same = same_bodies(text, *gone.declaration, *kept.declaration);
-  text.note(gone.declaration->name, same ? hlsl::Severity::note : hlsl::Severity::warning,
+  if (!same && reached.empty()) reached = reached_tokens(text);
+  const bool matters = !same && reached[gone.declaration->name];
+  text.note(gone.declaration->name, matters ? hlsl::Severity::warning : hlsl::Severity::note,
             "'" + gone.name + list(gone.parameters) + "' differs from '" + kept.name + list(kept.parameters) +
                 "' only in precision, which is ignored here; the body at " + text.file_of(kept_at) + ":" +
                 std::to_string(text[kept_at].line) + " is used for both" +
@@ -199,36 +233,6 @@ const OverloadedFunction* chosen_by(const std::vector<Precision>& arguments, con
     most = std::max(most, matches);
   }
   return best;
-}
-
-// Which tokens may be executed: those outside of functions, and those of functions that the entry point
-// reaches by their names. Without an entry point, all.
-std::vector<bool> reached_tokens(const TokenText& text) {
-  std::vector<bool> reached(text.size(), true);
-  if (text.entry().empty()) return reached;
-  std::unordered_map<std::string_view, std::vector<const hlsl::Declaration*>> functions;
-  for (const hlsl::Declaration& declaration : text.declarations()) {
-    const bool is_function = declaration.kind == hlsl::Declaration::Kind::function;
-    if (is_function) functions[text[declaration.name].spelling].push_back(&declaration);
-    if (is_function || declaration.kind == hlsl::Declaration::Kind::prototype)
-      std::fill(reached.begin() + static_cast<std::ptrdiff_t>(declaration.first),
-                reached.begin() + static_cast<std::ptrdiff_t>(declaration.last) + 1, false);
-  }
-  std::vector<std::string_view> wanted{text.entry()};
-  for (std::size_t at = 0; at < text.size(); ++at)
-    if (reached[at] && text.is_identifier(at)) wanted.push_back(text[at].spelling);
-  while (!wanted.empty()) {
-    const auto found = functions.find(wanted.back());
-    wanted.pop_back();
-    if (found == functions.end()) continue;
-    for (const hlsl::Declaration* function : found->second)
-      for (std::size_t at = function->first; at <= function->last; ++at) {
-        reached[at] = true;
-        if (text.is_identifier(at)) wanted.push_back(text[at].spelling);
-      }
-    functions.erase(found);
-  }
-  return reached;
 }
 
 // The overload that all reached calls outside of these overloads select; null if they select several, or
@@ -277,7 +281,7 @@ void merge_precision_overloads(TokenText& text) {
     if (best == nullptr) best = kept_overload(text, groups[widened_signature(function)], reached);
     if (function.parameters == best->parameters)
       continue;  // itself, or a definition with identical parameter types
-    drop(text, function, *best);
+    drop(text, function, *best, reached);
   }
   text.apply();
 }

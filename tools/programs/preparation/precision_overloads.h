@@ -7,8 +7,8 @@
 // own name, and so may forward to another overload, only if all do. The others become declarations, each with
 // a note. If the two bodies differ in more than the spelling of types (HALF_EPS against FLT_EPS), the choice
 // matters: the kept body is the one that overload resolution selects for the calls that the entry point
-// reaches, and the note is a warning. Definitions with identical parameter types are not merged: every
-// compiler rejects them.
+// reaches, and the note is a warning if it reaches any of them. Definitions with identical parameter types
+// are not merged: every compiler rejects them.
 #pragma once
 
 #include "preparation/token_text.h"
