@@ -309,5 +309,27 @@ TEST(IntegerMatrices, AreNotInMemory) {
   EXPECT_THAT(errors("static const int2x2 _M = {1, 2, 3, 4};\n" + body, hlsl::Stage::fragment), IsEmpty());
 }
 
+TEST(HlslRules, SaysWhatACallOrAnAssignmentTakes) {
+  const auto message = [](const std::string& statement) {
+    return errors("float4 Main(float2 uv : TEXCOORD0) : SV_Target { " + statement + "\nreturn 1; }\n",
+                  hlsl::Stage::fragment);
+  };
+  EXPECT_THAT(message("float z = _Map.SampleCmp(sampler_Map, uv, 0.5);"),
+              ElementsAre(HasSubstr("2: a method that compares takes a SamplerComparisonState")));
+  EXPECT_THAT(
+      errors("float4 Main() : SV_Target { return Later(1); }\n\nfloat4 Later(float x) { return x; }\n",
+             hlsl::Stage::fragment),
+      ElementsAre(
+          "2: 'Later' is declared only in line 4: move it before its first use, or declare it there"));
+  EXPECT_THAT(
+      errors("float4 Later(float x);\nfloat4 Main() : SV_Target { return Later(); }\n"
+             "float4 Later(float x) { return x; }\n",
+             hlsl::Stage::fragment),
+      ElementsAre(HasSubstr("3: no function 'Later' takes these arguments; there is Later(float x)")));
+  EXPECT_THAT(message("float4 a = mul(uv, uv, 2);"), ElementsAre("2: mul takes two arguments"));
+  EXPECT_THAT(message("string s = \"abc;"), ElementsAre(HasSubstr("2: this text has no closing '\"'")));
+  EXPECT_THAT(message("bool b = uv.x > 0; b += 1;"), ElementsAre(HasSubstr("a bool takes only '='")));
+}
+
 }  // namespace
 }  // namespace penumbra::shaders

@@ -127,12 +127,22 @@ TokenPlace TokenPlaces::after(std::size_t index, const SourceFiles& sources) con
   return place;
 }
 
+// `float name(`.
+bool TokenPlaces::declares(std::size_t index, std::string_view name) const {
+  return tokens_[index].spelling == name && tokens_[index + 1].spelling == "(" &&
+         tokens_[index - 1].kind == Token::Kind::identifier && tokens_[index - 1].spelling != "return";
+}
+
+std::size_t TokenPlaces::first_declaration(std::string_view name) const {
+  for (std::size_t i = 1; i + 1 < size(); ++i)
+    if (declares(i, name)) return i;
+  return size();
+}
+
 std::size_t TokenPlaces::function(std::string_view name) const {
   std::size_t declared = size();
   for (std::size_t i = 1; i + 1 < size(); ++i) {
-    const bool named = tokens_[i].spelling == name && tokens_[i + 1].spelling == "(" &&
-                       tokens_[i - 1].kind == Token::Kind::identifier && tokens_[i - 1].spelling != "return";
-    if (!named) continue;
+    if (!declares(i, name)) continue;
     if (declared == size()) declared = i;
     std::size_t end = i + 1;
     while (end < size() && tokens_[end].spelling != "{" && tokens_[end].spelling != ";") ++end;

@@ -37,10 +37,13 @@ class TokenPlaces {
   // The index of the function's name in its definition, or else in its first declaration; size() if there is
   // none.
   std::size_t function(std::string_view name) const;
+  // The index of the function's name where it is first declared; size() if it is not.
+  std::size_t first_declaration(std::string_view name) const;
 
  private:
   std::string file_of(const Token& token) const;
   bool same_line(std::size_t a, std::size_t b) const;
+  bool declares(std::size_t index, std::string_view name) const;
 
   std::vector<Token> tokens_;
   std::string main_file_;

@@ -163,7 +163,7 @@ bool names_something_unknown(const LogLine& error) {
 
 // A method's name is printed as "__BI_Sample"; a function that the text does not declare is unknown.
 std::string unknown_name(LogLine error, const Surroundings& around, const hlsl::TokenPlaces& places,
-                         const std::string* suggested) {
+                         std::size_t at, const std::string* suggested) {
   const std::optional<hlsl::TokenPlaces> others =
       suggested == nullptr ? std::nullopt : std::optional<hlsl::TokenPlaces>(std::in_place, *suggested, "");
   const hlsl::TokenPlaces& names = others ? *others : places;
@@ -174,6 +174,10 @@ std::string unknown_name(LogLine error, const Surroundings& around, const hlsl::
   }
   if (error.message != "no matching overloaded function found")
     return sentence(error, around) + nearest_word(error.token, names);
+  if (const std::size_t first = places.first_declaration(error.token); first > at && first < places.size())
+    return "'" + error.token + "' is declared only in line " + std::to_string(places[first].line) +
+           (places[first].file == places[at].file ? "" : " of " + std::string(places[first].file)) +
+           ": move it before its first use, or declare it there";
   const std::size_t function = places.function(error.token);
   if (function != places.size()) return sentence(error, around) + "; there is " + signature(places, function);
   return is_intrinsic(error.token)
@@ -213,7 +217,7 @@ hlsl::Diagnostic at_token(const LogLine& error, std::size_t at, const hlsl::Toke
     if (const int column = column_of(error.token, sources.line(error.file, error.line)); column != 0)
       place.column = column;
   return at_place(place,
-                  names_something_unknown(error) ? unknown_name(error, around, places, suggested)
+                  names_something_unknown(error) ? unknown_name(error, around, places, at, suggested)
                                                  : sentence(error, around),
                   sources);
 }

@@ -24,7 +24,7 @@ struct Phrase {
   std::string_view words;
 };
 
-constexpr std::array<Phrase, 39> phrases{{
+constexpr std::array<Phrase, 43> phrases{{
     {"assign", "l-value required (can't modify a const)", "the left side of '=' is const"},
     {"assign", "l-value required", "the left side of '=' cannot be written$"},
     {"", "l-value required", "'%' needs a variable that can be written$"},
@@ -68,6 +68,11 @@ constexpr std::array<Phrase, 39> phrases{{
     {"#include", "must be followed by a header name", "'#include' needs a \"file\" or a <file>"},
     {"#elif", "#elif after #else", "'#elif' comes after '#else'"},
     {"#else", "#else after #else", "'#else' comes after another '#else'"},
+    {"", "expected: SamplerComparisonState",
+     "a method that compares takes a SamplerComparisonState: declare its sampler so, or read with Sample"},
+    {"", "expected: mul arguments", "mul takes two arguments"},
+    {"", "End of line in string", "this text has no closing '\"' on its line"},
+    {"", "could not create assignment", "'@' cannot combine these two types, and a bool takes only '='"},
     {"#", "invalid directive:", "unknown directive '#$'"},
 }};
 
