@@ -128,6 +128,10 @@ TEST(NamespaceStructs, NamespacesWithoutMemberFunctionsStay) {
   EXPECT_EQ(spaced_after<write_out_namespaces>(
                 "namespace A { struct S { float f() { return 1; } }; } A::S s; float S;"),
             spaced("struct A_S { float f() { return 1; } }; A_S s; float S;"));
+  EXPECT_EQ(
+      spaced_after<write_out_namespaces>(
+          "namespace A { static float k = 2; float f() { return k; } } float g() { return A::k * A::f(); }"),
+      spaced("static float A_k = 2; float A_f() { return A_k; } float g() { return A_k * A_f(); }"));
 }
 
 TEST(Declarators, AreReadWithTheirTypeAndSize) {

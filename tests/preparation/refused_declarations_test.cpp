@@ -10,6 +10,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 std::vector<std::string> refused(const std::string& text, const EntryPoint& entry) {
   std::vector<std::string> all;
@@ -27,6 +28,73 @@ std::vector<std::string> refused_in(const std::string& body) {
   return refused(
       "struct S { float xx; };\nfloat4 Frag(float4 c : COLOR) : SV_Target { float3 v; float4x4 m; S s;\n" +
       body + "\nreturn 1; }");
+}
+
+TEST(ResourceMethods, AreThoseOfTheType) {
+  const auto refused_read = [](const std::string& read) {
+    return refused(
+        "Texture2D t; SamplerState p; sampler2D d; Texture2DMS<float4, 4> m;\nByteAddressBuffer b; "
+        "RWTexture2D<float4> w; struct S { Texture2D t; };\nfloat4 Frag(float2 uv : TEXCOORD0) : "
+        "SV_Target {\nS s; s.t = t; " +
+        read + " return 1; }");
+  };
+  EXPECT_THAT(refused_read("tex2D(t, uv);"),
+              ElementsAre("4: 'tex2D' takes a sampler2D, and 't' is a Texture2D: write t.Sample() with a "
+                          "SamplerState"));
+  EXPECT_THAT(refused_read("tex2Dlod(s.t, uv.xyxy);"), ElementsAre(HasSubstr("'s.t' is a Texture2D")));
+  EXPECT_THAT(refused_read("d.Sample(p, uv);"),
+              ElementsAre("4: a sampler2D has no method 'Sample': sample it with tex2D()"));
+  EXPECT_THAT(refused_read("p.Sample(p, uv);"),
+              ElementsAre("4: a SamplerState has no method 'Sample': call it on the texture"));
+  EXPECT_THAT(refused_read("float f = b.Load<float>(0);"),
+              ElementsAre(HasSubstr("4: 'Load' takes no type in '<>'")));
+  EXPECT_THAT(refused_read("float4 c = m.sample[1][uint2(uv)];"),
+              ElementsAre("4: '.sample[][]' is not supported: write m.Load(texel, sample)"));
+  EXPECT_THAT(refused_read("w.Store(uint2(uv), 1);"),
+              ElementsAre("4: a RWTexture2D has no method 'Store': write w[texel] = value"));
+  EXPECT_THAT(refused_read("t.Sample(p, uv); tex2D(d, uv); b.Load(0); m.Load(uv, 1); w[uint2(uv)] = 1;"),
+              IsEmpty());
+  EXPECT_THAT(refused("Texture2D t;\nfloat4 tex2D(Texture2D t, float2 uv) { return t.Load(int3(uv, 0)); }\n"
+                      "float4 Frag(float2 uv : TEXCOORD0) : SV_Target { return tex2D(t, uv); }"),
+              IsEmpty());
+}
+
+TEST(StructMembers, AreNotStatic) {
+  EXPECT_THAT(
+      refused("struct S { static const float k = 2; float a; };"),
+      ElementsAre("1: 'k' is a static member, which is not supported: declare it outside of the structure"));
+}
+
+// Otherwise it would crash: the text goes to glslang in search of further errors.
+TEST(ClipDistances, ThatAreUnsupportedAreKeptFromTheCompiler) {
+  EXPECT_THAT(
+      prepare("[maxvertexcount(1)] void Main(point float c[1] : SV_ClipDistance0, inout PointStream<V> s) {}",
+              "a", EntryPoint{"Main", hlsl::Stage::geometry})
+          .text,
+      Not(HasSubstr(": SV_ClipDistance0")));
+}
+
+TEST(ClipDistances, AreNotReadInGeometryPrograms) {
+  const auto refused_main = [](const std::string& text, hlsl::Stage stage) {
+    return refused(text, {"Main", stage, false});
+  };
+  const std::string vertex = "struct V { float4 p : SV_Position; float c : SV_ClipDistance0; };\n";
+  EXPECT_THAT(
+      refused_main(vertex + "[maxvertexcount(3)] void Main(triangle V i[3], inout TriangleStream<V> s) {}",
+                   hlsl::Stage::geometry),
+      ElementsAre(HasSubstr("1: 'SV_ClipDistance0' cannot be read in a geometry program here: pass")));
+  EXPECT_THAT(
+      refused_main(vertex + "struct I { float4 p : SV_Position; };\n[maxvertexcount(3)] void Main(triangle I "
+                            "i[3], inout TriangleStream<V> s) {}",
+                   hlsl::Stage::geometry),
+      IsEmpty());
+  EXPECT_THAT(
+      refused_main(vertex + "[domain(\"tri\")] V Main(float3 b : SV_DomainLocation) { V v; return v; }",
+                   hlsl::Stage::domain),
+      ElementsAre("1: 'SV_ClipDistance0' is not supported in a domain program"));
+  EXPECT_THAT(refused_main(vertex + "V Main(float4 p : POSITION) { V v; v.p = p; v.c = 1; return v; }",
+                           hlsl::Stage::vertex),
+              IsEmpty());
 }
 
 TEST(StructMembers, AreDeclaredOnce) {
@@ -110,14 +178,15 @@ TEST(Arrays, HaveASize) {
 }
 
 TEST(StatementAttributes, OfFxcAloneAreTakenOut) {
-  const std::string text = prepare(
-                               "float f(int n) { int call = 0, a[2]; [fastopt] [unroll] for (;;) { } "
-                               "[allow_uav_condition] while (n) { } "
-                               "[forcecase] switch (n) { default: break; } [call] switch (n) { default: "
-                               "break; } return a[call]; }",
-                               "a", EntryPoint{"Frag"})
-                               .text;
-  for (const char* gone : {"fastopt", "allow_uav_condition", "forcecase", "[call] switch"})
+  const std::string text =
+      prepare(
+          "[maxtessfactor(8.0)] float f(int n) { int call = 0, a[2]; [fastopt] [unroll] for (;;) { } "
+          "[allow_uav_condition] while (n) { } "
+          "[forcecase] switch (n) { default: break; } [call] switch (n) { default: "
+          "break; } return a[call]; }",
+          "a", EntryPoint{"Frag"})
+          .text;
+  for (const char* gone : {"maxtessfactor", "fastopt", "allow_uav_condition", "forcecase", "[call] switch"})
     EXPECT_EQ(text.find(gone), std::string::npos) << gone;
   EXPECT_NE(text.find("unroll"), std::string::npos);
   EXPECT_NE(text.find("return a[call]"), std::string::npos) << text;

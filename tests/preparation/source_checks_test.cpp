@@ -221,8 +221,8 @@ TEST(EntrySemantics, MayComeFromAroundAndInOldWords) {
   EXPECT_THAT(said("float4 Frag(float2 uv : ) : SV_Target { return 1; }"), IsEmpty())
       << "the parser's to report";
   EXPECT_THAT(
-      said("struct In { struct { float2 uv : TEXCOORD0; } m; };\nstruct A { float a; float2 b; static const "
-           "int c = 1; float Sum() { return a; } float d(int x); };\nstruct Out { half4 a : SV_TARGET0; "
+      said("struct In { struct { float2 uv : TEXCOORD0; } m; };\nstruct A { float a; float2 b; "
+           "float Sum() { return a; } float d(int x); };\nstruct Out { half4 a : SV_TARGET0; "
            "float d : sv_depth; };\nOut Frag(In i, A a : CASCADE, uniform float k, Texture2D t, bool f : "
            "SV_IsFrontFace, float face : VFACE) { Out o; return o; }"),
       IsEmpty());

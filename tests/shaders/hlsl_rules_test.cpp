@@ -302,10 +302,13 @@ TEST(IntegerMatrices, AreNotInMemory) {
   const std::string body = "float4 Main(float4 p : SV_Position) : SV_Target {\nreturn _M[int(p.x)].xyxy; }\n";
   const std::string said =
       " is an integer matrix, which SPIR-V, GLSL and Metal cannot store in memory: declare an array of its "
-      "rows, such as int4 rows[4]";
+      "rows, such as ";
   EXPECT_THAT(errors("cbuffer C { float a;\nint2x2 _M; };\n" + body, hlsl::Stage::fragment),
-              ElementsAre("3: '_M'" + said));
-  EXPECT_THAT(errors("uint2x2 _M;\n" + body, hlsl::Stage::fragment), ElementsAre("2: '_M'" + said));
+              ElementsAre("3: '_M'" + said + "int2 rows[2]"));
+  EXPECT_THAT(errors("uint2x2 _M;\n" + body, hlsl::Stage::fragment),
+              ElementsAre("2: '_M'" + said + "uint2 rows[2]"));
+  EXPECT_THAT(errors("cbuffer C { int2x3 _M; };\n" + body, hlsl::Stage::fragment),
+              ElementsAre("2: '_M'" + said + "int3 rows[2]"));
   EXPECT_THAT(errors("static const int2x2 _M = {1, 2, 3, 4};\n" + body, hlsl::Stage::fragment), IsEmpty());
 }
 

@@ -68,6 +68,22 @@ class Engine : public testing::Test {
   std::vector<CompileUnit> units_;
 };
 
+// At its line, instead of what SPIRV-Cross says of the text it emits.
+TEST_F(Engine, WhatOneTargetCannotExpressIsItsFailureAlone) {
+  files_.write("Wave.hlsl",
+               "float4 Main(float u : TEXCOORD0) : SV_Target\n{\n    return WaveActiveSum(u);\n}\n");
+  units_ = {fragment_unit(files_.path("Wave.hlsl"))};
+  for (int i = 0; i < 2; ++i) {  // the second time from the cache
+    const EngineRun result = run(cached());
+    ASSERT_THAT(statuses(result.results[0]), ElementsAre(passed, passed, failed));
+    const std::vector<hlsl::Diagnostic>& said = result.results[0].targets[2].diagnostics;
+    ASSERT_EQ(said.size(), 1U);
+    EXPECT_EQ(said[0].line, 3);
+    EXPECT_THAT(said[0].message, HasSubstr("wave functions need shader model 6.0"));
+    EXPECT_EQ(result.results[0].cached, i == 1);
+  }
+}
+
 TEST_F(Engine, ResultsDoNotDependOnHowTheyCameAbout) {
   const std::vector<std::string> expected = told(run());
   ASSERT_EQ(expected.size(), 8U);

@@ -47,6 +47,7 @@ UnitReply full_reply() {
   UnitReply reply;
   reply.text_key = "0123";
   reply.compile = CompileAnswer{{diagnostic()},
+                                {{"msl23", {diagnostic()}}},
                                 "4567",
                                 "UnityCG.cginc",
                                 {{"a.hlsl", "89ab"}},
@@ -106,6 +107,8 @@ TEST(UnitEncoding, KeepsEveryMember) {
   const UnitReply reply = *decode_reply(encode(full_reply()));
   EXPECT_EQ(reply.emitted->at(1).at(1).source_line, "the line");
   EXPECT_EQ(reply.emitted->at(1).at(1).rule, "rule");
+  EXPECT_EQ(reply.compile->of_targets.at(0).target, "msl23");
+  EXPECT_EQ(reply.compile->of_targets.at(0).diagnostics.at(0).rule, "rule");
   ASSERT_EQ(reply.to_keep.size(), 1U);
   EXPECT_EQ(reply.to_keep[0].kind, EntryKind::emitted);
   EXPECT_EQ(reply.to_keep[0].key, std::string(32, 'a'));

@@ -31,6 +31,17 @@ struct SourceState {
   bool silences = false;  // a lint rule, somewhere
 };
 
+bool quotes(const std::vector<hlsl::Diagnostic>& messages, const std::string& file) {
+  return std::any_of(messages.begin(), messages.end(),
+                     [&](const hlsl::Diagnostic& said) { return said.line > 0 && said.file == file; });
+}
+
+bool quotes(const CompileAnswer& answer, const std::string& file) {
+  return quotes(answer.diagnostics, file) ||
+         std::any_of(answer.of_targets.begin(), answer.of_targets.end(),
+                     [&](const shaders::TargetDiagnostics& of) { return quotes(of.diagnostics, file); });
+}
+
 class UnitAtWork {
  public:
   UnitAtWork(const UnitJob& job, platform::WorkerLink& link, shaders::SourceMemory& sources,
@@ -113,15 +124,14 @@ class UnitAtWork {
     spirv_ = std::move(result.spirv);
     CompileAnswer answer;
     answer.diagnostics = std::move(result.diagnostics);
+    answer.of_targets = std::move(result.of_targets);
     if (!spirv_.empty()) {
       answer.module_key = module_key(spirv_);
       answer.signature = std::make_shared<const std::string>(encode(result.signature));
     }
     if (!result.unoptimised.empty() && !is_given_up(note_lint)) lint(result, answer);
     for (SourceState& file : files)
-      if (file.silences ||
-          std::any_of(answer.diagnostics.begin(), answer.diagnostics.end(),
-                      [&](const hlsl::Diagnostic& said) { return said.line > 0 && said.file == file.name; }))
+      if (file.silences || quotes(answer, file.name))
         answer.quoted.emplace_back(std::move(file.name), std::move(file.hash));
     if (!is_given_up(note_lint)) keep(EntryKind::compile, reply_.text_key, encode(answer));
     reply_.compile = std::move(answer);

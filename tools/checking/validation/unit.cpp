@@ -123,6 +123,10 @@ std::optional<CompileUnit> decode_unit(std::string_view bytes) {
 std::string encode(const CompileAnswer& answer) {
   ByteWriter out;
   write(out, answer.diagnostics);
+  out.list(answer.of_targets, [&](const shaders::TargetDiagnostics& of) {
+    out.text(of.target);
+    write(out, of.diagnostics);
+  });
   out.text(answer.module_key);
   out.text(answer.missing_editor_include);
   write(out, answer.quoted);
@@ -135,6 +139,10 @@ std::optional<CompileAnswer> decode_compile_answer(std::string_view bytes) {
   ByteReader in(bytes);
   CompileAnswer answer;
   answer.diagnostics = shaders::read_diagnostics(in);
+  answer.of_targets = in.list<shaders::TargetDiagnostics>([&] {
+    std::string target = in.text();
+    return shaders::TargetDiagnostics{std::move(target), shaders::read_diagnostics(in)};
+  });
   answer.module_key = in.text();
   answer.missing_editor_include = in.text();
   answer.quoted = read_pairs(in);

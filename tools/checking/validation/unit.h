@@ -74,6 +74,7 @@ struct UnitResult {
 // What became of one text, up to valid SPIR-V.
 struct CompileAnswer {
   std::vector<hlsl::Diagnostic> diagnostics;
+  std::vector<shaders::TargetDiagnostics> of_targets;
   std::string module_key;              // empty when there is no SPIR-V
   std::string missing_editor_include;  // as in shaders::PreprocessedSource
   // The files that the messages quote, and those that silence a lint rule, with the hash of what they held.

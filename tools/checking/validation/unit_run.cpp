@@ -43,6 +43,14 @@ std::size_t speaks_for_compile(const CompileUnit& unit) {
   return spirv == unit.targets.end() ? 0 : static_cast<std::size_t>(spirv - unit.targets.begin());
 }
 
+// The errors that have lines of the source, while those in emitted text have none; null without such errors.
+const std::vector<hlsl::Diagnostic>* errors_in_source(const CompileAnswer& answer,
+                                                      const std::string& target) {
+  const auto found = std::find_if(answer.of_targets.begin(), answer.of_targets.end(),
+                                  [&](const shaders::TargetDiagnostics& of) { return of.target == target; });
+  return found == answer.of_targets.end() ? nullptr : &found->diagnostics;
+}
+
 }  // namespace
 
 UnitRun::UnitRun(const std::vector<CompileUnit>& units, const EngineOptions& options)
@@ -201,7 +209,7 @@ UnitResult UnitRun::result_of(std::size_t place) const {
   } else {
     const State& emitted = with_module_of(unit, compiled);
     result.cached = compiled.reply.compile_cached && (!emits(unit) || emitted.reply.emitted_cached);
-    add_emitted_answers(unit, emitted, result);
+    add_emitted_answers(unit, compiled, emitted, result);
   }
   for (TargetResult& target : result.targets)
     if (!result.missing_editor_include.empty())
@@ -229,13 +237,17 @@ void UnitRun::add_compile_answer(const CompileUnit& unit, const State& compiled,
     if (i != speaker) result.targets[i].status = VariantStatus::unreached;
 }
 
-void UnitRun::add_emitted_answers(const CompileUnit& unit, const State& emitted, UnitResult& result) const {
+void UnitRun::add_emitted_answers(const CompileUnit& unit, const State& compiled, const State& emitted,
+                                  UnitResult& result) const {
   std::size_t next = 0;
   for (std::size_t i = 0; i < unit.targets.size(); ++i) {
     if (is_spirv_target(unit.targets[i])) continue;
     std::vector<hlsl::Diagnostic>& diagnostics = result.targets[i].diagnostics;
     if (emitted.reply.emitted) {
-      const std::vector<hlsl::Diagnostic>& said = emitted.reply.emitted->at(next++);
+      const std::vector<hlsl::Diagnostic>& of_text = emitted.reply.emitted->at(next++);
+      const std::vector<hlsl::Diagnostic>* of_source =
+          errors_in_source(*compiled.reply.compile, unit.targets[i]);
+      const std::vector<hlsl::Diagnostic>& said = of_source == nullptr ? of_text : *of_source;
       diagnostics.insert(diagnostics.end(), said.begin(), said.end());
       add_failure(unit, emitted, unit.targets[i], result.targets[i]);
     } else {  // the module was compiled once, and a second attempt crashed earlier

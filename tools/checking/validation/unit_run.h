@@ -57,7 +57,8 @@ class UnitRun final : public platform::WorkSource {
   const State& with_module_of(const CompileUnit& unit, const State& compiled) const;
   UnitResult result_of(std::size_t place) const;
   void add_compile_answer(const CompileUnit& unit, const State& compiled, UnitResult& result) const;
-  void add_emitted_answers(const CompileUnit& unit, const State& emitted, UnitResult& result) const;
+  void add_emitted_answers(const CompileUnit& unit, const State& compiled, const State& emitted,
+                           UnitResult& result) const;
   static void add_failure(const CompileUnit& unit, const State& state, std::string_view target,
                           TargetResult& result);
 

@@ -80,6 +80,7 @@ class EntrySemantics {
       check(value(at, end), 0);
       at = end + 1;
     }
+    text_.apply();
     return std::move(places_);
   }
 
@@ -266,6 +267,7 @@ class EntrySemantics {
     if (problem.words.empty()) return;
     if (!reported_.insert(at).second) return;
     text_.note(at, problem.severity, "'" + semantic + "' " + problem.words);
+    if (problem.crashes) text_.replace(at, 1, "Unsupported_" + semantic);
   }
 
   void report(std::size_t at, std::string message) {

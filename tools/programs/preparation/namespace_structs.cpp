@@ -22,7 +22,7 @@ class Namespaces {
 
   void run() {
     if (std::none_of(declarations_.begin(), declarations_.end(),
-                     [this](const hlsl::Declaration& d) { return !d.scope.empty() && has_functions(d); }))
+                     [this](const hlsl::Declaration& d) { return !d.scope.empty() && is_lost(d); }))
       return;
     for (const hlsl::Declaration& declaration : declarations_) declare(declaration);
     for (at_ = 0; at_ < text_.size(); ++at_) step();
@@ -30,6 +30,12 @@ class Namespaces {
   }
 
  private:
+  // glslang does not find variables, nor the functions of structs, from within their namespace.
+  bool is_lost(const hlsl::Declaration& declaration) const {
+    return declaration.kind == Kind::variable || declaration.kind == Kind::buffer ||
+           has_functions(declaration);
+  }
+
   bool has_functions(const hlsl::Declaration& declaration) const {
     if (declaration.kind != Kind::structure) return false;
     for (std::size_t at = declaration.open + 1; at < declaration.close; ++at)

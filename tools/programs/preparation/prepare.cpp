@@ -118,6 +118,8 @@ PreparedShader prepare(std::string preprocessed, const std::string& main_file,
     text.set_entry(entry->name);
     check_semicolons(text);
     check_interfaces(text);
+    check_static_members(text);
+    check_resource_calls(text);
     check_thread_group(text, *entry);
     semantics = check_entry_semantics(text, *entry);
     if (!entry->dxc) check_switch_cases(text);

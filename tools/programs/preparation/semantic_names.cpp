@@ -124,6 +124,18 @@ std::string listed(const Names& names) {
   return text;
 }
 
+// glslang gives up on clip and cull distances of these.
+std::string unsupported_distance(const std::string& name, hlsl::Stage stage, bool input) {
+  static const Names distances{"SV_ClipDistance", "SV_CullDistance"};
+  if (!is_one_of(name, distances)) return {};
+  if (stage == hlsl::Stage::geometry && input)
+    return "cannot be read in a geometry program here: pass the distance in a TEXCOORD, and write " + name +
+           " in the geometry program";
+  if (stage == hlsl::Stage::hull || stage == hlsl::Stage::domain)
+    return std::string("is not supported in a ") + hlsl::stage_name(stage) + " program";
+  return {};
+}
+
 // The largest number of components of integer system values.
 int whole_numbers(const std::string& key) {
   static constexpr hlsl::NameSet one("SV_COVERAGE", "SV_GROUPINDEX", "SV_GSINSTANCEID", "SV_INNERCOVERAGE",
@@ -165,6 +177,8 @@ SemanticProblem semantic_problem(const std::string& semantic, hlsl::Stage stage,
     return {"does not exist: the targets are SV_Target0 to SV_Target7"};
   if (stage == hlsl::Stage::compute && input && !is_one_of(name, compute_inputs()))
     return {"is not an input of a compute program, which has " + listed(compute_inputs())};
+  if (const std::string unsupported = unsupported_distance(name, stage, input); !unsupported.empty())
+    return {unsupported, hlsl::Severity::error, true};
   const bool own = !upper(name).starts_with("SV_");
   const Names& values = stage_values(stage, input);
   if (!own && !values.empty() && !is_one_of(name, values))

@@ -16,6 +16,7 @@ namespace penumbra::preparation {
 struct SemanticProblem {
   std::string words;  // follows the semantic's name; empty: no problem
   hlsl::Severity severity = hlsl::Severity::error;
+  bool crashes = false;  // glslang, which must not see it
 };
 
 // `semantic` as written, with its index.

@@ -53,6 +53,13 @@ void check_letter_swizzles(TokenText& text);
 // Variables of type string, which FXC ignores: warnings. DXC accepts them only at file scope.
 void check_string_values(TokenText& text, const EntryPoint& entry);
 
+// Methods that the resource's type does not have, or that glslang does not have for it (`.sample[][]`, the
+// Load<T> of DXC), and Direct3D 9's texture functions with a texture in place of a sampler.
+void check_resource_calls(TokenText& text);
+
+// Static variables in structs, which glslang takes for members of each value.
+void check_static_members(TokenText& text);
+
 // Interfaces, which glslang does not have.
 void check_interfaces(TokenText& text);
 

@@ -1,5 +1,6 @@
 // Attributes of statements that control FXC's code generation and do not change results: [fastopt],
-// [allow_uav_condition], [forcecase], [call]. glslang warns that they "do not apply"; they are removed.
+// [allow_uav_condition], [forcecase], [call], and [maxtessfactor()] of a hull program, a hint for the
+// tessellator. glslang warns that they "do not apply"; they are removed.
 #pragma once
 
 #include "preparation/token_text.h"

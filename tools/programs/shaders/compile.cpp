@@ -28,6 +28,7 @@
 #include "shaders/source_memory.h"
 #include "shaders/source_shader.h"
 #include "shaders/spirv_module.h"
+#include "shaders/target_problems.h"
 #include "shaders/tree_signature.h"
 #include "shaders/whole_matrices.h"
 #include "shaders/written_arguments.h"
@@ -163,6 +164,20 @@ bool finish_module(const Source& source, const hlsl::SourceFiles& sources, const
   return optimised && problems.empty();
 }
 
+void find_target_problems(const Source& source, const hlsl::SourceFiles& sources,
+                          const glslang::TIntermediate& tree, CompileResult& result) {
+  if (target_problems(result.spirv, source.text, source.name).empty()) return;
+  const SpirvModule lined = words_with_lines(tree, true, source.request.vulkan);
+  const std::vector<TargetProblem> problems = target_problems(lined, source.text, source.name);
+  for (const Target target : all_targets) {
+    TargetDiagnostics of{target_name(target), {}};
+    for (const auto& [targets, problem] : problems)
+      if (std::find(targets.begin(), targets.end(), target) != targets.end())
+        of.diagnostics.push_back(at_place(source, problem.place, sources, problem.message));
+    if (!of.diagnostics.empty()) result.of_targets.push_back(std::move(of));
+  }
+}
+
 bool build(const Source& source, const hlsl::SourceFiles& sources, CompileResult& result) {
   SourceShader shader(source);  // outlives the program that uses it
   if (!parse(source, shader.get(), sources, result)) return false;
@@ -175,6 +190,7 @@ bool build(const Source& source, const hlsl::SourceFiles& sources, CompileResult
   if (report(source, sources, refused_operands(tree), result)) return false;
   if (!put_right(source, sources, tree, result)) return false;
   if (!generate(source, tree, result) || !finish_module(source, sources, tree, result)) return false;
+  if (source.request.optimise) find_target_problems(source, sources, tree, result);
   result.signature = tree_signature(tree, result.spirv);
   if (!source.request.keep_unoptimised) return true;
   spv::SpvBuildLogger said_before;

@@ -65,6 +65,12 @@ struct PreprocessedSource {
 
 class SourceMemory;  // source_memory.h: files read once for many compilations
 
+// Errors in one target of cross_compile.h, of a module that SPIR-V can express.
+struct TargetDiagnostics {
+  std::string target;
+  std::vector<hlsl::Diagnostic> diagnostics;
+};
+
 struct CompileResult {
   std::vector<std::uint32_t> spirv;  // empty when a diagnostic is an error
   // The same shader before optimisation and with debug_lines, and legalised (inlined, in SSA form) but not
@@ -72,6 +78,7 @@ struct CompileResult {
   std::vector<std::uint32_t> unoptimised;
   std::vector<std::uint32_t> legalised;
   std::vector<hlsl::Diagnostic> diagnostics;
+  std::vector<TargetDiagnostics> of_targets;
   std::vector<std::filesystem::path> dependencies;  // every file that was read
   std::string missing_editor_include{};             // as in PreprocessedSource
   hlsl::SourceFiles sources;                        // the texts of all file names in messages and OpLine

@@ -123,11 +123,22 @@ void number_bindings(const SpirvCrossSession& session, Target target) {
   }
 }
 
+// gl_ClipDistance and gl_CullDistance are in ESSL by an extension, which SPIRV-Cross does not request.
+void request_distances(const SpirvCrossSession& session) {
+  spvc_compiler compiler = session.compiler();
+  spvc_compiler_update_active_builtins(compiler);
+  for (const SpvStorageClass storage : {SpvStorageClassInput, SpvStorageClassOutput})
+    for (const SpvBuiltIn distance : {SpvBuiltInClipDistance, SpvBuiltInCullDistance})
+      if (spvc_compiler_has_active_builtin(compiler, distance, storage) != SPVC_FALSE)
+        session.require(spvc_compiler_require_extension(compiler, "GL_EXT_clip_cull_distance"));
+}
+
 std::string emit_module(const SpirvCrossModule& module, Target target) {
   const SpirvCrossSession session(module, backend(target));
   set_options(session, target);
   const VertexLayer layer(session, target);
   if (is_gl(target)) combine_samplers(session);
+  if (target_language(target) == TargetLanguage::essl) request_distances(session);
   if (target_language(target) != TargetLanguage::msl)
     number_bindings(session, target);  // SPIRV-Cross numbers MSL's resources itself
   const char* text = nullptr;

@@ -67,12 +67,21 @@ bool is_integer_matrix(std::string_view type) {
          type[type.size() - 2] == 'x';
 }
 
+struct Declared {
+  SourcePlace place;
+  std::string rows = "int4 rows[4]";  // the array in its stead
+};
+
 // `int4x4 name`, the first of those.
-SourcePlace declaration_of(const std::string& name, const std::string& text, const std::string& file) {
+Declared declaration_of(const std::string& name, const std::string& text, const std::string& file) {
   const std::vector<hlsl::Token> tokens = hlsl::lex(text);
-  for (std::size_t at = 1; at < tokens.size(); ++at)
-    if (tokens[at].spelling == name && is_integer_matrix(tokens[at - 1].spelling))
-      return {tokens[at].file.empty() ? file : std::string(tokens[at].file), tokens[at].line};
+  for (std::size_t at = 1; at < tokens.size(); ++at) {
+    const std::string_view type = tokens[at - 1].spelling;
+    if (tokens[at].spelling != name || !is_integer_matrix(type)) continue;
+    const std::string scalar(type.substr(0, type.size() - 3));
+    return {{tokens[at].file.empty() ? file : std::string(tokens[at].file), tokens[at].line},
+            scalar + type.back() + " rows[" + type[type.size() - 3] + "]"};
+  }
   return {};
 }
 
@@ -83,11 +92,14 @@ std::vector<ModuleProblem> integer_matrices(const SpirvModule& optimised, const 
   MatrixSearch search;
   const std::set<std::string> members = search.run(optimised);
   std::vector<ModuleProblem> problems;
-  for (const std::string& member : members)
-    problems.push_back({declaration_of(member, text, file),
-                        "'" + member +
-                            "' is an integer matrix, which SPIR-V, GLSL and Metal cannot store in memory: "
-                            "declare an array of its rows, such as int4 rows[4]"});
+  for (const std::string& member : members) {
+    const Declared declared = declaration_of(member, text, file);
+    problems.push_back(
+        {declared.place, "'" + member +
+                             "' is an integer matrix, which SPIR-V, GLSL and Metal cannot store in memory: "
+                             "declare an array of its rows, such as " +
+                             declared.rows});
+  }
   if (problems.empty() && search.any())
     problems.push_back({{},
                         "an integer matrix is stored in memory, which SPIR-V, GLSL and Metal cannot do: "

@@ -27,6 +27,15 @@ class OperationMeanings final : public TreeRewrite {
                                              glslang::TType(glslang::EbtUint, glslang::EvqConst, size));
   }
 
+  // A uint in HLSL, and an int in GLSL, where it is not converted implicitly.
+  static TIntermTyped* with_int_sample(glslang::TIntermAggregate& node) {
+    TIntermTyped* sample = node.getSequence()[1]->getAsTyped();
+    if (sample->getBasicType() == glslang::EbtUint)
+      node.getSequence()[1] = unary_node(node, glslang::EOpConvUintToInt, sample,
+                                         glslang::TType(glslang::EbtInt, glslang::EvqTemporary));
+    return &node;
+  }
+
   TIntermTyped* of_aggregate(glslang::TIntermAggregate& node) override {
     const glslang::TIntermSequence& given = node.getSequence();
     const glslang::TType& type = node.getType();
@@ -35,6 +44,7 @@ class OperationMeanings final : public TreeRewrite {
       TIntermTyped* product = binary_node(node, glslang::EOpMul, argument(0), argument(1), type);
       return binary_node(node, glslang::EOpAdd, product, argument(2), type);
     }
+    if (node.getOp() == glslang::EOpInterpolateAtSample && given.size() == 2) return with_int_sample(node);
     if (node.getOp() == glslang::EOpLdexp && given.size() == 2) {
       TIntermTyped* scale = unary_node(node, glslang::EOpExp2, argument(1), argument(1)->getType());
       return binary_node(node, glslang::EOpMul, argument(0), scale, type);

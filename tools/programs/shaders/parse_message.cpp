@@ -115,6 +115,7 @@ std::string in_words(const std::string& part) {
   static const std::map<std::string, std::string> words{
       {"declaration", "a declaration"},
       {"identifier", "a name"},
+      {"namespace name", "a name of the namespace"},
       {"type", "a type"},
       {"literal", "a number or a text"},
       {"expression", "an expression"},

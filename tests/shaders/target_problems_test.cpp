@@ -1,0 +1,84 @@
+// What some targets cannot express is reported at its line, and what SPIRV-Cross writes wrongly is accepted
+// by a driver.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "shaders/compile.h"
+#include "shaders/cross_compile.h"
+#include "shaders/gl_check.h"
+
+namespace penumbra::shaders {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+CompileResult compiled_for_targets(const std::string& text, hlsl::Stage stage = hlsl::Stage::fragment) {
+  CompileRequest request;
+  request.file = "shader.hlsl";
+  request.text = text;
+  request.stage = stage;
+  request.prepare = true;
+  return compile(request);
+}
+
+// "target: line: message"
+std::vector<std::string> of_targets(const CompileResult& result) {
+  std::vector<std::string> all;
+  for (const TargetDiagnostics& of : result.of_targets)
+    for (const hlsl::Diagnostic& diagnostic : of.diagnostics)
+      all.push_back(of.target + ": " + std::to_string(diagnostic.line) + ": " + diagnostic.message);
+  return all;
+}
+
+TEST(TargetProblems, OfWaveFunctionsAreReportedAtTheirLine) {
+  const std::string text =
+      "float4 Main(float2 uv : TEXCOORD0) : SV_Target {\nfloat f = uv.x;\nreturn WaveActiveSum(f); }";
+  EXPECT_THAT(of_targets(compiled_for_targets(text)),
+              ElementsAre(StartsWith("essl300: 3: wave functions need"), StartsWith("essl310: 3: "),
+                          StartsWith("glsl410: 3: "), StartsWith("glsl450: 3: "), StartsWith("hlsl50: 3: "),
+                          StartsWith("hlsl51: 3: ")));
+}
+
+TEST(TargetProblems, OfInterpolationAreThoseOfOpenGlEs) {
+  const CompileResult result = compiled_for_targets(
+      "float4 Main(float2 uv : TEXCOORD0) : SV_Target {\nreturn EvaluateAttributeAtSample(uv, 0).xyxy; }");
+  EXPECT_THAT(of_targets(result),
+              ElementsAre(StartsWith("essl300: 2: the EvaluateAttribute functions need OpenGL ES 3.2"),
+                          StartsWith("essl310: 2: ")));
+  const CrossCompileResult emitted = cross_compile(result.spirv, Target::glsl450);
+  EXPECT_THAT(gl_check({{hlsl::Stage::fragment, emitted.text}}, Target::glsl450), IsEmpty()) << emitted.text;
+}
+
+TEST(TargetProblems, OfArraysOfConstantBuffersAreThoseOfShaderModel5) {
+  EXPECT_THAT(of_targets(compiled_for_targets(
+                  "struct L { float4 a; };\nConstantBuffer<L> one;\nConstantBuffer<L> c[2];\n"
+                  "float4 Main(float2 uv : TEXCOORD0) : SV_Target { return c[1].a + one.a; }")),
+              ElementsAre(StartsWith("hlsl50: 3: 'c' is an array of constant buffers")));
+}
+
+TEST(TargetProblems, AreThoseOfCodeThatRuns) {
+  EXPECT_THAT(of_targets(compiled_for_targets(
+                  "float4 F(float f) { return WaveActiveSum(f); }\nfloat4 Main(float2 uv : "
+                  "TEXCOORD0) : SV_Target { return ddx(uv).xyxy; }")),
+              IsEmpty());
+}
+
+TEST(ClipDistances, AreRequestedInEssl) {
+  const std::string output =
+      "struct V { float4 p : SV_Position; float c : SV_ClipDistance0; float d : SV_CullDistance0; };";
+  const std::pair<std::string, hlsl::Stage> shaders[] = {
+      {output + "V Main(float4 v : POSITION) { V o; o.p = v; o.c = v.x; o.d = v.y; return o; }",
+       hlsl::Stage::vertex},
+      {"float4 Main(float4 v : SV_Position, float2 c : SV_ClipDistance0) : SV_Target { return c.xyxy; }",
+       hlsl::Stage::fragment}};
+  for (const auto& [text, stage] : shaders) {
+    const CrossCompileResult emitted =
+        cross_compile(compiled_for_targets(text, stage).spirv, Target::essl310);
+    EXPECT_THAT(gl_check({{stage, emitted.text}}, Target::essl310), IsEmpty()) << emitted.text;
+  }
+}
+
+}  // namespace
+}  // namespace penumbra::shaders

@@ -1,0 +1,24 @@
+// Constructs of HLSL that some targets cannot express, with their lines: SPIRV-Cross and OpenGL drivers name
+// no line of the source. Internal to this room.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "shaders/cross_compile.h"
+#include "shaders/spirv_module.h"
+
+namespace penumbra::shaders {
+
+struct TargetProblem {
+  std::vector<Target> targets;
+  ModuleProblem problem;
+};
+
+// Wave functions, evaluation of an attribute elsewhere in its pixel, and arrays of constant buffers. For
+// optimised modules; lines only in those with debug lines. `text` is the source, in which the declarations of
+// buffers are found; `file` its name.
+std::vector<TargetProblem> target_problems(const SpirvModule& module, const std::string& text,
+                                           const std::string& file);
+
+}  // namespace penumbra::shaders
