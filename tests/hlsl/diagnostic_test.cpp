@@ -13,6 +13,12 @@ TEST(Diagnostic, PutsTheCaretUnderTheColumn) {
   EXPECT_EQ(format(diagnostic), "a.hlsl:3:5: error: no such thing\n    abc def\n        ^");
 }
 
+TEST(Diagnostic, CountsCharactersBeforeTheCaret) {
+  const std::string line = "/* \xC3\xA4\xE2\x82\xAC */ x;";  // an a with two dots, a euro sign
+  EXPECT_EQ(format({"a.hlsl", 1, 13, Severity::error, "bad", line}),
+            "a.hlsl:1:13: error: bad\n    " + line + "\n             ^");
+}
+
 TEST(Diagnostic, KeepsTabsBeforeTheCaret) {
   const Diagnostic diagnostic{"a.hlsl", 1, 3, Severity::warning, "hm", "\t\tx"};
   EXPECT_EQ(format(diagnostic), "a.hlsl:1:3: warning: hm\n    \t\tx\n    \t\t^");

@@ -182,7 +182,8 @@ TEST(Compile, BytesThatAreNoUtf8DoNoHarmInCommentsAndAreErrorsInCode) {
 TEST(Compile, NulByteIsAnError) {
   const CompileResult result = compile_text(compute_shader("1") + std::string("\n\0 garbage", 10));
   EXPECT_TRUE(result.spirv.empty());
-  EXPECT_EQ(first_message(result), "shader.hlsl:8:1: error: a NUL byte; is this a text file?");
+  EXPECT_EQ(first_message(result),
+            "shader.hlsl:8:1: error: a NUL byte: save this file as text in UTF-8; UTF-16 is not read");
 }
 
 TEST(Compile, WarningsAreKeptOnce) {

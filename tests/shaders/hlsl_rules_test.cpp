@@ -329,6 +329,9 @@ TEST(HlslRules, SaysWhatACallOrAnAssignmentTakes) {
              "float4 Later(float x) { return x; }\n",
              hlsl::Stage::fragment),
       ElementsAre(HasSubstr("3: no function 'Later' takes these arguments; there is Later(float x)")));
+  EXPECT_THAT(message("vec4 a = 1;"), ElementsAre("2: unknown type 'vec4'; HLSL has 'float4'"));
+  EXPECT_THAT(message("float a = fract(uv.x);"), ElementsAre("2: unknown function 'fract'; HLSL has 'frac'"));
+  EXPECT_THAT(message("float a = mod(uv.x, 2);"), ElementsAre("2: unknown function 'mod'; HLSL has 'fmod'"));
   EXPECT_THAT(message("float4 a = mul(uv, uv, 2);"), ElementsAre("2: mul takes two arguments"));
   EXPECT_THAT(message("string s = \"abc;"), ElementsAre(HasSubstr("2: this text has no closing '\"'")));
   EXPECT_THAT(message("bool b = uv.x > 0; b += 1;"), ElementsAre(HasSubstr("a bool takes only '='")));

@@ -33,7 +33,7 @@ class Junit : public testing::Test {
 TEST_F(Junit, IsXmlWhateverTheTextHolds) {
   EXPECT_EQ(ask(mixed_report(), "name(/*)"), "testsuites");
   const std::string message = ask(mixed_report(), "string(//failure[contains(@message, 'byte')]/@message)");
-  EXPECT_EQ(message, "byte \xEF\xBF\xBD, control \xEF\xBF\xBD, ]]> % \xEF\xBF\xBD\nand a second line");
+  EXPECT_EQ(message, "byte \xEF\xBF\xBD, control \\x01, ]]> % \\r\nand a second line");
 }
 
 TEST_F(Junit, EveryByteOfAMessageSurvivesOrIsReplaced) {

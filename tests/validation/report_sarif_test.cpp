@@ -47,6 +47,18 @@ TEST(Sarif, IndicesPointAtTheirRulesAndFiles) {
   }
 }
 
+// A terminal that shows the file interprets no control character of it, and shows no text in another
+// direction.
+TEST(Sarif, IsAscii) {
+  const std::string written = report_sarif(report_of(error_at("\xC3\xA4.hlsl", 1, 1,
+                                                              "\xC2\x9B"
+                                                              "31m \xE2\x80\xAE")),
+                                           {});
+  EXPECT_TRUE(std::all_of(written.begin(), written.end(),
+                          [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); }));
+  EXPECT_THAT(written, testing::HasSubstr("\\u009b31m \\u202e"));
+}
+
 TEST(Sarif, RulesAreLintRulesAndKindsOfCompilerMessages) {
   const json run = log_of(mixed_report());
   EXPECT_EQ(result_at(run, "unknown variable").at("ruleId"), "hlsl");

@@ -74,7 +74,7 @@ std::string report_json(const ValidationReport& report) {
   json["variants"] = Json::array();
   for (const VariantRecord& record : report.records) json["variants"].push_back(record_json(record));
   // Shader text in a message may be in any encoding.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace penumbra::validation

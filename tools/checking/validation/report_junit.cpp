@@ -8,6 +8,7 @@
 #include <pugixml.hpp>
 #include <utility>
 
+#include "input/visible_text.h"
 #include "validation/report_findings.h"
 #include "validation/report_place.h"
 
@@ -17,17 +18,19 @@ namespace {
 
 constexpr std::size_t most_cases = 5000;  // GitLab's test report page shows some thousands
 
-// Characters that XML 1.0 cannot represent (2.2) become U+FFFD; pugixml escapes the rest.
+// Control characters, and those that turn the direction of text, as escapes; the noncharacters that XML 1.0
+// cannot represent (2.2) become U+FFFD; pugixml escapes the rest.
 std::string xml_text(std::string_view text) {
-  constexpr std::string_view replacement = "\xEF\xBF\xBD";
+  const std::string valid = valid_utf8(text);
   std::string out;
-  for (const char c : valid_utf8(text)) {
-    const bool held = static_cast<unsigned char>(c) >= 0x20U || c == '\n' || c == '\t';
-    out += held ? std::string_view(&c, 1) : replacement;
+  for (std::size_t begin = 0; begin <= valid.size();) {
+    const std::size_t end = std::min(valid.find('\n', begin), valid.size());
+    out += (begin > 0 ? "\n" : "") + visible_line(std::string_view(valid).substr(begin, end - begin));
+    begin = end + 1;
   }
   for (const std::string_view noncharacter : {"\xEF\xBF\xBE", "\xEF\xBF\xBF"})
     for (std::size_t at = out.find(noncharacter); at != std::string::npos; at = out.find(noncharacter, at))
-      out.replace(at, 3, replacement);
+      out.replace(at, 3, "\xEF\xBF\xBD");
   return out;
 }
 

@@ -60,7 +60,7 @@ class SarifLog {
     const Json log{{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
                    {"version", "2.1.0"},
                    {"runs", Json::array({std::move(run)})}};
-    return log.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return log.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";
   }
 
  private:

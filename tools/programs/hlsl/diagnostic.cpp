@@ -22,11 +22,13 @@ const char* severity_name(Severity severity) {
   return "error";
 }
 
-// White space in place of the text before a caret; tabs are kept, so that it is aligned at any tab width.
-std::string blanks_for(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c != '\t'; }, ' ');
-  return text;
+// White space in place of the text before a caret, one for each character of UTF-8; tabs are kept, so that it
+// is aligned at any tab width.
+std::string blanks_for(std::string_view text) {
+  std::string blanks;
+  for (const char c : text)
+    if ((static_cast<unsigned char>(c) & 0xC0U) != 0x80U) blanks += c == '\t' ? '\t' : ' ';
+  return blanks;
 }
 
 constexpr std::size_t kLongestShown = 160;

@@ -222,7 +222,11 @@ std::optional<hlsl::Diagnostic> nul_byte(const hlsl::SourceFiles& sources) {
     const auto before = text.begin() + static_cast<std::ptrdiff_t>(at);
     const auto line = static_cast<int>(std::count(text.begin(), before, '\n')) + 1;
     const auto column = static_cast<int>(at - (text.rfind('\n', at) + 1)) + 1;
-    return hlsl::Diagnostic{name, line, column, hlsl::Severity::error, "a NUL byte; is this a text file?",
+    return hlsl::Diagnostic{name,
+                            line,
+                            column,
+                            hlsl::Severity::error,
+                            "a NUL byte: save this file as text in UTF-8; UTF-16 is not read",
                             {}};
   }
   return std::nullopt;

@@ -10,6 +10,7 @@
 
 #include "hlsl/identifier.h"
 #include "input/nearest_name.h"
+#include "shaders/glsl_names.h"
 #include "shaders/parse_log.h"
 
 namespace penumbra::shaders {
@@ -356,6 +357,8 @@ bool is_intrinsic(const std::string& name) {
 
 std::string nearest_word(std::string_view unknown, const hlsl::TokenPlaces& text) {
   constexpr std::size_t longest = 64;
+  if (const std::string_view known = hlsl_name(unknown); !known.empty())
+    return "; HLSL has '" + std::string(known) + "'";
   if (unknown.size() < 4 || unknown.size() > longest) return {};
   std::set<std::string> words{"float",  "float2",    "float3",       "float4",    "float3x3", "float4x4",
                               "half",   "half2",     "half3",        "half4",     "int",      "uint",

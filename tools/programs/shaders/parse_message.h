@@ -27,7 +27,8 @@ std::string sentence(const LogLine& line, const Surroundings& around);
 // "in 3-component vector of float" as "float3".
 std::string with_hlsl_types(const std::string& message);
 
-// "; did you mean 'x'?", from the identifiers in the text and HLSL's own, or empty.
+// "; did you mean 'x'?", from the identifiers in the text and HLSL's own, "; HLSL has 'x'" for a name of
+// GLSL, or empty.
 std::string nearest_word(std::string_view unknown, const hlsl::TokenPlaces& text);
 
 // The same among the functions that the text defines.

@@ -1,0 +1,12 @@
+// GLSL's names of types and functions that HLSL names otherwise, for messages. Internal to this room.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace penumbra::shaders {
+
+// HLSL's name; empty if GLSL has no such name, or HLSL the same.
+std::string_view hlsl_name(std::string_view glsl);
+
+}  // namespace penumbra::shaders
