@@ -37,8 +37,9 @@ class Installed(unittest.TestCase):
         shutil.move(cls.scratch / "first", cls.prefix)
         cls.data = cls.prefix / "share" / "penumbra"
 
-    def run_program(self, *arguments, code=0):
-        result = subprocess.run([self.prefix / "bin" / "penumbra", *arguments], cwd=self.scratch, env=ENVIRONMENT,
+    def run_program(self, *arguments, code=0, **variables):
+        result = subprocess.run([self.prefix / "bin" / "penumbra", *arguments], cwd=self.scratch,
+                                env=ENVIRONMENT | variables,
                                 capture_output=True, text=True)
         self.assertEqual(result.returncode, code, result.stdout + result.stderr)
         return result.stdout + result.stderr
@@ -64,6 +65,10 @@ class Installed(unittest.TestCase):
                           "float4 Main() : SV_Target { return 0; }\n")
         output = self.run_program("validate", shader, "--no-cache", "--entry", "Main", "--stage", "fragment", code=1)
         self.assertRegex(output, rf"{re.escape(str(library))}:1:.*the installed one")
+
+    def test_a_root_without_the_library_is_an_error(self):
+        said = self.run_program("validate", "--target", "spirv", code=3, PENUMBRA_ROOT=str(self.scratch))
+        self.assertIn(f"the shader library was not found; tried: {self.scratch}\n", said)
 
     def test_the_program_measures(self):
         report = self.run_program("measure", "--size", "64x36", "--scene", "contact-boxes", "--light", "2", "--seeds", "1",

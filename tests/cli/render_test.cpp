@@ -55,6 +55,12 @@ std::pair<int, int> png_size(const std::string& png) {
   return {number(16), number(20)};
 }
 
+TEST_F(Render, TheScaleOfABuiltInSceneIsItsOwn) {
+  for (const char* option : {"--metres-per-unit=0.01", "--height=3", "--z-up", "--no-ground"})
+    expect_refused({option}, {std::string(option).substr(0, std::string(option).find('=')),
+                              "every scene is a built-in one"});
+}
+
 TEST_F(Render, AnUnknownParameterNamesTheTechniqueTheNearestAndAll) {
   expect_refused({"--technique", "preset-high", "--set", "blockerSample=4"},
                  {"technique 'preset-high' has no parameter 'blockerSample'",

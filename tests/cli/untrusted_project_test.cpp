@@ -132,6 +132,16 @@ TEST_F(UntrustedProject, WithoutAFolderForTheCacheTheRestWorks) {
   EXPECT_EQ(taken.exit_code, 2) << "the user has named a file";
 }
 
+TEST_F(UntrustedProject, ARelativeFolderForCachesIsNotUsed) {
+  const auto result =
+      shell("cd " + path("").string() +
+            " && env -u PENUMBRA_CACHE XDG_CACHE_HOME=relative HOME=" + path("home").string() + " " +
+            std::string(PENUMBRA_PROGRAM) + " validate P/Assets/Main.hlsl --target spirv");
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_FALSE(std::filesystem::exists(path("relative")));
+  EXPECT_TRUE(std::filesystem::exists(path("home/.cache/penumbra")));
+}
+
 TEST_F(UntrustedProject, MeasuringWorksWithoutAFolderForTheCache) {
   const auto result = shell("env PENUMBRA_CACHE=/proc/none " + std::string(PENUMBRA_PROGRAM) +
                             " measure --scene contact-boxes --technique hard --light 2 --size 32x18 "

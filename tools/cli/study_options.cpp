@@ -181,11 +181,36 @@ std::pair<int, int> picture_size(const StudyOptions& options) {
   return {width, height};
 }
 
+namespace {
+
+// Not silently: a scene that is built in has its size.
+void refuse_import_options_without_a_model(const scene::ImportOptions& import,
+                                           const std::vector<std::string>& names) {
+  const std::vector<std::string> built_in = scene::built_in_names();
+  const auto is_model = [&](const std::string& name) {
+    return std::find(built_in.begin(), built_in.end(), name) == built_in.end();
+  };
+  if (std::any_of(names.begin(), names.end(), is_model)) return;
+  const scene::ImportOptions usual;
+  const char* option = import.metres_per_unit != usual.metres_per_unit ? "--metres-per-unit"
+                       : import.height_metres != usual.height_metres   ? "--height"
+                       : import.z_up != usual.z_up                     ? "--z-up"
+                       : import.ground != usual.ground                 ? "--no-ground"
+                                                                       : nullptr;
+  if (option != nullptr)
+    throw InputError(option, "it is for model files, and every scene is a built-in one",
+                     "remove it, or name a model file with --scene");
+}
+
+}  // namespace
+
 std::vector<scene::Scene> chosen_scenes(const StudyOptions& options,
                                         const std::vector<std::string>& fallback) {
   std::vector<scene::Scene> scenes;
   std::set<std::string> seen;
-  for (const std::string& name : options.scenes.empty() ? fallback : names_or_files(options.scenes)) {
+  const std::vector<std::string> names = options.scenes.empty() ? fallback : names_or_files(options.scenes);
+  refuse_import_options_without_a_model(options.import, names);
+  for (const std::string& name : names) {
     if (!seen.insert(name).second) continue;  // duplicates are removed
     require_plain_name("--scene", std::filesystem::path(name).filename().string());
     scene::ImportOptions import = options.import;

@@ -9,12 +9,12 @@
 
 namespace penumbra::platform {
 
+// PENUMBRA_ROOT alone where it is set: another folder's shaders are not what was asked for.
 std::filesystem::path data_directory() {
-  std::vector<std::filesystem::path> candidates;
+  std::vector<std::filesystem::path> candidates{program_directory().parent_path() / "share" / "penumbra",
+                                                PENUMBRA_SOURCE_DIR};
   const char* given = std::getenv("PENUMBRA_ROOT");  // NOLINT(concurrency-mt-unsafe)
-  if (given != nullptr && *given != '\0') candidates.emplace_back(given);
-  candidates.push_back(program_directory().parent_path() / "share" / "penumbra");
-  candidates.emplace_back(PENUMBRA_SOURCE_DIR);
+  if (given != nullptr && *given != '\0') candidates = {given};
 
   std::string tried;
   for (const std::filesystem::path& candidate : candidates) {

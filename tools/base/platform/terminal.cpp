@@ -81,9 +81,9 @@ std::filesystem::path new_private_directory(const std::string& prefix) {
 
 std::filesystem::path cache_directory() {
   if (const std::string given = environment("PENUMBRA_CACHE"); !given.empty()) return given;
-  if (const std::string xdg = environment("XDG_CACHE_HOME"); !xdg.empty()) {
-    return std::filesystem::path(xdg) / "penumbra";
-  }
+  // A relative one is to be ignored (XDG Base Directory Specification).
+  if (const std::filesystem::path xdg = environment("XDG_CACHE_HOME"); xdg.is_absolute())
+    return xdg / "penumbra";
 #ifdef _WIN32
   const std::string home = environment("LOCALAPPDATA");
 #else
