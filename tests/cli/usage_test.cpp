@@ -94,6 +94,8 @@ TEST_F(Usage, WhatIsTooMuchIsNamed) {
   expect_refused({"measure", "--origin", "1,2"}, {"--origin takes at least 3 numbers, not 2"});
   expect_refused({"measure", "--origin", "1,2,3,4"}, {"--origin takes at most 3 numbers, not 4"});
   expect_refused({"measure", "--from"}, {"--from is given without its FILE"});
+  expect_refused({"validate", "--jobs"}, {"--jobs is given without its N"});
+  expect_refused({"validate", "--quiet=maybe"}, {"--quiet does not take the value 'maybe'"});
   expect_refused({"measure", "trees"}, {"penumbra measure does not expect 'trees'"});
 }
 

@@ -92,7 +92,8 @@ std::string plain_words(const std::string& said) {
        "$1 takes at most $2 numbers, not $3"},
       {std::regex("^(\\S+): At least (\\d+) required but received (\\d+)$"),
        "$1 takes at least $2 numbers, not $3"},
-      {std::regex("^(\\S+): \\d+ required (\\S+) missing$"), "$1 is given without its $2"},
+      {std::regex("^(\\S+): \\d+ required (.+) missing$"), "$1 is given without its $2"},
+      {std::regex("^Could not convert: (\\S+) = (.*)$"), "$1 does not take the value '$2'"},
       {std::regex("^(\\S+) requires (\\S+)$"), "$1 needs $2"},
   };
   for (const auto& [theirs, ours] : kWords)
