@@ -8,13 +8,17 @@
 #include <cmath>
 #include <filesystem>
 
+#include "input/input_error.h"
 #include "resolve/synthetic_frame.h"
 #include "resolve/test_device.h"
 
 namespace penumbra::resolve {
 namespace {
 
+using testing::AllOf;
+using testing::ContainsRegex;
 using testing::ElementsAre;
+using testing::HasSubstr;
 
 constexpr RunOptions kOnce{.noise_seeds = 1, .timing_repeats = 0};
 
@@ -125,6 +129,44 @@ TEST(GraphRunner, KernelsFollowEachOtherOverAPyramidAndAnIndirectDispatch) {
   EXPECT_DOUBLE_EQ(result.passes[2].fetches, 4.0 * 4.0 / pixels);
   EXPECT_DOUBLE_EQ(result.passes[3].texels_written, 64.0 * blocks / pixels);
   EXPECT_DOUBLE_EQ(result.passes[3].fetches, 64.0 * blocks / pixels);
+}
+
+// Runs a graph that differs from the one of its manifest; the message of the refusal.
+std::string refusal(const ShadowGraph& graph) {
+  testing_frames::FrameSetup setup;
+  setup.shadows.resolution = 64;
+  const std::vector<testing_frames::TilePoint> receivers(40 * 32, {0.5, 0.5, 0.5});
+  const scene::Frame frame = testing_frames::make_frame(setup, depth_of, receivers, 40);
+  const CameraImage camera = camera_image(frame);
+  try {
+    GraphRunner runner(test_device(), compile(graph));
+    runner.run(FrameOnDevice(test_device(), frame), &camera, kOnce);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+// Reading floats as integers is undefined in Vulkan.
+TEST(GraphRunner, TexturesHaveTheNumbersThatTheirProgramsRead) {
+  const techniques::TechniqueList list = added("Blocks");
+  ShadowGraph graph = technique_graph(list, list.find("blocks"));
+  EXPECT_EQ(refusal(graph), "accepted");
+  graph.graph.textures[2].format = "r32f";
+  EXPECT_THAT(refusal(graph),
+              AllOf(HasSubstr("Blocks.compute: Mark: '_Sums' is declared with components of uint, and the "
+                              "texture that is bound to it has the format r32f"),
+                    HasSubstr("declare it with components of float, or change the format")));
+}
+
+TEST(GraphRunner, AMissingTextureIsNamedWithThePassInItsManifest) {
+  const techniques::TechniqueList list = added("Blocks");
+  ShadowGraph graph = technique_graph(list, list.find("blocks"));
+  for (techniques::GraphPass& pass : graph.graph.passes)
+    std::erase_if(pass.reads, [](const auto& read) { return read.first == "_Before"; });
+  EXPECT_THAT(refusal(graph),
+              AllOf(HasSubstr("Blocks.compute: Sum: reads the texture '_Before'"),
+                    ContainsRegex("give it to the pass at .*Blocks.technique.json:12:6 in \"reads\"")));
 }
 
 TEST(GraphRunner, AGraphOverTheScreenNeedsACamera) {

@@ -102,15 +102,18 @@ CompiledGraph compile(const ShadowGraph& graph, const platform::WorkerPool& proc
             !shader.declared(pass.program, {techniques::alpha_test_keyword}).empty()) {
           std::vector<std::string> keywords = graph.keywords;
           keywords.emplace_back(techniques::alpha_test_keyword);
-          compiled.alpha_tested.emplace(compiled.programs.size(), compile_pass(shader, pass.program, keywords,
-                                                                               graph.reversed_z, process));
+          CompiledProgram& program = compiled.alpha_tested[compiled.programs.size()] =
+              compile_pass(shader, pass.program, keywords, graph.reversed_z, process);
+          program.declared_at = pass.where;
         }
         compiled.programs.push_back(
             compile_pass(shader, pass.program, graph.keywords, graph.reversed_z, process));
+        compiled.programs.back().declared_at = pass.where;
         break;
       }
       case PassKind::compute:
         compiled.programs.push_back(compile_kernel(graph, pass, process));
+        compiled.programs.back().declared_at = pass.where;
         break;
     }
   }

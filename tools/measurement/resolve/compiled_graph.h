@@ -37,6 +37,7 @@ ShadowGraph filter_graph(const ShadowShader& shader);
 // The program of one pass, compiled as it ships and with its texels counted.
 struct CompiledProgram {
   std::string name;                                         // what messages call it
+  std::string declared_at{};                                // "file:line:column" of the pass in its manifest
   std::map<std::string, std::string> named_at;              // "file:line" where a resource is first named
   std::vector<std::uint32_t> vertex;                        // empty: a compute shader
   std::map<std::uint32_t, std::string> vertex_inputs{};     // semantics of those that it reads, by location

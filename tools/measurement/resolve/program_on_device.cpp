@@ -13,7 +13,11 @@ constexpr const char* kSamplerNames =
     "a name with 'point' or 'linear' and with 'clamp' or 'repeat' (sampler_LinearClamp) is a sampler of that "
     "kind, and 'sampler' followed by the name of a texture of yours is linear and repeating";
 
-std::string texture_way_out(const std::string& name) {
+// `declared_at`: the pass in its manifest; empty: the program is an adapter's.
+std::string way_out_of(const shaders::Resource& missing, const std::string& declared_at) {
+  if (!declared_at.empty()) return "give it to the pass at " + declared_at + R"( in "reads" or "writes")";
+  if (missing.kind != shaders::ResourceKind::sampled_image) return "";
+  const std::string& name = missing.name;
   return "give it one behind the adapter's file: ';" + name + "=picture.png' or ';" + name + "=white'";
 }
 
@@ -111,6 +115,21 @@ void require_shape(const shaders::Resource& resource, const gpu::ImageShape& sha
                    "3D, array and multisampled textures have types of their own");
 }
 
+void require_texels(const shaders::Resource& resource, gpu::Format format, const std::string& place) {
+  const shaders::ScalarKind bound =
+      gpu::is_integer(format) ? shaders::ScalarKind::uint32 : shaders::ScalarKind::float32;
+  if (resource.image.texel == bound) return;
+  const auto word = [](shaders::ScalarKind kind) {
+    return kind == shaders::ScalarKind::uint32  ? "uint"
+           : kind == shaders::ScalarKind::int32 ? "int"
+                                                : "float";
+  };
+  throw InputError(place,
+                   "'" + resource.name + "' is declared with components of " + word(resource.image.texel) +
+                       ", and the texture that is bound to it has the format " + gpu::name(format),
+                   std::string("declare it with components of ") + word(bound) + ", or change the format");
+}
+
 // As pointers, which is what provided() takes.
 std::map<std::string, const BoundImage*> pointers(const std::map<std::string, BoundImage>& images) {
   std::map<std::string, const BoundImage*> result;
@@ -130,7 +149,7 @@ gpu::RasterTile whole_of(const gpu::Image& target) {
 
 ProgramOnDevice::ProgramOnDevice(const gpu::Device& device, const CompiledProgram& program, Module module,
                                  const TargetFormats& targets)
-    : name_(program.name), named_at_(program.named_at) {
+    : name_(program.name), declared_at_(program.declared_at), named_at_(program.named_at) {
   const std::vector<std::uint32_t>& words = module == Module::counting ? program.counting : program.plain;
   const shaders::Reflection reflection = shaders::reflect(words);
   resources_ = reflection.resources;
@@ -163,14 +182,16 @@ gpu::Bindings ProgramOnDevice::bind(const NamedResources& resources) const {
       case shaders::ResourceKind::uniform_block:
         break;  // set_uniforms()
       case shaders::ResourceKind::storage_buffer:
-        bindings.buffer(resource.name, provided(resources.buffers, resource, place, "buffer"));
+        bindings.buffer(resource.name, provided(resources.buffers, resource, place, "buffer",
+                                                way_out_of(resource, declared_at_)));
         break;
       case shaders::ResourceKind::sampled_image:
       case shaders::ResourceKind::storage_image: {
         const bool written = resource.kind == shaders::ResourceKind::storage_image;
         const BoundImage& image = provided(images, resource, place, written ? "writable texture" : "texture",
-                                           written ? "" : texture_way_out(resource.name));
+                                           way_out_of(resource, declared_at_));
         require_shape(resource, image.image->shape(), place);
+        require_texels(resource, image.image->shape().format, place);
         bindings.image(resource.name, *image.image, image.range);
         break;
       }

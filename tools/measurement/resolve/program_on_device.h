@@ -81,6 +81,7 @@ class ProgramOnDevice {
   const std::string& place_of(const shaders::Resource& resource) const;
 
   std::string name_;
+  std::string declared_at_;
   std::map<std::string, std::string> named_at_;
   std::vector<shaders::Resource> resources_;
   std::vector<std::string> vertex_inputs_;

@@ -141,6 +141,8 @@ ImageType image_type(const SpirvCrossSession& session, const spvc_reflected_reso
   image.cube = dimension == SpvDimCube;
   image.arrayed = spvc_type_get_image_arrayed(type) != SPVC_FALSE;
   image.multisampled = spvc_type_get_image_multisampled(type) != SPVC_FALSE;
+  image.texel = scalar_kind(spvc_type_get_basetype(
+      spvc_compiler_get_type_handle(session.compiler(), spvc_type_get_image_sampled_type(type))));
   return image;
 }
 

@@ -42,6 +42,7 @@ struct ImageType {
   bool cube = false;
   bool arrayed = false;
   bool multisampled = false;
+  ScalarKind texel = ScalarKind::float32;  // what a read returns components of
 };
 
 struct Resource {
