@@ -175,6 +175,8 @@ TEST_F(TechniqueListTest, WrongEntriesAreNamedWithTheirPlaceAndAWayOut) {
   EXPECT_THAT(problem("[1, 9]", "[1]"), HasSubstr("array of 2 numbers"));
   EXPECT_THAT(problem("[1.0, 0.5]", "[1.0]"), HasSubstr("array of 2 numbers"));
   EXPECT_THAT(problem("Box.hlsl", "Bax.hlsl"), HasSubstr("there is no file"));
+  EXPECT_THAT(problem("Box.hlsl", "/etc/passwd"), AllOf(HasSubstr("'/etc/passwd' lies outside of"),
+                                                        HasSubstr("keep a technique's files in the folder")));
   EXPECT_THAT(problem("\"pointSampler\"", "\"pointSamplr\""),
               HasSubstr("'pointSamplr' is no argument of a filter"));
   EXPECT_THAT(problem("\"int\"", "\"uint\""), HasSubstr("unknown type 'uint'"));

@@ -184,13 +184,20 @@ void add(PassGraph& graph, const PassGraph& part) {
 
 ManifestFiles::ManifestFiles(const std::filesystem::path& manifest, const std::filesystem::path& package)
     : folder_(std::filesystem::absolute(manifest).parent_path()),
-      package_(std::filesystem::absolute(package).lexically_normal()) {}
+      package_(std::filesystem::absolute(package).lexically_normal()),
+      tree_(project::own_tree(manifest)) {
+  bounds_.add(tree_);
+  bounds_.add(package_);
+}
 
 std::string ManifestFiles::required(JsonObject& object, const std::string& key) const {
   const std::string name = required_line(object, key);
   if (name.find_first_of("\"\\") != std::string::npos)
     object.fail(key, "a file's name has no quotes and no backslashes", "folders are separated by /");
   const std::filesystem::path file = (folder_ / name).lexically_normal();
+  if (!bounds_.contain(file))
+    object.fail(key, "'" + name + "' lies outside of '" + tree_.string() + "', to which the manifest belongs",
+                "keep a technique's files in the folder of its manifest, its package or its git repository");
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error))
     object.fail(key, "there is no file '" + name + "' in '" + folder_.string() + "'",

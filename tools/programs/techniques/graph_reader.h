@@ -5,22 +5,26 @@
 #include <map>
 #include <string>
 
+#include "project/include_bounds.h"
 #include "techniques/manifest_reader.h"
 
 namespace penumbra::techniques {
 
 // The files that a manifest names: relative to its folder, and in the list relative to the package's where
-// they lie in that.
+// they lie in that. Files outside of the manifest's own tree and of the package are refused: messages quote
+// lines of them, and a manifest may come from an untrusted source.
 class ManifestFiles {
  public:
   ManifestFiles(const std::filesystem::path& manifest, const std::filesystem::path& package);
 
-  std::string required(JsonObject& object, const std::string& key) const;  // throws where there is none
+  std::string required(JsonObject& object, const std::string& key) const;  // throws if there is none to read
   std::string named(const std::filesystem::path& file) const;
 
  private:
   std::filesystem::path folder_;
   std::filesystem::path package_;
+  std::filesystem::path tree_;
+  project::IncludeBounds bounds_;
 };
 
 // {name, parts: [graphs above it, whose content it takes over],
