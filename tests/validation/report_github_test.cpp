@@ -58,6 +58,17 @@ TEST(GithubAnnotations, StandAtTheirPlaceWithOneLineEach) {
   EXPECT_THAT(first.message, StartsWith("unknown variable 'depth'\npass ForwardLit of Custom/Water"));
 }
 
+TEST(GithubAnnotations, NameBothProgramsThatHaveTheFinding) {
+  ValidationReport report;
+  const hlsl::Diagnostic shared = error_at("Assets/Water.hlsl", 12, 17, "unknown variable 'depth'");
+  VariantRecord vertex = water({});
+  vertex.stage = hlsl::Stage::vertex;
+  vertex.entry = "Vert";
+  report.records = {failed(vertex, shared), failed(water({}), shared)};
+  EXPECT_THAT(annotations(report_github(report)).at(0).message,
+              HasSubstr("vertex entry Vert and pass ForwardLit of Custom/Water, fragment entry Frag"));
+}
+
 TEST(GithubAnnotations, NoTextBreaksOutOfItsPlace) {
   ValidationReport report;
   const std::string hostile = "a,line=9::b\r\n::error::c %0A";

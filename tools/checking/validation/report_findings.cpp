@@ -200,6 +200,15 @@ std::string program_title(const VariantRecord& record) {
                               : text.substr(0, text.size() - 2));  // of a file or pass as a whole
 }
 
+std::string program_titles(const Finding& finding, const ValidationReport& report, const Variants& variants) {
+  std::vector<std::string> titles;
+  std::set<std::size_t> known;
+  for (const std::size_t record : finding.records)
+    if (known.insert(variants[variants.of_record(record)].program).second)
+      titles.push_back(program_title(report.records[record]));
+  return shortened(titles, " and ", 1);
+}
+
 std::string fold_sentence(const KeywordFold& fold) {
   if (fold.of == 1) return fold.example.empty() ? "" : "with " + keyword_list(fold.example);
   if (fold.in == fold.of) return "in all " + std::to_string(fold.of) + " variants";

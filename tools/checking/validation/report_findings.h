@@ -59,6 +59,9 @@ KeywordFold fold_keywords(const Finding& finding, const Variants& variants);
 // "ForwardLit of Custom/Water, fragment entry Frag": the title of a record's program without its file.
 std::string program_title(const VariantRecord& record);
 
+// The entry point that has the finding, and how many others do.
+std::string program_titles(const Finding& finding, const ValidationReport& report, const Variants& variants);
+
 // "4 of 6 variants, always with A": the sentence for a fold, in all report formats; empty if there is only
 // one variant, without keywords.
 std::string fold_sentence(const KeywordFold& fold);

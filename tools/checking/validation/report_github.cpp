@@ -51,8 +51,7 @@ std::string annotation(const Finding& finding, const ValidationReport& report, c
   if (diagnostic.line > 0 && diagnostic.column > 0)
     text += ",col=" + std::to_string(column_in_characters(diagnostic.source_line, diagnostic.column));
   text += ",title=" + property("penumbra: " + finding.rule) + "::";
-  std::string message =
-      visible(diagnostic.message) + "\n" + program_title(report.records[finding.records.front()]);
+  std::string message = visible(diagnostic.message) + "\n" + program_titles(finding, report, variants);
   if (const std::string sentence = fold_sentence(fold_keywords(finding, variants)); !sentence.empty())
     message += ", " + visible(sentence);
   message += ", for " + visible(joined(targets_of(finding, report), ", "));

@@ -83,8 +83,7 @@ class SarifLog {
 
   // Plain text in complete sentences, which can be read on its own in a list and in an annotation.
   std::string message(const Finding& finding, const KeywordFold& fold) const {
-    const VariantRecord& first = report_.records[finding.records.front()];
-    std::string text = finding.diagnostic.message + " (" + program_title(first);
+    std::string text = finding.diagnostic.message + " (" + program_titles(finding, report_, variants_);
     if (const std::string sentence = fold_sentence(fold); !sentence.empty()) text += ", " + sentence;
     const std::vector<std::string> targets = targets_of(finding, report_);
     if (targets != std::vector<std::string>{"spirv"}) text += ", for " + joined(targets, ", ");

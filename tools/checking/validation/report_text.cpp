@@ -2,7 +2,6 @@
 // where a terminal stops scrolling.
 #include <algorithm>
 #include <map>
-#include <set>
 #include <utility>
 
 #include "input/visible_text.h"
@@ -77,7 +76,7 @@ class TextReport {
 
   std::string block(const Finding& finding) const {
     std::string text = headline(finding.diagnostic, style_) + excerpt(finding.diagnostic) + "\n";
-    text += "  " + programs(finding);
+    text += "  " + program_titles(finding, report_, variants_);
     if (const std::string sentence = fold_sentence(fold_keywords(finding, variants_)); !sentence.empty())
       text += ", " + visible(sentence);
     const std::vector<std::string> targets = targets_of(finding, report_);
@@ -92,16 +91,6 @@ class TextReport {
         return one.keywords.empty() ? "  without any keyword as well\n"
                                     : "  enough for it: " + visible(joined(one.keywords, " ")) + "\n";
     return {};
-  }
-
-  // The entry point that has it, and how many others do.
-  std::string programs(const Finding& finding) const {
-    std::vector<std::string> titles;
-    std::set<std::size_t> known;
-    for (const std::size_t record : finding.records)
-      if (known.insert(variants_[variants_.of_record(record)].program).second)
-        titles.push_back(program_title(report_.records[record]));
-    return shortened(titles, " and ", 1);
   }
 
   std::string reproduction(const Finding& finding) const {
