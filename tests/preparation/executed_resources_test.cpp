@@ -303,5 +303,15 @@ TEST(ExecutedInterfaceTypes, ANumberOfTheFrontFaceIsABool) {
         << type;
 }
 
+// FXC's compatibility mode, in which Unity runs it, reads system values in them; glslang reads names of its
+// user.
+TEST(ExecutedResources, Direct3D9sNamesAreSystemValues) {
+  const Drawing drawing{"float4 Main(float4 p : VPOS) : COLOR { return float4(p.xy, 2, 1); }"};
+  const auto answer = picture([](int x, int y) {
+    return Pixel{static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f, 2, 1};
+  });
+  EXPECT_EQ(draw_prepared(drawing), answer);
+}
+
 }  // namespace
 }  // namespace penumbra::preparation

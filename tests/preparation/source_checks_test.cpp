@@ -9,6 +9,7 @@
 namespace penumbra::preparation {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -214,6 +215,36 @@ TEST(EntrySemantics, OfSystemValuesAreThoseOfTheStage) {
            "SV_Coverage, uint k : SV_PrimitiveID, uint i : SV_InstanceID, float x : MYSEM0) : SV_Target7 { "
            "return f; }"),
       IsEmpty());
+}
+
+std::string with_semantics(const std::string& text, const EntryPoint& entry) {
+  return prepare(text, "a", entry).text;
+}
+
+TEST(EntrySemantics, OfDirect3D9AreSystemValuesWhereTheirDirectionSaysSo) {
+  const EntryPoint vertex{"Main", hlsl::Stage::vertex};
+  const EntryPoint fragment{"Main", hlsl::Stage::fragment};
+  EXPECT_THAT(
+      with_semantics(
+          "struct V { float4 p : Position; }; V Main(float4 v : POSITION) { V o; o.p = v; return o; }",
+          vertex),
+      AllOf(HasSubstr("p : SV_Position ;"), HasSubstr("v : POSITION)")));
+  EXPECT_THAT(with_semantics("struct O { float4 c : COLOR1; float4 e : COLOR; float d : DEPTH; };\n"
+                             "O Main(float4 p : VPOS, float4 c : COLOR) { O o; return o; }",
+                             fragment),
+              AllOf(HasSubstr("c : SV_Target1 ;"), HasSubstr("e : SV_Target ;"), HasSubstr("d : SV_Depth ;"),
+                    HasSubstr("p : SV_Position ,"), HasSubstr("c : COLOR)")));
+  EXPECT_THAT(with_semantics("struct V { float4 c : COLOR; }; V Main(V v) { return v; }", fragment),
+              HasSubstr("c : COLOR;"));
+  EXPECT_THAT(with_semantics("float4 Main(float4 p : POSITION) : POSITION { return p; }",
+                             {"Main", hlsl::Stage::vertex, true}),
+              HasSubstr(") : POSITION"))
+      << "DXC";
+  EXPECT_THAT(
+      said("struct O { float4 a : SV_Target0; float4 b : COLOR; };\nO Main() { O o; return o; }", fragment),
+      ElementsAre(
+          "1: error: 'COLOR' is Direct3D 9's name of 'SV_Target', which the program has, too: write one of "
+          "them"));
 }
 
 TEST(EntrySemantics, MayComeFromAroundAndInOldWords) {

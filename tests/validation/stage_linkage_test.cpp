@@ -100,11 +100,13 @@ TEST_F(StageLinkage, FittingStagesAreSilent) {
 }
 
 TEST_F(StageLinkage, APositionIsWrittenBeforeTheRasteriser) {
+  EXPECT_THAT(errors(stages("float4 p : POSITION; ", "float4 p : VPOS; ", "i.p")), IsEmpty())
+      << "Direct3D 9's names";
+  EXPECT_THAT(errors(stages("float4 p : POSITION; ", "float4 p : POSITION; ", "1")), IsEmpty()) << "not read";
   EXPECT_THAT(
-      errors(stages("float4 p : POSITION; ", "float unread : UNREAD; ", "1")),
+      errors(stages("float4 p : POSITION; ", "float4 p : POSITION; ", "i.p")),
       ElementsAre(
-          "3:1 the vertex program 'Vert' writes no SV_Position, so nothing is drawn: write SV_Position in "
-          "place of POSITION, Direct3D 9's name"));
+          "7:24 the fragment program reads 'POSITION0', which the vertex program 'Vert' does not write"));
   EXPECT_THAT(errors(stages("float4 p : COLOR; ", "float unread : UNREAD; ", "1")),
               ElementsAre("3:1 the vertex program 'Vert' writes no SV_Position, so nothing is drawn"));
 }

@@ -54,6 +54,12 @@ bool is_numeric(std::string_view type) {
           (type.substr(digit).size() == 3 && type[digit + 1] == 'x'));
 }
 
+// 1 of TEXCOORD1; 0 without one.
+std::string index_of(const std::string& semantic) {
+  const std::string index = semantic.substr(semantic_key(semantic).size());
+  return index.empty() ? "0" : index;
+}
+
 bool is_system(std::string_view semantic) {
   return semantic.starts_with("SV_") || semantic.starts_with("sv_");
 }
@@ -80,6 +86,7 @@ class EntrySemantics {
       check(value(at, end), 0);
       at = end + 1;
     }
+    if (!entry_.dxc) name_system_values();
     text_.apply();
     return std::move(places_);
   }
@@ -243,6 +250,31 @@ class EntrySemantics {
     }
   }
 
+  void add_place(std::size_t at, bool output) {
+    places_.push_back({std::string(word(at)), output, text_.file_of(at), text_[at].line});
+    tokens_.push_back(at);
+  }
+
+  // Names of Direct3D 9. One that is an input and an output of the program, in a struct of both, keeps its
+  // name.
+  void name_system_values() {
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      SemanticPlace& place = places_[i];
+      const std::string name = system_value_of(place.semantic, entry_.stage, !place.output);
+      const bool both = std::count(tokens_.begin(), tokens_.end(), tokens_[i]) > 1;
+      if (name.empty() || both) continue;
+      const auto same = std::find_if(places_.begin(), places_.end(), [&](const SemanticPlace& other) {
+        return other.output == place.output && semantic_key(other.semantic) == semantic_key(name) &&
+               index_of(other.semantic) == index_of(name);
+      });
+      if (same != places_.end())
+        report(tokens_[i], "'" + place.semantic + "' is Direct3D 9's name of '" + name +
+                               "', which the program has, too: write one of them");
+      place.semantic = name;
+      text_.replace(tokens_[i], 1, name);
+    }
+  }
+
   void judge(const Value& value) {
     const std::string semantic(word(value.semantic));
     if (value.before != npos && is_system(semantic) && is_system(word(value.before)))
@@ -252,8 +284,7 @@ class EntrySemantics {
     // `inout half4 c : SV_Target` reads the current pixel (#pragma require framebufferfetch).
     const bool fetches = value.direction.in && value.direction.out && entry_.stage == hlsl::Stage::fragment;
     for (const bool output : {false, true})
-      if (output ? value.direction.out : value.direction.in)
-        places_.push_back({semantic, output, text_.file_of(value.semantic), text_[value.semantic].line});
+      if (output ? value.direction.out : value.direction.in) add_place(value.semantic, output);
     if (value.direction.in && !fetches)
       judge(value.semantic, semantic, semantic_problem(semantic, entry_.stage, true));
     if (value.direction.out) judge(value.semantic, semantic, semantic_problem(semantic, entry_.stage, false));
@@ -280,6 +311,7 @@ class EntrySemantics {
   std::set<std::pair<const hlsl::Declaration*, bool>> checked_;
   std::set<std::size_t> reported_;
   std::vector<SemanticPlace> places_;
+  std::vector<std::size_t> tokens_;  // of places_
 };
 
 }  // namespace

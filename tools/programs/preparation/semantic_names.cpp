@@ -165,6 +165,15 @@ std::string type_problem(const std::string& semantic, const NumberShape& type) {
                     : "is a vector of three integers: declare it as uint3, uint2 or uint";
 }
 
+std::string system_value_of(const std::string& semantic, hlsl::Stage stage, bool input) {
+  const std::string name = upper(without_index(semantic));
+  const std::string index = semantic.substr(name.size());
+  if (stage == hlsl::Stage::vertex && !input && name == "POSITION") return "SV_Position" + index;
+  if (stage != hlsl::Stage::fragment) return {};
+  if (input) return name == "VPOS" ? "SV_Position" + index : std::string();
+  return name == "COLOR" ? "SV_Target" + index : name == "DEPTH" ? "SV_Depth" + index : std::string();
+}
+
 SemanticProblem semantic_problem(const std::string& semantic, hlsl::Stage stage, bool input) {
   const std::string name = without_index(semantic);
   if (name.empty()) return {};

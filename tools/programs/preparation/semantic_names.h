@@ -22,6 +22,12 @@ struct SemanticProblem {
 // `semantic` as written, with its index.
 SemanticProblem semantic_problem(const std::string& semantic, hlsl::Stage stage, bool input);
 
+// The system value that FXC's compatibility mode, in which Unity runs it, reads in a name of Direct3D 9:
+// POSITION of a vertex program's outputs, VPOS of a fragment program's inputs, COLOR and DEPTH of its
+// outputs. With the index; empty for other names. As DXC's -Gec has it (RemapObsoleteSemantic in
+// DxilTypeSystem.cpp).
+std::string system_value_of(const std::string& semantic, hlsl::Stage stage, bool input);
+
 // The problem with a value of that type for a system value that is an integer or a bool; empty: none.
 std::string type_problem(const std::string& semantic, const NumberShape& type);
 

@@ -33,7 +33,8 @@ void check_thread_group(TokenText& text, const EntryPoint& entry);
 
 // Inputs and outputs of the entry point without a semantic, or with one that its stage does not have: FXC
 // X3502, X4502. Reports nothing if there is no entry point of that name, or several. Returns where those with
-// a semantic are.
+// a semantic are. Without DXC, Direct3D 9's names of system values are replaced (semantic_names.h): glslang
+// takes them for names of the user's own.
 std::vector<SemanticPlace> check_entry_semantics(TokenText& text, const EntryPoint& entry);
 
 // An integer constant divided by a constant zero, which glslang's constant folding hides: FXC X4010.
