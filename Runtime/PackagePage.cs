@@ -9,8 +9,8 @@ using PackageInfo = UnityEditor.PackageManager.PackageInfo;
 namespace Penumbra
 {
     /// <summary>
-    /// Makes a component's help button open a page of this package's Documentation~, where the package is installed: the
-    /// pages of this very version, also without a network. Unity takes any address that begins with file:///.
+    /// Makes a component's help button open a page of the installed package's Documentation~ folder, so that the page
+    /// matches this version and needs no network. Unity accepts any address that begins with file:///.
     /// </summary>
     [Conditional("UNITY_EDITOR")]
     [AttributeUsage(AttributeTargets.Class)]
@@ -18,7 +18,7 @@ namespace Penumbra
     {
         internal PackagePageAttribute(string page) : base(Address(page)) { }
 
-        // Empty where the sources lie in a project's Assets: no package, no pages.
+        // Empty where the sources are in a project's Assets folder: then there is no package and no documentation.
         private static string Address(string page)
         {
 #if UNITY_EDITOR

@@ -7,16 +7,16 @@ namespace Penumbra
     /// <summary>
     /// Soft, contact-hardening shadows of the main light for every opaque receiver, in forward, forward+ and deferred:
     /// add it to the renderer and choose a preset. It fills the screen-space shadow texture that URP's own shaders
-    /// already know how to read, so nothing of URP is patched; transparents and additional lights keep URP's shadows.
+    /// already read, so that URP itself is not modified; transparents and additional lights keep URP's shadows.
     /// </summary>
     [DisallowMultipleRendererFeature("Penumbra Soft Shadows")]
-    [Tooltip("Soft shadows of the main light, with presets whose error is known.")]
+    [Tooltip("Soft shadows of the main light, with presets whose error was measured.")]
     [PackagePage("renderer-feature.md")]
     public sealed class PenumbraShadows : ScriptableRendererFeature
     {
         internal const string ShaderName = "Hidden/Penumbra/Shadows";
 
-        /// <summary>Path in the package of the shader of that name, as graphs have it.</summary>
+        /// <summary>Path of that shader in the package, as graphs refer to it.</summary>
         internal const string ShaderFile = "Shaders/PenumbraShadows.shader";
 
 #if UNITY_EDITOR
@@ -25,16 +25,16 @@ namespace Penumbra
         private const bool RequiresScreenSpaceShadows = !UrpFrame.MetaQuest;
 #endif
 
-        [Tooltip("The passes' shader. The feature finds it by itself and keeps it here, so that players contain it.")]
+        [Tooltip("The passes' shader. Set automatically; this reference includes it in players.")]
         [SerializeField] private Shader shader;
 
-        [Tooltip("The debug views' shader. The feature finds it by itself.")]
+        [Tooltip("The debug views' shader. Set automatically.")]
         [SerializeField] private Shader debugShader;
 
-        [Tooltip("Further shaders of the passes. The feature finds them by itself.")]
+        [Tooltip("Further shaders of the passes. Set automatically.")]
         [SerializeField] private PassAssets passAssets = new PassAssets();
 
-        [Tooltip("What the inspector shows.")]
+        [Tooltip("The feature's options.")]
         [SerializeField] private PenumbraShadowsSettings settings = new PenumbraShadowsSettings();
 
         private Material material;
@@ -51,13 +51,13 @@ namespace Penumbra
         private ClassicDebugPass debugPass;
 #endif
 
-        /// <summary>Of this feature; what Volumes override is not in it.</summary>
+        /// <summary>The settings of this feature, without the overrides of Volumes.</summary>
         public PenumbraShadowsSettings Settings => settings;
 
-        /// <summary>Why the last camera was left to URP; None when it was not.</summary>
+        /// <summary>Why the last camera was skipped and has URP's shadows; None if it was not.</summary>
         internal SkipReason LastSkip { get; private set; }
 
-        /// <summary>With SkipReason.MissingPass: what is missing.</summary>
+        /// <summary>With SkipReason.MissingPass: what is missing, as a message.</summary>
         internal string MissingPass { get; private set; }
 
         /// <inheritdoc/>
@@ -107,7 +107,7 @@ namespace Penumbra
             renderer.EnqueuePass(debugPass);
         }
 
-        // The feature's, then what its project's Volumes override.
+        // The feature's options, overridden by the project's default Volumes and those of the scene.
         private ShadowOptions Options()
         {
             ShadowOptions options = settings.Options();
@@ -127,7 +127,7 @@ namespace Penumbra
         }
 
         /// <summary>
-        /// A player contains what is referenced: the asset remembers its shaders as soon as the editor has found them.
+        /// Stores references to the shaders in the renderer asset, because a player contains only referenced assets.
         /// </summary>
         internal void FindShaders()
         {
@@ -155,7 +155,7 @@ namespace Penumbra
             return true;
         }
 
-        // A release player has the shader without any of its programs.
+        // A release player contains the debug shader, but none of its variants.
         private bool LoadDebugMaterial()
         {
             if (!Debug.isDebugBuild) return false;

@@ -6,8 +6,8 @@ using UnityEngine;
 namespace Penumbra
 {
     /// <summary>
-    /// Makes a chain of graphs. It numbers textures as they come; Finish() finds out how long each of them lives and puts
-    /// slots for the numbers.
+    /// Builds a chain from graphs. It numbers the textures in order; Finish() computes the lifetime of each and
+    /// replaces the numbers by slots.
     /// </summary>
     internal sealed class ChainBuilder
     {
@@ -32,7 +32,7 @@ namespace Penumbra
             int firstBuffer = buffers.Count;
             for (int i = 0; i < graph.textures.Length; ++i)
             {
-                // Both of a history are written by turns.
+                // Both textures of a history are written, in alternate frames.
                 int previousOf = graph.textures[i].previousOf;
                 int written = previousOf == TechniqueGraph.None ? i : previousOf;
                 textures.Add(new ChainTexture(graph.textures[i], IsWrittenByKernels(graph, written), IsKept(graph, i),
@@ -58,7 +58,7 @@ namespace Penumbra
         private static bool IsWrittenByKernels(TechniqueGraph graph, int texture) =>
             graph.passes.Any(pass => pass.kind == PassKind.Compute && pass.Writes(false, texture));
 
-        // Somebody reads it in frames in which nobody writes it.
+        // The texture is read in frames in which no pass writes it.
         private static bool IsKept(TechniqueGraph graph, int texture)
         {
             if (graph.textures[texture].previousOf != TechniqueGraph.None) return true;
@@ -99,7 +99,7 @@ namespace Penumbra
             return bound;
         }
 
-        // _PenumbraSourceSize of _PenumbraSourceTexture.
+        // _PenumbraSourceSize for _PenumbraSourceTexture.
         private static string SizeName(string texture)
         {
             const string ending = "Texture";
@@ -108,7 +108,7 @@ namespace Penumbra
                         : texture) + "Size";
         }
 
-        // One for each level that may be the one before another.
+        // A copy of each mip level that a pass reads while it draws the next level.
         private int[] LevelCopies(in ChainTexture texture)
         {
             var copies = new int[(texture.mips == 0 ? MostLevels : texture.mips) - 1];
@@ -125,7 +125,7 @@ namespace Penumbra
         internal void Finish()
         {
             if (visibility == ShadowChain.None)
-                throw new InvalidOperationException("no graph of the chain ends in a visibility");
+                throw new InvalidOperationException("no graph of the chain outputs a visibility texture");
             int[] slotOf = SlotAssignment.Assign(textures, Uses(), visibility, slots);
             foreach (ChainStep step in steps)
             {
@@ -152,7 +152,8 @@ namespace Penumbra
             if (Mask != ShadowChain.None) Mask = slotOf[Mask];
         }
 
-        // The mask lives to the end: a debug view shows it. So does what the screen's passes find by name.
+        // The mask stays alive to the end, because a debug view shows it, and so do the textures that the filter
+        // reads by name.
         private TextureUse[] Uses()
         {
             var uses = Enumerable.Repeat(new TextureUse { firstWrite = steps.Count, lastUse = -1 }, textures.Count)

@@ -6,8 +6,8 @@ using UnityEngine.Rendering;
 namespace Penumbra
 {
     /// <summary>
-    /// Records a chain: the same for both of URP's ways to record a frame. Allocates for options that need a chain which
-    /// none before them did, not while it draws.
+    /// Records a chain into a command buffer, the same with and without the render graph. Allocates when options
+    /// first need a chain, but not while it draws.
     /// </summary>
     internal sealed class ChainDraw : IDisposable
     {
@@ -24,8 +24,8 @@ namespace Penumbra
             materials = new PassMaterials(material, assets);
         }
 
-        /// <summary>Chooses the chain of these options. Returns what it lacks to run; null: nothing.</summary>
-        /// <param name="views">Drawn at once.</param>
+        /// <summary>Selects the chain for these options. Returns what prevents it from running, or null.</summary>
+        /// <param name="views">Number of views drawn at once.</param>
         internal string Prepare(in ShadowOptions options, int views)
         {
             int key = ChainGraphs.Key(options);
@@ -34,11 +34,11 @@ namespace Penumbra
             return current.problem ?? (views > 1 ? current.stereoProblem : null);
         }
 
-        /// <summary>Of a step of the chain.</summary>
+        /// <summary>The program of a step of the chain.</summary>
         internal ref readonly PassProgram Program(int step) => ref current.programs[step];
 
-        /// <summary>`slots` and `buffers` in the order of the chain's.</summary>
-        /// <param name="casters">Of chains that draw objects, with its lists.</param>
+        /// <summary>`slots` and `buffers` are in the chain's order.</summary>
+        /// <param name="casters">For chains that draw objects: the frame's casters and their lists.</param>
         internal void Draw(CommandBuffer commands, in ShadowFrame frame, RTHandle[] slots, GraphicsBuffer[] buffers,
                            CasterFrame casters = null)
         {
@@ -47,7 +47,7 @@ namespace Penumbra
             if (frame.historiesAreEmpty) ClearHistories(commands, frame, slots);
             for (int i = 0; i < Chain.Steps.Count; ++i)
             {
-                // Eyes that are drawn at once are two instances of a draw and two slices of the target.
+                // Eyes drawn at once are two instances of a draw, in two slices of the target.
                 bool oneView = frame.views > 1 && Chain.Steps[i].pass.kind != PassKind.Compute &&
                                !Chain.IsOverScreen(Chain.Steps[i]);
                 if (oneView) frame.xr.StopSinglePass(commands);
@@ -82,7 +82,7 @@ namespace Penumbra
             }
         }
 
-        /// <summary>Chains are made anew of the assets that there are then.</summary>
+        /// <summary>Releases the chains; later ones are built from the assets that exist then.</summary>
         public void Dispose()
         {
             chains.Clear();

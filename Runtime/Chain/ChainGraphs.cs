@@ -3,15 +3,15 @@ using System.Linq;
 
 namespace Penumbra
 {
-    /// <summary>Which graphs options need.</summary>
+    /// <summary>Selects the graphs that options need.</summary>
     internal static class ChainGraphs
     {
         private const int Mask = 1;
         private const int Half = 2;
         private const int Denoise = 4;
 
-        // The passes over the screen, by these bits. The filter is the technique's keyword's affair: the graphs of the
-        // study that differ in it alone are the same here.
+        // The screen-space passes, indexed by these bits. The filter is selected by the technique's keyword, so
+        // graphs of the study that differ only in the filter are the same graph here.
         private static readonly TechniqueGraph[] ofScreen =
         {
             PenumbraShadowsGraphs.Pcss, PenumbraShadowsGraphs.PcssMasked, PenumbraShadowsGraphs.PcssHalf,
@@ -20,7 +20,7 @@ namespace Penumbra
             PenumbraShadowsGraphs.PcssMaskedHalfDenoised,
         };
 
-        /// <summary>All that options may need.</summary>
+        /// <summary>All graphs that any options need.</summary>
         internal static IEnumerable<TechniqueGraph> All => ofScreen.Concat(TechniquePasses.Graphs.Values);
 
         /// <summary>In the order in which they run.</summary>
@@ -31,10 +31,10 @@ namespace Penumbra
             return own.visibility == TechniqueGraph.None ? new[] { own, screen } : new[] { own };
         }
 
-        /// <summary>The same of options that need the same graphs and keywords.</summary>
+        /// <summary>Equal for options that need the same graphs and keywords.</summary>
         internal static int Key(in ShadowOptions options) => (int)options.technique << 3 | ScreenBits(options);
 
-        // A mask costs as much as a filter that takes no samples, and such a filter has no noise.
+        // A mask costs as much as a filter without samples, and such a filter has no noise to remove.
         private static int ScreenBits(in ShadowOptions options) =>
             (options.mask && options.SamplesPenumbrae ? Mask : 0) | (options.halfResolution ? Half : 0) |
             (options.denoise && options.SamplesPenumbrae ? Denoise : 0);

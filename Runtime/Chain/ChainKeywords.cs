@@ -5,7 +5,7 @@ namespace Penumbra
     /// <summary>Shader keywords of chains: the techniques' and the graphs'.</summary>
     internal static class ChainKeywords
     {
-        /// <summary>All that a program of a chain may declare.</summary>
+        /// <summary>All keywords that a program of a chain may declare.</summary>
         internal static IReadOnlyList<string> All
         {
             get
@@ -17,7 +17,7 @@ namespace Penumbra
             }
         }
 
-        /// <summary>Each once; a null is none.</summary>
+        /// <summary>Each keyword once; nulls are skipped.</summary>
         internal static List<string> Of(string technique, IEnumerable<TechniqueGraph> graphs)
         {
             var keywords = new List<string>();

@@ -3,54 +3,56 @@ namespace Penumbra
     /// <summary>A texture or buffer of a step: an index into ShadowChain.Slots or ShadowChain.Buffers.</summary>
     internal struct ChainBinding
     {
-        /// <summary>As Shader.PropertyToID has it; of targets 0.</summary>
+        /// <summary>The name's Shader.PropertyToID; 0 for render targets.</summary>
         internal int property;
 
-        /// <summary>Of a texture that is read: what is told its size.</summary>
+        /// <summary>For a texture that is read: the property that receives its size.</summary>
         internal int sizeProperty;
 
         internal bool isBuffer;
         internal int index;
 
         /// <summary>
-        /// Of a texture whose mip levels the step makes: by level, the slot of the copy that it reads. A texture cannot
-        /// be read while one of its levels is drawn. Null elsewhere.
+        /// For a texture whose mip levels the step generates: per level, the slot of the copy that it reads, since a
+        /// texture cannot be read while one of its levels is drawn. Null otherwise.
         /// </summary>
         internal int[] levels;
     }
 
-    /// <summary>Two slots that change places after every frame.</summary>
+    /// <summary>Two slots that are swapped after every frame.</summary>
     internal struct ChainHistory
     {
         internal int now;
         internal int before;
     }
 
-    /// <summary>A pass of a chain, with what it reads and writes there.</summary>
+    /// <summary>A pass of a chain, with the textures and buffers that it reads and writes.</summary>
     internal sealed class ChainStep
     {
         internal GraphPass pass;
         internal ChainBinding[] reads;
         internal ChainBinding[] writes;
 
-        /// <summary>Whose texels are a kernel's threads, or which buffer holds its numbers of groups; else None.</summary>
+        /// <summary>
+        /// The texture with a thread per texel, or the buffer with the thread group counts; otherwise None.
+        /// </summary>
         internal int threadsOf = ShadowChain.None;
         internal int indirect = ShadowChain.None;
 
-        /// <summary>Of casters: the slot of their own depth; else None.</summary>
+        /// <summary>Casters: the slot of their own depth texture; otherwise None.</summary>
         internal int depth = ShadowChain.None;
 
         internal bool ByCascade => pass.runs == PassFrequency.Cascade;
 
         /// <summary>
-        /// A kernel that has not a thread for each texel may leave some out. In a pass by cascade the other cascades' are
-        /// among them.
+        /// The kernel has no thread per texel and so may not write all texels, which are cleared first. Not for
+        /// passes per cascade, which must keep the other cascades' texels.
         /// </summary>
         internal bool IsSparse => pass.kind == PassKind.Compute && threadsOf == ShadowChain.None && !ByCascade;
 
         /// <summary>
-        /// The first texture that it writes, of casters without another one their depth; None where it writes buffers
-        /// alone.
+        /// The first texture that it writes, or the depth texture of casters that write no other; None if it writes
+        /// only buffers.
         /// </summary>
         internal int Target
         {

@@ -4,8 +4,8 @@ using UnityEngine.Experimental.Rendering;
 namespace Penumbra
 {
     /// <summary>
-    /// A texture of a chain: what a graph declares, and what its passes make of it. Equal ones that are not alive
-    /// together share one.
+    /// A texture of a chain: the graph's declaration, and how the passes use it. Equal textures whose lifetimes do
+    /// not overlap share a slot.
     /// </summary>
     internal readonly struct ChainTexture : IEquatable<ChainTexture>
     {
@@ -19,16 +19,16 @@ namespace Penumbra
         internal readonly int layers;
         internal readonly int samples;
 
-        /// <summary>Kernels write it.</summary>
+        /// <summary>Written by kernels.</summary>
         internal readonly bool randomWrite;
 
-        /// <summary>Of a format of depth, which casters are tested against.</summary>
+        /// <summary>A depth format, which casters are tested against.</summary>
         internal readonly bool isDepth;
 
-        /// <summary>Holds what it has from frame to frame.</summary>
+        /// <summary>Keeps its content between frames.</summary>
         internal readonly bool kept;
 
-        /// <summary>A mip level of such a texture alone; 0: the whole texture.</summary>
+        /// <summary>A copy of this mip level alone; 0: the whole texture.</summary>
         internal readonly int level;
 
         internal ChainTexture(in GraphTexture texture, bool randomWrite, bool kept, bool isDepth = false)
@@ -56,20 +56,20 @@ namespace Penumbra
             this.level = level;
         }
 
-        /// <summary>One channel of 8 bits over the screen: visibility, or a mask.</summary>
+        /// <summary>A texture of the screen with one 8-bit channel: visibility, or a mask.</summary>
         internal static ChainTexture OfScreen(int divisor) =>
             new ChainTexture(new GraphTexture("", GraphExtent.Screen, GraphicsFormat.R8_UNorm, divisor), false, false);
 
-        /// <summary>For a copy of one of its levels, from 0.</summary>
+        /// <summary>For a copy of one of its levels, counted from 0.</summary>
         internal ChainTexture CopyOf(int ofLevel) => new ChainTexture(this, ofLevel);
 
         /// <summary>
-        /// The pipeline does not lend such a texture for a frame: what is kept, and what has mip levels, which URP's
-        /// textures of the render graph have not.
+        /// Textures that the pipeline cannot lend for a frame: those that are kept, and those with mip levels, which
+        /// URP's render graph textures do not have.
         /// </summary>
         internal bool IsOwned => kept || mips != 1;
 
-        /// <summary>What is kept equals nothing, not even itself: nobody shares it.</summary>
+        /// <summary>A kept texture equals nothing, not even itself, so that it never shares a slot.</summary>
         public bool Equals(ChainTexture other) =>
             !kept && !other.kept && extent == other.extent && format == other.format && divisor == other.divisor &&
             width == other.width && height == other.height && depth == other.depth && mips == other.mips &&

@@ -3,12 +3,12 @@ using UnityEngine.Experimental.Rendering;
 
 namespace Penumbra
 {
-    /// <summary>The format that a chain's texture has on this device.</summary>
+    /// <summary>The format of a chain's texture on this device.</summary>
     internal static class DeviceFormats
     {
         /// <summary>
-        /// One channel of 8 bits, visibility or a mask, is the one format that has others in its place: all devices draw to
-        /// one of four channels, and all that run kernels write 32 bits.
+        /// Only the format with one 8-bit channel, of visibility and masks, has replacements: all devices can render
+        /// to a format with four channels, and all that support compute shaders can write 32 bits.
         /// </summary>
         internal static GraphicsFormat Of(in ChainTexture texture)
         {
@@ -17,10 +17,10 @@ namespace Penumbra
             return texture.randomWrite ? GraphicsFormat.R32_SFloat : GraphicsFormat.B8G8R8A8_UNorm;
         }
 
-        /// <summary>The device can do with such a texture what the chain does.</summary>
+        /// <summary>Whether the device supports what the chain does with such a texture.</summary>
         internal static bool IsSupported(in ChainTexture texture) => Can(Of(texture), texture.randomWrite);
 
-        // A texture that kernels write is cleared as a target, too.
+        // A texture that kernels write is also cleared as a render target.
         private static bool Can(GraphicsFormat format, bool randomWrite) =>
             CanDrawTo(format) && (!randomWrite || CanWrite(format));
 

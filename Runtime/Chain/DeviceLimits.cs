@@ -5,12 +5,12 @@ using UnityEngine.Rendering;
 namespace Penumbra
 {
     /// <summary>
-    /// What stands against running a chain on this device, for a reader. Of WebGL and OpenGL ES for the most part; the
-    /// programs themselves are PreparedChain's affair.
+    /// Why a chain cannot run on this device, as a message. Mostly limits of WebGL and OpenGL ES; PreparedChain
+    /// checks the programs themselves.
     /// </summary>
     internal static class DeviceLimits
     {
-        /// <summary>Null: nothing.</summary>
+        /// <summary>Null if there is no problem.</summary>
         internal static string Problem(ShadowChain chain)
         {
             foreach (ChainTexture texture in chain.Slots)
@@ -34,9 +34,9 @@ namespace Penumbra
             if (texture.depth > 1 && !SystemInfo.supports3DRenderTextures)
                 return "this device cannot draw to 3D textures";
             if ((texture.layers > 1 || texture.extent == GraphExtent.Tile) && !SystemInfo.supports2DArrayTextures)
-                return "this device has no arrays of textures";
+                return "this device does not support texture arrays";
             return texture.samples > 1 && SystemInfo.supportsMultisampledTextures == 0
-                       ? "this device cannot read textures of several samples" : null;
+                       ? "this device cannot read multisampled textures" : null;
         }
 
         private static string Problem(ChainStep step)
@@ -44,29 +44,29 @@ namespace Penumbra
             string pass = "pass '" + step.pass.program + "' ";
             if (step.reads.Any(read => read.levels != null) &&
                 (SystemInfo.copyTextureSupport & CopyTextureSupport.Basic) == 0)
-                return pass + "makes mip levels of copies, and this device cannot copy textures";
+                return pass + "generates mip levels from copies, and this device cannot copy textures";
             if (step.pass.kind == PassKind.Compute) return null;
 #if !UNITY_6000_0_OR_NEWER
             if (step.pass.testsShadowMap)
-                return pass + "tests casters against the shadow map, which URP 14 keeps to itself; Unity 6 does not";
+                return pass + "tests casters against the shadow map, which only URP 17 (Unity 6) gives access to";
 #endif
             if (step.writes.Length > SystemInfo.supportedRenderTargetCount)
-                return pass + "draws to " + step.writes.Length + " textures at once, and this device to " +
+                return pass + "draws to " + step.writes.Length + " textures at once, and this device supports " +
                        SystemInfo.supportedRenderTargetCount;
             int buffers = step.reads.Count(read => read.isBuffer);
             return buffers > SystemInfo.maxComputeBufferInputsFragment
-                       ? pass + "reads " + buffers + " buffers, and this device's shaders read " +
+                       ? pass + "reads " + buffers + " buffers, and this device's shaders can read " +
                              SystemInfo.maxComputeBufferInputsFragment
                        : null;
         }
 
         /// <summary>
-        /// The same where both eyes are drawn at once: textures of the screen are arrays there, which raster passes are
-        /// compiled for and kernels are not.
+        /// Why the chain cannot draw both eyes at once: textures of the screen are then arrays, for which raster
+        /// passes are compiled, but kernels are not.
         /// </summary>
         internal static string StereoProblem(ShadowChain chain)
         {
-            const string remedy = "; XR's multi-pass mode draws one after the other";
+            const string remedy = "; use XR's multi-pass mode, which draws one after the other";
             foreach (ChainTexture texture in chain.Slots)
                 if (texture.extent == GraphExtent.Screen && texture.layers > 1)
                     return "a texture of the screen has layers, which cannot be drawn for both eyes at once" + remedy;
@@ -74,8 +74,8 @@ namespace Penumbra
                 if (step.pass.kind == PassKind.Compute &&
                     step.reads.Concat(step.writes)
                         .Any(used => !used.isBuffer && chain.Slots[used.index].extent == GraphExtent.Screen))
-                    return "kernel '" + step.pass.program + "' works on the screen, which cannot be done for both eyes " +
-                           "at once" + remedy;
+                    return "kernel '" + step.pass.program + "' uses textures of the screen, which kernels cannot do for " +
+                           "both eyes at once" + remedy;
             return null;
         }
     }

@@ -6,20 +6,20 @@ using Object = UnityEngine.Object;
 namespace Penumbra
 {
     /// <summary>
-    /// The shaders and compute shaders of passes beside the feature's own, kept in the feature's asset: a player
-    /// contains what an asset refers to, and graphs are no assets.
+    /// The shaders and compute shaders of passes other than the feature's own, stored in the feature's asset: a
+    /// player contains what an asset references, and graphs are not assets.
     /// </summary>
     [Serializable]
     internal sealed class PassAssets
     {
         private const string Package = "Packages/com.penumbra.shadows/";
 
-        [Tooltip("Where in the package each asset lies.")]
+        [Tooltip("Each asset's path in the package.")]
         [SerializeField] private List<string> paths = new List<string>();
         [Tooltip("In the order of the paths.")]
         [SerializeField] private List<Object> assets = new List<Object>();
 
-        /// <summary>In the editor: looks for what is not there yet. True when something has been added.</summary>
+        /// <summary>In the editor: finds assets that are not stored yet. True if any was added.</summary>
         internal bool Find(IEnumerable<TechniqueGraph> graphs)
         {
             bool changed = false;
@@ -31,7 +31,7 @@ namespace Penumbra
             return changed;
         }
 
-        /// <summary>Null where it is missing.</summary>
+        /// <summary>Null if it is missing.</summary>
         internal Object Of(string path)
         {
             int at = paths.IndexOf(path);

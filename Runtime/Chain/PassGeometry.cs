@@ -3,12 +3,12 @@ using UnityEngine;
 
 namespace Penumbra
 {
-    /// <summary>Where the steps of a pass work: mip levels, a cascade's tile, groups of threads.</summary>
+    /// <summary>The extents of a pass's steps: mip levels, a cascade's tile, thread groups.</summary>
     internal static class PassGeometry
     {
         /// <summary>
-        /// Levels that there are of a texture. Of one that is made tile by tile, no tile is smaller than a texel in the
-        /// last.
+        /// Number of mip levels of a texture. If passes draw it tile by tile, its last level still has a texel per
+        /// tile.
         /// </summary>
         internal static int Levels(in ChainTexture texture, in ShadowFrame frame, bool byCascade)
         {
@@ -20,7 +20,8 @@ namespace Penumbra
         }
 
         /// <summary>
-        /// What a step draws of its target in texels: all of it, or of the map, cascade by cascade, the cascade's tile.
+        /// The rectangle of its target that a step draws, in texels: all of it, or, per cascade of the map, the
+        /// cascade's tile.
         /// </summary>
         internal static Rect Area(in ChainTexture texture, in ShadowFrame frame, bool byCascade, int cascade, int mip)
         {
@@ -35,7 +36,10 @@ namespace Penumbra
             return new Rect(cascade % 2 * tile / scale, cascade / 2 * tile / scale, side, side);
         }
 
-        /// <summary>Groups that give each texel of the area one thread; in a pass by cascade one layer of a tile's.</summary>
+        /// <summary>
+        /// Thread groups with one thread per texel of the area; in a pass per cascade, for one layer of a tile
+        /// texture.
+        /// </summary>
         internal static Vector3Int Groups(in ChainTexture texture, in ShadowFrame frame, bool byCascade, int mip,
                                           Vector3Int threads)
         {

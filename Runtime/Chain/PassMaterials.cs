@@ -6,28 +6,32 @@ using Object = UnityEngine.Object;
 
 namespace Penumbra
 {
-    /// <summary>The materials of the shaders that passes draw with: the feature's own, and one of each other shader.</summary>
+    /// <summary>
+    /// The materials of the shaders that passes draw with: the feature's own, and one for each other shader.
+    /// </summary>
     internal sealed class PassMaterials : IDisposable
     {
         private readonly Material own;
         private readonly PassAssets assets;
         private readonly Dictionary<Object, Material> others = new Dictionary<Object, Material>();
 
-        /// <param name="own">Of PenumbraShadows.ShaderFile.</param>
+        /// <param name="own">With PenumbraShadows.ShaderFile.</param>
         internal PassMaterials(Material own, PassAssets assets)
         {
             this.own = own;
             this.assets = assets;
         }
 
-        /// <summary>The pass's asset; of a raster pass its material too. Returns what is missing, null: nothing.</summary>
+        /// <summary>
+        /// Finds the pass's asset, and for a raster pass the material. Returns what is missing, or null.
+        /// </summary>
         internal string Find(GraphPass pass, out Object asset, out Material material)
         {
             material = pass.asset == PenumbraShadows.ShaderFile ? own : null;
             asset = material != null ? material.shader : assets.Of(pass.asset);
             if (asset == null) return pass.asset + " is missing";
             if (pass.kind == PassKind.Compute) return Problem(pass, asset as ComputeShader);
-            if (!(asset is Shader shader)) return pass.asset + " is no shader";
+            if (!(asset is Shader shader)) return pass.asset + " is not a shader";
             if (!shader.isSupported) return pass.asset + " does not compile for this platform";
             if (material == null) material = Other(shader);
             return null;
@@ -35,9 +39,9 @@ namespace Penumbra
 
         private static string Problem(GraphPass pass, ComputeShader kernels)
         {
-            if (kernels == null) return pass.asset + " is no compute shader";
+            if (kernels == null) return pass.asset + " is not a compute shader";
             return SystemInfo.supportsComputeShaders
-                       ? null : pass.asset + " is a compute shader, and this device has none";
+                       ? null : pass.asset + " is a compute shader, which this device does not support";
         }
 
         private Material Other(Shader shader)
@@ -47,7 +51,7 @@ namespace Penumbra
             return material;
         }
 
-        /// <summary>The feature's own material is the feature's.</summary>
+        /// <summary>The feature disposes of its own material.</summary>
         public void Dispose()
         {
             foreach (Material material in others.Values) CoreUtils.Destroy(material);

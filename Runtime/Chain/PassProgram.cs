@@ -4,7 +4,9 @@ using UnityEngine.Rendering;
 
 namespace Penumbra
 {
-    /// <summary>An asset of a chain's passes: a material, or a compute shader, and the keywords that it declares.</summary>
+    /// <summary>
+    /// An asset of a chain's passes: a material or a compute shader, with the keywords that it declares.
+    /// </summary>
     internal sealed class ProgramAsset
     {
         internal readonly Material material;
@@ -12,7 +14,7 @@ namespace Penumbra
         private readonly LocalKeyword[] keywords;
         private readonly bool[] isOn;
 
-        /// <param name="on">Of the `known` keywords those that are on.</param>
+        /// <param name="on">The enabled ones of the `known` keywords.</param>
         internal ProgramAsset(Object asset, Material material, IEnumerable<string> known, IReadOnlyList<string> on)
         {
             this.material = material;
@@ -31,19 +33,20 @@ namespace Penumbra
         }
 
         /// <summary>
-        /// Casters have their own materials and the keywords of these. Null: none of the chain's is missed.
+        /// A pass of casters draws with their own materials and those materials' keywords. Null if the chain enables
+        /// no keyword that the pass declares.
         /// </summary>
         internal string CasterProblem(GraphPass pass)
         {
             for (int i = 0; i < keywords.Length; ++i)
                 if (isOn[i])
                     return "pass '" + pass.program + "' of " + pass.asset + " draws objects with their own materials, " +
-                           "on which keyword " + keywords[i].name + " is not";
+                           "which do not enable its keyword " + keywords[i].name;
             return null;
         }
 
-        // By the command buffer, not on the asset: another camera may want another technique before this one's commands
-        // have run.
+        // Set by the command buffer, not on the asset, because another camera may select another technique before
+        // these commands are executed.
         internal void SetKeywords(CommandBuffer commands)
         {
             for (int i = 0; i < keywords.Length; ++i)
@@ -57,10 +60,10 @@ namespace Penumbra
     {
         internal readonly ProgramAsset asset;
 
-        /// <summary>The pass of the material, or the kernel.</summary>
+        /// <summary>The index of the material's pass, or of the kernel.</summary>
         internal readonly int index;
 
-        /// <summary>Of a kernel's group, along each axis.</summary>
+        /// <summary>Threads per thread group of a kernel, along each axis.</summary>
         internal readonly Vector3Int threads;
 
         internal PassProgram(ProgramAsset asset, int index, Vector3Int threads = default)

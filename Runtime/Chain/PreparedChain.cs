@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 
 namespace Penumbra
 {
-    /// <summary>A chain with its programs, or with what stands against running it.</summary>
+    /// <summary>A chain with its programs, or with the reason why it cannot run.</summary>
     internal sealed class PreparedChain
     {
         internal readonly ShadowChain chain;
@@ -13,13 +13,13 @@ namespace Penumbra
         /// <summary>In the order of the chain's steps.</summary>
         internal readonly PassProgram[] programs;
 
-        /// <summary>Room for the targets of steps that draw into several; null of others.</summary>
+        /// <summary>Preallocated array of the targets, for steps that draw into several; null for others.</summary>
         internal readonly RenderTargetIdentifier[][] targets;
 
-        /// <summary>What is missing, for a reader; null: nothing.</summary>
+        /// <summary>What is missing, as a message; null if nothing is.</summary>
         internal readonly string problem;
 
-        /// <summary>The same, where both eyes are drawn at once.</summary>
+        /// <summary>The same for drawing both eyes at once.</summary>
         internal readonly string stereoProblem;
 
         internal PreparedChain(ShadowChain chain, PassMaterials materials)

@@ -4,7 +4,9 @@ using System.Linq;
 
 namespace Penumbra
 {
-    /// <summary>A texture that every step behind this one, and whoever draws after the chain, finds under a name.</summary>
+    /// <summary>
+    /// A texture that is bound under a global name for all later steps and for draws after the chain.
+    /// </summary>
     internal struct ChainGlobal
     {
         internal ChainBinding texture;
@@ -12,8 +14,8 @@ namespace Penumbra
     }
 
     /// <summary>
-    /// What a frame runs: the passes of one graph or more, one after the other, and the textures between them. Textures
-    /// that are not alive together are in one slot. Slot 0 is the screen-space shadow texture that receivers read.
+    /// What a frame runs: the passes of one or more graphs, and the textures between them. Textures whose lifetimes
+    /// do not overlap share a slot. Slot 0 is the screen-space shadow texture that receivers read.
     /// </summary>
     internal sealed class ShadowChain
     {
@@ -24,28 +26,30 @@ namespace Penumbra
         internal IReadOnlyList<ChainStep> Steps { get; }
         internal IReadOnlyList<ChainTexture> Slots { get; }
 
-        /// <summary>What the slots' textures are called.</summary>
+        /// <summary>The names of the slots' textures.</summary>
         internal IReadOnlyList<string> SlotNames { get; }
 
-        /// <summary>Their `texture` is a slot.</summary>
+        /// <summary>Their `texture` is the index of a slot.</summary>
         internal IReadOnlyList<GraphBuffer> Buffers { get; }
         internal IReadOnlyList<ChainGlobal> Globals { get; }
         internal IReadOnlyList<ChainHistory> Histories { get; }
 
-        /// <summary>Of ChainKeywords.All those that are on in every program; one minds those that it declares.</summary>
+        /// <summary>
+        /// The keywords of ChainKeywords.All that are enabled; each program uses those that it declares.
+        /// </summary>
         internal IReadOnlyList<string> Keywords { get; }
 
         /// <summary>The mask's slot; None without one.</summary>
         internal int Mask { get; }
 
-        /// <summary>Of what stays from frame to frame something is as large as the screen.</summary>
+        /// <summary>A texture or buffer that is kept between frames has the size of the screen.</summary>
         internal bool KeepsScreen { get; }
 
-        /// <summary>Its target has a slice for each eye where two are drawn at once.</summary>
+        /// <summary>The step's target has a slice per eye if two are drawn at once.</summary>
         internal bool IsOverScreen(ChainStep step) =>
             step.Target != None && Slots[step.Target].extent == GraphExtent.Screen;
 
-        /// <summary>A step draws objects of the scene; one of them does so for each cascade.</summary>
+        /// <summary>A step draws objects of the scene; DrawsCascades: one of them does so per cascade.</summary>
         internal bool DrawsObjects { get; }
         internal bool DrawsCascades { get; }
 
@@ -53,7 +57,7 @@ namespace Penumbra
         internal static ShadowChain Of(in ShadowOptions options) =>
             new ShadowChain(ChainGraphs.Of(options), TechniqueTable.Keywords[(int)options.technique]);
 
-        /// <param name="graphs">In order; the last of them ends in a visibility.</param>
+        /// <param name="graphs">In order; the last one outputs a visibility texture.</param>
         /// <param name="techniqueKeyword">Null: none.</param>
         internal ShadowChain(IReadOnlyList<TechniqueGraph> graphs, string techniqueKeyword)
         {

@@ -3,7 +3,7 @@ using System.Linq;
 
 namespace Penumbra
 {
-    /// <summary>The steps of a chain during which a texture holds something.</summary>
+    /// <summary>The lifetime of a texture: the steps of a chain during which its content is needed.</summary>
     internal struct TextureUse
     {
         internal int firstWrite;
@@ -11,8 +11,8 @@ namespace Penumbra
     }
 
     /// <summary>
-    /// Gives every texture of a chain a slot: equal textures that are not alive at the same time share it. The result
-    /// has slot 0; what nobody reads any more when that is written may lie there before it.
+    /// Assigns every texture of a chain to a slot: equal textures whose lifetimes do not overlap share one. The
+    /// result has slot 0, which textures whose lifetime ends before it is written may also use.
     /// </summary>
     internal static class SlotAssignment
     {
@@ -21,7 +21,7 @@ namespace Penumbra
                                      List<ChainTexture> slots)
         {
             var slotOf = new int[textures.Count];
-            var freeFrom = new List<int> { 0 };  // of each slot: the first step that may write it again
+            var freeFrom = new List<int> { 0 };  // per slot: the first step that may overwrite it
             slots.Clear();
             slots.Add(textures[output]);
             foreach (int texture in Enumerable.Range(0, textures.Count).OrderBy(one => uses[one].firstWrite))

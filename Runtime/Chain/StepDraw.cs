@@ -4,8 +4,7 @@ using UnityEngine.Rendering;
 namespace Penumbra
 {
     /// <summary>
-    /// Records one step of a chain: as often as it has mip levels to make and cascades were drawn anew. Lives on the
-    /// stack.
+    /// Records one step of a chain, once per mip level and per cascade that was redrawn. Lives on the stack.
     /// </summary>
     internal readonly ref struct StepDraw
     {
@@ -86,7 +85,7 @@ namespace Penumbra
             commands.SetGlobalVector(FrameUniforms.Tile, new Vector4(tile.x, tile.y, tile.width, tile.height));
         }
 
-        // What no caster covers is 0, and as far as depth goes.
+        // Where no caster is drawn, targets are 0 and the depth is the far plane's.
         private void DrawCasters(CommandBuffer commands, in ShadowFrame frame, int cascade)
         {
             BindReads(commands, 0);
@@ -132,7 +131,7 @@ namespace Penumbra
                                     1, null);
         }
 
-        // The other cascades' tiles stay as they are.
+        // Loads the target where only a tile is drawn, so that the other cascades' tiles stay unchanged.
         private void SetTargets(CommandBuffer commands, int mip, int slice, bool load)
         {
             if (targets == null)
@@ -144,7 +143,7 @@ namespace Penumbra
                 return;
             }
             for (int i = 0; i < targets.Length; ++i) targets[i] = slots[step.writes[i].index];
-            // Its depth, of which it has none.
+            // The second argument is the depth target; passing a colour target means none.
             commands.SetRenderTarget(targets, targets[0], mip, CubemapFace.Unknown, slice);
         }
 
@@ -177,7 +176,7 @@ namespace Penumbra
             commands.DispatchCompute(kernels, program.index, count.x, count.y, count.z);
         }
 
-        // What it does not write is 0, not what another frame has left.
+        // Texels that the kernel does not write are 0 instead of the content of another frame.
         private void ClearTargets(CommandBuffer commands, int mip)
         {
             for (int i = 0; i < step.writes.Length; ++i)
@@ -192,7 +191,7 @@ namespace Penumbra
 
         private static int Read(in ChainBinding read, int mip) => read.levels == null ? read.index : read.levels[mip - 1];
 
-        // A texture cannot be read while a level of it is drawn into: programs read a copy of the level before.
+        // A texture cannot be read while one of its levels is drawn, so programs read a copy of the previous level.
         private void CopyLevel(CommandBuffer commands, in ShadowFrame frame, int level)
         {
             for (int i = 0; i < step.reads.Length; ++i)

@@ -3,8 +3,9 @@ using System.Collections.Generic;
 namespace Penumbra
 {
     /// <summary>
-    /// Graphs of the techniques that are more than a filter of the shadow map. One that ends in a filter runs before the
-    /// passes over the screen, which find its textures by name; one that ends in a visibility runs in their place.
+    /// Graphs of the techniques that need more than a filter of the shadow map. A graph that ends in a filter runs
+    /// before the screen-space passes, which read its textures by name; one that outputs a visibility texture
+    /// replaces those passes.
     /// </summary>
     internal static class TechniquePasses
     {

@@ -3,13 +3,13 @@ using UnityEngine;
 
 namespace Penumbra
 {
-    /// <summary>A texture's size in texels, of one mip level.</summary>
+    /// <summary>The size in texels of a mip level of a texture.</summary>
     internal readonly struct TextureSize
     {
         internal readonly int width;
         internal readonly int height;
 
-        /// <summary>Of a 3D texture; else the layers, without the second eye.</summary>
+        /// <summary>Depth of a 3D texture; otherwise the layers, without the second eye.</summary>
         internal readonly int depth;
 
         private readonly bool isVolume;
@@ -23,13 +23,14 @@ namespace Penumbra
         }
 
         /// <summary>
-        /// The whole texture: rounded up, so that the last texels of an extent that the divisor does not divide have one
-        /// too.
+        /// The whole texture: rounded up, so that it covers an extent that is not a multiple of the divisor.
         /// </summary>
         internal static TextureSize Of(in ChainTexture texture, in ShadowFrame frame) =>
             Of(texture, frame, 1.0f, 1.0f);
 
-        /// <summary>What of it is drawn: dynamic resolution leaves a part of the screen's textures alone.</summary>
+        /// <summary>
+        /// The part of it that is drawn: dynamic resolution leaves part of the screen's textures unused.
+        /// </summary>
         internal static TextureSize Drawn(in ChainTexture texture, in ShadowFrame frame) =>
             texture.extent == GraphExtent.Screen ? Of(texture, frame, frame.widthScale, frame.heightScale)
                                                  : Of(texture, frame);
@@ -62,12 +63,12 @@ namespace Penumbra
 
         private static int Divided(int extent, int divisor) => Math.Max(1, (extent + divisor - 1) / divisor);
 
-        /// <summary>Of the level that lies `mip` below this one.</summary>
+        /// <summary>The size of the level `mip` levels below this one.</summary>
         internal TextureSize At(int mip) =>
             new TextureSize(Math.Max(1, width >> mip), Math.Max(1, height >> mip),
                             isVolume ? Math.Max(1, depth >> mip) : depth, isVolume);
 
-        /// <summary>All levels down to one texel.</summary>
+        /// <summary>Number of mip levels down to one texel.</summary>
         internal int Levels
         {
             get
@@ -79,7 +80,7 @@ namespace Penumbra
             }
         }
 
-        /// <summary>Width, height and their inverses, as shaders are told a size.</summary>
+        /// <summary>Width, height and their inverses, the layout of size uniforms.</summary>
         internal Vector4 Uniform => new Vector4(width, height, 1.0f / width, 1.0f / height);
     }
 }

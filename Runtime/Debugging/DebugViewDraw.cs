@@ -9,8 +9,7 @@ using Commands = UnityEngine.Rendering.CommandBuffer;
 namespace Penumbra
 {
     /// <summary>
-    /// Draws a debug view into the target that is bound. Its uniforms and textures are those that the camera's own
-    /// chain has left set.
+    /// Draws a debug view into the bound target, with the uniforms and textures that this camera's chain has set.
     /// </summary>
     internal sealed class DebugViewDraw
     {
@@ -30,8 +29,8 @@ namespace Penumbra
         }
 
         /// <summary>
-        /// `overlay`: the camera before shows where this one sees nothing. `upsideDown`: the target's rows run the other
-        /// way than the chain's.
+        /// `overlay`: where this camera has no image, the image of the camera below it remains visible. `upsideDown`:
+        /// the target's rows run in the opposite direction to those of the chain's textures.
         /// </summary>
         internal void Draw(Commands commands, DebugView view, bool hasMask, bool overlay, bool upsideDown)
         {

@@ -43,7 +43,7 @@ namespace Penumbra
                 commands.SetGlobalVector(vectors[i].Uniform, vectors[i].In(uniforms));
         }
 
-        // The mask covers the penumbrae that the filter draws.
+        // The mask must cover the penumbrae that the filter draws.
         private static void SetMask(CommandBuffer commands, in ShadowFrame frame)
         {
             MaskParameters parameters = MaskParameters.Default;

@@ -5,8 +5,9 @@ using UnityEngine.Rendering;
 namespace Penumbra
 {
     /// <summary>
-    /// Looks, before every camera, whether the one before it was left with receivers still on the screen-space texture:
-    /// it threw between our two passes. The command goes through the context, behind what that camera has recorded.
+    /// Before every camera, restores URP's keywords if the previous camera still had the screen-space keyword on,
+    /// because it threw an exception between our two passes. The command goes through the context, so that it runs
+    /// after all that camera's commands.
     /// </summary>
     internal static class LeftOpen
     {

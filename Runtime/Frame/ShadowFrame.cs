@@ -4,7 +4,7 @@ using UnityEngine.Experimental.Rendering;
 namespace Penumbra
 {
     /// <summary>
-    /// The numbers one camera's shadow is computed from. Filled anew for every camera and frame, nothing is allocated.
+    /// The data from which one camera's shadow is computed. Set for every camera and frame without allocating.
     /// </summary>
     internal struct ShadowFrame
     {
@@ -13,40 +13,44 @@ namespace Penumbra
         internal ShadowOptions options;
         internal ShadowUniforms uniforms;
 
-        /// <summary>The camera draws over what another one has drawn.</summary>
+        /// <summary>An overlay camera, which draws over the image of another camera.</summary>
         internal bool overlay;
 
         /// <summary>A face of a reflection probe.</summary>
         internal bool isProbe;
 
-        /// <summary>Of the camera's target in pixels, before dynamic resolution.</summary>
+        /// <summary>Size of the camera's target in pixels, before dynamic resolution.</summary>
         internal int width;
         internal int height;
 
-        /// <summary>The share of the target that dynamic resolution draws into, 0 to 1.</summary>
+        /// <summary>The fraction of the target's width that dynamic resolution uses, 0 to 1.</summary>
         internal float widthScale;
         internal float heightScale;
 
-        /// <summary>(uv, stored camera depth, 1) to world, by eye; both the same unless both are drawn at once.</summary>
+        /// <summary>
+        /// (uv, stored camera depth, 1) to world, per eye; both equal unless both eyes are drawn at once.
+        /// </summary>
         internal Matrix4x4 screenToWorld0;
         internal Matrix4x4 screenToWorld1;
 
-        /// <summary>Drawn at once.</summary>
+        /// <summary>Number of views drawn at once: 2 with single-pass XR, otherwise 1.</summary>
         internal int views;
 
-        /// <summary>Where two views are drawn at once: the pass of XR that does so.</summary>
+        /// <summary>The XR pass that draws both views, if there are two.</summary>
         internal XRPass xr;
 
-        /// <summary>Of the shadow map.</summary>
+        /// <summary>Layout of the shadow map.</summary>
         internal AtlasLayout layout;
 
-        /// <summary>Bits of the cascades that were drawn anew; URP draws all of them for every camera.</summary>
+        /// <summary>Bit mask of the cascades that were redrawn; URP redraws all of them for every camera.</summary>
         internal int updatedCascades;
 
-        /// <summary>What the chain keeps of this camera from frame to frame holds nothing yet.</summary>
+        /// <summary>
+        /// The textures and buffers that the chain keeps for this camera between frames have no content yet.
+        /// </summary>
         internal bool storeIsEmpty;
 
-        /// <summary>No frame was before this one.</summary>
+        /// <summary>There is no previous frame, so textures of the previous frame have no content.</summary>
         internal bool historiesAreEmpty;
 
         internal bool UpdatesAny => storeIsEmpty || updatedCascades != 0;

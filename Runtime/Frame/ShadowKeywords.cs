@@ -9,12 +9,12 @@ using RasterCommands = UnityEngine.Rendering.CommandBuffer;
 namespace Penumbra
 {
     /// <summary>
-    /// URP's three keywords that say where receivers find the main light's shadow. Ours is the screen-space texture
-    /// from the resolve on until transparents, which are in no depth texture, are drawn.
+    /// URP's three keywords that select where receivers read the main light's shadow. Penumbra selects the
+    /// screen-space texture from the resolve pass until transparents are drawn, which no depth texture contains.
     ///
-    /// URP resets _MAIN_LIGHT_SHADOWS and _MAIN_LIGHT_SHADOWS_CASCADE before every camera, the screen keyword never: one
-    /// that is left on would take the shadows from every camera after it. So it is switched off by the restore pass, and
-    /// where that did not come to run (a camera threw), before the next camera.
+    /// URP resets _MAIN_LIGHT_SHADOWS and _MAIN_LIGHT_SHADOWS_CASCADE before every camera, but never the screen
+    /// keyword: left on, it would remove the shadows of every later camera. So the restore pass disables it, or, if
+    /// that pass did not run because a camera threw an exception, it is disabled before the next camera.
     /// </summary>
     internal sealed class ShadowKeywords
     {
@@ -22,7 +22,7 @@ namespace Penumbra
         internal const string CascadesName = "_MAIN_LIGHT_SHADOWS_CASCADE";
         internal const string ScreenName = "_MAIN_LIGHT_SHADOWS_SCREEN";
 
-        /// <summary>Keywords are the process's, whoever switches them.</summary>
+        /// <summary>Shader keywords are global, so all features share one instance.</summary>
         internal static readonly ShadowKeywords Global = new ShadowKeywords();
 
         private GlobalKeyword map;
@@ -30,7 +30,7 @@ namespace Penumbra
         private GlobalKeyword screen;
         private bool created;
 
-        /// <summary>The screen keyword has been switched on and not off again.</summary>
+        /// <summary>The screen keyword is on and has not been disabled yet.</summary>
         internal bool IsOpen { get; private set; }
 
         internal void Open(CommandBuffer commands)
@@ -42,7 +42,9 @@ namespace Penumbra
             IsOpen = true;
         }
 
-        /// <summary>As URP's shadow pass has left them; it uses one of the two for as many cascades.</summary>
+        /// <summary>
+        /// Restores what URP's shadow pass has set: one of the two keywords, by the number of cascades.
+        /// </summary>
         internal void Restore(RasterCommands commands, int cascadeCount)
         {
             if (!IsOpen) return;
@@ -52,7 +54,9 @@ namespace Penumbra
             IsOpen = false;
         }
 
-        /// <summary>Before a camera: what the one before it has left open. True when there was something.</summary>
+        /// <summary>
+        /// Before a camera: disables the keyword if the previous camera left it on. True if it did.
+        /// </summary>
         internal bool Close(CommandBuffer commands)
         {
             if (!IsOpen) return false;

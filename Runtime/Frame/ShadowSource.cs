@@ -3,23 +3,23 @@ using UnityEngine;
 namespace Penumbra
 {
     /// <summary>
-    /// What the pipeline says of the main light's shadow for one camera, in words that are the same for every URP. What
-    /// is read only when all else speaks for a shadow is asked for last: see UrpFrame.
+    /// What the pipeline knows of the main light's shadow for one camera, independent of URP's version. Expensive
+    /// values are read last and only if everything else allows a shadow: see UrpFrame.
     /// </summary>
     internal struct ShadowSource
     {
         internal CameraType cameraType;
 
-        /// <summary>The camera draws nothing but depth, into a texture.</summary>
+        /// <summary>The camera draws only depth, into a texture.</summary>
         internal bool depthOnly;
 
-        /// <summary>Scene view with its light bulb off.</summary>
+        /// <summary>Scene view with its lighting switched off.</summary>
         internal bool sceneLightingOff;
 
-        /// <summary>URP's receivers do not get to the screen-space texture: see UrpFrame.MetaQuest.</summary>
+        /// <summary>URP's receivers do not read the screen-space texture: see UrpFrame.MetaQuest.</summary>
         internal bool metaQuest;
 
-        /// <summary>Drawn at once.</summary>
+        /// <summary>Number of views drawn at once.</summary>
         internal int views;
 
         /// <summary>The asset, the quality level and the device allow main light shadows.</summary>
@@ -34,19 +34,19 @@ namespace Penumbra
         /// <summary>Something casts a shadow into this camera's cascades.</summary>
         internal bool hasCasters;
 
-        /// <summary>The engine has found a view of the light for every cascade.</summary>
+        /// <summary>The engine has computed the light's matrices for every cascade.</summary>
         internal bool hasCascades;
 
         internal int cascadeCount;
 
-        /// <summary>Of the whole atlas, in texels: the asset's shadow resolution.</summary>
+        /// <summary>Width of the whole atlas in texels: the asset's shadow resolution.</summary>
         internal int mapWidth;
     }
 
-    /// <summary>Why a frame is left to URP.</summary>
+    /// <summary>Why Penumbra skips a camera, which then has URP's own shadows.</summary>
     internal enum SkipReason
     {
-        /// <summary>Nothing stands against it.</summary>
+        /// <summary>Not skipped.</summary>
         None,
         PreviewCamera,
         DepthOnlyCamera,
@@ -61,7 +61,7 @@ namespace Penumbra
         InvalidCascade,
         MissingShader,
 
-        /// <summary>Of the shader or another asset of the technique's graph: see PenumbraShadows.MissingPass.</summary>
+        /// <summary>The shader or another asset of the technique's graph: see PenumbraShadows.MissingPass.</summary>
         MissingPass,
         CompatibilityMode,
         UnsupportedDevice,
@@ -71,8 +71,8 @@ namespace Penumbra
     internal static class FrameGate
     {
         /// <summary>
-        /// URP's own conditions for drawing a main light shadow map, and the settings' for whom to draw it. In every
-        /// other case URP binds an empty map and stale matrices, and its keywords must stay as they are.
+        /// URP's own conditions for drawing a main light shadow map, and the feature's settings for kinds of cameras.
+        /// In any other case URP binds an empty map and stale matrices, and its keywords must stay as they are.
         /// </summary>
         internal static SkipReason Reason(in ShadowSource source, PenumbraShadowsSettings settings)
         {
@@ -92,8 +92,7 @@ namespace Penumbra
         }
 
         /// <summary>
-        /// PCSS's programs ask for shader target 4.5 (`SystemInfo.graphicsShaderLevel`); a device below it has none of
-        /// them.
+        /// PCSS needs shader target 4.5 (`SystemInfo.graphicsShaderLevel`); a device below it has no program for it.
         /// </summary>
         internal static bool Runs(in ShadowOptions options, int shaderLevel) =>
             !options.technique.TakesSamples() || shaderLevel >= 45;

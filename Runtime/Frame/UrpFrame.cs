@@ -11,14 +11,14 @@ using FrameCamera = UnityEngine.Rendering.Universal.CameraData;
 
 namespace Penumbra
 {
-    /// <summary>Reads URP's frame into ours.</summary>
+    /// <summary>Converts URP's frame data to Penumbra's.</summary>
     internal static class UrpFrame
     {
         /// <summary>
         /// With the build profile Meta Quest, URP 17.5's MainLightRealtimeShadow (ShaderLibrary/Shadows.hlsl) returns 1
-        /// where the shadow's coordinate is not within 0 and 1, before it looks at the screen-space texture. Forward
-        /// receivers give it that texture's coordinate as yet undivided by w: almost all of them would be lit. URP 17.3
-        /// has no such line. Nobody has looked into 17.4, which counts as 17.5.
+        /// where the shadow coordinate is outside 0 to 1, before it reads the screen-space texture. Forward receivers
+        /// pass the screen-space coordinate before its division by w, so almost all of them would be lit. URP 17.3
+        /// has no such check. 17.4 has not been examined and is treated like 17.5.
         /// </summary>
 #if UNITY_META_QUEST && UNITY_6000_4_OR_NEWER
         internal const bool MetaQuest = true;
@@ -46,7 +46,7 @@ namespace Penumbra
             return source;
         }
 
-        // The bounds are computed when asked for: last, and only where there is a light.
+        // URP computes the bounds on request, so this comes last and only if there is a light.
         private static void ReadLight(ref RenderingData data, ref ShadowSource source)
         {
             NativeArray<VisibleLight> lights = data.lightData.visibleLights;
@@ -58,7 +58,7 @@ namespace Penumbra
             source.hasCascades = source.hasCasters && HasCascades(ref data, source, light.shadowNearPlane);
         }
 
-        // What URP asks the engine for each cascade. Where one has no answer it binds an empty map instead.
+        // URP asks the engine for the same matrices. If a cascade has none, URP binds an empty map instead.
         private static bool HasCascades(ref RenderingData data, in ShadowSource source, float nearPlane)
         {
             int resolution = new AtlasLayout(source.mapWidth, source.cascadeCount).TileResolution;
@@ -70,7 +70,7 @@ namespace Penumbra
             return true;
         }
 
-        /// <summary>What is known when the feature is asked for its passes; SetCamera adds the rest.</summary>
+        /// <summary>What is known when URP asks the feature for its passes; TrySetCamera adds the rest.</summary>
         internal static ShadowFrame Frame(in ShadowSource source, in ShadowOptions options, NoiseMode noise)
         {
             ShadowFrame frame = default;
@@ -84,8 +84,8 @@ namespace Penumbra
         }
 
         /// <summary>
-        /// The target's size, how much of it dynamic resolution uses, and each eye's matrix; false where the camera has
-        /// no picture.
+        /// Sets the target's size, the part of it that dynamic resolution uses, and each eye's matrix; false if the
+        /// camera can draw no image.
         /// </summary>
         internal static bool TrySetCamera(ref ShadowFrame frame, ref FrameCamera camera)
         {
@@ -111,8 +111,8 @@ namespace Penumbra
             frame.heightScale = target.useDynamicScale ? ScalableBufferManager.heightScaleFactor : 1.0f;
         }
 
-        // Camera depth is always drawn into a texture, whatever the camera's target is, so the projection is the one
-        // for textures.
+        // Camera depth is always drawn into a texture, whatever the camera's target, so this is the projection for
+        // textures.
         private static bool TryGetScreenToWorld(Matrix4x4 view, Matrix4x4 projection, out Matrix4x4 screenToWorld) =>
             ScreenToWorld.TryGet(view, GL.GetGPUProjectionMatrix(projection, true),
                                  new ScreenConventions(SystemInfo.graphicsUVStartsAtTop,
@@ -120,14 +120,16 @@ namespace Penumbra
 
 #if !UNITY_6000_0_OR_NEWER
         /// <summary>
-        /// This camera draws a G-buffer. URP 14 has no public word for a renderer that does but that it has no
-        /// multisampling; overlay cameras and wireframe run forward in it.
+        /// This camera draws a G-buffer. URP 14 has no public property for that, but only deferred renderers do not
+        /// support multisampling. Overlay cameras and wireframe use forward rendering even in a deferred renderer.
         /// </summary>
         internal static bool IsDeferred(ScriptableRenderer renderer, in CameraData camera) =>
             !renderer.supportedRenderingFeatures.msaa && camera.renderType == CameraRenderType.Base && !GL.wireframe;
 #endif
 
-        /// <summary>Unity 6 with the render graph switched off, which some versions still allow: we do not record.</summary>
+        /// <summary>
+        /// Unity 6 with the render graph disabled, which some versions still allow: the feature draws nothing then.
+        /// </summary>
         internal static bool InCompatibilityMode()
         {
 #if PENUMBRA_COMPATIBILITY_MODE
@@ -138,7 +140,9 @@ namespace Penumbra
 #endif
         }
 
-        /// <summary>A texture of the chain; of the screen in the camera's arrangement of eyes.</summary>
+        /// <summary>
+        /// Descriptor of a chain's texture; textures of the screen have the camera's layout of eyes.
+        /// </summary>
         internal static RenderTextureDescriptor Texture(RenderTextureDescriptor target, in ChainTexture texture,
                                                         in ShadowFrame frame)
         {
@@ -146,7 +150,8 @@ namespace Penumbra
             target.width = size.width;
             target.height = size.height;
             if (texture.extent != GraphExtent.Screen || texture.layers > 1) SetSlices(ref target, texture, size.depth);
-            // A copy of a level is as large as that is without: the part of it that is drawn fits.
+            // The copy of a mip level has the level's size without dynamic resolution, which contains the scaled
+            // part.
             if (texture.extent != GraphExtent.Screen || texture.level > 0) target.useDynamicScale = false;
             target.msaaSamples = texture.samples;
             target.bindMS = texture.samples > 1;
@@ -158,7 +163,7 @@ namespace Penumbra
             return target;
         }
 
-        // The same for both eyes.
+        // Shared by both eyes.
         private static void SetSlices(ref RenderTextureDescriptor target, in ChainTexture texture, int slices)
         {
             target.volumeDepth = slices;

@@ -4,29 +4,32 @@ using System.Globalization;
 namespace Penumbra
 {
     /// <summary>
-    /// How large the light looks: the full angle of its disc, and the tangent of half of it, which is what shaders
-    /// take. A blocker a gap in front of a receiver throws a penumbra of radius tan(a/2) * gap: an edge goes from
-    /// dark to lit over twice that.
-    /// <para>Degrees in; tangents have no unit. Both directions round once, from double.</para>
+    /// The apparent size of the light: the full angle a of its disc, and tan(a/2), which shaders use. A blocker at
+    /// distance gap in front of a receiver has a penumbra of radius tan(a/2) * gap; an edge goes from dark to lit
+    /// over twice that radius.
+    /// <para>Input in degrees; tangents are unitless. Both conversions are computed in double and rounded
+    /// once.</para>
     /// </summary>
     public static class AngularDiameter
     {
-        /// <summary>A point: shadows are hard.</summary>
+        /// <summary>A point light source: shadows are hard.</summary>
         public const float SmallestDegrees = 0.0f;
 
         public const float LargestDegrees = 30.0f;
 
-        /// <summary>The sun's, seen from the earth.</summary>
+        /// <summary>The sun's angular diameter, seen from Earth.</summary>
         public const float SunDegrees = 0.53f;
 
-        /// <summary>tan(a/2). Degrees outside the range count as its nearer end, NaN as 0; 0 gives exactly 0.</summary>
+        /// <summary>tan(a/2). Degrees are clamped to the range, and NaN counts as 0; 0 gives exactly 0.</summary>
         public static float TanHalf(float degrees) => (float)TanHalfInDouble(degrees, LargestDegrees);
 
-        /// <summary>The inverse: 2 atan(tanHalf) in degrees. What is not positive gives 0.</summary>
+        /// <summary>The inverse: 2 atan(tanHalf) in degrees. Values that are not positive give 0.</summary>
         public static float FromTanHalf(float tanHalf) =>
             tanHalf > 0.0f ? (float)(Math.Atan(tanHalf) * 360.0 / Math.PI) : 0.0f;
 
-        /// <summary>Null where the angle is in range; else what is wrong and what to do, for an inspector.</summary>
+        /// <summary>
+        /// Null if the angle is in range; otherwise an inspector message: what is wrong and how to fix it.
+        /// </summary>
         public static string Problem(float degrees)
         {
             if (degrees >= SmallestDegrees && degrees <= LargestDegrees) return null;
@@ -36,7 +39,7 @@ namespace Penumbra
                                  degrees, SmallestDegrees, LargestDegrees, SunDegrees);
         }
 
-        /// <summary>The same before it is rounded, for figures that go on from it.</summary>
+        /// <summary>tan(a/2) before rounding, for further computation in double.</summary>
         internal static double TanHalfInDouble(float degrees, float largestDegrees) =>
             Math.Tan(Bounded.OrLow(degrees, SmallestDegrees, largestDegrees) * Math.PI / 360.0);
     }

@@ -3,14 +3,14 @@ using UnityEngine;
 namespace Penumbra
 {
     /// <summary>
-    /// The main light's shadow map as URP lays it out: square tiles in two columns, row by row, as large as a square
-    /// map of the asset's resolution allows; with two cascades the map is then only half as high.
+    /// The layout of URP's main light shadow map: square tiles in two columns, row by row, each as large as fits into
+    /// a square map of the asset's resolution. With two cascades the map is only half as high.
     /// <code>
     ///   1: | 0 |     2: | 0 1 |     3, 4: | 0 1 |
     ///                                     | 2 3 |
     /// </code>
     /// <para>Sizes in texels, rectangles in atlas UV. Source: ShadowUtils.GetMaxTileResolutionInAtlas and the main
-    /// light's caster pass of URP 14 to 17. Out of range, counts and resolutions take the nearest end.</para>
+    /// light's caster pass of URP 14 to 17. Counts and resolutions are clamped to their ranges.</para>
     /// </summary>
     public readonly struct AtlasLayout
     {
@@ -37,7 +37,9 @@ namespace Penumbra
         /// <summary>1/width, 1/height, width, height: _PenumbraMainLightAtlasTexelSize.</summary>
         public Vector4 TexelSize => new Vector4((float)(1.0 / Width), (float)(1.0 / Height), Width, Height);
 
-        /// <summary>x, y, width and height of a cascade's tile in atlas UV; the nearest cascade there is.</summary>
+        /// <summary>
+        /// x, y, width and height of a cascade's tile in atlas UV; the index is clamped to the existing cascades.
+        /// </summary>
         public Vector4 Tile(int cascade)
         {
             var index = Bounded.Count(cascade, 0, Cascades - 1);

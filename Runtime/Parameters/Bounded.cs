@@ -1,8 +1,6 @@
 namespace Penumbra
 {
-    /// <summary>
-    /// A value kept in a range as the shaders keep theirs (BoundedOrLow): NaN gives the low end, and 0 has no sign.
-    /// </summary>
+    /// <summary>Clamps values as the shaders do (BoundedOrLow): NaN gives the low end, and 0 has no sign.</summary>
     internal static class Bounded
     {
         public static float OrLow(float value, float low, float high) =>
@@ -10,7 +8,7 @@ namespace Penumbra
 
         public static int Count(int value, int low, int high) => value < low ? low : value > high ? high : value;
 
-        /// <summary>Whether a float holds it: not NaN, and no infinity once rounded.</summary>
+        /// <summary>Whether the value fits a float: not NaN, and not infinite once rounded.</summary>
         public static bool FitsFloat(double value)
         {
             var rounded = (float)value;

@@ -4,11 +4,12 @@ using UnityEngine;
 namespace Penumbra
 {
     /// <summary>
-    /// What a metre and the light's size come to in one cascade's tile, from URP's world-to-shadow matrix M: its row 0
-    /// is atlas UV across the light, its row 2 stored depth along it, so their lengths are UV and depth per metre.
+    /// The scales of one cascade's tile, from URP's world-to-shadow matrix M: how a metre and the light's size map to
+    /// UV and depth. Row 0 of M is atlas UV across the light and row 2 the stored depth along it, so their lengths
+    /// are UV and depth per metre.
     /// <para>Spaces: tile UV is 0 to 1 over the cascade's tile; depth is as the map stores it. Computed in double,
-    /// rounded once. Every figure is finite: of a matrix that maps nothing (URP's no-op matrices of entries beyond
-    /// the count, a zero or not finite row) or whose figures no float holds, all are 0 and IsMapped is false.</para>
+    /// rounded once. Every value is finite: if the matrix maps nothing (URP's no-op matrices of unused entries, a
+    /// zero row or one that is not finite) or a value does not fit a float, all are 0 and IsMapped is false.</para>
     /// </summary>
     public readonly struct CascadeScales
     {
@@ -18,8 +19,8 @@ namespace Penumbra
         private readonly int tileResolution;
 
         /// <param name="worldToShadow">An entry of _MainLightWorldToShadow: world to atlas UV and stored depth.</param>
-        /// <param name="layout">Of the map the entry leads to.</param>
-        /// <param name="angularDiameterDegrees">Full angle of the light's disc, as AngularDiameter takes it.</param>
+        /// <param name="layout">Of the map that the matrix projects into.</param>
+        /// <param name="angularDiameterDegrees">Full angle of the light's disc, see AngularDiameter.</param>
         public CascadeScales(in Matrix4x4 worldToShadow, in AtlasLayout layout, float angularDiameterDegrees)
         {
             TanHalf = AngularDiameter.TanHalfInDouble(angularDiameterDegrees, AngularDiameter.LargestDegrees);
@@ -32,7 +33,7 @@ namespace Penumbra
             depthPerMetre = 0.0;
         }
 
-        /// <summary>False: the matrix leads to no tile, and what it would shade is lit.</summary>
+        /// <summary>False: the matrix projects into no tile, and its receivers are lit.</summary>
         public bool IsMapped => uvPerMetre > 0.0;
 
         /// <summary>Tile UV per metre across the light: |row0| / tile width.</summary>
@@ -44,18 +45,18 @@ namespace Penumbra
         /// <summary>Penumbra radius in tile UV per unit of depth gap: tan(a/2) UvPerMetre / DepthPerMetre.</summary>
         public float DepthToRadial => (float)DepthToRadialInDouble;
 
-        /// <summary>Its inverse; 0 stands for none, at angular diameter 0.</summary>
+        /// <summary>The inverse of DepthToRadial; 0 at angular diameter 0, where it does not exist.</summary>
         public float RadialToDepth => (float)RadialToDepthInDouble;
 
         /// <summary>
-        /// HDRP's tan(a/2) |m00 / m22| of the device projection (depth 0 to 1): twice the geometric radius.
+        /// HDRP's tan(a/2) |m00 / m22| of the device projection (depth 0 to 1): twice the geometric value.
         /// </summary>
         public float DepthToRadialHdrp => (float)(2.0 * DepthToRadialInDouble);
 
-        /// <summary>Side of a texel across the light.</summary>
+        /// <summary>Side of a texel in metres, across the light.</summary>
         public float TexelSizeMetres => (float)TexelSizeInDouble;
 
-        /// <summary>Penumbra radius for a gap as long as the tile's whole depth range.</summary>
+        /// <summary>Penumbra radius in texels for a gap as long as the tile's whole depth range.</summary>
         public float MaxPenumbraTexels => (float)(DepthToRadialInDouble * tileResolution);
 
         internal double UvPerMetreInDouble => uvPerMetre;
@@ -65,7 +66,7 @@ namespace Penumbra
         internal double TexelSizeInDouble => IsMapped ? 1.0 / (uvPerMetre * tileResolution) : 0.0;
         internal double DepthRangeMetres => IsMapped ? 1.0 / depthPerMetre : 0.0;
 
-        // Squares of floats neither overflow nor vanish in double.
+        // Squares of floats neither overflow nor underflow in double.
         private static double Length(float x, float y, float z) =>
             Math.Sqrt((double)x * x + (double)y * y + (double)z * z);
 

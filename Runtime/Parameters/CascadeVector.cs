@@ -3,8 +3,8 @@ using UnityEngine;
 namespace Penumbra
 {
     /// <summary>
-    /// A vector that a technique's filter is told from a cascade on, by a rule of its manifest: what another uniform of the
-    /// frame holds, but for the components that are the rule's own.
+    /// A vector parameter that a technique's filter uses from a certain cascade on, by a rule in its manifest: a copy
+    /// of another uniform of the frame in which the rule replaces some components.
     /// </summary>
     internal readonly struct CascadeVector
     {
@@ -13,8 +13,8 @@ namespace Penumbra
         private readonly int own;
         private readonly Vector4 value;
 
-        /// <param name="baseName">Null: all components are the rule's own.</param>
-        /// <param name="own">Bits of those that are, from x on.</param>
+        /// <param name="baseName">The uniform that is copied; null if the rule sets all components.</param>
+        /// <param name="own">Bit mask of the components that the rule sets; bit 0 is x.</param>
         internal CascadeVector(string name, string baseName, int own, float x, float y, float z, float w)
         {
             uniform = Shader.PropertyToID(name);
@@ -27,7 +27,9 @@ namespace Penumbra
 
         internal int Uniform => uniform;
 
-        /// <summary>In a frame of these; what they do not have is as the technique is listed.</summary>
+        /// <summary>
+        /// The vector with the frame's uniforms; for a base uniform that they do not contain, the manifest's values.
+        /// </summary>
         internal Vector4 In(in ShadowUniforms uniforms)
         {
             if (own == AllComponents || !uniforms.TryGet(baseUniform, out Vector4 vector)) return value;

@@ -4,12 +4,12 @@ using UnityEngine;
 namespace Penumbra
 {
     /// <summary>
-    /// A 4 x 4 matrix in double, column by column, for inverses whose digits a float product would lose.
-    /// <para>From float entries nothing overflows on the way: four of them multiply to at most 1e154.</para>
+    /// A column-major 4 x 4 matrix in double, for inverses that would lose their precision in float.
+    /// <para>With float entries no intermediate result overflows: a product of four is at most 1e154.</para>
     /// </summary>
     internal struct DoubleMatrix
     {
-        // A determinant closer to 0 than this many of its own roundings cannot be told from 0.
+        // A determinant whose magnitude is below this many of its own rounding errors counts as 0.
         private const double SingularRoundings = 64.0 / (1L << 53);
 
         public DoubleColumn Column0;
@@ -40,7 +40,7 @@ namespace Penumbra
         /// <summary>
         /// By Laplace's expansion over the first two columns: with pq the 2 x 2 minor of rows p and q in columns 0, 1
         /// and PQ the same in columns 2, 3, the determinant is 01 23' - 02 13' + 03 12' + 12 03' - 13 02' + 23 01'.
-        /// False for a matrix that is singular as far as double can tell, and for one that is not finite.
+        /// False for a matrix that is singular within double precision, and for one that is not finite.
         /// </summary>
         public bool TryInvert(out DoubleMatrix inverse)
         {
@@ -50,7 +50,7 @@ namespace Penumbra
                               left.R12 * right.R03 - left.R13 * right.R02 + left.R23 * right.R01;
             var magnitude = left.A01 * right.A23 + left.A02 * right.A13 + left.A03 * right.A12 +
                             left.A12 * right.A03 + left.A13 * right.A02 + left.A23 * right.A01;
-            // Written so that NaN is singular, too.
+            // Written so that NaN counts as singular, too.
             if (!(Math.Abs(determinant) > SingularRoundings * magnitude && magnitude < double.PositiveInfinity))
             {
                 inverse = default;
@@ -62,7 +62,7 @@ namespace Penumbra
             return true;
         }
 
-        /// <summary>Rounded to floats; false, and the identity, where an entry fits none.</summary>
+        /// <summary>Rounded to floats; false, with the identity, if an entry does not fit a float.</summary>
         public bool TryRound(out Matrix4x4 matrix)
         {
             var fits = Fits(Column0) && Fits(Column1) && Fits(Column2) && Fits(Column3);

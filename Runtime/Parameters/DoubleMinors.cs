@@ -3,8 +3,8 @@ using System;
 namespace Penumbra
 {
     /// <summary>
-    /// The six 2 x 2 minors of two columns, Rpq of rows p and q, and with each the sum of its terms' magnitudes, Apq,
-    /// which tells how many digits of it cancelled.
+    /// The six 2 x 2 minors of two columns, Rpq of rows p and q, each with the sum of its terms' magnitudes, Apq,
+    /// which shows how many digits of Rpq cancelled.
     /// </summary>
     internal readonly struct DoubleMinors
     {
@@ -32,8 +32,8 @@ namespace Penumbra
         }
 
         /// <summary>
-        /// What is perpendicular to a column and to both columns of the minors, scaled: the cross product of three
-        /// vectors in four dimensions, a row of the inverse up to its determinant.
+        /// The vector perpendicular to a column and to both columns of the minors, scaled: the cross product of three
+        /// vectors in four dimensions, which is a row of the inverse times the determinant.
         /// </summary>
         public DoubleColumn Complement(in DoubleColumn c, double scale) =>
             new DoubleColumn(scale * (c.Y * R23 - c.Z * R13 + c.W * R12), scale * (c.Z * R03 - c.X * R23 - c.W * R02),

@@ -3,8 +3,8 @@ using System;
 namespace Penumbra
 {
     /// <summary>
-    /// HDRP's two cones beside the light's: the blocker search's is never narrower than the light's, and the smallest
-    /// filter's never narrower than the search's. Tangents of half the angle, before they are rounded.
+    /// HDRP's two further cones: the blocker search's is never narrower than the light's, and the one of the smallest
+    /// filter radius is never narrower than the search's. Tangents of half the angle, before rounding.
     /// <para>Source: HDRP's request settings of a directional light's PCSS (HDShadowRequest, version 17).</para>
     /// </summary>
     internal readonly struct HdrpCones

@@ -3,20 +3,20 @@ using UnityEngine;
 namespace Penumbra
 {
     /// <summary>
-    /// The two vectors HDRP packs for each cascade of a directional light's PCSS, for HDRP custom passes and for
+    /// The two vectors that HDRP packs for each cascade of a directional light's PCSS, for HDRP custom passes and for
     /// shaders ported from it. Its scale of depth to radius is s = |m00 / m22| of the device projection, which is
     /// 2 UvPerMetre / DepthPerMetre: penumbrae come out twice the geometric width, as HDRP's do.
-    /// <para>With t = tan(a/2) and the cones' own tangents ts (search) and tf (smallest filter):</para>
+    /// <para>With t = tan(a/2) and the tangents of the other two cones, ts (search) and tf (smallest filter):</para>
     /// <code>
     ///   Params0   t s | 1 / (t s) | widest penumbra / (2 t), metres | cone height, metres
     ///   Params1   smallest filter, texels | 1 / (tf s) | 1 / (ts s) | clump / 2
     /// </code>
-    /// <para>Every component is finite. At 0 degrees, where HDRP divides by 0, an inverse is 0 and the farthest
-    /// blocker is as far as the cascade's depth range; a cascade without a map gives 0 for all scales.</para>
+    /// <para>Every component is finite. At 0 degrees, where HDRP divides by 0, inverses are 0 and the largest blocker
+    /// distance is the cascade's depth range; a cascade without a map has scales of 0.</para>
     /// </summary>
     public readonly struct HdrpShadowParameters
     {
-        // Even over the area; HDRP goes no lower.
+        // Uniform over the area; HDRP allows no lower value.
         private const float SmallestClump = 1.0f;
         private const float LargestClump = 8.0f;
         private const float LongestMetres = 1e6f;
@@ -25,7 +25,7 @@ namespace Penumbra
         public readonly Vector4 Params0;
         public readonly Vector4 Params1;
 
-        /// <param name="scales">Of the cascade; the light's angular diameter is the one they were made with.</param>
+        /// <param name="scales">Of the cascade; they contain the light's angular diameter.</param>
         public HdrpShadowParameters(in CascadeScales scales, in SoftShadowParameters parameters)
         {
             var radialPerDepth = scales.IsMapped ? 2.0 * scales.UvPerMetreInDouble / scales.DepthPerMetreInDouble : 0.0;

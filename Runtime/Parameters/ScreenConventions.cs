@@ -1,8 +1,8 @@
 namespace Penumbra
 {
     /// <summary>
-    /// How a device stores the screen, as SystemInfo and GL.GetGPUProjectionMatrix describe it: what has to be known
-    /// to get from a texel and its stored depth back to clip space.
+    /// How a device stores the screen, as SystemInfo and GL.GetGPUProjectionMatrix describe it: the conventions
+    /// needed to convert a texel and its stored depth to clip space.
     /// </summary>
     public readonly struct ScreenConventions
     {
@@ -13,7 +13,7 @@ namespace Penumbra
         public readonly bool UvStartsAtTop;
 
         /// <summary>
-        /// Clip space's depth is 0 to 1 and stored as it is; false: it is -1 to 1, stored as (z + 1) / 2 (OpenGL).
+        /// Clip space's depth is 0 to 1 and stored unchanged; false: it is -1 to 1, stored as (z + 1) / 2 (OpenGL).
         /// </summary>
         public readonly bool DepthIsZeroToOne;
 

@@ -9,17 +9,18 @@ namespace Penumbra
     ///   S = inverse(view) inverse(gpuProjection) N,   N: u, v, depth to clip space
     /// </code>
     /// <para>u and v run from 0 to 1 over the texture, v from texel row 0; depth is as the texture stores it. Each
-    /// matrix is inverted by itself in double, so that neither a far camera nor a near plane close to 0 costs digits;
-    /// the product is rounded once. Any invertible projection serves: off-centre, oblique, orthographic.</para>
-    /// <para>What that one rounding leaves: with reversed depth, positions to about 1e-7 of the camera's distance from
-    /// the origin; with depth that is not reversed, a receiver's distance over the near plane's times as much, which
-    /// is also how such a depth buffer itself loses digits.</para>
+    /// matrix is inverted separately in double, so that neither a distant camera nor a near plane close to 0 costs
+    /// precision; the product is rounded once. Any invertible projection is allowed: off-centre, oblique,
+    /// orthographic.</para>
+    /// <para>The error of that rounding: with reversed depth about 1e-7 of the camera's distance from the origin;
+    /// with depth that is not reversed, more by the factor (receiver's distance / near plane), which is also the
+    /// precision that such a depth buffer loses.</para>
     /// </summary>
     public static class ScreenToWorld
     {
         /// <summary>
-        /// False where a matrix is singular or not finite, or the answer fits no float: there is no picture then, and
-        /// the matrix is the identity.
+        /// False if a matrix is singular or not finite, or the result does not fit floats: then nothing can be drawn,
+        /// and the matrix is the identity.
         /// </summary>
         /// <param name="view">World to view (Camera.worldToCameraMatrix; of one eye under XR).</param>
         /// <param name="gpuProjection">View to the device's clip space, flipped and reversed as the device has it:
@@ -37,7 +38,7 @@ namespace Penumbra
             return false;
         }
 
-        // Times N: clip x = 2u - 1, y = 2v - 1 or its negative, z = depth or 2 depth - 1.
+        // Right-multiplies by N: clip x = 2u - 1, y = 2v - 1 or its negative, z = depth or 2 depth - 1.
         private static DoubleMatrix FromScreen(in DoubleMatrix clip, ScreenConventions conventions)
         {
             var up = conventions.UvStartsAtTop ? -1.0 : 1.0;

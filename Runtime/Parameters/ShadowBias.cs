@@ -3,14 +3,15 @@ using UnityEngine;
 namespace Penumbra
 {
     /// <summary>
-    /// URP's bias of shadow casters, as ShadowUtils.GetShadowBias has it for a directional light: the asset's unitless
-    /// settings, times the size of a texel, times the radius of the soft kernel, toward the surface's back.
-    /// <para>Metres, x along the light, y against the normal, both at most 0: _ShadowBias.xy. What no float holds, and
-    /// a cascade without a map, gives 0.</para>
+    /// URP's bias of shadow casters, as in ShadowUtils.GetShadowBias for a directional light: the asset's unitless
+    /// settings, times the size of a texel, times the radius of the soft kernel. It moves
+    /// casters away from the light and inwards along the normal.
+    /// <para>Metres, x along the light, y against the normal, both at most 0: _ShadowBias.xy. Results that do not fit
+    /// a float, and cascades without a map, give 0.</para>
     /// </summary>
     public static class ShadowBias
     {
-        /// <summary>Of URP's filter at this quality, in texels. A quality URP does not have counts as medium.</summary>
+        /// <summary>Radius of URP's filter at this quality, in texels. An unknown quality counts as medium.</summary>
         public static float KernelRadiusTexels(SoftShadowKernel kernel)
         {
             switch (kernel)
@@ -22,7 +23,7 @@ namespace Penumbra
             }
         }
 
-        /// <param name="depthBias">The asset's or the light's setting, without a unit; normalBias alike.</param>
+        /// <param name="depthBias">The asset's or the light's setting, unitless; likewise normalBias.</param>
         public static Vector2 OfCascade(in CascadeScales scales, float depthBias, float normalBias,
                                         SoftShadowKernel kernel) =>
             OfTexel(scales.TexelSizeInDouble, depthBias, normalBias, kernel);
@@ -39,7 +40,7 @@ namespace Penumbra
             return new Vector2(Toward(depthBias * radius), Toward(normalBias * radius));
         }
 
-        // Taken from 0, so that no bias is 0 and not -0.
+        // Subtracted from 0, so that no bias is 0 and not -0.
         private static float Toward(double metres) => Bounded.FitsFloat(metres) ? (float)(0.0 - metres) : 0.0f;
     }
 }

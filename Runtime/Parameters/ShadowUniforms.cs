@@ -3,13 +3,13 @@ using UnityEngine;
 namespace Penumbra
 {
     /// <summary>
-    /// What Shadows.hlsl reads: the light's vectors, and the parameters of each PCSS, which pack themselves.
-    /// <para>Whatever the parameters hold, every packed component is finite and in the range the shaders take; a
-    /// Poisson set's size is chosen by the shader.</para>
+    /// The uniforms of Shadows.hlsl: the light's vectors, and the parameters of each PCSS technique.
+    /// <para>Every packed component is finite and in the range that the shaders accept, for any parameters; the
+    /// shader chooses the Poisson set's size.</para>
     /// </summary>
     public readonly struct ShadowUniforms
     {
-        // The shaders' noise repeats after as many frames; a float holds the index then, however long the game runs.
+        // The shaders' noise repeats after this many frames; a small index fits a float however long the game runs.
         private const int NoiseFrames = 64;
 
         /// <summary>_PenumbraMainLightAtlasTexelSize: 1/width, 1/height, width, height.</summary>
@@ -21,13 +21,14 @@ namespace Penumbra
         /// <summary>Of the technique _PENUMBRA_PCSS.</summary>
         public readonly PcssAngularParameters PcssAngular;
 
-        /// <summary>Of _PENUMBRA_PCSS_POISSON.</summary>
+        /// <summary>Of the technique _PENUMBRA_PCSS_POISSON.</summary>
         public readonly PcssClassicParameters PcssClassic;
 
-        /// <summary>Of _PENUMBRA_PCSS_HDRP.</summary>
+        /// <summary>Of the technique _PENUMBRA_PCSS_HDRP.</summary>
         public readonly PcssHdrpParameters PcssHdrp;
 
-        /// <param name="frameIndex">Turns the noise. 0 always leaves it static; count up for temporal filters.</param>
+        /// <param name="frameIndex">Changes the noise pattern. Static if always 0; increase it for temporal
+        /// filters.</param>
         public ShadowUniforms(in SoftShadowParameters parameters, in AtlasLayout layout, int frameIndex)
         {
             MainLightAtlasTexelSize = layout.TexelSize;
@@ -62,7 +63,7 @@ namespace Penumbra
             };
         }
 
-        /// <summary>What a uniform of one of the techniques' parameters holds; false for others.</summary>
+        /// <summary>The value of a uniform of one of the techniques' parameters; false for other uniforms.</summary>
         internal bool TryGet(int uniform, out Vector4 vector) =>
             PcssAngular.TryGet(uniform, out vector) || PcssClassic.TryGet(uniform, out vector) ||
             PcssHdrp.TryGet(uniform, out vector);

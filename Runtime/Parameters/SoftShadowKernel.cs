@@ -1,8 +1,8 @@
 namespace Penumbra
 {
     /// <summary>
-    /// URP's soft shadow quality, by the numbers of _MainLightShadowParams.y. Off also stands for hard shadows and
-    /// for an asset without soft ones.
+    /// URP's soft shadow quality, with the values of _MainLightShadowParams.y. Off is also used for hard shadows and
+    /// for an asset without soft shadows.
     /// </summary>
     public enum SoftShadowKernel
     {

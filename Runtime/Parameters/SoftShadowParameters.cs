@@ -1,17 +1,18 @@
 namespace Penumbra
 {
     /// <summary>
-    /// What the filters are told, in the units a person sets it in. Defaults are those of its manifest
+    /// The filters' parameters in user units. Defaults are those of the manifest
     /// (ShaderLibrary/Filters/PcssAngular.technique.json): PCSS with 24 and 16 samples.
-    /// <para>Values out of range are no error here: what reads them keeps to the nearest end, as the shaders do.
-    /// </para>
+    /// <para>Values out of range are allowed here: their readers clamp them, as the shaders do.</para>
     /// </summary>
     public struct SoftShadowParameters
     {
         /// <summary>Full angle of the light's disc, degrees, 0 to 30.</summary>
         public float AngularDiameterDegrees;
 
-        /// <summary>Fetches of the blocker search, 1 to 64; of PCSS (Poisson) also of the filter, up to 128.</summary>
+        /// <summary>
+        /// Fetches of the blocker search, 1 to 64; for PCSS (Poisson) also of the filter, up to 128.
+        /// </summary>
         public int BlockerSamples;
 
         /// <summary>Fetches of the filter, 1 to 64.</summary>
@@ -19,7 +20,7 @@ namespace Penumbra
 
         /// <summary>
         /// Radial distribution of the search samples, 0 to 8: 0 equally many per octave of radius, 1 uniform over the
-        /// area, 2 density 1/r. With HDRP's rules at least 1.
+        /// area, 2 density 1/r. At least 1 in PCSS (HDRP).
         /// </summary>
         public float BlockerClump;
 
@@ -35,17 +36,18 @@ namespace Penumbra
         /// <summary>Radius of the blocker search of PCSS (Poisson), across the light, metres.</summary>
         public float SearchRadiusMetres;
 
-        /// <summary>HDRP: angular diameter of the blocker search, degrees, 0 to 90; at least the light's is used.
+        /// <summary>
+        /// HDRP: angular diameter of the blocker search, degrees, 0 to 90; not less than the light's.
         /// </summary>
         public float HdrpSearchDegrees;
 
         /// <summary>
-        /// HDRP: angular diameter of the cone below the smallest filter radius, degrees, 0 to 90; at least the
-        /// search's is used.
+        /// HDRP: angular diameter of the cone below the smallest filter radius, degrees, 0 to 90; not less than the
+        /// search's.
         /// </summary>
         public float HdrpMinFilterDegrees;
 
-        /// <summary>The sun, by PCSS of its angular diameter.</summary>
+        /// <summary>The sun, with PCSS and the sun's angular diameter.</summary>
         public static SoftShadowParameters Default => new SoftShadowParameters
         {
             AngularDiameterDegrees = AngularDiameter.SunDegrees,
@@ -60,7 +62,7 @@ namespace Penumbra
             HdrpMinFilterDegrees = 10.0f,
         };
 
-        /// <summary>HDRP's own defaults, for its rules (_PENUMBRA_PCSS_HDRP).</summary>
+        /// <summary>HDRP's own defaults, for PCSS (HDRP) (_PENUMBRA_PCSS_HDRP).</summary>
         public static SoftShadowParameters HdrpDefault
         {
             get

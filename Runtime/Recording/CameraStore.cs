@@ -5,8 +5,8 @@ using UnityEngine.Rendering;
 namespace Penumbra
 {
     /// <summary>
-    /// What a chain has of one camera from frame to frame: the textures that it keeps or that the pipeline does not
-    /// lend, and its buffers.
+    /// What a chain keeps for one camera between frames: textures with persistent content or that the pipeline cannot
+    /// lend, and buffers.
     /// </summary>
     internal sealed class CameraStore : IDisposable
     {
@@ -16,18 +16,22 @@ namespace Penumbra
         private ShadowChain chain;
         private bool isFilled;
 
-        // A frame's histories are the other way round than those of the frame before.
+        // Whether the two textures of each history are swapped for the next frame.
         private bool isSwapped;
         private float filledWidthScale;
         private float filledHeightScale;
 
-        /// <summary>In the order of the chain's slots; null where a texture is lent for each frame.</summary>
+        /// <summary>
+        /// In the order of the chain's slots; null where the pipeline lends a texture for each frame.
+        /// </summary>
         internal RTHandle[] Textures { get; private set; } = Array.Empty<RTHandle>();
 
-        /// <summary>In the order of the chain's.</summary>
+        /// <summary>In the order of the chain's buffers.</summary>
         internal GraphicsBuffer[] Buffers { get; private set; } = Array.Empty<GraphicsBuffer>();
 
-        /// <summary>Makes what is not there, or not as large as this frame's. Tells the frame when it is empty.</summary>
+        /// <summary>
+        /// Allocates what is missing or has another size. Sets in the frame whether the content is missing.
+        /// </summary>
         internal void Prepare(ShadowChain forChain, in RenderTextureDescriptor target, ref ShadowFrame frame)
         {
             if (forChain != chain) Begin(forChain);
@@ -40,15 +44,17 @@ namespace Penumbra
             }
             for (int i = 0; i < Buffers.Length; ++i)
                 if (Allocate(ref Buffers[i], chain.Buffers[i], frame)) isFilled = false;
-            // The device gives textures of the screen other memory.
+            // After a change of scale, the device gives textures of the screen other memory.
             if (chain.KeepsScreen && IsScaledAnew(frame)) isFilled = false;
             if (isSwapped) SwapHistories();
             frame.storeIsEmpty = !isFilled;
-            // The faces of a probe are views of their own, of one camera and in one frame.
+            // The faces of a probe are different views with the same camera in the same frame, so none has a history.
             frame.historiesAreEmpty = !isFilled || frame.isProbe;
         }
 
-        /// <summary>The chain has been recorded whole: what is now is a frame old in the next.</summary>
+        /// <summary>
+        /// The whole chain has been recorded: the current content becomes the history of the next frame.
+        /// </summary>
         internal void SetFilled(in ShadowFrame frame)
         {
             isFilled = true;
@@ -79,7 +85,7 @@ namespace Penumbra
             Buffers = new GraphicsBuffer[chain.Buffers.Count];
         }
 
-        // Grows only: dynamic resolution must not allocate.
+        // Buffers only grow, so that dynamic resolution does not reallocate them.
         private bool Allocate(ref GraphicsBuffer buffer, in GraphBuffer declared, in ShadowFrame frame)
         {
             int words = declared.words;

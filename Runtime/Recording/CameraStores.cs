@@ -4,8 +4,8 @@ using UnityEngine;
 namespace Penumbra
 {
     /// <summary>
-    /// A store for each camera that draws, and for each of its eyes where they are drawn one after the other; until it has
-    /// not drawn for a while.
+    /// A store for each camera, and for each eye if they are drawn one after the other. Released when the camera has
+    /// not drawn for a number of frames.
     /// </summary>
     internal sealed class CameraStores : IDisposable
     {
@@ -14,7 +14,8 @@ namespace Penumbra
         private readonly RecentlyUsed<(Camera camera, int pass), CameraStore> stores =
             new RecentlyUsed<(Camera camera, int pass), CameraStore>(IdleFrames);
 
-        /// <param name="pass">Of the passes of XR that the camera draws its picture in.</param>
+        /// <param name="pass">The index of the XR pass (multipassId); each eye has its own in multi-pass
+        /// mode.</param>
         internal CameraStore Of(Camera camera, int pass) => stores.Of((camera, pass));
 
         /// <inheritdoc/>

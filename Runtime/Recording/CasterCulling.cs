@@ -10,17 +10,17 @@ using FrameShadows = UnityEngine.Rendering.Universal.ShadowData;
 namespace Penumbra
 {
     /// <summary>
-    /// Finds the casters of each cascade, and lists them for a program. URP's own lists of casters draw materials' own
-    /// ShadowCaster passes and take no other program; the camera's culling results hold what the camera sees and none of
-    /// the casters beside its picture. So each cascade is culled once more, as an orthographic camera of the light.
+    /// Finds the casters of each cascade and makes renderer lists of them for a program. URP's own lists of casters
+    /// draw the materials' ShadowCaster passes and take no other program, and the camera's culling results lack
+    /// casters outside its frustum. So each cascade is culled once more, as an orthographic camera of the light.
     /// </summary>
     internal static class CasterCulling
     {
-        // Materials that have this pass cast; those that have that one are in the camera's depth.
+        // Materials with a ShadowCaster pass cast shadows; those with a DepthOnly pass are in the camera's depth.
         private static readonly ShaderTagId casters = new ShaderTagId("ShadowCaster");
         private static readonly ShaderTagId opaques = new ShaderTagId("DepthOnly");
 
-        /// <summary>`frame.camera`, `seen` and `light` are set.</summary>
+        /// <summary>`frame.camera`, `seen` and `light` must be set.</summary>
         internal static void Cull(ScriptableRenderContext context, CasterFrame frame, int lightIndex,
                                   FrameShadows shadows, in ShadowFrame shadow)
         {
@@ -48,7 +48,8 @@ namespace Penumbra
                                     ref CasterView view)
         {
             if (!camera.TryGetCullingParameters(out ScriptableCullingParameters parameters)) return false;
-            // The camera's layers and levels of detail remain. Occlusion is the camera's, and no light is asked for.
+            // Keeps the camera's layers and levels of detail. No occlusion culling, which would be from the camera's
+            // view, and no lights, which are not needed.
             parameters.cullingOptions = CullingOptions.ForceEvenIfCameraIsNotActive;
             parameters.isOrthographic = true;
             parameters.cullingMatrix = view.projection * view.view;
@@ -65,7 +66,8 @@ namespace Penumbra
         internal static RendererListParams OfCamera(CasterFrame frame, in PassProgram program) =>
             List(frame.seen, frame.camera, opaques, RenderQueueRange.opaque, program);
 
-        // The shader, not a material: alpha cut-outs and displacements are of each object's own.
+        // Overrides the shader and not the material, to keep each object's properties for alpha clipping and
+        // displacement.
         private static RendererListParams List(in CullingResults results, Camera camera, ShaderTagId tag,
                                                RenderQueueRange queues, in PassProgram program)
         {

@@ -5,21 +5,23 @@ using UnityEngine.Rendering.Universal;
 
 namespace Penumbra
 {
-    /// <summary>What the light sees in one cascade.</summary>
+    /// <summary>The light's view of one cascade.</summary>
     internal struct CasterView
     {
         internal Matrix4x4 view;
         internal Matrix4x4 projection;
 
-        /// <summary>As URP's shadow map has it: depth, normal, in metres.</summary>
+        /// <summary>As in URP's shadow map: depth bias, normal bias, in metres.</summary>
         internal Vector4 bias;
 
-        /// <summary>Culled for it; without it nothing is drawn.</summary>
+        /// <summary>Valid if isCulled; otherwise nothing is drawn.</summary>
         internal CullingResults casters;
         internal bool isCulled;
     }
 
-    /// <summary>What passes draw the casters of one frame with. One for each recorder: nothing is allocated.</summary>
+    /// <summary>
+    /// What passes draw the casters of one frame with. One per recording pass, reused without allocating.
+    /// </summary>
     internal sealed class CasterFrame
     {
         internal const int MostCascades = 4;
@@ -29,16 +31,16 @@ namespace Penumbra
         internal Matrix4x4 cameraView;
         internal Matrix4x4 cameraProjection;
 
-        /// <summary>By the camera.</summary>
+        /// <summary>The camera's culling results.</summary>
         internal CullingResults seen;
         internal VisibleLight light;
 
-        /// <summary>Null where the pipeline does not hand it out.</summary>
+        /// <summary>Null if the pipeline does not give access to it.</summary>
         internal RTHandle shadowMap;
 
         private RendererList[] lists = Array.Empty<RendererList>();
 
-        /// <summary>Of a step that draws what the camera sees the one list is that of cascade 0.</summary>
+        /// <summary>A step that draws what the camera sees has one list, stored as that of cascade 0.</summary>
         internal static int IndexOf(int step, int cascade) => step * MostCascades + cascade;
 
         internal void MakeRoom(int steps)
@@ -50,7 +52,7 @@ namespace Penumbra
 
         internal void Draw(CommandBuffer commands, int step) => commands.DrawRendererList(lists[IndexOf(step, 0)]);
 
-        /// <summary>As the light sees them. Programs find URP's _ShadowBias and _LightDirection.</summary>
+        /// <summary>As seen from the light. Programs read URP's _ShadowBias and _LightDirection.</summary>
         internal void DrawCascade(CommandBuffer commands, int step, int cascade)
         {
             CasterView view = cascades[cascade];

@@ -4,7 +4,7 @@ using UnityEngine.Rendering.Universal;
 
 namespace Penumbra
 {
-    /// <summary>URP 14: draws a debug view over the camera's picture.</summary>
+    /// <summary>URP 14: draws a debug view over the camera's image.</summary>
     internal sealed class ClassicDebugPass : ScriptableRenderPass
     {
         private readonly ClassicShadowPass shadows;
@@ -15,7 +15,7 @@ namespace Penumbra
             this.shadows = shadows;
             renderPassEvent = RenderPassEvent.BeforeRenderingPostProcessing;
             profilingSampler = new ProfilingSampler("Penumbra Debug View");
-            // A texture instead of the back buffer, whose rows run the other way than the chain's textures on some
+            // Renders to a texture instead of the back buffer, whose rows run in the opposite direction on some
             // devices.
             ConfigureInput(ScriptableRenderPassInput.Color);
         }

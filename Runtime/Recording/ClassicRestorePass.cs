@@ -5,7 +5,7 @@ using UnityEngine.Rendering.Universal;
 namespace Penumbra
 {
     /// <summary>
-    /// URP 14: gives transparents, which the screen-space texture does not know, URP's own shadow map back.
+    /// URP 14: switches transparents back to URP's own shadow map, as the screen-space texture does not contain them.
     /// </summary>
     internal sealed class ClassicRestorePass : ScriptableRenderPass
     {

@@ -5,13 +5,14 @@ using UnityEngine.Rendering.Universal;
 
 namespace Penumbra
 {
-    /// <summary>URP 14: draws the chain and switches receivers to its texture.</summary>
+    /// <summary>URP 14: draws the chain and makes receivers read its texture.</summary>
     internal sealed class ClassicShadowPass : ScriptableRenderPass
     {
         private readonly CameraStores stores = new CameraStores();
 
-        // Those that no camera owns are all cameras' of one size and chain: each draws them anew. Cameras that differ must
-        // not make each other's anew by turns, and a window that is pulled larger must not leave many behind.
+        // Textures that no camera owns are shared by all cameras with the same size and chain, each of which redraws
+        // them. Keyed, so that alternating cameras do not reallocate; released after a few frames, so that resizing a
+        // window leaves no unused ones.
         private const int SharedIdleFrames = 8;
         private readonly RecentlyUsed<(ShadowChain chain, int width, int height, int slices), SlotTextures> shared =
             new RecentlyUsed<(ShadowChain chain, int width, int height, int slices), SlotTextures>(SharedIdleFrames);
@@ -21,7 +22,7 @@ namespace Penumbra
         private ChainDraw draw;
         private ShadowFrame frame;
 
-        /// <summary>For the camera of the last Setup; what it has drawn stays bound.</summary>
+        /// <summary>Whether the camera of the last Setup has drawn; its textures stay bound.</summary>
         internal bool HasDrawn { get; private set; }
         internal bool IsOverlay => frame.overlay;
         internal bool HasMask => draw.Chain.Mask != ShadowChain.None;
@@ -40,9 +41,9 @@ namespace Penumbra
         }
 
         /// <summary>
-        /// Forward has a depth prepass where depth is asked for no later than the G-buffer's place; a deferred renderer's
-        /// overlay cameras run forward and are judged like the others. Deferred has its G-buffer's depth after it, and
-        /// asked for normals also that of what is drawn forward there.
+        /// Forward has a depth prepass if depth is requested no later than the G-buffer's event; overlay cameras of a
+        /// deferred renderer run forward and are treated alike. Deferred has depth after its G-buffer, and with
+        /// normals requested that depth also contains objects that are drawn forward.
         /// </summary>
         internal void SetPath(bool deferred)
         {
@@ -65,7 +66,7 @@ namespace Penumbra
             ofSize.MakeRoom(chain.Slots.Count);
             for (int i = 0; i < chain.Slots.Count; ++i)
                 slots[i] = chain.Slots[i].IsOwned ? store.Textures[i] : Shared(ofSize, i, target);
-            // The renderer has to know what the last draw leaves bound, or it does not bind its own again.
+            // Tells the renderer what the last draw leaves bound; otherwise it would not bind its own targets again.
             ConfigureTarget(slots[ShadowChain.Output]);
             ConfigureClear(ClearFlag.None, Color.white);
         }

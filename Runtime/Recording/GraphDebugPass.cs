@@ -5,7 +5,7 @@ using UnityEngine.Rendering.Universal;
 
 namespace Penumbra
 {
-    /// <summary>Unity 6: draws a debug view over the camera's picture.</summary>
+    /// <summary>Unity 6: draws a debug view over the camera's image.</summary>
     internal sealed class GraphDebugPass : ScriptableRenderPass
     {
         private sealed class PassData
@@ -27,8 +27,8 @@ namespace Penumbra
             renderPassEvent = RenderPassEvent.AfterRenderingTransparents;
             profilingSampler = new ProfilingSampler("Penumbra Debug View");
 #if !UNITY_6000_5_OR_NEWER
-            // Instead of the back buffer, whose rows run the other way than the chain's textures on some devices. Later
-            // versions say which way a target's rows run, and their Tile-Only Mode has nothing but the back buffer.
+            // Renders to a texture instead of the back buffer, whose rows run in the opposite direction on some
+            // devices. Later versions report the direction, and their Tile-Only Mode has only the back buffer.
             requiresIntermediateTexture = true;
 #endif
         }
@@ -59,7 +59,7 @@ namespace Penumbra
             }
         }
 
-        // The chain's textures begin with their lowest row, as all that are no back buffer.
+        // The chain's textures start at the bottom row, like all textures that are not the back buffer.
         private static bool IsUpsideDown(in RasterGraphContext context, in TextureHandle picture)
         {
 #if UNITY_6000_5_OR_NEWER

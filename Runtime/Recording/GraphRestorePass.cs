@@ -6,10 +6,10 @@ using UnityEngine.Rendering.Universal;
 namespace Penumbra
 {
     /// <summary>
-    /// Unity 6: gives transparents, which the screen-space texture does not know, URP's own shadow map back. It draws
-    /// nothing, but stands between two draws of the camera: as a raster pass on the camera's colour it stays in their
-    /// native render pass. Any other kind of pass would have a GPU with tiles write the picture out and read it in again,
-    /// and URP's Tile-Only Mode throws at it.
+    /// Unity 6: switches transparents back to URP's own shadow map, as the screen-space texture does not contain
+    /// them. It draws nothing, but runs between two draws of the camera: as a raster pass on the camera's colour it
+    /// stays in their native render pass. Any other kind of pass would make a tile-based GPU store and reload the
+    /// image, and URP's Tile-Only Mode throws an exception for it.
     /// </summary>
     internal sealed class GraphRestorePass : ScriptableRenderPass
     {

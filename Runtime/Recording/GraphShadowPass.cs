@@ -7,11 +7,11 @@ using UnityEngine.Rendering.Universal;
 namespace Penumbra
 {
     /// <summary>
-    /// Unity 6: draws the chain and switches receivers to its texture. One unsafe pass, because its draws change their
-    /// targets, which a raster pass cannot. So it must not stand between two draws of the camera: it comes right behind
-    /// the depth prepass, before anything is drawn into the camera's colour, be it XR's occlusion mesh. One event serves
-    /// every rendering path: asking for depth there gives all of them a full depth prepass, and deferred keeps its
-    /// G-buffer and lighting in one native pass.
+    /// Unity 6: draws the chain and makes receivers read its texture. One unsafe pass, because its draws change
+    /// render targets, which a raster pass cannot. So it must not run between two draws of the camera: it runs right
+    /// after the depth prepass, before anything is drawn to the camera's colour, including XR's occlusion mesh. One
+    /// event works for every rendering path: a depth request there gives all of them a full depth prepass, and
+    /// deferred keeps its G-buffer and lighting in one native pass.
     /// </summary>
     internal sealed class GraphShadowPass : ScriptableRenderPass
     {
@@ -26,7 +26,7 @@ namespace Penumbra
             internal RendererListHandle[] lists = new RendererListHandle[0];
             internal TextureHandle shadowMap;
 
-            // It serves cameras of different chains by turns: grows only.
+            // Used in turn by cameras with different chains, so the arrays only grow.
             internal void MakeRoom(int slotCount, int listCount)
             {
                 if (lists.Length < listCount) lists = new RendererListHandle[listCount];
@@ -42,10 +42,10 @@ namespace Penumbra
         private ScriptableRenderContext context;
         private Camera begun;
 
-        /// <summary>Of the camera being recorded; not valid where nothing is drawn.</summary>
+        /// <summary>The texture of the camera being recorded; not valid if nothing is drawn.</summary>
         internal TextureHandle Visibility { get; private set; }
 
-        /// <summary>The same; not valid without a mask.</summary>
+        /// <summary>The mask of that camera; not valid without a mask.</summary>
         internal TextureHandle Mask { get; private set; }
 
         internal bool IsOverlay => frame.overlay;
@@ -59,7 +59,7 @@ namespace Penumbra
             RenderPipelineManager.endCameraRendering += End;
         }
 
-        // Recording has no context to cull with, the camera's begin has; behind its end it is no longer there.
+        // Recording has no context to cull with; beginCameraRendering has one, which is valid until the camera ends.
         private void Begin(ScriptableRenderContext ofCamera, Camera camera)
         {
             context = ofCamera;
@@ -104,7 +104,7 @@ namespace Penumbra
                 if (resources.mainShadowsTexture.IsValid()) builder.UseTexture(resources.mainShadowsTexture);
                 builder.SetGlobalTextureAfterPass(data.textures[ShadowChain.Output],
                                                   FrameUniforms.ScreenSpaceShadowmap);
-                // Else the graph lends their memory to others behind this pass.
+                // Otherwise the graph would give their memory to later passes.
                 for (int i = 0; i < draw.Chain.Globals.Count; ++i)
                 {
                     ChainBinding texture = draw.Chain.Globals[i].texture;
@@ -164,7 +164,7 @@ namespace Penumbra
             ShadowKeywords.Global.Open(commands);
         }
 
-        // The graph makes lists of what their handles say just before the pass.
+        // The graph creates the lists of these handles just before the pass.
         private static void TakeLists(PassData data)
         {
             data.casters.shadowMap = data.shadowMap.IsValid() ? data.shadowMap : null;

@@ -4,7 +4,9 @@ using UnityEngine;
 
 namespace Penumbra
 {
-    /// <summary>Makes a value for a key that is asked for, and gives up what has not been for a number of frames.</summary>
+    /// <summary>
+    /// Creates a value for each key on first use, and disposes of values not used for a number of frames.
+    /// </summary>
     internal sealed class RecentlyUsed<TKey, TValue> : IDisposable
         where TKey : IEquatable<TKey> where TValue : class, IDisposable, new()
     {

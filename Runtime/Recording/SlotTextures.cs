@@ -5,7 +5,7 @@ using UnityEngine.Rendering.Universal;
 
 namespace Penumbra
 {
-    /// <summary>Textures of a chain's slots that stay from frame to frame.</summary>
+    /// <summary>Textures of a chain's slots that persist between frames.</summary>
     internal sealed class SlotTextures : IDisposable
     {
         private struct Slot
@@ -16,7 +16,7 @@ namespace Penumbra
 
         private Slot[] slots = Array.Empty<Slot>();
 
-        /// <summary>Null: not allocated.</summary>
+        /// <summary>Null if not allocated.</summary>
         internal RTHandle this[int slot] => slots[slot].texture;
 
         internal void MakeRoom(int count)
@@ -24,11 +24,13 @@ namespace Penumbra
             if (slots.Length < count) Array.Resize(ref slots, count);
         }
 
-        /// <summary>True when the slot's texture holds nothing: it is another one, or the device has lost its content.</summary>
+        /// <summary>
+        /// True if the slot's texture has no content: it is new, or the device has lost the content.
+        /// </summary>
         internal bool Allocate(int index, in RenderTextureDescriptor descriptor, string name)
         {
             ref Slot slot = ref slots[index];
-            // URP before 17.5 takes textures of other numbers of slices for equal.
+            // URP before 17.5 does not compare the number of slices.
             if (slot.texture != null && slot.slices != descriptor.volumeDepth) Release(ref slot);
             slot.slices = descriptor.volumeDepth;
 #if UNITY_6000_0_OR_NEWER

@@ -5,8 +5,9 @@ using UnityEngine.Rendering;
 namespace Penumbra
 {
     /// <summary>
-    /// Unity 6: the Volume profiles of the URP asset and of scripts, which hold where no Volume of a scene does. Volume
-    /// blending takes their values for defaults and forgets that they were overridden, so they are asked here.
+    /// Unity 6: the Volume profiles of the URP asset and of scripts, which apply where no Volume of a scene does.
+    /// Volume blending treats their values as defaults and drops their override states, so the profiles are read
+    /// here.
     /// </summary>
     internal static class DefaultVolumes
     {

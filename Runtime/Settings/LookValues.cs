@@ -1,9 +1,9 @@
 namespace Penumbra
 {
-    /// <summary>What a look sets, and what it stands for.</summary>
+    /// <summary>The values that a look sets, and the weather or light that it represents.</summary>
     public readonly struct LookValues
     {
-        /// <summary>As inspectors and pages call it.</summary>
+        /// <summary>The name in inspectors and documentation.</summary>
         public readonly string title;
 
         /// <summary>Full angle of the light's disc in degrees.</summary>

@@ -3,7 +3,9 @@ using UnityEngine;
 
 namespace Penumbra
 {
-    /// <summary>What the Renderer Feature holds; a Volume (PenumbraShadowsVolume) overrides options by place.</summary>
+    /// <summary>
+    /// The settings of the Renderer Feature; a Volume (PenumbraShadowsVolume) overrides options by place.
+    /// </summary>
     [Serializable]
     public sealed class PenumbraShadowsSettings
     {
@@ -20,26 +22,28 @@ namespace Penumbra
         [Range(0.0f, 100.0f)]
         public float softnessCapMetres = 100.0f;
 
-        [Tooltip("Every option, in force where Quality is Custom.")]
+        [Tooltip("Every option; used if Quality is Custom.")]
         public ShadowOptions custom = ShadowPresets.Options(QualityPreset.Medium);
 
-        /// <summary>Moving noise is only right where something averages frames: temporal antialiasing, an upscaler.</summary>
-        [Tooltip("Static: the grain of the samples stands still. Per Frame: a new pattern every frame, for temporal " +
+        /// <summary>
+        /// Per-frame noise is only right where something averages frames: temporal antialiasing or an upscaler.
+        /// </summary>
+        [Tooltip("Static: the noise of the samples stays the same. Per Frame: a new pattern every frame, for temporal " +
                  "antialiasing or an upscaler to average; without one, penumbrae flicker.")]
         public NoiseMode noise = NoiseMode.Static;
 
         [Tooltip("Draws these shadows in Scene views of the editor too, not only in game cameras.")]
         public bool sceneView = true;
 
-        [Tooltip("Draws these shadows in realtime reflection probes too: six pictures each, seldom worth it.")]
+        [Tooltip("Draws these shadows in realtime reflection probes too: six images each, seldom worth the cost.")]
         public bool reflectionProbes;
 
         [Tooltip(OptionTable.DebugView.Tooltip)]
         public DebugView debugView;
 
         /// <summary>
-        /// The look that the options in force have; Custom where they have none's. Setting it sets its two values; setting
-        /// Custom throws ArgumentOutOfRangeException, as it has none.
+        /// The look whose values the current options have; Custom if none does. Setting it sets its two values;
+        /// setting Custom throws ArgumentOutOfRangeException, as Custom has no values.
         /// </summary>
         public ShadowLook Look
         {
@@ -62,7 +66,7 @@ namespace Penumbra
             }
         }
 
-        /// <summary>The options before any Volume.</summary>
+        /// <summary>The options before Volumes override them.</summary>
         public ShadowOptions Options()
         {
             ShadowOptions options = preset == QualityPreset.Custom

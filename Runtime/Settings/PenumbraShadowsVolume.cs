@@ -6,8 +6,8 @@ using UnityEngine.Rendering.Universal;
 namespace Penumbra
 {
     /// <summary>
-    /// Overrides the feature's options by place and priority. What is not overridden stays as the feature has it; a
-    /// preset here comes before the single values beside it.
+    /// Overrides the feature's options by place and priority. What is not overridden keeps the feature's value. A
+    /// preset is applied first, then the single options.
     /// </summary>
     [Serializable]
     [PackagePage("installation.md")]
@@ -56,8 +56,8 @@ namespace Penumbra
         public DebugViewParameter debugView = new DebugViewParameter(DebugView.None);
 
         /// <summary>
-        /// Overrides the light's size and its widest penumbra with those of a look; ArgumentOutOfRangeException for Custom,
-        /// which has none.
+        /// Overrides the angular diameter and the softness cap with those of a look. Throws
+        /// ArgumentOutOfRangeException for Custom, which has none.
         /// </summary>
         public void Override(ShadowLook look)
         {
@@ -67,7 +67,7 @@ namespace Penumbra
             softnessCapMetres.value = values.softnessCapMetres;
         }
 
-        /// <summary>`options` with what this Volume overrides.</summary>
+        /// <summary>`options` with this Volume's overrides applied.</summary>
         public ShadowOptions Over(ShadowOptions options)
         {
             if (preset.overrideState && preset.value != QualityPreset.Custom)

@@ -1,7 +1,7 @@
 namespace Penumbra
 {
     /// <summary>
-    /// How much is spent on a pixel. Error and fetches of each preset are measured against ray tracing and shown in
+    /// The cost per pixel. Error and fetches of each preset are measured against ray tracing and shown in
     /// the inspector (PresetFigures).
     /// </summary>
     public enum QualityPreset
@@ -11,17 +11,17 @@ namespace Penumbra
         High,
         Ultra,
 
-        /// <summary>The best the shadow map allows, for comparing with; not for a game.</summary>
+        /// <summary>The best that the shadow map allows, for comparison; not for games.</summary>
         Reference,
 
         /// <summary>Every option set by hand.</summary>
         Custom,
     }
 
-    /// <summary>Whether the noise that turns each pixel's disk moves.</summary>
+    /// <summary>Whether the noise that rotates each pixel's sample disk changes per frame.</summary>
     public enum NoiseMode
     {
-        /// <summary>The pattern stands still on the screen. Right unless something averages frames.</summary>
+        /// <summary>The pattern is fixed on the screen. The right choice unless something averages frames.</summary>
         Static,
 
         /// <summary>A new pattern every frame, for temporal antialiasing or upscaling to average.</summary>

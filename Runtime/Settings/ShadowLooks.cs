@@ -3,20 +3,20 @@ using System;
 namespace Penumbra
 {
     /// <summary>
-    /// The values behind each look's name. A look is not stored: it is told by its two values, so that a slider moved
-    /// afterwards, a Volume that blends and an undo need nothing of their own.
+    /// The values of each look. A look is not stored but recognised by its two values, so that sliders moved later,
+    /// blended Volumes and undo need no special handling.
     /// </summary>
     public static class ShadowLooks
     {
-        /// <summary>Custom has no values: it throws ArgumentOutOfRangeException.</summary>
+        /// <summary>Throws ArgumentOutOfRangeException for Custom, which has no values.</summary>
         public static LookValues Values(ShadowLook look)
         {
             if (look < 0 || look >= ShadowLook.Custom)
-                throw new ArgumentOutOfRangeException(nameof(look), look, "has no values: choose a look that is not Custom");
+                throw new ArgumentOutOfRangeException(nameof(look), look, "Custom has no values; choose another look");
             return LookTable.Rows[(int)look];
         }
 
-        /// <summary>The look that has exactly these values; Custom where none has.</summary>
+        /// <summary>The look that has exactly these values; Custom if none does.</summary>
         public static ShadowLook Of(float angularDiameterDegrees, float softnessCapMetres)
         {
             int at = Array.FindIndex(LookTable.Rows, look => look.angularDiameterDegrees == angularDiameterDegrees &&

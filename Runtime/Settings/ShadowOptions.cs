@@ -4,7 +4,7 @@ using UnityEngine;
 namespace Penumbra
 {
     /// <summary>
-    /// Everything that decides how a frame's shadow is computed. Lengths are metres, angles degrees, counts fetches.
+    /// All options of how a frame's shadow is computed. Lengths are metres, angles degrees, counts texture fetches.
     /// Presets fill it (ShadowPresets); the Volume overrides single values.
     /// </summary>
     [Serializable]
@@ -18,7 +18,7 @@ namespace Penumbra
         [Range(OptionTable.AngularDiameterDegrees.Min, OptionTable.AngularDiameterDegrees.Max)]
         public float angularDiameterDegrees;
 
-        /// <summary>Samples that look for blockers, 1 to 64. PCSS (Poisson) takes this many in both loops.</summary>
+        /// <summary>Samples of the blocker search, 1 to 64. PCSS (Poisson) uses this many in both loops.</summary>
         [Tooltip(OptionTable.BlockerSamples.Tooltip)]
         [Range(OptionTable.BlockerSamples.Min, OptionTable.BlockerSamples.Max)]
         public int blockerSamples;
@@ -28,30 +28,35 @@ namespace Penumbra
         [Range(OptionTable.FilterSamples.Min, OptionTable.FilterSamples.Max)]
         public int filterSamples;
 
-        /// <summary>Widest penumbra, full width, 0 to 100: what is wider is cut short, and costs less to look for.</summary>
+        /// <summary>
+        /// Widest penumbra, full width, 0 to 100: wider ones are limited to it, which also makes the search cheaper.
+        /// </summary>
         [Tooltip(OptionTable.SoftnessCapMetres.Tooltip)]
         [Range(OptionTable.SoftnessCapMetres.Min, OptionTable.SoftnessCapMetres.Max)]
         public float softnessCapMetres;
 
-        /// <summary>Smallest filter radius in shadow-map texels, 0 to 8: hides the texels of contacts.</summary>
+        /// <summary>
+        /// Smallest filter radius in shadow-map texels, 0 to 8: hides the shadow map's texels at contacts.
+        /// </summary>
         [Tooltip(OptionTable.MinFilterTexels.Tooltip)]
         [Range(OptionTable.MinFilterTexels.Min, OptionTable.MinFilterTexels.Max)]
         public float minFilterTexels;
 
-        /// <summary>Full filter only where the mask finds a penumbra; one look at the shadow map elsewhere.</summary>
+        /// <summary>Full filter only where the mask finds a penumbra; a single shadow map test elsewhere.</summary>
         [Tooltip(OptionTable.Mask.Tooltip)]
         public bool mask;
 
-        /// <summary>Resolve a quarter of the pixels and fill in the rest along edges.</summary>
+        /// <summary>Filters a quarter of the pixels and reconstructs the rest along edges.</summary>
         [Tooltip(OptionTable.HalfResolution.Tooltip)]
         public bool halfResolution;
 
-        /// <summary>Blur the noise of the samples away without crossing edges.</summary>
+        /// <summary>Blurs the noise of the samples without crossing edges.</summary>
         [Tooltip(OptionTable.Denoise.Tooltip)]
         public bool denoise;
 
         /// <summary>
-        /// These options with the light of others: its size and its widest penumbra, which no quality preset decides.
+        /// These options with the given angular diameter and at most the given softness cap: quality presets set
+        /// neither.
         /// </summary>
         internal ShadowOptions Under(float degrees, float capMetres)
         {
@@ -61,7 +66,7 @@ namespace Penumbra
             return options;
         }
 
-        /// <summary>Drawn over the picture; the feature's and the Volume's to set, no preset's.</summary>
+        /// <summary>Drawn over the image; set by the feature and the Volume, by no preset.</summary>
         [NonSerialized] public DebugView debugView;
 
         public bool Equals(ShadowOptions other) =>
@@ -77,7 +82,7 @@ namespace Penumbra
             ((int)technique * 397) ^ (blockerSamples << 8) ^ (filterSamples << 16) ^
             angularDiameterDegrees.GetHashCode() ^ softnessCapMetres.GetHashCode();
 
-        /// <summary>The same with every value within its range.</summary>
+        /// <summary>These options with every value clamped to its range.</summary>
         public ShadowOptions Clamped()
         {
             ShadowOptions options = this;
@@ -96,12 +101,14 @@ namespace Penumbra
             return options;
         }
 
-        /// <summary>The technique samples penumbrae, and there are some: their noise and their place matter.</summary>
+        /// <summary>
+        /// The technique samples penumbrae of non-zero width, so that noise and the penumbra mask matter.
+        /// </summary>
         internal bool SamplesPenumbrae => technique.TakesSamples() && angularDiameterDegrees > 0.0f;
 
         /// <summary>
-        /// As the filters are told. What no option changes is as the study measures it (SoftShadowParameters); HDRP's
-        /// technique has HDRP's own limits.
+        /// The filters' parameters. Those that no option sets have the values that the study measures
+        /// (SoftShadowParameters); PCSS (HDRP) has HDRP's own limits.
         /// </summary>
         public SoftShadowParameters Parameters()
         {

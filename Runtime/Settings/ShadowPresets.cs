@@ -1,12 +1,12 @@
 namespace Penumbra
 {
     /// <summary>
-    /// The options behind each preset's name (PresetTable). What they cost and how wrong they are stands in
-    /// Documentation~/presets.md and in the feature's inspector.
+    /// The options of each preset (PresetTable). Their cost and error are listed in Documentation~/presets.md and in
+    /// the feature's inspector.
     /// </summary>
     public static class ShadowPresets
     {
-        /// <summary>Custom has no options of its own: it begins as Medium.</summary>
+        /// <summary>Custom has no options of its own: it starts as Medium.</summary>
         public static ShadowOptions Options(QualityPreset preset) =>
             PresetTable.Rows[(int)(preset == QualityPreset.Custom ? QualityPreset.Medium : preset)];
     }

@@ -1,12 +1,14 @@
 namespace Penumbra
 {
-    /// <summary>What a program calls a texture or buffer, and which one of its graph's it is.</summary>
+    /// <summary>
+    /// A program's name for a texture or buffer, and the index of that texture or buffer in the graph.
+    /// </summary>
     internal readonly struct GraphBinding
     {
-        /// <summary>Null: a target, which has no name.</summary>
+        /// <summary>Null for render targets, which have no name.</summary>
         internal readonly string property;
 
-        /// <summary>Among the graph's buffers, else among its textures.</summary>
+        /// <summary>The index is one of the graph's buffers; otherwise of its textures.</summary>
         internal readonly bool isBuffer;
         internal readonly int index;
 

@@ -1,16 +1,16 @@
 namespace Penumbra
 {
-    /// <summary>Words of 32 bits: a fixed number, and so many for each texel of a texture.</summary>
+    /// <summary>A buffer of 32-bit words: a fixed number plus a number per texel of a texture.</summary>
     internal readonly struct GraphBuffer
     {
         internal readonly string name;
         internal readonly int words;
         internal readonly int wordsPerTexel;
 
-        /// <summary>Whose texels count; of the graph's textures.</summary>
+        /// <summary>The texture whose texels are counted: an index into the graph's textures.</summary>
         internal readonly int texture;
 
-        /// <summary>Its first three words are the numbers of groups of a dispatch.</summary>
+        /// <summary>The first three words are the thread group counts of an indirect dispatch.</summary>
         internal readonly bool indirect;
 
         internal GraphBuffer(string name, int words = 0, int wordsPerTexel = 0, int texture = TechniqueGraph.None,

@@ -1,17 +1,17 @@
 namespace Penumbra
 {
-    /// <summary>How many groups of threads a kernel is started with.</summary>
+    /// <summary>The thread group counts of a kernel's dispatch.</summary>
     internal readonly struct GraphGroups
     {
-        /// <summary>All 0: not fixed.</summary>
+        /// <summary>Fixed counts; all 0 if they are not fixed.</summary>
         internal readonly int x;
         internal readonly int y;
         internal readonly int z;
 
-        /// <summary>One thread for each texel of this texture.</summary>
+        /// <summary>One thread per texel of this texture.</summary>
         internal readonly int texelsOf;
 
-        /// <summary>As this buffer says.</summary>
+        /// <summary>Indirect dispatch with the counts in this buffer.</summary>
         internal readonly int indirect;
 
         private GraphGroups(int x, int y, int z, int texelsOf, int indirect)

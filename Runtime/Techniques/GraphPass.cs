@@ -4,23 +4,23 @@ namespace Penumbra
 {
     internal enum PassKind
     {
-        /// <summary>A pass of a shader, drawn over all of its targets.</summary>
+        /// <summary>A full-screen draw of a shader pass into all of its targets.</summary>
         Raster,
 
-        /// <summary>A pass of a shader that draws the casters: for each cascade, or as the camera sees them.</summary>
+        /// <summary>A shader pass that draws the casters, per cascade or as seen by the camera.</summary>
         Casters,
 
         /// <summary>A kernel of a compute shader.</summary>
         Compute,
     }
 
-    /// <summary>When a pass runs: the later ones more often.</summary>
+    /// <summary>How often a pass runs, from seldom to often.</summary>
     internal enum PassFrequency
     {
-        /// <summary>Once, as long as what it has written is there.</summary>
+        /// <summary>Once, until the textures that it writes are lost.</summary>
         Bake,
 
-        /// <summary>For each cascade that was drawn anew.</summary>
+        /// <summary>Once per cascade that was redrawn.</summary>
         Cascade,
 
         Frame,
@@ -31,7 +31,7 @@ namespace Penumbra
     {
         internal PassKind kind;
 
-        /// <summary>Path in the package of its shader or compute shader.</summary>
+        /// <summary>Path of its shader or compute shader in the package.</summary>
         internal string asset;
 
         /// <summary>The shader's pass, or the compute shader's kernel.</summary>
@@ -40,19 +40,19 @@ namespace Penumbra
         internal PassFrequency runs = PassFrequency.Frame;
         internal GraphBinding[] reads = Array.Empty<GraphBinding>();
 
-        /// <summary>Of a pass that draws its targets, in order.</summary>
+        /// <summary>In the order of its render targets, for a pass that draws.</summary>
         internal GraphBinding[] writes = Array.Empty<GraphBinding>();
 
-        /// <summary>Of casters: the texture that they are tested against and whose depth they write; -1: none.</summary>
+        /// <summary>Casters: the depth texture that they are tested against and write to; -1: none.</summary>
         internal int depth = -1;
 
-        /// <summary>Of casters: they are tested against the shadow map.</summary>
+        /// <summary>Casters: they are tested against the shadow map.</summary>
         internal bool testsShadowMap;
 
-        /// <summary>Once for each mip level but the first, from the level before.</summary>
+        /// <summary>Runs once per mip level except the first, reading the previous level.</summary>
         internal bool eachMip;
 
-        /// <summary>Of a kernel.</summary>
+        /// <summary>Kernels: the thread group counts.</summary>
         internal GraphGroups groups;
 
         internal bool Writes(bool isBuffer, int index) =>

@@ -2,19 +2,19 @@ using UnityEngine.Experimental.Rendering;
 
 namespace Penumbra
 {
-    /// <summary>What a texture of a graph is as large as, before its divisor.</summary>
+    /// <summary>What determines a texture's size, before its divisor is applied.</summary>
     internal enum GraphExtent
     {
-        /// <summary>The camera's target, with a slice for each eye where two are drawn at once.</summary>
+        /// <summary>The camera's target, with a slice per eye if two are drawn at once.</summary>
         Screen,
 
-        /// <summary>The main light's shadow map, all cascades; the same for both eyes.</summary>
+        /// <summary>The main light's shadow map, all cascades; shared by both eyes.</summary>
         Map,
 
-        /// <summary>A cascade's tile of the map, a layer for each cascade.</summary>
+        /// <summary>A cascade's tile of the map, with a layer per cascade.</summary>
         Tile,
 
-        /// <summary>A size of its own.</summary>
+        /// <summary>Its own width and height.</summary>
         Fixed,
     }
 
@@ -25,21 +25,23 @@ namespace Penumbra
         internal readonly GraphExtent extent;
         internal readonly GraphicsFormat format;
 
-        /// <summary>Texels of the extent per texel, along each axis.</summary>
+        /// <summary>Texels of the extent per texel of this texture, along each axis.</summary>
         internal readonly int divisor;
 
-        /// <summary>Of a fixed extent; a depth above 1 is a 3D texture.</summary>
+        /// <summary>Fixed extents only; a depth above 1 makes a 3D texture.</summary>
         internal readonly int width;
         internal readonly int height;
         internal readonly int depth;
 
-        /// <summary>Levels; 0: down to one texel.</summary>
+        /// <summary>Number of mip levels; 0: down to one texel.</summary>
         internal readonly int mips;
 
         internal readonly int layers;
         internal readonly int samples;
 
-        /// <summary>The texture whose content of the frame before it holds, 0 in the first; None: passes write it.</summary>
+        /// <summary>
+        /// The texture whose content of the previous frame this one has, 0 in the first frame; None: passes write it.
+        /// </summary>
         internal readonly int previousOf;
 
         internal GraphTexture(string name, GraphExtent extent, GraphicsFormat format, int divisor = 1, int width = 0,

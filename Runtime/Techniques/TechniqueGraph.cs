@@ -3,8 +3,9 @@ using System;
 namespace Penumbra
 {
     /// <summary>
-    /// The passes of a technique and what is between them, as its manifest declares them. `penumbra validate
-    /// --emit-graphs` checks graphs and writes them down here; ShadowChain makes of one or more what a frame runs.
+    /// The passes of a technique and the textures between them, as its manifest declares them. `penumbra validate
+    /// --emit-graphs` checks graphs and generates the C#; ShadowChain combines one or more graphs into what a frame
+    /// runs.
     /// </summary>
     internal sealed class TechniqueGraph
     {
@@ -17,16 +18,18 @@ namespace Penumbra
         /// <summary>In the order in which they run.</summary>
         internal GraphPass[] passes;
 
-        /// <summary>On in every program that declares them.</summary>
+        /// <summary>Enabled in every program that declares them.</summary>
         internal string[] keywords = Array.Empty<string>();
 
-        /// <summary>What the filter at the end of it reads, under the names that the screen's passes find it by.</summary>
+        /// <summary>
+        /// The textures that the filter at the graph's end reads, with the names that the screen-space passes use.
+        /// </summary>
         internal GraphBinding[] filterTextures = Array.Empty<GraphBinding>();
 
-        /// <summary>The texture that holds the result; None where a filter has it.</summary>
+        /// <summary>The texture that contains the result; None if a filter computes it.</summary>
         internal int visibility = None;
 
-        /// <summary>The texture that is 0 where no penumbra is.</summary>
+        /// <summary>The texture that is 0 outside penumbrae.</summary>
         internal int mask = None;
     }
 }

@@ -177,7 +177,7 @@ namespace Penumbra.Tests
         public void KernelsOverTheScreenAreNotForBothEyesAtOnce()
         {
             AddedTechniques.AddBlocks();
-            ExpectSkipped("kernel 'Mark' works on the screen, which cannot be done for both eyes at once",
+            ExpectSkipped("kernel 'Mark' uses textures of the screen, which kernels cannot do for both eyes at once",
                           new FakeScene { Views = 2 });
             Assert.That(Draws(new FakeScene { Views = 1 }), Is.Not.Empty);
         }
@@ -226,7 +226,7 @@ namespace Penumbra.Tests
         {
             AddedTechniques.AddBlocks();
             UnityEditor.AssetDatabase.Assets["Packages/com.penumbra.shadows/Blocks.compute"] = new Shader();
-            ExpectSkipped("Blocks.compute is no compute shader");
+            ExpectSkipped("Blocks.compute is not a compute shader");
         }
 
         [Test]
@@ -265,7 +265,7 @@ namespace Penumbra.Tests
         {
             AddedTechniques.AddBlocks();
             SystemInfo.supportsComputeShaders = false;
-            ExpectSkipped("Blocks.compute is a compute shader, and this device has none");
+            ExpectSkipped("Blocks.compute is a compute shader, which this device does not support");
         }
     }
 }

@@ -81,7 +81,7 @@ namespace Penumbra.Tests
         {
             Add((GraphExtent)extent, layers: layers);
             SystemInfo.supports2DArrayTextures = false;
-            Assert.That(DeviceLimits.Problem(Chain(Writing(1))), Is.EqualTo("this device has no arrays of textures"));
+            Assert.That(DeviceLimits.Problem(Chain(Writing(1))), Is.EqualTo("this device does not support texture arrays"));
         }
 
         [Test]
@@ -90,7 +90,7 @@ namespace Penumbra.Tests
             Add(GraphExtent.Screen, samples: 4);
             SystemInfo.supportsMultisampledTextures = 0;
             Assert.That(DeviceLimits.Problem(Chain(Writing(1))),
-                        Is.EqualTo("this device cannot read textures of several samples"));
+                        Is.EqualTo("this device cannot read multisampled textures"));
         }
 
         [Test]
@@ -103,7 +103,7 @@ namespace Penumbra.Tests
             mips.reads = new[] { GraphBinding.Texture("_Before", 1) };
             SystemInfo.copyTextureSupport = CopyTextureSupport.None;
             Assert.That(DeviceLimits.Problem(Chain(Writing(1), mips)),
-                        Is.EqualTo("pass 'Mips' makes mip levels of copies, and this device cannot copy textures"));
+                        Is.EqualTo("pass 'Mips' generates mip levels from copies, and this device cannot copy textures"));
             Assert.That(DeviceLimits.Problem(Chain(Writing(1))), Is.Null);
         }
 
@@ -114,7 +114,7 @@ namespace Penumbra.Tests
             Add(GraphExtent.Map);
             SystemInfo.supportedRenderTargetCount = 1;
             Assert.That(DeviceLimits.Problem(Chain(Writing(1, 2))),
-                        Is.EqualTo("pass 'Means' draws to 2 textures at once, and this device to 1"));
+                        Is.EqualTo("pass 'Means' draws to 2 textures at once, and this device supports 1"));
             Assert.That(DeviceLimits.Problem(Chain(Writing(1), Writing(2))), Is.Null);
         }
 
@@ -125,7 +125,7 @@ namespace Penumbra.Tests
             pass.reads = new[] { GraphBinding.Buffer("_A", 0), GraphBinding.Buffer("_B", 1) };
             SystemInfo.maxComputeBufferInputsFragment = 1;
             Assert.That(DeviceLimits.Problem(Chain()),
-                        Is.EqualTo("pass 'Resolve' reads 2 buffers, and this device's shaders read 1"));
+                        Is.EqualTo("pass 'Resolve' reads 2 buffers, and this device's shaders can read 1"));
         }
 
         [Test]
@@ -149,7 +149,7 @@ namespace Penumbra.Tests
             reading.groups = GraphGroups.TexelsOf(1);
             reading.reads = new[] { GraphBinding.Texture("_Screen", 2) };
             Assert.That(DeviceLimits.StereoProblem(Chain(Writing(2), reading)),
-                        Does.StartWith("kernel 'Means' works on the screen"));
+                        Does.StartWith("kernel 'Means' uses textures of the screen"));
         }
 
         /// <summary>Devices whose kernels do not write a channel of 8 bits write one of 32.</summary>
