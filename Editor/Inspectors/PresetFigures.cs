@@ -4,7 +4,7 @@ namespace Penumbra.Editor
     // Written by `penumbra measure --presets` from Documentation~/results/presets/results.json; do not edit.
     internal static class PresetFigures
     {
-        /// <summary>By preset, in QualityPreset's order; lights rise.</summary>
+        /// <summary>One row per preset, in QualityPreset's order; by ascending angular diameter.</summary>
         internal static readonly PresetFigure[][] Rows =
         {
             new[]  // Penumbra Low

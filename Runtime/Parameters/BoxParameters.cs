@@ -16,20 +16,20 @@ namespace Penumbra
         [Range(1, 9)]
         public int tapsPerSide;
 
-        /// <summary>As the manifest has them; what it gives no default is 0, or the low end of its range.</summary>
+        /// <summary>The manifest's defaults; a field without one is 0, or the low end of its range.</summary>
         public static BoxParameters Default => new BoxParameters
         {
             tapsPerSide = 1,
         };
 
-        /// <summary>What _PenumbraBoxParameters0 holds. Every value is kept in its range; NaN counts as the low end.</summary>
+        /// <summary>The value of _PenumbraBoxParameters0. Components are clamped to their ranges; NaN gives the low end.</summary>
         public Vector4 Vector0 =>
                 new Vector4(Bounded.Count(tapsPerSide, 1, 9),
                             0.0f,
                             0.0f,
                             0.0f);
 
-        /// <summary>What a uniform of its own holds; false for others.</summary>
+        /// <summary>The value of one of this struct's uniforms; false for other uniforms.</summary>
         internal bool TryGet(int uniform, out Vector4 vector)
         {
             if (uniform == Uniform0)
@@ -41,7 +41,7 @@ namespace Penumbra
             return false;
         }
 
-        /// <summary>Sets the uniforms for all draws behind it. Does not allocate.</summary>
+        /// <summary>Sets the uniforms for all later draws. Does not allocate.</summary>
         public void SetGlobal(CommandBuffer commands)
         {
             commands.SetGlobalVector(Uniform0, Vector0);

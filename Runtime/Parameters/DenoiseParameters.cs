@@ -16,17 +16,17 @@ namespace Penumbra
         [Range(0, 8)]
         public int denoiseRadius;
 
-        /// <summary>Plane distance threshold, in pixel footprints: beyond it a neighbour lies on another surface. Unit: pixels.</summary>
-        [Tooltip("Plane distance threshold, in pixel footprints: beyond it a neighbour lies on another surface. Unit: pixels.")]
+        /// <summary>Plane distance threshold, in pixel footprints: a neighbour farther away counts as another surface. Unit: pixels.</summary>
+        [Tooltip("Plane distance threshold, in pixel footprints: a neighbour farther away counts as another surface. Unit: pixels.")]
         [Range(0.0f, 1e+06f)]
         public float planeTolerance;
 
-        /// <summary>Bilateral range threshold: a larger difference of visibility is an edge and no noise.</summary>
-        [Tooltip("Bilateral range threshold: a larger difference of visibility is an edge and no noise.")]
+        /// <summary>Bilateral range threshold: a larger difference of visibility counts as an edge, not as noise.</summary>
+        [Tooltip("Bilateral range threshold: a larger difference of visibility counts as an edge, not as noise.")]
         [Range(0.0f, 1.0f)]
         public float noiseAmplitude;
 
-        /// <summary>As the manifest has them; what it gives no default is 0, or the low end of its range.</summary>
+        /// <summary>The manifest's defaults; a field without one is 0, or the low end of its range.</summary>
         public static DenoiseParameters Default => new DenoiseParameters
         {
             denoiseRadius = 2,
@@ -34,14 +34,14 @@ namespace Penumbra
             noiseAmplitude = 0.25f,
         };
 
-        /// <summary>What _PenumbraDenoiseParameters0 holds. Every value is kept in its range; NaN counts as the low end.</summary>
+        /// <summary>The value of _PenumbraDenoiseParameters0. Components are clamped to their ranges; NaN gives the low end.</summary>
         public Vector4 Vector0 =>
                 new Vector4(Bounded.Count(denoiseRadius, 0, 8),
                             Bounded.OrLow(planeTolerance, 0.0f, 1e+06f),
                             Bounded.OrLow(noiseAmplitude, 0.0f, 1.0f),
                             0.0f);
 
-        /// <summary>What a uniform of its own holds; false for others.</summary>
+        /// <summary>The value of one of this struct's uniforms; false for other uniforms.</summary>
         internal bool TryGet(int uniform, out Vector4 vector)
         {
             if (uniform == Uniform0)
@@ -53,7 +53,7 @@ namespace Penumbra
             return false;
         }
 
-        /// <summary>Sets the uniforms for all draws behind it. Does not allocate.</summary>
+        /// <summary>Sets the uniforms for all later draws. Does not allocate.</summary>
         public void SetGlobal(CommandBuffer commands)
         {
             commands.SetGlobalVector(Uniform0, Vector0);

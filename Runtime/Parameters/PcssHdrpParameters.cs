@@ -52,7 +52,7 @@ namespace Penumbra
         [Range(0.0f, 1000.0f)]
         public float minFilterTanHalf;
 
-        /// <summary>As the manifest has them; what it gives no default is 0, or the low end of its range.</summary>
+        /// <summary>The manifest's defaults; a field without one is 0, or the low end of its range.</summary>
         public static PcssHdrpParameters Default => new PcssHdrpParameters
         {
             blockerSamples = 1,
@@ -65,21 +65,21 @@ namespace Penumbra
             minFilterTanHalf = 0.0f,
         };
 
-        /// <summary>What _PenumbraPcssHdrpParameters0 holds. Every value is kept in its range; NaN counts as the low end.</summary>
+        /// <summary>The value of _PenumbraPcssHdrpParameters0. Components are clamped to their ranges; NaN gives the low end.</summary>
         public Vector4 Vector0 =>
                 new Vector4(Bounded.Count(blockerSamples, 1, 64),
                             Bounded.Count(filterSamples, 1, 64),
                             Bounded.OrLow(blockerClump, 1.0f, 8.0f),
                             Bounded.OrLow(minFilterTexels, 0.0f, 64.0f));
 
-        /// <summary>What _PenumbraPcssHdrpParameters1 holds. Every value is kept in its range; NaN counts as the low end.</summary>
+        /// <summary>The value of _PenumbraPcssHdrpParameters1. Components are clamped to their ranges; NaN gives the low end.</summary>
         public Vector4 Vector1 =>
                 new Vector4(Bounded.OrLow(maxPenumbraMetres, 0.0f, 1e+06f),
                             Bounded.OrLow(maxSamplingMetres, 0.0f, 1e+06f),
                             Bounded.OrLow(searchTanHalf, 0.0f, 1000.0f),
                             Bounded.OrLow(minFilterTanHalf, 0.0f, 1000.0f));
 
-        /// <summary>What a uniform of its own holds; false for others.</summary>
+        /// <summary>The value of one of this struct's uniforms; false for other uniforms.</summary>
         internal bool TryGet(int uniform, out Vector4 vector)
         {
             if (uniform == Uniform0)
@@ -96,7 +96,7 @@ namespace Penumbra
             return false;
         }
 
-        /// <summary>Sets the uniforms for all draws behind it. Does not allocate.</summary>
+        /// <summary>Sets the uniforms for all later draws. Does not allocate.</summary>
         public void SetGlobal(CommandBuffer commands)
         {
             commands.SetGlobalVector(Uniform0, Vector0);

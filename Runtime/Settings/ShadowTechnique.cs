@@ -5,8 +5,8 @@ namespace Penumbra
 {
     // Written by `penumbra validate --emit-selections` from the manifests, *.technique.json; do not edit.
     /// <summary>
-    /// What the resolve pass computes, one entry for each shader keyword of ShaderLibrary/Shadows.hlsl that the feature
-    /// offers. Inspectors, pages and reports call a technique by its name here.
+    /// The technique of the resolve pass: one entry for each shader keyword of ShaderLibrary/Shadows.hlsl that the
+    /// feature offers. Inspectors, documentation and reports use these names.
     /// </summary>
     public enum ShadowTechnique
     {
@@ -22,7 +22,7 @@ namespace Penumbra
         [InspectorName("Tent 7x7")]
         Tent7x7 = 2,
 
-        /// <summary>Percentage-closer soft shadows of a disc, with Fibonacci disks: blocker and filter samples are counted apart.</summary>
+        /// <summary>Percentage-closer soft shadows of a disc, with Fibonacci disks and separate numbers of blocker and filter samples.</summary>
         [InspectorName("PCSS")]
         Pcss = 3,
 
@@ -30,15 +30,15 @@ namespace Penumbra
         [InspectorName("PCSS (Poisson)")]
         PcssPoisson = 4,
 
-        /// <summary>PCSS with the rules and parameters of Unity's HDRP, for a look that matches it.</summary>
+        /// <summary>PCSS with the rules and parameters of Unity's HDRP, to match its appearance.</summary>
         [InspectorName("PCSS (HDRP)")]
         PcssHdrp = 5,
     }
 
-    /// <summary>What the shader and the inspectors know of each technique, by its number.</summary>
+    /// <summary>Properties of each technique, indexed by ShadowTechnique.</summary>
     internal static class TechniqueTable
     {
-        /// <summary>Shader keywords; null for what the shader does without any.</summary>
+        /// <summary>Shader keywords; null for the technique that is used without one.</summary>
         internal static readonly string[] Keywords =
         {
             "_PENUMBRA_TENT_3X3",
@@ -75,7 +75,7 @@ namespace Penumbra
             },
         };
 
-        /// <summary>What filters are told from a cascade on, by the technique's rules; empty without any.</summary>
+        /// <summary>Parameters that the technique's rules change from a cascade on; empty without rules.</summary>
         internal static readonly CascadeVector[][] Cascades =
         {
             new CascadeVector[0],
@@ -86,10 +86,10 @@ namespace Penumbra
             new CascadeVector[0],
         };
 
-        /// <summary>It samples the light's disc: penumbrae widen with the disc, and are grainy.</summary>
+        /// <summary>The technique samples the light's disc: penumbrae widen with the disc, and are noisy.</summary>
         internal static bool TakesSamples(this ShadowTechnique technique) => Sampled[(int)technique];
 
-        /// <summary>A parameter of its filter is set by this field of ShadowOptions.</summary>
+        /// <summary>Whether this field of ShadowOptions sets a parameter of the technique's filter.</summary>
         internal static bool Takes(this ShadowTechnique technique, string option) =>
             Array.IndexOf(Options[(int)technique], option) >= 0;
     }

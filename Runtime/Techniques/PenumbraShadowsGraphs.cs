@@ -3,7 +3,7 @@ using UnityEngine.Experimental.Rendering;
 namespace Penumbra
 {
     // Written by `penumbra validate --emit-graphs` from Shaders/PenumbraShadows.technique.json; do not edit.
-    /// <summary>Its graphs, the passes of each in the order in which they run.</summary>
+    /// <summary>The manifest's graphs; passes are listed in the order in which they run.</summary>
     internal static class PenumbraShadowsGraphs
     {
         internal static readonly TechniqueGraph Tent = new TechniqueGraph

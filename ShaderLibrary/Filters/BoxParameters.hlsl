@@ -10,7 +10,7 @@ struct BoxParameters
     int tapsPerSide; // taps: N, odd, 1 to 9
 };
 
-// Of the uniforms _PenumbraBoxParameters0, which the package's C# struct of the same name fills.
+// Unpacks the uniforms _PenumbraBoxParameters0, which the package's C# struct of the same name sets.
 BoxParameters UnpackBoxParameters(float4 packed0)
 {
     BoxParameters parameters;

@@ -15,7 +15,7 @@ struct PcssAngularParameters
     float maxSamplingMetres; // m: height of the light's cone above the receiver, beyond which it is a cylinder
 };
 
-// Of the uniforms _PenumbraPcssAngularParameters0, _PenumbraPcssAngularParameters1, which the package's C# struct of the same name fills.
+// Unpacks the uniforms _PenumbraPcssAngularParameters0, _PenumbraPcssAngularParameters1, which the package's C# struct of the same name sets.
 PcssAngularParameters UnpackPcssAngularParameters(float4 packed0, float4 packed1)
 {
     PcssAngularParameters parameters;

@@ -12,7 +12,7 @@ struct PcssClassicParameters
     float minFilterTexels; // texels: smallest filter radius
 };
 
-// Of the uniforms _PenumbraPcssClassicParameters0, which the package's C# struct of the same name fills.
+// Unpacks the uniforms _PenumbraPcssClassicParameters0, which the package's C# struct of the same name sets.
 PcssClassicParameters UnpackPcssClassicParameters(float4 packed0)
 {
     PcssClassicParameters parameters;

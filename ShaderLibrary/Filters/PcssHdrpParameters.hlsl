@@ -17,7 +17,7 @@ struct PcssHdrpParameters
     float minFilterTanHalf; // 1: tangent of half the angular diameter of the cone below the smallest filter radius
 };
 
-// Of the uniforms _PenumbraPcssHdrpParameters0, _PenumbraPcssHdrpParameters1, which the package's C# struct of the same name fills.
+// Unpacks the uniforms _PenumbraPcssHdrpParameters0, _PenumbraPcssHdrpParameters1, which the package's C# struct of the same name sets.
 PcssHdrpParameters UnpackPcssHdrpParameters(float4 packed0, float4 packed1)
 {
     PcssHdrpParameters parameters;

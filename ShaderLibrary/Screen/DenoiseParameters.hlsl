@@ -8,11 +8,11 @@
 struct DenoiseParameters
 {
     int denoiseRadius; // pixels: radius of the neighbourhood, 0 to 8
-    float planeTolerance; // pixels: plane distance threshold, in pixel footprints: beyond it a neighbour lies on another surface
-    float noiseAmplitude; // 1: bilateral range threshold: a larger difference of visibility is an edge and no noise
+    float planeTolerance; // pixels: plane distance threshold, in pixel footprints: a neighbour farther away counts as another surface
+    float noiseAmplitude; // 1: bilateral range threshold: a larger difference of visibility counts as an edge, not as noise
 };
 
-// Of the uniforms _PenumbraDenoiseParameters0, which the package's C# struct of the same name fills.
+// Unpacks the uniforms _PenumbraDenoiseParameters0, which the package's C# struct of the same name sets.
 DenoiseParameters UnpackDenoiseParameters(float4 packed0)
 {
     DenoiseParameters parameters;

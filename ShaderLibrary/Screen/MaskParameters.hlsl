@@ -12,7 +12,7 @@ struct MaskParameters
     int maskLargestRadius; // texels: largest radius of the dilation, in texels of the mask
 };
 
-// Of the uniforms _PenumbraMaskParameters0, which the package's C# struct of the same name fills.
+// Unpacks the uniforms _PenumbraMaskParameters0, which the package's C# struct of the same name sets.
 MaskParameters UnpackMaskParameters(float4 packed0)
 {
     MaskParameters parameters;

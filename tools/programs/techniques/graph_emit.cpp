@@ -205,7 +205,8 @@ std::string head(const std::string& manifest) {
          "    // Written by `penumbra validate --emit-graphs` from " +
          manifest +
          "; do not edit.\n"
-         "    /// <summary>Its graphs, the passes of each in the order in which they run.</summary>\n"
+         "    /// <summary>The manifest's graphs; passes are listed in the order in which they "
+         "run.</summary>\n"
          "    internal static class " +
          csharp_class(manifest) + "\n    {\n";
 }

@@ -13,14 +13,14 @@ namespace Penumbra
 {
     // Written by `penumbra validate --emit-looks` from Shaders/PenumbraShadows.technique.json; do not edit.
     /// <summary>
-    /// How the light looks: the size of its disc and the widest penumbra. A look says nothing of quality, and a quality
-    /// preset nothing of the look.
+    /// The appearance of the light: the size of its disc and the widest penumbra. Looks do not affect quality, and
+    /// quality presets do not affect the look.
     /// </summary>
     public enum ShadowLook
     {
 )";
 
-constexpr const char* custom = R"(        /// <summary>Values of no look, set by hand.</summary>
+constexpr const char* custom = R"(        /// <summary>Other values, set by hand.</summary>
         Custom,
     }
 

@@ -10,7 +10,7 @@ namespace {
 constexpr const char* begin = R"(namespace Penumbra
 {
     // Written by `penumbra validate --emit-options` from Shaders/PenumbraShadows.technique.json; do not edit.
-    /// <summary>What inspectors say of each option, in the feature and in the Volume, and the ends of its range.</summary>
+    /// <summary>Labels, tooltips and ranges of the options, for the inspectors of the feature and of the Volume.</summary>
     internal static class OptionTable
     {
 )";

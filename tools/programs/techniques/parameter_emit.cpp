@@ -24,7 +24,7 @@ struct {name}
 {{
 {fields}}};
 
-// Of the uniforms {uniforms}, which the package's C# struct of the same name fills.
+// Unpacks the uniforms {uniforms}, which the package's C# struct of the same name sets.
 {name} Unpack{name}({vectors})
 {{
     {name} parameters;
@@ -45,19 +45,19 @@ namespace Penumbra
     [Serializable]
     public struct {name}
     {{
-{ids}{fields}        /// <summary>As the manifest has them; what it gives no default is 0, or the low end of its range.</summary>
+{ids}{fields}        /// <summary>The manifest's defaults; a field without one is 0, or the low end of its range.</summary>
         public static {name} Default => new {name}
         {{
 {defaults}        }};
 
-{packed}        /// <summary>What a uniform of its own holds; false for others.</summary>
+{packed}        /// <summary>The value of one of this struct's uniforms; false for other uniforms.</summary>
         internal bool TryGet(int uniform, out Vector4 vector)
         {{
 {gets}            vector = default;
             return false;
         }}
 
-        /// <summary>Sets the uniforms for all draws behind it. Does not allocate.</summary>
+        /// <summary>Sets the uniforms for all later draws. Does not allocate.</summary>
         public void SetGlobal(CommandBuffer commands)
         {{
 {sets}        }}
@@ -169,7 +169,7 @@ std::string csharp_packed(const ParameterStruct& parameters) {
   for (std::size_t i = 0; i < vectors.size(); ++i) {
     const std::string indent(16 + std::string("new Vector4(").size(), ' ');
     text += fmt::format(
-        "        /// <summary>What {} holds. Every value is kept in its range; NaN counts as the low "
+        "        /// <summary>The value of {}. Components are clamped to their ranges; NaN gives the low "
         "end.</summary>\n"
         "        public Vector4 Vector{} =>\n                new Vector4({},\n{}{},\n{}{},\n{}{});\n\n",
         uniform_name(parameters, i), i, vectors[i][0], indent, vectors[i][1], indent, vectors[i][2], indent,

@@ -17,8 +17,8 @@ namespace Penumbra
 {
     // Written by `penumbra validate --emit-selections` from the manifests, *.technique.json; do not edit.
     /// <summary>
-    /// What the resolve pass computes, one entry for each shader keyword of ShaderLibrary/Shadows.hlsl that the feature
-    /// offers. Inspectors, pages and reports call a technique by its name here.
+    /// The technique of the resolve pass: one entry for each shader keyword of ShaderLibrary/Shadows.hlsl that the
+    /// feature offers. Inspectors, documentation and reports use these names.
     /// </summary>
     public enum ShadowTechnique
     {
@@ -26,27 +26,27 @@ namespace Penumbra
 
 constexpr const char* table_begin = R"(    }
 
-    /// <summary>What the shader and the inspectors know of each technique, by its number.</summary>
+    /// <summary>Properties of each technique, indexed by ShadowTechnique.</summary>
     internal static class TechniqueTable
     {
-        /// <summary>Shader keywords; null for what the shader does without any.</summary>
+        /// <summary>Shader keywords; null for the technique that is used without one.</summary>
         internal static readonly string[] Keywords =
         {
 )";
 
 constexpr const char* cascades_begin = R"(        };
 
-        /// <summary>What filters are told from a cascade on, by the technique's rules; empty without any.</summary>
+        /// <summary>Parameters that the technique's rules change from a cascade on; empty without rules.</summary>
         internal static readonly CascadeVector[][] Cascades =
         {
 )";
 
 constexpr const char* table_end = R"(        };
 
-        /// <summary>It samples the light's disc: penumbrae widen with the disc, and are grainy.</summary>
+        /// <summary>The technique samples the light's disc: penumbrae widen with the disc, and are noisy.</summary>
         internal static bool TakesSamples(this ShadowTechnique technique) => Sampled[(int)technique];
 
-        /// <summary>A parameter of its filter is set by this field of ShadowOptions.</summary>
+        /// <summary>Whether this field of ShadowOptions sets a parameter of the technique's filter.</summary>
         internal static bool Takes(this ShadowTechnique technique, string option) =>
             Array.IndexOf(Options[(int)technique], option) >= 0;
     }

@@ -20,8 +20,8 @@ constexpr const char* header = R"(// Penumbra: the technique that a shader keywo
 
 constexpr const char* rest_of_header = R"(// Source:     see each filter's file.
 // Inputs:     shadow map, its comparison and point samplers, ShadowReceiver, ShadowTile; the uniforms below, which the C#
-//             structs of these names in Runtime/Parameters fill; cascade: the receiver's, for techniques with rules for far
-//             cascades, whose uniforms have the first one in their names.
+//             structs of these names in Runtime/Parameters set; cascade: the receiver's cascade, for techniques with
+//             rules for far cascades. The uniforms of a rule have its first cascade in their names.
 // Cost:       the technique's fetches.
 // Guarantees: [0, 1]. Only the file of the selected filter is included.
 // Use it:     after a pipeline's bindings, as Shadows.hlsl and Hdrp.hlsl do. Not: directly from a shader.
@@ -31,9 +31,9 @@ constexpr const char* rest_of_header = R"(// Source:     see each filter's file.
 )";
 
 constexpr const char* raw_depth_rule = R"(
-// These filters read depths by gather from a texture whose sampler compares. That is undefined in OpenGL, OpenGL ES and
-// WebGL, and before ES 3.1 there is no gather: a filter that only compares is used instead. Who binds the map without a
-// comparison there defines PENUMBRA_RAW_DEPTH_READS.
+// These filters gather raw depths from a texture that has a comparison sampler. That is undefined in OpenGL, OpenGL ES
+// and WebGL, and before ES 3.1 there is no gather: a filter that only compares is used instead. Define
+// PENUMBRA_RAW_DEPTH_READS where the map is bound without comparison there.
 #if !defined(PENUMBRA_RAW_DEPTH_READS) && \
     (defined(SHADER_API_GLCORE) || defined(SHADER_API_GLES) || defined(SHADER_API_GLES3) || defined(SHADER_API_WEBGL))
 #define PENUMBRA_WITHOUT_GATHER
