@@ -3,8 +3,8 @@ using UnityEngine;
 namespace Penumbra.Editor
 {
     /// <summary>
-    /// The main light's shadow of a frame as URP has uploaded it: matrices to the bit, so that `penumbra constants
-    /// --matrices` gives that frame's own constants.
+    /// URP's main light shadow constants of a frame, with bit-exact matrices, so that `penumbra constants --matrices`
+    /// computes that frame's constants.
     /// </summary>
     internal struct ShadowState
     {
@@ -17,7 +17,7 @@ namespace Penumbra.Editor
         internal string softQuality;
         internal Vector3 lightDirection;
 
-        /// <summary>_MainLightWorldToShadow, one for each cascade and more.</summary>
+        /// <summary>_MainLightWorldToShadow: one matrix for each cascade, and unused entries.</summary>
         internal Matrix4x4[] worldToShadow;
 
         /// <summary>_CascadeShadowSplitSpheres0 to 3: centre, squared radius; empty with one cascade.</summary>

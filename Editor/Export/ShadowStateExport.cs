@@ -6,7 +6,9 @@ using UnityEngine.Rendering.Universal;
 
 namespace Penumbra.Editor
 {
-    /// <summary>Window > Rendering > Export Penumbra Shadow State: the last frame's, to reproduce it offline.</summary>
+    /// <summary>
+    /// Window > Rendering > Export Penumbra Shadow State: exports the last frame's, to reproduce it offline.
+    /// </summary>
     internal static class ShadowStateExport
     {
         [MenuItem("Window/Rendering/Export Penumbra Shadow State...")]
@@ -15,9 +17,9 @@ namespace Penumbra.Editor
             var asset = GraphicsSettings.currentRenderPipeline as UniversalRenderPipelineAsset;
             Light sun = RenderSettings.sun;
             string problem = asset == null ? "The project does not use URP."
-                : sun == null ? "There is no main light: Lighting > Environment > Sun Source names it."
+                : sun == null ? "There is no main light: set Lighting > Environment > Sun Source."
                 : Read(asset, sun, out ShadowState state) ? Save(state)
-                : "No shadow was drawn yet: show a view in which the main light casts one, then export again.";
+                : "No shadow has been drawn yet: show a view in which the main light casts one, then export again.";
             if (problem != null) EditorUtility.DisplayDialog("Export Penumbra Shadow State", problem, "OK");
         }
 
@@ -48,7 +50,7 @@ namespace Penumbra.Editor
         private static string SoftQuality(int quality) =>
             quality == 1 ? "low" : quality == 2 ? "medium" : quality == 3 ? "high" : "off";
 
-        // With one cascade URP leaves an earlier frame's in place.
+        // With one cascade URP keeps those of an earlier frame.
         private static Vector4[] Spheres(int cascades)
         {
             if (cascades < 2) return new Vector4[0];

@@ -4,7 +4,9 @@ using UnityEngine;
 
 namespace Penumbra.Editor
 {
-    /// <summary>Writes what `penumbra constants --matrices` reads; numbers so that they are read back to the bit.</summary>
+    /// <summary>
+    /// Writes the input of `penumbra constants --matrices`, with numbers that are read back bit-exactly.
+    /// </summary>
     internal static class ShadowStateJson
     {
         internal static string Write(in ShadowState state)

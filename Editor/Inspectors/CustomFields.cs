@@ -3,17 +3,17 @@ using UnityEditor;
 namespace Penumbra.Editor
 {
     /// <summary>
-    /// The options of the preset Custom. Written through the serialized object, as LookFields are, so that undo takes the
-    /// choice of Custom and its values back at once.
+    /// The options of the preset Custom. Written through the serialized object, as in LookFields, so that one undo
+    /// reverts both the choice of Custom and its values.
     /// </summary>
     internal static class CustomFields
     {
         /// <summary>
-        /// Where `edited` has just got the preset Custom, its options become those in force until then: the picture stays as
-        /// it was, and the user changes one option of a preset instead of setting them all.
+        /// If the preset of `edited` has just become Custom, its options become those used until then: the image
+        /// stays the same, and the user changes one option of a preset instead of setting them all.
         /// </summary>
         /// <param name="edited">The feature's settings before they are applied.</param>
-        /// <param name="inForce">The same settings as the feature still has them.</param>
+        /// <param name="inForce">The feature's current settings.</param>
         internal static void KeepPreset(SerializedProperty edited, PenumbraShadowsSettings inForce)
         {
             SerializedProperty preset = edited.FindPropertyRelative(nameof(PenumbraShadowsSettings.preset));

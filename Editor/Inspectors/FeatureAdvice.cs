@@ -3,7 +3,9 @@ using UnityEditor;
 
 namespace Penumbra.Editor
 {
-    /// <summary>What of a project decides whether the feature can do its work; read by FeatureSurroundings.</summary>
+    /// <summary>
+    /// The project's state that decides whether the feature works; collected by FeatureSurroundings.
+    /// </summary>
     internal struct FeatureState
     {
         internal bool shaderFound;
@@ -17,23 +19,23 @@ namespace Penumbra.Editor
         internal bool depthPriming;
         internal bool deferred;
 
-        /// <summary>The renderer keeps the picture on the GPU's tiles. Of URP 17.5.</summary>
+        /// <summary>The renderer uses Tile-Only Mode of URP 17.5, which keeps the image in tile memory.</summary>
         internal bool tileOnly;
 
-        /// <summary>Opaque layers that the depth prepass leaves out: bits.</summary>
+        /// <summary>Bit mask of the opaque layers that the depth prepass excludes.</summary>
         internal int layersWithoutDepth;
 
-        /// <summary>The editor draws with OpenGL or OpenGL ES.</summary>
+        /// <summary>The editor uses OpenGL or OpenGL ES.</summary>
         internal bool openGl;
         internal PenumbraShadowsSettings settings;
 
-        /// <summary>Why the last camera was left to URP.</summary>
+        /// <summary>Why the last camera was skipped.</summary>
         internal SkipReason lastSkip;
 
-        /// <summary>With SkipReason.MissingPass: what is missing.</summary>
+        /// <summary>With SkipReason.MissingPass: what is missing, as a message.</summary>
         internal string missingPass;
 
-        /// <summary>The technique draws casters of its own.</summary>
+        /// <summary>The technique has passes that draw the casters per cascade.</summary>
         internal bool drawsCascades;
     }
 
@@ -49,7 +51,7 @@ namespace Penumbra.Editor
         }
     }
 
-    /// <summary>What stands in a feature's way, the worst first, each with the way out.</summary>
+    /// <summary>What prevents the feature from working, most severe first, each with a remedy.</summary>
     internal static class FeatureAdvice
     {
         internal static List<Advice> For(in FeatureState state)
@@ -77,7 +79,7 @@ namespace Penumbra.Editor
                                          "map to filter. Switch it on under Lighting > Main Light.");
             if (state.urpScreenSpaceShadows)
                 Say(MessageType.Warning, "URP's Screen Space Shadows feature is active in this renderer and writes the " +
-                                         "same texture. Remove it: which of the two receivers see is left to chance.");
+                                         "same texture. Remove it: which of the two results receivers read is undefined.");
             if (state.layersWithoutDepth != 0)
                 Say(MessageType.Warning, PrepassLayers.Explanation(state.layersWithoutDepth) + " Add these layers to it " +
                                          "(Renderer > Filtering), or let Window > Rendering > Penumbra Receivers do it.");
@@ -86,26 +88,26 @@ namespace Penumbra.Editor
                 Say(MessageType.Warning, "The shader " + DebugViewDraw.ShaderName + " is missing or does not compile for " +
                                          "this platform: no debug view is drawn. Reimport the package.");
             string skip = Skipped(state);
-            if (skip != null) Say(MessageType.Info, "The last camera was left to URP: " + skip);
+            if (skip != null) Say(MessageType.Info, "The last camera was skipped and has URP's shadows: " + skip);
             if (state.settings.noise == NoiseMode.PerFrame)
-                Say(MessageType.Info, "The noise moves every frame. Use that only where temporal antialiasing or an " +
-                                      "upscaler averages frames; elsewhere penumbrae shimmer.");
+                Say(MessageType.Info, "The noise changes every frame. Use that only where temporal antialiasing or an " +
+                                      "upscaler averages frames; elsewhere penumbrae flicker.");
             if (state.openGl && state.settings.Options().technique.TakesSamples())
                 Say(MessageType.Info, "This editor draws with OpenGL, which does not define how PCSS reads the shadow map: " +
-                                      "here PCSS is replaced by Tent 7x7. Vulkan, Direct3D and Metal have it.");
+                                      "here PCSS is replaced by Tent 7x7. Vulkan, Direct3D and Metal support it.");
             if (state.drawsCascades)
-                Say(MessageType.Info, "This technique draws the casters once more, by Unity's lists of visible objects: " +
-                                      "what casts Shadows Only is not among them, and what casts none (Cast Shadows: " +
-                                      "Off) is.");
+                Say(MessageType.Info, "This technique draws the casters once more, from Unity's lists of visible objects. " +
+                                      "Objects whose Cast Shadows is Shadows Only are missing there, and those with " +
+                                      "Off are included.");
             if (showsView && state.debugShaderFound)
-                Say(MessageType.Info, "A debug view is drawn over the picture, here and in development builds.");
+                Say(MessageType.Info, "A debug view is drawn over the image, here and in development builds.");
             if (!state.deferred && !state.depthPriming && !state.tileOnly)
                 Say(MessageType.Info, "Forward rendering draws a depth prepass for this feature. Depth Priming (Renderer " +
                                       "> Rendering) lets the opaque pass use it too.");
             return found;
         }
 
-        // Null where nothing was skipped, where it is meant to be, or where a message above has said it.
+        // Null if nothing was skipped, if skipping is intended, or if another message already explains it.
         private static string Skipped(in FeatureState state)
         {
             switch (state.lastSkip)
@@ -123,29 +125,29 @@ namespace Penumbra.Editor
                     return "scene lighting is off. Switch on the light bulb in the Scene view's toolbar.";
                 case SkipReason.ShadowsOff:
                     return !state.mainLightShadows ? null
-                               : "this quality level or device has no main light shadows. Look at Cast Shadows in the " +
+                               : "this quality level or device has no main light shadows. Check Cast Shadows in the " +
                                  "URP asset of the quality level.";
                 case SkipReason.NoMainLight:
                     return "there is no main light. It needs an active directional light, and Main Light > Per Pixel in " +
                            "the URP asset.";
                 case SkipReason.LightWithoutShadows:
-                    return "the main light casts none. Set its Shadow Type to Soft Shadows or Hard Shadows.";
+                    return "the main light casts no shadows. Set its Shadow Type to Soft Shadows or Hard Shadows.";
                 case SkipReason.NoShadowDistance:
                     return "the shadow distance is 0. Raise Shadows > Max Distance in the URP asset.";
                 case SkipReason.NoCasters:
-                    return "nothing in view casts a shadow. Look at Cast Shadows of the renderers, and at Shadows > Max " +
+                    return "nothing in view casts a shadow. Check Cast Shadows of the renderers, and Shadows > Max " +
                            "Distance in the URP asset.";
                 case SkipReason.InvalidCascade:
-                    return "the engine finds no view of the light for one of the cascades, and URP then draws no shadow " +
-                           "map. Look at Shadows > Cascade Count and Max Distance in the URP asset, and at Near Plane of " +
+                    return "the engine cannot compute the light's view for one of the cascades, and URP then draws no " +
+                           "shadow map. Check Shadows > Cascade Count and Max Distance in the URP asset, and Near Plane of " +
                            "the light's shadows.";
                 case SkipReason.MetaQuest:
-                    return "with the build profile Meta Quest, shaders of this URP version light opaque surfaces before they " +
-                           "look for this feature's shadow. In shaders of your own, PenumbraMainLightVisibility of " +
-                           "Shadows.hlsl works.";
+                    return "with the build profile Meta Quest, shaders of this URP version treat opaque surfaces as lit and " +
+                           "do not read this feature's shadow. In your own shaders, PenumbraMainLightVisibility " +
+                           "of Shadows.hlsl works.";
                 case SkipReason.UnsupportedDevice:
-                    return "this device has no programs for PCSS (shader model 4.5). Choose Custom, and a tent as its " +
-                           "technique.";
+                    return "this device does not support PCSS, which needs shader model 4.5. Choose Custom with a tent " +
+                           "as its technique.";
                 default:
                     return state.lastSkip + ".";
             }

@@ -6,7 +6,9 @@ using UnityEngine.Rendering.Universal;
 
 namespace Penumbra.Editor
 {
-    /// <summary>Looks at what a feature stands in: its renderer, the URP asset in use, the graphics settings.</summary>
+    /// <summary>
+    /// Collects a feature's state from its renderer, the URP asset in use and the graphics settings.
+    /// </summary>
     internal static class FeatureSurroundings
     {
         private const string UrpScreenSpaceShadows = "UnityEngine.Rendering.Universal.ScreenSpaceShadows";
@@ -54,7 +56,7 @@ namespace Penumbra.Editor
 #endif
         }
 
-        /// <summary>True as well for a renderer that is not URP's own: it may be.</summary>
+        /// <summary>Also true for a renderer type that is not URP's own, as it may be deferred.</summary>
         internal static bool IsDeferred(ScriptableRendererData renderer) =>
             !(renderer is UniversalRendererData universal) || (universal.renderingMode != RenderingMode.Forward &&
                                                                universal.renderingMode != RenderingMode.ForwardPlus);

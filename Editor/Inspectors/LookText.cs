@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Penumbra.Editor
 {
-    /// <summary>The looks as inspectors list them, and what is said under the list.</summary>
+    /// <summary>The looks' names in inspectors, and the text shown below them.</summary>
     internal static class LookText
     {
         internal static readonly GUIContent Label = new GUIContent(OptionTable.Look.Label, OptionTable.Look.Tooltip);
@@ -12,10 +12,12 @@ namespace Penumbra.Editor
         /// <summary>In ShadowLook's order, Custom included.</summary>
         internal static readonly string[] Names = LookTable.Rows.Select(look => look.title).Append("Custom").ToArray();
 
-        /// <summary>Those, behind a first entry for a Volume that leaves the look to the feature.</summary>
+        /// <summary>The same with a first entry for a Volume that does not override the look.</summary>
         internal static readonly string[] NamesInVolume = Names.Prepend("As the feature").ToArray();
 
-        /// <summary>"The sun in clear air, ...": the look's sentence, and the cap where it has one; null for Custom.</summary>
+        /// <summary>
+        /// "The sun in clear air, ...": the look's description, and its softness cap if it has one; null for Custom.
+        /// </summary>
         internal static string Describe(ShadowLook look)
         {
             if (look == ShadowLook.Custom) return null;
@@ -25,11 +27,11 @@ namespace Penumbra.Editor
                                                       values.softnessCapMetres);
         }
 
-        /// <summary>What a cap does to a preset's figures; null without one.</summary>
+        /// <summary>The note on a preset's figures if there is a softness cap; otherwise null.</summary>
         internal static string OfFigures(float softnessCapMetres) =>
-            Caps(softnessCapMetres) ? "The figures are of penumbrae without a softness cap." : null;
+            Caps(softnessCapMetres) ? "The figures were measured without a softness cap." : null;
 
-        // The widest that the option allows: the presets are measured with it.
+        // The option's largest value, with which the presets are measured, counts as no cap.
         private static bool Caps(float metres) => metres < 100.0f;
     }
 }

@@ -4,10 +4,10 @@ using UnityEngine.Rendering;
 
 namespace Penumbra.Editor
 {
-    /// <summary>A field of ShadowOptions as inspectors show it, and under which options it has an effect.</summary>
+    /// <summary>A field of ShadowOptions in inspectors, and the condition under which it has an effect.</summary>
     internal sealed class OptionField
     {
-        /// <summary>In ShadowOptions, and in PenumbraShadowsVolume where that overrides it.</summary>
+        /// <summary>The field's name in ShadowOptions, and in PenumbraShadowsVolume if that overrides it.</summary>
         internal readonly string name;
 
         internal readonly GUIContent label;
@@ -15,7 +15,7 @@ namespace Penumbra.Editor
         private readonly Predicate<ShadowOptions> counts;
         private readonly Func<PenumbraShadowsVolume, VolumeParameter> parameter;
 
-        /// <param name="parameter">What overrides it; null where a Volume cannot.</param>
+        /// <param name="parameter">The Volume parameter that overrides it; null if there is none.</param>
         internal OptionField(string name, string label, string tooltip, Predicate<ShadowOptions> counts,
                              Func<PenumbraShadowsVolume, VolumeParameter> parameter)
         {
@@ -27,7 +27,7 @@ namespace Penumbra.Editor
 
         internal bool IsInVolume => parameter != null;
 
-        /// <summary>Another value of it can change the picture.</summary>
+        /// <summary>Whether the field has an effect with these options.</summary>
         internal bool Counts(in ShadowOptions options) => counts(options);
 
         internal bool IsOverridden(PenumbraShadowsVolume volume) => IsInVolume && parameter(volume).overrideState;

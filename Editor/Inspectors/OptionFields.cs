@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Penumbra.Editor
 {
-    /// <summary>The options in the order in which the feature's inspector and the Volume's show them.</summary>
+    /// <summary>The options in the order of the inspectors of the feature and of the Volume.</summary>
     internal static class OptionFields
     {
         internal static readonly GUIContent Preset =
@@ -25,7 +25,7 @@ namespace Penumbra.Editor
             nameof(ShadowOptions.filterSamples), OptionTable.FilterSamples.Label, OptionTable.FilterSamples.Tooltip,
             options => options.technique.Takes(nameof(ShadowOptions.filterSamples)), volume => volume.filterSamples);
 
-        // PCSS (Poisson) has no cap, but its mask looks no farther; HDRP's rules have a cap of their own.
+        // PCSS (Poisson) has no softness cap, but its mask is limited by it; PCSS (HDRP) has a cap of its own.
         internal static readonly OptionField SoftnessCap = new OptionField(
             nameof(ShadowOptions.softnessCapMetres), OptionTable.SoftnessCapMetres.Label,
             OptionTable.SoftnessCapMetres.Tooltip,
@@ -52,7 +52,7 @@ namespace Penumbra.Editor
             nameof(ShadowOptions.denoise), OptionTable.Denoise.Label, OptionTable.Denoise.Tooltip,
             options => options.SamplesPenumbrae, volume => volume.denoise);
 
-        /// <summary>Beside the options: of no preset, and the feature's own where no Volume overrides it.</summary>
+        /// <summary>Not part of any preset; set by the feature unless a Volume overrides it.</summary>
         internal static readonly OptionField DebugView = new OptionField(
             nameof(ShadowOptions.debugView), OptionTable.DebugView.Label, OptionTable.DebugView.Tooltip,
             options => true, volume => volume.debugView);

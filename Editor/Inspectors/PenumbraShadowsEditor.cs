@@ -2,7 +2,9 @@ using UnityEditor;
 
 namespace Penumbra.Editor
 {
-    /// <summary>Preset first, its cost and error under it, then the look; single options only where they count.</summary>
+    /// <summary>
+    /// The preset with its cost and error, then the look, then the single options that have an effect.
+    /// </summary>
     [CustomEditor(typeof(PenumbraShadows))]
     internal sealed class PenumbraShadowsEditor : UnityEditor.Editor
     {

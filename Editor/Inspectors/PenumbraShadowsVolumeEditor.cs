@@ -5,7 +5,7 @@ using UnityEngine.Rendering.Universal;
 
 namespace Penumbra.Editor
 {
-    /// <summary>The preset first, what it does and costs under it, then the options that count beside it.</summary>
+    /// <summary>The preset with its options and figures, then the single options that have an effect.</summary>
     [CustomEditor(typeof(PenumbraShadowsVolume))]
     internal sealed class PenumbraShadowsVolumeEditor : VolumeComponentEditor
     {
@@ -16,7 +16,7 @@ namespace Penumbra.Editor
         private SerializedDataParameter debugView;
         private LookOverride look;
 
-        // Looking for assets is too slow for every draw; what these hold is read at each.
+        // Searching for assets is too slow for every repaint; the found assets' values are read at each repaint.
         private List<ScriptableRendererData> renderers;
 
         /// <inheritdoc/>
@@ -44,7 +44,7 @@ namespace Penumbra.Editor
             foreach (Advice advice in VolumeAdvice.For(state)) EditorGUILayout.HelpBox(advice.text, advice.type);
         }
 
-        // The first entry leaves the look to the feature.
+        // The first entry does not override the look.
         private void ShowLook()
         {
             int now = look.Look == null ? 0 : (int)look.Look + 1;
@@ -56,7 +56,7 @@ namespace Penumbra.Editor
         private VolumeState State()
         {
             renderers = renderers ?? FeaturesInProject.Renderers();
-            renderers.RemoveAll(renderer => renderer == null);  // deleted meanwhile
+            renderers.RemoveAll(renderer => renderer == null);  // deleted since
             VolumeState state = default;
             state.volume = (PenumbraShadowsVolume)target;
             state.features = new List<PenumbraShadowsSettings>(FeaturesInProject.Settings(renderers));

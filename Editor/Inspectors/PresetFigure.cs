@@ -8,7 +8,7 @@ namespace Penumbra.Editor
         /// <summary>Root mean square error of the visibility in penumbrae, 0 to 1.</summary>
         internal readonly float penumbraRmse;
 
-        /// <summary>Texture fetches of all passes for a pixel of the screen.</summary>
+        /// <summary>Texture fetches of all passes, per pixel of the screen.</summary>
         internal readonly float fetches;
 
         internal PresetFigure(float lightDegrees, float penumbraRmse, float fetches)

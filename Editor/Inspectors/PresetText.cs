@@ -2,7 +2,9 @@ using System.Globalization;
 
 namespace Penumbra.Editor
 {
-    /// <summary>A preset's options in words, and its measured figures under the light that is nearest in size.</summary>
+    /// <summary>
+    /// Text that describes a preset's options, and its figures measured under the light of the nearest size.
+    /// </summary>
     internal static class PresetText
     {
         internal static string Describe(in ShadowOptions options)
@@ -23,7 +25,7 @@ namespace Penumbra.Editor
                                  figure.penumbraRmse, figure.fetches, figure.lightDegrees);
         }
 
-        // By ratio: a light of 1 degree is nearer to 0.53 than to 2.
+        // The nearest by ratio: a light of 1 degree is nearer to 0.53 than to 2.
         private static PresetFigure Nearest(PresetFigure[] figures, float degrees)
         {
             PresetFigure nearest = figures[0];
@@ -34,7 +36,9 @@ namespace Penumbra.Editor
 
         private static float Ratio(float a, float b) => a > b ? a / System.Math.Max(b, 1e-3f) : b / a;
 
-        /// <summary>"PCSS at 0 degrees": the technique's name, and a light that has no penumbrae.</summary>
+        /// <summary>
+        /// "PCSS at 0 degrees": the technique's name, with a note if the light's size makes shadows hard.
+        /// </summary>
         internal static string Technique(ShadowOptions options) =>
             TechniqueName.Of(options.technique) + (options.technique.TakesSamples() && !options.SamplesPenumbrae ? " at 0 degrees" : "");
 

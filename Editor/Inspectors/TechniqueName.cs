@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Penumbra.Editor
 {
-    /// <summary>What a technique is called everywhere: the name that the inspector's list has of it.</summary>
+    /// <summary>A technique's display name: its InspectorName.</summary>
     internal static class TechniqueName
     {
         internal static string Of(ShadowTechnique technique) =>

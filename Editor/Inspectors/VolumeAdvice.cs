@@ -5,26 +5,34 @@ using UnityEditor;
 
 namespace Penumbra.Editor
 {
-    /// <summary>A Volume's override, and what of its project decides what it does.</summary>
+    /// <summary>A Volume's overrides, and the project's state that decides their effect.</summary>
     internal struct VolumeState
     {
         internal PenumbraShadowsVolume volume;
 
-        /// <summary>Of the active features of the project's renderers.</summary>
+        /// <summary>The settings of the active features of the project's renderers.</summary>
         internal IReadOnlyList<PenumbraShadowsSettings> features;
 
-        /// <summary>It is in the project's default profile (Unity 6), where everything counts as overridden.</summary>
+        /// <summary>
+        /// The Volume is in the project's default profile (Unity 6), where every parameter is overridden.
+        /// </summary>
         internal bool defaultProfile;
     }
 
-    /// <summary>What a Volume's inspector shows, and what it says: the worst first, each with the way out.</summary>
+    /// <summary>
+    /// Which options a Volume's inspector shows, and its messages, most severe first, each with a remedy.
+    /// </summary>
     internal static class VolumeAdvice
     {
-        /// <summary>An option that has no effect stays as long as its check can be cleared.</summary>
+        /// <summary>
+        /// An overridden option without effect is still shown, so that its override can be cleared.
+        /// </summary>
         internal static bool Shows(OptionField option, PenumbraShadowsVolume volume) =>
             option.IsInVolume && (option.IsOverridden(volume) || option.Counts(Decided(volume)));
 
-        /// <summary>What the overridden preset does, and its figures under the light in force; null without one.</summary>
+        /// <summary>
+        /// The overridden preset's options and its figures under the current light; null without such a preset.
+        /// </summary>
         internal static string Preset(in VolumeState state)
         {
             PenumbraShadowsVolume volume = state.volume;
@@ -43,22 +51,22 @@ namespace Penumbra.Editor
 
             if (state.defaultProfile)
             {
-                Say(MessageType.Info, "The default profile overrides nothing of Penumbra: the feature's options hold where " +
-                                      "no Volume of a scene overrides them. Volumes that blend begin at these values.");
+                Say(MessageType.Info, "The default profile does not override Penumbra: the feature's options apply where " +
+                                      "no Volume of a scene overrides them. Blending Volumes start from these values.");
                 return found;
             }
             if (state.features.Count == 0)
                 Say(MessageType.Warning, "No renderer of this project has an active Penumbra Soft Shadows feature, so this " +
-                                         "changes nothing. Select the renderer that the URP asset uses and Add Renderer " +
+                                         "has no effect. Select the renderer that the URP asset uses and Add Renderer " +
                                          "Feature > Penumbra Soft Shadows.");
             PenumbraShadowsVolume volume = state.volume;
             if (volume.preset.overrideState && !HasPreset(volume))
-                Say(MessageType.Info, "Custom changes nothing by itself: what is not overridden below stays the feature's. " +
-                                      "Override single options, or choose a preset.");
+                Say(MessageType.Info, "Custom changes nothing by itself: options that are not overridden below are the " +
+                                      "feature's. Override single options, or choose a preset.");
             List<string> beside = Beside(volume);
             if (beside.Count > 0)
-                Say(MessageType.Info, Join(beside, "comes", "come") + " after the preset, whose figures no longer hold. " +
-                                      "Clear the check to keep to them.");
+                Say(MessageType.Info, Join(beside, "overrides", "override") + " the preset, whose figures no longer apply. " +
+                                      "Clear the checkbox to use the preset's value.");
             SayWhatIsIdle(state, Say);
             return found;
         }
@@ -70,17 +78,18 @@ namespace Penumbra.Editor
             List<string> idle = Idle(volume, here);
             if (idle.Count > 0)
                 say(MessageType.Info, Join(idle, "has", "have") + " no effect with " + Techniques(here) +
-                                      ". Clear the check, or change the technique or preset.");
+                                      ". Clear the checkbox, or change the technique or preset.");
 
             ShadowOptions[] features = state.features.Select(feature => volume.Over(feature.Options())).ToArray();
             if (features.Length == 0) return;
             idle = Idle(volume, features).Except(idle).ToList();
             if (idle.Count > 0)
                 say(MessageType.Info, Join(idle, "has", "have") + " no effect with " + Techniques(features) + ", which " +
-                                      "the feature brings. Override the technique or preset too.");
+                                      "the feature selects. Override the technique or preset too.");
         }
 
-        // What a Volume leaves to the feature and to other Volumes may be anything; under these options all count.
+        // Everything that a Volume does not override can have any value; with these options all fields have an
+        // effect.
         private static ShadowOptions Decided(PenumbraShadowsVolume volume) =>
             volume.Over(ShadowPresets.Options(QualityPreset.High));
 
@@ -93,13 +102,13 @@ namespace Penumbra.Editor
             float[] lights = features.Select(feature => feature.Options().angularDiameterDegrees).Distinct().ToArray();
             if (lights.Length != 1)
                 return PresetText.Figures(preset, AngularDiameter.SunDegrees) +
-                       "\nThe light is the feature's: override Angular Diameter for figures of another.";
+                       "\nThe feature sets the light's size: override Angular Diameter to see figures for another.";
             return PresetText.Figures(preset, lights[0]) +
-                   string.Format(CultureInfo.InvariantCulture, "\nThe light is the feature's, of {0:0.##} degrees.",
+                   string.Format(CultureInfo.InvariantCulture, "\nThe light is set by the feature: {0:0.##} degrees.",
                                  lights[0]);
         }
 
-        // The light's size is no part of a preset.
+        // Presets do not set the light's size.
         private static List<string> Beside(PenumbraShadowsVolume volume) =>
             Labels(HasPreset(volume)
                        ? Overridden(volume).Where(option => option != OptionFields.AngularDiameter &&

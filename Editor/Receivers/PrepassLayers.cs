@@ -6,16 +6,17 @@ using UnityEngine.Rendering.Universal;
 namespace Penumbra.Editor
 {
     /// <summary>
-    /// Renderers of later URP 17 have a layer mask for the prepass beside that for opaque objects. What lies in an opaque
-    /// layer outside of it is in no depth texture, and takes the shadow of what is behind it.
+    /// Renderers of later URP 17 versions have separate layer masks for the prepass and for opaque objects. Surfaces
+    /// in an opaque layer outside the prepass's mask are not in the depth texture, and receive the shadow of the
+    /// surface behind them.
     /// </summary>
     internal static class PrepassLayers
     {
-        // Serialized names: the mask is in URP 17.3 and 17.5, and not in 17.0.
+        // Serialized names: the mask exists in URP 17.3 and 17.5, but not in 17.0.
         private const string Prepass = "m_PrepassLayerMask";
         private const string Opaque = "m_OpaqueLayerMask";
 
-        /// <summary>Bits of the layers; 0 where the renderer draws the depth of all that is opaque.</summary>
+        /// <summary>Bit mask of the excluded layers; 0 if the prepass draws all opaque layers.</summary>
         internal static int LeftOut(SerializedObject renderer)
         {
             SerializedProperty prepass = renderer.FindProperty(Prepass);
@@ -23,7 +24,7 @@ namespace Penumbra.Editor
             return prepass == null || opaque == null ? 0 : opaque.intValue & ~prepass.intValue;
         }
 
-        /// <summary>The renderers with an active feature that leave layers out, with the layers.</summary>
+        /// <summary>The renderers with an active feature whose prepass excludes layers, with these layers.</summary>
         internal static List<(ScriptableRendererData renderer, int layers)> In(
             IEnumerable<ScriptableRendererData> renderers)
         {
@@ -36,14 +37,14 @@ namespace Penumbra.Editor
             return found;
         }
 
-        /// <summary>Adds them to the prepass.</summary>
+        /// <summary>Adds the excluded layers to the prepass.</summary>
         internal static void Add(SerializedObject renderer)
         {
             renderer.FindProperty(Prepass).intValue |= LeftOut(renderer);
             renderer.ApplyModifiedProperties();
         }
 
-        /// <summary>As the editor lists them; layers without a name by their number.</summary>
+        /// <summary>The layers' names; layers without a name by number.</summary>
         internal static string Names(int layers)
         {
             var names = new List<string>();
@@ -57,7 +58,7 @@ namespace Penumbra.Editor
         }
 
         internal static string Explanation(int layers) =>
-            "Prepass Layer Mask leaves opaque layers out (" + Names(layers) + "): surfaces in them take the main light's " +
-            "shadow of what lies behind them.";
+            "Prepass Layer Mask excludes opaque layers (" + Names(layers) + "): surfaces in them receive the main " +
+            "light's shadow of the surfaces behind them.";
     }
 }

@@ -6,9 +6,10 @@ using System.Text.RegularExpressions;
 namespace Penumbra.Editor
 {
     /// <summary>
-    /// URP draws the depth that screen-space shadows are computed from by each shader's own pass: DepthOnly, or where
-    /// another feature asks for normals DepthNormals or DepthNormalsOnly. An opaque shader without it is not in the depth
-    /// texture, and takes the shadow of what lies behind. URP's lit shaders have passes to lend.
+    /// URP draws the depth from which screen-space shadows are computed with a pass of each shader: DepthOnly or, if
+    /// another feature requests normals, DepthNormals or DepthNormalsOnly. An opaque shader without that pass is not
+    /// in the depth texture, and receives the shadow of the surface behind it. UsePass can take the missing passes
+    /// from URP's lit shaders.
     /// </summary>
     internal static class ReceiverDepth
     {
@@ -19,13 +20,16 @@ namespace Penumbra.Editor
         private const string Pipeline = "UniversalPipeline";
         private const int LastOpaqueQueue = 2500;
 
-        // What URP draws forward even where its renderer is deferred. A pass without the tag counts as the second.
+        // Light modes that URP draws forward even in a deferred renderer. A pass without the tag counts as
+        // SRPDefaultUnlit.
         private static readonly string[] ForwardOnlyModes = { "UniversalForwardOnly", "SRPDefaultUnlit", "" };
 
-        // Holes that a lent pass would fill: it cuts by Lit's own texture and threshold.
+        // Clipping that Lit's passes would not reproduce, since they clip by Lit's own texture and threshold.
         private static readonly Regex Cut = new Regex(@"\b(clip|AlphaDiscard|AlphaClip)\s*\(|\bdiscard\b");
 
-        /// <summary>Names of the passes that a SubShader of the text lacks, each once; none where nothing is missing.</summary>
+        /// <summary>
+        /// Names of the passes that any SubShader of the text lacks, each once; empty if none is missing.
+        /// </summary>
         internal static List<string> Lacking(string text)
         {
             var lacking = new SortedSet<string>(StringComparer.Ordinal);
@@ -36,13 +40,14 @@ namespace Penumbra.Editor
             return lacking.ToList();
         }
 
-        // Of no material: it draws over the screen, or over what another shader has drawn, as terrains' further layers.
+        // Shaders without materials, which draw over the screen, or over another shader's image, like further layers
+        // of terrains.
         private static bool IsHidden(string text) =>
             ShaderCopy.Name(text)?.StartsWith("Hidden/", StringComparison.Ordinal) == true;
 
         /// <summary>
-        /// The text with the passes taken from URP's lit shaders, at the end of each SubShader that lacks them. One that
-        /// cuts holes stays as it is: it needs passes that cut the same.
+        /// The text with passes of URP's lit shaders added at the end of each SubShader that lacks them. SubShaders
+        /// that clip pixels are not changed: they need passes that clip the same way.
         /// </summary>
         internal static string WithPasses(string text)
         {
@@ -62,14 +67,14 @@ namespace Penumbra.Editor
             return text;
         }
 
-        // As the line above ends, or where there is none as the first one does.
+        // The line ending of the previous line, or of the first line if there is none.
         private static string LineEndBefore(string text, int line)
         {
             int end = line > 0 ? line - 1 : text.IndexOf('\n');
             return end > 0 && text[end - 1] == '\r' ? "\r\n" : "\n";
         }
 
-        // Unity turns names of passes into upper case, and finds them by that alone.
+        // Unity converts the names of passes to upper case, and finds them only in upper case.
         private static string Lent(string pass) =>
             "Universal Render Pipeline/" + (pass == DepthNormalsOnly ? "Complex Lit/" : "Lit/") + pass.ToUpperInvariant();
 
@@ -92,7 +97,7 @@ namespace Penumbra.Editor
         private static bool HasNormals(SubShaderText subShader, bool isForwardOnly)
         {
 #if !UNITY_6000_0_OR_NEWER
-            // A deferred renderer of URP 14 draws what is not in its G-buffer by this pass alone.
+            // A deferred renderer of URP 14 draws what is not in its G-buffer only with this pass.
             if (isForwardOnly) return Has(subShader, DepthNormalsOnly);
 #endif
             return Has(subShader, DepthNormals) || Has(subShader, DepthNormalsOnly);
@@ -101,7 +106,7 @@ namespace Penumbra.Editor
         private static bool Cuts(SubShaderText subShader, string shared) =>
             Cut.IsMatch(shared) || Receivers(subShader, shared).Any(pass => Cut.IsMatch(pass.code));
 
-        // A pass that is taken is known by its name, which in URP's shaders is that of its light mode.
+        // A pass taken by UsePass is identified by its name, which in URP's shaders equals its light mode.
         private static bool Has(SubShaderText subShader, string pass) =>
             subShader.passes.Any(own => own.lightMode == pass) ||
             subShader.takenPasses.Any(taken => taken.Equals(pass, StringComparison.OrdinalIgnoreCase));

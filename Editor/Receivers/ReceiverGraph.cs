@@ -4,20 +4,20 @@ using System.Text.RegularExpressions;
 namespace Penumbra.Editor
 {
     /// <summary>
-    /// Reads of a Shader Graph's file how it takes the main light's shadow. URP's lit target writes pragmas with the
-    /// screen keyword by itself; a graph of another target (a custom lighting on the unlit one) declares the map's
-    /// keywords on its blackboard, and needs the screen's beside them.
+    /// Finds out from a Shader Graph's file how the graph receives the main light's shadow. URP's lit target
+    /// generates pragmas with the screen keyword; a graph with another target (custom lighting on the unlit target)
+    /// declares the map's keywords on its blackboard, and also needs the screen keyword.
     /// </summary>
     internal static class ReceiverGraph
     {
         private const string Lit = "UnityEditor.Rendering.Universal.ShaderGraph.UniversalLitSubTarget";
         private const string Keyword = "UnityEditor.ShaderGraph.ShaderKeyword";
 
-        // KeywordType.Enum, KeywordDefinition.Predefined in Shader Graph 14 and 17.
+        // The values of KeywordType.Enum and KeywordDefinition.Predefined in Shader Graph 14 and 17.
         private const string Enumeration = "1";
         private const string Predefined = "2";
 
-        // The file is a row of objects, each with its type before its fields.
+        // The file is a sequence of objects, each with its type before its fields.
         private static readonly Regex ObjectType = new Regex("\"m_Type\"\\s*:\\s*\"([^\"]*)\"");
 
         internal static ReceiverKind KindOf(string json)
@@ -39,7 +39,7 @@ namespace Penumbra.Editor
                                                                          : ReceiverKind.LacksScreen;
         }
 
-        // An enumeration's keywords are its reference and an entry's, with _ between.
+        // The keywords of an enumeration are its reference name, _ and an entry's name.
         private static IEnumerable<string> Declared(string fields)
         {
             string written = Field(fields, "m_OverrideReferenceName");

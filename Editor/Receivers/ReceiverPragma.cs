@@ -4,23 +4,26 @@ using System.Linq;
 
 namespace Penumbra.Editor
 {
-    /// <summary>How a shader takes the main light's shadow.</summary>
+    /// <summary>How a shader receives the main light's shadow.</summary>
     public enum ReceiverKind
     {
-        /// <summary>Names no main light shadow keyword: it takes no shadow, or by an include that names them.</summary>
+        /// <summary>Declares none of these keywords: no shadow, or an include file declares them.</summary>
         None,
 
-        /// <summary>Reads the screen-space texture where it is asked to.</summary>
+        /// <summary>Declares the screen keyword, so that it can read the screen-space texture.</summary>
         Complete,
 
-        /// <summary>A program lacks the screen keyword: its surfaces lose their shadow while the feature is on.</summary>
+        /// <summary>
+        /// A program lacks the screen keyword: its surfaces have no shadow while the feature is on.
+        /// </summary>
         LacksScreen,
     }
 
     /// <summary>
-    /// Finds the programs of a shader's text whose pragmas name URP's main light shadow keywords, and adds the one that
-    /// is missing. A program is all between HLSLPROGRAM and ENDHLSL (or CG's words) with the HLSLINCLUDE blocks of the
-    /// file, and an include file as a whole. A pragma is read as a line; what stands in comments is left alone.
+    /// Finds the programs of a shader's text whose pragmas declare URP's main light shadow keywords, and adds the
+    /// missing keyword. A program is the text from HLSLPROGRAM to ENDHLSL (or the CG equivalents) plus the
+    /// HLSLINCLUDE blocks of the file; an include file counts as one program. Each line is one pragma; comments are
+    /// ignored.
     /// </summary>
     internal static class ReceiverPragma
     {
@@ -32,8 +35,8 @@ namespace Penumbra.Editor
         }
 
         /// <summary>
-        /// The text with the keyword once in every program that lacks it, at the end of the pragma of the cascades or
-        /// else of the map; line ends stay as they are.
+        /// The text with the keyword added once to every program that lacks it, at the end of the pragma for cascades
+        /// or else of the one for the map; line endings are preserved.
         /// </summary>
         internal static string WithScreen(string text)
         {
@@ -43,17 +46,17 @@ namespace Penumbra.Editor
                 if (HasScreen(program)) continue;
                 Line pragma = Array.Find(program, one => one.Names(ShadowKeywords.CascadesName)) ??
                                 Array.Find(program, one => one.Names(ShadowKeywords.MapName));
-                pragma.addsScreen = true;  // a block of all programs gives it to the next ones too
+                pragma.addsScreen = true;  // a shared block adds it to later programs too
                 lacking.Add(pragma.end);
             }
             foreach (int end in lacking.Reverse()) text = text.Insert(end, " " + ShadowKeywords.ScreenName);
             return text;
         }
 
-        // By program its pragmas of variants, of those programs that name the keyword of a map.
+        // The variant pragmas of each program that declares a keyword of the shadow map.
         private static List<Line[]> Receivers(string text)
         {
-            var outside = new List<Line>();  // of an include file, all there is
+            var outside = new List<Line>();  // for an include file, the whole file
             var shared = new List<Line>();
             var programs = new List<List<Line>>();
             List<Line> block = outside;
@@ -75,7 +78,7 @@ namespace Penumbra.Editor
         private sealed class Line
         {
             internal string[] words;
-            internal int end;  // behind its last word
+            internal int end;  // after its last word
             internal bool addsScreen;
 
             internal bool Names(string word) => Array.IndexOf(words, word) >= 0;
@@ -107,7 +110,7 @@ namespace Penumbra.Editor
             }
         }
 
-        // As long as it was up to the end of the code: comments between become blanks.
+        // Keeps the length up to the end of the code: comments become blanks.
         private static string WithoutComments(string line, ref bool inComment)
         {
             char[] code = line.ToCharArray();

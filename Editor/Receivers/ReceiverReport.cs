@@ -6,25 +6,33 @@ using UnityEditor;
 
 namespace Penumbra.Editor
 {
-    /// <summary>What can be done about a shader that cannot read the screen-space texture, or reads it wrongly.</summary>
+    /// <summary>
+    /// How to fix a shader that cannot read the screen-space texture, or reads another surface's shadow.
+    /// </summary>
     public enum ReceiverFix
     {
-        /// <summary>A text of the project: the keyword is added to its pragmas.</summary>
+        /// <summary>A file of the project: the keyword is added to its pragmas.</summary>
         AddKeyword,
 
-        /// <summary>Lies in a package, which the next update would overwrite: copy it into the project.</summary>
+        /// <summary>
+        /// A file of a package, which the next update would overwrite: it is copied into the project.
+        /// </summary>
         CopyToProject,
 
-        /// <summary>A Shader Graph: its blackboard is for its author to change.</summary>
+        /// <summary>A Shader Graph: its author must change its blackboard.</summary>
         EditGraph,
 
-        /// <summary>An include file in a package: shaders that include it with its pragmas need one of their own.</summary>
+        /// <summary>
+        /// An include file in a package: shaders that include it with its pragmas need a pragma of their own.
+        /// </summary>
         EditIncluder,
 
-        /// <summary>A text of the project that draws no depth: it takes the passes of URP's lit shaders.</summary>
+        /// <summary>A file of the project without depth passes: the passes of URP's lit shaders are added.</summary>
         AddPasses,
 
-        /// <summary>The same, with holes that these passes would fill: its author writes its own.</summary>
+        /// <summary>
+        /// Like AddPasses, but the shader clips pixels, which these passes do not: its author must write the passes.
+        /// </summary>
         WritePasses,
     }
 
@@ -33,7 +41,7 @@ namespace Penumbra.Editor
         internal readonly string path;
         internal readonly ReceiverFix fix;
 
-        /// <summary>Whether the keyword is missing; and which passes, null for none.</summary>
+        /// <summary>Whether the keyword is missing, and which passes are; null for none.</summary>
         internal readonly bool lacksScreen;
         internal readonly string passes;
 
@@ -45,7 +53,7 @@ namespace Penumbra.Editor
             this.passes = passes;
         }
 
-        /// <summary>Apply does it; else the explanation says what to do by hand.</summary>
+        /// <summary>Whether Apply can fix it; otherwise the explanation describes the manual fix.</summary>
         internal bool CanApply =>
             fix != ReceiverFix.EditGraph && fix != ReceiverFix.EditIncluder && fix != ReceiverFix.WritePasses;
 
@@ -55,10 +63,10 @@ namespace Penumbra.Editor
                                         ShadowKeywords.ScreenName + ": surfaces lose the main light's shadow.";
 
         private string NoDepth =>
-            "No pass " + passes + ": " + WhereItMatters + "surfaces are not in the depth texture, and take the main light's " +
-            "shadow of what lies behind them.";
+            "No pass " + passes + ": " + WhereItMatters + "surfaces are not in the depth texture, and receive the main light's " +
+            "shadow of the surfaces behind them.";
 
-        // Without DepthOnly it matters everywhere.
+        // A missing DepthOnly matters in every project.
         private string WhereItMatters
         {
             get
@@ -68,12 +76,12 @@ namespace Penumbra.Editor
             }
         }
 
-        private const string OtherNormals = "where another feature asks for normals, as Ambient Occlusion does";
+        private const string OtherNormals = "where another feature requests normals, as Ambient Occlusion does";
 
         private const string Lent =
-            " Those of URP's lit shaders can be added by UsePass. If this shader moves vertices or cuts holes in an include " +
-            "file, write passes that do the same instead. The SRP Batcher leaves it out as long as its UnityPerMaterial is " +
-            "not Lit's.";
+            " The passes of URP's lit shaders can be added by UsePass. If this shader moves vertices or clips pixels in an " +
+            "include file, write passes that do the same instead. The SRP Batcher does not batch the shader unless " +
+            "its UnityPerMaterial is the same as Lit's.";
 
         internal string Explanation
         {
@@ -86,30 +94,30 @@ namespace Penumbra.Editor
                     case ReceiverFix.AddPasses:
                         return NoDepth + Lent;
                     case ReceiverFix.WritePasses:
-                        return NoDepth + " The shader cuts holes (clip or discard), which the passes of URP's lit shaders " +
-                               "would fill: write passes that cut the same.";
+                        return NoDepth + " The shader clips pixels (clip or discard), which the passes of URP's lit " +
+                               "shaders do not: write passes that clip the same way.";
                     case ReceiverFix.CopyToProject:
-                        return Lacks + " In a package: copy the shader into the project, where it gets what it lacks and the " +
-                               "prefix " + ShaderCopy.OfProject + " to its name, and choose the copy in materials.";
+                        return Lacks + " In a package: copy the shader into the project, where the missing parts and the " +
+                               "name prefix " + ShaderCopy.OfProject + " are added, and choose the copy in materials.";
                     case ReceiverFix.EditGraph:
                         return "The blackboard has " + ShadowKeywords.MapName + " without " +
                                ShadowKeywords.ScreenName + ". Add a Boolean keyword with that reference, Multi Compile " +
                                "and Global. Where it is defined, URP's functions take ComputeScreenPos(TransformWorldToHClip(" +
-                               "position)) as the shadow's coordinate.";
+                               "position)) as the shadow coordinate.";
                     default:
-                        return "An include file in a package. In each shader of the project that takes it by " +
+                        return "An include file in a package. In each shader of the project that includes it with " +
                                "#include_with_pragmas, add #pragma multi_compile _ " + ShadowKeywords.ScreenName + ".";
                 }
             }
         }
     }
 
-    /// <summary>Looks through the project's shaders, shader includes and Shader Graphs.</summary>
+    /// <summary>Searches the project's shaders, shader includes and Shader Graphs.</summary>
     internal static class ReceiverReport
     {
         private const string OfProject = "Assets/";
 
-        // Pipelines bring their own: URP's have the keyword wherever they need it.
+        // Pipelines are skipped: URP's shaders have the keyword wherever they need it.
         private static readonly string[] OfPipelines =
             { "Packages/com.unity.render-pipelines.", "Packages/com.unity.shadergraph", "Packages/com.penumbra.shadows" };
 
@@ -120,15 +128,15 @@ namespace Penumbra.Editor
         internal static List<ReceiverProblem> Find() =>
             In(AssetDatabase.GetAllAssetPaths().Where(IsFile), path => ShaderFile.Read(path).text);
 
-        /// <summary>What was found, of shaders and of renderers together.</summary>
+        /// <summary>The number of problems, of shaders and of renderers together.</summary>
         internal static string Summary(int count)
         {
-            if (count == 0) return "Every opaque shader that takes the main light's shadow can read its own from the screen.";
+            if (count == 0) return "Every opaque shader that receives the main light's shadow can read it from the screen.";
             return count + (count == 1 ? " problem" : " problems") +
                    " with reading the main light's shadow from the screen.";
         }
 
-        /// <summary>A package's shader is one no more as soon as the project has its copy.</summary>
+        /// <summary>A package's shader is not reported once the project contains its copy.</summary>
         internal static List<ReceiverProblem> In(IEnumerable<string> paths, Func<string, string> read)
         {
             var lacking = new List<(ReceiverProblem problem, string name)>();
@@ -146,7 +154,7 @@ namespace Penumbra.Editor
                 .Select(one => one.problem).ToList();
         }
 
-        // A shader of the project has a fix for each problem, one of a package is copied with all of them.
+        // A shader of the project has one fix per problem; one of a package is copied with all fixes applied.
         private static IEnumerable<ReceiverProblem> Of(string path, string text)
         {
             bool lacksScreen = KindOf(path, text) == ReceiverKind.LacksScreen;
@@ -183,7 +191,7 @@ namespace Penumbra.Editor
             return EndsWith(path, Includes) ? ReceiverFix.EditIncluder : ReceiverFix.CopyToProject;
         }
 
-        /// <summary>What the fix makes of the text at `path`.</summary>
+        /// <summary>The text at `path` with the fix applied.</summary>
         internal static string Fixed(in ReceiverProblem problem, string text, Predicate<string> exists)
         {
             if (problem.fix == ReceiverFix.CopyToProject) text = ShaderCopy.TextOf(text, problem.path, exists);
@@ -192,7 +200,9 @@ namespace Penumbra.Editor
             return problem.passes != null ? ReceiverDepth.WithPasses(text) : text;
         }
 
-        /// <summary>Does what CanApply promises; an IOException says what keeps the file from being written.</summary>
+        /// <summary>
+        /// Applies the fix if CanApply; throws IOException with the reason if the file cannot be written.
+        /// </summary>
         internal static void Apply(in ReceiverProblem problem)
         {
             ShaderFile file = ShaderFile.Read(problem.path);
@@ -202,15 +212,15 @@ namespace Penumbra.Editor
             {
                 target = AssetDatabase.GenerateUniqueAssetPath(OfProject + Path.GetFileName(problem.path));
                 if (!AssetDatabase.CopyAsset(problem.path, target))
-                    throw new IOException(problem.path + " cannot be copied to " + target + ". Check that the folder can be " +
-                                          "written, and try again.");
+                    throw new IOException(problem.path + " cannot be copied to " + target + ". Check that the folder is " +
+                                          "writable, and try again.");
                 ShaderFile.MakeWritable(target);
             }
             file.Write(target, text);
             AssetDatabase.ImportAsset(target);
         }
 
-        // A package's path is not where its files lie: only the full one is.
+        // A package's asset path is not its location on disk; the full path is.
         private static bool IsFile(string path) => File.Exists(Path.GetFullPath(path));
 
         private static bool IsProjects(string path) => path.StartsWith(OfProject, StringComparison.Ordinal);

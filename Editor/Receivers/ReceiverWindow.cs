@@ -7,14 +7,14 @@ using UnityEngine.Rendering.Universal;
 namespace Penumbra.Editor
 {
     /// <summary>
-    /// Window > Rendering > Penumbra Receivers: shaders that would lose their shadow or take another surface's, and
-    /// renderers whose prepass leaves opaque layers out, each with its fix.
+    /// Window > Rendering > Penumbra Receivers: shaders that would lose their shadow or receive another surface's,
+    /// and renderers whose prepass excludes opaque layers, each with its fix.
     /// </summary>
     internal sealed class ReceiverWindow : EditorWindow
     {
         private List<ReceiverProblem> problems;
         private List<(ScriptableRendererData renderer, int layers)> renderers;
-        private string failure;  // of the last fix; null where it was done
+        private string failure;  // of the last fix; null if it succeeded
         private Vector2 scroll;
 
         [MenuItem("Window/Rendering/Penumbra Receivers")]
@@ -28,7 +28,7 @@ namespace Penumbra.Editor
 
         private void OnGUI()
         {
-            if (GUILayout.Button("Look through the project") || problems == null)
+            if (GUILayout.Button("Search the project") || problems == null)
             {
                 failure = null;
                 Look();
@@ -48,7 +48,7 @@ namespace Penumbra.Editor
         {
             EditorGUILayout.LabelField(renderer.name, EditorStyles.boldLabel);
             EditorGUILayout.LabelField(PrepassLayers.Explanation(layers), EditorStyles.wordWrappedLabel);
-            if (!GUILayout.Button("Add them to the prepass")) return false;
+            if (!GUILayout.Button("Add these layers to the prepass")) return false;
             PrepassLayers.Add(new SerializedObject(renderer));
             return true;
         }
@@ -76,7 +76,7 @@ namespace Penumbra.Editor
             {
                 case ReceiverFix.AddKeyword: return "Add the keyword";
                 case ReceiverFix.AddPasses: return "Add the passes";
-                default: return "Copy into the project and add what is missing";
+                default: return "Copy into the project and add the missing parts";
             }
         }
     }

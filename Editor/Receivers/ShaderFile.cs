@@ -6,13 +6,13 @@ using System.Text;
 namespace Penumbra.Editor
 {
     /// <summary>
-    /// A shader's text as its file holds it. Written back it has the encoding, the byte order mark and the permissions that
-    /// it had, and at no time does the file hold a part of it: a diff shows the changed lines alone.
+    /// The text of a shader file. Writing preserves the encoding, the byte order mark and the permissions, and is
+    /// atomic, so that a diff shows only the changed lines.
     /// </summary>
     internal sealed class ShaderFile
     {
-        // In the order in which they are tried, the longer of two marks that begin alike first. The last one takes any bytes:
-        // a character each, so that those of an unknown code page are carried along.
+        // In the order in which they are tried; if two byte order marks start alike, the longer is first. The last
+        // encoding accepts any bytes, one character each, so that text in an unknown code page is preserved.
         private static readonly Encoding[] Encodings =
         {
             new UTF8Encoding(true, true), new UTF32Encoding(false, true, true), new UTF32Encoding(true, true, true),
@@ -29,7 +29,7 @@ namespace Penumbra.Editor
             this.encoding = encoding;
         }
 
-        /// <param name="path">Of the project or one of its packages, as all paths here.</param>
+        /// <param name="path">In the project or one of its packages, like all paths here.</param>
         internal static ShaderFile Read(string path)
         {
             byte[] bytes = File.ReadAllBytes(Path.GetFullPath(path));
@@ -51,20 +51,20 @@ namespace Penumbra.Editor
         }
 
         /// <summary>
-        /// Puts `changed` into an existing file, in this one's encoding. Throws IOException with what to do; the file is
-        /// then as it was.
+        /// Replaces an existing file's content by `changed` in this file's encoding. Throws IOException with the
+        /// remedy; the file is then unchanged.
         /// </summary>
         internal void Write(string path, string changed)
         {
             string full = Path.GetFullPath(path);
             if ((File.GetAttributes(full) & FileAttributes.ReadOnly) != 0)
-                throw new IOException(path + " is read-only, and stays as it is. Check it out in your version control, or " +
-                                      "clear the read-only attribute, and try again.");
-            // Unity does not import files of this ending.
+                throw new IOException(path + " is read-only, and was not changed. Check it out in your version control, " +
+                                      "or clear the read-only attribute, and try again.");
+            // Unity does not import files with this extension.
             string temporary = full + "." + Guid.NewGuid().ToString("N") + ".tmp";
             try
             {
-                File.Copy(full, temporary);  // for its permissions
+                File.Copy(full, temporary);  // copies the permissions
                 using (var stream = new FileStream(temporary, FileMode.Truncate))
                 {
                     byte[] bytes = encoding.GetPreamble().Concat(encoding.GetBytes(changed)).ToArray();
@@ -75,13 +75,13 @@ namespace Penumbra.Editor
             }
             catch (EncoderFallbackException)
             {
-                throw new IOException(path + " stays as it is: its encoding lacks a character that is to be added. Save it as " +
-                                      "UTF-8, and try again.");
+                throw new IOException(path + " was not changed: its encoding lacks a character that has to be added. " +
+                                      "Save it as UTF-8, and try again.");
             }
             catch (Exception failure) when (failure is IOException || failure is UnauthorizedAccessException)
             {
-                throw new IOException(path + " cannot be written, and stays as it is. Close it in other programs, check that " +
-                                      "its folder can be written, and try again. (" + failure.Message + ")", failure);
+                throw new IOException(path + " cannot be written, and was not changed. Close it in other programs, " +
+                                      "check that its folder is writable, and try again. (" + failure.Message + ")", failure);
             }
             finally
             {
@@ -89,7 +89,7 @@ namespace Penumbra.Editor
             }
         }
 
-        /// <summary>For a copy of a package's file, which may be read-only as the package is.</summary>
+        /// <summary>For a copy of a package's file, since files of packages may be read-only.</summary>
         internal static void MakeWritable(string path)
         {
             string full = Path.GetFullPath(path);

@@ -5,13 +5,13 @@ using System.Text.RegularExpressions;
 
 namespace Penumbra.Editor
 {
-    /// <summary>A pass, as far as it decides what is drawn when.</summary>
+    /// <summary>A pass's properties that determine when it is drawn, and its code.</summary>
     internal sealed class ShaderPassText
     {
-        /// <summary>The tag LightMode; empty without.</summary>
+        /// <summary>The LightMode tag; empty if there is none.</summary>
         internal string lightMode = "";
 
-        /// <summary>The programs between its braces.</summary>
+        /// <summary>The code of the programs in the pass.</summary>
         internal string code = "";
     }
 
@@ -19,37 +19,37 @@ namespace Penumbra.Editor
     {
         internal readonly List<ShaderPassText> passes = new List<ShaderPassText>();
 
-        /// <summary>Names of passes that are taken from other shaders, without the shader's.</summary>
+        /// <summary>Names of passes taken from other shaders by UsePass, without the shader's name.</summary>
         internal readonly List<string> takenPasses = new List<string>();
 
-        /// <summary>The tag RenderPipeline; empty without.</summary>
+        /// <summary>The RenderPipeline tag; empty if there is none.</summary>
         internal string pipeline = "";
 
         internal int queue = ShaderStructure.Geometry;
 
-        /// <summary>Of the closing brace.</summary>
+        /// <summary>Position of the closing brace.</summary>
         internal int end;
     }
 
     /// <summary>
-    /// The SubShaders of a shader's text with their tags and passes. Comments, strings and programs are told apart from
-    /// what ShaderLab itself reads; anything else is of no interest here.
+    /// The SubShaders of a shader's text with their tags and passes. Comments, strings and programs are separated
+    /// from ShaderLab code; other ShaderLab statements are ignored.
     /// </summary>
     internal sealed class ShaderStructure
     {
         internal const int Geometry = 2000;
 
-        // The words of ShaderLab that matter, and all that must be read as a whole.
+        // The ShaderLab tokens that matter here, and everything that must be skipped as a whole.
         private static readonly Regex Tokens = new Regex(
             @"//[^\n]*|/\*.*?(\*/|$)|(?<block>\b(HLSL|CG|GLSL)(PROGRAM|INCLUDE)\b)(?<code>.*?)(\bEND(HLSL|CG|GLSL)\b|$)" +
             @"|""(?<text>[^""\n]*)""|(?<word>[A-Za-z_]\w*)|(?<sign>[{}=])", RegexOptions.Singleline);
 
         internal readonly List<SubShaderText> subShaders = new List<SubShaderText>();
 
-        /// <summary>What HLSLINCLUDE blocks share with every program.</summary>
+        /// <summary>The code of HLSLINCLUDE blocks, which all programs share.</summary>
         internal string shared = "";
 
-        private readonly List<string> open = new List<string>();  // the words before the braces that are open
+        private readonly List<string> open = new List<string>();  // the keywords before the open braces
         private string word = "";
         private string key;
 
@@ -128,7 +128,7 @@ namespace Penumbra.Editor
             }
         }
 
-        // "Geometry+10". A name that Unity does not know counts as its default.
+        // For example "Geometry+10". A name unknown to Unity counts as its default.
         private static int Queue(string text)
         {
             Match parts = Regex.Match(text, @"^\s*(\w+)\s*([+-]\s*\d+)?\s*$");

@@ -5,16 +5,16 @@ using System.Linq;
 namespace Penumbra.Editor
 {
     /// <summary>
-    /// Which programs of Hidden/Penumbra/Shadows a player can ask for: the passes of the chains that the project's
-    /// features and Volume profiles can come to, and the keywords that are on in each. The chains themselves say it, so
-    /// a new pass needs no change here.
+    /// The programs of Hidden/Penumbra/Shadows that a player can use: the passes of all chains that the project's
+    /// features and Volume profiles can select, each with its enabled keywords. Derived from the chains themselves,
+    /// so that a new pass needs no change here.
     /// </summary>
     internal sealed class ChainPrograms
     {
         private readonly Dictionary<string, List<IReadOnlyList<string>>> keywordsOf =
             new Dictionary<string, List<IReadOnlyList<string>>>();
 
-        /// <summary>Of each feature alone and under the Volumes.</summary>
+        /// <summary>The programs of each feature, alone and with the Volumes' overrides.</summary>
         internal static ChainPrograms Of(IEnumerable<PenumbraShadowsSettings> features,
                                          IReadOnlyCollection<PenumbraShadowsVolume> volumes)
         {
@@ -38,8 +38,8 @@ namespace Penumbra.Editor
         }
 
         /// <summary>
-        /// Whether a frame draws `pass` by the variant that has, of the `declared` keywords, those on that `enabled`
-        /// says.
+        /// Whether a frame uses the variant of `pass` whose enabled keywords among `declared` are those for which
+        /// `enabled` is true.
         /// </summary>
         internal bool Has(string pass, IReadOnlyCollection<string> declared, Predicate<string> enabled) =>
             keywordsOf.TryGetValue(pass, out List<IReadOnlyList<string>> sets) &&

@@ -8,8 +8,8 @@ using UnityEngine.Rendering;
 namespace Penumbra.Editor
 {
     /// <summary>
-    /// Takes the programs of the feature's own shader that no feature and no Volume of the project asks for out of
-    /// players: variants, and of passes that no chain draws all of them.
+    /// Removes the variants of the feature's own shader that no feature or Volume of the project can use from
+    /// players; of passes that no chain draws it removes all variants.
     /// </summary>
     internal sealed class ChainShaderStripper : IPreprocessShaders
     {
@@ -21,7 +21,7 @@ namespace Penumbra.Editor
             Strip(FeaturesInProject.Programs(), shader, snippet.passName, data);
         }
 
-        /// <summary>`data` holds the variants of one stage of the pass.</summary>
+        /// <summary>`data` contains the variants of one stage of the pass.</summary>
         internal static void Strip(ChainPrograms asked, Shader shader, string pass, IList<ShaderCompilerData> data)
         {
             List<string> declared = Declared(shader, data);
@@ -32,8 +32,8 @@ namespace Penumbra.Editor
             }
         }
 
-        // What a stage does not declare no variant of it has on, whatever a chain has: vertex programs know nothing of
-        // the fragment's keywords.
+        // A keyword that a stage does not declare is off in all its variants: vertex programs do not have the
+        // fragment programs' keywords.
         private static List<string> Declared(Shader shader, IList<ShaderCompilerData> data)
         {
             var declared = new List<string>();

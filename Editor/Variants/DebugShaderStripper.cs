@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Penumbra.Editor
 {
-    /// <summary>Takes the debug views out of release players.</summary>
+    /// <summary>Removes the debug views from release players.</summary>
     internal sealed class DebugShaderStripper : IPreprocessShaders
     {
         public int callbackOrder => 0;

@@ -23,7 +23,7 @@ namespace Penumbra.Editor
         internal static List<ScriptableRendererData> Renderers() =>
             new List<ScriptableRendererData>(Assets<ScriptableRendererData>());
 
-        /// <summary>Those of `renderers` that have an active one.</summary>
+        /// <summary>The renderers that have an active feature.</summary>
         internal static IEnumerable<ScriptableRendererData> WithFeature(IEnumerable<ScriptableRendererData> renderers)
         {
             foreach (ScriptableRendererData renderer in renderers)
@@ -34,10 +34,10 @@ namespace Penumbra.Editor
                 }
         }
 
-        /// <summary>The active ones.</summary>
+        /// <summary>The active features of the project.</summary>
         internal static IEnumerable<PenumbraShadows> Features() => Features(Assets<ScriptableRendererData>());
 
-        /// <summary>A renderer of the project may draw a G-buffer.</summary>
+        /// <summary>Whether a renderer of the project may draw a G-buffer.</summary>
         internal static bool AnyDeferred
         {
             get
@@ -50,7 +50,7 @@ namespace Penumbra.Editor
 
         private static IEnumerable<PenumbraShadowsSettings> Settings() => Settings(Assets<ScriptableRendererData>());
 
-        /// <summary>Of the active features of `renderers`.</summary>
+        /// <summary>The settings of the active features of `renderers`.</summary>
         internal static IEnumerable<PenumbraShadowsSettings> Settings(IEnumerable<ScriptableRendererData> renderers)
         {
             foreach (PenumbraShadows feature in Features(renderers)) yield return feature.Settings;

@@ -5,14 +5,14 @@ using UnityEditor.Build.Reporting;
 namespace Penumbra.Editor
 {
     /// <summary>
-    /// What is known of the player being built: its own options, which a script may give, not the build window's. Also
-    /// has every feature find its shaders: on a machine that builds and draws nothing, nobody else asks them to.
+    /// The options of the player being built, which a script may set independently of the build window. Also makes
+    /// every feature find its shaders, since on a build machine no view does.
     /// </summary>
     internal sealed class PlayerBuild : IPreprocessBuildWithReport, IPostprocessBuildWithReport
     {
         private static bool? development;
 
-        /// <summary>Outside of a player's build, as for asset bundles, what the build window says.</summary>
+        /// <summary>Outside a player's build, as for asset bundles, the build window's setting.</summary>
         internal static bool IsDevelopment => development ?? EditorUserBuildSettings.development;
 
         public int callbackOrder => 0;

@@ -5,17 +5,18 @@ using UnityEngine.Rendering;
 namespace Penumbra.Editor
 {
     /// <summary>
-    /// Keeps the variants of receivers that read the screen-space texture. A variant goes only when every stripper lets
-    /// it go, and URP's own lets these go unless its own Screen Space Shadows feature is there: so this one objects,
-    /// while a renderer of the project has the feature. Transparents never read the texture, and without a deferred
-    /// renderer nobody draws a G-buffer. What URP would drop for yet another reason (a light cookie that no light has)
-    /// stays: strippers are not told the others' reasons. For Meta Quest, where nobody draws them, it objects to nothing.
+    /// Keeps the receivers' variants that read the screen-space texture. Unity removes a variant only if all
+    /// strippers agree, and URP's own agrees unless its Screen Space Shadows feature is present: so this one
+    /// disagrees while a renderer of the project has the Penumbra feature. It does not keep transparents' variants,
+    /// which never read the texture, nor G-buffer variants without a deferred renderer. Variants that URP would
+    /// remove for other reasons (a light cookie that no light has) stay, as strippers do not know each other's
+    /// reasons. For Meta Quest, where the feature draws nothing, it keeps none.
     /// </summary>
     internal sealed class ScreenShadowStripper : IShaderVariantStripper
     {
         private const string GBufferPass = "GBuffer";
 
-        // Of Deferred, and of Deferred+.
+        // Of the Deferred and the Deferred+ rendering path.
         private const string StencilLighting = "Hidden/Universal Render Pipeline/StencilDeferred";
         private const string ClusterLighting = "Hidden/Universal Render Pipeline/ClusterDeferred";
 
@@ -24,7 +25,7 @@ namespace Penumbra.Editor
 
         private bool anyDeferred;
 
-        // Read once before a shader's variants are asked about.
+        // Read once before the variants of a shader are passed in.
         public bool active
         {
             get

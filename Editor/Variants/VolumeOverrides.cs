@@ -5,8 +5,9 @@ using UnityEngine.Rendering;
 namespace Penumbra.Editor
 {
     /// <summary>
-    /// What a Volume, or several that meet, override of what chooses a program; null is not overridden. Numbers are
-    /// left out, they would make the combinations endless: the only one that chooses is an angular diameter of 0.
+    /// The overrides of a Volume, or of several that overlap, that affect which program is used; null is not
+    /// overridden. Numbers are omitted, as they would make the combinations endless; the only one that matters is an
+    /// angular diameter of 0.
     /// </summary>
     internal readonly struct VolumeOverrides : IEquatable<VolumeOverrides>
     {
@@ -19,7 +20,8 @@ namespace Penumbra.Editor
         }
 
         /// <summary>
-        /// What `volume` can be: two things where it makes the light a point, which has a width while it fades in.
+        /// The overrides of `volume`: two variants if it sets an angular diameter of 0, which is larger while it
+        /// fades in.
         /// </summary>
         internal static IEnumerable<VolumeOverrides> Of(PenumbraShadowsVolume volume)
         {
@@ -32,14 +34,14 @@ namespace Penumbra.Editor
             new VolumeOverrides((Value(volume.preset), hasWidth, Value(volume.technique), Value(volume.mask),
                                  Value(volume.halfResolution), Value(volume.denoise)));
 
-        /// <summary>Both, where this one comes later.</summary>
+        /// <summary>Both overrides combined; this one has priority.</summary>
         internal VolumeOverrides After(in VolumeOverrides earlier) =>
             new VolumeOverrides((values.preset ?? earlier.values.preset, values.hasWidth ?? earlier.values.hasWidth,
                                  values.technique ?? earlier.values.technique, values.mask ?? earlier.values.mask,
                                  values.halfResolution ?? earlier.values.halfResolution,
                                  values.denoise ?? earlier.values.denoise));
 
-        /// <summary>Makes `stack`, which is nobody's, a Volume with these overrides and no other.</summary>
+        /// <summary>Sets these overrides, and no others, in the temporary Volume `stack`.</summary>
         internal void Fill(PenumbraShadowsVolume stack)
         {
             Set(stack.preset, values.preset);

@@ -6,13 +6,16 @@ using UnityEngine.Rendering;
 namespace Penumbra.Editor
 {
     /// <summary>
-    /// What a feature's options can come to under a project's Volumes. Where Volumes meet, each parameter has the value
-    /// of the last one that overrides it; which one is the last their places and priorities decide, so every order
-    /// counts. Unity passes a switch or a choice on from the moment a Volume fades in.
+    /// All options that a feature can have with a project's Volumes. Where Volumes overlap, each parameter has the
+    /// value of the last Volume that overrides it; the order depends on places and priorities, so every order is
+    /// considered. Unity applies a bool or enum as soon as a Volume starts to fade in.
     /// </summary>
     internal static class VolumeStacks
     {
-        /// <summary>Each once, the feature's own among them; numbers that choose no program are a preset's.</summary>
+        /// <summary>
+        /// Each combination once, including the feature's own; numbers that do not affect the program are set to a
+        /// preset's.
+        /// </summary>
         internal static IReadOnlyCollection<ShadowOptions> Over(in ShadowOptions feature,
                                                                 IEnumerable<PenumbraShadowsVolume> volumes)
         {
@@ -27,7 +30,7 @@ namespace Penumbra.Editor
             return reached;
         }
 
-        // No Volume, one, and every one after whatever was there before.
+        // No Volume, one Volume, and each Volume after every combination found before.
         private static IEnumerable<VolumeOverrides> Meetings(IEnumerable<VolumeOverrides> volumes)
         {
             VolumeOverrides[] each = volumes.Distinct().ToArray();

@@ -5,8 +5,8 @@ using UnityEngine.Rendering;
 namespace Penumbra.Samples.CustomPipeline
 {
     /// <summary>
-    /// As small a pipeline as shows soft shadows: the sun's cascades, opaque objects, the sky. It knows shaders with a
-    /// pass of the light mode PenumbraSampleLit, and the first directional light that casts shadows.
+    /// A minimal pipeline with soft shadows: the sun's cascades, opaque objects, the sky. It draws shaders with a
+    /// pass of the light mode PenumbraSampleLit, and uses the first directional light that casts shadows.
     /// </summary>
     public sealed class SoftShadowPipeline : RenderPipeline
     {
@@ -56,7 +56,7 @@ namespace Penumbra.Samples.CustomPipeline
             Sun.SetUniforms(commands, visible.visibleLights, sun, settings.ambient);
             shadowMap.Draw(context, commands, visible, sun);
 
-            // After the shadow map, which has matrices and a target of its own.
+            // After the shadow map, which sets its own matrices and target.
             context.SetupCameraProperties(camera);
             DrawSurfaces(context, camera, visible);
             shadowMap.Release(commands);

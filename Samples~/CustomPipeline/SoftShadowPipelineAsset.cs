@@ -4,8 +4,8 @@ using UnityEngine.Rendering;
 namespace Penumbra.Samples.CustomPipeline
 {
     /// <summary>
-    /// The pipeline as an asset: create one, and name it in Project Settings, Graphics. Unity 6 wants to know the
-    /// pipeline's type from the asset's.
+    /// The pipeline's asset: create one, and select it in Project Settings, Graphics. Unity 6 needs the pipeline's
+    /// type in the asset's base class.
     /// </summary>
     [CreateAssetMenu(menuName = "Rendering/Penumbra Sample Pipeline", fileName = "SoftShadowPipeline")]
     public sealed class SoftShadowPipelineAsset

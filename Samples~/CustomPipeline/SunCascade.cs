@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 namespace Penumbra.Samples.CustomPipeline
 {
     /// <summary>
-    /// One cascade as the engine computes it, and what the library's shaders want of it.
+    /// One cascade as the engine computes it, converted for the library's shaders.
     /// <para>Spaces: world, metres; atlas UV, 0 to 1 over the whole map; depth as the map stores it.</para>
     /// </summary>
     internal struct SunCascade
@@ -13,16 +13,16 @@ namespace Penumbra.Samples.CustomPipeline
         internal Matrix4x4 projection;
         internal ShadowSplitData split;
 
-        /// <summary>Of the map, in texels.</summary>
+        /// <summary>The cascade's rectangle in the map, in texels.</summary>
         internal Rect viewport;
 
         /// <summary>World to atlas UV and stored depth.</summary>
         internal Matrix4x4 worldToShadow;
 
-        /// <summary>What a metre comes to in the tile: all of ShadowTile's scales.</summary>
+        /// <summary>All of ShadowTile's scales: UV and depth per metre and the penumbra's.</summary>
         internal CascadeScales scales;
 
-        /// <summary>xyz: centre of the split's sphere, w: its squared radius, 0 where there is no map.</summary>
+        /// <summary>xyz: centre of the split's sphere, w: its squared radius, 0 if the cascade has no map.</summary>
         internal Vector4 Sphere
         {
             get
@@ -36,7 +36,7 @@ namespace Penumbra.Samples.CustomPipeline
         internal Vector4 Scales =>
             new Vector4(scales.UvPerMetre, scales.DepthPerMetre, scales.DepthToRadial, scales.RadialToDepth);
 
-        /// <summary>Fills in what follows from the engine's matrices.</summary>
+        /// <summary>Computes the other fields from the engine's matrices.</summary>
         internal void Place(int index, in AtlasLayout layout, float angularDiameterDegrees, bool reversedDepth)
         {
             Vector4 tile = layout.Tile(index);
@@ -47,8 +47,9 @@ namespace Penumbra.Samples.CustomPipeline
         }
 
         /// <summary>
-        /// The engine's matrices lead to OpenGL's clip space, -1 to 1 in all three, whatever the device. From there to
-        /// the tile's rectangle, and to depth from 0 at the near plane to 1, or from 1 to 0 where depth is reversed.
+        /// The engine's matrices project to OpenGL's clip space, -1 to 1 in all three axes, on every device. This
+        /// converts it to the tile's rectangle, and to depth from 0 at the near plane to 1, or from 1 to 0 if depth
+        /// is reversed.
         /// </summary>
         internal static Matrix4x4 ToAtlas(Vector4 tile, bool reversedDepth)
         {

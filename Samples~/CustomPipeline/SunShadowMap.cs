@@ -6,7 +6,7 @@ using Unity.Collections;
 
 namespace Penumbra.Samples.CustomPipeline
 {
-    /// <summary>Draws the sun's cascades into an atlas, and hands its uniforms to Shaders/SunShadow.hlsl.</summary>
+    /// <summary>Draws the sun's cascades into an atlas, and sets the uniforms of Shaders/SunShadow.hlsl.</summary>
     internal sealed class SunShadowMap
     {
         private const int DepthBits = 32;
@@ -19,7 +19,7 @@ namespace Penumbra.Samples.CustomPipeline
 
         internal SunShadowMap(SunShadowSettings settings) { this.settings = settings; }
 
-        /// <summary>Leaves the map bound; without a sun, or with nothing in its light, a map of one texel.</summary>
+        /// <summary>Leaves the map bound. Without a sun or casters, the map has one texel.</summary>
         internal void Draw(ScriptableRenderContext context, CommandBuffer commands, CullingResults visible, int sun)
         {
             AtlasLayout layout = settings.Layout;
@@ -50,9 +50,9 @@ namespace Penumbra.Samples.CustomPipeline
                 bool any = visible.ComputeDirectionalShadowMatricesAndCullingPrimitives(
                     sun, i, layout.Cascades, settings.splits, layout.TileResolution, nearPlane, out cascade.view,
                     out cascade.projection, out cascade.split);
-                // Casters are drawn into every cascade that they may throw a shadow into.
+                // Casters are drawn into every cascade that they may cast a shadow into.
                 cascade.split.shadowCascadeBlendCullingFactor = 1.0f;
-                // Matrices of zeros map nothing: the cascade's sphere comes out empty.
+                // Zero matrices map nothing: the cascade's sphere is then empty.
                 if (!any) cascade = default;
                 cascade.Place(i, layout, settings.angularDiameterDegrees, SystemInfo.usesReversedZBuffer);
                 cascades[i] = cascade;
@@ -77,7 +77,7 @@ namespace Penumbra.Samples.CustomPipeline
         }
 
 #if UNITY_6000_0_OR_NEWER
-        // Casters are culled for all cascades of all lights at once, before the first of them is drawn.
+        // Casters are culled for all cascades of all lights at once, before the first cascade is drawn.
         private void Cull(ScriptableRenderContext context, CullingResults visible, int sun, int count)
         {
             var splits = new NativeArray<ShadowSplitData>(count, Allocator.Temp);

@@ -4,9 +4,9 @@ using UnityEngine.Rendering;
 namespace Penumbra.Samples.CustomPipeline
 {
     /// <summary>
-    /// The uniforms of Shaders/SunShadow.hlsl, under the same names: what ShadowTile and PcssAngularParameters ask
-    /// for, computed by Runtime/Parameters. Arrays are as long as the shader's, whatever the count: an array keeps the
-    /// length it is first given.
+    /// Sets the uniforms of Shaders/SunShadow.hlsl, which have the same names: the inputs of ShadowTile and
+    /// PcssAngularParameters, computed by Runtime/Parameters. Arrays have the shader's length, whatever the count,
+    /// because Unity fixes an array's length when it is first set.
     /// </summary>
     internal sealed class SunUniforms
     {
@@ -37,15 +37,15 @@ namespace Penumbra.Samples.CustomPipeline
             commands.SetGlobalVectorArray(spheres, sphereArray);
             commands.SetGlobalVectorArray(tiles, tileArray);
             commands.SetGlobalVectorArray(scales, scaleArray);
-            // The library's own packing bounds what a person may have typed.
+            // The library's packing clamps the user's values.
             var packed = new ShadowUniforms(settings.Parameters, layout, 0);
             commands.SetGlobalVector(atlasTexelSize, packed.MainLightAtlasTexelSize);
             packed.PcssAngular.SetGlobal(commands);
-            // The noise stands still: without a temporal filter a moving one would flicker.
+            // The noise is static: without a temporal filter, changing noise would flicker.
             commands.SetGlobalVector(cascadeCount, new Vector4(count, 0.0f, 0.0f, 0.0f));
         }
 
-        /// <summary>Of the cascade that is drawn next.</summary>
+        /// <summary>For the cascade that is drawn next.</summary>
         internal void SetCasterBias(CommandBuffer commands, SunShadowSettings settings, in CascadeScales cascade)
         {
             Vector2 metres = ShadowBias.OfCascade(cascade, settings.depthBias, settings.normalBias,

@@ -5,10 +5,10 @@ using UnityEngine.Rendering.Universal;
 namespace Penumbra.Samples.ForwardShader
 {
     /// <summary>
-    /// Sets what ShaderLibrary/Shadows.hlsl reads, for projects that use it in shaders of their own without the
-    /// renderer feature: once a camera, because cameras may use different assets. With the feature in the renderer this
-    /// is not needed, and does no harm: the feature sets the same uniforms later in the frame.
-    /// <para>Which technique a surface uses is its material's choice; this is what all of them are told.</para>
+    /// Sets the uniforms of ShaderLibrary/Shadows.hlsl, for projects that use it in their own shaders without the
+    /// renderer feature: once per camera, because cameras may use different assets. With the feature in the renderer
+    /// this is not needed, but harmless: the feature sets the same uniforms later in the frame.
+    /// <para>A surface's material selects its technique; these parameters apply to all techniques.</para>
     /// </summary>
     [ExecuteAlways]
     [AddComponentMenu("Penumbra Samples/Forward Shadow Uniforms")]
@@ -17,17 +17,17 @@ namespace Penumbra.Samples.ForwardShader
         private static readonly int atlasTexelSize = Shader.PropertyToID("_PenumbraMainLightAtlasTexelSize");
         private static readonly int mainLightParams = Shader.PropertyToID("_PenumbraMainLightParams");
 
-        [Tooltip("Full angle of the sun's disc in degrees: the real one's is 0.53, a hazy sky is like several.")]
+        [Tooltip("Full angle of the sun's disc in degrees: 0.53 for the real sun, several for a hazy sky.")]
         [Range(AngularDiameter.SmallestDegrees, AngularDiameter.LargestDegrees)]
         [SerializeField] private float angularDiameterDegrees = AngularDiameter.SunDegrees;
 
-        [Tooltip("Texture fetches per pixel of the blocker search, 1 to 128. PCSS (Poisson) takes as many for its filter.")]
+        [Tooltip("Texture fetches per pixel of the blocker search, 1 to 128. PCSS (Poisson) uses as many for its filter.")]
         [Range(1, 128)] [SerializeField] private int blockerSamples = 24;
 
-        [Tooltip("Texture fetches per pixel that measure how much of the sun is seen, 1 to 64.")]
+        [Tooltip("Texture fetches per pixel that measure how much of the sun is visible, 1 to 64.")]
         [Range(1, 64)] [SerializeField] private int filterSamples = 16;
 
-        /// <summary>What all techniques are told.</summary>
+        /// <summary>The parameters of all techniques.</summary>
         internal SoftShadowParameters Parameters
         {
             get
@@ -49,7 +49,7 @@ namespace Penumbra.Samples.ForwardShader
                 Set(Parameters, new AtlasLayout(asset.mainLightShadowmapResolution, asset.shadowCascadeCount));
         }
 
-        /// <summary>The noise stands still: without a temporal filter a moving one would flicker.</summary>
+        /// <summary>The noise is static: without a temporal filter, changing noise would flicker.</summary>
         internal static void Set(in SoftShadowParameters parameters, in AtlasLayout layout)
         {
             var uniforms = new ShadowUniforms(parameters, layout, 0);

@@ -4,7 +4,7 @@ using Object = UnityEngine.Object;
 
 namespace Penumbra.Samples.Scenes
 {
-    /// <summary>Which scene; what to look at in each stands in this sample's README.</summary>
+    /// <summary>The kind of scene; this sample's README describes what each shows.</summary>
     public enum SampleSceneKind
     {
         /// <summary>Blocks that touch the ground and hover above it.</summary>
@@ -16,22 +16,22 @@ namespace Penumbra.Samples.Scenes
         /// <summary>Trees with many small leaves.</summary>
         Foliage,
 
-        /// <summary>The same blocks again and again, out to where the shadows end.</summary>
+        /// <summary>The same blocks repeated up to the shadow distance.</summary>
         Cascades,
     }
 
     /// <summary>
-    /// Builds a scene below its game object, with a sun and a camera, out of primitives and generated meshes; no asset
-    /// is needed or made. The same kind and seed give the same scene. Building anew removes what was built before, and
-    /// nothing else.
+    /// Builds a scene below its game object, with a sun and a camera, from primitives and generated meshes; no asset
+    /// is needed or created. The same kind and seed give the same scene. Rebuilding removes only what was built
+    /// before.
     /// </summary>
     [AddComponentMenu("Penumbra Samples/Sample Scene")]
     public sealed class SampleScene : MonoBehaviour
     {
-        [Tooltip("Which scene Build makes.")]
+        [Tooltip("The scene that Build creates.")]
         [SerializeField] private SampleSceneKind kind;
 
-        [Tooltip("Places and turns what is placed by chance: the trees and their leaves.")]
+        [Tooltip("Seed of the random positions and orientations of trees and leaves.")]
         [SerializeField] private int seed = 1;
 
         [HideInInspector] [SerializeField] private List<Object> built = new List<Object>();
@@ -48,7 +48,8 @@ namespace Penumbra.Samples.Scenes
             set => seed = value;
         }
 
-        /// <summary>Game objects, meshes and materials of the scene there is; none before Build and after Remove.
+        /// <summary>
+        /// Game objects, meshes and materials of the built scene; empty before Build and after Remove.
         /// </summary>
         public IReadOnlyList<Object> Built => built;
 

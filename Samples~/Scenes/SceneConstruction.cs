@@ -5,7 +5,7 @@ using Object = UnityEngine.Object;
 
 namespace Penumbra.Samples.Scenes
 {
-    /// <summary>Turns a description into game objects, and keeps a list of all that it makes.</summary>
+    /// <summary>Converts a description into game objects, and lists all objects that it creates.</summary>
     internal sealed class SceneConstruction
     {
         private const string LitShader = "Universal Render Pipeline/Lit";
@@ -91,11 +91,11 @@ namespace Penumbra.Samples.Scenes
             Shader shader = Shader.Find(LitShader);
             if (shader == null)
                 throw new System.InvalidOperationException("there is no shader \"" + LitShader + "\": these scenes " +
-                                                           "are for URP, which this project does not use");
+                                                           "need URP, which this project does not use");
             material = new Material(shader) { name = "Penumbra " + surface };
             material.SetColor("_BaseColor", SceneSurfaces.Color(surface));
             material.SetFloat("_Smoothness", 0.1f);
-            // Leaves are seen, and cast shadows, from both sides.
+            // Leaves are visible, and cast shadows, from both sides.
             if (surface == SceneSurface.Leaf) material.SetFloat("_Cull", 0.0f);
             materials.Add(surface, material);
             built.Add(material);
@@ -112,7 +112,7 @@ namespace Penumbra.Samples.Scenes
             }
         }
 
-        // Unity's cube and sphere are one metre in every direction; its cylinder is two high.
+        // Unity's cube and sphere have a size of one metre; its cylinder is two metres high.
         private static Vector3 PrimitiveScale(in ScenePiece piece) =>
             piece.shape == PieceShape.Cylinder ? new Vector3(piece.size.x, 0.5f * piece.size.y, piece.size.z)
                                                : piece.size;

@@ -1,7 +1,7 @@
-// Custom pipeline sample: what the engine uploads by itself, under the engine's names, and what the pipeline adds.
+// Custom pipeline sample: the uniforms that the engine sets, under the engine's names, and those of the pipeline.
 //
-// Computes:   positions and normals from object to world and clip space.
-// Inputs:     UnityPerDraw in the engine's order, which the SRP Batcher asks for; unity_MatrixVP from
+// Computes:   positions in world and clip space, and normals in world space, from object space.
+// Inputs:     UnityPerDraw in the engine's order, which the SRP Batcher requires; unity_MatrixVP from
 //             SetupCameraProperties, and from SetViewProjectionMatrices while the shadow map is drawn; _Sun* from
 //             SoftShadowPipeline.cs.
 // Guarantees: nothing of another pipeline is included: UNITY_REVERSED_Z, which Unity's own headers define, is
@@ -31,7 +31,7 @@ float4x4 unity_MatrixVP;
 
 float4 _SunDirection;  // xyz: unit, world space, from a surface to the sun
 float4 _SunColor;      // rgb: linear
-float4 _Ambient;       // rgb: linear, from everywhere
+float4 _Ambient;       // rgb: linear, equal from all directions
 float4 _SunCasterBias; // xy: metres along the light and against the normal, both <= 0; of the cascade being drawn
 
 float3 ObjectToWorld(float3 positionOS)

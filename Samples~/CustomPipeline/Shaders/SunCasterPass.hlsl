@@ -1,4 +1,4 @@
-// Custom pipeline sample: depth as the sun sees it, biased as the library's receivers expect.
+// Custom pipeline sample: depth as seen from the sun, biased as the library's receivers expect.
 #ifndef PENUMBRA_SAMPLE_SUN_CASTER_PASS_HLSL
 #define PENUMBRA_SAMPLE_SUN_CASTER_PASS_HLSL
 
@@ -11,7 +11,7 @@ struct Attributes
     float3 normalOS : NORMAL;
 };
 
-// Casters between the sun and the cascade's near plane are drawn onto it instead of being cut away.
+// Casters between the sun and the cascade's near plane are moved onto the plane instead of being clipped.
 float4 KeepOnNearPlane(float4 positionCS)
 {
 #if UNITY_REVERSED_Z

@@ -1,4 +1,4 @@
-// Custom pipeline sample: a surface lit by one sun, whose soft shadow the Penumbra library computes.
+// Custom pipeline sample: a surface lit by one sun, with soft shadows from the Penumbra library.
 Shader "Penumbra Samples/Custom Pipeline Lit"
 {
     Properties
@@ -16,7 +16,7 @@ Shader "Penumbra Samples/Custom Pipeline Lit"
             Tags { "LightMode" = "PenumbraSampleLit" }
 
             HLSLPROGRAM
-            // The filter gathers, and reads the shadow map's depths: undefined on OpenGL, OpenGL ES and WebGL.
+            // The filter gathers raw depths from the shadow map, which is undefined on OpenGL, OpenGL ES and WebGL.
             #pragma target 4.5
             #pragma vertex SunLitVertex
             #pragma fragment SunLitFragment

@@ -1,4 +1,4 @@
-// Custom pipeline sample: diffuse light of the sun times its visibility, and an even ambient.
+// Custom pipeline sample: diffuse light of the sun times its visibility, and uniform ambient light.
 #ifndef PENUMBRA_SAMPLE_SUN_LIT_PASS_HLSL
 #define PENUMBRA_SAMPLE_SUN_LIT_PASS_HLSL
 
@@ -32,7 +32,7 @@ float4 SunLitFragment(Varyings input) : SV_Target
     const float3 normalWS = normalize(input.normalWS);
     const float cosine = max(dot(normalWS, _SunDirection.xyz), 0.0);
     float3 light = _Ambient.rgb;
-    // What faces away from the sun needs no fetches.
+    // Surfaces that face away from the sun need no fetches.
     UNITY_BRANCH
     if (cosine > 0.0)
     {

@@ -1,10 +1,10 @@
-// Custom pipeline sample: the sun's visibility, by a filter of the library fed from this pipeline's own uniforms.
+// Custom pipeline sample: the sun's visibility, by a filter of the library with this pipeline's own uniforms.
 //
-// Computes:   visibility of the sun at a world position. This is all that another pipeline has to write: choose a
+// Computes:   visibility of the sun at a world position. This is all that another pipeline has to write: select a
 //             cascade, fill ShadowReceiver and ShadowTile, call a filter.
-// Inputs:     positionWS, metres; normalWS: the geometric normal, unit; pixel: of the screen. Uniforms are filled by
-//             SunUniforms.cs.
-// Cost:       of FilterPcssAngular: the blocker samples, and where there is a penumbra the filter samples.
+// Inputs:     positionWS, metres; normalWS: the geometric normal, unit; pixel: screen position. SunUniforms.cs sets
+//             the uniforms.
+// Cost:       that of FilterPcssAngular: the blocker samples, and in a penumbra also the filter samples.
 // Guarantees: [0, 1]; 1 beyond the last cascade, and in a cascade that was not drawn.
 #ifndef PENUMBRA_SAMPLE_SUN_SHADOW_HLSL
 #define PENUMBRA_SAMPLE_SUN_SHADOW_HLSL
@@ -17,7 +17,7 @@
 
 TEXTURE2D_SHADOW(_SunShadowMap);
 
-// Unity makes inline samplers from the words in these names.
+// Unity creates inline samplers from the words in these names.
 SAMPLER_CMP(sampler_SunLinearClampCompare);
 SAMPLER(sampler_SunPointClamp);
 
@@ -28,7 +28,7 @@ float4 _SunScales[4];          // uvPerMetre, depthPerMetre, depthToRadial, radi
 float4 _SunAtlasTexelSize;     // 1/width, 1/height, width, height
 float4 _PenumbraPcssAngularParameters0; // packed by the library's PcssAngularParameters.cs
 float4 _PenumbraPcssAngularParameters1;
-float4 _SunCascades;           // x: count, 0 without a shadow map; y: frame of the noise
+float4 _SunCascades;           // x: count, 0 without a shadow map; y: frame index of the noise
 
 CascadeSpheres SunSpheres()
 {

@@ -1,13 +1,13 @@
-// Forward shader sample: the surface without its light: as a caster, as depth, and as depth and normal.
+// Forward shader sample: the surface without lighting: its shadow caster, depth, and depth and normal passes.
 #ifndef PENUMBRA_SAMPLE_DEPTH_PASSES_HLSL
 #define PENUMBRA_SAMPLE_DEPTH_PASSES_HLSL
 
 #include "SurfaceInput.hlsl"
-// URP's Shadows.hlsl calls LerpWhiteTo, which it leaves to its user to include.
+// URP's Shadows.hlsl calls LerpWhiteTo, whose file it does not include itself.
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/CommonMaterial.hlsl"
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Shadows.hlsl"
 
-// Of the light whose map is being drawn; URP sets the one that the keyword asks for.
+// Of the light whose shadow map is drawn; URP sets the one that the keyword selects.
 float3 _LightDirection;
 float3 _LightPosition;
 
@@ -37,7 +37,7 @@ Varyings DepthVertex(Attributes input)
     return output;
 }
 
-// Casters between the light and the map's near plane are drawn onto it instead of being cut away.
+// Casters between the light and the map's near plane are moved onto the plane instead of being clipped.
 float4 KeepOnNearPlane(float4 positionCS)
 {
 #if UNITY_REVERSED_Z

@@ -1,8 +1,8 @@
-// Forward shader sample: an opaque URP surface that filters the sun's shadow by itself, with Shadows.hlsl.
+// Forward shader sample: an opaque URP surface that filters the sun's shadow itself, with Shadows.hlsl.
 //
-// The technique is the material's: each entry of the enum switches one keyword of Shadows.hlsl, and a build holds the
-// techniques that its materials use. The entry "Tent 5x5" switches a keyword that the library does not know: its
-// filter without any.
+// The material selects the technique: each entry of the enum enables one keyword of Shadows.hlsl, and a build
+// contains the techniques that its materials use. The entry "Tent 5x5" enables a keyword that the library does not
+// have, and so selects its filter for no keyword.
 Shader "Penumbra Samples/Forward Lit"
 {
     Properties
@@ -21,7 +21,7 @@ Shader "Penumbra Samples/Forward Lit"
 
         Pass
         {
-            // "Only": URP's deferred path draws it too, after its G-buffer, and takes normals from DepthNormalsOnly.
+            // "Only": URP's deferred path also draws it, after its G-buffer, and takes normals from DepthNormalsOnly.
             Name "ForwardLit"
             Tags { "LightMode" = "UniversalForwardOnly" }
 
@@ -32,11 +32,11 @@ Shader "Penumbra Samples/Forward Lit"
 
             #pragma shader_feature_local_fragment _PENUMBRA_TENT_5X5 _PENUMBRA_TENT_3X3 _PENUMBRA_TENT_7X7 _PENUMBRA_PCSS _PENUMBRA_PCSS_POISSON _PENUMBRA_PCSS_HDRP
 
-            // URP's, as far as this surface reads them. On means that the main light has a shadow map: which of the
-            // three it is does not matter here.
+            // URP's keywords that this surface reads. Each of the three means that the main light has a shadow map;
+            // which one it is does not matter here.
             #pragma multi_compile_fragment _ _MAIN_LIGHT_SHADOWS _MAIN_LIGHT_SHADOWS_CASCADE _MAIN_LIGHT_SHADOWS_SCREEN
             #pragma multi_compile_fragment _ _ADDITIONAL_LIGHTS
-            // From 17.1 on URP has another name for this one, and still sets it.
+            // From 17.1 on URP has another name for this keyword, but still sets it.
             #pragma multi_compile_fragment _ _FORWARD_PLUS
             #pragma multi_compile_fog
             #pragma multi_compile_instancing

@@ -1,10 +1,10 @@
 // Forward shader sample: URP's physically based lighting, with the main light's shadow from the Penumbra library.
 //
-// Computes:   the colour of an opaque surface: main light times PenumbraMainLightVisibility, additional lights as URP
-//             has them but without shadows, ambient from probes, fog.
+// Computes:   the colour of an opaque surface: main light times PenumbraMainLightVisibility, URP's additional lights
+//             without shadows, ambient light from probes, fog.
 // Inputs:     URP's uniforms; those of Shadows.hlsl, from the renderer feature or from ForwardShadowUniforms.cs.
-// Cost:       of the material's technique in every pixel that faces the light: unlike the renderer feature's, the
-//             work of a pixel drawn over is lost, and there is no mask and no denoising.
+// Cost:       the material's technique in every pixel that faces the light. Unlike with the renderer feature, the
+//             work of overdrawn pixels is lost, and there is no mask and no denoising.
 // Guarantees: where URP has no shadow map for the main light (its keywords are off), the light is unshadowed and no
 //             texture is read.
 #ifndef PENUMBRA_SAMPLE_FORWARD_PASS_HLSL
@@ -14,7 +14,7 @@
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Lighting.hlsl"
 #include "Packages/com.penumbra.shadows/ShaderLibrary/Shadows.hlsl"
 
-// What URP makes of its keyword for Forward+: the first until 17.0, the second from 17.1 on.
+// The macros that URP sets for its Forward+ keyword: the first until 17.0, the second from 17.1 on.
 #if (defined(USE_FORWARD_PLUS) && USE_FORWARD_PLUS) || (defined(USE_CLUSTER_LIGHT_LOOP) && USE_CLUSTER_LIGHT_LOOP)
 #define SAMPLE_USES_CLUSTERS 1
 #else
@@ -54,7 +54,7 @@ Varyings ForwardVertex(Attributes input)
     return output;
 }
 
-// The library leaves URP's distance fade to its caller.
+// URP's distance fade is up to the library's caller.
 half MainLightVisibility(float3 positionWS, half3 normalWS, float2 pixel)
 {
 #if defined(MAIN_LIGHT_CALCULATE_SHADOWS)
@@ -71,7 +71,7 @@ half3 AdditionalLights(InputData inputData, BRDFData brdf)
     half3 colour = half3(0.0, 0.0, 0.0);
 #if defined(_ADDITIONAL_LIGHTS) || SAMPLE_USES_CLUSTERS
 #if SAMPLE_USES_CLUSTERS
-    // Directional ones are in no cluster.
+    // Directional lights are in no cluster.
     UNITY_LOOP
     for (uint i = 0u; i < min(uint(URP_FP_DIRECTIONAL_LIGHTS_COUNT), uint(MAX_VISIBLE_LIGHTS)); ++i)
     {
@@ -113,7 +113,7 @@ half4 ForwardFragment(Varyings input) : SV_Target
     half3 colour = GlobalIllumination(brdf, SampleSH(normalWS), half(1.0), inputData.positionWS, normalWS, viewWS);
 
     Light sun = GetMainLight();
-    // What faces away from the light needs no fetches.
+    // Surfaces that face away from the light need no fetches.
     UNITY_BRANCH
     if (dot(normalWS, sun.direction) > 0.0)
     {

@@ -3,9 +3,9 @@ using UnityEngine;
 namespace Penumbra.Samples.Scenes
 {
     /// <summary>
-    /// Pairs of a pole and a block on both sides of a road, each a third farther away than the one before. The same
-    /// shadow is drawn with ever larger texels: where it jumps, a cascade begins; where it stops, the shadow distance
-    /// ends.
+    /// Pairs of a pole and a block on both sides of a road, each pair a third farther away than the one before. The
+    /// same shadow is drawn with larger and larger texels: where it changes abruptly, a cascade begins; where it
+    /// stops, the shadow distance ends.
     /// </summary>
     internal static class CascadesScene
     {
@@ -28,7 +28,7 @@ namespace Penumbra.Samples.Scenes
             scene.AddGround(new Vector3(0.0f, 0.0f, 0.5f * FarthestMetres), 120.0f, FarthestMetres + 40.0f);
             for (float distance = NearestMetres; distance <= FarthestMetres; distance *= Step)
             {
-                // Apart as their distance, so that no pair hides the next.
+                // Spaced by distance, so that no pair hides the next.
                 float aside = 1.0f + 0.2f * distance;
                 scene.AddStanding("Pole", PieceShape.Cylinder, new Vector3(-aside, 0.0f, distance),
                                   new Vector3(0.15f, 3.0f, 0.15f), SceneSurface.Metal);

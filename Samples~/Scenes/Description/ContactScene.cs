@@ -4,13 +4,13 @@ using UnityEngine;
 namespace Penumbra.Samples.Scenes
 {
     /// <summary>
-    /// A row of equal slabs, each higher above the ground than the one before, and things that touch it: a wall, a
-    /// ball, a leaning board. A penumbra is as wide as the gap times the light's angle: none at a contact, wide at the
-    /// end of the row.
+    /// A row of equal slabs, each higher above the ground than the one before, and objects that touch it: a wall, a
+    /// ball, a leaning board. A penumbra is as wide as the gap times the light's angular diameter: zero at a contact,
+    /// wide at the end of the row.
     /// </summary>
     internal static class ContactScene
     {
-        /// <summary>Under each slab of the row, metres.</summary>
+        /// <summary>Gap under each slab of the row, metres.</summary>
         internal static readonly float[] Gaps = { 0.0f, 0.05f, 0.25f, 0.5f, 1.0f, 2.0f, 4.0f };
 
         private const float Spacing = 2.0f;
@@ -43,7 +43,7 @@ namespace Penumbra.Samples.Scenes
             return scene;
         }
 
-        // A plank of 2.4 m whose lower edge touches the ground and which leans at 30 degrees from it.
+        // A plank of 2.4 m whose lower edge touches the ground, leaning at 30 degrees to it.
         private static ScenePiece Board()
         {
             const float length = 2.4f;

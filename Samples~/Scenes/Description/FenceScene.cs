@@ -3,9 +3,9 @@ using UnityEngine;
 namespace Penumbra.Samples.Scenes
 {
     /// <summary>
-    /// A picket fence, a lattice of thin wires, and poles from half a metre to eight high. Bars thinner than a few
-    /// texels of the shadow map are what biases swallow and what blocker searches step over; the tall poles' tops blur
-    /// into nothing where the light is wide.
+    /// A picket fence, a lattice of thin wires, and poles from half a metre to eight metres high. Biases remove bars
+    /// that are thinner than a few texels of the shadow map, and blocker searches miss them; the shadows of the tall
+    /// poles' tops vanish under a wide light.
     /// </summary>
     internal static class FenceScene
     {
@@ -45,7 +45,7 @@ namespace Penumbra.Samples.Scenes
                 spacingMetres = 0.2f,
                 wireRadiusMetres = 0.004f,
             };
-            // A little above the ground, so that the frame's own thickness stays there.
+            // A little above the ground, so that the frame does not reach into it.
             scene.Add(new ScenePiece
             {
                 name = "Lattice",

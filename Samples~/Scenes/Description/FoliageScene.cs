@@ -4,8 +4,9 @@ using UnityEngine;
 namespace Penumbra.Samples.Scenes
 {
     /// <summary>
-    /// A grove: trees by chance, none within another's crown, each a trunk and a crown of small leaves. Under a crown
-    /// nearly every pixel is in a penumbra, and every leaf has its own gap to the ground: what PCSS finds hardest.
+    /// A grove: trees at random places, none within another's crown, each a trunk and a crown of small leaves. Under
+    /// a crown nearly every pixel is in a penumbra, and every leaf has its own gap to the ground: the hardest case
+    /// for PCSS.
     /// </summary>
     internal static class FoliageScene
     {
@@ -15,7 +16,7 @@ namespace Penumbra.Samples.Scenes
         private const float GroveMetres = 44.0f;
         private const int LeavesOfACrown = 1500;
 
-        // Trees that stand keep less than a third of the grove from the next one: most attempts succeed.
+        // The placed trees exclude less than a third of the grove from the next one, so that most attempts succeed.
         private const int MostAttempts = 1000;
 
         internal static SceneDescription Describe(int seed)

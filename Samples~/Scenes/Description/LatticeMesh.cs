@@ -3,7 +3,7 @@ using UnityEngine;
 namespace Penumbra.Samples.Scenes
 {
     /// <summary>
-    /// Wires that cross at right angles, both ways aslant, within an upright rectangle around the origin, and a frame.
+    /// Diagonal wires that cross at right angles, within an upright rectangle around the origin, and a frame.
     /// </summary>
     internal static class LatticeMesh
     {
@@ -12,7 +12,7 @@ namespace Penumbra.Samples.Scenes
             internal float widthMetres;
             internal float heightMetres;
 
-            /// <summary>From one wire to the next along the ground.</summary>
+            /// <summary>Distance between wires along the ground.</summary>
             internal float spacingMetres;
 
             internal float wireRadiusMetres;
@@ -31,8 +31,8 @@ namespace Penumbra.Samples.Scenes
             return mesh;
         }
 
-        // Rises by as much as it runs, from `start` on the rectangle's lower edge, left of it or on it; cut where the
-        // rectangle ends. Mirrored left and right for the other direction.
+        // A wire at 45 degrees from `start` on the rectangle's lower edge or on its extension to the left; clipped to
+        // the rectangle. Mirrored for the other direction.
         private static void AddAslant(SceneMesh mesh, in Size size, float start, float mirror)
         {
             float from = Mathf.Max(start, 0.0f);

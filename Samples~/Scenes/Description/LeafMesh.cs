@@ -3,8 +3,8 @@ using UnityEngine;
 namespace Penumbra.Samples.Scenes
 {
     /// <summary>
-    /// A tree's crown: leaves spread evenly over a ball, turned every way by chance. A leaf is a rhombus of 18 by 9
-    /// centimetres, seen from both sides by its material.
+    /// A tree's crown: leaves distributed uniformly in a ball, with random orientations. A leaf is a rhombus of 18 by
+    /// 9 centimetres with a two-sided material.
     /// </summary>
     internal static class LeafMesh
     {
@@ -14,11 +14,11 @@ namespace Penumbra.Samples.Scenes
         internal static SceneMesh Describe(float diameterMetres, int leaves, SeededChance chance)
         {
             var mesh = new SceneMesh("Leaves");
-            // No leaf reaches out of the ball.
+            // No leaf extends beyond the ball.
             float radius = 0.5f * diameterMetres - HalfLengthMetres;
             for (int i = 0; i < leaves; ++i)
             {
-                // The share of a ball within a radius grows with its cube.
+                // The fraction of a ball's volume within a radius grows with the radius cubed.
                 Vector3 centre = Direction(chance) * (radius * Mathf.Pow(chance.Next(), 1.0f / 3.0f));
                 Vector3 along = Direction(chance);
                 Vector3 across = Across(along, chance);
@@ -27,7 +27,7 @@ namespace Penumbra.Samples.Scenes
             return mesh;
         }
 
-        // Even over the sphere: every height is equally likely (Archimedes).
+        // Uniform over the sphere: all heights are equally likely (Archimedes).
         private static Vector3 Direction(SeededChance chance)
         {
             float height = 2.0f * chance.Next() - 1.0f;
@@ -39,7 +39,7 @@ namespace Penumbra.Samples.Scenes
         private static Vector3 Across(Vector3 along, SeededChance chance)
         {
             Vector3 across = Vector3.Cross(along, Direction(chance));
-            // Two directions by chance are hardly ever the same; where they are, another is tried.
+            // Two random directions are hardly ever parallel; if they are, another one is tried.
             return Vector3.Dot(across, across) > 1e-6f ? across.normalized : Across(along, chance);
         }
     }

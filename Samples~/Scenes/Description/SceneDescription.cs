@@ -3,14 +3,14 @@ using UnityEngine;
 
 namespace Penumbra.Samples.Scenes
 {
-    /// <summary>Where the sun stands: 90 degrees of elevation is straight above.</summary>
+    /// <summary>The sun's direction: 90 degrees of elevation is straight above.</summary>
     internal struct SceneSun
     {
         internal float elevationDegrees;
         internal float azimuthDegrees;
     }
 
-    /// <summary>Where the camera stands and looks: x of the angles is down, y to the right of +z.</summary>
+    /// <summary>The camera's position and direction: the angle x is down, y to the right of +z.</summary>
     internal struct SceneView
     {
         internal Vector3 position;
@@ -18,7 +18,7 @@ namespace Penumbra.Samples.Scenes
         internal float fieldOfViewDegrees;
     }
 
-    /// <summary>A scene as data: nothing here needs an engine. The same kind and seed give the same data.</summary>
+    /// <summary>A scene as data, without engine objects. The same kind and seed give the same data.</summary>
     internal sealed class SceneDescription
     {
         private readonly List<ScenePiece> pieces = new List<ScenePiece>();
@@ -40,7 +40,7 @@ namespace Penumbra.Samples.Scenes
 
         internal void Add(ScenePiece piece) => pieces.Add(piece);
 
-        /// <summary>A box that is the ground: its upper side lies at y = 0.</summary>
+        /// <summary>A box as the ground: its upper side is at y = 0.</summary>
         internal void AddGround(Vector3 centre, float width, float depth)
         {
             const float thickness = 0.2f;
@@ -54,7 +54,7 @@ namespace Penumbra.Samples.Scenes
             });
         }
 
-        /// <summary>A piece whose lowest point is `foot` when it is not turned.</summary>
+        /// <summary>A piece whose lowest point is `foot` if it is not rotated.</summary>
         internal void AddStanding(string name, PieceShape shape, Vector3 foot, Vector3 size, SceneSurface surface)
         {
             pieces.Add(new ScenePiece

@@ -4,8 +4,8 @@ using UnityEngine;
 namespace Penumbra.Samples.Scenes
 {
     /// <summary>
-    /// Triangles around the origin, metres. Wound clockwise as seen from where the normals point, as Unity's are; fewer
-    /// than 65536 vertices, so that indices of 16 bits do.
+    /// Triangles around the origin, metres. Clockwise as seen from the side of the normals, like Unity's; fewer than
+    /// 65536 vertices, so that 16-bit indices suffice.
     /// </summary>
     internal sealed class SceneMesh
     {
@@ -25,7 +25,7 @@ namespace Penumbra.Samples.Scenes
         internal void AddRhombus(Vector3 centre, Vector3 a, Vector3 b) =>
             AddQuad(new[] { centre + a, centre + b, centre - a, centre - b }, Vector3.Cross(a, b).normalized);
 
-        /// <summary>A wire: a prism of three sides from one point to another, open at its ends.</summary>
+        /// <summary>A wire: a three-sided prism from one point to another, open at its ends.</summary>
         internal void AddWire(Vector3 from, Vector3 to, float radius)
         {
             Vector3 along = (to - from).normalized;

@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Penumbra.Samples.Scenes
 {
-    /// <summary>Of a piece without a mesh of its own.</summary>
+    /// <summary>The primitive of a piece without a mesh of its own.</summary>
     internal enum PieceShape
     {
         Box,
@@ -10,7 +10,7 @@ namespace Penumbra.Samples.Scenes
         Ball,
     }
 
-    /// <summary>What a piece is made of; one material each.</summary>
+    /// <summary>The surface of a piece; there is one material for each.</summary>
     internal enum SceneSurface
     {
         Ground,
@@ -21,20 +21,21 @@ namespace Penumbra.Samples.Scenes
     }
 
     /// <summary>
-    /// One thing of a scene. Lengths are metres, y is up, the ground lies at y = 0; a piece turns about its centre.
+    /// One object of a scene. Lengths are metres, y is up, the ground is at y = 0; a piece is rotated about its
+    /// centre.
     /// </summary>
     internal struct ScenePiece
     {
         internal string name;
         internal PieceShape shape;
 
-        /// <summary>Null: a primitive of the shape.</summary>
+        /// <summary>Null for a primitive of the shape.</summary>
         internal SceneMesh mesh;
 
         internal Vector3 centre;
         internal Vector3 eulerDegrees;
 
-        /// <summary>Of the whole piece before it is turned. A mesh has its size already and is not scaled.</summary>
+        /// <summary>Size of the whole piece before rotation. A mesh already has its size and is not scaled.</summary>
         internal Vector3 size;
 
         internal SceneSurface surface;
@@ -42,7 +43,9 @@ namespace Penumbra.Samples.Scenes
 
     internal static class SceneSurfaces
     {
-        /// <summary>As picked in an inspector, sRGB. The ground is light, so that shadows are easy to judge.</summary>
+        /// <summary>
+        /// In sRGB, as picked in an inspector. The ground is light, so that shadows are easy to judge.
+        /// </summary>
         internal static Color Color(SceneSurface surface)
         {
             switch (surface)

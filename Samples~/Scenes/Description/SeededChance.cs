@@ -1,8 +1,8 @@
 namespace Penumbra.Samples.Scenes
 {
     /// <summary>
-    /// Numbers in [0, 1) that depend on the seed alone, on every machine and version of Unity: the finalizer of
-    /// MurmurHash3 over a counter (Appleby 2011).
+    /// Random numbers in [0, 1) that depend only on the seed, on every machine and version of Unity: the finalizer of
+    /// MurmurHash3 applied to a counter (Appleby 2011).
     /// </summary>
     internal sealed class SeededChance
     {

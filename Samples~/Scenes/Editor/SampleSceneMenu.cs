@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Penumbra.Samples.Scenes.Editor
 {
-    /// <summary>Builds a scene in the open one; undo takes it away again.</summary>
+    /// <summary>Builds a sample scene in the open scene; undo removes it.</summary>
     internal static class SampleSceneMenu
     {
         private const string Menu = "GameObject/Penumbra Samples/";

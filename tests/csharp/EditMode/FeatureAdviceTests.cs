@@ -70,7 +70,7 @@ namespace Penumbra.Tests
         [Test]
         public void WhyTheLastCameraWasLeftIsSaidWithTheWayOut()
         {
-            const string left = "The last camera was left to URP: ";
+            const string left = "The last camera was skipped and has URP's shadows: ";
             Assert.That(Skipped(SkipReason.SceneLightingOff).Single(), Does.StartWith(left).And.Contain("light bulb"));
             Assert.That(Skipped(SkipReason.ShadowsOff).Single(), Does.StartWith(left).And.Contain("Cast Shadows"));
             Assert.That(Skipped(SkipReason.NoMainLight).Single(), Does.StartWith(left).And.Contain("directional light"));

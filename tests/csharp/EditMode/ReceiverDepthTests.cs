@@ -169,7 +169,7 @@ namespace Penumbra.Tests
                 ReceiverProblem problem = Problems(path, text).Single();
                 Assert.That(problem.fix, Is.EqualTo(ReceiverFix.WritePasses));
                 Assert.That(problem.CanApply, Is.False);
-                Assert.That(problem.Explanation, Does.Contain("DepthNormals and DepthOnly").And.Contain("holes"));
+                Assert.That(problem.Explanation, Does.Contain("DepthNormals and DepthOnly").And.Contain("clips pixels"));
                 Assert.That(ReceiverReport.Fixed(problem, text, one => true), Is.EqualTo(text));
             }
             // Beside one that does not, which is helped first.
@@ -193,7 +193,7 @@ namespace Penumbra.Tests
         {
             string Said(string inside) => Problems("Assets/A.shader", Shader(SubShader(inside))).Single().Explanation;
             Assert.That(Said(Forward + Normals), Does.StartWith("No pass DepthOnly: surfaces"));
-            Assert.That(Said(Forward + Depth), Does.StartWith("No pass DepthNormals: where another feature asks for normals")
+            Assert.That(Said(Forward + Depth), Does.StartWith("No pass DepthNormals: where another feature requests normals")
                                                    .And.Not.Contain("Deferred"));
             Assert.That(Said("Pass {\n" + Program + "}\n" + Depth), Does.Contain("and in Deferred, surfaces"));
         }

@@ -99,7 +99,7 @@ namespace Penumbra.Tests
         public void ElseUnderTheFeaturesLightAndSaysSo()
         {
             string text = VolumeAdvice.Preset(State(Preset(QualityPreset.High), Feature(QualityPreset.Low, 1.5f)));
-            Assert.That(text, Does.Contain(PresetText.Figures(QualityPreset.High, 1.5f)).And.EndWith("of 1.5 degrees."));
+            Assert.That(text, Does.Contain(PresetText.Figures(QualityPreset.High, 1.5f)).And.EndWith("by the feature: 1.5 degrees."));
         }
 
         [Test]
@@ -134,9 +134,9 @@ namespace Penumbra.Tests
         {
             PenumbraShadowsSettings feature = Feature(QualityPreset.Medium);
             Assert.That(Texts(State(Preset(QualityPreset.High) + Denoise, feature)).Single(),
-                        Does.StartWith("Denoise comes after the preset"));
+                        Does.StartWith("Denoise overrides the preset"));
             Assert.That(Texts(State(Preset(QualityPreset.High) + Denoise + Samples, feature)).Single(),
-                        Does.StartWith("Filter Samples and Denoise come after the preset"));
+                        Does.StartWith("Filter Samples and Denoise override the preset"));
         }
 
         [Test]
@@ -163,7 +163,7 @@ namespace Penumbra.Tests
         public void WhatHasNoEffectWithTheFeaturesTechniqueIsNamed()
         {
             Assert.That(Texts(State(Denoise, Feature(ShadowTechnique.Tent5x5))).Single(),
-                        Does.StartWith("Denoise has no effect with Tent 5x5, which the feature brings."));
+                        Does.StartWith("Denoise has no effect with Tent 5x5, which the feature selects."));
             Assert.That(Texts(State(Denoise, Feature(ShadowTechnique.Tent5x5), Feature(QualityPreset.High))), Is.Empty);
         }
 
