@@ -87,7 +87,7 @@ namespace Penumbra.Tests
         public void AReasonWithoutWordsIsSaidByName()
         {
             var unknown = (SkipReason)1000;
-            Assert.That(Skipped(unknown).Single(), Does.EndWith("URP: " + unknown + "."));
+            Assert.That(Skipped(unknown).Single(), Does.EndWith("shadows: " + unknown + "."));
         }
 
         [Test]
