@@ -17,11 +17,11 @@ struct Layer {
 // Nothing for a path that is none of the package's.
 std::optional<Layer> layer_of(std::string_view path) {
   static const std::map<std::string, int, std::less<>> heights{
-      {"Platform", 0}, {"Core", 1}, {"Filters", 2}, {"Screen", 2}, {"Far", 2}, {"Pipelines", 3}};
-  if (path.starts_with("Shaders/")) return Layer{5, "Shaders"};
+      {"Platform", 0}, {"Core", 1}, {"Map", 2}, {"Filters", 3}, {"Screen", 3}, {"Far", 3}, {"Pipelines", 4}};
+  if (path.starts_with("Shaders/")) return Layer{6, "Shaders"};
   if (!path.starts_with("ShaderLibrary/")) return std::nullopt;
   const std::string folder = folder_below(path, "ShaderLibrary/");
-  if (folder.empty()) return Layer{4, folder};
+  if (folder.empty()) return Layer{5, folder};
   const auto known = heights.find(folder);
   // A folder without a place may be included by none and include none.
   return Layer{known == heights.end() ? -1 : known->second, folder};

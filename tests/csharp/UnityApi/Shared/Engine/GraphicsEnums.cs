@@ -68,5 +68,18 @@ namespace UnityEngine.Experimental.Rendering
 {
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
-    public enum GraphicsFormat { None = 0, R8_UNorm = 5, R32_UInt = 37, R32_SFloat = 49, B8G8R8A8_UNorm = 59, D32_SFloat = 93 }
+    public enum GraphicsFormat
+    {
+        None = 0,
+        R8_UNorm = 5,
+        R32_UInt = 37,
+        R16_SFloat = 45,
+        R16G16_SFloat = 46,
+        R16G16B16A16_SFloat = 48,
+        R32_SFloat = 49,
+        R32G32_SFloat = 50,
+        R32G32B32A32_SFloat = 52,
+        B8G8R8A8_UNorm = 59,
+        D32_SFloat = 93,
+    }
 }

@@ -1,0 +1,27 @@
+// Penumbra: depths of the shadow map as numbers that may be filtered.
+//
+// Computes:   depth from the light, centred in the map's range, and its square.
+// Source:     Donnelly and Lauritzen, "Variance Shadow Maps", I3D 2006. Centred depths: the rounding error of a variance
+//             is a share of the mean square, which is at most 1/4 and not 1 of depths in [-1/2, 1/2].
+// Inputs:     stored shadow-map depths, either direction.
+// Cost:       no fetches.
+// Guarantees: finite; -1/2 nearest the light, 1/2 farthest; NaN is farthest, as everywhere in the library.
+// Use it:     for what is written into a filtered map, and for the receiver that is compared with it.
+#ifndef PENUMBRA_DEPTH_MOMENTS_HLSL
+#define PENUMBRA_DEPTH_MOMENTS_HLSL
+
+#include "../Core/DepthConvention.hlsl"
+#include "../Core/FloatBits.hlsl"
+
+float CentredDepth(float storedDepth)
+{
+    return DepthGap(kNearestDepth, storedDepth) - 0.5;
+}
+
+float2 DepthMoments(float storedDepth)
+{
+    const float depth = CentredDepth(SanitizeMapDepth(storedDepth));
+    return float2(depth, depth * depth);
+}
+
+#endif

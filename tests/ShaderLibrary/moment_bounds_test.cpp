@@ -1,0 +1,92 @@
+// Core/MomentBounds.hlsl: Chebyshev's bound against distributions of which the answer is known.
+#include <algorithm>
+
+#include "ShaderLibrary/core_function.h"
+#include "ShaderLibrary/exactness.h"
+#include "ShaderLibrary/inputs.h"
+
+namespace penumbra::shader_library_tests {
+namespace {
+
+const CoreFunction kBound{"MomentBounds", "Out(0, ChebyshevBound(float2(In(0), In(1)), In(2), In(3)));", 4,
+                          1};
+
+struct Depths {
+  std::vector<double> at;
+  std::vector<double> share;
+
+  double mean(int power) const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < at.size(); ++i) sum += share[i] * std::pow(at[i], power);
+    return sum;
+  }
+  double behind(double depth) const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < at.size(); ++i) sum += at[i] >= depth ? share[i] : 0.0;
+    return sum;
+  }
+};
+
+Depths drawn(Random& random, int count) {
+  Depths depths;
+  double sum = 0.0;
+  for (int i = 0; i < count; ++i) {
+    depths.at.push_back(random.between(-0.5f, 0.5f));
+    depths.share.push_back(random.between(0.05f, 1.0f));
+    sum += depths.share.back();
+  }
+  for (double& share : depths.share) share /= sum;
+  return depths;
+}
+
+// An occluder and the receiver behind it: the bound is the receiver's share.
+TEST(MomentBounds, AreExactForTwoDepths) {
+  Random random(31);
+  std::vector<float> inputs;
+  std::vector<double> shares;
+  while (shares.size() < std::size_t(kRandomCases)) {
+    Depths depths = drawn(random, 2);
+    std::sort(depths.at.begin(), depths.at.end());
+    if (depths.at[1] - depths.at[0] < 0.05) continue;
+    inputs.insert(inputs.end(), {static_cast<float>(depths.mean(1)), static_cast<float>(depths.mean(2)),
+                                 static_cast<float>(depths.at[1]), 1e-12f});
+    shares.push_back(depths.share[1]);
+  }
+  const std::vector<float> bounds = run(kBound, DepthDirection::conventional, inputs);
+  // The moments are rounded to 2^-25 of 1/4; the variance of two depths 0.05 apart is at least 1e-4.
+  for (std::size_t i = 0; i < shares.size(); ++i) ASSERT_NEAR(bounds[i], shares[i], 5e-4) << i;
+}
+
+TEST(MomentBounds, AreBoundsForManyDepths) {
+  Random random(32);
+  std::vector<float> inputs;
+  std::vector<double> shares;
+  for (int i = 0; i < kRandomCases; ++i) {
+    const Depths depths = drawn(random, random.integer(2, 12));
+    const double receiver = random.between(-0.5f, 0.5f);
+    inputs.insert(inputs.end(), {static_cast<float>(depths.mean(1)), static_cast<float>(depths.mean(2)),
+                                 static_cast<float>(receiver), 1e-12f});
+    shares.push_back(depths.behind(receiver));
+  }
+  const std::vector<float> bounds = run(kBound, DepthDirection::conventional, inputs);
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    ASSERT_GE(bounds[i], shares[i] - 1e-3) << i;
+    ASSERT_LE(bounds[i], 1.0f) << i;
+  }
+}
+
+TEST(MomentBounds, AreOneAtAndBeforeTheMean) {
+  const std::vector<float> bounds =
+      run(kBound, DepthDirection::conventional, {0.25f, 0.0625f, 0.25f, 1e-9f, 0.25f, 0.125f, -0.5f, 1e-9f});
+  EXPECT_EQ(bounds, (std::vector<float>{1.0f, 1.0f}));
+}
+
+TEST(MomentBounds, LessBleedingIsDarkUpToItsAmount) {
+  const CoreFunction reduce{"MomentBounds", "Out(0, ReduceBleeding(In(0), In(1)));", 2, 1};
+  const std::vector<float> reduced = run(reduce, DepthDirection::conventional,
+                                         {1.0f, 0.25f, 0.25f, 0.25f, 0.625f, 0.25f, 0.1f, 0.25f, 0.3f, 0.0f});
+  EXPECT_EQ(reduced, (std::vector<float>{1.0f, 0.0f, 0.5f, 0.0f, 0.3f}));
+}
+
+}  // namespace
+}  // namespace penumbra::shader_library_tests
