@@ -156,6 +156,16 @@ TEST(Hostile, WorkStaysLinear) {
   }
 }
 
+// Of each of its 4,096 times, its mistakes: only those that are shown may cost a search for the nearest name.
+TEST(Hostile, AFileOfMistakesIncludesItself) {
+  const std::string text = repeated("#pragma multi_compile_fog_and_more\n", 200 / sanitizer_reduction) +
+                           repeated("#include_with_pragmas \"a.hlsl\"\n", 2);
+  const double seconds = processor_seconds([&] {
+    EXPECT_EQ(pragmas_of("#include_with_pragmas \"a.hlsl\"\n", {{"a.hlsl", text}}).diagnostics.size(), 200U);
+  });
+  EXPECT_LT(seconds, 20.0);
+}
+
 TEST(Hostile, IncludesThatFanOutAreBounded) {
   Files files;
   for (int i = 0; i < 40; ++i) {

@@ -14,10 +14,9 @@
 namespace penumbra::variants {
 namespace {
 
-std::string hint(const std::string& given, const std::vector<std::string>& known) {
-  const std::string nearest = nearest_name(given, known);
-  return nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
-}
+// The number of messages that pragma_reader.cpp keeps. A file that is included 4,096 times repeats its
+// mistakes as often.
+constexpr int kMostHints = 200;
 
 std::vector<std::string> texts_of(const std::vector<Word>& words) {
   std::vector<std::string> texts;
@@ -44,6 +43,13 @@ void PragmaParser::read(const DirectiveLine& directive, const std::string& file)
   }
   if (read_entry_point(line) || read_keywords(line) || read_list(line) || read_other(line)) return;
   warn(line.place, "unknown pragma '" + line.name + "' has no effect" + hint(line.name, pragma_names()));
+}
+
+std::string PragmaParser::hint(const std::string& given, const std::vector<std::string>& known) {
+  if (hints_ >= kMostHints) return {};
+  ++hints_;
+  const std::string nearest = nearest_name(given, known);
+  return nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
 }
 
 Place PragmaParser::place_of(const Line& line, const Word& word) const {

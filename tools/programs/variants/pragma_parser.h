@@ -46,6 +46,8 @@ class PragmaParser {
   KeywordSet set_of(const Line& line);
   bool is_keyword(const Word& word, const Line& line);
 
+  // "; did you mean 'NAME'?" for the first messages; empty for later ones and where no name is near.
+  std::string hint(const std::string& given, const std::vector<std::string>& known);
   Place place_of(const Line& line, const Word& word) const;
   void error(const Place& place, const std::string& message) { say_(hlsl::Severity::error, place, message); }
   void warn(const Place& place, const std::string& message) { say_(hlsl::Severity::warning, place, message); }
@@ -54,6 +56,7 @@ class PragmaParser {
   Say say_;
   std::set<std::string> keywords_;
   bool said_too_many_ = false;
+  int hints_ = 0;
 };
 
 }  // namespace penumbra::variants
