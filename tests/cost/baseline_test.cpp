@@ -61,6 +61,19 @@ TEST(Baseline, SpillsWhereNoneWereAreBeyondAnyPercentage) {
   EXPECT_FALSE(compare_with_baseline(now, before, {}, 1000.0).passed());
 }
 
+// As of two passes with one name, in one shader.
+TEST(Baseline, RowsOfEqualNamesAreComparedInTheirOrder) {
+  CostReport report = made_up::report();
+  report.rows.push_back(report.rows[0]);
+  set_instructions(report.rows.back(), 7);
+  const BaselineComparison same = compare_with_baseline(report, report, {}, 0.0);
+  EXPECT_TRUE(same.passed());
+  EXPECT_THAT(same.better, IsEmpty());
+  EXPECT_EQ(same.compared, 7U);
+  EXPECT_THAT(compare_with_baseline(made_up::report(), report, {}, 0.0).gone, ElementsAre("old hard"));
+  EXPECT_THAT(compare_with_baseline(report, made_up::report(), {}, 0.0).unknown, ElementsAre("old hard"));
+}
+
 TEST(Baseline, NewAndGoneRowsAreFindings) {
   CostReport now = made_up::report();
   now.rows[0].variants = {{"soft", {}}};

@@ -4,23 +4,40 @@
 #include <map>
 #include <set>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "input/input_error.h"
 
 namespace penumbra::cost {
 namespace {
 
-using Key =
+using Names =
     std::tuple<std::string, std::string, std::string, std::string, std::string, std::vector<std::string>>;
+// Variants of equal names, as those of two passes with one name, are numbered in the report's order.
+using Key = std::pair<Names, int>;
 
-Key key_of(const CostRow& row, const CostVariant& variant) {
-  return {row.family, row.file, row.entry, row.stage, variant.technique, variant.keywords};
+struct KeyedVariant {
+  Key key;
+  const CostRow* row = nullptr;
+  const CostVariant* variant = nullptr;
+};
+
+std::vector<KeyedVariant> keyed_variants(const CostReport& report) {
+  std::vector<KeyedVariant> all;
+  std::map<Names, int> met;
+  for (const CostRow& row : report.rows)
+    for (const CostVariant& variant : row.variants) {
+      Names names{row.family, row.file, row.entry, row.stage, variant.technique, variant.keywords};
+      const int number = met[names]++;
+      all.push_back({{std::move(names), number}, &row, &variant});
+    }
+  return all;
 }
 
-std::map<Key, const CostRow*> rows_by_key(const CostReport& report) {
+std::map<Key, const CostRow*> rows_by_key(const std::vector<KeyedVariant>& variants) {
   std::map<Key, const CostRow*> rows;
-  for (const CostRow& row : report.rows)
-    for (const CostVariant& variant : row.variants) rows.emplace(key_of(row, variant), &row);
+  for (const KeyedVariant& keyed : variants) rows.emplace(keyed.key, keyed.row);
   return rows;
 }
 
@@ -71,23 +88,23 @@ std::string change_text(const char* kind, const BaselineChange& change) {
 BaselineComparison compare_with_baseline(const CostReport& report, const CostReport& baseline,
                                          const ComparedExtent& extent, double tolerance_percent) {
   BaselineComparison comparison;
-  const std::map<Key, const CostRow*> before = rows_by_key(baseline);
-  const std::map<Key, const CostRow*> now = rows_by_key(report);
-  for (const CostRow& row : report.rows) {
-    std::set<const CostRow*> met;  // variants of one module were also in one module before: reported once
-    for (const CostVariant& variant : row.variants) {
-      const auto found = before.find(key_of(row, variant));
-      if (found == before.end()) {
-        comparison.unknown.push_back(named(row, variant));
-      } else if (met.insert(found->second).second && row.measured.failure.empty()) {
-        compare_rows(row, *found->second, row.family + " " + row_name(row), tolerance_percent, comparison);
-      }
+  const std::vector<KeyedVariant> variants_before = keyed_variants(baseline);
+  const std::vector<KeyedVariant> variants_now = keyed_variants(report);
+  const std::map<Key, const CostRow*> before = rows_by_key(variants_before);
+  const std::map<Key, const CostRow*> now = rows_by_key(variants_now);
+  // Variants of one module were also in one module before: such a pair of rows is reported once.
+  std::set<std::pair<const CostRow*, const CostRow*>> met;
+  for (const auto& [key, row, variant] : variants_now) {
+    const auto found = before.find(key);
+    if (found == before.end()) {
+      comparison.unknown.push_back(named(*row, *variant));
+    } else if (met.emplace(row, found->second).second && row->measured.failure.empty()) {
+      compare_rows(*row, *found->second, row->family + " " + row_name(*row), tolerance_percent, comparison);
     }
   }
-  for (const CostRow& row : baseline.rows)
-    for (const CostVariant& variant : row.variants)
-      if (expected(row, variant, extent) && !now.contains(key_of(row, variant)))
-        comparison.gone.push_back(named(row, variant));
+  for (const auto& [key, row, variant] : variants_before)
+    if (expected(*row, *variant, extent) && !now.contains(key))
+      comparison.gone.push_back(named(*row, *variant));
   return comparison;
 }
 
