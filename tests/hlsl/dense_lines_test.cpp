@@ -39,6 +39,12 @@ TEST(DenseLines, FewEmptyLinesStayAndManyBecomeADirective) {
   EXPECT_EQ(dense_lines("\n\n"), "");
 }
 
+TEST(DenseLines, AFileWithoutANameFollowsOneWithAName) {
+  const std::string text = "#line 4 \"a\"\nl\n#line 2 \"\"\nl\n";
+  EXPECT_EQ(dense_lines(text), text);
+  EXPECT_EQ(places(dense_lines(text)), places(text));
+}
+
 TEST(DenseLines, OtherDirectivesAreCode) {
   EXPECT_EQ(dense_lines("#pragma pack_matrix(row_major)\n#line x\nfloat a;"),
             "#pragma pack_matrix(row_major)\n#line x\nfloat a;\n");

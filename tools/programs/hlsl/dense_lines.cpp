@@ -19,7 +19,7 @@ void go_to(const LinePlace& place, LinePlace& at, std::string& out) {
     out.append(static_cast<std::size_t>(place.line - at.line), '\n');
   } else {
     out.append("#line ").append(std::to_string(place.line));
-    if (!place.file.empty()) out.append(" \"").append(place.file).append("\"");
+    if (!place.file.empty() || !at.file.empty()) out.append(" \"").append(place.file).append("\"");
     out.push_back('\n');
   }
   at = place;
