@@ -240,6 +240,10 @@ TEST(EntrySemantics, OfDirect3D9AreSystemValuesWhereTheirDirectionSaysSo) {
                              {"Main", hlsl::Stage::vertex, true}),
               HasSubstr(") : POSITION"))
       << "DXC";
+  EXPECT_THAT(with_semantics("float4 Main(float4 p : POSITION) : POSITION { return p; }",
+                             {"Main", hlsl::Stage::vertex, false, false}),
+              HasSubstr(") : POSITION"))
+      << "read by a geometry program";
   EXPECT_THAT(
       said("struct O { float4 a : SV_Target0; float4 b : COLOR; };\nO Main() { O o; return o; }", fragment),
       ElementsAre(

@@ -127,6 +127,17 @@ TEST_F(StageLinkage, EachStageIsComparedWithTheOneBeforeIt) {
           "10:24 the fragment program reads 'WORLD0', which the geometry program 'Geom' does not write"));
 }
 
+// POSITION is Direct3D 9's name of SV_Position only where the vertex program's output goes to the rasterizer.
+TEST_F(StageLinkage, AGeometryProgramReadsThePositionByItsName) {
+  EXPECT_THAT(
+      errors("struct V { float4 p : POSITION; };\nstruct G { float4 p : SV_Position; };\nV Vert(float4 v : "
+             "POSITION) { V o; o.p = v; return o; }\n"
+             "[maxvertexcount(1)] void Geom(point V v[1], inout PointStream<G> s) { G g; g.p = v[0].p; "
+             "s.Append(g); }\nfloat4 Frag() : SV_Target { return 1; }\n",
+             "#pragma geometry Geom"),
+      IsEmpty());
+}
+
 constexpr const char* keyword_stages =
     "struct Out { float4 p : SV_Position;\n#ifdef LIT\nfloat3 n : NORMAL;\n#endif\n#ifndef WAVES\nfloat id : "
     "ID;\n#endif\n};\n"

@@ -25,7 +25,8 @@ std::string circumstances_of(const shaders::CompileRequest& request) {
 // And those that determine the generated module.
 std::string module_circumstances_of(const shaders::CompileRequest& request) {
   std::string text = circumstances_of(request) + request.file.string() + "\n" + request.entry + "\n";
-  for (const bool flag : {request.optimise, request.debug_lines, request.keep_unoptimised, request.dxc})
+  for (const bool flag :
+       {request.optimise, request.debug_lines, request.keep_unoptimised, request.dxc, request.rasterized})
     text += flag ? '1' : '0';
   return text;
 }

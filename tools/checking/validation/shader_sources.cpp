@@ -336,6 +336,10 @@ CompileUnit ShaderSources::unit(const SourceProgram& program, const std::string&
   unit.compile.entry_place = place_of_entry(program.pragmas, entry, stage);
   unit.compile.dxc =
       variants::compiles_with_dxc(program.pragmas, variants::renderer_name(program.platform.api));
+  unit.compile.rasterized =
+      std::none_of(program.entries.begin(), program.entries.end(), [](const auto& named) {
+        return named.second == hlsl::Stage::hull || named.second == hlsl::Stage::geometry;
+      });
   unit.compile.prepare = true;
   unit.compile.vulkan = program.vulkan;
   const int target = variants::shader_target(program.pragmas, keywords);

@@ -262,7 +262,8 @@ class EntrySemantics {
       SemanticPlace& place = places_[i];
       const std::string name = system_value_of(place.semantic, entry_.stage, !place.output);
       const bool both = std::count(tokens_.begin(), tokens_.end(), tokens_[i]) > 1;
-      if (name.empty() || both) continue;
+      const bool read_by_name = entry_.stage == hlsl::Stage::vertex && !entry_.rasterized;
+      if (name.empty() || both || read_by_name) continue;
       const auto same = std::find_if(places_.begin(), places_.end(), [&](const SemanticPlace& other) {
         return other.output == place.output && semantic_key(other.semantic) == semantic_key(name) &&
                index_of(other.semantic) == index_of(name);

@@ -14,10 +14,12 @@
 namespace penumbra::preparation {
 
 // An entry point. `dxc`: compiled with Unity's `#pragma use_dxc`, whose compiler accepts more than FXC.
+// `rasterized`: the output of a vertex program goes to the rasterizer, not to a hull or geometry program.
 struct EntryPoint {
   std::string name;
   hlsl::Stage stage = hlsl::Stage::fragment;
   bool dxc = false;
+  bool rasterized = true;
 };
 
 // Cases with code that end without break or return (FXC X3533, X3537), `continue` of an enclosing loop within
@@ -34,7 +36,8 @@ void check_thread_group(TokenText& text, const EntryPoint& entry);
 // Inputs and outputs of the entry point without a semantic, or with one that its stage does not have: FXC
 // X3502, X4502. Reports nothing if there is no entry point of that name, or several. Returns where those with
 // a semantic are. Without DXC, Direct3D 9's names of system values are replaced (semantic_names.h): glslang
-// takes them for names of the user's own.
+// takes them for names of the user's own. The POSITION of a vertex program that is not rasterized is one: the
+// hull or geometry program reads it under that name.
 std::vector<SemanticPlace> check_entry_semantics(TokenText& text, const EntryPoint& entry);
 
 // An integer constant divided by a constant zero, which glslang's constant folding hides: FXC X4010.

@@ -268,9 +268,9 @@ PreprocessedSource expand(const CompileRequest& request, SourceMemory& memory) {
 
 void prepare(const CompileRequest& request, PreprocessedSource& expanded) {
   if (!request.prepare || expanded.text.empty()) return;
-  preparation::PreparedShader prepared =
-      preparation::prepare(std::move(expanded.text), request.file.string(),
-                           preparation::EntryPoint{request.entry, request.stage, request.dxc});
+  preparation::PreparedShader prepared = preparation::prepare(
+      std::move(expanded.text), request.file.string(),
+      preparation::EntryPoint{request.entry, request.stage, request.dxc, request.rasterized});
   expanded.text = std::move(prepared.text);
   expanded.semantics = std::move(prepared.semantics);
   for (preparation::Note& note : prepared.notes) {

@@ -41,6 +41,7 @@ struct CompileRequest {
   hlsl::TokenPlace entry_place{};              // of the #pragma that names the entry point; line 0: none
   bool half_is_16_bits = false;  // half and min16float are 16 bits wide (capability Float16), else 32
   bool dxc = false;  // #pragma use_dxc: HLSL that DXC accepts and FXC, Unity's default, rejects is accepted
+  bool rasterized = true;  // a vertex program's output goes to the rasterizer: no hull or geometry program
 };
 
 // A source after includes and macros, and after preparation if requested.

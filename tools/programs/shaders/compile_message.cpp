@@ -51,7 +51,8 @@ int read_place(ByteReader& in) {
 // too.
 void write(ByteWriter& out, const shaders::CompileRequest& request) {
   const auto& [file, text, entry, stage, defines, roots, directories, project, cginc_root, prepare, optimise,
-               debug_lines, keep_unoptimised, vulkan, entry_place, half_is_16_bits, dxc] = request;
+               debug_lines, keep_unoptimised, vulkan, entry_place, half_is_16_bits, dxc, rasterized] =
+      request;
   out.text(file.string());
   out.number(text ? 1 : 0);
   out.text(text.value_or(""));
@@ -75,6 +76,7 @@ void write(ByteWriter& out, const shaders::CompileRequest& request) {
   out.number(static_cast<std::uint64_t>(std::max(entry_place.column, 0)));
   out.number(half_is_16_bits ? 1 : 0);
   out.number(dxc ? 1 : 0);
+  out.number(rasterized ? 1 : 0);
 }
 
 void write(ByteWriter& out, const std::vector<Diagnostic>& diagnostics) {
@@ -121,6 +123,7 @@ CompileRequest read_compile_request(ByteReader& in) {
   request.entry_place.column = read_place(in);
   request.half_is_16_bits = in.flag();
   request.dxc = in.flag();
+  request.rasterized = in.flag();
   return request;
 }
 
