@@ -298,8 +298,8 @@ std::string record_table(const Results& results, const std::vector<PictureRow>& 
          "<div class=\"scroll\" role=\"region\" aria-label=\"All figures\" tabindex=\"0\">\n" +
          HtmlTable(results, pictures).html() +
          "</div>\n<p class=\"quiet\">± is half the width of the 95 % confidence interval, over the pixels of "
-         "a scene and, for means, also over the scenes. Where 0 or 100 % cuts the interval off, [a, b] gives "
-         "its ends. RMSE in penumbra is over the penumbra pixels only.</p>\n";
+         "a scene and, for means, also over the scenes. Where the interval is cut off at 0 or 100 %, "
+         "[a, b] gives its ends. RMSE in penumbra is over the penumbra pixels only.</p>\n";
 }
 
 }  // namespace penumbra::study

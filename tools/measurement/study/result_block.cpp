@@ -132,12 +132,11 @@ std::string command(const Results& results) {
 std::string how_to_read() {
   return fmt::format(
       "Errors and rates are measured against ray tracing. Each figure is a mean over the scenes ± half the "
-      "width of its 95 % confidence interval, which covers the choice of scenes and of pixels; where 0 or "
-      "100 % cuts the interval off, [a, b] gives its ends. Light leaks: share of the pixels in full shadow "
-      "whose visibility is above {}. False shadow: share of the fully lit pixels whose visibility is below "
-      "{}. Fetches in penumbrae: of the pixels in penumbra alone, where a technique that stops early does "
-      "all "
-      "its work.\n\n",
+      "width of its 95 % confidence interval, which covers the choice of scenes and of pixels; where the "
+      "interval is cut off at 0 or 100 %, [a, b] gives its ends. Light leaks: share of the pixels in full "
+      "shadow whose visibility is above {}. False shadow: share of the fully lit pixels whose visibility is "
+      "below {}. Fetches in penumbrae: fetches per pixel over the pixels in penumbra alone, where a "
+      "technique that can stop early does all its work.\n\n",
       kLeakAbove, kFalseShadowBelow);
 }
 
