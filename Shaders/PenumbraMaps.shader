@@ -13,18 +13,68 @@ Shader "Hidden/Penumbra/Maps"
             Name "VarianceRows"
             HLSLPROGRAM
             #pragma vertex ScreenTriangle
-            #pragma fragment VarianceRows
-            #include "MomentPasses.hlsl"
+            #pragma fragment MapRows
+            #include "VarianceMap.hlsl"
             ENDHLSL
         }
 
         Pass
         {
-            Name "MomentColumns"
+            Name "MomentRows"
             HLSLPROGRAM
             #pragma vertex ScreenTriangle
-            #pragma fragment MomentColumns
-            #include "MomentPasses.hlsl"
+            #pragma fragment MapRows
+            #include "MomentMap.hlsl"
+            ENDHLSL
+        }
+
+        Pass
+        {
+            Name "ExponentialRows"
+            HLSLPROGRAM
+            #pragma vertex ScreenTriangle
+            #pragma fragment MapRows
+            #include "ExponentialMap.hlsl"
+            ENDHLSL
+        }
+
+        Pass
+        {
+            Name "ExponentialVarianceRows"
+            HLSLPROGRAM
+            #pragma vertex ScreenTriangle
+            #pragma fragment MapRows
+            #include "ExponentialVarianceMap.hlsl"
+            ENDHLSL
+        }
+
+        Pass
+        {
+            Name "MapColumns"
+            HLSLPROGRAM
+            #pragma vertex ScreenTriangle
+            #pragma fragment MapColumns
+            #include "VarianceMap.hlsl"
+            ENDHLSL
+        }
+
+        Pass
+        {
+            Name "LogExponentialRows"
+            HLSLPROGRAM
+            #pragma vertex ScreenTriangle
+            #pragma fragment LogRows
+            #include "LogExponentialMap.hlsl"
+            ENDHLSL
+        }
+
+        Pass
+        {
+            Name "LogExponentialColumns"
+            HLSLPROGRAM
+            #pragma vertex ScreenTriangle
+            #pragma fragment LogColumns
+            #include "LogExponentialMap.hlsl"
             ENDHLSL
         }
     }

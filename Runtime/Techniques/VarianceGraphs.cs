@@ -28,7 +28,7 @@ namespace Penumbra
                 {
                     kind = PassKind.Raster,
                     asset = "Shaders/PenumbraMaps.shader",
-                    program = "MomentColumns",
+                    program = "MapColumns",
                     runs = PassFrequency.Cascade,
                     reads = new[] { GraphBinding.Texture("_PenumbraSourceTexture", 0) },
                     writes = new[] { GraphBinding.Texture(1) },
@@ -59,7 +59,7 @@ namespace Penumbra
                 {
                     kind = PassKind.Raster,
                     asset = "Shaders/PenumbraMaps.shader",
-                    program = "MomentColumns",
+                    program = "MapColumns",
                     runs = PassFrequency.Cascade,
                     reads = new[] { GraphBinding.Texture("_PenumbraSourceTexture", 0) },
                     writes = new[] { GraphBinding.Texture(1) },

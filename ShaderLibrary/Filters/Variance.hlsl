@@ -17,9 +17,6 @@
 #include "../Core/TileBounds.hlsl"
 #include "../Map/DepthMoments.hlsl"
 
-// Two blurs, their sums and one bilinear fetch, of the mean square and of the mean that is squared.
-static const float kRoundings = 16.0;
-
 // Rounding is relative to the mean square, and no finer than the format near 0.
 float RoundingVariance(float meanSquare, float precision)
 {

@@ -13,6 +13,9 @@
 #include "../Core/DepthConvention.hlsl"
 #include "../Core/FloatBits.hlsl"
 
+// Two blurs, their sums and one bilinear fetch, of the mean square and of the mean that is squared.
+static const float kRoundings = 16.0;
+
 float CentredDepth(float storedDepth)
 {
     return DepthGap(kNearestDepth, storedDepth) - 0.5;

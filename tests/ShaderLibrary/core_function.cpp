@@ -20,7 +20,7 @@ gpu::Device& device() {
 }
 
 std::string source(const CoreFunction& function) {
-  return "#include \"Platform/Platform.hlsl\"\n#include \"Core/" + function.file +
+  return "#include \"Platform/Platform.hlsl\"\n#include \"" + function.folder + "/" + function.file +
          ".hlsl\"\n"
          "StructuredBuffer<uint> inputs;\n"
          "RWStructuredBuffer<uint> outputs;\n"

@@ -1,4 +1,4 @@
-// Runs a pure function of ShaderLibrary/Core on the GPU over many inputs at once.
+// Runs a pure function of ShaderLibrary on the GPU over many inputs at once.
 //
 //   CoreFunction gap{"DepthConvention", "Out(0, DepthGap(In(0), In(1)));", 2, 1};
 //   std::vector<float> results = run(gap, DepthDirection::reversed, inputs);
@@ -17,11 +17,12 @@ enum class DepthDirection { conventional, reversed };
 constexpr DepthDirection kDepthDirections[] = {DepthDirection::conventional, DepthDirection::reversed};
 
 struct CoreFunction {
-  std::string file;       // of Core/, without its ending
+  std::string file;       // of `folder`, without its ending
   std::string statement;  // HLSL; reads In(i) or InInt(i), writes Out(i, float) or OutInt(i, int)
   int inputs = 1;         // words per case
   int outputs = 1;
   std::vector<std::pair<std::string, std::string>> defines = {};
+  std::string folder = "Core";  // of ShaderLibrary/
 };
 
 // One case after the other in `inputs`; results in the same order, on the software device when there is one.

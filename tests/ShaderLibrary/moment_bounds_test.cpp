@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "ShaderLibrary/core_function.h"
+#include "ShaderLibrary/depth_distribution.h"
 #include "ShaderLibrary/exactness.h"
 #include "ShaderLibrary/inputs.h"
 
@@ -11,41 +12,13 @@ namespace {
 const CoreFunction kBound{"MomentBounds", "Out(0, ChebyshevBound(float2(In(0), In(1)), In(2), In(3)));", 4,
                           1};
 
-struct Depths {
-  std::vector<double> at;
-  std::vector<double> share;
-
-  double mean(int power) const {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < at.size(); ++i) sum += share[i] * std::pow(at[i], power);
-    return sum;
-  }
-  double behind(double depth) const {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < at.size(); ++i) sum += at[i] >= depth ? share[i] : 0.0;
-    return sum;
-  }
-};
-
-Depths drawn(Random& random, int count) {
-  Depths depths;
-  double sum = 0.0;
-  for (int i = 0; i < count; ++i) {
-    depths.at.push_back(random.between(-0.5f, 0.5f));
-    depths.share.push_back(random.between(0.05f, 1.0f));
-    sum += depths.share.back();
-  }
-  for (double& share : depths.share) share /= sum;
-  return depths;
-}
-
 // An occluder and the receiver behind it: the bound is the receiver's share.
 TEST(MomentBounds, AreExactForTwoDepths) {
   Random random(31);
   std::vector<float> inputs;
   std::vector<double> shares;
   while (shares.size() < std::size_t(kRandomCases)) {
-    Depths depths = drawn(random, 2);
+    Depths depths = drawn(random, 0.5f, 2);
     std::sort(depths.at.begin(), depths.at.end());
     if (depths.at[1] - depths.at[0] < 0.05) continue;
     inputs.insert(inputs.end(), {static_cast<float>(depths.mean(1)), static_cast<float>(depths.mean(2)),
@@ -62,7 +35,7 @@ TEST(MomentBounds, AreBoundsForManyDepths) {
   std::vector<float> inputs;
   std::vector<double> shares;
   for (int i = 0; i < kRandomCases; ++i) {
-    const Depths depths = drawn(random, random.integer(2, 12));
+    const Depths depths = drawn(random, 0.5f, random.integer(2, 12));
     const double receiver = random.between(-0.5f, 0.5f);
     inputs.insert(inputs.end(), {static_cast<float>(depths.mean(1)), static_cast<float>(depths.mean(2)),
                                  static_cast<float>(receiver), 1e-12f});

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "resolve/graph_runner.h"
+#include "resolve/reference_bounds.h"
 #include "resolve/synthetic_frame.h"
 #include "resolve/test_device.h"
 
@@ -37,6 +38,42 @@ std::vector<Case> all_cases() {
     cases.push_back({technique.name, false});
   }
   return cases;
+}
+
+double value(const techniques::Technique& technique, const std::string& name) {
+  return technique.values.at(name)[0];
+}
+
+// Variance v of rounding: v / (v + g^2) = bleeding.
+double variance_gap(const techniques::Technique& technique, double receiver) {
+  const double u = value(technique, "precision");
+  const double centred = std::abs(receiver - 0.5);
+  const double variance = 16.0 * u * std::max(centred * centred, u);
+  return 1.5 * std::sqrt(variance * (1.0 / value(technique, "bleeding") - 1.0));
+}
+
+// exp(-c g) = bleeding; and the rounding of two blurs to 16 bits.
+double exponential_gap(const techniques::Technique& technique, double) {
+  return std::log(1.0 / value(technique, "bleeding")) / value(technique, "exponent") + 1e-4;
+}
+
+// Of a wall at exp(c z), rounding leaves the variance 16 u exp(2 c z).
+double exponential_variance_gap(const techniques::Technique& technique, double) {
+  const double variance = 16.0 * value(technique, "precision");
+  const double deviations = std::sqrt(variance * (1.0 / value(technique, "bleeding") - 1.0));
+  return 1.5 * std::log1p(deviations) / value(technique, "positiveExponent");
+}
+
+double moments_gap(const techniques::Technique& technique, double receiver) {
+  using testing_bounds::Real;
+  const Real z = 2.0 * receiver - 1.0;
+  double gap = 0.0;
+  const auto bound = [&](Real wall) {
+    return testing_bounds::hamburger({wall, wall * wall, wall * wall * wall, wall * wall * wall * wall}, z,
+                                     value(technique, "mix"));
+  };
+  while (gap < receiver && bound(z - 2.0 * gap) > value(technique, "bleeding")) gap += 1e-4;
+  return 1.5 * gap;
 }
 
 class EveryFilter : public testing::TestWithParam<Case> {
@@ -77,16 +114,17 @@ class EveryFilter : public testing::TestWithParam<Case> {
         technique_shader(library_techniques(), technique(), Taps::as_listed, GetParam().reversed_z));
   }
 
-  // How near a wall may be to the receiver, in the map's range, to be told from it. Raw depths tell any gap.
-  // Of a variance map, the gap g for which the variance that rounding leaves, v, still gives a bound v / (v +
-  // g^2) that the reduction of bleeding makes dark.
+  // How near a wall may be to the receiver, in the map's range, to be told from it. Raw depths tell any gap,
+  // a filtered map one whose bound the reduction of bleeding makes dark.
   double smallest_gap(double receiver) const {
-    const auto precision = technique().values.find("precision");
-    if (precision == technique().values.end()) return 0.0;
-    const double u = precision->second[0], bleeding = technique().values.at("bleeding")[0];
-    const double centred = std::abs(receiver - 0.5);
-    const double variance = 16.0 * u * std::max(centred * centred, u);
-    return 1.5 * std::sqrt(variance * (1.0 / bleeding - 1.0));
+    const std::map<std::string, double (*)(const techniques::Technique&, double)> gaps{
+        {"variance", variance_gap},
+        {"exponential", exponential_gap},
+        {"log-exponential", exponential_gap},
+        {"exponential-variance", exponential_variance_gap},
+        {"moments", moments_gap}};
+    const auto found = gaps.find(technique().family);
+    return found == gaps.end() ? 0.0 : found->second(technique(), receiver);
   }
 
   std::vector<float> visibility(const scene::Frame& frame, const UniformValues& parameters = {}) const {
@@ -154,7 +192,8 @@ TEST_P(EveryFilter, IsExactlyLitWithoutBlockers) {
 
 TEST_P(EveryFilter, IsExactlyDarkBehindAWall) {
   // The wall stands just in front, so that its penumbra is narrow and the tile's edge is far away in it.
-  const auto map = [this](double, double, int) { return static_cast<float>(depth(0.49)); };
+  const double gap = std::max(0.01, smallest_gap(0.5));
+  const auto map = [=, this](double, double, int) { return static_cast<float>(depth(0.5 - gap)); };
   expect_all(visibility(setup(), map, grid(depth(0.5))), 0.0f, "near wall");
   const auto nearest_map = [this](double, double, int) { return nearest(); };
   expect_all(visibility(setup(), nearest_map, grid(depth(0.5))), 0.0f, "wall at the near plane");

@@ -72,6 +72,8 @@ namespace UnityEngine.Experimental.Rendering
     {
         None = 0,
         R8_UNorm = 5,
+        R16_UNorm = 21,
+        R16G16B16A16_UNorm = 24,
         R32_UInt = 37,
         R16_SFloat = 45,
         R16G16_SFloat = 46,

@@ -1,15 +1,16 @@
-// Penumbra: the passes that make maps of moments.
+// Penumbra: the passes that make maps which may be filtered.
 //
-// Computes:   moments of depth, blurred by a separable Gaussian: rows from the shadow map itself, then columns.
-// Source:     Map/DepthMoments.hlsl, Map/MapBlur.hlsl.
+// Computes:   values of depth, blurred by a separable Gaussian: rows from the shadow map itself, then columns.
+// Source:     Map/MapBlur.hlsl.
 // Inputs:     _MainLightShadowmapTexture  the shadow map, of the target's size
 //             _PenumbraSourceTexture      of the columns: the rows
 //             _PenumbraTile               the cascade's tile in the target: x, y, width, height in texels
+//             MapValue                    a function of the including file: the value that a depth becomes
 // Cost:       1 + 2 ceil(2.5 deviation) fetches in each of the two.
 // Guarantees: nothing outside of the tile is read.
 // Use it:     as passes that run for each cascade. Not: over the screen.
-#ifndef PENUMBRA_MOMENT_PASSES_HLSL
-#define PENUMBRA_MOMENT_PASSES_HLSL
+#ifndef PENUMBRA_MAP_PASSES_HLSL
+#define PENUMBRA_MAP_PASSES_HLSL
 
 #include "ScreenPass.hlsl"
 #include "../ShaderLibrary/Filters/MapBlurParameters.hlsl"
@@ -20,29 +21,31 @@
 float4 _PenumbraTile;
 float4 _PenumbraMapBlurParameters0;
 
+float4 MapValue(float storedDepth);
+
 float MapDeviation()
 {
     const MapBlurParameters parameters = UnpackMapBlurParameters(_PenumbraMapBlurParameters0);
     return BoundedOrLow(parameters.deviation, 0.0, kLargestMapDeviation);
 }
 
-float4 VarianceRows(ScreenVaryings input) : SV_Target
+float4 MapRows(ScreenVaryings input) : SV_Target
 {
     const float deviation = MapDeviation();
     const int reach = MapBlurReach(deviation);
-    float2 sum = float2(0.0, 0.0);
+    float4 sum = float4(0.0, 0.0, 0.0, 0.0);
     float weights = 0.0;
     for (int i = -reach; i <= reach; ++i)
     {
         const int2 texel = MapBlurTexel(int2(input.positionCS.xy), int2(i, 0), _PenumbraTile);
         const float weight = MapBlurWeight(i, deviation);
-        sum += weight * DepthMoments(LOAD_TEXTURE2D(_MainLightShadowmapTexture, texel).x);
+        sum += weight * MapValue(LOAD_TEXTURE2D(_MainLightShadowmapTexture, texel).x);
         weights += weight;
     }
-    return float4(sum / weights, 0.0, 0.0);
+    return sum / weights;
 }
 
-float4 MomentColumns(ScreenVaryings input) : SV_Target
+float4 MapColumns(ScreenVaryings input) : SV_Target
 {
     const float deviation = MapDeviation();
     const int reach = MapBlurReach(deviation);

@@ -1,0 +1,71 @@
+using UnityEngine.Experimental.Rendering;
+
+namespace Penumbra
+{
+    // Written by `penumbra validate --emit-graphs` from ShaderLibrary/Filters/ExponentialVariance.technique.json; do not edit.
+    /// <summary>The manifest's graphs; passes are listed in the order in which they run.</summary>
+    internal static class ExponentialVarianceGraphs
+    {
+        internal static readonly TechniqueGraph ExponentialVariance32 = new TechniqueGraph
+        {
+            name = "exponential-variance-32",
+            textures = new[]
+            {
+                new GraphTexture("rows", GraphExtent.Map, GraphicsFormat.R32G32B32A32_SFloat),
+                new GraphTexture("moments", GraphExtent.Map, GraphicsFormat.R32G32B32A32_SFloat),
+            },
+            passes = new[]
+            {
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraMaps.shader",
+                    program = "ExponentialVarianceRows",
+                    runs = PassFrequency.Cascade,
+                    writes = new[] { GraphBinding.Texture(0) },
+                },
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraMaps.shader",
+                    program = "MapColumns",
+                    runs = PassFrequency.Cascade,
+                    reads = new[] { GraphBinding.Texture("_PenumbraSourceTexture", 0) },
+                    writes = new[] { GraphBinding.Texture(1) },
+                },
+            },
+            filterTextures = new[] { GraphBinding.Texture("_PenumbraMomentsTexture", 1) },
+        };
+
+        internal static readonly TechniqueGraph ExponentialVariance16 = new TechniqueGraph
+        {
+            name = "exponential-variance-16",
+            textures = new[]
+            {
+                new GraphTexture("rows", GraphExtent.Map, GraphicsFormat.R16G16B16A16_SFloat),
+                new GraphTexture("moments", GraphExtent.Map, GraphicsFormat.R16G16B16A16_SFloat),
+            },
+            passes = new[]
+            {
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraMaps.shader",
+                    program = "ExponentialVarianceRows",
+                    runs = PassFrequency.Cascade,
+                    writes = new[] { GraphBinding.Texture(0) },
+                },
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraMaps.shader",
+                    program = "MapColumns",
+                    runs = PassFrequency.Cascade,
+                    reads = new[] { GraphBinding.Texture("_PenumbraSourceTexture", 0) },
+                    writes = new[] { GraphBinding.Texture(1) },
+                },
+            },
+            filterTextures = new[] { GraphBinding.Texture("_PenumbraMomentsTexture", 1) },
+        };
+    }
+}

@@ -1,0 +1,40 @@
+// Distributions of depth of which every moment, and the share at or behind any depth, is known.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "ShaderLibrary/inputs.h"
+
+namespace penumbra::shader_library_tests {
+
+struct Depths {
+  std::vector<double> at;
+  std::vector<double> share;
+
+  double mean(int power) const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < at.size(); ++i) sum += share[i] * std::pow(at[i], power);
+    return sum;
+  }
+  double behind(double depth) const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < at.size(); ++i) sum += at[i] >= depth ? share[i] : 0.0;
+    return sum;
+  }
+};
+
+// `count` depths in [-extent, extent], each with at least a twentieth of the largest share.
+inline Depths drawn(Random& random, float extent, int count) {
+  Depths depths;
+  double sum = 0.0;
+  for (int i = 0; i < count; ++i) {
+    depths.at.push_back(random.between(-extent, extent));
+    depths.share.push_back(random.between(0.05f, 1.0f));
+    sum += depths.share.back();
+  }
+  for (double& share : depths.share) share /= sum;
+  return depths;
+}
+
+}  // namespace penumbra::shader_library_tests
