@@ -153,6 +153,8 @@ TEST_F(IncludeSearchTest, NothingOutsideOfTheRootsIsFound) {
     EXPECT_THAT(search.problem, testing::Not(testing::HasSubstr("did you mean")))
         << "what is elsewhere is not told";
   }
+  EXPECT_THAT(find("Link.hlsl").problem,
+              testing::StartsWith("'Link.hlsl' leads through a symbolic link outside of the project"));
   EXPECT_FALSE(find("link.HLSL").file) << "a name that differs only in case";
   roots.directories.push_back(elsewhere.path());
   EXPECT_EQ(find(secret).file, secret);

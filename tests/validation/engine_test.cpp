@@ -102,6 +102,19 @@ TEST_F(Engine, ResultsDoNotDependOnHowTheyCameAbout) {
   }
 }
 
+// A text for different targets is two units; the second may find what the first has just kept.
+TEST_F(Engine, ResultsOfTheSameRunAreNotCached) {
+  files_.write("Broken.hlsl", "float4 Main() : SV_Target { return missing; }\n");
+  units_.clear();
+  const CompileUnit whole = fragment_unit(files_.path("Broken.hlsl"));
+  for (const std::string& target : whole.targets) {
+    units_.push_back(whole);
+    units_.back().targets = {target};
+  }
+  EXPECT_EQ(cached_count(run(cached())), 0U);
+  EXPECT_EQ(cached_count(run(cached())), units_.size());
+}
+
 TEST_F(Engine, StatusesAreByTarget) {
   const EngineRun result = run();
   EXPECT_THAT(statuses(result.results[0]), ElementsAre(passed, passed, passed));

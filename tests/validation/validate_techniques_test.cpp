@@ -55,6 +55,18 @@ TEST(Validate, EveryTechniqueOfTheLibraryPassesEveryTarget) {
   EXPECT_LE(report.unique, expected);
 }
 
+TEST(Validate, AFunctionThatDoesNotExistIsReportedWithItsManifest) {
+  ValidationRequest request = library_request();
+  techniques::Technique technique = request.techniques->find("hard");
+  for (techniques::GraphPass& pass : technique.graph.passes)
+    if (pass.filter) pass.filter->function += "s";
+  request.techniques->techniques = {technique};
+  const ValidationReport report = validate(request);
+  ASSERT_GT(report.count(VariantStatus::failed), 0U);
+  EXPECT_THAT(report_text(report), testing::ContainsRegex("HardTest.technique.json:[0-9]+:[0-9]+ .fragment "
+                                                          "entry.:[0-9]+:[0-9]+: error: unknown function"));
+}
+
 TEST(Validate, EachVersionOfVulkanHasItsOwnAnswer) {
   const ShaderFiles files;
   files.write("f.hlsl", "float4 Main(float2 u : TEXCOORD0) : SV_Target { return WaveActiveSum(u.x); }\n");

@@ -66,7 +66,10 @@ SourceVariant technique_variant(const ValidationRequest& request, const techniqu
   compile = base_request(request, keywords);
   for (const std::filesystem::path& folder : list.include_directories())
     compile.include_directories.push_back(folder);
-  compile.file = "technique " + technique.name + " (" + hlsl::stage_name(stage) + " entry)";
+  // Without a folder, which would be searched for includes.
+  const std::string manifest = std::filesystem::path(technique.where).filename().string();
+  compile.file =
+      "technique " + technique.name + " of " + manifest + " (" + hlsl::stage_name(stage) + " entry)";
   compile.text = "#include \"Platform/Platform.hlsl\"\n" + call.includes +
                  "#include \"Core/ShadowStructs.hlsl\"\n" + call.declarations + call.function +
                  (stage == hlsl::Stage::fragment ? fragment_entry : compute_entry);

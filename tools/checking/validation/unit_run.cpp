@@ -195,7 +195,20 @@ const UnitRun::State& UnitRun::with_module_of(const CompileUnit& unit, const Sta
   return states_[modules_.at(emitted_key(context_, unit, compiled.reply.compile->module_key))];
 }
 
-UnitResult UnitRun::result_of(std::size_t place) const {
+// A result that another worker of this run has just kept was not computed in an earlier run.
+UnitRun::ComputedNow UnitRun::computed_now() const {
+  ComputedNow now;
+  for (std::size_t place = 0; place < own_.size(); ++place) {
+    const UnitReply& reply = states_[place].reply;
+    if (!reply.compile) continue;
+    if (!reply.compile_cached) now.texts.insert(reply.text_key);
+    if (reply.emitted && !reply.emitted_cached)
+      now.modules.insert(emitted_key(context_, unit(place), reply.compile->module_key));
+  }
+  return now;
+}
+
+UnitResult UnitRun::result_of(std::size_t place, const ComputedNow& now) const {
   const CompileUnit& unit = this->unit(place);
   const State& compiled = with_text_of(place);
   UnitResult result;
@@ -204,11 +217,12 @@ UnitResult UnitRun::result_of(std::size_t place) const {
   result.text_key = states_[place].reply.text_key;
   result.dependencies = states_[place].reply.dependencies;
   add_compile_answer(unit, compiled, result);
-  if (result.module_key.empty()) {
-    result.cached = compiled.reply.compile_cached;
-  } else {
+  result.cached = compiled.reply.compile_cached && !now.texts.contains(compiled.reply.text_key);
+  if (!result.module_key.empty()) {
     const State& emitted = with_module_of(unit, compiled);
-    result.cached = compiled.reply.compile_cached && (!emits(unit) || emitted.reply.emitted_cached);
+    if (emits(unit))
+      result.cached = result.cached && emitted.reply.emitted_cached &&
+                      !now.modules.contains(emitted_key(context_, unit, result.module_key));
     add_emitted_answers(unit, compiled, emitted, result);
   }
   for (TargetResult& target : result.targets)
@@ -275,10 +289,11 @@ EngineRun UnitRun::take() const {
   EngineRun run;
   std::set<std::string> texts;
   std::set<std::string> modules;
+  const ComputedNow now = computed_now();
   for (std::size_t place = 0; place < own_.size(); ++place) {
     const UnitReply& reply = states_[place].reply;
     if (reply.compile && !reply.text_key.empty() && !reply.compile_cached) ++run.compiled;
-    run.results.push_back(result_of(place));
+    run.results.push_back(result_of(place, now));
     if (!run.results.back().text_key.empty()) texts.insert(run.results.back().text_key);
     if (!run.results.back().module_key.empty()) modules.insert(run.results.back().module_key);
   }

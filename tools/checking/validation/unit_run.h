@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -55,7 +56,13 @@ class UnitRun final : public platform::WorkSource {
   const std::filesystem::path& keep_folder();
   const State& with_text_of(std::size_t place) const;
   const State& with_module_of(const CompileUnit& unit, const State& compiled) const;
-  UnitResult result_of(std::size_t place) const;
+  // Keys of the texts and modules whose results are not of an earlier run.
+  struct ComputedNow {
+    std::set<std::string> texts;
+    std::set<std::string> modules;
+  };
+  ComputedNow computed_now() const;
+  UnitResult result_of(std::size_t place, const ComputedNow& now) const;
   void add_compile_answer(const CompileUnit& unit, const State& compiled, UnitResult& result) const;
   void add_emitted_answers(const CompileUnit& unit, const State& compiled, const State& emitted,
                            UnitResult& result) const;

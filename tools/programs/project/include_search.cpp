@@ -141,8 +141,11 @@ std::string nearest_file(const std::vector<Place>& tried, const IncludeBounds& b
 
 // Does not check whether the file exists.
 std::string outside_message(std::string_view asked, const fs::path& file) {
-  return "'" + std::string(asked) + "' leads to " + file.string() +
-         ", outside of the project, the packages, the include folders and the shader's own repository or "
+  std::error_code error;
+  const bool linked = fs::weakly_canonical(file, error) != fs::absolute(file, error).lexically_normal();
+  const std::string to = linked ? "through a symbolic link" : "to " + file.string() + ",";
+  return "'" + std::string(asked) + "' leads " + to +
+         " outside of the project, the packages, the include folders and the shader's own repository or "
          "folder; if it may be read, name its folder as an include folder (-I DIR of validate and cost)";
 }
 

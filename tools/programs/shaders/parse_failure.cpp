@@ -69,9 +69,24 @@ hlsl::Diagnostic at_directive(LogLine line, const hlsl::SourceFiles& sources) {
   return {line.file, line.line, column_of_directive(line, text), line.severity, message, text};
 }
 
+// Of the '"' that is not closed; 0 if every one is.
+int column_of_open_quote(const std::string& text) {
+  std::size_t open = std::string::npos;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text[at] == '\\') {
+      ++at;  // escapes the next character
+    } else if (text[at] == '"') {
+      open = open == std::string::npos ? at : std::string::npos;
+    }
+  }
+  return open == std::string::npos ? 0 : static_cast<int>(open) + 1;
+}
+
 hlsl::Diagnostic at_line(const LogLine& line, const hlsl::SourceFiles& sources) {
-  if (of_preprocessor(line)) return at_directive(line, sources);
   const std::string text = sources.line(line.file, line.line);
+  if (line.message == "End of line in string")
+    return {line.file, line.line, column_of_open_quote(text), line.severity, sentence(line, {}), text};
+  if (of_preprocessor(line)) return at_directive(line, sources);
   const int column = line.message == "Expected" ? 0 : column_of(line.token, text);
   return {line.file, line.line, column, line.severity, sentence(line, {}), text};
 }

@@ -25,7 +25,7 @@ struct Phrase {
   std::string_view words;
 };
 
-constexpr std::array<Phrase, 43> phrases{{
+constexpr std::array<Phrase, 45> phrases{{
     {"assign", "l-value required (can't modify a const)", "the left side of '=' is const"},
     {"assign", "l-value required", "the left side of '=' cannot be written$"},
     {"", "l-value required", "'%' needs a variable that can be written$"},
@@ -67,6 +67,10 @@ constexpr std::array<Phrase, 43> phrases{{
      "Macro redefined; function-like versus object-like:", "macro '$' is already defined differently"},
     {"#define", "must be followed by macro name", "'#define' names no macro"},
     {"#include", "must be followed by a header name", "'#include' needs a \"file\" or a <file>"},
+    {"#if", "unexpected tokens following directive",
+     "the condition of '#if' ends before its line does; conditions have no '?:'"},
+    {"#elif", "unexpected tokens following directive",
+     "the condition of '#elif' ends before its line does; conditions have no '?:'"},
     {"#elif", "#elif after #else", "'#elif' comes after '#else'"},
     {"#else", "#else after #else", "'#else' comes after another '#else'"},
     {"", "expected: SamplerComparisonState",
