@@ -11,15 +11,11 @@
 #include "parameters/half_angle.h"
 #include "parameters/light_axes.h"
 #include "parameters/settings_check.h"
+#include "parameters/split_tiles.h"
 
 namespace penumbra::parameters {
 
 namespace {
-
-struct Sphere {
-  glm::dvec3 centre;
-  double radius = 0.0;
-};
 
 // The smallest sphere around the part of the view frustum between two distances. Its centre lies on the view
 // axis; c is where the near and the far corners are equally far, unless that is beyond the far plane, where
@@ -30,7 +26,7 @@ struct Sphere {
 //    \__  .    |      |far corner  - c|^2 = (f - c)^2 + k^2 f^2
 //       \______|
 // The radius depends on the lens and the split alone, so turning the camera never changes a texel's size.
-Sphere sphere_around(const Camera& camera, double near_distance, double far_distance) {
+SplitSphere sphere_around(const Camera& camera, double near_distance, double far_distance) {
   const double tan_half = parameters::tan_half(camera.fov_y_degrees);
   const double k2 = tan_half * tan_half * (1.0 + camera.aspect * camera.aspect);
   const double middle = 0.5 * (near_distance + far_distance) * (1.0 + k2);
@@ -38,15 +34,6 @@ Sphere sphere_around(const Camera& camera, double near_distance, double far_dist
   const double radius = std::sqrt((far_distance - c) * (far_distance - c) + k2 * far_distance * far_distance);
   return {camera.position + glm::normalize(camera.forward) * c, radius};
 }
-
-// The part of the world that one tile shows, in light space: a square of side 2 * half_extent, and a depth
-// interval.
-struct TileBox {
-  glm::dvec2 centre;
-  double half_extent = 0.0;
-  double near_depth = 0.0;
-  double far_depth = 0.0;
-};
 
 struct LightBounds {
   glm::dvec3 minimum;
@@ -96,20 +83,18 @@ void place_depth(const ShadowSettings& settings, const LightBounds* casters, dou
 // edges stand still. A margin on each side keeps the square's content inside after rounding: h = r + m texel
 // and texel = 2 h / n give h = r n / (n - 2 m).
 void snap(int tile_resolution, TileBox& box) {
-  box.half_extent *= tile_resolution / (tile_resolution - 2.0 * kSnapMarginTexels);
+  box.half_extent *= tile_resolution / (tile_resolution - 2.0 * box.margin_texels);
   const double texel = 2.0 * box.half_extent / tile_resolution;
   box.centre = glm::floor(box.centre / texel + (0.5 + kSnapTieTexels)) * texel;
 }
 
-TileBox fit_tile(const LightAxes& axes, const ShadowSettings& settings, const Sphere& sphere,
-                 int tile_resolution) {
+TileBox fit_tile(const LightAxes& axes, const ShadowSettings& settings, const SplitSphere& sphere) {
   const glm::dvec3 centre = axes.into(sphere.centre);
   TileBox box{glm::dvec2(centre), sphere.radius, 0.0, 0.0};
   std::optional<LightBounds> casters;
   if (settings.caster_bounds) casters = into_light(axes, *settings.caster_bounds);
   if (casters && settings.fit_to_bounds) tighten_to(*casters, box);
   place_depth(settings, casters ? &*casters : nullptr, centre.z, sphere.radius, box);
-  snap(tile_resolution, box);
   return box;
 }
 
@@ -240,46 +225,59 @@ std::string why_not_emittable(const Cascade& cascade) {
   return {};
 }
 
-CascadeSet fit_cascades(const Camera& camera, const Light& light, const ShadowSettings& settings) {
+std::vector<SplitTile> split_tiles(const Camera& camera, const Light& light, const ShadowSettings& settings) {
   if (const auto problem = find_problem(camera, light, settings)) {
     throw InputError("", problem->key.substr(1) + " " + problem->problem, problem->way_out);
   }
-  const AtlasLayout layout = atlas_layout(settings.resolution, settings.cascades);
   const LightAxes axes = axes_of(light.direction);
+  const auto splits = effective_splits(settings);
+  const double distance = std::min(settings.distance_metres, camera.far_plane);
+  std::vector<SplitTile> tiles;
+  double begin = camera.near_plane;
+  for (int i = 0; i < settings.cascades; ++i) {
+    const bool last = i + 1 == settings.cascades;
+    const double end = last ? distance : splits[static_cast<std::size_t>(i)] * distance;
+    const SplitSphere sphere = sphere_around(camera, begin, end);
+    tiles.push_back({sphere, fit_tile(axes, settings, sphere), axes});
+    begin = end;
+  }
+  return tiles;
+}
+
+CascadeSet placed(const std::vector<SplitTile>& tiles, const Light& light, const ShadowSettings& settings) {
+  const AtlasLayout layout = atlas_layout(settings.resolution, settings.cascades);
   CascadeSet set{.reversed_z = settings.reversed_z,
                  .clip_depth = settings.clip_depth,
                  .angular_diameter_degrees = light.angular_diameter_degrees,
-                 .light_direction = axes.forward,
+                 .light_direction = axes_of(light.direction).forward,
                  .atlas_width = layout.width,
                  .atlas_height = layout.height,
                  .tile_resolution = layout.tile_resolution,
                  .depth_range_source = {},
                  .cascades = {}};
-
-  const auto splits = effective_splits(settings);
-  const double distance = std::min(settings.distance_metres, camera.far_plane);
-  double begin = camera.near_plane;
   double largest_diameter = 0.0;
-  for (int i = 0; i < settings.cascades; ++i) {
-    const bool last = i + 1 == settings.cascades;
-    const double end = last ? distance : splits[static_cast<std::size_t>(i)] * distance;
-    const Sphere sphere = sphere_around(camera, begin, end);
+  for (const SplitTile& tile : tiles) {
     Cascade cascade;
-    cascade.index = i;
-    cascade.offset_scale = tile_rectangle(layout, i);
-    cascade.split_sphere = glm::dvec4(sphere.centre, sphere.radius);
-    place_matrices(axes, fit_tile(axes, settings, sphere, layout.tile_resolution), set, cascade);
+    cascade.index = static_cast<int>(set.cascades.size());
+    cascade.offset_scale = tile_rectangle(layout, cascade.index);
+    cascade.split_sphere = glm::dvec4(tile.sphere.centre, tile.sphere.radius);
+    TileBox box = tile.box;
+    snap(layout.tile_resolution, box);
+    place_matrices(tile.axes, box, set, cascade);
     derive_scales(set, settings, cascade);
     if (const std::string why = why_not_emittable(cascade); !why.empty()) {
-      throw InputError("", fmt::format("cascade {} cannot be represented: {}", i, why),
+      throw InputError("", fmt::format("cascade {} cannot be represented: {}", cascade.index, why),
                        "the caster bounds, the angle of view or the light's diameter are extreme");
     }
     set.cascades.push_back(cascade);
-    largest_diameter = std::max(largest_diameter, 2.0 * sphere.radius);
-    begin = end;
+    largest_diameter = std::max(largest_diameter, 2.0 * tile.sphere.radius);
   }
   set.depth_range_source = describe_depth_range(settings, largest_diameter);
   return set;
+}
+
+CascadeSet fit_cascades(const Camera& camera, const Light& light, const ShadowSettings& settings) {
+  return placed(split_tiles(camera, light, settings), light, settings);
 }
 
 }  // namespace penumbra::parameters
