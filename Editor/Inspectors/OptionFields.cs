@@ -52,6 +52,11 @@ namespace Penumbra.Editor
             nameof(ShadowOptions.denoise), OptionTable.Denoise.Label, OptionTable.Denoise.Tooltip,
             options => options.SamplesPenumbrae, volume => volume.denoise);
 
+        /// <summary>Not part of any preset.</summary>
+        internal static readonly OptionField CascadeBlend = new OptionField(
+            nameof(ShadowOptions.cascadeBlend), OptionTable.CascadeBlend.Label, OptionTable.CascadeBlend.Tooltip,
+            options => true, volume => volume.cascadeBlend);
+
         /// <summary>Not part of any preset; set by the feature unless a Volume overrides it.</summary>
         internal static readonly OptionField DebugView = new OptionField(
             nameof(ShadowOptions.debugView), OptionTable.DebugView.Label, OptionTable.DebugView.Tooltip,

@@ -23,6 +23,8 @@ namespace Penumbra.Editor
             EditorGUILayout.PropertyField(settings.FindPropertyRelative(nameof(PenumbraShadowsSettings.sceneView)));
             EditorGUILayout.PropertyField(
                 settings.FindPropertyRelative(nameof(PenumbraShadowsSettings.reflectionProbes)));
+            EditorGUILayout.PropertyField(settings.FindPropertyRelative(nameof(PenumbraShadowsSettings.cascadeBlend)),
+                                          OptionFields.CascadeBlend.label);
             EditorGUILayout.PropertyField(settings.FindPropertyRelative(nameof(PenumbraShadowsSettings.debugView)),
                                           OptionFields.DebugView.label);
             serializedObject.ApplyModifiedProperties();

@@ -13,6 +13,7 @@ namespace Penumbra.Editor
             new Dictionary<OptionField, SerializedDataParameter>();
 
         private SerializedDataParameter preset;
+        private SerializedDataParameter cascadeBlend;
         private SerializedDataParameter debugView;
         private LookOverride look;
 
@@ -25,6 +26,7 @@ namespace Penumbra.Editor
             preset = Unpack(serializedObject.FindProperty(nameof(PenumbraShadowsVolume.preset)));
             foreach (OptionField option in OptionFields.All)
                 if (option.IsInVolume) options[option] = Unpack(serializedObject.FindProperty(option.name));
+            cascadeBlend = Unpack(serializedObject.FindProperty(OptionFields.CascadeBlend.name));
             debugView = Unpack(serializedObject.FindProperty(OptionFields.DebugView.name));
             look = new LookOverride(serializedObject);
             renderers = null;
@@ -40,6 +42,7 @@ namespace Penumbra.Editor
             ShowLook();
             foreach (OptionField option in OptionFields.All)
                 if (VolumeAdvice.Shows(option, state.volume)) PropertyField(options[option], option.label);
+            PropertyField(cascadeBlend, OptionFields.CascadeBlend.label);
             PropertyField(debugView, OptionFields.DebugView.label);
             foreach (Advice advice in VolumeAdvice.For(state)) EditorGUILayout.HelpBox(advice.text, advice.type);
         }

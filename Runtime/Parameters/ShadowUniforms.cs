@@ -15,7 +15,8 @@ namespace Penumbra
         /// <summary>_PenumbraMainLightAtlasTexelSize: 1/width, 1/height, width, height.</summary>
         public readonly Vector4 MainLightAtlasTexelSize;
 
-        /// <summary>_PenumbraMainLightParams: cascade count, tan(a/2), frame index of the noise, 0.</summary>
+        /// <summary>_PenumbraMainLightParams: cascade count, tan(a/2), frame index of the noise, border between
+        /// cascades.</summary>
         public readonly Vector4 MainLightParams;
 
         /// <summary>Of the technique _PENUMBRA_PCSS.</summary>
@@ -33,7 +34,8 @@ namespace Penumbra
         {
             MainLightAtlasTexelSize = layout.TexelSize;
             MainLightParams = new Vector4(layout.Cascades, AngularDiameter.TanHalf(parameters.AngularDiameterDegrees),
-                                          frameIndex & (NoiseFrames - 1), 0.0f);
+                                          frameIndex & (NoiseFrames - 1),
+                                          Bounded.OrLow(parameters.CascadeBorder, 0.0f, 1.0f));
             PcssAngular = new PcssAngularParameters
             {
                 blockerSamples = parameters.BlockerSamples,

@@ -37,6 +37,11 @@ namespace Penumbra
         public float SearchRadiusMetres;
 
         /// <summary>
+        /// Border in which a cascade is dithered with the next: share of the split sphere's radius, 0 to 1.
+        /// </summary>
+        public float CascadeBorder;
+
+        /// <summary>
         /// HDRP: angular diameter of the blocker search, degrees, 0 to 90; not less than the light's.
         /// </summary>
         public float HdrpSearchDegrees;

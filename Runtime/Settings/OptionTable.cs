@@ -100,6 +100,17 @@ namespace Penumbra
                 "Smooths the grain of the samples along surfaces, but not across edges.";
         }
 
+        internal static class CascadeBlend
+        {
+            internal const string Label = "Cascade Blend";
+            internal const string Tooltip =
+                "Width of the border in which a cascade is dithered with the next, as a share of the cascade's " +
+                "radius, 0 to 0.5. It hides the line between cascades; its noise needs Denoise or temporal " +
+                "antialiasing. 0: none.";
+            internal const float Min = 0.0f;
+            internal const float Max = 0.5f;
+        }
+
         internal static class DebugView
         {
             internal const string Label = "Debug View";

@@ -38,6 +38,11 @@ namespace Penumbra
         [Tooltip("Draws these shadows in realtime reflection probes too: six images each, seldom worth the cost.")]
         public bool reflectionProbes;
 
+        /// <summary>Border in which a cascade is dithered with the next, for every preset.</summary>
+        [Tooltip(OptionTable.CascadeBlend.Tooltip)]
+        [Range(OptionTable.CascadeBlend.Min, OptionTable.CascadeBlend.Max)]
+        public float cascadeBlend;
+
         [Tooltip(OptionTable.DebugView.Tooltip)]
         public DebugView debugView;
 
@@ -72,6 +77,7 @@ namespace Penumbra
             ShadowOptions options = preset == QualityPreset.Custom
                                         ? custom
                                         : ShadowPresets.Options(preset).Under(angularDiameterDegrees, softnessCapMetres);
+            options.cascadeBlend = cascadeBlend;
             options.debugView = debugView;
             return options.Clamped();
         }

@@ -52,6 +52,10 @@ namespace Penumbra
         [Tooltip(OptionTable.Denoise.Tooltip)]
         public BoolParameter denoise = new BoolParameter(true);
 
+        [Tooltip(OptionTable.CascadeBlend.Tooltip)]
+        public ClampedFloatParameter cascadeBlend = new ClampedFloatParameter(0.1f, OptionTable.CascadeBlend.Min,
+                                                                              OptionTable.CascadeBlend.Max);
+
         [Tooltip(OptionTable.DebugView.Tooltip)]
         public DebugViewParameter debugView = new DebugViewParameter(DebugView.None);
 
@@ -75,6 +79,7 @@ namespace Penumbra
                 ShadowOptions before = options;
                 options = ShadowPresets.Options(preset.value)
                     .Under(before.angularDiameterDegrees, before.softnessCapMetres);
+                options.cascadeBlend = before.cascadeBlend;
                 options.debugView = before.debugView;
             }
             if (angularDiameterDegrees.overrideState) options.angularDiameterDegrees = angularDiameterDegrees.value;
@@ -85,6 +90,7 @@ namespace Penumbra
             if (mask.overrideState) options.mask = mask.value;
             if (halfResolution.overrideState) options.halfResolution = halfResolution.value;
             if (denoise.overrideState) options.denoise = denoise.value;
+            if (cascadeBlend.overrideState) options.cascadeBlend = cascadeBlend.value;
             if (debugView.overrideState) options.debugView = debugView.value;
             return options.Clamped();
         }

@@ -66,6 +66,14 @@ namespace Penumbra
             return options;
         }
 
+        /// <summary>
+        /// Border in which a cascade is dithered with the next, share of its split sphere's radius, 0 to 0.5; set by
+        /// the feature and the Volume, by no preset.
+        /// </summary>
+        [Tooltip(OptionTable.CascadeBlend.Tooltip)]
+        [Range(OptionTable.CascadeBlend.Min, OptionTable.CascadeBlend.Max)]
+        [NonSerialized] public float cascadeBlend;
+
         /// <summary>Drawn over the image; set by the feature and the Volume, by no preset.</summary>
         [NonSerialized] public DebugView debugView;
 
@@ -74,7 +82,7 @@ namespace Penumbra
             blockerSamples == other.blockerSamples && filterSamples == other.filterSamples &&
             softnessCapMetres.Equals(other.softnessCapMetres) && minFilterTexels.Equals(other.minFilterTexels) &&
             mask == other.mask && halfResolution == other.halfResolution && denoise == other.denoise &&
-            debugView == other.debugView;
+            cascadeBlend.Equals(other.cascadeBlend) && debugView == other.debugView;
 
         public override bool Equals(object other) => other is ShadowOptions options && Equals(options);
 
@@ -98,6 +106,8 @@ namespace Penumbra
                                                     OptionTable.SoftnessCapMetres.Max);
             options.minFilterTexels = Mathf.Clamp(FiniteOr(minFilterTexels, 1.0f), OptionTable.MinFilterTexels.Min,
                                                   OptionTable.MinFilterTexels.Max);
+            options.cascadeBlend = Mathf.Clamp(FiniteOr(cascadeBlend, 0.0f), OptionTable.CascadeBlend.Min,
+                                               OptionTable.CascadeBlend.Max);
             return options;
         }
 
@@ -115,6 +125,7 @@ namespace Penumbra
             bool hdrp = technique == ShadowTechnique.PcssHdrp;
             SoftShadowParameters parameters = hdrp ? SoftShadowParameters.HdrpDefault : SoftShadowParameters.Default;
             parameters.AngularDiameterDegrees = angularDiameterDegrees;
+            parameters.CascadeBorder = cascadeBlend;
             parameters.BlockerSamples = blockerSamples;
             parameters.FilterSamples = filterSamples;
             if (hdrp) return parameters;

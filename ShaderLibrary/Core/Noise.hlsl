@@ -15,6 +15,12 @@ float GradientNoise(float2 pixel, uint frame)
     return frac(52.9829189 * frac(dot(moved, float2(0.06711056, 0.00583715))));
 }
 
+// Chooses a pixel's cascade in a border: another pattern than that of the rotation.
+float CascadeNoise(float2 pixel, uint frame)
+{
+    return GradientNoise(pixel, frame + 32u);
+}
+
 float2 RotationFromNoise(float noise)
 {
     const float angle = 6.2831853 * noise;

@@ -7,7 +7,8 @@
 //             depth per metre.
 // Inputs:     URP's globals; and ours, set from C# because URP does not always set its own:
 //             _PenumbraMainLightAtlasTexelSize   1/width, 1/height, width, height
-//             _PenumbraMainLightParams           x cascade count, y tan(angularDiameter / 2), z frame index
+//             _PenumbraMainLightParams           x cascade count, y tan(angularDiameter / 2), z frame index,
+//                                                w border between cascades, share of a split sphere's radius, 0 none
 // Cost:       no fetches.
 // Guarantees: the only file that names a pipeline's globals. A position beyond the shadow distance, in front of or
 //             behind the map's depth range, or in a cascade for which URP set no matrix, is reported as not covered.
@@ -42,17 +43,33 @@ struct PenumbraMainLight
     ShadowTile tile;
 };
 
-int PenumbraMainLightCascade(float3 positionWS, int count)
+CascadeSpheres PenumbraMainLightSpheres()
 {
-    // With one cascade URP leaves the spheres of an earlier frame in place.
-    if (count <= 1) return 0;
     CascadeSpheres spheres;
     spheres.centre0 = _CascadeShadowSplitSpheres0.xyz;
     spheres.centre1 = _CascadeShadowSplitSpheres1.xyz;
     spheres.centre2 = _CascadeShadowSplitSpheres2.xyz;
     spheres.centre3 = _CascadeShadowSplitSpheres3.xyz;
     spheres.squaredRadii = _CascadeShadowSplitSphereRadii;
-    return SelectCascade(positionWS, spheres, count);
+    return spheres;
+}
+
+int PenumbraMainLightCascade(float3 positionWS, int count)
+{
+    // With one cascade URP leaves the spheres of an earlier frame in place.
+    if (count <= 1) return 0;
+    return SelectCascade(positionWS, PenumbraMainLightSpheres(), count);
+}
+
+// In the border to the next cascade either of both, by noise.
+int PenumbraMainLightDitheredCascade(float3 positionWS, int count, float2 pixel)
+{
+    const int cascade = PenumbraMainLightCascade(positionWS, count);
+    const float border = _PenumbraMainLightParams.w;
+    UNITY_BRANCH
+    if (!(border > 0.0)) return cascade;
+    const float weight = NextCascadeWeight(positionWS, PenumbraMainLightSpheres(), cascade, count, border);
+    return weight > CascadeNoise(pixel, uint(max(_PenumbraMainLightParams.z, 0.0))) ? cascade + 1 : cascade;
 }
 
 ShadowTile PenumbraMainLightTile(float4x4 worldToShadow, int cascade, int count, float tanHalf)
@@ -74,7 +91,7 @@ ShadowTile PenumbraMainLightTile(float4x4 worldToShadow, int cascade, int count,
 PenumbraMainLight PreparePenumbraMainLight(float3 positionWS, float3 normalWS, float2 pixel)
 {
     const int count = min(max(int(_PenumbraMainLightParams.x), 1), 4);
-    const int cascade = PenumbraMainLightCascade(positionWS, count);
+    const int cascade = PenumbraMainLightDitheredCascade(positionWS, count, pixel);
     const float4x4 worldToShadow = _MainLightWorldToShadow[min(cascade, count - 1)];
     const float3 shadowCoord = mul(worldToShadow, float4(positionWS, 1.0)).xyz;
 

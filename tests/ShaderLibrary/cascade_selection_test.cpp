@@ -99,5 +99,61 @@ TEST(CascadeSelection, StaysWithinTheCountForAnyNumbers) {
   }
 }
 
+constexpr const char* kWeight =
+    "CascadeSpheres s; s.centre0 = float3(In(4), In(5), In(6)); s.centre1 = float3(In(7), In(8), In(9));"
+    "s.centre2 = float3(In(10), In(11), In(12)); s.centre3 = float3(In(13), In(14), In(15));"
+    "s.squaredRadii = float4(In(16), In(17), In(18), In(19));"
+    "const float3 p = float3(In(1), In(2), In(3));"
+    "Out(0, NextCascadeWeight(p, s, SelectCascade(p, s, InInt(0)), InInt(0), In(20)));";
+
+TEST(NextCascadeWeight, GrowsThroughTheBorderOfTheOwnSphere) {
+  Random random(10);
+  std::vector<float> inputs;
+  int kept = 0;
+  int inside = 0;
+  while (kept < kRandomCases) {
+    const std::vector<float> spheres = random_spheres(random);
+    if (near_a_surface(spheres.data())) continue;
+    inputs.insert(inputs.end(), spheres.begin(), spheres.end());
+    inputs.push_back(random.between(0.01f, 1.0f));
+    ++kept;
+  }
+  expect_exact(
+      {"CascadeSelection", kWeight, 21, 1}, DepthDirection::conventional, inputs,
+      [&](const float* in) {
+        const int count = static_cast<int>(in[0]);
+        const auto share = [&](int cascade) {
+          return squared_distance(in + 1, in + 4 + std::ptrdiff_t{3} * cascade) / in[16 + cascade];
+        };
+        int cascade = 0;
+        while (cascade < count && share(cascade) >= 1.0L) ++cascade;
+        const long double begin = (1.0L - in[20]) * (1.0L - in[20]);
+        // Roundings of the shares, up to 1, are divided by the border's width.
+        const long double scale = 1.0L / (1.0L - begin);
+        if (cascade + 1 >= count || share(cascade + 1) >= 1.0L) return std::vector<Exact>{{0.0L, scale}};
+        const long double weight = std::clamp((share(cascade) - begin) / (1.0L - begin), 0.0L, 1.0L);
+        inside += weight > 0.0L && weight < 1.0L ? 1 : 0;
+        return std::vector<Exact>{{weight, scale}};
+      },
+      12.0L);
+  EXPECT_GT(inside, kRandomCases / 20) << "positions in a border";
+}
+
+TEST(NextCascadeWeight, IsAShareForAnyNumbersAndZeroWithoutABorder) {
+  Random random(11);
+  std::vector<float> inputs;
+  for (int i = 0; i < kRandomCases; ++i) {
+    inputs.push_back(float(random.integer(1, 4)));
+    for (int k = 1; k < 21; ++k) inputs.push_back(random.any_bits());
+    if (i % 2 == 0) inputs.back() = i % 4 == 0 ? 0.0f : std::numeric_limits<float>::quiet_NaN();
+  }
+  const std::vector<float> results =
+      run({"CascadeSelection", kWeight, 21, 1}, DepthDirection::conventional, inputs);
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    ASSERT_GE(results[i], 0.0f) << words(&inputs[21 * i], 21);
+    ASSERT_LE(results[i], i % 2 == 0 ? 0.0f : 1.0f) << words(&inputs[21 * i], 21);
+  }
+}
+
 }  // namespace
 }  // namespace penumbra::shader_library_tests

@@ -193,6 +193,17 @@ TEST_P(ScreenResolveOfFewerBits, DrawsWhatTheFilterAloneSays) {
   }
 }
 
+class ScreenResolveOfBlendedCascades : public ScreenResolve {};
+
+TEST_P(ScreenResolveOfBlendedCascades, DithersAsTheFilterAloneDoes) {
+  scene::Frame frame = drawn("trees", 4, GetParam().reversed_z);
+  const std::vector<float> plain = by_shader(frame, RowOrder::top_first);
+  frame.settings.cascade_blend = {.border = 0.25, .mixed = false};
+  const std::vector<float> dithered = by_shader(frame, RowOrder::top_first);
+  expect_the_same(dithered, by_library_from_depth(frame, RowOrder::top_first), frame, "dithered");
+  EXPECT_GT(difference(dithered, plain, frame, 0.01).above, 100) << "pixels that read the next cascade";
+}
+
 std::string case_name(const testing::TestParamInfo<Case>& instance) {
   std::string name = instance.param.technique + (instance.param.reversed_z ? "_reversed" : "_conventional");
   std::replace(name.begin(), name.end(), '-', '_');
@@ -203,6 +214,10 @@ INSTANTIATE_TEST_SUITE_P(Package, ScreenResolve, testing::ValuesIn(all_cases()),
 INSTANTIATE_TEST_SUITE_P(Package, ScreenResolveOfFewerBits,
                          testing::Values(Case{"tent-5-plane", "_", true}, Case{"tent-5-plane", "_", false},
                                          Case{"pcss-angular-24-16", "_PENUMBRA_PCSS", true},
+                                         Case{"pcss-angular-24-16", "_PENUMBRA_PCSS", false}),
+                         case_name);
+INSTANTIATE_TEST_SUITE_P(Package, ScreenResolveOfBlendedCascades,
+                         testing::Values(Case{"tent-5-plane", "_", true},
                                          Case{"pcss-angular-24-16", "_PENUMBRA_PCSS", false}),
                          case_name);
 

@@ -82,6 +82,7 @@ class RandomResults {
     if (coin()) record.technique = "tent-5";
     if (!record.technique.empty() && coin())
       record.parameters = {{"taps", {share()}}, {"offset", {1.0, share()}}};
+    record.texel_size_metres = figure();
     return record;
   }
   void vary(Record& record) {
@@ -110,6 +111,9 @@ class RandomResults {
     record.settings.light_scale = share();
     record.settings.soft_quality = static_cast<parameters::SoftQuality>(random_() % 4);
     record.settings.reversed_z = coin();
+    if (coin()) record.settings.cascade_blend = {0.5 + 0.5 * share(), coin()};
+    if (coin()) record.seam = Seam{random_() % 9, figure(), figure()};
+    record.settings.light_fit = parameters::kLightFits[random_() % parameters::kLightFits.size()];
   }
 
   std::mt19937 random_;

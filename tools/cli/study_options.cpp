@@ -113,6 +113,17 @@ void add_light_and_map_options(CLI::App& command, StudyOptions& options) {
   add("--map-format", options.map_format, "FORMAT", "Depth format of the map")
       ->check(one_of({"d16", "d24", "d32"}));
   add("--cascades", options.cascades, "N", "Number of cascades")->check(bounds("/shadows/cascades"));
+  std::vector<std::string> fits;
+  for (const parameters::LightFit fit : parameters::kLightFits) fits.emplace_back(parameters::name_of(fit));
+  as_list(add("--light-fit", options.light_fits, "FIT",
+              "What the cascades are fitted to; several are tried one by one"))
+      ->check(one_of(fits));
+  as_list(add("--cascade-blend", options.cascade_blends, "BLEND",
+              "How cascades are blended in the border to the next; several are tried one by one"))
+      ->check(one_of({"none", "dither", "mix"}));
+  add("--cascade-border", options.cascade_border, "SHARE",
+      "The border's width, a share of the split sphere's radius")
+      ->check(within(0.001, 1.0));
   add("--distance", options.distance_metres, "METRES", "Shadow distance")
       ->check(bounds("/shadows/distance_metres"))
       ->default_str("the scene's");
@@ -249,6 +260,24 @@ scene::FrameSettings frame_settings(const StudyOptions& options) {
   settings.raster_bias = {scene::kUnityRasterBias.constant, options.slope_bias};
   settings.shadows.reversed_z = options.reversed_z;
   return settings;
+}
+
+std::vector<parameters::LightFit> chosen_light_fits(const StudyOptions& options) {
+  std::vector<parameters::LightFit> fits;
+  for (const std::string& name : options.light_fits) {
+    const parameters::LightFit fit = parameters::light_fit_named(name).value();  // the option checks it
+    if (std::find(fits.begin(), fits.end(), fit) == fits.end()) fits.push_back(fit);
+  }
+  return fits;
+}
+
+std::vector<scene::CascadeBlend> chosen_cascade_blends(const StudyOptions& options) {
+  std::vector<scene::CascadeBlend> blends;
+  for (const std::string& name : options.cascade_blends) {
+    const scene::CascadeBlend blend{name == "none" ? 0.0 : options.cascade_border, name == "mix"};
+    if (std::find(blends.begin(), blends.end(), blend) == blends.end()) blends.push_back(blend);
+  }
+  return blends;
 }
 
 parameters::CasterBias chosen_bias(const StudyOptions& options, parameters::CasterBias own) {

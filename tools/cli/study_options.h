@@ -38,6 +38,9 @@ struct StudyOptions {
   std::optional<std::string> soft_quality;
   double slope_bias = scene::kUnityRasterBias.slope;
   bool reversed_z = true;
+  std::vector<std::string> light_fits{"sphere"};    // parameters::name_of; several are tried one by one
+  std::vector<std::string> cascade_blends{"none"};  // or dither, mix; several are tried one by one
+  double cascade_border = 0.1;
   double distance_metres = 0.0;  // 0: the scene's own
   std::vector<double> sun;       // elevation and azimuth in degrees; empty: the scene's own
   std::vector<double> origin;    // world position of the scene's own origin, metres; empty: 0 0 0
@@ -67,6 +70,9 @@ platform::WorkerPool compiling_process(const StudyOptions& options);
 scene::FrameSettings frame_settings(const StudyOptions& options);
 std::vector<resolve::Adapter> chosen_adapters(const StudyOptions& options);
 
+// Without repetitions.
+std::vector<parameters::LightFit> chosen_light_fits(const StudyOptions& options);
+std::vector<scene::CascadeBlend> chosen_cascade_blends(const StudyOptions& options);
 // The requested bias, or else the subject's own.
 parameters::CasterBias chosen_bias(const StudyOptions& options, parameters::CasterBias own);
 

@@ -108,6 +108,43 @@ void add_captioned(std::vector<study::Subject>& subjects, const study::Subject& 
   }
 }
 
+std::string name_of(const scene::CascadeBlend& blend) {
+  if (blend.border == 0.0) return "none";
+  return blend.mixed ? "mix" : "dither";
+}
+
+// The package's own shaders, which techniques over the screen are, dither.
+void require_mixable(const study::Subject& subject, const scene::CascadeBlend& blend) {
+  if (!blend.mixed || !subject.graph.graph.over_screen()) return;
+  throw InputError("--cascade-blend mix",
+                   "'" + subject.name + "' is drawn over the screen, where only dithering is",
+                   "choose dither, or techniques that are a filter");
+}
+
+// Each subject with each fit and each blend of the cascades, which its name and title say where there are
+// several.
+std::vector<study::Subject> with_cascades(const std::vector<study::Subject>& subjects,
+                                          const std::vector<parameters::LightFit>& fits,
+                                          const std::vector<scene::CascadeBlend>& blends) {
+  std::vector<study::Subject> all;
+  for (const study::Subject& subject : subjects) {
+    for (const parameters::LightFit fit : fits) {
+      for (const scene::CascadeBlend& blend : blends) {
+        require_mixable(subject, blend);
+        study::Subject& varied = all.emplace_back(subject);
+        varied.light_fit = fit;
+        varied.cascade_blend = blend;
+        std::string text;
+        if (fits.size() > 1) text = fmt::format("light-fit={}", parameters::name_of(fit));
+        if (blends.size() > 1) text = joined(text, "cascade-blend=" + name_of(blend));
+        varied.name = joined(subject.name, text);
+        varied.title = joined(subject.title, text);
+      }
+    }
+  }
+  return all;
+}
+
 void refuse_repetitions(const std::vector<study::Subject>& subjects) {
   std::set<std::string> names;
   for (const study::Subject& subject : subjects) {
@@ -187,20 +224,22 @@ std::vector<study::Subject> varied_subjects(const StudyOptions& options, const V
         subjects.push_back(std::move(subject));
     }
   }
-  const std::size_t of_techniques = subjects.size();
+  const std::vector<parameters::LightFit> fits = chosen_light_fits(options);
+  subjects = with_cascades(subjects, fits, chosen_cascade_blends(options));
+  std::vector<study::Subject> of_adapters;
   for (const resolve::Adapter& adapter : adapters) {
     study::Subject subject = study::adapter_subject(adapter, reversed_z);
     subject.bias = chosen_bias(options, subject.bias);
     if (varied.captions)
-      add_captioned(subjects, subject, frames, alone, study::short_title(adapter.name, subject.title), "");
+      add_captioned(of_adapters, subject, frames, alone, study::short_title(adapter.name, subject.title), "");
     else
-      subjects.push_back(std::move(subject));
+      of_adapters.push_back(std::move(subject));
   }
-  const std::size_t of_adapters = subjects.size() - of_techniques;
+  of_adapters = with_cascades(of_adapters, fits,
+                              std::vector<scene::CascadeBlend>(1));  // they choose cascades themselves
+  subjects.insert(varied.adapters == "first" ? subjects.begin() : subjects.end(), of_adapters.begin(),
+                  of_adapters.end());
   refuse_repetitions(subjects);
-  if (varied.adapters == "first") {
-    std::rotate(subjects.begin(), subjects.end() - static_cast<std::ptrdiff_t>(of_adapters), subjects.end());
-  }
   give_titles(subjects, varied.titles);
   return subjects;
 }

@@ -58,10 +58,11 @@ namespace Penumbra.Tests
                 AngularDiameterDegrees = 2.0f, BlockerSamples = 11, FilterSamples = 12, BlockerClump = 1.5f,
                 MinFilterTexels = 1.75f, MaxPenumbraMetres = 21.0f, MaxSamplingMetres = 22.0f,
                 SearchRadiusMetres = 23.0f, HdrpSearchDegrees = 5.0f, HdrpMinFilterDegrees = 7.0f,
+                CascadeBorder = 0.125f,
             };
             var uniforms = new ShadowUniforms(parameters, Layout, 9);
             Assert.That(uniforms.MainLightAtlasTexelSize, Is.EqualTo(Layout.TexelSize));
-            Assert.That(uniforms.MainLightParams, Is.EqualTo(new Vector4(3, AngularDiameter.TanHalf(2.0f), 9, 0)));
+            Assert.That(uniforms.MainLightParams, Is.EqualTo(new Vector4(3, AngularDiameter.TanHalf(2.0f), 9, 0.125f)));
             Assert.That(new[] { uniforms.PcssAngular.Vector0, uniforms.PcssAngular.Vector1 },
                         Is.EqualTo(new[] { new Vector4(11, 12, 1.5f, 1.75f), new Vector4(21, 22, 0, 0) }));
             Assert.That(new[] { uniforms.PcssHdrp.Vector0, uniforms.PcssHdrp.Vector1 },
@@ -100,10 +101,10 @@ namespace Penumbra.Tests
                     AngularDiameterDegrees = Any(), BlockerSamples = Count(), FilterSamples = Count(),
                     BlockerClump = Any(), MinFilterTexels = Any(), MaxPenumbraMetres = Any(),
                     MaxSamplingMetres = Any(), SearchRadiusMetres = Any(), HdrpSearchDegrees = Any(),
-                    HdrpMinFilterDegrees = Any(),
+                    HdrpMinFilterDegrees = Any(), CascadeBorder = Any(),
                 };
                 var uniforms = new ShadowUniforms(parameters, Layout, Count());
-                AssertWithin(uniforms.MainLightParams, new Vector4(3, 0.26795f, 63, 0));
+                AssertWithin(uniforms.MainLightParams, new Vector4(3, 0.26795f, 63, 1));
                 AssertWithin(new[] { uniforms.PcssAngular.Vector0, uniforms.PcssAngular.Vector1 },
                              new Vector4(64, 64, 8, 64), new Vector4(1e6f, 1e6f, 0, 0));
                 AssertWithin(new[] { uniforms.PcssClassic.Vector0 },

@@ -137,6 +137,30 @@ namespace Penumbra.Tests
             }
         }
 
+        [Test]
+        public void TheBorderBetweenCascadesIsTheFeaturesOrAVolumes()
+        {
+            float Border()
+            {
+                urp.Device.Draws.Clear();
+                urp.Render(new FakeScene(), feature);
+                return Vector(Draw("Resolve"), "_PenumbraMainLightParams").w;
+            }
+            Assert.That(Border(), Is.Zero);
+            feature.Settings.cascadeBlend = 0.25f;
+            Assert.That(Border(), Is.EqualTo(0.25f));
+            var volume = ScriptableObject.CreateInstance<PenumbraShadowsVolume>();
+            volume.preset.overrideState = true;  // has none of its own
+            VolumeManager.instance.stack.Components[typeof(PenumbraShadowsVolume)] = volume;
+            Assert.That(Border(), Is.EqualTo(0.25f));
+            volume.cascadeBlend.overrideState = true;
+            volume.cascadeBlend.value = 0.125f;
+            Assert.That(Border(), Is.EqualTo(0.125f));
+            feature.Settings.cascadeBlend = float.NaN;
+            VolumeManager.instance.stack.Components.Clear();
+            Assert.That(Border(), Is.Zero);
+        }
+
         // Of a point in front of an off-centre camera: projected as the device does it, put back by the uniform.
         [TestCase(true, true)]
         [TestCase(true, false)]

@@ -91,6 +91,9 @@ UniformValues cascade_uniforms(const scene::Frame& frame) {
   values.set("_PenumbraSplitSpheres", std::span<const glm::vec4>(spheres));
   values.set("_PenumbraSplitSphereSquaredRadii", squared_radii);
   values.set("_PenumbraAtlasTexelSize", atlas_texel_size(set));
+  const scene::CascadeBlend& blend = frame.settings.cascade_blend;
+  values.set("_PenumbraCascadeBlend",
+             glm::vec4(static_cast<float>(blend.border), blend.mixed ? 1.0f : 0.0f, 0.0f, 0.0f));
   values.set("_PenumbraWorldToShadow", std::span<const glm::dmat4>(matrices));
 
   values.set("_PenumbraMainLightAtlasTexelSize", atlas_texel_size(set));
@@ -137,9 +140,13 @@ glm::dmat4 clip_from_uv(double offset_x, double offset_y, double scale_x, double
   return matrix;
 }
 
-glm::vec4 main_light_params(const parameters::CascadeSet& set) {
+// The package's own shaders dither: they have no border between cascades where the frame asks for a mixture.
+glm::vec4 main_light_params(const scene::Frame& frame) {
+  const parameters::CascadeSet& set = frame.cascades;
+  const scene::CascadeBlend& blend = frame.settings.cascade_blend;
   const double tan_half = parameters::tan_half(set.angular_diameter_degrees);
-  return {static_cast<float>(set.cascades.size()), static_cast<float>(tan_half), 0.0f, 0.0f};
+  return {static_cast<float>(set.cascades.size()), static_cast<float>(tan_half), 0.0f,
+          blend.mixed ? 0.0f : static_cast<float>(blend.border)};
 }
 
 }  // namespace
@@ -160,7 +167,7 @@ FrameOnDevice::FrameOnDevice(const gpu::Device& device, const scene::Frame& fram
       normals_(device, std::span<const glm::vec4>(frame.receivers.normal_ws)),
       visibility_(device, frame.receivers.position_ws.size() * sizeof(float)),
       uniforms_(cascade_uniforms(frame)),
-      main_light_params_(main_light_params(frame.cascades)) {
+      main_light_params_(main_light_params(frame)) {
   atlas_.upload_bytes(frame.atlas.texels);
   add_light_uniforms(frame, uniforms_);
   uniforms_.set_integers("_PenumbraImageSize", {width_, height_, 0, 0});

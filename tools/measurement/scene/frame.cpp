@@ -38,6 +38,15 @@ parameters::ShadowSettings with_caster_bounds(parameters::ShadowSettings shadows
   return shadows;
 }
 
+// Of the pixels that show a surface.
+std::vector<glm::dvec3> seen_positions(const Receivers& receivers, const glm::dvec3& origin) {
+  std::vector<glm::dvec3> positions;
+  for (std::size_t i = 0; i < receivers.position_ws.size(); ++i)
+    if (receivers.position_ws[i].w != 0.0F)
+      positions.push_back(origin + glm::dvec3(receivers.position_relative[i]));
+  return positions;
+}
+
 parameters::SpotShadow spot_shadow_of(const Scene& scene, const parameters::ShadowSettings& shadows) {
   parameters::SpotLight light = scene.spot_light.value();
   light.position += scene.origin;
@@ -83,6 +92,7 @@ Frame Rasteriser::frame(const FrameSettings& settings) {
   frame.settings = settings;
   frame.camera = scene.camera;
   frame.camera.position += scene.origin;
+  frame.receivers = state_->seen.draw(scene, settings);
   if (scene.spot_light) {
     frame.spot_shadow = spot_shadow_of(scene, settings.shadows);
     frame.cascades = conventions_of(*frame.spot_shadow);
@@ -90,10 +100,10 @@ Frame Rasteriser::frame(const FrameSettings& settings) {
   } else {
     const parameters::Light light{scene.light_direction, settings.angular_diameter_degrees};
     frame.cascades =
-        parameters::fit_cascades(frame.camera, light, with_caster_bounds(settings.shadows, scene));
+        parameters::fit_cascades(frame.camera, light, with_caster_bounds(settings.shadows, scene),
+                                 settings.light_fit, seen_positions(frame.receivers, scene.origin));
     frame.atlas = state_->shadow_map.draw(frame.cascades, scene.origin, settings);
   }
-  frame.receivers = state_->seen.draw(scene, settings);
   return frame;
 }
 

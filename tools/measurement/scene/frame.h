@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "parameters/cascades.h"
+#include "parameters/receiver_fit.h"
 #include "parameters/spot_light.h"
 #include "scene/scene.h"
 
@@ -63,8 +64,19 @@ struct RasterBias {
 // their casters with.
 inline constexpr RasterBias kUnityRasterBias{1.0, 2.5};
 
+// Across the border between two cascades, a share of the split sphere's radius. mixed: of both results; else
+// each pixel has one of them, by noise.
+struct CascadeBlend {
+  double border = 0.0;
+  bool mixed = false;
+
+  bool operator==(const CascadeBlend&) const = default;
+};
+
 struct FrameSettings {
   parameters::ShadowSettings shadows;
+  parameters::LightFit light_fit = parameters::LightFit::sphere;  // to the receivers: those of this frame
+  CascadeBlend cascade_blend;
   double angular_diameter_degrees = 0.53;  // of the sun
   RasterBias raster_bias;                  // none
   DepthFormat format = DepthFormat::d32;

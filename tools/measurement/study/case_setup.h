@@ -25,12 +25,16 @@ struct FrameOfCase {
   std::optional<resolve::CameraImage> camera;
 };
 
-// The caster bias and the light that a subject runs with.
+// What a subject runs with: the casters' bias, the light, the fit of the cascades and how they are blended.
 struct FrameRequest {
   parameters::CasterBias bias;
   double light_scale = 1.0;
+  parameters::LightFit light_fit = parameters::LightFit::sphere;
+  scene::CascadeBlend cascade_blend{};
 
-  static FrameRequest of(const Subject& subject) { return {subject.bias, subject.light_scale}; }
+  static FrameRequest of(const Subject& subject) {
+    return {subject.bias, subject.light_scale, subject.light_fit, subject.cascade_blend};
+  }
   bool operator==(const FrameRequest&) const = default;
 };
 

@@ -75,6 +75,8 @@ RunSettings run_settings(const View& view) {
   settings.slope_bias = view.frame.settings.raster_bias.slope;
   settings.light_scale = view.request.light_scale;
   settings.reversed_z = shadows.reversed_z;
+  settings.light_fit = view.request.light_fit;
+  settings.cascade_blend = view.request.cascade_blend;
   const std::array<double, 3> splits = parameters::effective_splits(shadows);
   settings.splits.assign(splits.begin(), splits.begin() + (shadows.cascades - 1));
   return settings;
@@ -92,15 +94,22 @@ MeasuredImages images_of(const CaseSetup& setup, const Answer& answer,
   return images;
 }
 
-// Those of them that read the cascade.
-std::vector<std::uint8_t> readers(const std::vector<std::uint8_t>& counted, const CaseSetup& setup,
-                                  const scene::Frame& frame, int cascade) {
-  std::vector<std::uint8_t> result = counted;
+// Of each counted pixel; -1 of the others.
+std::vector<int> cascades_read(const std::vector<std::uint8_t>& counted, const CaseSetup& setup,
+                               const scene::Frame& frame) {
+  std::vector<int> result(counted.size(), -1);
   for (std::size_t i = 0; i < result.size(); ++i) {
-    if (result[i] == 0) continue;
+    if (counted[i] == 0) continue;
     const glm::dvec3 surface = setup.scene.origin + glm::dvec3(frame.receivers.position_relative[i]);
-    if (reference::select_cascade(frame.cascades, surface) != cascade) result[i] = 0;
+    const int cascade = reference::select_cascade(frame.cascades, surface);
+    if (cascade < static_cast<int>(frame.cascades.cascades.size())) result[i] = cascade;
   }
+  return result;
+}
+
+std::vector<std::uint8_t> readers(const std::vector<int>& cascades, int cascade) {
+  std::vector<std::uint8_t> result;
+  for (const int read : cascades) result.push_back(read == cascade ? 1 : 0);
   return result;
 }
 
@@ -113,17 +122,18 @@ void name_rule(CascadeRecord& record, const Subject& subject, int cascade) {
 }
 
 std::vector<CascadeRecord> per_cascade(const CaseSetup& setup, const View& view, const Subject& subject,
-                                       const Answer& answer, const std::vector<std::uint8_t>& counted) {
+                                       const Answer& answer, const std::vector<int>& read) {
   std::vector<CascadeRecord> records;
   const auto cascades = static_cast<int>(view.frame.cascades.cascades.size());
-  if (cascades == 1) return records;
   for (int cascade = 0; cascade < cascades; ++cascade) {
-    const std::vector<std::uint8_t> reading = readers(counted, setup, view.frame, cascade);
+    const std::vector<std::uint8_t> reading = readers(read, cascade);
     const Metrics metrics = measure(images_of(setup, answer, reading));
     records.push_back({metrics.pixels, metrics.penumbra_pixels, metrics.rmse_penumbra, metrics.bias,
                        metrics.leak_rate, metrics.false_shadow_rate, metrics.fetches_mean,
                        metrics.intervals});
     name_rule(records.back(), subject, cascade);
+    records.back().texel_size_metres =
+        view.frame.cascades.cascades[static_cast<std::size_t>(cascade)].texel_size_metres;
   }
   return records;
 }
@@ -180,7 +190,11 @@ Record record_of(const CaseSetup& setup, const View& view, const Subject& subjec
   record.device = device;
   const std::vector<std::uint8_t> counted = counted_receivers(setup.t1, window);
   record.metrics = metrics_of(setup, view, answer, counted, window, unlimited);
-  record.per_cascade = per_cascade(setup, view, subject, answer, counted);
+  if (record.cascades > 1) {
+    const std::vector<int> read = cascades_read(counted, setup, view.frame);
+    record.per_cascade = per_cascade(setup, view, subject, answer, read);
+    record.seam = seam_of({setup.t1.width, read, setup.t1.visibility, answer.visibility.front()});
+  }
   if (answer.passes.size() > 1)
     for (const resolve::PassCounts& pass : answer.passes) record.passes.push_back(pass_record(pass));
   std::vector<double> milliseconds = answer.time_ns;

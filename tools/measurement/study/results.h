@@ -15,7 +15,10 @@
 #include <vector>
 
 #include "parameters/cascades.h"
+#include "parameters/receiver_fit.h"
+#include "scene/frame.h"
 #include "study/metrics.h"
+#include "study/seam.h"
 #include "study/shimmer.h"
 #include "study/timing.h"
 
@@ -42,6 +45,8 @@ struct RunSettings {
   double light_scale = 1.0;    // the diameter that the subject is given, divided by the light's
   std::vector<double> splits;  // fractions of the shadow distance where all cascades but the last end
   bool reversed_z = true;
+  parameters::LightFit light_fit = parameters::LightFit::sphere;
+  scene::CascadeBlend cascade_blend{};
 
   bool operator==(const RunSettings&) const = default;
 };
@@ -92,6 +97,7 @@ struct CascadeRecord {
   // sets.
   std::string technique{};
   std::map<std::string, std::vector<double>> parameters{};
+  std::optional<double> texel_size_metres{};  // of the shadow map; absent in older files
 
   bool operator==(const CascadeRecord&) const = default;
 };
@@ -111,6 +117,7 @@ struct Record {
   std::vector<CascadeRecord> per_cascade;  // one for each of several; empty with one, and in older files
   std::vector<PassRecord> passes;  // in the order in which they run; empty: the technique is a filter alone
   std::optional<Shimmer> shimmer;  // when the study panned
+  std::optional<Seam> seam;        // with several cascades; absent in older files
   std::optional<Timing> time;
   ReferenceNote reference;
 

@@ -190,6 +190,14 @@ std::optional<Timing> read_time(StrictObject& record, std::string_view kind) {
   return median ? std::optional(Timing{*median, *spread}) : std::nullopt;
 }
 
+std::optional<Seam> read_seam(StrictObject& record) {
+  if (!record.has("seam")) return std::nullopt;
+  StrictObject seam = record.object("seam");
+  const Seam result{seam.count("pairs"), seam.figure("step", 0.0, 2.0), seam.figure("elsewhere", 0.0, 2.0)};
+  seam.finish();
+  return result;
+}
+
 std::optional<Shimmer> read_shimmer(StrictObject& record) {
   if (!record.has("shimmer")) return std::nullopt;
   StrictObject shimmer = record.object("shimmer");
@@ -216,6 +224,8 @@ std::vector<CascadeRecord> read_cascades(StrictObject& record, int cascades) {
       figures.technique = cascade.text("technique");
       figures.parameters = cascade.number_lists("parameters");
     }
+    if (cascade.has("texel_size_metres"))
+      figures.texel_size_metres = cascade.number("texel_size_metres", 0.0, kAnything);
     cascade.finish();
   }
   if (result.size() != static_cast<std::size_t>(cascades))
@@ -242,6 +252,13 @@ std::vector<PassRecord> read_passes(StrictObject& record) {
   return passes;
 }
 
+parameters::LightFit read_light_fit(StrictObject& settings) {
+  const std::string name = settings.text("light_fit");
+  const std::optional<parameters::LightFit> fit = parameters::light_fit_named(name);
+  if (!fit) settings.fail("light_fit", "there is no fit '" + name + "'");
+  return *fit;
+}
+
 RunSettings read_settings(StrictObject settings, int cascades) {
   RunSettings result;
   result.depth_bias = settings.number("depth_bias", 0.0, kAnything);
@@ -252,6 +269,13 @@ RunSettings read_settings(StrictObject settings, int cascades) {
   result.light_scale = settings.number("light_scale", 0.0, kAnything);
   result.splits = settings.numbers("splits", static_cast<std::size_t>(std::max(cascades - 1, 0)));
   result.reversed_z = settings.boolean("reversed_z");
+  if (settings.has("light_fit")) result.light_fit = read_light_fit(settings);
+  if (settings.has("cascade_border")) {
+    result.cascade_blend.border = settings.number("cascade_border", 0.0, 1.0);
+    const std::string blend = settings.text("cascade_blend");
+    if (blend != "mix" && blend != "dither") settings.fail("cascade_blend", "it is either 'mix' or 'dither'");
+    result.cascade_blend.mixed = blend == "mix";
+  }
   settings.finish();
   return result;
 }
@@ -304,6 +328,7 @@ Record read_record(StrictObject record, std::string_view kind) {
   result.per_cascade = read_cascades(record, result.cascades);
   result.passes = read_passes(record);
   result.shimmer = read_shimmer(record);
+  result.seam = read_seam(record);
   result.time = read_time(record, kind);
   StrictObject reference = record.object("reference");
   result.reference = {reference.text("kind"), static_cast<int>(reference.count("samples")),

@@ -30,14 +30,21 @@ Json json_of(const MetricIntervals& intervals) {
 }
 
 Json json_of(const RunSettings& settings) {
-  return {{"depth_bias", settings.depth_bias},
-          {"normal_bias", settings.normal_bias},
-          {"constant_bias", settings.constant_bias},
-          {"slope_bias", settings.slope_bias},
-          {"soft_quality", parameters::name_of(settings.soft_quality)},
-          {"light_scale", settings.light_scale},
-          {"splits", settings.splits},
-          {"reversed_z", settings.reversed_z}};
+  Json json{{"depth_bias", settings.depth_bias},
+            {"normal_bias", settings.normal_bias},
+            {"constant_bias", settings.constant_bias},
+            {"slope_bias", settings.slope_bias},
+            {"soft_quality", parameters::name_of(settings.soft_quality)},
+            {"light_scale", settings.light_scale},
+            {"splits", settings.splits},
+            {"reversed_z", settings.reversed_z}};
+  if (settings.light_fit != parameters::LightFit::sphere)
+    json["light_fit"] = parameters::name_of(settings.light_fit);
+  if (settings.cascade_blend.border > 0.0) {
+    json["cascade_border"] = settings.cascade_blend.border;
+    json["cascade_blend"] = settings.cascade_blend.mixed ? "mix" : "dither";
+  }
+  return json;
 }
 
 Json json_of(const glm::dvec3& vector) {
@@ -111,6 +118,7 @@ Json json_of(const CascadeRecord& cascade) {
     json["technique"] = cascade.technique;
     json["parameters"] = json_of(cascade.parameters);
   }
+  if (cascade.texel_size_metres) json["texel_size_metres"] = *cascade.texel_size_metres;
   return json;
 }
 
@@ -148,6 +156,11 @@ Json json_of(const Record& record, std::string_view kind) {
     json["shimmer"] = {{"frames", record.shimmer->frames},
                        {"static_noise", json_of(record.shimmer->static_noise)},
                        {"per_frame_noise", json_of(record.shimmer->per_frame_noise)}};
+  }
+  if (record.seam) {
+    json["seam"] = {{"pairs", record.seam->pairs},
+                    {"step", json_of(record.seam->step)},
+                    {"elsewhere", json_of(record.seam->elsewhere)}};
   }
   json["time_kind"] = kind;
   json["time_ms_median"] = record.time ? Json(record.time->median_ms) : Json(nullptr);

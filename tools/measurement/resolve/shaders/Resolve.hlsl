@@ -27,18 +27,10 @@ float4 _PenumbraSplitSpheres[4];
 float4 _PenumbraTileOffsetScale[4];
 float4 _PenumbraTileScales[4];
 float4x4 _PenumbraWorldToShadow[5];
+float4 _PenumbraCascadeBlend; // x: border between cascades, share of a split sphere's radius; y: 1 mixes, 0 dithers
 
-float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
+float VisibilityInCascade(float3 positionWS, float3 normalWS, float2 pixel, int cascade)
 {
-    CascadeSpheres spheres;
-    spheres.centre0 = _PenumbraSplitSpheres[0].xyz;
-    spheres.centre1 = _PenumbraSplitSpheres[1].xyz;
-    spheres.centre2 = _PenumbraSplitSpheres[2].xyz;
-    spheres.centre3 = _PenumbraSplitSpheres[3].xyz;
-    spheres.squaredRadii = _PenumbraSplitSphereSquaredRadii;
-    const int cascade = SelectCascade(positionWS, spheres, _PenumbraCascadeCount);
-    if (cascade >= _PenumbraCascadeCount) return 1.0;
-
     const float4x4 worldToShadow = _PenumbraWorldToShadow[cascade];
     ShadowReceiver receiver;
     receiver.shadowCoord = mul(worldToShadow, float4(positionWS, 1.0)).xyz;
@@ -53,6 +45,29 @@ float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
     tile.depthToRadial = _PenumbraTileScales[cascade].z;
     tile.radialToDepth = _PenumbraTileScales[cascade].w;
     return ResolveTechnique(receiver, tile, cascade);
+}
+
+float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
+{
+    CascadeSpheres spheres;
+    spheres.centre0 = _PenumbraSplitSpheres[0].xyz;
+    spheres.centre1 = _PenumbraSplitSpheres[1].xyz;
+    spheres.centre2 = _PenumbraSplitSpheres[2].xyz;
+    spheres.centre3 = _PenumbraSplitSpheres[3].xyz;
+    spheres.squaredRadii = _PenumbraSplitSphereSquaredRadii;
+    const int cascade = SelectCascade(positionWS, spheres, _PenumbraCascadeCount);
+    if (cascade >= _PenumbraCascadeCount) return 1.0;
+
+    float next = NextCascadeWeight(positionWS, spheres, cascade, _PenumbraCascadeCount, _PenumbraCascadeBlend.x);
+    if (_PenumbraCascadeBlend.y < 0.5) next = next > CascadeNoise(pixel, _PenumbraNoiseFrame) ? 1.0 : 0.0;
+    float visibility = 0.0;
+    // A loop, so that the technique is compiled once.
+    for (int i = 0; i < 2; ++i)
+    {
+        const float weight = i == 0 ? 1.0 - next : next;
+        if (weight > 0.0) visibility += weight * VisibilityInCascade(positionWS, normalWS, pixel, cascade + i);
+    }
+    return visibility;
 }
 #endif
 

@@ -1,0 +1,99 @@
+#include "study/seam.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+namespace penumbra::study {
+namespace {
+
+constexpr int kSeamWidth = 2 * kSeamBlock;
+constexpr int kSeamHeight = 2 * kSeamBlock;
+
+// Columns left of the border read cascade 0, the others 1.
+struct SeamFrame {
+  std::vector<int> cascade = std::vector<int>(kSeamWidth * kSeamHeight, 0);
+  std::vector<float> t1 = std::vector<float>(kSeamWidth * kSeamHeight, 0.5F);
+  std::vector<float> result = std::vector<float>(kSeamWidth * kSeamHeight, 0.5F);
+
+  explicit SeamFrame(int border) {
+    for (int i = 0; i < kSeamWidth * kSeamHeight; ++i)
+      cascade[static_cast<std::size_t>(i)] = i % kSeamWidth < border ? 0 : 1;
+  }
+  float& at(std::vector<float>& image, int x, int y) {
+    return image[static_cast<std::size_t>(y * kSeamWidth + x)];
+  }
+  Seam seam() const { return seam_of({kSeamWidth, cascade, t1, result}); }
+};
+
+TEST(Seam, IsTheChangeOfErrorAcrossTheBorder) {
+  SeamFrame frame(5);
+  for (int y = 0; y < kSeamHeight; ++y)
+    for (int x = 5; x < kSeamWidth; ++x) frame.at(frame.result, x, y) = 0.75F;
+  const Seam seam = frame.seam();
+  EXPECT_EQ(seam.pairs, std::size_t{kSeamHeight});
+  EXPECT_NEAR(*seam.step, 0.25, 1e-7);
+  EXPECT_NEAR(*seam.elsewhere, 0.0, 1e-7);
+}
+
+TEST(Seam, AChangeOfTheReferenceIsNoError) {
+  SeamFrame frame(5);
+  for (int y = 0; y < kSeamHeight; ++y)
+    for (int x = 5; x < kSeamWidth; ++x) frame.at(frame.result, x, y) = frame.at(frame.t1, x, y) = 0.75F;
+  EXPECT_NEAR(*frame.seam().step, 0.0, 1e-7);
+}
+
+TEST(Seam, NoiseAveragesOutAlongTheBorder) {
+  SeamFrame frame(5);
+  for (int y = 0; y < kSeamHeight; ++y) frame.at(frame.result, 5, y) += y % 2 == 0 ? 0.2F : -0.2F;
+  EXPECT_NEAR(*frame.seam().step, 0.0, 1e-7);
+}
+
+// Away from the camera whichever side the next cascade is on.
+TEST(Seam, HasTheSignOfTheWayToTheNextCascade) {
+  SeamFrame frame(0);  // cascade 1 everywhere, but for columns 8 to 11: two borders in one block
+  for (int y = 0; y < kSeamHeight; ++y)
+    for (int x = 8; x < 12; ++x) {
+      frame.cascade[static_cast<std::size_t>(y * kSeamWidth + x)] = 0;
+      frame.at(frame.result, x, y) = 0.4F;
+    }
+  EXPECT_NEAR(*frame.seam().step, 0.1, 1e-7);
+  EXPECT_EQ(frame.seam().pairs, std::size_t{2 * kSeamHeight});
+}
+
+TEST(Seam, CountsPenumbraPixelsThatHaveACascade) {
+  SeamFrame frame(5);
+  for (int y = 0; y < kSeamHeight; ++y) frame.at(frame.result, 4, y) = 0.9F;
+  for (int y = 0; y < kSeamHeight / 2; ++y) frame.at(frame.t1, 4, y) = 1.0F;
+  EXPECT_EQ(frame.seam().pairs, std::size_t{kSeamHeight / 2});
+  for (int y = kSeamHeight / 2; y < kSeamHeight; ++y)
+    frame.cascade[static_cast<std::size_t>(y * kSeamWidth + 4)] = -1;
+  EXPECT_EQ(frame.seam().pairs, 0U);
+  EXPECT_FALSE(frame.seam().step);
+}
+
+TEST(Seam, LeavesOutBlocksWithFewPairs) {
+  SeamFrame frame(kSeamWidth);
+  for (int y = 0; y < kSeamPairs - 1; ++y) frame.cascade[static_cast<std::size_t>(y * kSeamWidth)] = 1;
+  // The vertical pairs beside them count, too: one below the last.
+  for (int y = 0; y < kSeamPairs - 1; ++y) frame.at(frame.t1, 0, y) = y == 0 ? 0.5F : 0.0F;
+  EXPECT_EQ(frame.seam().pairs, 0U);
+}
+
+TEST(Seam, MeasuresTheSlopeOfTheErrorElsewhere) {
+  SeamFrame frame(kSeamWidth);
+  for (int y = 0; y < kSeamHeight; ++y)
+    for (int x = 0; x < kSeamWidth; ++x) frame.at(frame.result, x, y) = 0.5F + 0.01F * static_cast<float>(y);
+  EXPECT_NEAR(*frame.seam().elsewhere, 0.01, 1e-6);
+}
+
+TEST(Seam, RefusesImagesOfDifferentSizes) {
+  SeamFrame frame(5);
+  frame.t1.pop_back();
+  EXPECT_THROW(frame.seam(), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace penumbra::study
