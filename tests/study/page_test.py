@@ -12,7 +12,7 @@ loader = importlib.machinery.SourceFileLoader("page", str(HERE / "page"))
 page = importlib.util.module_from_spec(importlib.util.spec_from_loader("page", loader))
 loader.exec_module(page)
 
-PARTS = ("mask", "shimmer", "error_split", "reference", "settings", "intervals")  # of a record, with fields of their own
+PARTS = ("mask", "shimmer", "seam", "error_split", "reference", "settings", "intervals")  # of a record, with fields of their own
 
 
 def record(technique, scene="a", light=2.0, mask=None, shimmer=None, **figures):
