@@ -48,7 +48,7 @@ float FilterFilamentPcss(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), S
     UNITY_LOOP
     for (int i = 0; i < count; ++i)
     {
-        const float2 offset = RotateDisk(kFilamentTaps[i], rotation) * radius;
+        const float2 offset = RotateDisk(FilamentTap(i, count), rotation) * radius;
         const float plane = dot(RisePerTexel(prepared), offset);
         lit += FilamentLit(TEXTURE2D_ARGS(shadowMap, sampler_point), prepared, prepared.centre + offset, plane);
     }

@@ -48,7 +48,6 @@ static const float kSmrtTolerance = 1.05;        // of the ray's change of depth
 static const float kSmrtSmallestOffset = 0.0002; // metres along the normal
 static const float kSmrtDitherTexels = 0.5;      // per unit of its scale
 static const float kSmrtBiasOfDither = 2.0;
-static const int kSmrtLargestRayCount = 64;
 
 // A ray from the receiver, for t from 0 to 1. Heights are stored depths, larger toward the light.
 struct SmrtRay
@@ -146,7 +145,7 @@ float FilterUnrealSmrt(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SAM
     const float2 start = float2(noise, frac(noise * 29.0));
     const float offset = frac(noise * 11.0);
     const float dither = kSmrtDitherTexels * BoundedOrLow(parameters.texelDither, 0.0, 64.0);
-    const int rays = min(max(parameters.rays, 1), kSmrtLargestRayCount);
+    const int rays = BoundedSampleCount(parameters.rays);
     const int samples = BoundedSampleCount(parameters.samplesPerRay);
     float lit = 0.0;
     UNITY_LOOP
