@@ -13,7 +13,7 @@
 #ifndef PENUMBRA_PCSS_HDRP_HLSL
 #define PENUMBRA_PCSS_HDRP_HLSL
 
-#include "TexelQuad.hlsl"
+#include "DepthTaps.hlsl"
 #include "../Core/Disk.hlsl"
 #include "PcssHdrpParameters.hlsl"
 
@@ -53,28 +53,6 @@ HdrpScales HdrpScalesOf(ConeScales scales, PcssHdrpParameters parameters)
     return hdrp;
 }
 
-bool InTile(float2 texels, TileBounds bounds)
-{
-    return all(texels >= bounds.minimum + 0.5) && all(texels <= bounds.maximum - 0.5);
-}
-
-float2 ClampToTile(float2 texels, TileBounds bounds)
-{
-    return min(max(texels, bounds.minimum + 0.5), bounds.maximum - 0.5);
-}
-
-// Bilinear comparison against one reference depth, as a comparison sampler does it.
-float LitByGather(TEXTURE2D_PARAM(shadowMap, sampler_point), QuadReceiver receiver, float2 texels, float reference)
-{
-    const float2 corner = ClampQuadCorner(texels, receiver.bounds);
-    const float4 mapDepth = SanitizeMapDepth(GATHER_RED_TEXTURE2D(shadowMap, sampler_point, corner * receiver.texelSize));
-    const float4 gap = DepthGap(mapDepth, float4(reference, reference, reference, reference));
-    const float4 weight = BilinearWeights(texels, corner);
-    const float blocked = dot(weight, float4(gap.x > 0.0, gap.y > 0.0, gap.z > 0.0, gap.w > 0.0));
-    const float lit = dot(weight, float4(gap.x <= 0.0, gap.y <= 0.0, gap.z <= 0.0, gap.w <= 0.0));
-    return LitShare(lit, blocked);
-}
-
 BlockerEstimate HdrpSearch(TEXTURE2D_PARAM(shadowMap, sampler_point), QuadReceiver receiver, HdrpScales hdrp,
                            float2 rotation, float radius, PcssHdrpParameters parameters)
 {
@@ -92,8 +70,7 @@ BlockerEstimate HdrpSearch(TEXTURE2D_PARAM(shadowMap, sampler_point), QuadReceiv
         const float2 texels = i == 0 ? ClampToTile(receiver.centre, receiver.bounds) : receiver.centre + offset;
         if (InTile(texels, receiver.bounds))
         {
-            const float mapDepth = SanitizeMapDepth(
-                SAMPLE_TEXTURE2D_LOD(shadowMap, sampler_point, (floor(texels) + 0.5) * receiver.texelSize, 0).x);
+            const float mapDepth = PointDepth(TEXTURE2D_ARGS(shadowMap, sampler_point), receiver, texels);
             const float gap = DepthGap(mapDepth, receiver.depth);
             if (gap > min(length(offset) * hdrp.searchDepthPerTexel, hdrp.largestOffset))
             {
