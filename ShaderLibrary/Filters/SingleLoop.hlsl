@@ -30,6 +30,9 @@
 #include "../Core/RingMask.hlsl"
 #include "SingleLoopParameters.hlsl"
 
+// From a tap to the centre of the texel that contains it, half a texel's diagonal, and what rounding adds.
+static const float kTapToCentreTexels = 0.75;
+
 struct SingleLoop
 {
     QuadReceiver receiver;

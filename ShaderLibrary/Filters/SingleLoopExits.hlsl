@@ -5,8 +5,8 @@
 // Source:     as SingleLoop.hlsl; Map/DepthRange.hlsl.
 // Inputs:     those of SingleLoop.hlsl. depthRanges: ranges of 4 x 4 texels, in FilterSingleLoopMinMax dilated by a radius
 //             of each cascade, in FilterSingleLoopMips with mip levels.
-// Cost:       MinMax: 1 fetch, 5 where the dilation is 0 and decides, else 33. Mips: 4, else 36 (32 where the disc is
-//             wider than half of the tile).
+// Cost:       MinMax: 1 fetch, 5 where the dilation is 0 and decides, else 33. Mips: 4, else 36 (32 where the disc has
+//             no level).
 // Guarantees: those of SingleLoop.hlsl. Mips: the same answer to the last bit. MinMax: the same answer wherever the disc
 //             is no wider than the dilation reaches (DilationReach); where it is wider, a range that decides is
 //             believed for the whole disc, which is how the source defines this exit: penumbrae end there.
@@ -19,8 +19,6 @@
 #include "SingleLoop.hlsl"
 
 static const float kUndecided = -1.0;
-// From a tap to the centre of the texel that contains it, half a texel's diagonal, and what rounding adds.
-static const float kTapToCentreTexels = 0.75;
 // What floats lose of a receiver's plane, as a share of the terms that it is the sum of.
 static const float kPlaneRounding = 1e-6;
 // Diagonal neighbours within a radius of 1 texel.
@@ -73,20 +71,13 @@ int DilationOfTile(int index, SingleLoopParameters parameters)
     return min(max(index < 2 ? front : back, 0), kLargestDilation);
 }
 
-// The texel of level `level` of the ranges that contains a position in texels of the shadow map.
-int2 RangeTexel(float2 texels, int level, TileBounds bounds)
-{
-    const float2 inside = min(max(texels, bounds.minimum), max(bounds.maximum - 1.0, bounds.minimum));
-    return int2(inside) >> (2 + level);
-}
-
 float FilterSingleLoopMinMax(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SAMPLER(sampler_point),
                              TEXTURE2D(depthRanges), ShadowReceiver receiver, ShadowTile tile,
                              SingleLoopParameters parameters)
 {
     const SingleLoop loop = PrepareSingleLoop(receiver, tile, parameters);
     const float reach = DilationReach(DilationOfTile(TileIndex(tile), parameters));
-    const int2 texel = RangeTexel(loop.receiver.centre, 0, loop.receiver.bounds);
+    const int2 texel = BlockAt(loop.receiver.centre, 0, loop.receiver.bounds);
     const float2 range = LOAD_TEXTURE2D_LOD(depthRanges, texel, 0).xy;
     const float decided = DecideByRange(range, loop.receiver, min(loop.radius, reach));
     // A range that reaches farther than the four taps says what they are.
@@ -95,34 +86,22 @@ float FilterSingleLoopMinMax(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap
     return RunSingleLoop(shadowMap, loop);
 }
 
-// The level whose texels are at least as wide as the disc, so that 2 x 2 of them hold it.
-int LevelOfDisc(float radius)
-{
-    return int(max(ceil(log2(max(2.0 * radius / kRangeBlock, 1.0))), 0.0));
-}
-
-// The highest level whose texels divide the tile.
-int HighestWholeLevel(TileBounds bounds)
-{
-    const uint2 blocks = max(uint2(bounds.maximum - bounds.minimum) / 4u, 1u);
-    return int(firstbitlow(blocks.x | blocks.y));
-}
-
 float FilterSingleLoopMips(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SAMPLER(sampler_point),
                            TEXTURE2D(depthRanges), ShadowReceiver receiver, ShadowTile tile,
                            SingleLoopParameters parameters)
 {
     const SingleLoop loop = PrepareSingleLoop(receiver, tile, parameters);
     const float reach = loop.radius + kTapToCentreTexels;
-    const int level = LevelOfDisc(reach);
-    if (level <= HighestWholeLevel(loop.receiver.bounds))
+    const DiscBlocks blocks = BlocksOfDisc(loop.receiver.centre, reach, 2, loop.receiver.bounds);
+    if (blocks.whole)
     {
-        const int2 low = RangeTexel(loop.receiver.centre - reach, level, loop.receiver.bounds);
-        const int2 high = RangeTexel(loop.receiver.centre + reach, level, loop.receiver.bounds);
-        const float2 range = JoinRanges(JoinRanges(LOAD_TEXTURE2D_LOD(depthRanges, low, level).xy,
-                                                   LOAD_TEXTURE2D_LOD(depthRanges, int2(high.x, low.y), level).xy),
-                                        JoinRanges(LOAD_TEXTURE2D_LOD(depthRanges, int2(low.x, high.y), level).xy,
-                                                   LOAD_TEXTURE2D_LOD(depthRanges, high, level).xy));
+        float2 range = kEmptyRange;
+        UNITY_UNROLL
+        for (int i = 0; i < 4; ++i)
+        {
+            const int2 texel = int2((i & 1) == 0 ? blocks.low.x : blocks.high.x, i < 2 ? blocks.low.y : blocks.high.y);
+            range = JoinRanges(range, LOAD_TEXTURE2D_LOD(depthRanges, texel, blocks.level).xy);
+        }
         const float decided = DecideByRange(range, loop.receiver, loop.radius);
         if (decided >= 0.0) return decided;
     }

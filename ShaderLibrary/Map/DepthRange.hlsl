@@ -16,6 +16,7 @@
 
 #include "../Core/DepthConvention.hlsl"
 #include "../Core/FloatBits.hlsl"
+#include "../Core/TileBounds.hlsl"
 
 // Texels of the shadow map per texel of the quarter-resolution map, each way.
 static const float kRangeBlock = 4.0;
@@ -75,6 +76,40 @@ bool InDilation(int2 offset, int radius)
 float DilationReach(int radius)
 {
     return kRangeBlock * max(float(radius) - 1.4142136, 0.0);
+}
+
+// The block of level `level` that contains a position in texels of the shadow map; of the tile's blocks the nearest.
+int2 BlockAt(float2 texels, int level, TileBounds bounds)
+{
+    const float2 inside = min(max(texels, bounds.minimum), max(bounds.maximum - 1.0, bounds.minimum));
+    return int2(inside) >> (2 + level);
+}
+
+// The highest level whose blocks divide the tile.
+int HighestWholeLevel(TileBounds bounds)
+{
+    const uint2 blocks = max(uint2(bounds.maximum - bounds.minimum) / 4u, 1u);
+    return int(firstbitlow(blocks.x | blocks.y));
+}
+
+// The blocks, at most `across` x `across`, that hold the tile's part of a disc.
+struct DiscBlocks
+{
+    int level;
+    int2 low;
+    int2 high;
+    bool whole; // false: no level has so few
+};
+
+DiscBlocks BlocksOfDisc(float2 centre, float radius, int across, TileBounds bounds)
+{
+    DiscBlocks blocks;
+    const float narrowest = 2.0 * radius / (kRangeBlock * float(across - 1));
+    blocks.level = min(int(ceil(log2(max(narrowest, 1.0)))), HighestWholeLevel(bounds));
+    blocks.low = BlockAt(centre - radius, blocks.level, bounds);
+    blocks.high = BlockAt(centre + radius, blocks.level, bounds);
+    blocks.whole = all(blocks.high - blocks.low < across);
+    return blocks;
 }
 
 #endif

@@ -75,7 +75,8 @@ const std::string kPlanes =
     "r.centre = float2(0.0, 0.0); r.depth = In(16); r.gradient = float2(In(17), In(18));"
     "const float2 away = float2(In(19), In(20)); float4 depths[4]; int i;"
     "for (i = 0; i < 4; ++i) depths[i] = float4(In(4 * i), In(4 * i + 1), In(4 * i + 2), In(4 * i + 3));"
-    "Out(0, DecideByPlanes(PlanesOfBlock(depths), away, 4.0, r));"
+    "const BlockDecision block = DecideBlock(PlanesOfBlock(depths), away, 4.0, r);"
+    "Out(0, block.noneBlocks ? 1.0 : block.allBlock ? 0.0 : -1.0);"
     "int blocking = 0; for (i = 0; i < 16; ++i) {"
     "const float2 at = away + QuarterCorner(i / 4) + float2(kGatherX[i % 4], kGatherY[i % 4]);"
     "const float plane = KeepBehindNearPlane(r.depth + dot(r.gradient, at));"
@@ -106,10 +107,11 @@ TEST(SingleLoopExits, WhatPlanesDecideHoldsForEveryTexelOfTheirBlock) {
                                    tilt * x, tilt * y, away_x, away_y});
     }
     const std::vector<float> out =
-        run({"SingleLoopPlanes", kPlanes, 21, 2, {}, "Filters"}, direction, inputs);
+        run({"DepthPlaneDecision", kPlanes, 21, 2, {}, "Filters"}, direction, inputs);
     int lit = 0, dark = 0, undecided = 0;
     for (std::size_t i = 0; i < out.size() / 2; ++i) {
       const float decided = out[2 * i], blocking = out[2 * i + 1];
+      ASSERT_LE(blocking, 16.0f) << i << ": a gap beyond the bounds";
       ASSERT_TRUE(decided != 1.0f || blocking == 0.0f) << i << ": " << blocking;
       ASSERT_TRUE(decided != 0.0f || blocking == 16.0f) << i << ": " << blocking;
       ++(decided == 1.0f ? lit : decided == 0.0f ? dark : undecided);
