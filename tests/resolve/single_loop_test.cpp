@@ -70,14 +70,16 @@ class SingleLoop : public testing::TestWithParam<bool> {
     return frame;
   }
 
-  // Squares of 8 texels: nothing, or a wall at one of four heights.
+  // Squares of 8 texels: nothing, or a wall at one of four heights, two of them as low as the slopes' own
+  // rise.
   static TexelDepth walls(int texels) {
     return [texels](double u, double v, int tile) {
       const auto square = [&](double at) { return static_cast<unsigned>(at * texels / 8.0); };
       std::minstd_rand engine(square(u) * 1009u + square(v) * 31u + static_cast<unsigned>(tile) * 7u + 3u);
       engine.discard(3);
       const unsigned kind = engine() % 8u;
-      return static_cast<float>(depth(kind < 4 ? 1.0 : 0.5 - 0.1 * (kind - 4.0)));
+      constexpr std::array<double, 4> kWalls{0.597, 0.594, 0.4, 0.2};
+      return static_cast<float>(depth(kind < 4 ? 1.0 : kWalls[kind - 4U]));
     };
   }
 
@@ -189,7 +191,7 @@ struct Formulae {
 TEST_P(SingleLoop, IsTheLitAreaOfTheRingsOfThePenumbra) {
   for (const double degrees : {6.0, 12.0, 20.0}) {
     for (const int taps : {32, 31}) {
-      for (const double tilt : {0.0, 0.4}) {
+      for (const double tilt : {0.0, 0.8}) {
         const FrameSetup frame_setup = setup(GetParam(), 4, 1, degrees);
         const scene::Frame frame = frame_of(frame_setup, walls(256), tilt);
         const double disc = 24.0 * frame.cascades.cascades[1].texel_size_metres;
@@ -326,9 +328,12 @@ TEST_P(SingleLoopExits, MissNoneOfAMillionReceivers) {
       const glm::dvec3 aside(random(-1.0, 1.0), random(-1.0, 1.0), random(-1.0, 1.0));
       normal = glm::vec4(glm::vec3(glm::normalize(glm::dvec3(normal) + tilt * aside)), 0.0f);
     }
-    const GraphResult plain = run("single-loop-32", frame, {});
+    const std::map<std::string, double> disc{
+        {"discRadiusMetres",
+         20.0 * frame.cascades.cascades[static_cast<std::size_t>(cascade)].texel_size_metres}};
+    const GraphResult plain = run("single-loop-32", frame, disc);
     for (const std::string technique : {"single-loop-32-mips", "single-loop-32-planes"}) {
-      const GraphResult exits = run(technique, frame, {});
+      const GraphResult exits = run(technique, frame, disc);
       int saved = 0;
       for (std::size_t i = 0; i < receivers.size(); ++i) {
         ASSERT_EQ(exits.visibility[0][i], plain.visibility[0][i])
@@ -337,6 +342,27 @@ TEST_P(SingleLoopExits, MissNoneOfAMillionReceivers) {
       }
       EXPECT_GT(saved, kSide * kSide / 10) << cascade << ", " << technique;
     }
+  }
+}
+
+// A tile of 192 texels has three blocks of the highest level that divides it: not every disc has a level of
+// few enough.
+TEST_P(SingleLoopExits, OverATileOfThreeBlocksChangeNoBit) {
+  FrameSetup odd = setup(GetParam(), 4, 0, 30.0);
+  odd.shadows.resolution = 384;
+  const scene::Frame frame = frame_of(odd, quarters(192), 0.1);
+  ASSERT_EQ(frame.cascades.tile_resolution, 192);
+  const double disc = 80.0 * frame.cascades.cascades[0].texel_size_metres;
+  const GraphResult plain = run("single-loop-32", frame, {{"discRadiusMetres", disc}});
+  for (const std::string technique : {"single-loop-32-mips", "single-loop-32-planes"}) {
+    const GraphResult exits = run(technique, frame, {{"discRadiusMetres", disc}});
+    int without_level = 0;
+    for (std::size_t i = 0; i < kColumns * kColumns; ++i) {
+      ASSERT_EQ(exits.visibility[0][i], plain.visibility[0][i]) << technique << ", " << i;
+      without_level += exits.fetches[i] == 32U ? 1 : 0;
+    }
+    EXPECT_EQ(without_level > 0, technique == "single-loop-32-mips")
+        << "2 x 2 blocks are too few, 3 x 3 are not";
   }
 }
 
