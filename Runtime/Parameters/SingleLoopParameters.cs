@@ -57,7 +57,7 @@ namespace Penumbra
         {
             samples = 32,
             ringExponent = 1,
-            discRadiusMetres = 0.1f,
+            discRadiusMetres = 0.05f,
             minFilterTexels = 1.25f,
             dilation0 = 8,
             dilation1 = 4,

@@ -21,7 +21,10 @@
 //   mean penumbrae narrow where few taps are blocked, at their outer ends. Here the mean is over blockers.
 // - It converts depth to radius by an unstated rule. Here: tan(a / 2) times the gap (Core/Penumbra.hlsl).
 // - It compares with a bias. Here each tap is compared at its texel's centre with the receiver's plane.
-// - The disc is no wider than the cone of the farthest blocker that the map can hold.
+// - The disc is no wider than the cone of the farthest blocker that the map can hold. Its largest radius, 0.05 m, and
+//   0.1 m with rings of equal width, are those with the smallest error in penumbra, averaged over lights of 0.53, 2 and 5
+//   degrees (measure --set discRadiusMetres=0.03,0.05,0.1). A wider disc blurs narrow penumbrae, a narrower one cuts
+//   wide ones.
 #ifndef PENUMBRA_SINGLE_LOOP_HLSL
 #define PENUMBRA_SINGLE_LOOP_HLSL
 
