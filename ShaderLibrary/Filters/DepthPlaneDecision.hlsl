@@ -15,7 +15,7 @@
 #include "../Map/DepthPlanes.hlsl"
 #include "TexelQuad.hlsl"
 
-// Fetches per pixel of the single loop, over three scenes, with 2, 3, 4 and 6: 16.9, 16.1, 17.3, 20.4.
+// Fetches per pixel of a single loop in a disc of 0.1 m, over three scenes, with 2, 3, 4 and 6: 16.9, 16.1, 17.3, 20.4.
 static const int kBlocksAcross = 3;
 
 struct BlockDecision
