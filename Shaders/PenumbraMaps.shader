@@ -1,4 +1,4 @@
-// Passes over the shadow map: each makes, cascade by cascade, a map that may be filtered.
+// Passes over the shadow map: each makes, cascade by cascade, a map that may be filtered, or one of depth ranges.
 Shader "Hidden/Penumbra/Maps"
 {
     SubShader
@@ -75,6 +75,66 @@ Shader "Hidden/Penumbra/Maps"
             #pragma vertex ScreenTriangle
             #pragma fragment LogColumns
             #include "LogExponentialMap.hlsl"
+            ENDHLSL
+        }
+
+        Pass
+        {
+            Name "QuarterDepthRange"
+            HLSLPROGRAM
+            #pragma vertex ScreenTriangle
+            #pragma fragment QuarterDepthRange
+            #include "DepthRangePasses.hlsl"
+            ENDHLSL
+        }
+
+        Pass
+        {
+            Name "DilatedDepthRange"
+            HLSLPROGRAM
+            #pragma vertex ScreenTriangle
+            #pragma fragment DilatedDepthRange
+            #include "DepthRangePasses.hlsl"
+            ENDHLSL
+        }
+
+        Pass
+        {
+            Name "DepthRangeMip"
+            HLSLPROGRAM
+            #pragma vertex ScreenTriangle
+            #pragma fragment DepthRangeMip
+            #include "DepthRangePasses.hlsl"
+            ENDHLSL
+        }
+
+        Pass
+        {
+            Name "QuarterVariance"
+            HLSLPROGRAM
+            #pragma vertex ScreenTriangle
+            #pragma fragment QuarterVariance
+            #include "DepthRangePasses.hlsl"
+            ENDHLSL
+        }
+
+        Pass
+        {
+            Name "QuarterDepthPlanes"
+            HLSLPROGRAM
+            #pragma vertex ScreenTriangle
+            #pragma fragment QuarterDepthPlanes
+            #include "DepthPlanePasses.hlsl"
+            ENDHLSL
+        }
+
+        Pass
+        {
+            Name "DepthPlanesMip"
+            HLSLPROGRAM
+            #pragma vertex ScreenTriangle
+            #pragma fragment DepthPlanesMip
+            #include "DepthPlanePasses.hlsl"
             ENDHLSL
         }
     }

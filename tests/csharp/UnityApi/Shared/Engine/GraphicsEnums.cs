@@ -73,6 +73,7 @@ namespace UnityEngine.Experimental.Rendering
         None = 0,
         R8_UNorm = 5,
         R16_UNorm = 21,
+        R16G16_UNorm = 22,
         R16G16B16A16_UNorm = 24,
         R32_UInt = 37,
         R16_SFloat = 45,

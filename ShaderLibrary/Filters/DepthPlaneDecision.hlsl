@@ -1,0 +1,72 @@
+// Penumbra: what maps of depth planes say of the texels around a receiver.
+//
+// Computes:   whether no texel of a block of the shadow map blocks a receiver, or each does; the same of a disc.
+// Source:     derived here, from Map/DepthPlanes.hlsl.
+// Inputs:     QuadReceiver; depthPlanes: of 4 x 4 texels, with mip levels.
+// Cost:       1 fetch for each of up to 3 x 3 blocks, until one is undecided or differs from those before it.
+// Guarantees: a texel blocks where it is nearer to the light both than the receiver and than the receiver's plane at the
+//             texel's centre, as TexelQuad.hlsl and SingleLoop.hlsl test it. What is decided is the answer of that test
+//             for every texel of the block, in floats.
+// Use it:     for early exits that change no bit of a filter's answer. Not: for tests with a cone, which texels nearer than
+//             the receiver may fail.
+#ifndef PENUMBRA_DEPTH_PLANE_DECISION_HLSL
+#define PENUMBRA_DEPTH_PLANE_DECISION_HLSL
+
+#include "../Map/DepthPlanes.hlsl"
+#include "TexelQuad.hlsl"
+
+// Fetches per pixel of a single loop in a disc of 0.1 m, over three scenes, with 2, 3, 4 and 6: 16.9, 16.1, 17.3, 20.4.
+static const int kBlocksAcross = 3;
+
+struct BlockDecision
+{
+    bool noneBlocks;
+    bool allBlock;
+};
+
+// away: from the receiver to the block's centre, texels.
+BlockDecision DecideBlock(DepthPlanes block, float2 away, float blockTexels, QuadReceiver receiver)
+{
+    const float2 level = float2(0.0, 0.0);
+    const float plane = receiver.depth + dot(receiver.gradient, away);
+    const float own = Parting(receiver.gradient, level, blockTexels);
+    const float slope = Parting(block.gradient, level, blockTexels);
+    const float margin = kPlanesRounding * (1.0 + abs(block.nearest) + abs(block.farthest) + abs(plane) + own + slope);
+    const float parting = Parting(block.gradient, receiver.gradient, blockTexels) + margin;
+    // A plane that leaves the map in front is compared at the map's end (KeepBehindNearPlane): no part of the block may.
+    const bool inMap = DepthGap(kNearestDepth, plane) > own + margin;
+    const bool below = inMap && DepthGap(block.nearest, plane) + parting < 0.0;
+    const bool behind = DepthGap(block.nearest, receiver.depth) + slope + margin < 0.0;
+    const bool above = DepthGap(block.farthest, plane) - parting > 0.0;
+    const bool before = DepthGap(block.farthest, receiver.depth) - slope - margin > 0.0;
+    BlockDecision decision;
+    decision.noneBlocks = below || behind;
+    decision.allBlock = above && before;
+    return decision;
+}
+
+// Of the texels that lie, in part or as a whole, within `radius` texels of the receiver.
+BlockDecision DecideDisc(TEXTURE2D(depthPlanes), float radius, QuadReceiver receiver)
+{
+    const DiscBlocks blocks = BlocksOfDisc(receiver.centre, radius, kBlocksAcross, receiver.bounds);
+    const float blockTexels = kRangeBlock * exp2(float(blocks.level));
+    const int2 size = blocks.high - blocks.low + 1;
+    BlockDecision disc;
+    disc.noneBlocks = blocks.whole;
+    disc.allBlock = blocks.whole;
+    UNITY_LOOP
+    for (int i = 0; i < size.x * size.y && (disc.noneBlocks || disc.allBlock); ++i)
+    {
+        const int2 texel = blocks.low + int2(i % size.x, i / size.x);
+        const float2 away = (float2(texel) + 0.5) * blockTexels - receiver.centre;
+        const float2 nearest = max(abs(away) - 0.5 * blockTexels, 0.0);
+        if (dot(nearest, nearest) > radius * radius) continue;
+        const DepthPlanes planes = UnpackPlanes(LOAD_TEXTURE2D_LOD(depthPlanes, texel, blocks.level));
+        const BlockDecision block = DecideBlock(planes, away, blockTexels, receiver);
+        disc.noneBlocks = disc.noneBlocks && block.noneBlocks;
+        disc.allBlock = disc.allBlock && block.allBlock;
+    }
+    return disc;
+}
+
+#endif
