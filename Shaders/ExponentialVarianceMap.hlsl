@@ -24,4 +24,6 @@ float4 MapValue(float storedDepth)
     return WarpedMoments(storedDepth, exponents);
 }
 
+#include "MapLevels.hlsl"
+
 #endif

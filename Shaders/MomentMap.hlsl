@@ -17,4 +17,6 @@ float4 MapValue(float storedDepth)
     return StoredMoments(storedDepth);
 }
 
+#include "MapLevels.hlsl"
+
 #endif

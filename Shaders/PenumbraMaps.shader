@@ -137,5 +137,65 @@ Shader "Hidden/Penumbra/Maps"
             #include "DepthPlanePasses.hlsl"
             ENDHLSL
         }
+
+        Pass
+        {
+            Name "DepthDigits"
+            HLSLPROGRAM
+            #pragma vertex ScreenTriangle
+            #pragma fragment DepthDigitTexel
+            #include "DigitMap.hlsl"
+            ENDHLSL
+        }
+
+        Pass
+        {
+            Name "MomentDigits"
+            HLSLPROGRAM
+            #pragma vertex ScreenTriangle
+            #pragma fragment MomentDigitTexel
+            #include "DigitMap.hlsl"
+            ENDHLSL
+        }
+
+        Pass
+        {
+            Name "VarianceLevel"
+            HLSLPROGRAM
+            #pragma vertex ScreenTriangle
+            #pragma fragment FirstLevel
+            #include "StoredVarianceMap.hlsl"
+            ENDHLSL
+        }
+
+        Pass
+        {
+            Name "MomentLevel"
+            HLSLPROGRAM
+            #pragma vertex ScreenTriangle
+            #pragma fragment FirstLevel
+            #include "MomentMap.hlsl"
+            ENDHLSL
+        }
+
+        Pass
+        {
+            Name "ExponentialVarianceLevel"
+            HLSLPROGRAM
+            #pragma vertex ScreenTriangle
+            #pragma fragment FirstLevel
+            #include "ExponentialVarianceMap.hlsl"
+            ENDHLSL
+        }
+
+        Pass
+        {
+            Name "NextLevel"
+            HLSLPROGRAM
+            #pragma vertex ScreenTriangle
+            #pragma fragment NextLevel
+            #include "MomentMap.hlsl"
+            ENDHLSL
+        }
     }
 }

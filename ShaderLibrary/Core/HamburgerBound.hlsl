@@ -50,12 +50,15 @@ float CanonicalWeight(HankelFactors factors, float x)
     return 1.0 / (1.0 + y.x * y.x / factors.pivots.x + y.y * y.y / factors.pivots.y);
 }
 
-float HamburgerBound(float4 moments, float depth, float mix)
+float4 MixedMoments(float4 moments, float mix)
 {
-    const float4 mixed = moments + mix * (float4(0.0, 0.375, 0.0, 0.375) - moments);
-    const HankelFactors factors = FactorHankel(mixed);
+    return moments + mix * (float4(0.0, 0.375, 0.0, 0.375) - moments);
+}
 
-    // B c = (1, depth, depth^2); the other two depths are the roots of c.x + c.y x + c.z x^2.
+// The other two depths of the distribution that contains `depth`: B c = (1, depth, depth^2), and they are the roots of
+// c.x + c.y x + c.z x^2.
+float2 CanonicalDepths(HankelFactors factors, float depth)
+{
     const float2 y = ReducedPowers(factors, depth);
     float3 c;
     c.z = y.y / factors.pivots.y;
@@ -63,11 +66,16 @@ float HamburgerBound(float4 moments, float depth, float mix)
     c.x = 1.0 - factors.moments.x * c.y - factors.moments.y * c.z;
     const float discriminant = sqrt(max(c.y * c.y - 4.0 * c.z * c.x, 0.0));
     const float q = -0.5 * (c.y + (c.y < 0.0 ? -discriminant : discriminant)); // no cancellation
-    const float first = abs(q) < kLargestRoot * abs(c.z) ? q / c.z : kLargestRoot;
-    const float second = abs(c.x) < kLargestRoot * abs(q) ? c.x / q : kLargestRoot;
+    return float2(abs(q) < kLargestRoot * abs(c.z) ? q / c.z : kLargestRoot,
+                  abs(c.x) < kLargestRoot * abs(q) ? c.x / q : kLargestRoot);
+}
 
-    const float nearer = (first < depth ? CanonicalWeight(factors, first) : 0.0) +
-                         (second < depth ? CanonicalWeight(factors, second) : 0.0);
+float HamburgerBound(float4 moments, float depth, float mix)
+{
+    const HankelFactors factors = FactorHankel(MixedMoments(moments, mix));
+    const float2 others = CanonicalDepths(factors, depth);
+    const float nearer = (others.x < depth ? CanonicalWeight(factors, others.x) : 0.0) +
+                         (others.y < depth ? CanonicalWeight(factors, others.y) : 0.0);
     return min(max(1.0 - nearer, 0.0), 1.0);
 }
 

@@ -27,4 +27,16 @@ float2 DepthMoments(float storedDepth)
     return float2(depth, depth * depth);
 }
 
+// The same between 0 and 1, as integer formats hold them; and back.
+float2 StoredDepthMoments(float storedDepth)
+{
+    const float2 moments = DepthMoments(storedDepth);
+    return float2(0.5 + moments.x, 4.0 * moments.y);
+}
+
+float2 DepthMomentsOf(float2 stored)
+{
+    return float2(stored.x - 0.5, 0.25 * stored.y);
+}
+
 #endif

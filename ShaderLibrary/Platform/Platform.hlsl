@@ -31,6 +31,7 @@
 #define UNITY_LOOP [loop]
 
 #define TEXTURE2D(textureName) Texture2D textureName
+#define TYPED_TEXTURE2D(type, textureName) Texture2D<type> textureName
 #define TEXTURE2D_SHADOW(textureName) TEXTURE2D(textureName)
 #define SAMPLER(samplerName) SamplerState samplerName
 #define SAMPLER_CMP(samplerName) SamplerComparisonState samplerName

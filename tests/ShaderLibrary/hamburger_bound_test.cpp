@@ -44,6 +44,47 @@ TEST(CanonicalWeight, IsTheShareOfOneOfThreeDepths) {
   for (std::size_t i = 0; i < shares.size(); ++i) ASSERT_NEAR(weights[i], shares[i], 5e-3) << i;
 }
 
+TEST(CanonicalDepths, AreTheOtherTwoOfThreeDepths) {
+  const CoreFunction others{
+      "HamburgerBound",
+      "float2 d = CanonicalDepths(FactorHankel(float4(In(0), In(1), In(2), In(3))), In(4)); "
+      "Out(0, min(d.x, d.y)); Out(1, max(d.x, d.y));",
+      5, 2};
+  Random random(48);
+  std::vector<float> inputs;
+  std::vector<double> exact;
+  while (exact.size() < std::size_t(2 * kRandomCases)) {
+    const Depths depths = drawn(random, 1.0f, 3);
+    if (smallest_gap(depths) < 0.2) continue;
+    for (const int power : {1, 2, 3, 4}) inputs.push_back(static_cast<float>(depths.mean(power)));
+    inputs.push_back(static_cast<float>(depths.at[0]));
+    exact.push_back(std::min(depths.at[1], depths.at[2]));
+    exact.push_back(std::max(depths.at[1], depths.at[2]));
+  }
+  const std::vector<float> found = run(others, DepthDirection::conventional, inputs);
+  for (std::size_t i = 0; i < exact.size(); ++i) ASSERT_NEAR(found[i], exact[i], 5e-3) << i;
+}
+
+TEST(MixedMoments, AreThoseOfTheMixedDistribution) {
+  const CoreFunction mixed{
+      "HamburgerBound",
+      "float4 m = MixedMoments(float4(In(0), In(1), In(2), In(3)), In(4)); for (int i = 0; i "
+      "< 4; ++i) Out(i, m[i]);",
+      5, 4};
+  Random random(49);
+  std::vector<float> inputs;
+  for (int i = 0; i < kRandomCases; ++i) {
+    for (int word = 0; word < 4; ++word) inputs.push_back(random.between(-1.0f, 1.0f));
+    inputs.push_back(random.between(0.0f, 0.1f));
+  }
+  const std::vector<float> out = run(mixed, DepthDirection::conventional, inputs);
+  const double smooth[4] = {0.0, 0.375, 0.0, 0.375};
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const double mix = inputs[i / 4 * 5 + 4];
+    ASSERT_NEAR(out[i], (1.0 - mix) * inputs[i / 4 * 5 + i % 4] + mix * smooth[i % 4], 2e-7) << i;
+  }
+}
+
 // They are orthogonal polynomials of the distribution: means of both and of their product are 0.
 TEST(ReducedPowers, AreOrthogonal) {
   const CoreFunction powers{"HamburgerBound",

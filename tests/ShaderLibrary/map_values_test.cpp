@@ -47,6 +47,65 @@ TEST(FourMoments, AreStoredBetweenZeroAndOneAndComeBack) {
   }
 }
 
+TEST(StoredDepthMoments, LieBetweenZeroAndOneAndComeBack) {
+  const CoreFunction moments{"DepthMoments",
+                             "float2 s = StoredDepthMoments(In(0)); float2 m = DepthMomentsOf(s); Out(0, "
+                             "s.x); Out(1, s.y); Out(2, m.x); "
+                             "Out(3, m.y);",
+                             1,
+                             4,
+                             {},
+                             "Map"};
+  for (const DepthDirection direction : kDepthDirections) {
+    const std::vector<float> depths = depths_over_the_range();
+    const std::vector<float> out = run(moments, direction, depths);
+    for (std::size_t i = 0; i < depths.size(); ++i) {
+      const double z = centred(depths[i], direction);
+      ASSERT_NEAR(out[4 * i], z + 0.5, 1e-7) << depths[i];
+      ASSERT_NEAR(out[4 * i + 1], 4.0 * z * z, 2e-7) << depths[i];
+      ASSERT_NEAR(out[4 * i + 2], z, 1e-7) << depths[i];
+      ASSERT_NEAR(out[4 * i + 3], z * z, 1e-7) << depths[i];
+    }
+  }
+}
+
+// A tile of 1024 texels at (1024, 0): in its middle the taps' distances and widths make up the deviation that
+// was asked for; at its border no tap reads beyond, in the coarser of two levels.
+TEST(TapsOf, HaveTheDeviationAndStayInTheTile) {
+  const CoreFunction taps{
+      "MapLevels",
+      "TileBounds b; b.minimum = float2(1024.0, 0.0); b.maximum = float2(2048.0, 1024.0); "
+      "LevelTaps t = TapsOf(float2(In(0), In(1)), In(2), b); Out(0, t.level); for (int i = 0; "
+      "i < 4; ++i) { Out(1 + 2 * i, t.at[i].x); Out(2 + 2 * i, t.at[i].y); }",
+      3,
+      9,
+      {},
+      "Map"};
+  Random random(52);
+  std::vector<float> inputs;
+  for (int i = 0; i < kRandomCases; ++i) {
+    const bool middle = i % 2 == 0;
+    inputs.push_back(middle ? 1536.0f : random.between(1024.0f, 2048.0f));
+    inputs.push_back(middle ? 512.0f : random.between(0.0f, 1024.0f));
+    inputs.push_back(middle ? random.between(0.6f, 200.0f) : random.between(0.1f, 2000.0f));
+  }
+  const std::vector<float> out = run(taps, DepthDirection::conventional, inputs);
+  for (std::size_t i = 0; i < std::size_t(kRandomCases); ++i) {
+    const float* found = &out[9 * i];
+    const double deviation = inputs[3 * i + 2], reach = 0.5 * std::exp2(std::ceil(found[0]));
+    double squares = 0.0;
+    for (int tap = 0; tap < 4; ++tap) {
+      const double x = found[1 + 2 * tap], y = found[2 + 2 * tap];
+      squares += 0.125 * ((x - 1536.0) * (x - 1536.0) + (y - 512.0) * (y - 512.0));
+      ASSERT_TRUE(x - reach >= 1024.0 && x + reach <= 2048.0 && y - reach >= 0.0 && y + reach <= 1024.0)
+          << x << ", " << y << " at level " << found[0];
+    }
+    if (i % 2 == 0) {
+      ASSERT_NEAR((squares + 0.25 * std::exp2(2.0 * found[0])) / (deviation * deviation), 1.0, 2e-3);
+    }
+  }
+}
+
 // The largest exponents that DepthWarp.hlsl names, in the numbers of both formats.
 TEST(DepthWarp, ItsLargestExponentsFitTheirFormats) {
   const CoreFunction warp{

@@ -81,6 +81,18 @@ double godot_gap(const techniques::Technique& technique, double) {
   return 1.5 * value(technique, "depthBias");
 }
 
+// The variance that rounding leaves: v / (v + g^2) = bleeding.
+double soft_variance_gap(const techniques::Technique& technique, double) {
+  return 1.5 * std::sqrt(value(technique, "smallestVariance") * (1.0 / value(technique, "bleeding") - 1.0));
+}
+
+// The smallest variance is relative to the receiver's exponential: 1 - exp(-c g) in place of g.
+double exponential_levels_gap(const techniques::Technique& technique, double) {
+  const double variance = 16.0 * value(technique, "precision");
+  const double deviations = std::sqrt(variance * (1.0 / value(technique, "bleeding") - 1.0));
+  return -1.5 * std::log1p(-deviations) / value(technique, "positiveExponent");
+}
+
 class EveryFilter : public testing::TestWithParam<Case> {
  protected:
   FrameSetup setup(int cascades = 4, int cascade = 1) const {
@@ -128,7 +140,10 @@ class EveryFilter : public testing::TestWithParam<Case> {
         {"log-exponential", exponential_gap},
         {"exponential-variance", exponential_variance_gap},
         {"moments", moments_gap},
-        {"godot-pcss", godot_gap}};
+        {"godot-pcss", godot_gap},
+        {"vssm", soft_variance_gap},
+        {"mssm", moments_gap},
+        {"evsm-mip", exponential_levels_gap}};
     const auto found = gaps.find(technique().family);
     return found == gaps.end() ? 0.0 : found->second(technique(), receiver);
   }

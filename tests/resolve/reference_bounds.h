@@ -40,10 +40,15 @@ class HankelInverse {
   Real at_[3][3];
 };
 
-// The largest share at or behind `depth` of any distribution with these four moments. The canonical
-// distribution has `depth` and two more depths; their weights follow from the moments 0 and 1 (Peters and
-// Klein 2015, section 2).
-inline Real hamburger(std::array<Real, 4> moments, Real depth, Real mix) {
+// The share of the depths before `depth`, and that share times their mean gap.
+struct Nearer {
+  Real share = 0;
+  Real gap_sum = 0;
+};
+
+// Of the canonical distribution with these four moments: it has `depth` and two more depths, whose weights
+// follow from the moments 0 and 1 (Peters and Klein 2015, section 2).
+inline Nearer nearer(std::array<Real, 4> moments, Real depth, Real mix) {
   const std::array<Real, 4> smooth{0, 0.375L, 0, 0.375L};
   for (std::size_t i = 0; i < 4; ++i) moments[i] += mix * (smooth[i] - moments[i]);
   const std::array<Real, 3> c = HankelInverse(moments).times(depth);
@@ -54,7 +59,15 @@ inline Real hamburger(std::array<Real, 4> moments, Real depth, Real mix) {
   // low_share + high_share = 1 - own, low_share low + high_share high = mean - own depth
   const Real high_share = (moments[0] - own * depth - (1 - own) * low) / (high - low);
   const Real low_share = 1 - own - high_share;
-  return 1 - (low < depth ? low_share : 0) - (high < depth ? high_share : 0);
+  Nearer nearer;
+  if (low < depth) nearer = {low_share, low_share * (depth - low)};
+  if (high < depth) nearer = {nearer.share + high_share, nearer.gap_sum + high_share * (depth - high)};
+  return nearer;
+}
+
+// The largest share at or behind `depth` of any distribution with these four moments.
+inline Real hamburger(const std::array<Real, 4>& moments, Real depth, Real mix) {
+  return 1 - nearer(moments, depth, mix).share;
 }
 
 }  // namespace penumbra::resolve::testing_bounds

@@ -422,6 +422,14 @@ TEST(LibraryTechniques, CheckedInTechniquesAreTheEmittedOnes) {
       << "write it anew: penumbra validate --emit-techniques tests/golden/techniques.json";
 }
 
+TEST(LibraryTechniques, DeclareTexturesOfIntegersByWhatTheyHold) {
+  const auto declared = [](const std::string& technique) {
+    return emit_technique_call(library(), library().find(technique)).declarations;
+  };
+  EXPECT_THAT(declared("vssm-sat-32"), HasSubstr("TYPED_TEXTURE2D(uint4, _PenumbraSumsTexture);\n"));
+  EXPECT_THAT(declared("vssm-mip-32"), testing::StartsWith("TEXTURE2D(_PenumbraMomentsTexture);\n"));
+}
+
 TEST(LibraryTechniques, APresetThatTheFeatureHasNotIsRefused) {
   TechniqueList list = library();
   for (Technique& technique : list.techniques)

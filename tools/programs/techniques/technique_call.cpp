@@ -10,10 +10,20 @@
 namespace penumbra::techniques {
 namespace {
 
-std::string argument_declaration(const std::string& argument) {
+// What a fetch of an integer texture gives: "uint4" of rgba32ui. Empty of others.
+std::string integer_texel(const GraphTexture& texture) {
+  if (!texture.format.ends_with("ui")) return {};
+  const std::size_t channels = texture.format.find_first_of("0123456789");
+  return channels == 1 ? "uint" : "uint" + std::to_string(channels);
+}
+
+std::string argument_declaration(const std::string& argument, const PassGraph& graph) {
   if (argument == "shadowMap") return "TEXTURE2D_SHADOW(_ShadowMap);\nSAMPLER_CMP(sampler_ShadowMap);\n";
   if (argument == "pointSampler") return "SAMPLER(sampler_PointClamp);\n";
   if (argument == "linearSampler") return "SAMPLER(sampler_LinearClamp);\n";
+  const GraphTexture* texture = graph.texture(argument);
+  const std::string texel = texture == nullptr ? std::string() : integer_texel(*texture);
+  if (!texel.empty()) return "TYPED_TEXTURE2D(" + texel + ", " + argument_name(argument) + ");\n";
   return "TEXTURE2D(" + argument_name(argument) + ");\n";
 }
 
@@ -29,13 +39,14 @@ using UniformName = std::function<std::string(const ParameterStruct&, std::size_
 // Declares what is not declared yet, and gives the call.
 class CallWriter {
  public:
-  CallWriter(const TechniqueList& list, TechniqueCall& call) : list_(list), call_(call) {}
+  CallWriter(const TechniqueList& list, const PassGraph& graph, TechniqueCall& call)
+      : list_(list), graph_(graph), call_(call) {}
 
   std::string expression(const FilterCall& filter, const UniformName& name) {
     if (included_.insert(filter.file).second) call_.includes += "#include \"" + filter.file + "\"\n";
     std::string arguments;
     for (const std::string& argument : filter.arguments) {
-      if (declared_.insert(argument).second) call_.declarations += argument_declaration(argument);
+      if (declared_.insert(argument).second) call_.declarations += argument_declaration(argument, graph_);
       arguments += argument_expression(argument) + ", ";
     }
     arguments += "receiver, tile";
@@ -52,6 +63,7 @@ class CallWriter {
 
  private:
   const TechniqueList& list_;
+  const PassGraph& graph_;
   TechniqueCall& call_;
   std::set<std::string> included_;
   std::set<std::string> declared_;  // arguments
@@ -73,7 +85,7 @@ TechniqueCall emit_technique_call(const TechniqueList& list, const Technique& te
   const FilterCall* filter = technique.graph.filter();
   if (filter == nullptr) throw std::invalid_argument("'" + technique.name + "' calls no filter");
   TechniqueCall call;
-  CallWriter writer(list, call);
+  CallWriter writer(list, technique.graph, call);
   const std::string first = writer.expression(
       *filter, [](const ParameterStruct& parameters, std::size_t i) { return uniform_name(parameters, i); });
   std::string branches;

@@ -76,6 +76,7 @@ namespace UnityEngine.Experimental.Rendering
         R16G16_UNorm = 22,
         R16G16B16A16_UNorm = 24,
         R32_UInt = 37,
+        R32G32B32A32_UInt = 40,
         R16_SFloat = 45,
         R16G16_SFloat = 46,
         R16G16B16A16_SFloat = 48,

@@ -1,0 +1,114 @@
+using UnityEngine.Experimental.Rendering;
+
+namespace Penumbra
+{
+    // Written by `penumbra validate --emit-graphs` from ShaderLibrary/Filters/Vssm.technique.json; do not edit.
+    /// <summary>The manifest's graphs; passes are listed in the order in which they run.</summary>
+    internal static class VssmGraphs
+    {
+        internal static readonly TechniqueGraph VssmSat32 = new TechniqueGraph
+        {
+            name = "vssm-sat-32",
+            textures = new[]
+            {
+                new GraphTexture("values", GraphExtent.Map, GraphicsFormat.R32G32B32A32_UInt),
+                new GraphTexture("rows", GraphExtent.Map, GraphicsFormat.R32G32B32A32_UInt),
+                new GraphTexture("sums", GraphExtent.Map, GraphicsFormat.R32G32B32A32_UInt),
+            },
+            passes = new[]
+            {
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraMaps.shader",
+                    program = "DepthDigits",
+                    runs = PassFrequency.Cascade,
+                    writes = new[] { GraphBinding.Texture(0) },
+                },
+                new GraphPass
+                {
+                    kind = PassKind.Compute,
+                    asset = "Shaders/SummedAreas.compute",
+                    program = "SumRows",
+                    runs = PassFrequency.Cascade,
+                    reads = new[] { GraphBinding.Texture("_PenumbraValues", 0) },
+                    writes = new[] { GraphBinding.Texture("_PenumbraSums", 1) },
+                    groups = GraphGroups.TexelsOf(1),
+                },
+                new GraphPass
+                {
+                    kind = PassKind.Compute,
+                    asset = "Shaders/SummedAreas.compute",
+                    program = "SumColumns",
+                    runs = PassFrequency.Cascade,
+                    reads = new[] { GraphBinding.Texture("_PenumbraValues", 1) },
+                    writes = new[] { GraphBinding.Texture("_PenumbraSums", 2) },
+                    groups = GraphGroups.TexelsOf(2),
+                },
+            },
+            filterTextures = new[] { GraphBinding.Texture("_PenumbraSumsTexture", 2) },
+        };
+
+        internal static readonly TechniqueGraph VssmMip16 = new TechniqueGraph
+        {
+            name = "vssm-mip-16",
+            textures = new[]
+            {
+                new GraphTexture("moments", GraphExtent.Map, GraphicsFormat.R16G16_UNorm, mips: 0),
+            },
+            passes = new[]
+            {
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraMaps.shader",
+                    program = "VarianceLevel",
+                    runs = PassFrequency.Cascade,
+                    writes = new[] { GraphBinding.Texture(0) },
+                },
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraMaps.shader",
+                    program = "NextLevel",
+                    runs = PassFrequency.Cascade,
+                    reads = new[] { GraphBinding.Texture("_PenumbraSourceTexture", 0) },
+                    writes = new[] { GraphBinding.Texture(0) },
+                    eachMip = true,
+                },
+            },
+            filterTextures = new[] { GraphBinding.Texture("_PenumbraMomentsTexture", 0) },
+        };
+
+        internal static readonly TechniqueGraph VssmMip32 = new TechniqueGraph
+        {
+            name = "vssm-mip-32",
+            textures = new[]
+            {
+                new GraphTexture("moments", GraphExtent.Map, GraphicsFormat.R32G32_SFloat, mips: 0),
+            },
+            passes = new[]
+            {
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraMaps.shader",
+                    program = "VarianceLevel",
+                    runs = PassFrequency.Cascade,
+                    writes = new[] { GraphBinding.Texture(0) },
+                },
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraMaps.shader",
+                    program = "NextLevel",
+                    runs = PassFrequency.Cascade,
+                    reads = new[] { GraphBinding.Texture("_PenumbraSourceTexture", 0) },
+                    writes = new[] { GraphBinding.Texture(0) },
+                    eachMip = true,
+                },
+            },
+            filterTextures = new[] { GraphBinding.Texture("_PenumbraMomentsTexture", 0) },
+        };
+    }
+}

@@ -1,0 +1,23 @@
+// Techniques whose filter is replaced by a probe: what it returns is read back in place of visibility.
+#pragma once
+
+#include <string>
+
+#include "resolve/graph_runner.h"
+#include "resolve/test_device.h"
+
+namespace penumbra::resolve {
+
+// The graph of a library technique with `body` in place of its filter: HLSL that may use the graph's
+// textures, `receiver` and `tile`, and returns a float.
+inline ShadowGraph probe_graph(const std::string& technique, const std::string& body,
+                               bool reversed_z = true) {
+  const techniques::TechniqueList& list = library_techniques();
+  ShadowGraph graph = technique_graph(list, list.find(technique), Taps::as_listed, reversed_z);
+  std::string& text = graph.filter->body;
+  text.resize(text.find("float ResolveTechnique("));
+  text += "float ResolveTechnique(ShadowReceiver receiver, ShadowTile tile, int cascade)\n{\n" + body + "}\n";
+  return graph;
+}
+
+}  // namespace penumbra::resolve
