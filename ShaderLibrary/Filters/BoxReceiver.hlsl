@@ -22,7 +22,8 @@ static const float kNegligibleShare = 0.004;
 
 // A search covers the penumbra that the farthest possible blocker would have, and what it finds may have a narrower one:
 // it is then repeated within that, only where it is narrower than this share of the search's own radius. The papers search
-// once: at 5 degrees that leaks twice as often in contact shadows, and darkens 5 % of the lit pixels beside them, not 0.1 %.
+// once: over five scenes at 5 degrees 37 % of the dark pixels then leak with two moments, not 28 %, and 2.6 % of the lit
+// ones are darkened, not 0.1 %; at 0.53 degrees the error in penumbra is 4 % smaller with one search.
 static const float kSettledShare = 0.7;
 static const int kMostSearches = 4;
 
