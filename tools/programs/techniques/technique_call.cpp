@@ -14,6 +14,7 @@ std::string argument_declaration(const std::string& argument) {
   if (argument == "shadowMap") return "TEXTURE2D_SHADOW(_ShadowMap);\nSAMPLER_CMP(sampler_ShadowMap);\n";
   if (argument == "pointSampler") return "SAMPLER(sampler_PointClamp);\n";
   if (argument == "linearSampler") return "SAMPLER(sampler_LinearClamp);\n";
+  if (argument == spot_light_name) return "float4 _PenumbraSpotLight;\n";
   return "TEXTURE2D(" + argument_name(argument) + ");\n";
 }
 
@@ -21,6 +22,7 @@ std::string argument_expression(const std::string& argument) {
   if (argument == "shadowMap") return "TEXTURE2D_SHADOW_ARGS(_ShadowMap, sampler_ShadowMap)";
   if (argument == "pointSampler") return "sampler_PointClamp";
   if (argument == "linearSampler") return "sampler_LinearClamp";
+  if (argument == spot_light_name) return "BoundedSpotMap(_PenumbraSpotLight)";
   return argument_name(argument);
 }
 
