@@ -60,6 +60,10 @@ namespace Penumbra.Samples.ForwardShader
             Shader.SetGlobalVector(PcssClassicParameters.Uniform0, uniforms.PcssClassic.Vector0);
             Shader.SetGlobalVector(PcssHdrpParameters.Uniform0, uniforms.PcssHdrp.Vector0);
             Shader.SetGlobalVector(PcssHdrpParameters.Uniform1, uniforms.PcssHdrp.Vector1);
+            PcssSpotParameters spot = PcssSpotParameters.Default;
+            spot.blockerSamples = parameters.BlockerSamples;
+            spot.filterSamples = parameters.FilterSamples;
+            Shader.SetGlobalVector(PcssSpotParameters.Uniform0, spot.Vector0);
         }
     }
 }

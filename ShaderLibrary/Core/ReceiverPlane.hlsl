@@ -50,7 +50,7 @@ float2 ReceiverPlaneFromDerivatives(float3 alongX, float3 alongY)
     return BoundGradient(gradient);
 }
 
-// From the surface's normal. World directions that keep atlas UV u, v or depth: the rows of an orthographic
+// From the surface's normal, under a light in parallel. World directions that keep atlas UV u, v or depth: the rows of an orthographic
 // light's matrix are orthogonal, so n.t = 0 for t = du row0/|row0|^2 + dv row1/|row1|^2 + dz row2/|row2|^2.
 float2 ReceiverPlaneFromNormal(float3 normalWS, float4x4 worldToShadow)
 {
@@ -64,6 +64,22 @@ float2 ReceiverPlaneFromNormal(float3 normalWS, float4x4 worldToShadow)
     // along / |row2| is the sine of the angle between plane and light.
     if (!(along * along > kSmallestSine * kSmallestSine * squaredRow2)) return float2(0.0, 0.0);
     return BoundGradient(-float2(u, v) * (squaredRow2 / along));
+}
+
+// The same under a light in perspective, whose matrix takes the receiver to shadowCoord after division by w. Near the
+// receiver shadowCoord moves by J = (row - shadowCoord row3) / w per metre, and the gradient g is such that
+// J2 - g.x J0 - g.y J1 has the normal's direction: two determinants over a third, which is the sine of the angle between
+// plane and ray times |J0 x J1|. w drops out.
+float2 ReceiverPlaneInPerspective(float3 normalWS, float4x4 worldToShadow, float3 shadowCoord)
+{
+    const float3 alongU = worldToShadow[0].xyz - shadowCoord.x * worldToShadow[3].xyz;
+    const float3 alongV = worldToShadow[1].xyz - shadowCoord.y * worldToShadow[3].xyz;
+    const float3 alongDepth = worldToShadow[2].xyz - shadowCoord.z * worldToShadow[3].xyz;
+    const float3 ray = cross(alongU, alongV);
+    const float facing = dot(normalWS, ray);
+    if (!(facing * facing > kSmallestSine * kSmallestSine * max(dot(ray, ray), 1e-30))) return float2(0.0, 0.0);
+    const float2 gradient = float2(dot(normalWS, cross(alongDepth, alongV)), dot(normalWS, cross(alongU, alongDepth)));
+    return BoundGradient(gradient / facing);
 }
 
 // The receiver plane's stored depth `offset` (atlas UV) away from the receiver, within [0, 1].

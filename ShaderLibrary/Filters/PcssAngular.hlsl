@@ -93,7 +93,7 @@ BlockerEstimate SearchBlockers(TEXTURE2D_PARAM(shadowMap, sampler_point), QuadRe
     for (int i = 0; i < count; ++i)
     {
         const float reach = i == 0 ? 0.0 : SearchSampleRadius(i, count, clump, radius);
-        const float2 offset = RotateDisk(FibonacciDirection(i), rotation) * reach;
+        const float2 offset = OffsetInMap(RotateDisk(FibonacciDirection(i), rotation) * reach, receiver);
         const TexelQuad quad = ReadQuad(TEXTURE2D_ARGS(shadowMap, sampler_point), receiver, cone, receiver.centre + offset);
         const float4 close = TexelsInCone(quad.gap, quad.abovePlane, quad.radius, wide);
         inside += float2(dot(quad.gap, quad.blocking), dot(quad.blocking, each));
@@ -139,7 +139,7 @@ float FilterDisc(TEXTURE2D_PARAM(shadowMap, sampler_point), QuadReceiver receive
     UNITY_LOOP
     for (int i = 0; i < count; ++i)
     {
-        const float2 offset = RotateDisk(FibonacciDisk(i, count, 1.0), rotation) * radius;
+        const float2 offset = OffsetInMap(RotateDisk(FibonacciDisk(i, count, 1.0), rotation) * radius, receiver);
         const TexelQuad quad = ReadQuad(TEXTURE2D_ARGS(shadowMap, sampler_point), receiver, cone, receiver.centre + offset);
         blocked += dot(quad.weight, quad.blocking);
         lit += dot(quad.weight, 1.0 - quad.blocking);
@@ -160,13 +160,13 @@ struct AngularSearch
     float lowBlockers;    // texels
 };
 
-AngularSearch SearchAngular(TEXTURE2D_PARAM(shadowMap, sampler_point), ShadowReceiver receiver, ShadowTile tile,
-                            PcssAngularParameters parameters)
+// rotation: unit. scales: at the receiver.
+AngularSearch SearchAround(TEXTURE2D_PARAM(shadowMap, sampler_point), QuadReceiver receiver, float2 rotation,
+                           ConeScales scales, PcssAngularParameters parameters)
 {
-    const ConeScales scales = ConeScalesOf(tile);
     AngularSearch search;
-    search.receiver = PrepareQuads(receiver, tile);
-    search.rotation = UnitRotation(receiver.rotation);
+    search.receiver = receiver;
+    search.rotation = rotation;
     search.smallestRadius = BoundedOrLow(parameters.minFilterTexels, 0.0, 64.0);
     search.cone.scales = scales;
     search.cone.slackTexels = max(search.smallestRadius, kSmallestSlackTexels);
@@ -178,16 +178,21 @@ AngularSearch SearchAngular(TEXTURE2D_PARAM(shadowMap, sampler_point), ShadowRec
     return search;
 }
 
+AngularSearch SearchAngular(TEXTURE2D_PARAM(shadowMap, sampler_point), ShadowReceiver receiver, ShadowTile tile,
+                            PcssAngularParameters parameters)
+{
+    return SearchAround(TEXTURE2D_ARGS(shadowMap, sampler_point), PrepareQuads(receiver, tile),
+                        UnitRotation(receiver.rotation), ConeScalesOf(tile), parameters);
+}
+
 // Radius, texels, of what the blockers make; no wider than the search. Means nothing without blockers.
 float FoundPenumbra(AngularSearch search)
 {
     return min(PenumbraRadius(search.blockers.gap, search.cone.scales), search.radius);
 }
 
-float FilterPcssAngular(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SAMPLER(sampler_point),
-                        ShadowReceiver receiver, ShadowTile tile, PcssAngularParameters parameters)
+float FilterFound(TEXTURE2D_PARAM(shadowMap, sampler_point), AngularSearch search, int filterSamples)
 {
-    const AngularSearch search = SearchAngular(TEXTURE2D_ARGS(shadowMap, sampler_point), receiver, tile, parameters);
     if (!(search.blockers.count > 0.0)) return 1.0;
 
     const float penumbra = FoundPenumbra(search);
@@ -209,9 +214,16 @@ float FilterPcssAngular(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SA
         // A wall at the blockers' mean gap darkens the whole kernel, also where the kernel is wider than the penumbra.
         cone.slackTexels = radius - penumbra + kQuadSlackTexels;
         visibility = min(visibility, FilterDisc(TEXTURE2D_ARGS(shadowMap, sampler_point), search.receiver, cone,
-                                                search.rotation, radius, parameters.filterSamples));
+                                                search.rotation, radius, filterSamples));
     }
     return SanitizeVisibility(visibility);
+}
+
+float FilterPcssAngular(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SAMPLER(sampler_point),
+                        ShadowReceiver receiver, ShadowTile tile, PcssAngularParameters parameters)
+{
+    const AngularSearch search = SearchAngular(TEXTURE2D_ARGS(shadowMap, sampler_point), receiver, tile, parameters);
+    return FilterFound(TEXTURE2D_ARGS(shadowMap, sampler_point), search, parameters.filterSamples);
 }
 
 // Width of the penumbra from 0 to 1, metres across the light, that the blockers found at the receiver make; 0 where

@@ -22,6 +22,7 @@
 #include "../Core/Penumbra.hlsl"
 #include "../Core/ReceiverPlane.hlsl"
 #include "../Core/ShadowStructs.hlsl"
+#include "../Core/SpotLight.hlsl"
 #include "../Core/TileBounds.hlsl"
 
 struct QuadReceiver
@@ -31,6 +32,8 @@ struct QuadReceiver
     float2 centre;    // texel coordinates
     float depth;
     float2 gradient;  // stored depth per texel
+    bool inPerspective;  // whether awayFromAxis counts: of the sun's maps it costs nothing
+    float2 awayFromAxis; // Core/SpotLight.hlsl
 };
 
 // The light's cone above the receiver. largestOffset 0 makes it a plain disc.
@@ -45,7 +48,7 @@ struct TexelQuad
 {
     float4 gap;        // how much nearer to the light than the receiver each texel lies, stored depth
     float4 abovePlane; // the same above the receiver's plane at the texel's centre
-    float4 radius;     // from the receiver to the texel's centre, texels
+    float4 radius;     // from the receiver to the texel's centre, texels, as the light's disc has it
     float4 blocking;   // 1 where the texel hides light, else 0
     float4 weight;     // bilinear, at the sample's position
 };
@@ -65,7 +68,16 @@ QuadReceiver PrepareQuads(ShadowReceiver receiver, ShadowTile tile)
     prepared.centre = TexelCoordinates(receiver.shadowCoord.xy, tile);
     prepared.depth = SanitizeReceiverDepth(receiver.shadowCoord.z);
     prepared.gradient = BoundGradient(receiver.depthGradient) * prepared.texelSize;
+    prepared.inPerspective = false;
+    prepared.awayFromAxis = float2(0.0, 0.0);
     return prepared;
+}
+
+// A point of the disc around the receiver, texels, in the map: stretched under a spot light.
+float2 OffsetInMap(float2 offset, QuadReceiver receiver)
+{
+    if (!receiver.inPerspective) return offset;
+    return StretchAwayFromAxis(offset, receiver.awayFromAxis);
 }
 
 float4 BilinearWeights(float2 texels, float2 corner)
@@ -92,7 +104,8 @@ TexelQuad ReadQuad(TEXTURE2D_PARAM(shadowMap, sampler_point), QuadReceiver recei
     const float4 plane = KeepBehindNearPlane(receiver.depth + receiver.gradient.x * x + receiver.gradient.y * y);
 
     TexelQuad quad;
-    quad.radius = sqrt(x * x + y * y);
+    if (receiver.inPerspective) quad.radius = sqrt(SquaredRadiusFacingLight(x, y, receiver.awayFromAxis));
+    else quad.radius = sqrt(x * x + y * y);
     quad.gap = DepthGap(mapDepth, float4(receiver.depth, receiver.depth, receiver.depth, receiver.depth));
     quad.abovePlane = DepthGap(mapDepth, plane);
     quad.blocking = TexelsInCone(quad.gap, quad.abovePlane, quad.radius, cone);

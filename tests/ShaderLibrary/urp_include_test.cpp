@@ -1,4 +1,5 @@
-// Shadows.hlsl compiles by its one include, for every keyword, in both depth conventions and without gather.
+// Shadows.hlsl and SpotShadows.hlsl compile by their one include, for every keyword, in both depth
+// conventions and without gather.
 #include <gtest/gtest.h>
 
 #include "shaders/compile.h"
@@ -9,16 +10,14 @@ namespace {
 
 using Defines = std::vector<std::pair<std::string, std::string>>;
 
-shaders::CompileResult compile_umbrella(const Defines& defines) {
+shaders::CompileResult compile_with(const std::string& umbrellas, const std::string& expression,
+                                    const Defines& defines) {
   shaders::CompileRequest request;
   request.file = "lit.hlsl";
-  request.text =
-      "#include \"Platform/Platform.hlsl\"\n"
-      "#include \"UrpGlobals.hlsl\"\n"
-      "#include \"Packages/com.penumbra.shadows/ShaderLibrary/Shadows.hlsl\"\n"
-      "float4 Main(float4 pixel : SV_Position, float3 positionWS : TEXCOORD0, float3 normalWS : TEXCOORD1) : "
-      "SV_Target\n"
-      "{ return PenumbraMainLightVisibility(positionWS, normalWS, pixel.xy); }\n";
+  request.text = "#include \"Platform/Platform.hlsl\"\n#include \"UrpGlobals.hlsl\"\n" + umbrellas +
+                 "float4 Main(float4 pixel : SV_Position, float3 positionWS : TEXCOORD0, float3 normalWS : "
+                 "TEXCOORD1) : SV_Target\n{ return " +
+                 expression + "; }\n";
   request.stage = hlsl::Stage::fragment;
   request.defines = defines;
   request.package_roots = {{"com.penumbra.shadows", PENUMBRA_SOURCE_DIR}};
@@ -27,6 +26,17 @@ shaders::CompileResult compile_umbrella(const Defines& defines) {
       std::string(PENUMBRA_SOURCE_DIR) +
           "/tools/programs/shaders/unity/com.unity.render-pipelines.universal/ShaderLibrary"};
   return shaders::compile(request);
+}
+
+const std::string kShadows = "#include \"Packages/com.penumbra.shadows/ShaderLibrary/Shadows.hlsl\"\n";
+const std::string kSpotShadows =
+    "#include \"Packages/com.penumbra.shadows/ShaderLibrary/SpotShadows.hlsl\"\n";
+const std::string kMainLight = "PenumbraMainLightVisibility(positionWS, normalWS, pixel.xy)";
+const std::string kSpotLight =
+    "PenumbraAdditionalLightVisibility(int(pixel.x), positionWS, normalWS, pixel.xy, 0.05)";
+
+shaders::CompileResult compile_umbrella(const Defines& defines) {
+  return compile_with(kShadows, kMainLight, defines);
 }
 
 bool binds(const shaders::CompileResult& result, const std::string& name) {
@@ -70,6 +80,36 @@ TEST_P(UrpInclude, FallsBackToComparisonsWhereThereIsNoGather) {
   EXPECT_EQ(
       binds(compile_umbrella({{GetParam(), "1"}, {"SHADER_API_WEBGPU", "1"}}), "sampler_PenumbraPointClamp"),
       gathers);
+}
+
+// Alone, and beside the other in either order; with URP's arrays and with its structured buffers.
+TEST(UrpSpotInclude, CompilesAndBindsTheAtlas) {
+  for (const std::string& umbrellas : {kSpotShadows, kSpotShadows + kShadows, kShadows + kSpotShadows}) {
+    const bool both = umbrellas != kSpotShadows;
+    for (const char* buffers : {"0", "1"}) {
+      for (const Defines& more :
+           {Defines{}, Defines{{"UNITY_REVERSED_Z", "1"}}, Defines{{"_PENUMBRA_PCSS", "1"}},
+            Defines{{"SHADER_API_GLES3", "1"}}, Defines{{"SHADER_API_GLCORE", "1"}}}) {
+        Defines defines = more;
+        defines.emplace_back("_ADDITIONAL_LIGHT_SHADOWS", "1");
+        defines.emplace_back("USE_STRUCTURED_BUFFER_FOR_LIGHT_DATA", buffers);
+        const shaders::CompileResult result =
+            compile_with(umbrellas, both ? kSpotLight + " * " + kMainLight : kSpotLight, defines);
+        for (const hlsl::Diagnostic& diagnostic : result.diagnostics)
+          ADD_FAILURE() << hlsl::format(diagnostic);
+        ASSERT_FALSE(result.spirv.empty());
+        EXPECT_TRUE(binds(result, "_AdditionalLightsShadowmapTexture"));
+        const bool compares = !more.empty() && more.front().first.starts_with("SHADER_API");
+        EXPECT_EQ(binds(result, "sampler_PenumbraPointClamp"), !compares);
+      }
+    }
+  }
+}
+
+TEST(UrpSpotInclude, ReadsNothingWithoutUrpsKeyword) {
+  const shaders::CompileResult result = compile_with(kSpotShadows, kSpotLight, {});
+  ASSERT_FALSE(result.spirv.empty());
+  EXPECT_TRUE(shaders::reflect(result.spirv).resources.empty());
 }
 
 }  // namespace

@@ -164,6 +164,8 @@ class EveryFilter : public testing::TestWithParam<Case> {
     }
     const FrameOnDevice on_device(test_device(), frame);
     UniformValues all = filter_over_map().parameters;
+    // Of those for spot lights: every_spot_filter_test.cpp has maps in perspective.
+    all.set("_PenumbraSpotLight", glm::vec4(0.3F, 9.0F, 1.0F, 0.1F));
     all.merge(parameters);
     pass->set_parameters(all);
     return pass->run(on_device, {.noise_seeds = 1, .timing_repeats = 0, .count_fetches = false})

@@ -72,7 +72,7 @@ TEST_F(SampleShaders, TheForwardShaderCompilesForEveryTechniqueShadowAndLight) {
       {"--keywords=-FOG_EXP", "--keywords=-FOG_EXP2", "--keywords=-FOG_LINEAR", "--keywords=-INSTANCING_ON"});
   EXPECT_EQ(passes(report),
             (std::set<std::string>{"ForwardLit", "ShadowCaster", "DepthOnly", "DepthNormals"}));
-  const int forward = 1 + 6 * 4 * 2 * 2, caster = 2 + 1, depth = 1 + 1, normals = 1 + 2;
+  const int forward = 1 + 6 * 4 * 2 * 2 * 2, caster = 2 + 1, depth = 1 + 1, normals = 1 + 2;
   EXPECT_EQ(report["summary"]["variants"], (forward + caster + depth + normals) * 5);
   EXPECT_EQ(report["summary"]["failed"], 0);
   EXPECT_THAT(findings(report), IsEmpty());

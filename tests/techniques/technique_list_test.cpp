@@ -86,6 +86,35 @@ TEST_F(TechniqueListTest, ATechniqueSaysTheBiasItShouldHave) {
       HasSubstr("did you mean 'high'?"));
 }
 
+TEST_F(TechniqueListTest, ATechniqueSaysWhichLightsItIsFor) {
+  EXPECT_EQ(read(good).techniques[0].lights, std::vector<LightKind>{LightKind::directional});
+  const Technique both =
+      read(with(R"("values")", R"("lights": ["directional", "spot"], "values")")).techniques[0];
+  EXPECT_TRUE(both.is_for(LightKind::spot));
+  EXPECT_TRUE(both.is_for(LightKind::directional));
+  EXPECT_FALSE(read(good).techniques[0].is_for(LightKind::spot));
+  EXPECT_THAT(problem(R"("values")", R"("lights": ["spots"], "values")"),
+              AllOf(HasSubstr("unknown kind of light 'spots'"), HasSubstr("did you mean 'spot'?")));
+  EXPECT_THAT(problem(R"("values")", R"("lights": [], "values")"), HasSubstr("'lights' is empty"));
+  EXPECT_THAT(
+      problem(R"("values")", R"("lights": ["spot"], "cascades": [{"from": 1, "values": {"taps": 1}}],
+     "values")"),
+      HasSubstr("'box-3' has passes or rules for cascades; under a spot light only filters alone run"));
+}
+
+TEST_F(TechniqueListTest, OnlyAFilterForSpotLightsAloneTakesTheSpotLight) {
+  std::string text = with(R"("pointSampler"])", R"("pointSampler", "spotLight"])");
+  const std::string values = R"("values")";
+  text.insert(text.find(values), R"("lights": ["spot"], )");
+  const TechniqueList list = read(text);
+  const TechniqueCall call = emit_technique_call(list, list.techniques[0]);
+  EXPECT_THAT(call.declarations, HasSubstr("float4 _PenumbraSpotLight;\n"));
+  EXPECT_THAT(call.function,
+              HasSubstr("sampler_PointClamp, BoundedSpotMap(_PenumbraSpotLight), receiver, tile"));
+  EXPECT_THAT(problem(R"("pointSampler"])", R"("pointSampler", "spotLight"])"),
+              HasSubstr("the filter of 'box-3' takes the spot light, which the sun is not"));
+}
+
 TEST_F(TechniqueListTest, ReadsWhatIsThere) {
   const TechniqueList list = read(good);
   ASSERT_EQ(list.techniques.size(), 1U);

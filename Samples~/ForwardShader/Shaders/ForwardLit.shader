@@ -1,4 +1,5 @@
-// Forward shader sample: an opaque URP surface that filters the sun's shadow itself, with Shadows.hlsl.
+// Forward shader sample: an opaque URP surface that filters the shadows of the sun and of spot lights itself, with
+// Shadows.hlsl and SpotShadows.hlsl.
 //
 // The material selects the technique: each entry of the enum enables one keyword of Shadows.hlsl, and a build
 // contains the techniques that its materials use. The entry "Tent 5x5" enables a keyword that the library does not
@@ -13,6 +14,7 @@ Shader "Penumbra Samples/Forward Lit"
         _Metallic("Metallic", Range(0, 1)) = 0
         [Header(Shadow)]
         [KeywordEnum(Tent 5x5, Tent 3x3, Tent 7x7, Pcss, Pcss Poisson, Pcss Hdrp)] _Penumbra("Technique", Float) = 0
+        _LampRadius("Radius of Lamps, m", Range(0, 0.5)) = 0.05
     }
 
     SubShader
@@ -36,6 +38,7 @@ Shader "Penumbra Samples/Forward Lit"
             // which one it is does not matter here.
             #pragma multi_compile_fragment _ _MAIN_LIGHT_SHADOWS _MAIN_LIGHT_SHADOWS_CASCADE _MAIN_LIGHT_SHADOWS_SCREEN
             #pragma multi_compile_fragment _ _ADDITIONAL_LIGHTS
+            #pragma multi_compile_fragment _ _ADDITIONAL_LIGHT_SHADOWS
             // From 17.1 on URP has another name for this keyword, but still sets it.
             #pragma multi_compile_fragment _ _FORWARD_PLUS
             #pragma multi_compile_fog

@@ -1,9 +1,12 @@
-// Forward shader sample: URP's physically based lighting, with the main light's shadow from the Penumbra library.
+// Forward shader sample: URP's physically based lighting, with the shadows of the main light and of spot lights from the
+// Penumbra library.
 //
-// Computes:   the colour of an opaque surface: main light times PenumbraMainLightVisibility, URP's additional lights
-//             without shadows, ambient light from probes, fog.
-// Inputs:     URP's uniforms; those of Shadows.hlsl, from the renderer feature or from ForwardShadowUniforms.cs.
-// Cost:       the material's technique in every pixel that faces the light. Unlike with the renderer feature, the
+// Computes:   the colour of an opaque surface: main light times PenumbraMainLightVisibility, URP's additional spot lights
+//             times PenumbraAdditionalLightVisibility, point lights without shadows, ambient light from probes, fog.
+// Inputs:     URP's uniforms; those of Shadows.hlsl, from the renderer feature or from ForwardShadowUniforms.cs; that of
+//             SpotShadows.hlsl, from the latter.
+// Cost:       the material's technique in every pixel that faces the light, and PCSS for each spot light with a shadow
+//             that lights it. Unlike with the renderer feature, the
 //             work of overdrawn pixels is lost, and there is no mask and no denoising.
 // Guarantees: where URP has no shadow map for the main light (its keywords are off), the light is unshadowed and no
 //             texture is read.
@@ -13,6 +16,7 @@
 #include "SurfaceInput.hlsl"
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Lighting.hlsl"
 #include "Packages/com.penumbra.shadows/ShaderLibrary/Shadows.hlsl"
+#include "Packages/com.penumbra.shadows/ShaderLibrary/SpotShadows.hlsl"
 
 // The macros that URP sets for its Forward+ keyword: the first until 17.0, the second from 17.1 on.
 #if (defined(USE_FORWARD_PLUS) && USE_FORWARD_PLUS) || (defined(USE_CLUSTER_LIGHT_LOOP) && USE_CLUSTER_LIGHT_LOOP)
@@ -65,8 +69,25 @@ half MainLightVisibility(float3 positionWS, half3 normalWS, float2 pixel)
 #endif
 }
 
-// URP's LIGHT_LOOP macros read a variable of this name.
-half3 AdditionalLights(InputData inputData, BRDFData brdf)
+// index: as GetAdditionalLight takes it. Of clusters it is the light's own, else an object's list says which light it is.
+half SpotLightVisibility(uint index, InputData inputData, float2 pixel)
+{
+#if defined(ADDITIONAL_LIGHT_CALCULATE_SHADOWS)
+#if SAMPLE_USES_CLUSTERS
+    const int light = int(index);
+#else
+    const int light = GetPerObjectLightIndex(index);
+#endif
+    const float visibility =
+        PenumbraAdditionalLightVisibility(light, inputData.positionWS, inputData.normalWS, pixel, _LampRadius);
+    return half(lerp(visibility, 1.0, GetAdditionalLightShadowFade(inputData.positionWS)));
+#else
+    return half(1.0);
+#endif
+}
+
+// URP's LIGHT_LOOP macros read a variable of the name inputData.
+half3 AdditionalLights(InputData inputData, BRDFData brdf, float2 pixel)
 {
     half3 colour = half3(0.0, 0.0, 0.0);
 #if defined(_ADDITIONAL_LIGHTS) || SAMPLE_USES_CLUSTERS
@@ -81,7 +102,12 @@ half3 AdditionalLights(InputData inputData, BRDFData brdf)
 #endif
     const uint lightCount = GetAdditionalLightsCount();
     LIGHT_LOOP_BEGIN(lightCount)
-        const Light light = GetAdditionalLight(lightIndex, inputData.positionWS);
+        Light light = GetAdditionalLight(lightIndex, inputData.positionWS);
+        UNITY_BRANCH
+        if (light.distanceAttenuation > 0.0 && dot(inputData.normalWS, light.direction) > 0.0)
+        {
+            light.shadowAttenuation = SpotLightVisibility(lightIndex, inputData, pixel);
+        }
         colour += LightingPhysicallyBased(brdf, light, inputData.normalWS, inputData.viewDirectionWS);
     LIGHT_LOOP_END
 #endif
@@ -120,7 +146,7 @@ half4 ForwardFragment(Varyings input) : SV_Target
         sun.shadowAttenuation = MainLightVisibility(inputData.positionWS, normalWS, input.positionCS.xy);
         colour += LightingPhysicallyBased(brdf, sun, normalWS, viewWS);
     }
-    colour += AdditionalLights(inputData, brdf);
+    colour += AdditionalLights(inputData, brdf, input.positionCS.xy);
     return half4(MixFog(colour, input.fogFactor), 1.0);
 }
 

@@ -13,6 +13,7 @@ float4 _BaseMap_ST;
 half4 _BaseColor;
 half _Smoothness;
 half _Metallic;
+half _LampRadius;
 CBUFFER_END
 
 #endif

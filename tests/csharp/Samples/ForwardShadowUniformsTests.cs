@@ -49,6 +49,8 @@ namespace Penumbra.Samples.ForwardShader
             Assert.That(Shader.Globals["_PenumbraPcssClassicParameters0"], Is.EqualTo(expected.PcssClassic.Vector0));
             Assert.That(Shader.Globals["_PenumbraPcssHdrpParameters0"], Is.EqualTo(expected.PcssHdrp.Vector0));
             Assert.That(Shader.Globals["_PenumbraPcssHdrpParameters1"], Is.EqualTo(expected.PcssHdrp.Vector1));
+            Assert.That(Shader.Globals["_PenumbraPcssSpotParameters0"],
+                        Is.EqualTo(new Vector4(24.0f, 16.0f, 1.25f, 100.0f)));
             Assert.That(expected.MainLightParams.x, Is.EqualTo(2.0f));
             Assert.That(expected.PcssAngular.Vector0.x, Is.EqualTo(24.0f));
         }

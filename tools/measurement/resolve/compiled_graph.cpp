@@ -48,7 +48,7 @@ ShadowGraph filter_graph(const ShadowShader& shader) {
 }
 
 ShadowGraph technique_graph(const techniques::TechniqueList& list, const techniques::Technique& technique,
-                            Taps taps, bool reversed_z) {
+                            Taps taps, bool reversed_z, techniques::LightKind light) {
   ShadowGraph graph;
   graph.name = technique.name;
   graph.graph = technique.graph;
@@ -59,7 +59,7 @@ ShadowGraph technique_graph(const techniques::TechniqueList& list, const techniq
   const bool filter_alone = taps == Taps::unlimited && technique.graph.filter_pass() == nullptr;
   if (filter_alone) graph.graph = techniques::graph_of(*technique.graph.filter(), technique.where);
   if (graph.graph.filter_pass() != nullptr)
-    graph.filter = technique_shader(list, technique, taps, reversed_z);
+    graph.filter = technique_shader(list, technique, taps, reversed_z, light);
   graph.parameters = parameter_uniforms(list, technique, taps);
   graph.uses_noise = technique.is_sampled() && taps == Taps::as_listed;
   return graph;

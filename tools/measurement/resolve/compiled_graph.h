@@ -30,7 +30,8 @@ struct ShadowGraph {
 };
 
 ShadowGraph technique_graph(const techniques::TechniqueList& list, const techniques::Technique& technique,
-                            Taps taps = Taps::as_listed, bool reversed_z = true);
+                            Taps taps = Taps::as_listed, bool reversed_z = true,
+                            techniques::LightKind light = techniques::LightKind::directional);
 ShadowGraph adapter_graph(const Adapter& adapter, bool reversed_z = true);
 ShadowGraph filter_graph(const ShadowShader& shader);
 

@@ -108,6 +108,22 @@ UniformValues cascade_uniforms(const scene::Frame& frame) {
   return values;
 }
 
+// One tile, which is the whole map; not of URP's main light, which has none then.
+UniformValues spot_uniforms(const scene::Frame& frame) {
+  const parameters::SpotShadow& spot = *frame.spot_shadow;
+  std::vector<glm::dmat4> matrices{spot.world_to_shadow};
+  while (matrices.size() < kMaxCascades + 1) matrices.push_back(no_cascade_matrix(spot.reversed_z));
+  std::vector<glm::vec4> tiles{{0.0F, 0.0F, 1.0F, 1.0F}};
+  tiles.resize(kMaxCascades, glm::vec4(0.0F));
+  UniformValues values = cascade_uniforms(frame);
+  values.set("_PenumbraWorldToShadow", std::span<const glm::dmat4>(matrices));
+  values.set("_PenumbraTileOffsetScale", std::span<const glm::vec4>(tiles));
+  values.set("_PenumbraSpotLight",
+             glm::vec4(glm::dvec4(spot.light.shadow_near_plane_metres, spot.light.range_metres,
+                                  0.5 / spot.uv_per_tangent, spot.light.source_radius_metres)));
+  return values;
+}
+
 // Strength 1, the soft quality of the settings, and a distance fade that has not begun anywhere.
 void add_light_uniforms(const scene::Frame& frame, UniformValues& values) {
   const auto quality = static_cast<float>(frame.settings.shadows.soft_quality);
@@ -166,7 +182,7 @@ FrameOnDevice::FrameOnDevice(const gpu::Device& device, const scene::Frame& fram
       positions_(device, std::span<const glm::vec4>(frame.receivers.position_ws)),
       normals_(device, std::span<const glm::vec4>(frame.receivers.normal_ws)),
       visibility_(device, frame.receivers.position_ws.size() * sizeof(float)),
-      uniforms_(cascade_uniforms(frame)),
+      uniforms_(frame.spot_shadow ? spot_uniforms(frame) : cascade_uniforms(frame)),
       main_light_params_(main_light_params(frame)) {
   atlas_.upload_bytes(frame.atlas.texels);
   add_light_uniforms(frame, uniforms_);

@@ -61,7 +61,7 @@ shaders::CompileRequest triangle_request() {
 }  // namespace
 
 ShadowShader technique_shader(const techniques::TechniqueList& list, const techniques::Technique& technique,
-                              Taps taps, bool reversed_z) {
+                              Taps taps, bool reversed_z, techniques::LightKind light) {
   const techniques::TechniqueCall call = techniques::emit_technique_call(list, technique);
   ShadowShader shader;
   shader.name = technique.name;
@@ -70,6 +70,7 @@ ShadowShader technique_shader(const techniques::TechniqueList& list, const techn
                 "#include \"Core/ShadowStructs.hlsl\"\n" + call.declarations + call.function;
   shader.defines = depth_defines(reversed_z);
   for (const std::string& keyword : technique.keywords) shader.defines.emplace_back(keyword, "1");
+  if (light == techniques::LightKind::spot) shader.defines.emplace_back("PENUMBRA_SPOT_LIGHT", "1");
   if (taps == Taps::unlimited) shader.defines.emplace_back("PENUMBRA_UNLIMITED", "1");
   shader.parameters = parameter_uniforms(list, technique, taps);
   shader.uses_noise = technique.is_sampled() && taps == Taps::as_listed;

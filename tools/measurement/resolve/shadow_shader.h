@@ -43,7 +43,8 @@ struct ShadowShader {
 };
 
 ShadowShader technique_shader(const techniques::TechniqueList& list, const techniques::Technique& technique,
-                              Taps taps = Taps::as_listed, bool reversed_z = true);
+                              Taps taps = Taps::as_listed, bool reversed_z = true,
+                              techniques::LightKind light = techniques::LightKind::directional);
 
 // A user's own function, in `file`:
 //   float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)

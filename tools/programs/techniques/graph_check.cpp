@@ -66,10 +66,10 @@ Found unknown_name(const PassGraph& graph) {
     if (pass.kind == PassKind::filter && pass.filter)
       for (const std::string& argument : pass.filter->arguments)
         if (argument != shadow_map_name && argument != "pointSampler" && argument != "linearSampler" &&
-            graph.texture(argument) == nullptr)
+            argument != spot_light_name && graph.texture(argument) == nullptr)
           return GraphProblem{
               pass.where, "'" + argument + "' is no argument of a filter",
-              "arguments are shadowMap, pointSampler, linearSampler and the graph's textures"};
+              "arguments are shadowMap, pointSampler, linearSampler, spotLight and the graph's textures"};
     const GroupCount& groups = pass.groups;
     if (!groups.texels_of.empty() && graph.texture(groups.texels_of) == nullptr)
       return GraphProblem{pass.where, "there is no texture '" + groups.texels_of + "'", known_names(graph)};

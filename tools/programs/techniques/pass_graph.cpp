@@ -75,6 +75,10 @@ const char* name_of(PassKind kind) {
   return "compute";
 }
 
+bool FilterCall::takes(const std::string& argument) const {
+  return std::find(arguments.begin(), arguments.end(), argument) != arguments.end();
+}
+
 const GraphTexture* PassGraph::texture(const std::string& name) const {
   return named(textures, name);
 }

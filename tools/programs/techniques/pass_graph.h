@@ -41,6 +41,8 @@ struct GraphBuffer {
 
 // What filters and passes of casters call the shadow map.
 inline constexpr const char* shadow_map_name = "shadowMap";
+// An argument of filters: the SpotMap of ShaderLibrary/Core/SpotLight.hlsl.
+inline constexpr const char* spot_light_name = "spotLight";
 
 // The keyword of materials with alpha test, as URP's own shaders declare it. Programs of casters that declare
 // it have it on for such materials alone.
@@ -52,8 +54,10 @@ struct FilterCall {
   std::string file;  // relative to the package's folder where it lies in it
   std::string function;
   std::vector<std::string> arguments;  // "shadowMap" (with its comparison sampler), "pointSampler",
-                                       // "linearSampler", or a texture of the graph
+                                       // "linearSampler", "spotLight", or a texture of the graph
   std::string parameters;              // struct name, may be empty
+
+  bool takes(const std::string& argument) const;
 };
 
 enum class PassKind {

@@ -21,6 +21,7 @@ std::string argument_declaration(const std::string& argument, const PassGraph& g
   if (argument == "shadowMap") return "TEXTURE2D_SHADOW(_ShadowMap);\nSAMPLER_CMP(sampler_ShadowMap);\n";
   if (argument == "pointSampler") return "SAMPLER(sampler_PointClamp);\n";
   if (argument == "linearSampler") return "SAMPLER(sampler_LinearClamp);\n";
+  if (argument == spot_light_name) return "float4 _PenumbraSpotLight;\n";
   const GraphTexture* texture = graph.texture(argument);
   const std::string texel = texture == nullptr ? std::string() : integer_texel(*texture);
   if (!texel.empty()) return "TYPED_TEXTURE2D(" + texel + ", " + argument_name(argument) + ");\n";
@@ -31,6 +32,7 @@ std::string argument_expression(const std::string& argument) {
   if (argument == "shadowMap") return "TEXTURE2D_SHADOW_ARGS(_ShadowMap, sampler_ShadowMap)";
   if (argument == "pointSampler") return "sampler_PointClamp";
   if (argument == "linearSampler") return "sampler_LinearClamp";
+  if (argument == spot_light_name) return "BoundedSpotMap(_PenumbraSpotLight)";
   return argument_name(argument);
 }
 

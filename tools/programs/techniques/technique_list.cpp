@@ -38,6 +38,14 @@ std::vector<std::string> Technique::all_keywords() const {
   return all;
 }
 
+const char* name_of(LightKind kind) {
+  return kind == LightKind::spot ? "spot" : "directional";
+}
+
+bool Technique::is_for(LightKind kind) const {
+  return std::find(lights.begin(), lights.end(), kind) != lights.end();
+}
+
 bool Technique::is_sampled() const {
   return !unlimited.empty() || std::any_of(cascades.begin(), cascades.end(),
                                            [](const CascadeRule& rule) { return !rule.unlimited.empty(); });

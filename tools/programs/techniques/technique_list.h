@@ -37,12 +37,18 @@ struct CascadeRule {
 
 inline constexpr int most_cascades = 4;  // of URP's main light
 
+// What a technique's map is drawn for: a sun, in parallel and in cascades, or a spot light, in perspective.
+enum class LightKind { directional, spot };
+
+const char* name_of(LightKind kind);  // as manifests write it
+
 struct Technique {
   std::string name;    // for example pcss-angular-24-16
   std::string title;   // for tables
   std::string family;  // techniques of one family differ in parameters alone
   std::string source;  // paper, year
   TechniqueBias bias;  // the casters' that it should have, and is measured at
+  std::vector<LightKind> lights{LightKind::directional};  // that it is for
   PassGraph graph;
   std::map<std::string, std::vector<double>> values;   // parameter values by field
   std::vector<std::string> keywords;                   // that this technique switches on
@@ -55,7 +61,8 @@ struct Technique {
   // The file that reports name: of its filter, or where it runs over the screen of its last pass.
   const std::string& file() const;
   std::vector<std::string> all_keywords() const;  // its own, then its graph's
-  bool is_sampled() const;                        // has unlimited values, in some cascade at least
+  bool is_for(LightKind kind) const;
+  bool is_sampled() const;  // has unlimited values, in some cascade at least
 };
 
 // A graph of a manifest by its own name, whether a technique of the list has it or not.

@@ -52,7 +52,7 @@ class TechniqueReader {
         graphs_(std::move(graphs)),
         defaults_(JsonObject(document_).object("defaults")),
         shared_values_(defaults_.object("values")) {
-    for (const char* key : {"family", "source", "bias", "graph", "filter", "keywords", "unlimited",
+    for (const char* key : {"family", "source", "bias", "lights", "graph", "filter", "keywords", "unlimited",
                             "keyword_sets", "targets_absent"})
       defaults_.has(key);
     defaults_.finish();
@@ -76,6 +76,7 @@ class TechniqueReader {
       object.fail("graph", "'" + technique.name + "' has both a graph and a filter", "give one of the two");
     technique.graph = graph(object.has("graph") || object.has("filter") ? object : defaults_);
     technique.keywords = read_keywords(of("keywords"), "keywords");
+    if (of("lights").has("lights")) technique.lights = read_lights(of("lights"));
     const std::vector<ParameterField> fields = list_.fields_of(technique);
     read_values(object.object("values"), fields, technique);
     if (of("unlimited").has("unlimited"))
@@ -86,6 +87,7 @@ class TechniqueReader {
                 "say which one a pass calls: \"filter\": {...}");
     for (JsonObject& rule : object.objects("cascades"))
       technique.cascades.push_back(read_rule(rule, technique));
+    require_fitting_lights(of("lights"), technique);
     technique.keyword_sets = usual_keyword_sets(technique);
     if (of("keyword_sets").has("keyword_sets"))
       technique.keyword_sets = keyword_sets(of("keyword_sets"), document_.at(place("keyword_sets")));
@@ -98,6 +100,34 @@ class TechniqueReader {
   void finish() const { shared_values_.finish(); }
 
  private:
+  static std::vector<LightKind> read_lights(JsonObject& object) {
+    const std::vector<std::string> names = object.texts("lights");
+    if (names.empty()) object.fail("lights", "'lights' is empty", "leave it out, or name a kind of light");
+    std::vector<LightKind> lights;
+    for (const std::string& name : names) {
+      require_known(object, "lights", "kind of light", name,
+                    {name_of(LightKind::directional), name_of(LightKind::spot)});
+      lights.push_back(name == name_of(LightKind::spot) ? LightKind::spot : LightKind::directional);
+    }
+    return lights;
+  }
+
+  // A spot light's map has no passes over cascades, and only it has what "spotLight" stands for.
+  static void require_fitting_lights(JsonObject& object, const Technique& technique) {
+    const GraphPass* pass = technique.graph.filter_pass();
+    const bool filter_alone = pass != nullptr && technique.graph.passes.size() == 1;
+    if (technique.is_for(LightKind::spot) && !(filter_alone && technique.cascades.empty()))
+      object.fail("lights",
+                  "'" + technique.name +
+                      "' has passes or rules for cascades; under a spot light only filters alone run",
+                  "leave out \"spot\"");
+    if (pass == nullptr || !pass->filter->takes(spot_light_name)) return;
+    if (technique.is_for(LightKind::directional))
+      object.fail("lights",
+                  "the filter of '" + technique.name + "' takes the spot light, which the sun is not",
+                  "write \"lights\": [\"spot\"]");
+  }
+
   PassGraph graph(JsonObject& from) {
     const bool alone = from.has("filter");
     const char* key = alone ? "filter" : "graph";

@@ -4,6 +4,9 @@
 //   float ResolveTechnique(ShadowReceiver receiver, ShadowTile tile, int cascade)     a technique
 //   float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)    with PENUMBRA_ADAPTER
 //
+// PENUMBRA_SPOT_LIGHT: the map is a spot light's, one tile of which _PenumbraWorldToShadow[0] is the matrix, in
+// perspective. Receivers that it does not cover are lit.
+//
 // Inputs: receivers in world space, metres; cascade constants as URP uploads them. Receivers with w = 0 saw no
 // surface and get visibility 1. Receivers past every cascade are lit, as in URP.
 
@@ -11,6 +14,7 @@
 #include "Core/CascadeSelection.hlsl"
 #include "Core/Noise.hlsl"
 #include "Core/ReceiverPlane.hlsl"
+#include "Core/SpotLight.hlsl"
 
 StructuredBuffer<float4> _PenumbraReceiverPositionWS;
 StructuredBuffer<float4> _PenumbraReceiverNormalWS;
@@ -29,6 +33,29 @@ float4 _PenumbraTileScales[4];
 float4x4 _PenumbraWorldToShadow[5];
 float4 _PenumbraCascadeBlend; // x: border between cascades, share of a split sphere's radius; y: 1 mixes, 0 dithers
 
+#if defined(PENUMBRA_SPOT_LIGHT)
+float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
+{
+    const float4x4 worldToShadow = _PenumbraWorldToShadow[0];
+    const SpotCoordinate coordinate = ProjectOntoSpotMap(positionWS, worldToShadow, _PenumbraTileOffsetScale[0]);
+    if (!coordinate.covered) return 1.0;
+
+    ShadowReceiver receiver;
+    receiver.shadowCoord = coordinate.shadowCoord;
+    receiver.depthGradient = ReceiverPlaneInPerspective(normalWS, worldToShadow, coordinate.shadowCoord);
+    receiver.rotation = DiskRotation(pixel, _PenumbraNoiseFrame);
+
+    // Filters for spot lights make their own scales.
+    ShadowTile tile;
+    tile.offsetScale = _PenumbraTileOffsetScale[0];
+    tile.atlasTexelSize = _PenumbraAtlasTexelSize;
+    tile.uvPerMetre = 0.0;
+    tile.depthPerMetre = 0.0;
+    tile.depthToRadial = 0.0;
+    tile.radialToDepth = 0.0;
+    return ResolveTechnique(receiver, tile, 0);
+}
+#else
 float VisibilityInCascade(float3 positionWS, float3 normalWS, float2 pixel, int cascade)
 {
     const float4x4 worldToShadow = _PenumbraWorldToShadow[cascade];
@@ -69,6 +96,7 @@ float ShadowVisibility(float3 positionWS, float3 normalWS, float2 pixel)
     }
     return visibility;
 }
+#endif
 #endif
 
 // One receiver's answer into the buffers.

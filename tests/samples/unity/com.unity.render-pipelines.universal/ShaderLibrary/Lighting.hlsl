@@ -59,6 +59,11 @@ uint GetAdditionalLightsCount()
     return uint(_AdditionalLightsCount.x);
 }
 
+int GetPerObjectLightIndex(uint index)
+{
+    return int(index);
+}
+
 Light GetAdditionalLight(uint i, float3 positionWS)
 {
     Light light = GetMainLight();

@@ -16,6 +16,13 @@ half GetMainLightShadowFade(float3 positionWS)
     return half(saturate(length(positionWS) * _MainLightShadowParams.z + _MainLightShadowParams.w));
 }
 
+#if defined(ADDITIONAL_LIGHT_CALCULATE_SHADOWS)
+half GetAdditionalLightShadowFade(float3 positionWS)
+{
+    return half(saturate(length(positionWS) * 0.01));
+}
+#endif
+
 float3 ApplyShadowBias(float3 positionWS, float3 normalWS, float3 lightDirection)
 {
     return positionWS + lightDirection * _ShadowBias.x + normalWS * _ShadowBias.y;
