@@ -28,6 +28,7 @@ TEST_P(BuiltIn, IsTheSameToTheByteEverywhere) {
       {"colonnade", "84cd39d839cb37ef91bdaa7e28b0681c"},
       {"street", "1726eb85972bf2168a207528a69131e3"},
       {"garden", "e17862d061b8380b8f03eaf247657683"},
+      {"spot-table", "79bc48018cbcb15176fc4c69773adb36"},
   };
   EXPECT_EQ(content_hash(scene), golden.at(GetParam()));
   EXPECT_EQ(content_hash(built_in(GetParam())), content_hash(scene));
@@ -77,6 +78,7 @@ TEST_P(BuiltIn, IsOfASizeAPersonWouldExpectAndAffordable) {
   EXPECT_GE(bounds.minimum.y, -0.01) << "nothing lies below the ground";
   EXPECT_GT(bounds.maximum.y, 2.5);
   EXPECT_LT(bounds.maximum.y, 15.0);
+  if (scene.spot_light) return;  // a room is as deep as it is
   EXPECT_GE(bounds.maximum.z, scene.camera.position.z + scene.shadow_distance_metres);
 }
 
@@ -90,12 +92,20 @@ TEST_P(BuiltIn, LooksFromHumanHeightAboveWhatTheCameraStandsOn) {
   EXPECT_GT(first_hit(scene.mesh, eye, scene.camera.forward), 1.0) << "something stands before the lens";
 }
 
-TEST_P(BuiltIn, HasASunAboveTheHorizon) {
+TEST_P(BuiltIn, HasASunAboveTheHorizonOrALampAboveTheRoom) {
+  if (scene.spot_light) {
+    const parameters::SpotLight& lamp = *scene.spot_light;
+    EXPECT_NO_THROW(parameters::check_spot_light(lamp));
+    EXPECT_LT(lamp.direction.y, -0.3);
+    EXPECT_GT(first_hit(scene.mesh, lamp.position, glm::normalize(lamp.direction)), 1.0)
+        << "something hangs before the lamp";
+    return;
+  }
   EXPECT_NEAR(glm::length(scene.light_direction), 1.0, 1e-9);
   EXPECT_LT(scene.light_direction.y, -0.3);
 }
 
-// A grid of camera rays, each followed to the sun's centre: the picture has to hold light and shadow.
+// A grid of camera rays, each followed to the light's centre: the picture has to hold light and shadow.
 TEST_P(BuiltIn, ShowsLightAndShadow) {
   const glm::dvec3 right = glm::normalize(glm::cross(scene.camera.up, scene.camera.forward));
   const glm::dvec3 up = glm::cross(scene.camera.forward, right);
@@ -107,13 +117,24 @@ TEST_P(BuiltIn, ShowsLightAndShadow) {
     const double distance = first_hit(scene.mesh, scene.camera.position, ray);
     if (distance > scene.shadow_distance_metres) continue;
     const glm::dvec3 seen = scene.camera.position + (distance - 1e-3) * ray;
-    (std::isinf(first_hit(scene.mesh, seen, -scene.light_direction)) ? lit : shadowed)++;
+    if (!scene.spot_light) {
+      (std::isinf(first_hit(scene.mesh, seen, -scene.light_direction)) ? lit : shadowed)++;
+      continue;
+    }
+    const glm::dvec3 way = scene.spot_light->position - seen;
+    (first_hit(scene.mesh, seen, glm::normalize(way)) > glm::length(way) ? lit : shadowed)++;
   }
   EXPECT_GT(lit, 15);
   EXPECT_GT(shadowed, 15);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, BuiltIn, testing::ValuesIn(built_in_names()), [](const auto& test) {
+std::vector<std::string> all_names() {
+  std::vector<std::string> names = built_in_names();
+  for (const std::string& name : spot_scene_names()) names.push_back(name);
+  return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, BuiltIn, testing::ValuesIn(all_names()), [](const auto& test) {
   std::string name = test.param;
   std::replace(name.begin(), name.end(), '-', '_');
   return name;

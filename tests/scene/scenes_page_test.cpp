@@ -46,6 +46,16 @@ TEST(ScenesPage, SaysOfEveryBuiltInSceneItsSunDistanceAndTriangles) {
   }
 }
 
+TEST(ScenesPage, SaysOfEverySpotScenesLampAndTriangles) {
+  for (const std::string& name : spot_scene_names()) {
+    const Scene scene = built_in(name);
+    std::ostringstream numbers;
+    numbers << "| " << scene.spot_light->outer_angle_degrees << " | " << scene.spot_light->range_metres
+            << " | " << grouped(scene.mesh.triangle_count()) << " |";
+    EXPECT_THAT(row(name), testing::EndsWith(numbers.str())) << name;
+  }
+}
+
 TEST(ScenesPage, SaysOfEveryPackagesModelWhatItIsAndWhereItComesFrom) {
   for (const PackageModel& model : package_models()) {
     const std::string line = row("package:" + model.name);

@@ -42,15 +42,82 @@ TEST(OwnSettings, TheListSaysTheBiasOfEachTechnique) {
             (parameters::CasterBias{1.0, 0.0, parameters::SoftQuality::medium}));
 }
 
-TEST(OwnSettings, ASpotLightIsRefusedBeforeAnyWork) {
+TEST(OwnSettings, ALightOfTheOtherKindIsRefusedBeforeAnyWork) {
   StudySettings settings;
   settings.scenes = {scene::built_in("contact-boxes")};
   settings.scenes[0].spot_light.emplace();
+  settings.split_error = false;
   const auto run = [&] {
     run_study(test_device(), {subject("tent-7", "a")}, settings, [](auto&&...) { FAIL() << "it began"; });
   };
-  EXPECT_THAT(run, testing::ThrowsMessage<InputError>(
-                       testing::HasSubstr("scene 'contact-boxes' is lit by a spot light")));
+  EXPECT_THAT(run, testing::ThrowsMessage<InputError>(testing::HasSubstr(
+                       "scene 'contact-boxes' is lit by a spot light, and 'a' runs for the sun")));
+  const techniques::TechniqueList& list = library_techniques();
+  const auto make = [&](const char* technique, techniques::LightKind light) {
+    return [&list, technique, light] { technique_subject(list, list.find(technique), true, light); };
+  };
+  EXPECT_THAT(make("pcss-angular-24-16", techniques::LightKind::spot),
+              testing::ThrowsMessage<InputError>(
+                  testing::HasSubstr("the technique 'pcss-angular-24-16' is not for spot lights")));
+  EXPECT_THAT(make("pcss-spot-24-16", techniques::LightKind::directional),
+              testing::ThrowsMessage<InputError>(
+                  testing::HasSubstr("the technique 'pcss-spot-24-16' is not for the sun")));
+  settings.scenes.push_back(scene::built_in("trees"));
+  EXPECT_THAT(
+      [&] { light_kind(settings.scenes); },
+      testing::ThrowsMessage<InputError>(testing::HasSubstr("measure the two kinds of light in two runs")));
+  settings.scenes.pop_back();
+  settings.split_error = true;
+  const Subject spot = technique_subject(list, list.find("tent-5"), true, techniques::LightKind::spot);
+  EXPECT_THAT([&] { run_study(test_device(), {spot}, settings, [](auto&&...) {}); },
+              testing::ThrowsMessage<InputError>(testing::HasSubstr("--no-split")));
+}
+
+TEST(OwnSettings, ASpotLightsSourceIsAsWideAsTheStudySays) {
+  const reference::ScratchFolder cache;
+  const techniques::TechniqueList& list = library_techniques();
+  StudySettings settings;
+  settings.scenes = {scene::built_in("spot-table")};
+  settings.light_degrees = {1.0, 8.0};
+  settings.frame.width = 160;
+  settings.frame.height = 90;
+  settings.frame.shadows.resolution = 512;
+  settings.frame.shadows.cascades = 4;  // of the sun's; a spot light has one map
+  settings.reference_samples = 64;
+  settings.noise_seeds = 1;
+  settings.timing_repeats = 0;
+  settings.split_error = false;
+  settings.cache = cache.path();
+  std::vector<Subject> subjects;
+  for (const char* name : {"hard", "tent-5-plane", "pcss-spot-24-16"})
+    subjects.push_back(technique_subject(list, list.find(name), true, techniques::LightKind::spot));
+  const StudyOutcome outcome = run_study(test_device(), subjects, settings, [](auto&&...) {});
+  ASSERT_EQ(outcome.frames.size(), 2U);
+  ASSERT_EQ(outcome.records.size(), 6U);
+  EXPECT_NEAR(outcome.frames[0].source_radius_metres.value(), 0.008727, 1e-6);
+  EXPECT_NEAR(outcome.frames[1].source_radius_metres.value(), 0.069927, 1e-6);
+  for (const Record& record : outcome.records) {
+    EXPECT_THAT(record.reference.kind, testing::StartsWith("ray-traced spot light, source radius 0.0"));
+    EXPECT_EQ(record.cascades, 1);
+    EXPECT_TRUE(record.settings.splits.empty());
+    EXPECT_EQ(record.metrics.invalid, 0U);
+    EXPECT_GT(record.metrics.penumbra_pixels, 50U);
+  }
+  EXPECT_GT(outcome.records[3].metrics.penumbra_pixels, 2 * outcome.records[0].metrics.penumbra_pixels);
+  // Of the wide source, PCSS knows and the others do not.
+  EXPECT_LT(outcome.records[5].metrics.rmse_penumbra.value(),
+            0.6 * outcome.records[3].metrics.rmse_penumbra.value());
+  EXPECT_LT(outcome.records[5].metrics.rmse_penumbra.value(),
+            0.6 * outcome.records[4].metrics.rmse_penumbra.value());
+
+  Results results;
+  results.frames = outcome.frames;
+  results.records = outcome.records;
+  results.records.resize(3);
+  results.frames.resize(1);
+  const Results read = parse_results(to_json(results), "results.json");
+  EXPECT_EQ(read.frames[0].source_radius_metres, results.frames[0].source_radius_metres);
+  EXPECT_EQ(read.records[2].reference.kind, results.records[2].reference.kind);
 }
 
 TEST(OwnSettings, SubjectsOfOneRunHaveTheirOwnCasters) {

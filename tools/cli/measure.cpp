@@ -82,15 +82,16 @@ std::string reproducing_command(const std::vector<std::string>& arguments) {
   return command;
 }
 
-// Without a choice every technique, unless parameters are set, which most techniques lack.
-std::vector<study::Subject> chosen_subjects(const MeasureOptions& options) {
+// Without a choice every technique for the kind of light, unless parameters are set, which most techniques
+// lack.
+std::vector<study::Subject> chosen_subjects(const MeasureOptions& options, techniques::LightKind light) {
   StudyOptions choice = options;
   if (choice.techniques.empty() && choice.adapters.empty() && options.varied.set.empty()) {
     const techniques::TechniqueList list = chosen_technique_list(options.technique_list);
     for (const techniques::Technique& technique : list.techniques)
-      choice.techniques.push_back(technique.name);
+      if (technique.is_for(light)) choice.techniques.push_back(technique.name);
   }
-  return varied_subjects(choice, options.varied);
+  return varied_subjects(choice, options.varied, light);
 }
 
 // Two files of one name would be two indistinguishable scenes.
@@ -179,7 +180,7 @@ struct Measured {
 Measured measure(const MeasureOptions& options, Context& context) {
   const study::StudySettings settings = study_settings(options);
   tell_notes(settings.scenes, context);
-  const std::vector<study::Subject> subjects = chosen_subjects(options);
+  const std::vector<study::Subject> subjects = chosen_subjects(options, study::light_kind(settings.scenes));
   gpu::Device device = open_device(options);
   study::StudyOutcome outcome = study::run_study(device, subjects, settings, study_progress(context));
 

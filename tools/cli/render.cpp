@@ -65,7 +65,8 @@ void render(const RenderOptions& options, Context& context) {
   if (options.sheet.file.empty()) check_output_folder(options.output);
   study::StudySettings settings = study_settings(options);
   tell_notes(settings.scenes, context);
-  const std::vector<study::Subject> subjects = varied_subjects(options, options.varied);
+  const std::vector<study::Subject> subjects =
+      varied_subjects(options, options.varied, study::light_kind(settings.scenes));
   study::SheetOptions sheet;
   if (!options.sheet.file.empty()) {
     sheet = sheet_options(options.sheet, settings, subjects);

@@ -197,7 +197,8 @@ namespace {
 // Not silently: a scene that is built in has its size.
 void refuse_import_options_without_a_model(const scene::ImportOptions& import,
                                            const std::vector<std::string>& names) {
-  const std::vector<std::string> built_in = scene::built_in_names();
+  std::vector<std::string> built_in = scene::built_in_names();
+  for (const std::string& spot : scene::spot_scene_names()) built_in.push_back(spot);
   const auto is_model = [&](const std::string& name) {
     return std::find(built_in.begin(), built_in.end(), name) == built_in.end();
   };

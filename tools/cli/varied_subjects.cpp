@@ -17,6 +17,7 @@ namespace penumbra::cli {
 namespace {
 
 constexpr const char* kDefaultTechnique = "pcss-angular-24-16";
+constexpr const char* kDefaultSpotTechnique = "pcss-spot-24-16";
 
 struct Setting {
   std::string parameter;
@@ -189,7 +190,8 @@ void add_title_option(CLI::App& command, const std::string& group, VariedSubject
       ->group(group);
 }
 
-std::vector<study::Subject> varied_subjects(const StudyOptions& options, const VariedSubjects& varied) {
+std::vector<study::Subject> varied_subjects(const StudyOptions& options, const VariedSubjects& varied,
+                                            techniques::LightKind light) {
   const bool reversed_z = options.reversed_z;
   const techniques::TechniqueList list = chosen_technique_list(options.technique_list);
   std::vector<std::string> names = options.techniques;
@@ -197,7 +199,9 @@ std::vector<study::Subject> varied_subjects(const StudyOptions& options, const V
   std::vector<int> frames = varied.frames;
   drop_repetitions(frames);
   if (names.empty() && options.adapters.empty())
-    names.push_back(options.technique_list.empty() ? kDefaultTechnique : list.techniques.front().name);
+    names.push_back(!options.technique_list.empty()        ? list.techniques.front().name
+                    : light == techniques::LightKind::spot ? kDefaultSpotTechnique
+                                                           : kDefaultTechnique);
   if (names.empty() && !varied.set.empty()) {
     throw InputError("", "--set applies to techniques, and only adapters are given",
                      "set an adapter's uniforms with --adapter 'NAME=FILE;UNIFORM=a,b,c,d'");
@@ -213,7 +217,7 @@ std::vector<study::Subject> varied_subjects(const StudyOptions& options, const V
       for (const Setting& setting : combination) {
         technique = techniques::with_value(list, std::move(technique), setting.parameter, setting.value);
       }
-      study::Subject subject = study::technique_subject(list, technique, reversed_z);
+      study::Subject subject = study::technique_subject(list, technique, reversed_z, light);
       subject.bias = chosen_bias(options, subject.bias);
       subject.name = joined(name, text_of(combination));
       const std::string title = study::short_title(name, subject.title);

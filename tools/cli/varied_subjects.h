@@ -37,8 +37,10 @@ void add_title_option(CLI::App& command, const std::string& group, VariedSubject
 
 // Names are distinct: the technique's and what was set. Captions are, of one technique under several
 // settings, what varies, else the short title (study/short_title.h) and what was set. Without a technique and
-// an adapter: pcss-angular-24-16. Throws InputError for an unknown technique, a parameter that a technique
-// lacks, a value out of its range or no number, a title of what is not there, and two adapters of one name.
-std::vector<study::Subject> varied_subjects(const StudyOptions& options, const VariedSubjects& varied);
+// an adapter: pcss-angular-24-16, or pcss-spot-24-16 under spot lights. Throws InputError for an unknown
+// technique, a parameter that a technique lacks, a value out of its range or no number, a title of what is
+// not there, and two adapters of one name.
+std::vector<study::Subject> varied_subjects(const StudyOptions& options, const VariedSubjects& varied,
+                                            techniques::LightKind light);
 
 }  // namespace penumbra::cli

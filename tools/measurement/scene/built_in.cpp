@@ -27,20 +27,39 @@ constexpr std::array entries{
           garden_scene},
 };
 
+// What a spot light lights.
+constexpr std::array spot_entries{
+    Entry{"spot-table",
+          "a room under one lamp: a table, chairs, wires of 6 to 22 mm, slats half way to the lamp",
+          spot_table},
+};
+
+template <typename Entries>
+std::vector<std::string> names_of(const Entries& all) {
+  std::vector<std::string> names;
+  names.reserve(all.size());
+  for (const Entry& entry : all) names.emplace_back(entry.name);
+  return names;
+}
+
 const Entry& entry_of(std::string_view name) {
   for (const Entry& entry : entries)
     if (name == entry.name) return entry;
-  throw InputError("", "unknown scene '" + std::string(name) + "'",
-                   unknown_name_way_out(name, built_in_names()));
+  for (const Entry& entry : spot_entries)
+    if (name == entry.name) return entry;
+  std::vector<std::string> known = built_in_names();
+  for (const std::string& spot : spot_scene_names()) known.push_back(spot);
+  throw InputError("", "unknown scene '" + std::string(name) + "'", unknown_name_way_out(name, known));
 }
 
 }  // namespace
 
 std::vector<std::string> built_in_names() {
-  std::vector<std::string> names;
-  names.reserve(entries.size());
-  for (const Entry& entry : entries) names.emplace_back(entry.name);
-  return names;
+  return names_of(entries);
+}
+
+std::vector<std::string> spot_scene_names() {
+  return names_of(spot_entries);
 }
 
 std::string built_in_description(std::string_view name) {

@@ -16,6 +16,7 @@ Scene slabs();
 Scene colonnade();
 Scene street();
 Scene garden_scene();
+Scene spot_table();
 
 // A deciduous tree: a trunk, three orders of branches, and leaves of 5 to 11 cm about the twigs' ends.
 struct Tree {

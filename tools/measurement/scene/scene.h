@@ -56,11 +56,14 @@ glm::dvec3 sunlight(double elevation_degrees, double azimuth_degrees);
 // A camera with default lens at position (metres, relative to the mesh's origin) that looks at target.
 parameters::Camera camera_looking(const glm::dvec3& position, const glm::dvec3& target);
 
-// The names built_in() knows, in the order reports list them.
+// The names of built-in scenes that the sun lights, in the order reports list them.
 std::vector<std::string> built_in_names();
 
-// A built-in scene; throws InputError naming the nearest known name otherwise. The same name gives the same
-// bytes on every machine.
+// Of those with a spot light. They are measured when they are named: most techniques are not for them.
+std::vector<std::string> spot_scene_names();
+
+// A built-in scene, of either kind; throws InputError naming the nearest known name otherwise. The same name
+// gives the same bytes on every machine.
 Scene built_in(std::string_view name);
 
 // Its description, without building it; throws as built_in() does.
@@ -104,7 +107,8 @@ const std::vector<PackageModel>& package_models();
 Scene package_model(std::string_view name, const ImportOptions& options = {},
                     const std::filesystem::path& share = "/usr/share");
 
-// Every name that load() knows, in the order reports list them: built-in ones, then "package:" ones.
+// The names that load() knows of scenes that the sun lights, in the order reports list them: built-in ones,
+// then "package:" ones.
 std::vector<std::string> scene_names();
 
 // The argument of --scene: a built-in name, "package:NAME", or the path of a file. For anything else, throws

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "parameters/half_angle.h"
 #include "platform/content_hash.h"
 #include "reference/same_map_estimate.h"
 #include "reference/trace_visibility.h"
@@ -29,6 +30,10 @@ std::string case_key(const scene::Scene& scene, const scene::Frame& frame) {
 }
 
 }  // namespace
+
+double source_radius_metres(double degrees) {
+  return parameters::tan_half(degrees);
+}
 
 std::size_t penumbra_pixels(const reference::VisibilityImage& image) {
   std::size_t count = 0;
@@ -58,24 +63,30 @@ CaseSetup CaseBuilder::build(const scene::Scene& scene, scene::Rasteriser& raste
     setup.casters = std::make_unique<const resolve::CastersOnDevice>(device_, scene);
   if (settings_.penumbra_pixels > 0) enlarge(setup, rasteriser);
   for (const Subject& subject : subjects_) add_view(setup, rasteriser, FrameRequest::of(subject));
-  const parameters::Light light{scene.light_direction, degrees};
-  const reference::TraceOptions trace{settings_.reference_samples, settings_.seed};
-  setup.t1 = reference::trace_visibility(scene, setup.views.front().frame.receivers, light, trace,
-                                         run_options("ray tracing " + setup.label(), " rays"), &cache_);
+  setup.t1 = traced(setup, setup.views.front().frame.receivers, settings_.reference_samples,
+                    "ray tracing " + setup.label());
   if (settings_.split_error) {
     for (View& view : setup.views) view.t2 = same_map_estimate(setup, rasteriser, view);
   }
   return setup;
 }
 
+reference::VisibilityImage CaseBuilder::traced(const CaseSetup& setup, const scene::Receivers& receivers,
+                                               int samples, const std::string& work) const {
+  const reference::TraceOptions trace{samples, settings_.seed};
+  const reference::RunOptions run = run_options(work, " rays");
+  if (setup.scene.spot_light)
+    return reference::trace_visibility(setup.scene, receivers, *setup.scene.spot_light, trace, run, &cache_);
+  const parameters::Light light{setup.scene.light_direction, setup.light_degrees};
+  return reference::trace_visibility(setup.scene, receivers, light, trace, run, &cache_);
+}
+
 // A few rays per pixel of the smallest picture estimate the number of penumbra pixels, which grows with the
 // picture's area.
 void CaseBuilder::enlarge(CaseSetup& setup, scene::Rasteriser& rasteriser) const {
   const scene::Frame frame = rasteriser.frame(frame_settings(setup, {}));
-  const parameters::Light light{setup.scene.light_direction, setup.light_degrees};
   const reference::VisibilityImage pilot =
-      reference::trace_visibility(setup.scene, frame.receivers, light, {kPilotSamples, settings_.seed},
-                                  run_options("sizing " + setup.label(), " rays"), &cache_);
+      traced(setup, frame.receivers, kPilotSamples, "sizing " + setup.label());
   const double wanted = kPilotMargin * settings_.penumbra_pixels;
   const auto found = static_cast<double>(penumbra_pixels(pilot));
   if (found == 0.0) return;

@@ -77,6 +77,8 @@ class CaseBuilder {
 
  private:
   void enlarge(CaseSetup& setup, scene::Rasteriser& rasteriser) const;
+  reference::VisibilityImage traced(const CaseSetup& setup, const scene::Receivers& receivers, int samples,
+                                    const std::string& work) const;
   scene::FrameSettings frame_settings(const CaseSetup& setup, const FrameRequest& request) const;
   void add_view(CaseSetup& setup, scene::Rasteriser& rasteriser, const FrameRequest& request) const;
   FrameOfCase on_device_frame(const scene::Frame& frame, const resolve::CastersOnDevice* casters) const;
@@ -92,6 +94,9 @@ class CaseBuilder {
   const StudyProgress& progress_;
   const reference::ReferenceCache& cache_;
 };
+
+// Of a spot light's source that has this angular diameter, seen from one metre.
+double source_radius_metres(double degrees);
 
 // Pixels that are neither lit nor dark.
 std::size_t penumbra_pixels(const reference::VisibilityImage& image);

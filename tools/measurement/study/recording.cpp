@@ -1,5 +1,8 @@
 #include "study/recording.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
@@ -75,6 +78,7 @@ RunSettings run_settings(const View& view) {
   settings.slope_bias = view.frame.settings.raster_bias.slope;
   settings.light_scale = view.request.light_scale;
   settings.reversed_z = shadows.reversed_z;
+  if (view.frame.spot_shadow) return settings;  // one map, without cascades
   settings.light_fit = view.request.light_fit;
   settings.cascade_blend = view.request.cascade_blend;
   const std::array<double, 3> splits = parameters::effective_splits(shadows);
@@ -159,6 +163,13 @@ PassRecord pass_record(const resolve::PassCounts& counts) {
   return record;
 }
 
+// Also what says of a record that its light is a spot light.
+std::string reference_kind(const scene::Frame& frame) {
+  if (!frame.spot_shadow) return "ray-traced disc light";
+  return fmt::format("ray-traced spot light, source radius {:.4g} m",
+                     frame.spot_shadow->light.source_radius_metres);
+}
+
 }  // namespace
 
 MeasuredFrame measured_frame(const CaseSetup& setup) {
@@ -167,6 +178,7 @@ MeasuredFrame measured_frame(const CaseSetup& setup) {
   note.scene = setup.scene.name;
   note.light_degrees = setup.light_degrees;
   note.sun_direction = frame.cascades.light_direction;
+  if (frame.spot_shadow) note.source_radius_metres = frame.spot_shadow->light.source_radius_metres;
   note.width = setup.t1.width;
   note.height = setup.t1.height;
   note.shadow_distance_metres = frame.settings.shadows.distance_metres;
@@ -185,7 +197,7 @@ Record record_of(const CaseSetup& setup, const View& view, const Subject& subjec
   record.light_degrees = setup.light_degrees;
   record.map_size = view.frame.atlas.width;
   record.map_format = map_format_name(view.frame.atlas.format);
-  record.cascades = static_cast<int>(view.frame.cascades.cascades.size());
+  record.cascades = std::max(1, static_cast<int>(view.frame.cascades.cascades.size()));
   record.settings = run_settings(view);
   record.device = device;
   const std::vector<std::uint8_t> counted = counted_receivers(setup.t1, window);
@@ -200,7 +212,7 @@ Record record_of(const CaseSetup& setup, const View& view, const Subject& subjec
   std::vector<double> milliseconds = answer.time_ns;
   for (double& time : milliseconds) time *= 1e-6;
   record.time = summarise(std::move(milliseconds));
-  record.reference = {"ray-traced disc light", setup.t1.samples, setup.t1.noise_floor};
+  record.reference = {reference_kind(view.frame), setup.t1.samples, setup.t1.noise_floor};
   return record;
 }
 

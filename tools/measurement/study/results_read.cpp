@@ -297,6 +297,8 @@ MeasuredFrame read_frame(StrictObject frame) {
   result.scene = frame.text("scene");
   result.light_degrees = frame.number("light_degrees", 0.0, 180.0);
   result.sun_direction = frame.vector("sun_direction");
+  if (frame.has("source_radius_metres"))
+    result.source_radius_metres = frame.number("source_radius_metres", 0.0, kAnything);
   result.width = static_cast<int>(frame.count("width"));
   result.height = static_cast<int>(frame.count("height"));
   result.shadow_distance_metres = frame.number("shadow_distance_metres", 0.0, kAnything);

@@ -53,19 +53,21 @@ Json json_of(const glm::dvec3& vector) {
 
 Json json_of(const MeasuredFrame& frame) {
   const parameters::Camera& camera = frame.camera;
-  return {{"scene", frame.scene},
-          {"light_degrees", frame.light_degrees},
-          {"sun_direction", json_of(frame.sun_direction)},
-          {"width", frame.width},
-          {"height", frame.height},
-          {"shadow_distance_metres", frame.shadow_distance_metres},
-          {"camera",
-           {{"position", json_of(camera.position)},
-            {"forward", json_of(camera.forward)},
-            {"up", json_of(camera.up)},
-            {"fov_y_degrees", camera.fov_y_degrees},
-            {"near", camera.near_plane},
-            {"far", camera.far_plane}}}};
+  Json json{{"scene", frame.scene},
+            {"light_degrees", frame.light_degrees},
+            {"sun_direction", json_of(frame.sun_direction)},
+            {"width", frame.width},
+            {"height", frame.height},
+            {"shadow_distance_metres", frame.shadow_distance_metres},
+            {"camera",
+             {{"position", json_of(camera.position)},
+              {"forward", json_of(camera.forward)},
+              {"up", json_of(camera.up)},
+              {"fov_y_degrees", camera.fov_y_degrees},
+              {"near", camera.near_plane},
+              {"far", camera.far_plane}}}};
+  if (frame.source_radius_metres) json["source_radius_metres"] = *frame.source_radius_metres;
+  return json;
 }
 
 Json json_of(const PackageNote& package) {

@@ -16,12 +16,27 @@
 namespace penumbra::study {
 namespace {
 
-void check_lights(const std::vector<scene::Scene>& scenes) {
+techniques::LightKind kind_of(const scene::Scene& scene) {
+  return scene.spot_light ? techniques::LightKind::spot : techniques::LightKind::directional;
+}
+
+std::string light_of(const scene::Scene& scene) {
+  return "scene '" + scene.name + "' is lit by " + (scene.spot_light ? "a spot light" : "the sun");
+}
+
+void check_lights(const std::vector<scene::Scene>& scenes, const std::vector<Subject>& subjects,
+                  const StudySettings& settings) {
   for (const scene::Scene& scene : scenes) {
-    if (!scene.spot_light) continue;
-    throw InputError("",
-                     "scene '" + scene.name + "' is lit by a spot light, for which there is no technique yet",
-                     "choose scenes that the sun lights");
+    for (const Subject& subject : subjects) {
+      if (subject.light == kind_of(scene)) continue;
+      throw InputError("",
+                       light_of(scene) + ", and '" + subject.name + "' runs for " +
+                           (scene.spot_light ? "the sun" : "a spot light"),
+                       "choose techniques for that kind of light, or other scenes");
+    }
+    if (!scene.spot_light || !settings.split_error) continue;
+    throw InputError("", light_of(scene) + ", for whose maps there is no same-map estimate",
+                     "leave out the split of the error: --no-split");
   }
 }
 
@@ -34,14 +49,16 @@ class Study {
         progress_(progress),
         cache_(settings.cache),
         cases_(device, subjects, settings, progress, cache_) {
-    check_lights(settings.scenes);
+    check_lights(settings.scenes, subjects, settings);
     prepare(subjects);
   }
 
   StudyOutcome run() {
-    for (const scene::Scene& scene : settings_.scenes) {
+    for (const scene::Scene& given : settings_.scenes) {
+      scene::Scene scene = given;
       scene::Rasteriser rasteriser(device_, scene);
       for (const double degrees : settings_.light_degrees) {
+        if (scene.spot_light) scene.spot_light->source_radius_metres = source_radius_metres(degrees);
         const CaseSetup setup = cases_.build(scene, rasteriser, degrees);
         note_little_penumbra(setup);
         outcome_.frames.push_back(measured_frame(setup));
@@ -136,6 +153,15 @@ class Study {
 };
 
 }  // namespace
+
+techniques::LightKind light_kind(const std::vector<scene::Scene>& scenes) {
+  for (const scene::Scene& scene : scenes) {
+    if (kind_of(scene) == kind_of(scenes.front())) continue;
+    throw InputError("", light_of(scenes.front()) + ", and " + light_of(scene),
+                     "measure the two kinds of light in two runs");
+  }
+  return scenes.empty() ? techniques::LightKind::directional : kind_of(scenes.front());
+}
 
 StudyOutcome run_study(gpu::Device& device, const std::vector<Subject>& subjects,
                        const StudySettings& settings, const StudyProgress& progress) {

@@ -43,10 +43,13 @@ struct Subject {
   // The number of frames with different noise whose mean is the subject's result: what temporal antialiasing
   // converges to in a static scene. 1: every noise seed is a separate result.
   int averaged_frames = 1;
+  // Of the scenes that it runs in. A technique for both kinds is a subject for each.
+  techniques::LightKind light = techniques::LightKind::directional;
 };
 
+// Throws InputError for a technique that is not for the kind of light.
 Subject technique_subject(const techniques::TechniqueList& list, const techniques::Technique& technique,
-                          bool reversed_z);
+                          bool reversed_z, techniques::LightKind light = techniques::LightKind::directional);
 Subject adapter_subject(const resolve::Adapter& adapter, bool reversed_z);
 
 // The result of one subject in one frame. Valid during the callback.
@@ -60,6 +63,7 @@ struct SubjectAnswer {
 
 struct StudySettings {
   std::vector<scene::Scene> scenes;
+  // Angular diameters; of a spot light its source's, seen from one metre: the radius is tan(a / 2) metres.
   std::vector<double> light_degrees;
   // The light, the shadow distance and the casters' bias are set per scene, light and subject.
   scene::FrameSettings frame;
@@ -97,8 +101,11 @@ struct StudyOutcome {
       notes;  // uniforms that are not provided, pictures with too little penumbra, and similar
 };
 
-// Throws InputError for shaders that do not compile and for a scene with a spot light, platform::Interrupted
-// if the user interrupts; finished results are cached in either case.
+// The kind of light that lights the scenes. Throws InputError where there are both.
+techniques::LightKind light_kind(const std::vector<scene::Scene>& scenes);
+
+// Throws InputError for shaders that do not compile and for a scene whose light is not of the subjects' kind,
+// platform::Interrupted if the user interrupts; finished results are cached in either case.
 StudyOutcome run_study(gpu::Device& device, const std::vector<Subject>& subjects,
                        const StudySettings& settings, const StudyProgress& progress);
 
