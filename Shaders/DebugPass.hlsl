@@ -79,8 +79,7 @@ float4 DebugCascades(ScreenVaryings input) : SV_Target
 {
     UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(input);
     const DebugPixel here = ReadDebugPixel(input.positionCS);
-    const int count = min(max(int(_PenumbraMainLightParams.x), 1), 4);
-    const int cascade = PenumbraMainLightCascade(here.surface.positionWS, count);
+    const int cascade = PenumbraMainLightCascade(here.surface.positionWS, PenumbraMainLightCascadeCount());
     return OnSurface(here, Shaded(here, CascadeColour(here.shadow.covered ? cascade : -1)));
 }
 

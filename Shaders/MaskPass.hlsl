@@ -18,7 +18,7 @@ float4 _PenumbraMaskParameters0;
 
 PenumbraMainLight MainLightAt(CameraSurface surface)
 {
-    return PreparePenumbraMainLight(surface.positionWS, float3(0.0, 0.0, 0.0), float2(0.0, 0.0));
+    return PreparePenumbraMainLightTap(surface.positionWS, float3(0.0, 0.0, 0.0));
 }
 
 float TapVisibility(int2 block, int tap, ScreenView view)

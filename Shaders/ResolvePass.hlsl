@@ -22,8 +22,7 @@ float OutsidePenumbrae(int2 pixel, ScreenView view)
 {
     const CameraSurface surface = ReadCameraPosition(_CameraDepthTexture, view, pixel);
     if (!surface.seen) return 1.0;
-    const PenumbraMainLight shadow =
-        PreparePenumbraMainLight(surface.positionWS, surface.normalWS, float2(0.0, 0.0));
+    const PenumbraMainLight shadow = PreparePenumbraMainLightTap(surface.positionWS, surface.normalWS);
     return ApplyPenumbraStrength(SingleTap(shadow));
 }
 

@@ -87,11 +87,16 @@ ShadowTile PenumbraMainLightTile(float4x4 worldToShadow, int cascade, int count,
     return tile;
 }
 
-// normalWS: the surface's own (not normal-mapped) normal, unit, or 0 where it is not known. pixel: of the screen.
-PenumbraMainLight PreparePenumbraMainLight(float3 positionWS, float3 normalWS, float2 pixel)
+int PenumbraMainLightCascadeCount()
 {
-    const int count = min(max(int(_PenumbraMainLightParams.x), 1), 4);
-    const int cascade = PenumbraMainLightDitheredCascade(positionWS, count, pixel);
+    return min(max(int(_PenumbraMainLightParams.x), 1), 4);
+}
+
+// In a cascade of PenumbraMainLightCascade. normalWS: the surface's own (not normal-mapped) normal, unit, or 0 where it is
+// not known. pixel: of the screen; it rotates the disk.
+PenumbraMainLight PreparePenumbraMainLightIn(int cascade, float3 positionWS, float3 normalWS, float2 pixel)
+{
+    const int count = PenumbraMainLightCascadeCount();
     const float4x4 worldToShadow = _MainLightWorldToShadow[min(cascade, count - 1)];
     const float3 shadowCoord = mul(worldToShadow, float4(positionWS, 1.0)).xyz;
 
@@ -105,6 +110,20 @@ PenumbraMainLight PreparePenumbraMainLight(float3 positionWS, float3 normalWS, f
     shadow.receiver.rotation = DiskRotation(pixel, uint(max(_PenumbraMainLightParams.z, 0.0)));
     shadow.tile = PenumbraMainLightTile(worldToShadow, shadow.cascade, count, _PenumbraMainLightParams.y);
     return shadow;
+}
+
+// For a filter, whose noise also chooses the cascade in a border.
+PenumbraMainLight PreparePenumbraMainLight(float3 positionWS, float3 normalWS, float2 pixel)
+{
+    const int cascade = PenumbraMainLightDitheredCascade(positionWS, PenumbraMainLightCascadeCount(), pixel);
+    return PreparePenumbraMainLightIn(cascade, positionWS, normalWS, pixel);
+}
+
+// For single comparisons, away from penumbrae or in search of them.
+PenumbraMainLight PreparePenumbraMainLightTap(float3 positionWS, float3 normalWS)
+{
+    const int cascade = PenumbraMainLightCascade(positionWS, PenumbraMainLightCascadeCount());
+    return PreparePenumbraMainLightIn(cascade, positionWS, normalWS, float2(0.0, 0.0));
 }
 
 // URP's shadow strength: 0 leaves everything lit.
