@@ -86,6 +86,32 @@ TEST(Noise, RotationsAreUnitVectorsAtTheirAngle) {
       12.0L);
 }
 
+// A shift by any part of a turn correlates the sines or cosines of both.
+TEST(Noise, CascadesAreChosenIndependentlyOfTheRotation) {
+  const std::vector<float> results = run({"Noise",
+                                          "Out(0, GradientNoise(float2(In(0), In(1)), uint(InInt(2))));"
+                                          "Out(1, CascadeNoise(float2(In(0), In(1)), uint(InInt(2))));",
+                                          3, 2},
+                                         DepthDirection::conventional, pixels());
+  const std::size_t count = results.size() / 2;
+  double cosines = 0.0;
+  double sines = 0.0;
+  double mean = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    ASSERT_GE(results[2 * i + 1], 0.0f);
+    ASSERT_LT(results[2 * i + 1], 1.0f);
+    const double apart = 2.0 * std::numbers::pi *
+                         (static_cast<double>(results[2 * i + 1]) - static_cast<double>(results[2 * i]));
+    cosines += std::cos(apart);
+    sines += std::sin(apart);
+    mean += static_cast<double>(results[2 * i + 1]);
+  }
+  const double n = static_cast<double>(count);
+  // Independent values would give 1 / sqrt(n), a hundredth.
+  EXPECT_LT(std::hypot(cosines, sines) / n, 0.04);
+  EXPECT_NEAR(mean / n, 0.5, 0.02);
+}
+
 TEST(Noise, DiskRotationIsTheRotationOfTheNoise) {
   const std::vector<float> results =
       run({"Noise",

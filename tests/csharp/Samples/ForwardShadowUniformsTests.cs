@@ -66,7 +66,7 @@ namespace Penumbra.Samples.ForwardShader
             Assert.That(Shader.Globals, Is.Empty);
             Call("OnEnable");
             BeginCamera();
-            Assert.That(Shader.Globals.Count, Is.EqualTo(7));
+            Assert.That(Shader.Globals.Count, Is.EqualTo(8));
         }
     }
 }
