@@ -26,7 +26,6 @@ constexpr double kFarMargin = 1e-3;
 struct Footprint {
   glm::dvec2 centre;
   double radius = 0.0;
-  double depth = 0.0;
 };
 
 struct Square {
@@ -98,7 +97,7 @@ void tighten(const std::vector<glm::dvec3>& receivers, const Light& light, const
   for (const glm::dvec3& receiver : receivers) {
     const glm::dvec3 at = tile.axes.into(receiver);
     const double gap = std::max(at.z - box.near_depth, 0.0);
-    footprints.push_back({glm::dvec2(at), tan_half(light.angular_diameter_degrees) * gap, at.z});
+    footprints.push_back({glm::dvec2(at), tan_half(light.angular_diameter_degrees) * gap});
     farthest = std::max(farthest, at.z);
   }
   if (!settings.depth_range_metres) {
