@@ -97,5 +97,17 @@ Shader "Hidden/Penumbra/Shadows"
             #include "DenoisePass.hlsl"
             ENDHLSL
         }
+
+        Pass
+        {
+            Name "ConservativeMask"
+
+            HLSLPROGRAM
+            #pragma target 3.5
+            #pragma vertex ScreenTriangle
+            #pragma fragment ConservativeMask
+            #include "ConservativeMaskPass.hlsl"
+            ENDHLSL
+        }
     }
 }

@@ -1,12 +1,12 @@
 // Penumbra: the main light's visibility at each pixel of the screen, or at every second one.
 //
-// Computes:   PenumbraMainLightVisibility where the camera sees a surface; with _PENUMBRA_MASK one comparison where the
-//             mask says that no penumbra is near.
+// Computes:   PenumbraMainLightVisibility where the camera sees a surface; with _PENUMBRA_MASK what the mask says, or one
+//             comparison, where it says that no penumbra is near.
 // Source:     Shadows.hlsl; see the technique's file.
-// Inputs:     those of ScreenPass.hlsl and Shadows.hlsl; _PenumbraMaskTexture: of MaskPass.hlsl. Target: the screen's
-//             size, or half of it rounded up.
-// Cost:       5 fetches of camera depth, up to 9 at edges, and the technique's; 3 in all where the mask is 0; elsewhere
-//             1 more to read the mask.
+// Inputs:     those of ScreenPass.hlsl and Shadows.hlsl; _PenumbraMaskTexture: of MaskPass.hlsl or
+//             ConservativeMaskPass.hlsl. Target: the screen's size, or half of it rounded up.
+// Cost:       5 fetches of camera depth, up to 9 at edges, and the technique's. With a mask 1 more; where it skips the
+//             filter 1 in all, 3 with a comparison.
 // Guarantees: [0, 1], 1 on the sky. It includes the shadow strength, but not the distance fade, which receivers apply.
 // Use it:     as the one pass that every preset has.
 #ifndef PENUMBRA_RESOLVE_PASS_HLSL
@@ -18,8 +18,10 @@
 
 TEXTURE2D_X(_PenumbraMaskTexture);
 
-float OutsidePenumbrae(int2 pixel, ScreenView view)
+float OutsidePenumbrae(float mask, int2 pixel, ScreenView view)
 {
+    const float known = MaskedVisibility(mask);
+    if (known >= 0.0) return ApplyPenumbraStrength(known);
     const CameraSurface surface = ReadCameraPosition(_CameraDepthTexture, view, pixel);
     if (!surface.seen) return 1.0;
     const PenumbraMainLight shadow = PreparePenumbraMainLightTap(surface.positionWS, surface.normalWS);
@@ -32,8 +34,9 @@ float4 Resolve(ScreenVaryings input) : SV_Target
     const ScreenView view = ViewOfThisEye();
     const int2 pixel = ScreenPixel(input.positionCS);
 #if defined(_PENUMBRA_MASK)
+    const float mask = LOAD_TEXTURE2D_X(_PenumbraMaskTexture, MaskBlockOf(pixel)).x;
     UNITY_BRANCH
-    if (LOAD_TEXTURE2D_X(_PenumbraMaskTexture, MaskBlockOf(pixel)).x < 0.5) return OutsidePenumbrae(pixel, view);
+    if (MaskSkipsFilter(mask)) return OutsidePenumbrae(mask, pixel, view);
 #endif
     const CameraSurface surface = ReadCameraSurface(_CameraDepthTexture, view, pixel);
     if (!surface.seen) return 1.0;

@@ -30,6 +30,7 @@ namespace Penumbra.Editor
             custom.FindPropertyRelative(nameof(options.softnessCapMetres)).floatValue = options.softnessCapMetres;
             custom.FindPropertyRelative(nameof(options.minFilterTexels)).floatValue = options.minFilterTexels;
             custom.FindPropertyRelative(nameof(options.mask)).boolValue = options.mask;
+            custom.FindPropertyRelative(nameof(options.conservativeMask)).boolValue = options.conservativeMask;
             custom.FindPropertyRelative(nameof(options.halfResolution)).boolValue = options.halfResolution;
             custom.FindPropertyRelative(nameof(options.denoise)).boolValue = options.denoise;
         }

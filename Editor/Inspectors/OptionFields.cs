@@ -44,6 +44,12 @@ namespace Penumbra.Editor
             nameof(ShadowOptions.mask), OptionTable.Mask.Label, OptionTable.Mask.Tooltip,
             options => options.SamplesPenumbrae, volume => volume.mask);
 
+        internal static readonly OptionField ConservativeMask = new OptionField(
+            nameof(ShadowOptions.conservativeMask), OptionTable.ConservativeMask.Label,
+            OptionTable.ConservativeMask.Tooltip,
+            options => options.mask && options.technique == ShadowTechnique.Pcss && options.SamplesPenumbrae,
+            volume => volume.conservativeMask);
+
         internal static readonly OptionField HalfResolution = new OptionField(
             nameof(ShadowOptions.halfResolution), OptionTable.HalfResolution.Label, OptionTable.HalfResolution.Tooltip,
             options => true, volume => volume.halfResolution);
@@ -64,8 +70,8 @@ namespace Penumbra.Editor
 
         internal static readonly OptionField[] All =
         {
-            Technique, AngularDiameter, BlockerSamples, FilterSamples, SoftnessCap, MinFilter, Mask, HalfResolution,
-            Denoise,
+            Technique, AngularDiameter, BlockerSamples, FilterSamples, SoftnessCap, MinFilter, Mask, ConservativeMask,
+            HalfResolution, Denoise,
         };
     }
 }

@@ -5,14 +5,14 @@ using System.Linq;
 namespace Penumbra.Editor
 {
     /// <summary>
-    /// The programs of Hidden/Penumbra/Shadows that a player can use: the passes of all chains that the project's
+    /// The programs of the package's shaders that a player can use: the passes of all chains that the project's
     /// features and Volume profiles can select, each with its enabled keywords. Derived from the chains themselves,
     /// so that a new pass needs no change here.
     /// </summary>
     internal sealed class ChainPrograms
     {
-        private readonly Dictionary<string, List<IReadOnlyList<string>>> keywordsOf =
-            new Dictionary<string, List<IReadOnlyList<string>>>();
+        private readonly Dictionary<(string asset, string pass), List<IReadOnlyList<string>>> keywordsOf =
+            new Dictionary<(string, string), List<IReadOnlyList<string>>>();
 
         /// <summary>The programs of each feature, alone and with the Volumes' overrides.</summary>
         internal static ChainPrograms Of(IEnumerable<PenumbraShadowsSettings> features,
@@ -29,8 +29,7 @@ namespace Penumbra.Editor
         {
             foreach (ChainStep step in chain.Steps)
             {
-                if (step.pass.asset != PenumbraShadows.ShaderFile) continue;
-                string pass = step.pass.program;
+                (string, string) pass = (step.pass.asset, step.pass.program);
                 if (!keywordsOf.TryGetValue(pass, out List<IReadOnlyList<string>> sets))
                     keywordsOf[pass] = sets = new List<IReadOnlyList<string>>();
                 if (!sets.Any(set => set.SequenceEqual(chain.Keywords))) sets.Add(chain.Keywords);
@@ -38,11 +37,11 @@ namespace Penumbra.Editor
         }
 
         /// <summary>
-        /// Whether a frame uses the variant of `pass` whose enabled keywords among `declared` are those for which
+        /// Whether a frame uses the variant of `pass` of the shader file `asset` whose enabled keywords among `declared` are those for which
         /// `enabled` is true.
         /// </summary>
-        internal bool Has(string pass, IReadOnlyCollection<string> declared, Predicate<string> enabled) =>
-            keywordsOf.TryGetValue(pass, out List<IReadOnlyList<string>> sets) &&
+        internal bool Has(string asset, string pass, IReadOnlyCollection<string> declared, Predicate<string> enabled) =>
+            keywordsOf.TryGetValue((asset, pass), out List<IReadOnlyList<string>> sets) &&
             sets.Any(set => declared.All(name => set.Contains(name) == enabled(name)));
     }
 }

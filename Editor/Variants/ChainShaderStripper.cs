@@ -1,5 +1,7 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
+using UnityEditor;
 using UnityEditor.Build;
 using UnityEditor.Rendering;
 using UnityEngine;
@@ -8,8 +10,8 @@ using UnityEngine.Rendering;
 namespace Penumbra.Editor
 {
     /// <summary>
-    /// Removes the variants of the feature's own shader that no feature or Volume of the project can use from
-    /// players; of passes that no chain draws it removes all variants.
+    /// Removes the variants of the shaders of passes that no feature or Volume of the project can use from players; of
+    /// passes that no chain draws it removes all variants.
     /// </summary>
     internal sealed class ChainShaderStripper : IPreprocessShaders
     {
@@ -17,18 +19,28 @@ namespace Penumbra.Editor
 
         public void OnProcessShader(Shader shader, ShaderSnippetData snippet, IList<ShaderCompilerData> data)
         {
-            if (shader.name != PenumbraShadows.ShaderName) return;
-            Strip(FeaturesInProject.Programs(), shader, snippet.passName, data);
+            string asset = AssetOf(shader);
+            if (asset != null) Strip(FeaturesInProject.Programs(), shader, asset, snippet.passName, data);
+        }
+
+        /// <summary>Its path in the package, of a shader of which some graph has a pass; else null.</summary>
+        internal static string AssetOf(Shader shader)
+        {
+            if (shader.name == PenumbraShadows.ShaderName) return PenumbraShadows.ShaderFile;
+            string path = AssetDatabase.GetAssetPath(shader);
+            return ChainGraphs.All.SelectMany(graph => graph.passes).Select(pass => pass.asset)
+                .FirstOrDefault(asset => path == PassAssets.Package + asset);
         }
 
         /// <summary>`data` contains the variants of one stage of the pass.</summary>
-        internal static void Strip(ChainPrograms asked, Shader shader, string pass, IList<ShaderCompilerData> data)
+        internal static void Strip(ChainPrograms asked, Shader shader, string asset, string pass,
+                                   IList<ShaderCompilerData> data)
         {
             List<string> declared = Declared(shader, data);
             for (int i = data.Count - 1; i >= 0; --i)
             {
                 Predicate<string> enabled = Enabled(shader, data[i].shaderKeywordSet);
-                if (!asked.Has(pass, declared, enabled)) data.RemoveAt(i);
+                if (!asked.Has(asset, pass, declared, enabled)) data.RemoveAt(i);
             }
         }
 

@@ -12,9 +12,9 @@ namespace Penumbra.Editor
     internal readonly struct VolumeOverrides : IEquatable<VolumeOverrides>
     {
         private readonly (QualityPreset? preset, bool? hasWidth, ShadowTechnique? technique, bool? mask,
-            bool? halfResolution, bool? denoise) values;
+            bool? conservativeMask, bool? halfResolution, bool? denoise) values;
 
-        private VolumeOverrides((QualityPreset?, bool?, ShadowTechnique?, bool?, bool?, bool?) values)
+        private VolumeOverrides((QualityPreset?, bool?, ShadowTechnique?, bool?, bool?, bool?, bool?) values)
         {
             this.values = values;
         }
@@ -32,12 +32,13 @@ namespace Penumbra.Editor
 
         private static VolumeOverrides Of(PenumbraShadowsVolume volume, bool? hasWidth) =>
             new VolumeOverrides((Value(volume.preset), hasWidth, Value(volume.technique), Value(volume.mask),
-                                 Value(volume.halfResolution), Value(volume.denoise)));
+                                 Value(volume.conservativeMask), Value(volume.halfResolution), Value(volume.denoise)));
 
         /// <summary>Both overrides combined; this one has priority.</summary>
         internal VolumeOverrides After(in VolumeOverrides earlier) =>
             new VolumeOverrides((values.preset ?? earlier.values.preset, values.hasWidth ?? earlier.values.hasWidth,
                                  values.technique ?? earlier.values.technique, values.mask ?? earlier.values.mask,
+                                 values.conservativeMask ?? earlier.values.conservativeMask,
                                  values.halfResolution ?? earlier.values.halfResolution,
                                  values.denoise ?? earlier.values.denoise));
 
@@ -49,6 +50,7 @@ namespace Penumbra.Editor
                 values.hasWidth.HasValue ? (values.hasWidth.Value ? AngularDiameter.SunDegrees : 0.0f) : (float?)null);
             Set(stack.technique, values.technique);
             Set(stack.mask, values.mask);
+            Set(stack.conservativeMask, values.conservativeMask);
             Set(stack.halfResolution, values.halfResolution);
             Set(stack.denoise, values.denoise);
         }

@@ -54,6 +54,7 @@ namespace Penumbra.Editor
             choices.technique = options.technique;
             choices.angularDiameterDegrees = options.angularDiameterDegrees > 0.0f ? AngularDiameter.SunDegrees : 0.0f;
             choices.mask = options.mask;
+            choices.conservativeMask = options.conservativeMask;
             choices.halfResolution = options.halfResolution;
             choices.denoise = options.denoise;
             return choices;

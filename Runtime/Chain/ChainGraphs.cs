@@ -9,6 +9,8 @@ namespace Penumbra
         private const int Mask = 1;
         private const int Half = 2;
         private const int Denoise = 4;
+        private const int Conservative = 8; // with Mask
+        private const int Bits = 4;
 
         // The screen-space passes, indexed by these bits. The filter is selected by the technique's keyword, so
         // graphs of the study that differ only in the filter are the same graph here.
@@ -20,23 +22,34 @@ namespace Penumbra
             PenumbraShadowsGraphs.PcssMaskedHalfDenoised,
         };
 
+        // The same with a conservative mask, which all of them have: indexed without its bits.
+        private static readonly TechniqueGraph[] ofScreenConservative =
+        {
+            PenumbraShadowsGraphs.PcssConservative, PenumbraShadowsGraphs.PcssConservativeHalf,
+            PenumbraShadowsGraphs.PcssConservativeDenoised, PenumbraShadowsGraphs.PcssConservativeHalfDenoised,
+        };
+
         /// <summary>All graphs that any options need.</summary>
-        internal static IEnumerable<TechniqueGraph> All => ofScreen.Concat(TechniquePasses.Graphs.Values);
+        internal static IEnumerable<TechniqueGraph> All => ofScreen.Concat(ofScreenConservative)
+            .Concat(TechniquePasses.Graphs.Values);
 
         /// <summary>In the order in which they run.</summary>
         internal static IReadOnlyList<TechniqueGraph> Of(in ShadowOptions options)
         {
-            TechniqueGraph screen = ofScreen[ScreenBits(options)];
+            int bits = ScreenBits(options);
+            TechniqueGraph screen = (bits & Conservative) == 0
+                                        ? ofScreen[bits] : ofScreenConservative[(bits & (Half | Denoise)) / Half];
             if (!TechniquePasses.Graphs.TryGetValue(options.technique, out TechniqueGraph own)) return new[] { screen };
             return own.visibility == TechniqueGraph.None ? new[] { own, screen } : new[] { own };
         }
 
         /// <summary>Equal for options that need the same graphs and keywords.</summary>
-        internal static int Key(in ShadowOptions options) => (int)options.technique << 3 | ScreenBits(options);
+        internal static int Key(in ShadowOptions options) => (int)options.technique << Bits | ScreenBits(options);
 
         // A mask costs as much as a filter without samples, and such a filter has no noise to remove.
         private static int ScreenBits(in ShadowOptions options) =>
             (options.mask && options.SamplesPenumbrae ? Mask : 0) | (options.halfResolution ? Half : 0) |
-            (options.denoise && options.SamplesPenumbrae ? Denoise : 0);
+            (options.denoise && options.SamplesPenumbrae ? Denoise : 0) |
+            (options.MasksConservatively ? Conservative : 0);
     }
 }

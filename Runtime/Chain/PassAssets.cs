@@ -12,7 +12,7 @@ namespace Penumbra
     [Serializable]
     internal sealed class PassAssets
     {
-        private const string Package = "Packages/com.penumbra.shadows/";
+        internal const string Package = "Packages/com.penumbra.shadows/";
 
         [Tooltip("Each asset's path in the package.")]
         [SerializeField] private List<string> paths = new List<string>();

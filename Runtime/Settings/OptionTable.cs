@@ -85,6 +85,14 @@ namespace Penumbra
                 "shadow map once.";
         }
 
+        internal static class ConservativeMask
+        {
+            internal const string Label = "Conservative Mask";
+            internal const string Tooltip =
+                "Makes the mask from bounds of the shadow map's depths instead: it misses no penumbra, and the " +
+                "picture is the same as without a mask. It skips more pixels under small lights. For PCSS.";
+        }
+
         internal static class HalfResolution
         {
             internal const string Label = "Half Resolution";

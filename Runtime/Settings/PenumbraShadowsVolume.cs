@@ -46,6 +46,9 @@ namespace Penumbra
         [Tooltip(OptionTable.Mask.Tooltip)]
         public BoolParameter mask = new BoolParameter(true);
 
+        [Tooltip(OptionTable.ConservativeMask.Tooltip)]
+        public BoolParameter conservativeMask = new BoolParameter(true);
+
         [Tooltip(OptionTable.HalfResolution.Tooltip)]
         public BoolParameter halfResolution = new BoolParameter(false);
 
@@ -88,6 +91,7 @@ namespace Penumbra
             if (filterSamples.overrideState) options.filterSamples = filterSamples.value;
             if (softnessCapMetres.overrideState) options.softnessCapMetres = softnessCapMetres.value;
             if (mask.overrideState) options.mask = mask.value;
+            if (conservativeMask.overrideState) options.conservativeMask = conservativeMask.value;
             if (halfResolution.overrideState) options.halfResolution = halfResolution.value;
             if (denoise.overrideState) options.denoise = denoise.value;
             if (cascadeBlend.overrideState) options.cascadeBlend = cascadeBlend.value;

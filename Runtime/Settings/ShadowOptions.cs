@@ -46,6 +46,12 @@ namespace Penumbra
         [Tooltip(OptionTable.Mask.Tooltip)]
         public bool mask;
 
+        /// <summary>
+        /// The mask is made from bounds of the shadow map's depths and misses no penumbra; for PCSS.
+        /// </summary>
+        [Tooltip(OptionTable.ConservativeMask.Tooltip)]
+        public bool conservativeMask;
+
         /// <summary>Filters a quarter of the pixels and reconstructs the rest along edges.</summary>
         [Tooltip(OptionTable.HalfResolution.Tooltip)]
         public bool halfResolution;
@@ -81,7 +87,8 @@ namespace Penumbra
             technique == other.technique && angularDiameterDegrees.Equals(other.angularDiameterDegrees) &&
             blockerSamples == other.blockerSamples && filterSamples == other.filterSamples &&
             softnessCapMetres.Equals(other.softnessCapMetres) && minFilterTexels.Equals(other.minFilterTexels) &&
-            mask == other.mask && halfResolution == other.halfResolution && denoise == other.denoise &&
+            mask == other.mask && conservativeMask == other.conservativeMask &&
+            halfResolution == other.halfResolution && denoise == other.denoise &&
             cascadeBlend.Equals(other.cascadeBlend) && debugView == other.debugView;
 
         public override bool Equals(object other) => other is ShadowOptions options && Equals(options);
@@ -115,6 +122,10 @@ namespace Penumbra
         /// The technique samples penumbrae of non-zero width, so that noise and the penumbra mask matter.
         /// </summary>
         internal bool SamplesPenumbrae => technique.TakesSamples() && angularDiameterDegrees > 0.0f;
+
+        /// <summary>The conservative mask decides by the cones of PCSS's filter, of no other's.</summary>
+        internal bool MasksConservatively =>
+            mask && conservativeMask && technique == ShadowTechnique.Pcss && SamplesPenumbrae;
 
         /// <summary>
         /// The filters' parameters. Those that no option sets have the values that the study measures

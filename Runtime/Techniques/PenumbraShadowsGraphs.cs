@@ -144,6 +144,57 @@ namespace Penumbra
             mask = 2,
         };
 
+        internal static readonly TechniqueGraph PcssConservative = new TechniqueGraph
+        {
+            name = "pcss-conservative",
+            textures = new[]
+            {
+                new GraphTexture("depthPlanes", GraphExtent.Map, GraphicsFormat.R32G32B32A32_SFloat, divisor: 4, mips: 0),
+                new GraphTexture("mask", GraphExtent.Screen, GraphicsFormat.R8_UNorm, divisor: 4),
+                new GraphTexture("visibility", GraphExtent.Screen, GraphicsFormat.R8_UNorm),
+            },
+            passes = new[]
+            {
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraMaps.shader",
+                    program = "QuarterDepthPlanes",
+                    runs = PassFrequency.Cascade,
+                    writes = new[] { GraphBinding.Texture(0) },
+                },
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraMaps.shader",
+                    program = "DepthPlanesMip",
+                    runs = PassFrequency.Cascade,
+                    reads = new[] { GraphBinding.Texture("_PenumbraSourceTexture", 0) },
+                    writes = new[] { GraphBinding.Texture(0) },
+                    eachMip = true,
+                },
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraShadows.shader",
+                    program = "ConservativeMask",
+                    reads = new[] { GraphBinding.Texture("_PenumbraDepthPlanesTexture", 0) },
+                    writes = new[] { GraphBinding.Texture(1) },
+                },
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraShadows.shader",
+                    program = "Resolve",
+                    reads = new[] { GraphBinding.Texture("_PenumbraMaskTexture", 1) },
+                    writes = new[] { GraphBinding.Texture(2) },
+                },
+            },
+            keywords = new[] { "_PENUMBRA_MASK" },
+            visibility = 2,
+            mask = 1,
+        };
+
         internal static readonly TechniqueGraph PcssDenoised = new TechniqueGraph
         {
             name = "pcss-denoised",
@@ -247,6 +298,75 @@ namespace Penumbra
             keywords = new[] { "_PENUMBRA_MASK" },
             visibility = 5,
             mask = 2,
+        };
+
+        internal static readonly TechniqueGraph PcssConservativeDenoised = new TechniqueGraph
+        {
+            name = "pcss-conservative-denoised",
+            textures = new[]
+            {
+                new GraphTexture("depthPlanes", GraphExtent.Map, GraphicsFormat.R32G32B32A32_SFloat, divisor: 4, mips: 0),
+                new GraphTexture("mask", GraphExtent.Screen, GraphicsFormat.R8_UNorm, divisor: 4),
+                new GraphTexture("resolved", GraphExtent.Screen, GraphicsFormat.R8_UNorm),
+                new GraphTexture("rows", GraphExtent.Screen, GraphicsFormat.R8_UNorm),
+                new GraphTexture("visibility", GraphExtent.Screen, GraphicsFormat.R8_UNorm),
+            },
+            passes = new[]
+            {
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraMaps.shader",
+                    program = "QuarterDepthPlanes",
+                    runs = PassFrequency.Cascade,
+                    writes = new[] { GraphBinding.Texture(0) },
+                },
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraMaps.shader",
+                    program = "DepthPlanesMip",
+                    runs = PassFrequency.Cascade,
+                    reads = new[] { GraphBinding.Texture("_PenumbraSourceTexture", 0) },
+                    writes = new[] { GraphBinding.Texture(0) },
+                    eachMip = true,
+                },
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraShadows.shader",
+                    program = "ConservativeMask",
+                    reads = new[] { GraphBinding.Texture("_PenumbraDepthPlanesTexture", 0) },
+                    writes = new[] { GraphBinding.Texture(1) },
+                },
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraShadows.shader",
+                    program = "Resolve",
+                    reads = new[] { GraphBinding.Texture("_PenumbraMaskTexture", 1) },
+                    writes = new[] { GraphBinding.Texture(2) },
+                },
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraShadows.shader",
+                    program = "DenoiseHorizontal",
+                    reads = new[] { GraphBinding.Texture("_PenumbraSourceTexture", 2) },
+                    writes = new[] { GraphBinding.Texture(3) },
+                },
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraShadows.shader",
+                    program = "DenoiseVertical",
+                    reads = new[] { GraphBinding.Texture("_PenumbraSourceTexture", 3) },
+                    writes = new[] { GraphBinding.Texture(4) },
+                },
+            },
+            keywords = new[] { "_PENUMBRA_MASK" },
+            visibility = 4,
+            mask = 1,
         };
 
         internal static readonly TechniqueGraph PcssHalf = new TechniqueGraph
@@ -383,6 +503,66 @@ namespace Penumbra
             mask = 2,
         };
 
+        internal static readonly TechniqueGraph PcssConservativeHalf = new TechniqueGraph
+        {
+            name = "pcss-conservative-half",
+            textures = new[]
+            {
+                new GraphTexture("depthPlanes", GraphExtent.Map, GraphicsFormat.R32G32B32A32_SFloat, divisor: 4, mips: 0),
+                new GraphTexture("mask", GraphExtent.Screen, GraphicsFormat.R8_UNorm, divisor: 4),
+                new GraphTexture("half", GraphExtent.Screen, GraphicsFormat.R8_UNorm, divisor: 2),
+                new GraphTexture("visibility", GraphExtent.Screen, GraphicsFormat.R8_UNorm),
+            },
+            passes = new[]
+            {
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraMaps.shader",
+                    program = "QuarterDepthPlanes",
+                    runs = PassFrequency.Cascade,
+                    writes = new[] { GraphBinding.Texture(0) },
+                },
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraMaps.shader",
+                    program = "DepthPlanesMip",
+                    runs = PassFrequency.Cascade,
+                    reads = new[] { GraphBinding.Texture("_PenumbraSourceTexture", 0) },
+                    writes = new[] { GraphBinding.Texture(0) },
+                    eachMip = true,
+                },
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraShadows.shader",
+                    program = "ConservativeMask",
+                    reads = new[] { GraphBinding.Texture("_PenumbraDepthPlanesTexture", 0) },
+                    writes = new[] { GraphBinding.Texture(1) },
+                },
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraShadows.shader",
+                    program = "Resolve",
+                    reads = new[] { GraphBinding.Texture("_PenumbraMaskTexture", 1) },
+                    writes = new[] { GraphBinding.Texture(2) },
+                },
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraShadows.shader",
+                    program = "Upsample",
+                    reads = new[] { GraphBinding.Texture("_PenumbraSourceTexture", 2) },
+                    writes = new[] { GraphBinding.Texture(3) },
+                },
+            },
+            keywords = new[] { "_PENUMBRA_MASK" },
+            visibility = 3,
+            mask = 1,
+        };
+
         internal static readonly TechniqueGraph PcssMaskedHalfDenoised = new TechniqueGraph
         {
             name = "pcss-masked-half-denoised",
@@ -457,6 +637,84 @@ namespace Penumbra
             keywords = new[] { "_PENUMBRA_MASK" },
             visibility = 5,
             mask = 2,
+        };
+
+        internal static readonly TechniqueGraph PcssConservativeHalfDenoised = new TechniqueGraph
+        {
+            name = "pcss-conservative-half-denoised",
+            textures = new[]
+            {
+                new GraphTexture("depthPlanes", GraphExtent.Map, GraphicsFormat.R32G32B32A32_SFloat, divisor: 4, mips: 0),
+                new GraphTexture("mask", GraphExtent.Screen, GraphicsFormat.R8_UNorm, divisor: 4),
+                new GraphTexture("resolved", GraphExtent.Screen, GraphicsFormat.R8_UNorm),
+                new GraphTexture("rows", GraphExtent.Screen, GraphicsFormat.R8_UNorm),
+                new GraphTexture("visibility", GraphExtent.Screen, GraphicsFormat.R8_UNorm),
+                new GraphTexture("half", GraphExtent.Screen, GraphicsFormat.R8_UNorm, divisor: 2),
+            },
+            passes = new[]
+            {
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraMaps.shader",
+                    program = "QuarterDepthPlanes",
+                    runs = PassFrequency.Cascade,
+                    writes = new[] { GraphBinding.Texture(0) },
+                },
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraMaps.shader",
+                    program = "DepthPlanesMip",
+                    runs = PassFrequency.Cascade,
+                    reads = new[] { GraphBinding.Texture("_PenumbraSourceTexture", 0) },
+                    writes = new[] { GraphBinding.Texture(0) },
+                    eachMip = true,
+                },
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraShadows.shader",
+                    program = "ConservativeMask",
+                    reads = new[] { GraphBinding.Texture("_PenumbraDepthPlanesTexture", 0) },
+                    writes = new[] { GraphBinding.Texture(1) },
+                },
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraShadows.shader",
+                    program = "Resolve",
+                    reads = new[] { GraphBinding.Texture("_PenumbraMaskTexture", 1) },
+                    writes = new[] { GraphBinding.Texture(5) },
+                },
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraShadows.shader",
+                    program = "Upsample",
+                    reads = new[] { GraphBinding.Texture("_PenumbraSourceTexture", 5) },
+                    writes = new[] { GraphBinding.Texture(2) },
+                },
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraShadows.shader",
+                    program = "DenoiseHorizontal",
+                    reads = new[] { GraphBinding.Texture("_PenumbraSourceTexture", 2) },
+                    writes = new[] { GraphBinding.Texture(3) },
+                },
+                new GraphPass
+                {
+                    kind = PassKind.Raster,
+                    asset = "Shaders/PenumbraShadows.shader",
+                    program = "DenoiseVertical",
+                    reads = new[] { GraphBinding.Texture("_PenumbraSourceTexture", 3) },
+                    writes = new[] { GraphBinding.Texture(4) },
+                },
+            },
+            keywords = new[] { "_PENUMBRA_MASK" },
+            visibility = 4,
+            mask = 1,
         };
     }
 }

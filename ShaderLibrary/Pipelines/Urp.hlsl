@@ -61,6 +61,19 @@ int PenumbraMainLightCascade(float3 positionWS, int count)
     return SelectCascade(positionWS, PenumbraMainLightSpheres(), count);
 }
 
+int PenumbraMainLightCascadeCount()
+{
+    return min(max(int(_PenumbraMainLightParams.x), 1), 4);
+}
+
+// Whether filters read the next cascade at some pixels near this position. cascade: its own.
+bool PenumbraMainLightInBorder(float3 positionWS, int cascade)
+{
+    const float border = _PenumbraMainLightParams.w;
+    if (!(border > 0.0)) return false;
+    return NextCascadeWeight(positionWS, PenumbraMainLightSpheres(), cascade, PenumbraMainLightCascadeCount(), border) > 0.0;
+}
+
 // In the border to the next cascade either of both, by noise.
 int PenumbraMainLightDitheredCascade(float3 positionWS, int count, float2 pixel)
 {
@@ -85,11 +98,6 @@ ShadowTile PenumbraMainLightTile(float4x4 worldToShadow, int cascade, int count,
     tile.depthToRadial = tanHalf * uvPerMetre / max(depthPerMetre, 1e-20);
     tile.radialToDepth = tanHalf > 0.0 ? depthPerMetre / (tanHalf * max(uvPerMetre, 1e-20)) : 0.0;
     return tile;
-}
-
-int PenumbraMainLightCascadeCount()
-{
-    return min(max(int(_PenumbraMainLightParams.x), 1), 4);
 }
 
 // In a cascade of PenumbraMainLightCascade. normalWS: the surface's own (not normal-mapped) normal, unit, or 0 where it is

@@ -63,13 +63,25 @@ class PresetSteps(unittest.TestCase):
 
 class MaskCosts(unittest.TestCase):
     def test_rows_are_scenes_and_the_last_their_mean(self):
-        text = page.mask_costs(results(
+        def masked(name, scene, fetches, screen, cascade, skipped, missed, light=2.0):
+            return record(name, scene, light, fetches_mean=fetches, preprocess_fetches_per_pixel=screen + cascade,
+                          passes=[{"pass": "mask", "runs": "frame", "fetches_per_pixel": screen},
+                                  {"pass": "map", "runs": "cascade", "fetches_per_pixel": cascade,
+                                   "fetches_per_cascade": 250000.0}],
+                          mask={"pixels_saved": skipped, "penumbra_pixels_missed": missed})
+
+        measured = results(
             record("pcss", "a", fetches_mean=20.0), record("pcss", "b", fetches_mean=10.0),
-            record("pcss-masked", "a", fetches_mean=19.0, preprocess_fetches_per_pixel=2.0),
-            record("pcss-masked", "b", fetches_mean=4.0, preprocess_fetches_per_pixel=2.5),
-            *(record(name, scene, 5.0, fetches_mean=30.0) for name in ("pcss", "pcss-masked") for scene in "ab")))
-        self.assertTrue(text.endswith("| a | 20.0 → 21.0 | 30.0 → 30.0 |\n| b | 10.0 → 6.5 | 30.0 → 30.0 |\n"
-                                      "| mean | 15.0 → 13.8 | 30.0 → 30.0 |"), text)
+            masked("pcss-masked", "a", 19.0, 2.0, 0.0, 0.25, 0.001), masked("pcss-masked", "b", 4.0, 2.5, 0.0, 0.75, 0.0),
+            masked("pcss-conservative", "a", 12.0, 5.0, 9.0, 0.5, 0.0),
+            masked("pcss-conservative", "b", 3.0, 5.5, 9.0, 0.7, 0.0))
+        text = page.mask_costs(measured)
+        self.assertIn("Not counted: 0.25 million fetches for each cascade", text)
+        self.assertTrue(text.endswith("| a | 20.0 → 21.0 → 17.0 |\n| b | 10.0 → 6.5 → 8.5 |\n"
+                                      "| mean | 15.0 → 13.8 → 12.8 |"), text)
+        self.assertTrue(page.mask_shares(measured).endswith(
+            "| a | 25 → 50 | 0.10 → 0.00 |\n| b | 75 → 70 | 0.00 → 0.00 |\n| mean | 50 → 60 | 0.05 → 0.00 |"),
+            page.mask_shares(measured))
 
     def test_two_other_techniques_are_refused(self):
         with self.assertRaises(page.Problem):

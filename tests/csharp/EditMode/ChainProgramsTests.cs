@@ -13,7 +13,7 @@ namespace Penumbra.Tests
         private static readonly string[] Passes =
         {
             "PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical", "Resolve", "Upsample", "DenoiseHorizontal",
-            "DenoiseVertical",
+            "DenoiseVertical", "ConservativeMask", "QuarterDepthPlanes", "DepthPlanesMip",
         };
 
         private static ChainPrograms Of(QualityPreset preset, params PenumbraShadowsVolume[] volumes) =>
@@ -52,6 +52,9 @@ namespace Penumbra.Tests
             }
         }
 
+        private static string Asset(string pass) =>
+            pass.Contains("DepthPlanes") ? "Shaders/PenumbraMaps.shader" : PenumbraShadows.ShaderFile;
+
         private static string Text(string pass, IEnumerable<string> keywords) =>
             string.Join(" ", keywords.Prepend(pass));
 
@@ -59,8 +62,8 @@ namespace Penumbra.Tests
             pass == "Resolve" ? ChainKeywords.All : new string[0];
 
         private static string[] Kept(ChainPrograms programs) =>
-            EveryProgram().Where(program => programs.Has(program.pass, Declared(program.pass),
-                                                         program.keywords.Contains))
+            EveryProgram().Where(program => programs.Has(Asset(program.pass), program.pass,
+                                                         Declared(program.pass), program.keywords.Contains))
                 .Select(program => Text(program.pass, program.keywords)).ToArray();
 
         private static IEnumerable<string> Asked(in ShadowOptions options)
@@ -99,15 +102,15 @@ namespace Penumbra.Tests
 
         [Test]
         public void APassThatNoChainHasIsNotKept() =>
-            Assert.That(Of(QualityPreset.Ultra).Has("Another", new string[0], name => false), Is.False);
+            Assert.That(Of(QualityPreset.Ultra).Has(PenumbraShadows.ShaderFile, "Another", new string[0], name => false), Is.False);
 
         [Test]
         public void TwoTechniquesAtOnceAreNobodys() =>
-            Assert.That(Of(QualityPreset.High).Has("Resolve", ChainKeywords.All, name => true), Is.False);
+            Assert.That(Of(QualityPreset.High).Has(PenumbraShadows.ShaderFile, "Resolve", ChainKeywords.All, name => true), Is.False);
 
         [Test]
         public void AStageThatDeclaresNoKeywordIsKeptOnceForAll() =>
-            Assert.That(Of(QualityPreset.High).Has("Resolve", new string[0], name => false));
+            Assert.That(Of(QualityPreset.High).Has(PenumbraShadows.ShaderFile, "Resolve", new string[0], name => false));
 
         [Test]
         public void AVolumeComesWhole()
@@ -156,6 +159,17 @@ namespace Penumbra.Tests
             string[] denoise = { "DenoiseHorizontal", "DenoiseVertical" };
             Assert.That(Kept(Of(QualityPreset.Reference, volume)),
                         Is.EquivalentTo(denoise.Append("Resolve _PENUMBRA_PCSS")));
+        }
+
+        [Test]
+        public void AConservativeMaskHasPassesOfTwoShaders()
+        {
+            ShadowOptions options = ShadowPresets.Options(QualityPreset.High);
+            options.conservativeMask = true;
+            Assert.That(Kept(Of(options)), Is.EquivalentTo(new[]
+            {
+                "QuarterDepthPlanes", "DepthPlanesMip", "ConservativeMask", "Resolve _PENUMBRA_PCSS _PENUMBRA_MASK",
+            }));
         }
 
         // What VolumeOverrides leaves out must not choose.
@@ -217,6 +231,7 @@ namespace Penumbra.Tests
             if (random.Next(3) == 0) Override(volume.technique, Random<ShadowTechnique>(random));
             if (random.Next(3) == 0) Override(volume.angularDiameterDegrees, random.Next(2) * 0.5f);
             if (random.Next(3) == 0) Override(volume.mask, random.Next(2) == 0);
+            if (random.Next(3) == 0) Override(volume.conservativeMask, random.Next(2) == 0);
             if (random.Next(3) == 0) Override(volume.halfResolution, random.Next(2) == 0);
             if (random.Next(3) == 0) Override(volume.denoise, random.Next(2) == 0);
             if (random.Next(3) == 0) Override(volume.filterSamples, random.Next(1, 65));
@@ -241,6 +256,7 @@ namespace Penumbra.Tests
                 Take(stack.preset, meeting[i].preset);
                 Take(stack.technique, meeting[i].technique);
                 Take(stack.mask, meeting[i].mask);
+                Take(stack.conservativeMask, meeting[i].conservativeMask);
                 Take(stack.halfResolution, meeting[i].halfResolution);
                 Take(stack.denoise, meeting[i].denoise);
                 if (meeting[i].angularDiameterDegrees.overrideState)

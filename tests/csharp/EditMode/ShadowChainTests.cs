@@ -9,11 +9,13 @@ namespace Penumbra.Tests
     public sealed class ShadowChainTests
     {
         private static ShadowOptions Options(bool mask, bool half, bool denoise,
-                                             ShadowTechnique technique = ShadowTechnique.Pcss)
+                                             ShadowTechnique technique = ShadowTechnique.Pcss,
+                                             bool conservative = false)
         {
             ShadowOptions options = ShadowPresets.Options(QualityPreset.Custom);
             options.technique = technique;
             options.mask = mask;
+            options.conservativeMask = conservative;
             options.halfResolution = half;
             options.denoise = denoise;
             return options;
@@ -25,30 +27,40 @@ namespace Penumbra.Tests
         private static IEnumerable<ShadowOptions> EveryChain()
         {
             foreach (ShadowTechnique technique in System.Enum.GetValues(typeof(ShadowTechnique)))
-                for (int bits = 0; bits < 8; ++bits)
-                    yield return Options((bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0, technique);
+                for (int bits = 0; bits < 16; ++bits)
+                    yield return Options((bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0, technique, (bits & 8) != 0);
         }
 
         private static readonly string[] Mask = { "PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical" };
+        private static readonly string[] ConservativeMask = { "QuarterDepthPlanes", "DepthPlanesMip", "ConservativeMask" };
         private static readonly string[] Denoise = { "DenoiseHorizontal", "DenoiseVertical" };
 
         [Test]
         public void DrawsOnlyWhatTheOptionsNeed()
         {
-            for (int bits = 0; bits < 8; ++bits)
+            for (int bits = 0; bits < 16; ++bits)
             {
                 bool mask = (bits & 1) != 0, half = (bits & 2) != 0, denoise = (bits & 4) != 0;
-                IEnumerable<string> expected = mask ? Mask : new string[0];
+                bool conservative = (bits & 8) != 0;
+                IEnumerable<string> expected = !mask ? new string[0] : conservative ? ConservativeMask : Mask;
                 expected = expected.Append("Resolve");
                 if (half) expected = expected.Append("Upsample");
                 if (denoise) expected = expected.Concat(Denoise);
-                Assert.That(Names(Options(mask, half, denoise)), Is.EqualTo(expected));
+                Assert.That(Names(Options(mask, half, denoise, ShadowTechnique.Pcss, conservative)), Is.EqualTo(expected));
             }
         }
 
         [Test]
         public void TentsHaveNeitherMaskNorNoise() =>
             Assert.That(Names(Options(true, false, true, ShadowTechnique.Tent5x5)), Is.EqualTo(new[] { "Resolve" }));
+
+        [Test]
+        public void AConservativeMaskIsForPcssAlone()
+        {
+            foreach (ShadowTechnique other in new[] { ShadowTechnique.PcssPoisson, ShadowTechnique.PcssHdrp })
+                Assert.That(Names(Options(true, false, false, other, conservative: true)),
+                            Is.EqualTo(Mask.Append("Resolve")), other.ToString());
+        }
 
         [Test]
         public void APointLightHasNoPenumbra()
@@ -79,6 +91,9 @@ namespace Penumbra.Tests
             Assert.That(chain.SlotNames[ShadowChain.Output], Is.EqualTo("_ScreenSpaceShadowmapTexture"));
         }
 
+        private static string MaskOf(in ShadowOptions options) =>
+            options.MasksConservatively ? "ConservativeMask" : "MaskBlurVertical";
+
         [TestCaseSource(nameof(EveryChain))]
         public void WhatADrawReadsIsThereAndNotItsOwnTarget(ShadowOptions options)
         {
@@ -88,10 +103,10 @@ namespace Penumbra.Tests
             {
                 foreach (ChainBinding read in step.reads)
                 {
-                    Assert.That(read.index, Is.Not.EqualTo(step.Target));
+                    if (step.pass.program != "DepthPlanesMip") Assert.That(read.index, Is.Not.EqualTo(step.Target));
                     Assert.That(holds.Keys, Has.Member(read.index));
                     if (read.property == Shader.PropertyToID("_PenumbraMaskTexture"))
-                        Assert.That(holds[read.index], Is.EqualTo("MaskBlurVertical"), "the mask was overwritten");
+                        Assert.That(holds[read.index], Is.EqualTo(MaskOf(options)), "the mask was overwritten");
                 }
                 holds[step.Target] = step.pass.program;
             }
@@ -99,7 +114,7 @@ namespace Penumbra.Tests
             Assert.That(chain.Mask != ShadowChain.None, Is.EqualTo(masked));
             Assert.That(chain.Steps.Single(step => step.pass.program == "Resolve").reads.Length,
                         Is.EqualTo(masked ? 1 : 0));
-            if (masked) Assert.That(holds[chain.Mask], Is.EqualTo("MaskBlurVertical"), "a debug view shows it");
+            if (masked) Assert.That(holds[chain.Mask], Is.EqualTo(MaskOf(options)), "a debug view shows it");
         }
 
         [Test]

@@ -126,6 +126,8 @@ namespace Penumbra.Tests
             volume.softnessCapMetres.value = 0.5f;
             volume.mask.overrideState = true;
             volume.mask.value = false;
+            volume.conservativeMask.overrideState = true;
+            volume.conservativeMask.value = true;
             volume.halfResolution.overrideState = true;
             volume.halfResolution.value = true;
             volume.denoise.overrideState = true;
@@ -135,7 +137,8 @@ namespace Penumbra.Tests
             {
                 technique = ShadowTechnique.PcssPoisson, angularDiameterDegrees = 4.0f, blockerSamples = 33,
                 filterSamples = Feature.filterSamples, softnessCapMetres = 0.5f,
-                minFilterTexels = Feature.minFilterTexels, mask = false, halfResolution = true, denoise = false,
+                minFilterTexels = Feature.minFilterTexels, mask = false, conservativeMask = true,
+                halfResolution = true, denoise = false,
             }));
         }
     }

@@ -3,6 +3,7 @@ using System.IO;
 using System.Linq;
 using System.Runtime.CompilerServices;
 using System.Text.RegularExpressions;
+using UnityEditor;
 using UnityEngine;
 
 namespace Penumbra.Tests
@@ -11,11 +12,17 @@ namespace Penumbra.Tests
     internal static class FakeShader
     {
         private const string FrameFile = "PenumbraShadows.shader";
+        private const string MapFile = "PenumbraMaps.shader";
 
-        /// <summary>Both shaders; the frame's own comes back.</summary>
+        /// <summary>Of passes over the shadow map; imported, as far as the editor goes.</summary>
+        internal static Shader Maps { get; private set; }
+
+        /// <summary>All shaders of passes; the frame's own comes back.</summary>
         internal static Shader Install()
         {
             Install(DebugViewDraw.ShaderName, "PenumbraDebugViews.shader");
+            Maps = Install("Hidden/Penumbra/Maps", MapFile);
+            AssetDatabase.Assets["Packages/com.penumbra.shadows/Shaders/" + MapFile] = Maps;
             return Install(PenumbraShadows.ShaderName, FrameFile);
         }
 
@@ -37,11 +44,17 @@ namespace Penumbra.Tests
             foreach (Match name in Regex.Matches(Text(file), "Name \"(\\w+)\"")) yield return name.Groups[1].Value;
         }
 
-        /// <summary>Of the frame's shader, by pass the keyword sets of its fragment programs: one keyword of every multi_compile line.</summary>
-        internal static Dictionary<string, List<HashSet<string>>> FragmentVariants()
+        /// <summary>Of the frame's shader.</summary>
+        internal static Dictionary<string, List<HashSet<string>>> FragmentVariants() => VariantsOf(FrameFile);
+
+        /// <summary>Of the shader of passes over the shadow map.</summary>
+        internal static Dictionary<string, List<HashSet<string>>> MapVariants() => VariantsOf(MapFile);
+
+        // By pass the keyword sets of its fragment programs: one keyword of every multi_compile line.
+        private static Dictionary<string, List<HashSet<string>>> VariantsOf(string file)
         {
             var variants = new Dictionary<string, List<HashSet<string>>>();
-            foreach (Match pass in Regex.Matches(Text(FrameFile), "Name \"(\\w+)\"(.*?)ENDHLSL", RegexOptions.Singleline))
+            foreach (Match pass in Regex.Matches(Text(file), "Name \"(\\w+)\"(.*?)ENDHLSL", RegexOptions.Singleline))
             {
                 var sets = new List<HashSet<string>> { new HashSet<string>() };
                 foreach (Match line in Regex.Matches(pass.Groups[2].Value, "#pragma multi_compile_local_fragment (.*)"))

@@ -35,16 +35,28 @@ namespace Penumbra.Tests
             sets.Select(set => new ShaderCompilerData { shaderKeywordSet = new ShaderKeywordSet { Enabled = set } })
                 .ToList();
 
+        private (Shader shader, Dictionary<string, List<HashSet<string>>> variants)[] Shaders() => new[]
+        {
+            (shader, FakeShader.FragmentVariants()), (FakeShader.Maps, FakeShader.MapVariants()),
+        };
+
+        private Dictionary<string, List<HashSet<string>>> AllVariants() =>
+            Shaders().SelectMany(one => one.variants).ToDictionary(pass => pass.Key, pass => pass.Value);
+
+        private static void Strip(ChainPrograms programs, Shader shader, string pass, List<ShaderCompilerData> data) =>
+            ChainShaderStripper.Strip(programs, shader, ChainShaderStripper.AssetOf(shader), pass, data);
+
         /// <summary>Fragment programs: passes with their keywords.</summary>
-        private static string[] Kept(Shader shader, ChainPrograms programs)
+        private string[] Kept(ChainPrograms programs)
         {
             var kept = new List<string>();
-            foreach (KeyValuePair<string, List<HashSet<string>>> pass in FakeShader.FragmentVariants())
-            {
-                List<ShaderCompilerData> data = Data(pass.Value);
-                ChainShaderStripper.Strip(programs, shader, pass.Key, data);
-                kept.AddRange(data.Select(variant => Text(pass.Key, variant.shaderKeywordSet.Enabled)));
-            }
+            foreach ((Shader one, Dictionary<string, List<HashSet<string>>> variants) in Shaders())
+                foreach (KeyValuePair<string, List<HashSet<string>>> pass in variants)
+                {
+                    List<ShaderCompilerData> data = Data(pass.Value);
+                    Strip(programs, one, pass.Key, data);
+                    kept.AddRange(data.Select(variant => Text(pass.Key, variant.shaderKeywordSet.Enabled)));
+                }
             return kept.ToArray();
         }
 
@@ -62,8 +74,8 @@ namespace Penumbra.Tests
             feature.Settings.angularDiameterDegrees = settings.angularDiameterDegrees;
             var urp = new FakeUrp();
             urp.Render(new FakeScene(), feature);
-            Dictionary<string, List<HashSet<string>>> variants = FakeShader.FragmentVariants();
-            return urp.Device.Draws.Select(draw => Program(draw, variants)).ToArray();
+            Dictionary<string, List<HashSet<string>>> variants = AllVariants();
+            return urp.Device.Draws.Select(draw => Program(draw, variants)).Distinct().ToArray();
         }
 
         private static IEnumerable<PenumbraShadowsSettings> EverySetting()
@@ -72,13 +84,14 @@ namespace Penumbra.Tests
                 foreach (float degrees in new[] { 0.0f, AngularDiameter.SunDegrees })
                     yield return new PenumbraShadowsSettings { preset = preset, angularDiameterDegrees = degrees };
             foreach (ShadowTechnique technique in Enum.GetValues(typeof(ShadowTechnique)))
-                for (int bits = 0; bits < 16; ++bits)
+                for (int bits = 0; bits < 32; ++bits)
                 {
                     ShadowOptions options = ShadowPresets.Options(QualityPreset.Custom);
                     options.technique = technique;
                     options.mask = (bits & 1) != 0;
                     options.halfResolution = (bits & 2) != 0;
                     options.denoise = (bits & 4) != 0;
+                    options.conservativeMask = (bits & 16) != 0;
                     if ((bits & 8) != 0) options.angularDiameterDegrees = 0.0f;
                     yield return new PenumbraShadowsSettings { preset = QualityPreset.Custom, custom = options };
                 }
@@ -90,7 +103,7 @@ namespace Penumbra.Tests
             foreach (PenumbraShadowsSettings settings in EverySetting())
             {
                 ChainPrograms programs = ChainPrograms.Of(new[] { settings }, new PenumbraShadowsVolume[0]);
-                Assert.That(Kept(shader, programs), Is.EquivalentTo(Drawn(settings)),
+                Assert.That(Kept(programs), Is.EquivalentTo(Drawn(settings)),
                             settings.preset + " " + string.Join(" ", Drawn(settings)));
             }
         }
@@ -111,7 +124,7 @@ namespace Penumbra.Tests
                 string name = preset.GetProperty("name").GetString().Substring("preset-".Length);
                 var settings = new PenumbraShadowsSettings { preset = Enum.Parse<QualityPreset>(name, true) };
                 IEnumerable<string> programs = preset.GetProperty("programs").EnumerateArray().Select(Program);
-                Assert.That(Kept(shader, ChainPrograms.Of(new[] { settings }, new PenumbraShadowsVolume[0])),
+                Assert.That(Kept(ChainPrograms.Of(new[] { settings }, new PenumbraShadowsVolume[0])),
                             Is.EquivalentTo(programs), name);
             }
         }
@@ -128,12 +141,13 @@ namespace Penumbra.Tests
             {
                 ChainPrograms programs = ChainPrograms.Of(new[] { settings }, new PenumbraShadowsVolume[0]);
                 var kept = new List<string>();
-                foreach (string pass in FakeShader.FragmentVariants().Keys)
-                {
-                    List<ShaderCompilerData> data = Data(new[] { new HashSet<string>() });
-                    ChainShaderStripper.Strip(programs, shader, pass, data);
-                    if (data.Count > 0) kept.Add(pass);
-                }
+                foreach ((Shader one, Dictionary<string, List<HashSet<string>>> variants) in Shaders())
+                    foreach (string pass in variants.Keys)
+                    {
+                        List<ShaderCompilerData> data = Data(new[] { new HashSet<string>() });
+                        Strip(programs, one, pass, data);
+                        if (data.Count > 0) kept.Add(pass);
+                    }
                 Assert.That(kept, Is.EquivalentTo(Drawn(settings).Select(program => program.Split(' ')[0])));
             }
         }
@@ -146,7 +160,7 @@ namespace Penumbra.Tests
                                                  new PenumbraShadowsVolume[0]);
             List<ShaderCompilerData> data = Data(FakeShader.FragmentVariants()["Resolve"].SelectMany(
                 set => new[] { set, new HashSet<string>(set.Append("STEREO_INSTANCING_ON")) }));
-            ChainShaderStripper.Strip(low, shader, "Resolve", data);
+            Strip(low, shader, "Resolve", data);
             Assert.That(data.Select(variant => Text("Resolve", variant.shaderKeywordSet.Enabled)),
                         Is.EqualTo(new[] { "Resolve _PENUMBRA_PCSS", "Resolve STEREO_INSTANCING_ON _PENUMBRA_PCSS" }));
         }

@@ -142,7 +142,7 @@ class GraphRunner::Run {
     if (name.empty()) return {};
     return at_each_pixel(texels(name), resources_.texture(name).width(),
                          runner_.graph().texture(name)->divisor, *camera_,
-                         [](float texel) { return static_cast<std::uint8_t>(texel == 0.0f ? 1 : 0); });
+                         [](float texel) { return static_cast<std::uint8_t>(texel < 0.5f ? 1 : 0); });
   }
 
   // After a run of the counting modules.

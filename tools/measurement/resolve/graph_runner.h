@@ -40,7 +40,7 @@ struct GraphResult {
   double fetches_of_others = 0.0;      // of all other passes, per pixel of the screen
   std::vector<float> fetches_of_others_at;  // the same at each pixel: its share; empty without such passes
   std::vector<PassCounts> passes;           // in the order in which they run
-  std::vector<std::uint8_t> masked_out;     // the mask is 0 there; empty without a mask
+  std::vector<std::uint8_t> masked_out;     // the mask is below 0.5; empty without one
   std::vector<double> time_ns;              // of the graph as it ships, without counting
   std::vector<std::string> unset_uniforms;  // read as zero because nobody provides them
 };

@@ -112,7 +112,7 @@ struct PassGraph {
   std::vector<GraphPass> passes;      // in the order in which they run
   std::vector<std::string> keywords;  // on in every program that declares them
   std::string visibility;             // the texture that holds it; empty: a filter's
-  std::string mask;                   // the texture that is 0 where no penumbra is; may be empty
+  std::string mask;                   // the texture that is below 0.5 where no penumbra is; may be empty
 
   const GraphTexture* texture(const std::string& name) const;
   const GraphBuffer* buffer(const std::string& name) const;

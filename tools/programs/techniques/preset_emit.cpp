@@ -60,7 +60,9 @@ std::string row(const TechniqueList& list, const Technique& preset) {
     return std::any_of(passes.begin(), passes.end(),
                        [&](const GraphPass& pass) { return pass.program == program; });
   };
-  set("mask", flag(has_pass("PenumbraMask")));
+  const bool conservative = has_pass("ConservativeMask");
+  set("mask", flag(conservative || has_pass("PenumbraMask")));
+  set("conservativeMask", flag(conservative));
   set("halfResolution", flag(has_pass("Upsample")));
   set("denoise", flag(has_pass("DenoiseHorizontal")));
   return text + "            },\n";

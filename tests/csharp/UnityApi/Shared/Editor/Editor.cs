@@ -134,7 +134,12 @@ namespace UnityEditor
     [ReadFrom(At.Unity6, "engine", "Modules/AssetDatabase/Editor/ScriptBindings/AssetDatabase.bindings.cs")]
     public sealed partial class AssetDatabase
     {
-        public static string GetAssetPath(Object assetObject) => "";
+        public static string GetAssetPath(Object assetObject)
+        {
+            foreach (var asset in Assets)
+                if (ReferenceEquals(asset.Value, assetObject)) return asset.Key;
+            return "";
+        }
         public static Object LoadMainAssetAtPath(string assetPath) => null;
         [OwnBehaviour] public static System.Collections.Generic.Dictionary<string, Object> Assets { get; } =
             new System.Collections.Generic.Dictionary<string, Object>();
