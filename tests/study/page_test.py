@@ -68,7 +68,7 @@ class MaskCosts(unittest.TestCase):
                           passes=[{"pass": "mask", "runs": "frame", "fetches_per_pixel": screen},
                                   {"pass": "map", "runs": "cascade", "fetches_per_pixel": cascade,
                                    "fetches_per_cascade": 250000.0}],
-                          mask={"pixels_saved": skipped, "penumbra_pixels_missed": missed})
+                          mask=(skipped, missed))
 
         measured = results(
             record("pcss", "a", fetches_mean=20.0), record("pcss", "b", fetches_mean=10.0),
@@ -79,9 +79,9 @@ class MaskCosts(unittest.TestCase):
         self.assertIn("Not counted: 0.25 million fetches for each cascade", text)
         self.assertTrue(text.endswith("| a | 20.0 → 21.0 → 17.0 |\n| b | 10.0 → 6.5 → 8.5 |\n"
                                       "| mean | 15.0 → 13.8 → 12.8 |"), text)
-        self.assertTrue(page.mask_shares(measured).endswith(
+        self.assertTrue(page.mask_savings(measured).endswith(
             "| a | 25 → 50 | 0.10 → 0.00 |\n| b | 75 → 70 | 0.00 → 0.00 |\n| mean | 50 → 60 | 0.05 → 0.00 |"),
-            page.mask_shares(measured))
+            page.mask_savings(measured))
 
     def test_two_other_techniques_are_refused(self):
         with self.assertRaises(page.Problem):
