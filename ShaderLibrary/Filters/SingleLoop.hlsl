@@ -24,7 +24,8 @@
 // - The disc is no wider than the cone of the farthest blocker that the map can hold. Its largest radius, 0.05 m, and
 //   0.1 m with rings of equal width, are those with the smallest error in penumbra, averaged over lights of 0.53, 2 and 5
 //   degrees (measure --set discRadiusMetres=0.03,0.05,0.1). A wider disc blurs narrow penumbrae, a narrower one cuts
-//   wide ones.
+//   wide ones. 48 texels of the description's nearest cascade are about 0.1 m where that is 4 m wide:
+//   single-loop-32-wide.
 #ifndef PENUMBRA_SINGLE_LOOP_HLSL
 #define PENUMBRA_SINGLE_LOOP_HLSL
 

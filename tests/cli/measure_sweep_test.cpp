@@ -42,6 +42,20 @@ TEST_F(MeasureSweep, EveryValueIsARecordWithItsOwnNameAndParameters) {
   EXPECT_EQ(names.size(), 4);
 }
 
+TEST_F(MeasureSweep, AgesOfTheMapAreMeasuredSideBySide) {
+  const auto result = run(small({"--technique", "tent-5", "--map-age", "0,2"}));
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const nlohmann::json results = nlohmann::json::parse(result.output);
+  const nlohmann::json& records = results.at("records");
+  ASSERT_EQ(records.size(), 2);
+  EXPECT_EQ(records[0].at("technique"), "tent-5 map-age=0");
+  EXPECT_FALSE(records[0].at("settings").contains("map_age_degrees"));
+  EXPECT_EQ(records[1].at("technique"), "tent-5 map-age=2");
+  EXPECT_EQ(records[1].at("settings").at("map_age_degrees"), 2.0);
+  EXPECT_GT(records[1].at("rmse_all"), records[0].at("rmse_all"));
+  EXPECT_EQ(run(small({"--map-age", "11"})).exit_code, 2);
+}
+
 TEST_F(MeasureSweep, WhatCannotBeSetIsRefusedBeforeAnythingIsMeasured) {
   const auto unknown = run(small({"--technique", "pcss-angular-24-16", "--set", "blockerSample=2"}));
   EXPECT_EQ(unknown.exit_code, 2);

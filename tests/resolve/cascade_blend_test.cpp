@@ -15,7 +15,7 @@ constexpr double kBorder = 0.25;
 
 std::vector<float> visibility(const scene::Frame& frame, scene::CascadeBlend blend) {
   scene::Frame blended = frame;
-  blended.settings.cascade_blend = blend;
+  blended.settings.cascade_choices.blend = blend;
   const techniques::TechniqueList& list = library_techniques();
   static KeptOnDevice<std::unique_ptr<GraphRunner>> runner;
   if (*runner == nullptr)

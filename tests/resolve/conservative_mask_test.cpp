@@ -94,7 +94,7 @@ TEST_P(ConservativeMask, ChangesNoPixelOfAnyScene) {
 // Pixels of a border between cascades may read the next one, of which a block's planes say nothing.
 TEST_P(ConservativeMask, ChangesNoPixelWhereCascadesAreDithered) {
   scene::Frame frame = drawn("trees", 4, GetParam());
-  frame.settings.cascade_blend = {0.3, false};
+  frame.settings.cascade_choices.blend = {0.3, false};
   Decided decided;
   expect_same_picture(frame, "trees", decided);
   EXPECT_GT(decided.lit, 0);

@@ -198,7 +198,7 @@ class ScreenResolveOfBlendedCascades : public ScreenResolve {};
 TEST_P(ScreenResolveOfBlendedCascades, DithersAsTheFilterAloneDoes) {
   scene::Frame frame = drawn("trees", 4, GetParam().reversed_z);
   const std::vector<float> plain = by_shader(frame, RowOrder::top_first);
-  frame.settings.cascade_blend = {.border = 0.25, .mixed = false};
+  frame.settings.cascade_choices.blend = {.border = 0.25, .mixed = false};
   const std::vector<float> dithered = by_shader(frame, RowOrder::top_first);
   expect_the_same(dithered, by_library_from_depth(frame, RowOrder::top_first), frame, "dithered");
   EXPECT_GT(difference(dithered, plain, frame, 0.01).above, 100) << "pixels that read the next cascade";

@@ -150,6 +150,22 @@ TEST(BuiltInNames, NamesTheNearestForOneThatIsUnknown) {
   }
 }
 
+TEST(Sunlight, MovesBackByAnAngleOfTheSky) {
+  for (const double azimuth : {-120.0, 0.0, 55.0, 180.0}) {
+    const glm::dvec3 now = sunlight(40.0, azimuth);
+    EXPECT_EQ(sun_before(now, 0.0), now);
+    for (const double degrees : {0.001, 0.5, 10.0}) {
+      const glm::dvec3 before = sun_before(now, degrees);
+      EXPECT_NEAR(glm::degrees(std::atan2(glm::length(glm::cross(now, before)), glm::dot(now, before))), degrees, 1e-6);
+      EXPECT_NEAR(glm::length(before), 1.0, 1e-12);
+    }
+  }
+  // The sun rises in the east (+X), stands in the south (-Z) at noon and sets in the west.
+  EXPECT_GT(-sun_before(sunlight(40.0, 180.0), 1.0).x, 0.0) << "before noon";
+  EXPECT_LT(-sun_before(sunlight(40.0, 90.0), 1.0).y, std::sin(glm::radians(40.0))) << "lower in the morning";
+  EXPECT_GT(-sun_before(sunlight(40.0, -90.0), 1.0).y, std::sin(glm::radians(40.0))) << "higher in the afternoon";
+}
+
 TEST(Sunlight, TravelsFromWhereTheSunStands) {
   const glm::dvec3 east = sunlight(30.0, 90.0);  // azimuth from +Z towards +X
   EXPECT_NEAR(east.x, -std::cos(glm::radians(30.0)), 1e-9);

@@ -232,6 +232,22 @@ TEST_F(RasterisedFrame, RepeatsToTheByteFromOneRasteriser) {
   EXPECT_EQ(first.atlas.texels, rasterise(*device, scene, d16).atlas.texels);
 }
 
+// What filters meet when the sun moves on: the map and the matrices of before, the receivers of now.
+TEST_F(RasterisedFrame, HasAnOldMapInTheLightOfBefore) {
+  const Scene now = built_in("contact-boxes");
+  Scene before = now;
+  before.light_direction = sun_before(now.light_direction, 0.5);
+  FrameSettings old = unbiased_settings(true, DepthFormat::d32);
+  const Frame of_before = rasterise(*device, before, old);
+  old.cascade_choices.map_age_degrees = 0.5;
+  const Frame frame = rasterise(*device, now, old);
+  EXPECT_EQ(frame.atlas.texels, of_before.atlas.texels);
+  EXPECT_NE(frame.atlas.texels, rasterise(*device, now, unbiased_settings(true, DepthFormat::d32)).atlas.texels);
+  for (std::size_t i = 0; i < frame.cascades.cascades.size(); ++i)
+    EXPECT_EQ(frame.cascades.cascades[i].world_to_shadow, of_before.cascades.cascades[i].world_to_shadow);
+  EXPECT_EQ(frame.receivers.position_ws, of_before.receivers.position_ws);
+}
+
 TEST_F(RasterisedFrame, RefusesScenesAndSettingsItCannotDraw) {
   const FrameSettings good = unbiased_settings(true, DepthFormat::d32);
   Scene empty = ground_scene();

@@ -112,9 +112,10 @@ class RandomResults {
     record.settings.light_scale = share();
     record.settings.soft_quality = static_cast<parameters::SoftQuality>(random_() % 4);
     record.settings.reversed_z = coin();
-    if (coin()) record.settings.cascade_blend = {0.5 + 0.5 * share(), coin()};
+    if (coin()) record.settings.cascade_choices.blend = {0.5 + 0.5 * share(), coin()};
     if (coin()) record.seam = Seam{random_() % 9, figure(), figure()};
-    record.settings.light_fit = parameters::kLightFits[random_() % parameters::kLightFits.size()];
+    record.settings.cascade_choices.light_fit = parameters::kLightFits[random_() % parameters::kLightFits.size()];
+    if (coin()) record.settings.cascade_choices.map_age_degrees = 10.0 * share();
   }
 
   std::mt19937 random_;

@@ -124,6 +124,9 @@ void add_light_and_map_options(CLI::App& command, StudyOptions& options) {
   add("--cascade-border", options.cascade_border, "SHARE",
       "The border's width, a share of the split sphere's radius")
       ->check(within(0.001, 1.0));
+  as_list(add("--map-age", options.map_ages, "DEGREES",
+              "How far the sun has moved since the cascades were drawn; several are tried one by one"))
+      ->check(within(0.0, scene::kOldestMapDegrees));
   add("--distance", options.distance_metres, "METRES", "Shadow distance")
       ->check(bounds("/shadows/distance_metres"))
       ->default_str("the scene's");
@@ -279,6 +282,13 @@ std::vector<scene::CascadeBlend> chosen_cascade_blends(const StudyOptions& optio
     if (std::find(blends.begin(), blends.end(), blend) == blends.end()) blends.push_back(blend);
   }
   return blends;
+}
+
+std::vector<double> chosen_map_ages(const StudyOptions& options) {
+  std::vector<double> ages;
+  for (const double age : options.map_ages)
+    if (std::find(ages.begin(), ages.end(), age) == ages.end()) ages.push_back(age);
+  return ages;
 }
 
 parameters::CasterBias chosen_bias(const StudyOptions& options, parameters::CasterBias own) {

@@ -41,6 +41,7 @@ struct StudyOptions {
   std::vector<std::string> light_fits{"sphere"};    // parameters::name_of; several are tried one by one
   std::vector<std::string> cascade_blends{"none"};  // or dither, mix; several are tried one by one
   double cascade_border = 0.1;
+  std::vector<double> map_ages{0.0};  // degrees; several are tried one by one
   double distance_metres = 0.0;  // 0: the scene's own
   std::vector<double> sun;       // elevation and azimuth in degrees; empty: the scene's own
   std::vector<double> origin;    // world position of the scene's own origin, metres; empty: 0 0 0
@@ -73,6 +74,7 @@ std::vector<resolve::Adapter> chosen_adapters(const StudyOptions& options);
 // Without repetitions.
 std::vector<parameters::LightFit> chosen_light_fits(const StudyOptions& options);
 std::vector<scene::CascadeBlend> chosen_cascade_blends(const StudyOptions& options);
+std::vector<double> chosen_map_ages(const StudyOptions& options);
 // The requested bias, or else the subject's own.
 parameters::CasterBias chosen_bias(const StudyOptions& options, parameters::CasterBias own);
 

@@ -122,25 +122,40 @@ void require_mixable(const study::Subject& subject, const scene::CascadeBlend& b
                    "choose dither, or techniques that are a filter");
 }
 
-// Each subject with each fit and each blend of the cascades, which its name and title say where there are
-// several.
+struct NamedChoices {
+  std::string text;  // what of it varies; empty: nothing
+  scene::CascadeChoices choices;
+};
+
+// Each fit with each blend and each age of the map.
+std::vector<NamedChoices> cascade_choices(const std::vector<parameters::LightFit>& fits,
+                                          const std::vector<scene::CascadeBlend>& blends,
+                                          const std::vector<double>& ages) {
+  std::vector<NamedChoices> all;
+  for (const parameters::LightFit fit : fits) {
+    for (const scene::CascadeBlend& blend : blends) {
+      for (const double age : ages) {
+        NamedChoices& named = all.emplace_back(NamedChoices{"", {fit, blend, age}});
+        if (fits.size() > 1) named.text = fmt::format("light-fit={}", parameters::name_of(fit));
+        if (blends.size() > 1) named.text = joined(named.text, "cascade-blend=" + name_of(blend));
+        if (ages.size() > 1) named.text = joined(named.text, fmt::format("map-age={:g}", age));
+      }
+    }
+  }
+  return all;
+}
+
+// Each subject with each of them, which its name and title say where there are several.
 std::vector<study::Subject> with_cascades(const std::vector<study::Subject>& subjects,
-                                          const std::vector<parameters::LightFit>& fits,
-                                          const std::vector<scene::CascadeBlend>& blends) {
+                                          const std::vector<NamedChoices>& choices) {
   std::vector<study::Subject> all;
   for (const study::Subject& subject : subjects) {
-    for (const parameters::LightFit fit : fits) {
-      for (const scene::CascadeBlend& blend : blends) {
-        require_mixable(subject, blend);
-        study::Subject& varied = all.emplace_back(subject);
-        varied.light_fit = fit;
-        varied.cascade_blend = blend;
-        std::string text;
-        if (fits.size() > 1) text = fmt::format("light-fit={}", parameters::name_of(fit));
-        if (blends.size() > 1) text = joined(text, "cascade-blend=" + name_of(blend));
-        varied.name = joined(subject.name, text);
-        varied.title = joined(subject.title, text);
-      }
+    for (const NamedChoices& named : choices) {
+      require_mixable(subject, named.choices.blend);
+      study::Subject& varied = all.emplace_back(subject);
+      varied.cascade_choices = named.choices;
+      varied.name = joined(subject.name, named.text);
+      varied.title = joined(subject.title, named.text);
     }
   }
   return all;
@@ -229,7 +244,8 @@ std::vector<study::Subject> varied_subjects(const StudyOptions& options, const V
     }
   }
   const std::vector<parameters::LightFit> fits = chosen_light_fits(options);
-  subjects = with_cascades(subjects, fits, chosen_cascade_blends(options));
+  const std::vector<double> ages = chosen_map_ages(options);
+  subjects = with_cascades(subjects, cascade_choices(fits, chosen_cascade_blends(options), ages));
   std::vector<study::Subject> of_adapters;
   for (const resolve::Adapter& adapter : adapters) {
     study::Subject subject = study::adapter_subject(adapter, reversed_z);
@@ -239,8 +255,8 @@ std::vector<study::Subject> varied_subjects(const StudyOptions& options, const V
     else
       of_adapters.push_back(std::move(subject));
   }
-  of_adapters = with_cascades(of_adapters, fits,
-                              std::vector<scene::CascadeBlend>(1));  // they choose cascades themselves
+  const std::vector<scene::CascadeBlend> unblended(1);  // they choose cascades themselves
+  of_adapters = with_cascades(of_adapters, cascade_choices(fits, unblended, ages));
   subjects.insert(varied.adapters == "first" ? subjects.begin() : subjects.end(), of_adapters.begin(),
                   of_adapters.end());
   refuse_repetitions(subjects);

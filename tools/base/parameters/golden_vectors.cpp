@@ -11,6 +11,7 @@
 #include "parameters/golden_cascades.h"
 #include "parameters/settings_input.h"
 #include "parameters/shader_uniforms.h"
+#include "parameters/update_schedule.h"
 
 namespace penumbra::parameters {
 
@@ -91,6 +92,24 @@ Records atlases() {
       record.add_vector("texel_size", shader_uniforms({}, layout, cascades, 0).atlas_texel_size);
       records.push_back(record.add("tiles", fmt::format("[{}]", fmt::join(tiles, ", "))).text());
     }
+  }
+  return records;
+}
+
+Records schedules() {
+  Records records;
+  constexpr std::array kPeriods{1, 2, 8, 64};
+  for (int i = 0; i < 256; i += 3) {
+    std::vector<int> periods;
+    for (int rest = i, cascade = 0; cascade < 1 + i % 4; ++cascade, rest /= 4)
+      periods.push_back(kPeriods.at(static_cast<std::size_t>(rest % 4)));
+    const UpdateSchedule schedule = update_schedule(periods);
+    const auto all = [](const std::array<int, kMostScheduled>& of) { return numbers({of[0], of[1], of[2], of[3]}); };
+    const int frame = 7 * i - 500;  // negative ones, too
+    Record record;
+    record.add("cascades", schedule.cascades).add("periods", all(schedule.periods));
+    record.add("phases", all(schedule.phases)).add("frame", frame).add("due", schedule.due(frame));
+    records.push_back(record.text());
   }
   return records;
 }
@@ -215,7 +234,8 @@ std::string golden_vectors_json(int count, std::uint32_t seed) {
       section("cascades", cascades(count, generator)),
       section("projections", projections(count, generator)),
       section("uniforms", uniforms(count, generator)),
-      section("cameras", cameras(count, generator))};
+      section("cameras", cameras(count, generator)),
+      section("schedules", schedules())};
   return fmt::format("{{\n{}\n}}\n", fmt::join(sections, ",\n"));
 }
 

@@ -91,7 +91,7 @@ UniformValues cascade_uniforms(const scene::Frame& frame) {
   values.set("_PenumbraSplitSpheres", std::span<const glm::vec4>(spheres));
   values.set("_PenumbraSplitSphereSquaredRadii", squared_radii);
   values.set("_PenumbraAtlasTexelSize", atlas_texel_size(set));
-  const scene::CascadeBlend& blend = frame.settings.cascade_blend;
+  const scene::CascadeBlend& blend = frame.settings.cascade_choices.blend;
   values.set("_PenumbraCascadeBlend",
              glm::vec4(static_cast<float>(blend.border), blend.mixed ? 1.0f : 0.0f, 0.0f, 0.0f));
   values.set("_PenumbraWorldToShadow", std::span<const glm::dmat4>(matrices));
@@ -159,7 +159,7 @@ glm::dmat4 clip_from_uv(double offset_x, double offset_y, double scale_x, double
 // The package's own shaders dither: they have no border between cascades where the frame asks for a mixture.
 glm::vec4 main_light_params(const scene::Frame& frame) {
   const parameters::CascadeSet& set = frame.cascades;
-  const scene::CascadeBlend& blend = frame.settings.cascade_blend;
+  const scene::CascadeBlend& blend = frame.settings.cascade_choices.blend;
   const double tan_half = parameters::tan_half(set.angular_diameter_degrees);
   return {static_cast<float>(set.cascades.size()), static_cast<float>(tan_half), 0.0f,
           blend.mixed ? 0.0f : static_cast<float>(blend.border)};

@@ -98,10 +98,12 @@ Frame Rasteriser::frame(const FrameSettings& settings) {
     frame.cascades = conventions_of(*frame.spot_shadow);
     frame.atlas = state_->shadow_map.draw(*frame.spot_shadow, scene.origin, settings);
   } else {
-    const parameters::Light light{scene.light_direction, settings.angular_diameter_degrees};
+    const CascadeChoices& choices = settings.cascade_choices;
+    const parameters::Light light{sun_before(scene.light_direction, choices.map_age_degrees),
+                                  settings.angular_diameter_degrees};
     frame.cascades =
         parameters::fit_cascades(frame.camera, light, with_caster_bounds(settings.shadows, scene),
-                                 settings.light_fit, seen_positions(frame.receivers, scene.origin));
+                                 choices.light_fit, seen_positions(frame.receivers, scene.origin));
     frame.atlas = state_->shadow_map.draw(frame.cascades, scene.origin, settings);
   }
   return frame;

@@ -73,10 +73,18 @@ struct CascadeBlend {
   bool operator==(const CascadeBlend&) const = default;
 };
 
+struct CascadeChoices {
+  parameters::LightFit light_fit = parameters::LightFit::sphere;  // to the receivers: those of this frame
+  CascadeBlend blend;
+  // By how many degrees of the sky the sun has moved on (sun_before) since the cascades were fitted and drawn.
+  double map_age_degrees = 0.0;
+
+  bool operator==(const CascadeChoices&) const = default;
+};
+
 struct FrameSettings {
   parameters::ShadowSettings shadows;
-  parameters::LightFit light_fit = parameters::LightFit::sphere;  // to the receivers: those of this frame
-  CascadeBlend cascade_blend;
+  CascadeChoices cascade_choices;
   double angular_diameter_degrees = 0.53;  // of the sun
   RasterBias raster_bias;                  // none
   DepthFormat format = DepthFormat::d32;
@@ -90,7 +98,7 @@ struct FrameSettings {
 struct Frame {
   std::string scene_name;
   parameters::Camera camera;  // world space (origin added)
-  // With a spot light: no cascade, and of the rest the size of the map, its conventions and the light's
+  // light_direction: of the light that the map was drawn in. With a spot light: no cascade, and of the rest the size of the map, its conventions and the light's
   // direction.
   parameters::CascadeSet cascades;
   std::optional<parameters::SpotShadow> spot_shadow;  // world space (origin added)

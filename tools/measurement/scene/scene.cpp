@@ -42,6 +42,16 @@ glm::dvec3 sunlight(double elevation_degrees, double azimuth_degrees) {
                                        std::cos(elevation) * std::cos(azimuth)));
 }
 
+glm::dvec3 sun_before(const glm::dvec3& light_direction, double degrees) {
+  if (degrees == 0.0) return light_direction;
+  const glm::dvec3 light = glm::normalize(light_direction);
+  // The sun moves from east (+X) by south (-Z) to west; east, up and north are left-handed axes.
+  const glm::dvec3 polar_axis = glm::normalize(glm::dvec3(0.0, 1.0, 1.0));
+  const glm::dvec3 onward = glm::normalize(glm::cross(polar_axis, light));
+  const double angle = glm::radians(degrees);
+  return std::cos(angle) * light - std::sin(angle) * onward;
+}
+
 parameters::Camera camera_looking(const glm::dvec3& position, const glm::dvec3& target) {
   parameters::Camera camera;
   camera.position = position;

@@ -53,6 +53,11 @@ struct Scene {
 // unit vector along which it travels. Throws InputError unless 0 < elevation <= 90.
 glm::dvec3 sunlight(double elevation_degrees, double azimuth_degrees);
 
+// The direction of sunlight before the sun moved on by so many degrees of the sky, along its daily arc at 45 degrees
+// north: about the axis halfway between the zenith and +Z, which is north. At most kOldestMapDegrees.
+inline constexpr double kOldestMapDegrees = 10.0;
+glm::dvec3 sun_before(const glm::dvec3& light_direction, double degrees);
+
 // A camera with default lens at position (metres, relative to the mesh's origin) that looks at target.
 parameters::Camera camera_looking(const glm::dvec3& position, const glm::dvec3& target);
 

@@ -111,8 +111,7 @@ scene::FrameSettings CaseBuilder::frame_settings(const CaseSetup& setup, const F
   frame.shadows.depth_bias = request.bias.depth;
   frame.shadows.normal_bias = request.bias.normal;
   frame.shadows.soft_quality = request.bias.soft_quality;
-  frame.light_fit = request.light_fit;
-  frame.cascade_blend = request.cascade_blend;
+  frame.cascade_choices = request.cascade_choices;
   return frame;
 }
 
@@ -135,7 +134,7 @@ reference::VisibilityImage CaseBuilder::same_map_estimate(const CaseSetup& setup
                                                           const View& view) const {
   std::optional<scene::Frame> own;
   if (view.request.light_scale != 1.0)
-    own = rasteriser.frame(frame_settings(setup, {view.request.bias, 1.0, view.request.light_fit}));
+    own = rasteriser.frame(frame_settings(setup, {view.request.bias, 1.0, view.request.cascade_choices}));
   const scene::Frame& frame = own ? *own : view.frame;
   return reference::same_map_estimate({frame.atlas, frame.cascades, frame.receivers, setup.scene.origin},
                                       run_options("same-map estimate, " + setup.label(), " points"), &cache_);

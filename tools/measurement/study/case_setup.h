@@ -25,15 +25,14 @@ struct FrameOfCase {
   std::optional<resolve::CameraImage> camera;
 };
 
-// What a subject runs with: the casters' bias, the light, the fit of the cascades and how they are blended.
+// What a subject runs with: the casters' bias, the light and the cascades.
 struct FrameRequest {
   parameters::CasterBias bias;
   double light_scale = 1.0;
-  parameters::LightFit light_fit = parameters::LightFit::sphere;
-  scene::CascadeBlend cascade_blend{};
+  scene::CascadeChoices cascade_choices{};
 
   static FrameRequest of(const Subject& subject) {
-    return {subject.bias, subject.light_scale, subject.light_fit, subject.cascade_blend};
+    return {subject.bias, subject.light_scale, subject.cascade_choices};
   }
   bool operator==(const FrameRequest&) const = default;
 };

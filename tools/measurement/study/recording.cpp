@@ -79,8 +79,7 @@ RunSettings run_settings(const View& view) {
   settings.light_scale = view.request.light_scale;
   settings.reversed_z = shadows.reversed_z;
   if (view.frame.spot_shadow) return settings;  // one map, without cascades
-  settings.light_fit = view.request.light_fit;
-  settings.cascade_blend = view.request.cascade_blend;
+  settings.cascade_choices = view.request.cascade_choices;
   const std::array<double, 3> splits = parameters::effective_splits(shadows);
   settings.splits.assign(splits.begin(), splits.begin() + (shadows.cascades - 1));
   return settings;
@@ -177,7 +176,8 @@ MeasuredFrame measured_frame(const CaseSetup& setup) {
   MeasuredFrame note;
   note.scene = setup.scene.name;
   note.light_degrees = setup.light_degrees;
-  note.sun_direction = frame.cascades.light_direction;
+  // That of the light of the case, whatever the age of the maps.
+  note.sun_direction = frame.spot_shadow ? frame.cascades.light_direction : glm::normalize(setup.scene.light_direction);
   if (frame.spot_shadow) note.source_radius_metres = frame.spot_shadow->light.source_radius_metres;
   note.width = setup.t1.width;
   note.height = setup.t1.height;

@@ -65,12 +65,15 @@ std::string about(const Record& record, const std::string& id) {
                              record.cascades, record.cascades == 1 ? "" : "s"));
   if (!settings.splits.empty())
     group.add_text("splits", fmt::format("{:.3g}", fmt::join(settings.splits, ", ")));
-  if (settings.light_fit != parameters::LightFit::sphere)
-    group.add_text("cascades fitted to", std::string(parameters::name_of(settings.light_fit)));
-  if (settings.cascade_blend.border > 0.0)
+  const scene::CascadeChoices& cascades = settings.cascade_choices;
+  if (cascades.light_fit != parameters::LightFit::sphere)
+    group.add_text("cascades fitted to", std::string(parameters::name_of(cascades.light_fit)));
+  if (cascades.blend.border > 0.0)
     group.add_text("border between cascades",
-                   fmt::format("{:g} of the split sphere's radius, {}", settings.cascade_blend.border,
-                               settings.cascade_blend.mixed ? "mixed" : "dithered"));
+                   fmt::format("{:g} of the split sphere's radius, {}", cascades.blend.border,
+                               cascades.blend.mixed ? "mixed" : "dithered"));
+  if (cascades.map_age_degrees > 0.0)
+    group.add_text("sun's movement since the map was drawn", fmt::format("{:g} degrees", cascades.map_age_degrees));
   group.add_text("depth bias", fmt::format("{}", settings.depth_bias));
   group.add_text("normal bias", fmt::format("{}", settings.normal_bias));
   if (settings.slope_bias != 0.0) group.add_text("slope bias", fmt::format("{}", settings.slope_bias));

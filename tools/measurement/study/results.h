@@ -45,8 +45,7 @@ struct RunSettings {
   double light_scale = 1.0;    // the diameter that the subject is given, divided by the light's
   std::vector<double> splits;  // fractions of the shadow distance where all cascades but the last end
   bool reversed_z = true;
-  parameters::LightFit light_fit = parameters::LightFit::sphere;
-  scene::CascadeBlend cascade_blend{};
+  scene::CascadeChoices cascade_choices{};
 
   bool operator==(const RunSettings&) const = default;
 };

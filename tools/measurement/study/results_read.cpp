@@ -269,12 +269,14 @@ RunSettings read_settings(StrictObject settings, int cascades) {
   result.light_scale = settings.number("light_scale", 0.0, kAnything);
   result.splits = settings.numbers("splits", static_cast<std::size_t>(std::max(cascades - 1, 0)));
   result.reversed_z = settings.boolean("reversed_z");
-  if (settings.has("light_fit")) result.light_fit = read_light_fit(settings);
+  if (settings.has("light_fit")) result.cascade_choices.light_fit = read_light_fit(settings);
+  if (settings.has("map_age_degrees"))
+    result.cascade_choices.map_age_degrees = settings.number("map_age_degrees", 0.0, scene::kOldestMapDegrees);
   if (settings.has("cascade_border")) {
-    result.cascade_blend.border = settings.number("cascade_border", 0.0, 1.0);
+    result.cascade_choices.blend.border = settings.number("cascade_border", 0.0, 1.0);
     const std::string blend = settings.text("cascade_blend");
     if (blend != "mix" && blend != "dither") settings.fail("cascade_blend", "it is either 'mix' or 'dither'");
-    result.cascade_blend.mixed = blend == "mix";
+    result.cascade_choices.blend.mixed = blend == "mix";
   }
   settings.finish();
   return result;

@@ -38,12 +38,14 @@ Json json_of(const RunSettings& settings) {
             {"light_scale", settings.light_scale},
             {"splits", settings.splits},
             {"reversed_z", settings.reversed_z}};
-  if (settings.light_fit != parameters::LightFit::sphere)
-    json["light_fit"] = parameters::name_of(settings.light_fit);
-  if (settings.cascade_blend.border > 0.0) {
-    json["cascade_border"] = settings.cascade_blend.border;
-    json["cascade_blend"] = settings.cascade_blend.mixed ? "mix" : "dither";
+  const scene::CascadeChoices& cascades = settings.cascade_choices;
+  if (cascades.light_fit != parameters::LightFit::sphere)
+    json["light_fit"] = parameters::name_of(cascades.light_fit);
+  if (cascades.blend.border > 0.0) {
+    json["cascade_border"] = cascades.blend.border;
+    json["cascade_blend"] = cascades.blend.mixed ? "mix" : "dither";
   }
+  if (cascades.map_age_degrees > 0.0) json["map_age_degrees"] = cascades.map_age_degrees;
   return json;
 }
 

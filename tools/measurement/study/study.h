@@ -37,8 +37,7 @@ struct Subject {
   resolve::ShadowGraph graph;
   parameters::CasterBias bias{};  // with which its casters are drawn
   double light_scale = 1.0;       // the diameter that it is given, divided by the light's
-  parameters::LightFit light_fit = parameters::LightFit::sphere;
-  scene::CascadeBlend cascade_blend{};
+  scene::CascadeChoices cascade_choices{};
   std::optional<resolve::ShadowGraph> unlimited{};  // absent: the subject takes no samples and is its own T3
   // The number of frames with different noise whose mean is the subject's result: what temporal antialiasing
   // converges to in a static scene. 1: every noise seed is a separate result.
