@@ -5,8 +5,8 @@
 // Source:     Filters/PcssAngularDecision.hlsl.
 // Inputs:     those of ScreenPass.hlsl and Pipelines/Urp.hlsl; _PenumbraDepthPlanesTexture: of DepthPlanePasses.hlsl, with
 //             mip levels; _PenumbraPcssAngularParameters0 and 1.
-// Cost:       per block, 16 surfaces from the camera's depth (5 fetches each, up to 9 at edges) and up to 33 planes: fewer
-//             where the first pixels are of different cascades, or where something blocks and something does not.
+// Cost:       per block, 16 surfaces from the camera's depth (5 fetches each, up to 9 at edges) and the planes that
+//             Filters/PcssAngularDecision.hlsl reads; fewer where the first pixels are of different cascades.
 // Guarantees: a value of Screen/PenumbraMask.hlsl, kMaskAllDark, kMaskAllLit or kMaskFilter; 8 bits tell them apart. Resolve
 //             gives the same picture with it as without, to the last bit where programs compute the same floats.
 // Use it:     before Resolve with _PENUMBRA_MASK and _PENUMBRA_PCSS; without a dilation, the light's cones are in it. Not:
@@ -17,8 +17,18 @@
 #include "ScreenPass.hlsl"
 #include "../ShaderLibrary/Pipelines/Urp.hlsl"
 #include "../ShaderLibrary/Pipelines/TechniqueByKeyword.hlsl"
-#include "../ShaderLibrary/Filters/PcssAngularDecision.hlsl"
 #include "../ShaderLibrary/Screen/PenumbraMask.hlsl"
+
+#if defined(PENUMBRA_WITHOUT_GATHER)
+
+float4 ConservativeMask(ScreenVaryings input) : SV_Target
+{
+    return kMaskFilter;
+}
+
+#else
+
+#include "../ShaderLibrary/Filters/PcssAngularDecision.hlsl"
 
 TEXTURE2D(_PenumbraDepthPlanesTexture);
 
@@ -81,12 +91,10 @@ MaskBlock ReadMaskBlock(int2 index, ScreenView view)
         if (any(pixel >= int2(view.size.xy))) continue;
         const CameraSurface surface = ReadCameraSurface(_CameraDepthTexture, view, pixel);
         const PenumbraMainLight shadow = PreparePenumbraMainLightTap(surface.positionWS, surface.normalWS);
-        if (surface.seen && shadow.covered)
-        {
-            block = JoinPixel(block, shadow);
-            // There the filter reads the next cascade at some pixels.
-            block.oneCascade = block.oneCascade && !PenumbraMainLightInBorder(surface.positionWS, shadow.cascade);
-        }
+        // There the filter reads the next cascade at some pixels, which may cover them where their own does not.
+        const bool inBorder = surface.seen && PenumbraMainLightInBorder(surface.positionWS, shadow.cascade);
+        block.oneCascade = block.oneCascade && !inBorder;
+        if (surface.seen && shadow.covered) block = JoinPixel(block, shadow);
         else block.anyOutside = true;
     }
     return block;
@@ -95,9 +103,6 @@ MaskBlock ReadMaskBlock(int2 index, ScreenView view)
 float4 ConservativeMask(ScreenVaryings input) : SV_Target
 {
     UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(input);
-#if defined(PENUMBRA_WITHOUT_GATHER)
-    return kMaskFilter;
-#else
     const MaskBlock block = ReadMaskBlock(int2(input.positionCS.xy), ViewOfThisEye());
     if (!block.oneCascade) return kMaskFilter;
     if (!block.anyCovered) return kMaskAllLit;
@@ -105,7 +110,8 @@ float4 ConservativeMask(ScreenVaryings input) : SV_Target
                                         PenumbraPcssAngular(), !block.anyOutside);
     if (decided < 0.0) return kMaskFilter;
     return decided > 0.5 ? kMaskAllLit : kMaskAllDark;
-#endif
 }
+
+#endif
 
 #endif

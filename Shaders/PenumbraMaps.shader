@@ -82,6 +82,7 @@ Shader "Hidden/Penumbra/Maps"
         {
             Name "QuarterDepthRange"
             HLSLPROGRAM
+            #pragma target 4.5
             #pragma vertex ScreenTriangle
             #pragma fragment QuarterDepthRange
             #include "DepthRangePasses.hlsl"
@@ -92,6 +93,7 @@ Shader "Hidden/Penumbra/Maps"
         {
             Name "DilatedDepthRange"
             HLSLPROGRAM
+            #pragma target 4.5
             #pragma vertex ScreenTriangle
             #pragma fragment DilatedDepthRange
             #include "DepthRangePasses.hlsl"
@@ -102,6 +104,7 @@ Shader "Hidden/Penumbra/Maps"
         {
             Name "DepthRangeMip"
             HLSLPROGRAM
+            #pragma target 4.5
             #pragma vertex ScreenTriangle
             #pragma fragment DepthRangeMip
             #include "DepthRangePasses.hlsl"
@@ -112,6 +115,7 @@ Shader "Hidden/Penumbra/Maps"
         {
             Name "QuarterVariance"
             HLSLPROGRAM
+            #pragma target 4.5
             #pragma vertex ScreenTriangle
             #pragma fragment QuarterVariance
             #include "DepthRangePasses.hlsl"
@@ -122,6 +126,7 @@ Shader "Hidden/Penumbra/Maps"
         {
             Name "QuarterDepthPlanes"
             HLSLPROGRAM
+            #pragma target 4.5
             #pragma vertex ScreenTriangle
             #pragma fragment QuarterDepthPlanes
             #include "DepthPlanePasses.hlsl"
@@ -132,6 +137,7 @@ Shader "Hidden/Penumbra/Maps"
         {
             Name "DepthPlanesMip"
             HLSLPROGRAM
+            #pragma target 4.5
             #pragma vertex ScreenTriangle
             #pragma fragment DepthPlanesMip
             #include "DepthPlanePasses.hlsl"

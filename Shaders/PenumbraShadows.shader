@@ -103,7 +103,7 @@ Shader "Hidden/Penumbra/Shadows"
             Name "ConservativeMask"
 
             HLSLPROGRAM
-            #pragma target 3.5
+            #pragma target 4.5
             #pragma vertex ScreenTriangle
             #pragma fragment ConservativeMask
             #include "ConservativeMaskPass.hlsl"

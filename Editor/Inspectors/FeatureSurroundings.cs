@@ -24,8 +24,7 @@ namespace Penumbra.Editor
                 .Any(graph => graph.passes.Any(pass => pass.kind == PassKind.Casters && pass.runs == PassFrequency.Cascade));
             state.compatibilityMode = UrpFrame.InCompatibilityMode();
             state.settings = feature.Settings;
-            state.openGl = SystemInfo.graphicsDeviceType == GraphicsDeviceType.OpenGLCore ||
-                           SystemInfo.graphicsDeviceType == GraphicsDeviceType.OpenGLES3;
+            state.openGl = DeviceLimits.ReplacesPcss;
             var asset = GraphicsSettings.currentRenderPipeline as UniversalRenderPipelineAsset;
             state.mainLightShadows = asset == null || asset.supportsMainLightShadows;
             ReadRenderer(RendererOf(feature), ref state);

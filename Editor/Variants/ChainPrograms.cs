@@ -21,7 +21,11 @@ namespace Penumbra.Editor
             var programs = new ChainPrograms();
             foreach (PenumbraShadowsSettings feature in features)
                 foreach (ShadowOptions options in VolumeStacks.Over(feature.Options(), volumes))
+                {
                     programs.Add(ShadowChain.Of(options));
+                    // What ChainDraw falls back to on some devices.
+                    if (options.MasksConservatively) programs.Add(ShadowChain.Of(options.WithoutConservativeMask()));
+                }
             return programs;
         }
 

@@ -29,9 +29,17 @@ namespace Penumbra
         internal string Prepare(in ShadowOptions options, int views)
         {
             int key = ChainGraphs.Key(options);
-            if (!chains.TryGetValue(key, out current))
-                chains[key] = current = new PreparedChain(ShadowChain.Of(options), materials);
+            if (!chains.TryGetValue(key, out current)) chains[key] = current = Prepared(options);
             return current.problem ?? (views > 1 ? current.stereoProblem : null);
+        }
+
+        // Where the device cannot make the conservative mask, or the filter is replaced by one that it is not for, the mask
+        // is that of four taps.
+        private PreparedChain Prepared(in ShadowOptions options)
+        {
+            var prepared = new PreparedChain(ShadowChain.Of(options), materials);
+            bool replace = options.MasksConservatively && (DeviceLimits.ReplacesPcss || prepared.problem != null);
+            return replace ? new PreparedChain(ShadowChain.Of(options.WithoutConservativeMask()), materials) : prepared;
         }
 
         /// <summary>The program of a step of the chain.</summary>

@@ -10,6 +10,12 @@ namespace Penumbra
     /// </summary>
     internal static class DeviceLimits
     {
+        /// <summary>
+        /// OpenGL does not define raw reads of the shadow map: shaders compute another filter there (TechniqueByKeyword.hlsl).
+        /// </summary>
+        internal static bool ReplacesPcss => SystemInfo.graphicsDeviceType == GraphicsDeviceType.OpenGLCore ||
+                                             SystemInfo.graphicsDeviceType == GraphicsDeviceType.OpenGLES3;
+
         /// <summary>Null if there is no problem.</summary>
         internal static string Problem(ShadowChain chain)
         {

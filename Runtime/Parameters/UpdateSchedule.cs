@@ -5,8 +5,9 @@ namespace Penumbra
     /// may be drawn less often, with a map that is older by what the sun and the casters have moved since. Each cascade
     /// keeps the matrices with which it was drawn. Phases are chosen so that no frame draws more cascades than it must:
     /// with periods 1, 2, 4 and 4 every frame draws two of four.
-    /// <para>Periods are powers of two from 1 to 64, in frames; others are rounded down, and clamped. The error of old
-    /// maps is in Documentation~/cascades.md.</para>
+    /// <para>Periods are powers of two from 1 to 64, in frames; others are rounded down, and clamped. In the first frame and
+    /// after a cut of the camera, draw all cascades, whatever is due. The error of old maps is in
+    /// Documentation~/cascades.md.</para>
     /// </summary>
     public readonly struct UpdateSchedule
     {
@@ -35,17 +36,17 @@ namespace Penumbra
                 }
         }
 
-        /// <summary>Frames from one update of the cascade to the next.</summary>
-        public int Period(int cascade) => periods[cascade];
+        /// <summary>Frames from one update of the cascade to the next; 1 of a cascade that the schedule lacks.</summary>
+        public int Period(int cascade) => IsScheduled(cascade) ? periods[cascade] : 1;
 
         /// <summary>Frame of the first update, below the period.</summary>
-        public int Phase(int cascade) => phases[cascade];
+        public int Phase(int cascade) => IsScheduled(cascade) ? phases[cascade] : 0;
 
         /// <summary>Frames since the last update, 0 when due.</summary>
         public int Age(int cascade, int frame)
         {
-            var period = periods[cascade];
-            return ((frame - phases[cascade]) % period + period) % period;
+            var period = Period(cascade);
+            return ((frame - Phase(cascade)) % period + period) % period;
         }
 
         /// <summary>Whether the cascade is drawn in this frame.</summary>
@@ -59,6 +60,8 @@ namespace Penumbra
                 if (IsDue(i, frame)) due |= 1 << i;
             return due;
         }
+
+        private bool IsScheduled(int cascade) => cascade >= 0 && cascade < Cascades;
 
         private static int PowerOfTwo(int period)
         {

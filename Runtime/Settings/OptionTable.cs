@@ -89,8 +89,9 @@ namespace Penumbra
         {
             internal const string Label = "Conservative Mask";
             internal const string Tooltip =
-                "Makes the mask from bounds of the shadow map's depths instead: it misses no penumbra, and the " +
-                "picture is the same as without a mask. It skips more pixels under small lights. For PCSS.";
+                "Makes the mask from bounds of the shadow map's depths instead: it skips no pixel at which the " +
+                "filter would find a penumbra. It skips more pixels than the other mask, and costs more itself. " +
+                "For PCSS; not with OpenGL.";
         }
 
         internal static class HalfResolution

@@ -127,6 +127,13 @@ namespace Penumbra
         internal bool MasksConservatively =>
             mask && conservativeMask && technique == ShadowTechnique.Pcss && SamplesPenumbrae;
 
+        internal ShadowOptions WithoutConservativeMask()
+        {
+            ShadowOptions options = this;
+            options.conservativeMask = false;
+            return options;
+        }
+
         /// <summary>
         /// The filters' parameters. Those that no option sets have the values that the study measures
         /// (SoftShadowParameters); PCSS (HDRP) has HDRP's own limits.

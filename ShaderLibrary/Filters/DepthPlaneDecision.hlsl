@@ -31,7 +31,9 @@ BlockDecision DecideBlock(DepthPlanes block, float2 away, float blockTexels, Qua
     const float plane = receiver.depth + dot(receiver.gradient, away);
     const float own = Parting(receiver.gradient, level, blockTexels);
     const float slope = Parting(block.gradient, level, blockTexels);
-    const float margin = kPlanesRounding * (1.0 + abs(block.nearest) + abs(block.farthest) + abs(plane) + own + slope);
+    // The plane's depth may be small and its terms large.
+    const float terms = abs(receiver.depth) + dot(abs(receiver.gradient), abs(away));
+    const float margin = kPlanesRounding * (1.0 + abs(block.nearest) + abs(block.farthest) + terms + own + slope);
     const float parting = Parting(block.gradient, receiver.gradient, blockTexels) + margin;
     // A plane that leaves the map in front is compared at the map's end (KeepBehindNearPlane): no part of the block may.
     const bool inMap = DepthGap(kNearestDepth, plane) > own + margin;

@@ -11,8 +11,9 @@
 //                     \/_____\_/           are dark
 //
 // Inputs:     depthPlanes: of 4 x 4 texels, with mip levels; ReceiverGroup; scales of its tile; PcssAngularParameters.
-// Cost:       1 fetch for each block of three walks, from up to 4 x 4 large blocks down to their parts of 4 x 4 texels where
-//             those must tell; none takes parts after kMostBlocks.
+// Cost:       a fetch for each block that it looks at: up to 4 x 4 large ones, and parts of those that it cannot decide as a
+//             whole. After kMostBlocks it divides no more. In all three searches 5 to 120 on average over scenes and lights
+//             from 0.53 to 5 degrees, about 550 at most.
 // Guarantees: what is decided is what FilterPcssAngular returns, to the last bit, for every receiver of the group, any
 //             rotation and any number of samples.
 // Use it:     for a mask of whole tiles of pixels, Shaders/ConservativeMaskPass.hlsl. Not: for PcssClassic.hlsl and
@@ -33,7 +34,7 @@ static const float kSampleReachTexels = 2.25;
 // By how much at most a cone of FilterFound is wider than the light's, beyond the smallest filter radius.
 static const float kWidestSlackTexels = 1.75;
 
-// A walk over the blocks around a group, from few large ones down to their parts where those must tell.
+// A search over the blocks around a group, from few large ones down to the parts of those that are not decided as a whole.
 struct BlockWalk
 {
     DiscBlocks top;

@@ -40,6 +40,12 @@ ReceiverGroup GroupOf(QuadReceiver receiver)
     return group;
 }
 
+// How large the terms of a plane's depth are, `away` from its receiver: its rounding is a share of that.
+float PlaneTerms(QuadReceiver receiver, float2 away)
+{
+    return abs(receiver.depth) + dot(abs(receiver.gradient), abs(away));
+}
+
 ReceiverGroup JoinGroup(ReceiverGroup group, QuadReceiver receiver)
 {
     const float2 away = receiver.centre - group.first.centre;
@@ -49,7 +55,8 @@ ReceiverGroup JoinGroup(ReceiverGroup group, QuadReceiver receiver)
     joined.count = group.count + 1.0;
     joined.spread = max(group.spread, length(away));
     joined.depths = JoinRanges(group.depths, float2(receiver.depth, receiver.depth));
-    joined.planeError = max(group.planeError, abs(receiver.depth - plane));
+    const float rounding = kPlanesRounding * (abs(receiver.depth) + PlaneTerms(group.first, away));
+    joined.planeError = max(group.planeError, abs(receiver.depth - plane) + rounding);
     joined.tilt = max(group.tilt, tilt.x + tilt.y);
     return joined;
 }
@@ -71,8 +78,8 @@ GroupBounds BoundBlock(DepthPlanes block, float2 away, float blockTexels, float 
     const float own = Parting(group.first.gradient, level, blockTexels);
     const float slope = Parting(block.gradient, level, blockTexels);
     const float others = group.planeError + group.tilt * reach;
-    const float margin =
-        kPlanesRounding * (1.0 + abs(block.nearest) + abs(block.farthest) + abs(plane) + own + slope + others);
+    const float terms = abs(block.nearest) + abs(block.farthest) + PlaneTerms(group.first, away) + own + slope + others;
+    const float margin = kPlanesRounding * (1.0 + terms);
     const float parting = Parting(block.gradient, group.first.gradient, blockTexels) + others + margin;
     // A plane that leaves the map in front is compared at the map's end (KeepBehindNearPlane): no part of the block may.
     const bool inMap = DepthGap(kNearestDepth, plane) > own + others + margin;

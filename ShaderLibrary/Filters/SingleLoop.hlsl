@@ -24,8 +24,8 @@
 // - The disc is no wider than the cone of the farthest blocker that the map can hold. Its largest radius, 0.05 m, and
 //   0.1 m with rings of equal width, are those with the smallest error in penumbra, averaged over lights of 0.53, 2 and 5
 //   degrees (measure --set discRadiusMetres=0.03,0.05,0.1). A wider disc blurs narrow penumbrae, a narrower one cuts
-//   wide ones. 48 texels of the description's nearest cascade are about 0.1 m where that is 4 m wide:
-//   single-loop-32-wide.
+//   wide ones. The technique single-loop-32-wide has 0.1 m with rings of equal area: 48 texels of a map of 2048 x 2048
+//   texels that shows 4.3 m of the world.
 #ifndef PENUMBRA_SINGLE_LOOP_HLSL
 #define PENUMBRA_SINGLE_LOOP_HLSL
 

@@ -98,7 +98,7 @@ struct DiscBlocks
     int level;
     int2 low;
     int2 high;
-    bool whole; // false: no level has so few
+    bool whole; // false: no level has so few, or the tile is none of blocks
 };
 
 DiscBlocks BlocksOfDisc(float2 centre, float radius, int across, TileBounds bounds)
@@ -108,7 +108,8 @@ DiscBlocks BlocksOfDisc(float2 centre, float radius, int across, TileBounds boun
     blocks.level = min(int(ceil(log2(max(narrowest, 1.0)))), HighestWholeLevel(bounds));
     blocks.low = BlockAt(centre - radius, blocks.level, bounds);
     blocks.high = BlockAt(centre + radius, blocks.level, bounds);
-    blocks.whole = all(blocks.high - blocks.low < across);
+    const float2 beyond = fmod(bounds.minimum, kRangeBlock) + fmod(bounds.maximum, kRangeBlock);
+    blocks.whole = all(blocks.high - blocks.low < across) && beyond.x + beyond.y == 0.0;
     return blocks;
 }
 

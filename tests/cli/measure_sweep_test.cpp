@@ -7,6 +7,7 @@
 namespace penumbra {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
@@ -54,6 +55,16 @@ TEST_F(MeasureSweep, AgesOfTheMapAreMeasuredSideBySide) {
   EXPECT_EQ(records[1].at("settings").at("map_age_degrees"), 2.0);
   EXPECT_GT(records[1].at("rmse_all"), records[0].at("rmse_all"));
   EXPECT_EQ(run(small({"--map-age", "11"})).exit_code, 2);
+}
+
+TEST_F(MeasureSweep, OptionsOfCascadesAreNotForSpotLights) {
+  for (const auto& [option, value] :
+       {std::pair("--map-age", "0.1"), {"--light-fit", "casters"}, {"--cascade-blend", "mix"}}) {
+    const auto result = run({"measure", "--scene", "spot-table", option, value});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.errors,
+                AllOf(HasSubstr(option), HasSubstr("a scene with a spot light has no cascades")));
+  }
 }
 
 TEST_F(MeasureSweep, WhatCannotBeSetIsRefusedBeforeAnythingIsMeasured) {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <stdexcept>
 #include <vector>
 
 #include "input/input_error.h"
@@ -64,10 +65,16 @@ TEST(UpdateSchedule, NoOtherPhasesNeedFewerCascadesInAFrame) {
                 << testing::PrintToString(periods);
 }
 
+TEST(UpdateSchedule, HasNoOtherCascades) {
+  for (const int cascade : {-1, 2, 4}) {
+    EXPECT_THROW(update_schedule(std::vector{1, 2}).is_due(cascade, 0), std::out_of_range) << cascade;
+    EXPECT_THROW(UpdateSchedule{}.largest_age_degrees(cascade, 1.0), std::out_of_range) << cascade;
+  }
+}
+
 TEST(UpdateSchedule, RefusesOtherPeriods) {
-  for (const std::vector<int>& periods :
-       {std::vector<int>{}, std::vector{1, 1, 1, 1, 1}, std::vector{0}, std::vector{-2}, std::vector{3},
-        std::vector{1, 128}}) {
+  for (const std::vector<int>& periods : {std::vector<int>{}, std::vector{1, 1, 1, 1, 1}, std::vector{0},
+                                          std::vector{-2}, std::vector{3}, std::vector{1, 128}}) {
     try {
       update_schedule(periods);
       FAIL() << testing::PrintToString(periods);

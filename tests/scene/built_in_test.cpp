@@ -156,14 +156,17 @@ TEST(Sunlight, MovesBackByAnAngleOfTheSky) {
     EXPECT_EQ(sun_before(now, 0.0), now);
     for (const double degrees : {0.001, 0.5, 10.0}) {
       const glm::dvec3 before = sun_before(now, degrees);
-      EXPECT_NEAR(glm::degrees(std::atan2(glm::length(glm::cross(now, before)), glm::dot(now, before))), degrees, 1e-6);
+      EXPECT_NEAR(glm::degrees(std::atan2(glm::length(glm::cross(now, before)), glm::dot(now, before))),
+                  degrees, 1e-6);
       EXPECT_NEAR(glm::length(before), 1.0, 1e-12);
     }
   }
+  EXPECT_NEAR(glm::length(sun_before(sunlight(45.0, 0.0), 0.1)), 1.0, 1e-9) << "at the pole of the sky";
   // The sun rises in the east (+X), stands in the south (-Z) at noon and sets in the west.
   EXPECT_GT(-sun_before(sunlight(40.0, 180.0), 1.0).x, 0.0) << "before noon";
   EXPECT_LT(-sun_before(sunlight(40.0, 90.0), 1.0).y, std::sin(glm::radians(40.0))) << "lower in the morning";
-  EXPECT_GT(-sun_before(sunlight(40.0, -90.0), 1.0).y, std::sin(glm::radians(40.0))) << "higher in the afternoon";
+  EXPECT_GT(-sun_before(sunlight(40.0, -90.0), 1.0).y, std::sin(glm::radians(40.0)))
+      << "higher in the afternoon";
 }
 
 TEST(Sunlight, TravelsFromWhereTheSunStands) {

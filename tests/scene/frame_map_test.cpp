@@ -242,7 +242,8 @@ TEST_F(RasterisedFrame, HasAnOldMapInTheLightOfBefore) {
   old.cascade_choices.map_age_degrees = 0.5;
   const Frame frame = rasterise(*device, now, old);
   EXPECT_EQ(frame.atlas.texels, of_before.atlas.texels);
-  EXPECT_NE(frame.atlas.texels, rasterise(*device, now, unbiased_settings(true, DepthFormat::d32)).atlas.texels);
+  EXPECT_NE(frame.atlas.texels,
+            rasterise(*device, now, unbiased_settings(true, DepthFormat::d32)).atlas.texels);
   for (std::size_t i = 0; i < frame.cascades.cascades.size(); ++i)
     EXPECT_EQ(frame.cascades.cascades[i].world_to_shadow, of_before.cascades.cascades[i].world_to_shadow);
   EXPECT_EQ(frame.receivers.position_ws, of_before.receivers.position_ws);

@@ -42,10 +42,10 @@ struct StudyOptions {
   std::vector<std::string> cascade_blends{"none"};  // or dither, mix; several are tried one by one
   double cascade_border = 0.1;
   std::vector<double> map_ages{0.0};  // degrees; several are tried one by one
-  double distance_metres = 0.0;  // 0: the scene's own
-  std::vector<double> sun;       // elevation and azimuth in degrees; empty: the scene's own
-  std::vector<double> origin;    // world position of the scene's own origin, metres; empty: 0 0 0
-  std::vector<double> camera;    // position, target and perhaps the field of view; empty: the scene's own
+  double distance_metres = 0.0;       // 0: the scene's own
+  std::vector<double> sun;            // elevation and azimuth in degrees; empty: the scene's own
+  std::vector<double> origin;         // world position of the scene's own origin, metres; empty: 0 0 0
+  std::vector<double> camera;  // position, target and perhaps the field of view; empty: the scene's own
   scene::ImportOptions import;
   std::string device;
   bool validation = false;

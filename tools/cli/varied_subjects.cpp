@@ -122,6 +122,17 @@ void require_mixable(const study::Subject& subject, const scene::CascadeBlend& b
                    "choose dither, or techniques that are a filter");
 }
 
+// A spot light's map has none that could be fitted, blended or kept.
+void require_no_cascades(const StudyOptions& options) {
+  const StudyOptions none;
+  const char* given = options.light_fits != none.light_fits           ? "--light-fit"
+                      : options.cascade_blends != none.cascade_blends ? "--cascade-blend"
+                      : options.map_ages != none.map_ages             ? "--map-age"
+                                                                      : nullptr;
+  if (given != nullptr)
+    throw InputError(given, "a scene with a spot light has no cascades", "measure it without this option");
+}
+
 struct NamedChoices {
   std::string text;  // what of it varies; empty: nothing
   scene::CascadeChoices choices;
@@ -245,6 +256,7 @@ std::vector<study::Subject> varied_subjects(const StudyOptions& options, const V
   }
   const std::vector<parameters::LightFit> fits = chosen_light_fits(options);
   const std::vector<double> ages = chosen_map_ages(options);
+  if (light == techniques::LightKind::spot) require_no_cascades(options);
   subjects = with_cascades(subjects, cascade_choices(fits, chosen_cascade_blends(options), ages));
   std::vector<study::Subject> of_adapters;
   for (const resolve::Adapter& adapter : adapters) {

@@ -7,6 +7,8 @@ namespace Penumbra.Tests
     [TestFixture]
     public class UpdateScheduleTests
     {
+        private static float[] Numbers(Vector4 of) => new[] { of.x, of.y, of.z, of.w };
+
         // The C++ library's answers.
         [Test]
         public void PhasesAreThoseOfTheOtherImplementation()
@@ -15,8 +17,8 @@ namespace Penumbra.Tests
             Assert.That(records.Count, Is.GreaterThanOrEqualTo(64));
             foreach (GoldenRecord record in records)
             {
-                Vector4 periods = record.Vector("periods");
-                Vector4 phases = record.Vector("phases");
+                float[] periods = Numbers(record.Vector("periods"));
+                float[] phases = Numbers(record.Vector("phases"));
                 var schedule = new UpdateSchedule(
                     Enumerable.Range(0, record.Int("cascades")).Select(i => (int)periods[i]).ToArray());
                 Assert.That(schedule.Cascades, Is.EqualTo(record.Int("cascades")), record.Label);
@@ -46,6 +48,15 @@ namespace Penumbra.Tests
         [TestCase(int.MaxValue, 64)]
         public void OtherPeriodsAreRoundedDown(int given, int period) =>
             Assert.That(new UpdateSchedule(given).Period(0), Is.EqualTo(period));
+
+        [TestCase(2)]
+        [TestCase(-1)]
+        [TestCase(int.MaxValue)]
+        public void ACascadeThatItLacksIsAlwaysDue(int cascade)
+        {
+            Assert.That(new UpdateSchedule(1, 2).IsDue(cascade, 7));
+            Assert.That(default(UpdateSchedule).IsDue(cascade, 7));
+        }
 
         [Test]
         public void NoMoreThanFourCascadesCount()

@@ -28,9 +28,47 @@ namespace Penumbra.Tests
             SystemInfo.usesReversedZBuffer = true;
         }
 
+        private static readonly string[] FourTaps =
+        {
+            "PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical", "Resolve",
+        };
+
+        private string[] DrawnWithConservativeMask()
+        {
+            feature.Dispose();
+            SetUp();
+            feature.Settings.preset = QualityPreset.Custom;
+            feature.Settings.custom.mask = feature.Settings.custom.conservativeMask = true;
+            urp.Render(new FakeScene(), feature);
+            return urp.Device.Draws.Select(draw => draw.Pass).Distinct().ToArray();
+        }
+
+        [Test]
+        public void AConservativeMaskIsMadeFromTheMap() =>
+            Assert.That(DrawnWithConservativeMask(),
+                        Is.EqualTo(new[] { "QuarterDepthPlanes", "DepthPlanesMip", "ConservativeMask", "Resolve" }));
+
+        // There the filter is not the one that it decides for.
+        [TestCase(GraphicsDeviceType.OpenGLCore)]
+        [TestCase(GraphicsDeviceType.OpenGLES3)]
+        public void OnOpenGlTheMaskIsOfFourTaps(GraphicsDeviceType device)
+        {
+            SystemInfo.Device = device;
+            Assert.That(DrawnWithConservativeMask(), Is.EqualTo(FourTaps));
+        }
+
+        [Test]
+        public void WithoutTheFormatOfThePlanesTheMaskIsOfFourTaps()
+        {
+            SystemInfo.Unsupported = GraphicsFormat.R32G32B32A32_SFloat;
+            Assert.That(DrawnWithConservativeMask(), Is.EqualTo(FourTaps));
+        }
+
         [TearDown]
         public void TearDown()
         {
+            SystemInfo.Unsupported = null;
+            SystemInfo.Device = GraphicsDeviceType.Vulkan;
             feature.Dispose();
             VolumeManager.instance.stack.Components.Clear();
             ScalableBufferManager.widthScaleFactor = ScalableBufferManager.heightScaleFactor = 1.0f;

@@ -104,7 +104,9 @@ Records schedules() {
     for (int rest = i, cascade = 0; cascade < 1 + i % 4; ++cascade, rest /= 4)
       periods.push_back(kPeriods.at(static_cast<std::size_t>(rest % 4)));
     const UpdateSchedule schedule = update_schedule(periods);
-    const auto all = [](const std::array<int, kMostScheduled>& of) { return numbers({of[0], of[1], of[2], of[3]}); };
+    const auto all = [](const std::array<int, kMostScheduled>& of) {
+      return numbers({of[0], of[1], of[2], of[3]});
+    };
     const int frame = 7 * i - 500;  // negative ones, too
     Record record;
     record.add("cascades", schedule.cascades).add("periods", all(schedule.periods));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <numeric>
+#include <stdexcept>
 #include <string>
 
 #include "input/input_error.h"
@@ -14,10 +15,17 @@ void check(std::span<const int> periods) {
   if (periods.empty() || periods.size() > kMostScheduled)
     throw InputError("", std::to_string(periods.size()) + " periods", "one for each of one to four cascades");
   for (const int period : periods) {
-    if (period >= 1 && period <= kLongestPeriod && std::has_single_bit(static_cast<unsigned>(period))) continue;
+    if (period >= 1 && period <= kLongestPeriod && std::has_single_bit(static_cast<unsigned>(period)))
+      continue;
     throw InputError("", "a period of " + std::to_string(period) + " frames",
                      "periods are powers of two from 1 to " + std::to_string(kLongestPeriod));
   }
+}
+
+std::size_t checked(int cascade, int count) {
+  if (cascade < 0 || cascade >= count)
+    throw std::out_of_range("cascade " + std::to_string(cascade) + " of " + std::to_string(count));
+  return static_cast<std::size_t>(cascade);
 }
 
 int remainder_of(int frame, int period) {
@@ -42,7 +50,7 @@ int least_loaded(const std::array<int, kLongestPeriod>& load, int period) {
 }  // namespace
 
 int UpdateSchedule::age(int cascade, int frame) const {
-  const auto at = static_cast<std::size_t>(cascade);
+  const std::size_t at = checked(cascade, cascades);
   return remainder_of(frame - phases.at(at), periods.at(at));
 }
 
@@ -66,7 +74,7 @@ double UpdateSchedule::mean_due() const {
 }
 
 double UpdateSchedule::largest_age_degrees(int cascade, double degrees_per_frame) const {
-  return (periods.at(static_cast<std::size_t>(cascade)) - 1) * degrees_per_frame;
+  return (periods.at(checked(cascade, cascades)) - 1) * degrees_per_frame;
 }
 
 UpdateSchedule update_schedule(std::span<const int> periods) {

@@ -1,11 +1,14 @@
 // Which cascades are drawn anew in which frame.
 //
-// A far cascade shows much of the world in large texels, so it may be drawn less often than a near one: its map
-// is then older, by what the sun and the casters have moved since. Each cascade keeps the matrices with which
-// it was drawn, and the camera must not leave what they show (fit_cascades' spheres do not turn with it).
+// A far cascade shows much of the world in large texels, so it may be drawn less often than a near one: its
+// map is then older, by what the sun and the casters have moved since. Each cascade keeps the matrices with
+// which it was drawn, and the camera must not leave what they show (fit_cascades' spheres do not turn with
+// it).
 //
-// Periods are powers of two, and phases are chosen so that no frame has to draw more cascades than it must: with
-// periods 1, 2, 4 and 4 every frame draws two of four.
+// In the first frame and after a cut of the camera, all cascades are to be drawn, whatever is due.
+//
+// Periods are powers of two, and phases are chosen so that no frame has to draw more cascades than it must:
+// with periods 1, 2, 4 and 4 every frame draws two of four.
 #pragma once
 
 #include <array>
@@ -21,7 +24,8 @@ struct UpdateSchedule {
   std::array<int, kMostScheduled> periods{};  // frames from one update to the next
   std::array<int, kMostScheduled> phases{};   // frame of the first update, below the period
 
-  // Frames count from 0 or from anywhere; a negative one counts too.
+  // Frames count from 0 or from anywhere; a negative one counts too. Cascades: 0 to cascades - 1, else
+  // std::out_of_range is thrown.
   bool is_due(int cascade, int frame) const { return age(cascade, frame) == 0; }
   int age(int cascade, int frame) const;  // frames since the last update, 0 when due
   int due(int frame) const;               // one bit for each cascade, the lowest of cascade 0
@@ -32,8 +36,8 @@ struct UpdateSchedule {
   double largest_age_degrees(int cascade, double degrees_per_frame) const;
 };
 
-// One to four periods, of the nearest cascade first. Throws InputError for another number of them, and for one
-// that is not a power of two from 1 to kLongestPeriod.
+// One to four periods, of the nearest cascade first. Throws InputError for another number of them, and for
+// one that is not a power of two from 1 to kLongestPeriod.
 UpdateSchedule update_schedule(std::span<const int> periods);
 
 }  // namespace penumbra::parameters

@@ -76,7 +76,8 @@ struct CascadeBlend {
 struct CascadeChoices {
   parameters::LightFit light_fit = parameters::LightFit::sphere;  // to the receivers: those of this frame
   CascadeBlend blend;
-  // By how many degrees of the sky the sun has moved on (sun_before) since the cascades were fitted and drawn.
+  // By how many degrees of the sky the sun has moved on (sun_before) since the cascades were fitted and
+  // drawn.
   double map_age_degrees = 0.0;
 
   bool operator==(const CascadeChoices&) const = default;
@@ -98,8 +99,8 @@ struct FrameSettings {
 struct Frame {
   std::string scene_name;
   parameters::Camera camera;  // world space (origin added)
-  // light_direction: of the light that the map was drawn in. With a spot light: no cascade, and of the rest the size of the map, its conventions and the light's
-  // direction.
+  // light_direction: of the light that the map was drawn in. With a spot light: no cascade, and of the rest
+  // the size of the map, its conventions and the light's direction.
   parameters::CascadeSet cascades;
   std::optional<parameters::SpotShadow> spot_shadow;  // world space (origin added)
   FrameSettings settings;

@@ -53,8 +53,9 @@ struct Scene {
 // unit vector along which it travels. Throws InputError unless 0 < elevation <= 90.
 glm::dvec3 sunlight(double elevation_degrees, double azimuth_degrees);
 
-// The direction of sunlight before the sun moved on by so many degrees of the sky, along its daily arc at 45 degrees
-// north: about the axis halfway between the zenith and +Z, which is north. At most kOldestMapDegrees.
+// The direction of sunlight before the sun moved on by so many degrees of the sky, straight on in the
+// direction of its daily arc at 45 degrees north, which is about the axis halfway between the zenith and +Z.
+// At most kOldestMapDegrees.
 inline constexpr double kOldestMapDegrees = 10.0;
 glm::dvec3 sun_before(const glm::dvec3& light_direction, double degrees);
 

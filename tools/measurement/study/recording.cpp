@@ -177,7 +177,8 @@ MeasuredFrame measured_frame(const CaseSetup& setup) {
   note.scene = setup.scene.name;
   note.light_degrees = setup.light_degrees;
   // That of the light of the case, whatever the age of the maps.
-  note.sun_direction = frame.spot_shadow ? frame.cascades.light_direction : glm::normalize(setup.scene.light_direction);
+  note.sun_direction =
+      frame.spot_shadow ? frame.cascades.light_direction : glm::normalize(setup.scene.light_direction);
   if (frame.spot_shadow) note.source_radius_metres = frame.spot_shadow->light.source_radius_metres;
   note.width = setup.t1.width;
   note.height = setup.t1.height;

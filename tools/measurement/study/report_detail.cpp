@@ -73,7 +73,8 @@ std::string about(const Record& record, const std::string& id) {
                    fmt::format("{:g} of the split sphere's radius, {}", cascades.blend.border,
                                cascades.blend.mixed ? "mixed" : "dithered"));
   if (cascades.map_age_degrees > 0.0)
-    group.add_text("sun's movement since the map was drawn", fmt::format("{:g} degrees", cascades.map_age_degrees));
+    group.add_text("sun's movement since the map was drawn",
+                   fmt::format("{:g} degrees", cascades.map_age_degrees));
   group.add_text("depth bias", fmt::format("{}", settings.depth_bias));
   group.add_text("normal bias", fmt::format("{}", settings.normal_bias));
   if (settings.slope_bias != 0.0) group.add_text("slope bias", fmt::format("{}", settings.slope_bias));

@@ -271,7 +271,8 @@ RunSettings read_settings(StrictObject settings, int cascades) {
   result.reversed_z = settings.boolean("reversed_z");
   if (settings.has("light_fit")) result.cascade_choices.light_fit = read_light_fit(settings);
   if (settings.has("map_age_degrees"))
-    result.cascade_choices.map_age_degrees = settings.number("map_age_degrees", 0.0, scene::kOldestMapDegrees);
+    result.cascade_choices.map_age_degrees =
+        settings.number("map_age_degrees", 0.0, scene::kOldestMapDegrees);
   if (settings.has("cascade_border")) {
     result.cascade_choices.blend.border = settings.number("cascade_border", 0.0, 1.0);
     const std::string blend = settings.text("cascade_blend");

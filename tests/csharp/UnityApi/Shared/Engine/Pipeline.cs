@@ -82,7 +82,7 @@ namespace UnityEngine
     public sealed partial class SystemInfo
     {
         public static int graphicsShaderLevel { get; [OwnBehaviour] set; } = 50;
-        public static Rendering.GraphicsDeviceType graphicsDeviceType => Rendering.GraphicsDeviceType.Vulkan;
+        public static Rendering.GraphicsDeviceType graphicsDeviceType => Device;
         public static bool supportsComputeShaders { get; [OwnBehaviour] set; } = true;
         public static bool supports3DRenderTextures { get; [OwnBehaviour] set; } = true;
         public static bool supports2DArrayTextures { get; [OwnBehaviour] set; } = true;
@@ -93,6 +93,9 @@ namespace UnityEngine
         public static int maxComputeBufferInputsFragment { get; [OwnBehaviour] set; } = 8;
         public static bool graphicsUVStartsAtTop { get; [OwnBehaviour] set; } = true;
         public static bool usesReversedZBuffer { get; [OwnBehaviour] set; } = true;
+
+        [OwnBehaviour] public static Rendering.GraphicsDeviceType Device { get; set; } =
+            Rendering.GraphicsDeviceType.Vulkan;
 
         /// <summary>A format that this device cannot render to.</summary>
         [OwnBehaviour] public static Experimental.Rendering.GraphicsFormat? Unsupported { get; set; }
