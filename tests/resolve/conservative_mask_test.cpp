@@ -35,18 +35,6 @@ class ConservativeMask : public testing::TestWithParam<bool> {
     return *made;
   }
 
-  // The same casters and receivers under a disc of another size.
-  static scene::Frame under_disc(scene::Frame frame, double degrees) {
-    const double wider =
-        std::tan(degrees * M_PI / 360.0) / std::tan(frame.settings.angular_diameter_degrees * M_PI / 360.0);
-    for (parameters::Cascade& cascade : frame.cascades.cascades) {
-      cascade.depth_to_radial *= wider;
-      cascade.radial_to_depth = 1.0 / cascade.depth_to_radial;
-    }
-    frame.settings.angular_diameter_degrees = frame.cascades.angular_diameter_degrees = degrees;
-    return frame;
-  }
-
   struct Decided {
     int lit = 0;
     int dark = 0;

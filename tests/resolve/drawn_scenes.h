@@ -2,6 +2,7 @@
 // format.
 #pragma once
 
+#include <cmath>
 #include <map>
 #include <memory>
 #include <string>
@@ -41,6 +42,18 @@ inline const scene::Frame& drawn(const std::string& scene, int cascades, bool re
     frame->second = drawn->rasteriser.frame(settings);
   }
   return frame->second;
+}
+
+// The same casters and receivers under a light of another angular diameter.
+inline scene::Frame under_disc(scene::Frame frame, double degrees) {
+  const double wider =
+      std::tan(degrees * M_PI / 360.0) / std::tan(frame.settings.angular_diameter_degrees * M_PI / 360.0);
+  for (parameters::Cascade& cascade : frame.cascades.cascades) {
+    cascade.depth_to_radial *= wider;
+    cascade.radial_to_depth = 1.0 / cascade.depth_to_radial;
+  }
+  frame.settings.angular_diameter_degrees = frame.cascades.angular_diameter_degrees = degrees;
+  return frame;
 }
 
 }  // namespace penumbra::resolve

@@ -255,18 +255,6 @@ double four_taps(const scene::Frame& frame, int cascade, std::size_t receiver) {
 
 class SingleLoopExits : public SingleLoop {
  protected:
-  // The same casters and receivers in another light.
-  static scene::Frame with_light(scene::Frame frame, double degrees) {
-    const double wider =
-        std::tan(degrees * M_PI / 360.0) / std::tan(frame.settings.angular_diameter_degrees * M_PI / 360.0);
-    for (parameters::Cascade& cascade : frame.cascades.cascades) {
-      cascade.depth_to_radial *= wider;
-      cascade.radial_to_depth = 1.0 / cascade.depth_to_radial;
-    }
-    frame.settings.angular_diameter_degrees = frame.cascades.angular_diameter_degrees = degrees;
-    return frame;
-  }
-
   // most: fetches that an exit takes.
   static void change_no_bit(const std::string& technique, std::uint32_t most) {
     double lit = 0.0, dark = 0.0, looped = 0.0;
@@ -371,7 +359,7 @@ TEST_P(SingleLoopExits, OverATileOfThreeBlocksChangeNoBit) {
 TEST_P(SingleLoopExits, MissNoPixelOfAScenesPenumbrae) {
   for (const std::string& scene : scenes_for_small_pictures()) {
     for (const double degrees : {0.53, 5.0}) {
-      const scene::Frame frame = with_light(drawn(scene, 4, GetParam()), degrees);
+      const scene::Frame frame = under_disc(drawn(scene, 4, GetParam()), degrees);
       const GraphResult plain = run("single-loop-32", frame, {});
       for (const std::string technique : {"single-loop-32-mips", "single-loop-32-planes"}) {
         const GraphResult exits = run(technique, frame, {});
