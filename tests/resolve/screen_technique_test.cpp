@@ -13,9 +13,10 @@ constexpr RunOptions kOnce{.noise_seeds = 1, .timing_repeats = 0};
 
 TEST(ScreenTechnique, PassesAreThoseOfTheShaderInItsOrder) {
   const shaders::PackageShader shader(shaders::package_shader_file());
-  EXPECT_EQ(shader.pass_names(),
-            (std::vector<std::string>{"PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical", "Resolve",
-                                      "Upsample", "DenoiseHorizontal", "DenoiseVertical"}));
+  EXPECT_EQ(
+      shader.pass_names(),
+      (std::vector<std::string>{"PenumbraMask", "MaskBlurHorizontal", "MaskBlurVertical", "Resolve",
+                                "Upsample", "DenoiseHorizontal", "DenoiseVertical", "ConservativeMask"}));
 }
 
 TEST(ScreenTechnique, APassThatIsNotThereIsNamedWithTheNearest) {
