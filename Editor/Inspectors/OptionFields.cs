@@ -47,8 +47,7 @@ namespace Penumbra.Editor
         internal static readonly OptionField ConservativeMask = new OptionField(
             nameof(ShadowOptions.conservativeMask), OptionTable.ConservativeMask.Label,
             OptionTable.ConservativeMask.Tooltip,
-            options => options.mask && options.technique == ShadowTechnique.Pcss && options.SamplesPenumbrae,
-            volume => volume.conservativeMask);
+            options => options.CanMaskConservatively, volume => volume.conservativeMask);
 
         internal static readonly OptionField HalfResolution = new OptionField(
             nameof(ShadowOptions.halfResolution), OptionTable.HalfResolution.Label, OptionTable.HalfResolution.Tooltip,

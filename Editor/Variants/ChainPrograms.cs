@@ -41,7 +41,8 @@ namespace Penumbra.Editor
         }
 
         /// <summary>
-        /// Whether a frame uses the variant of `pass` of the shader file `asset` whose enabled keywords among `declared` are those for which
+        /// Whether a frame uses the variant of `pass` of the shader file `asset` whose enabled keywords among `declared` are
+        /// those for which
         /// `enabled` is true.
         /// </summary>
         internal bool Has(string asset, string pass, IReadOnlyCollection<string> declared, Predicate<string> enabled) =>

@@ -124,8 +124,9 @@ namespace Penumbra
         internal bool SamplesPenumbrae => technique.TakesSamples() && angularDiameterDegrees > 0.0f;
 
         /// <summary>The conservative mask decides by the cones of PCSS's filter, of no other's.</summary>
-        internal bool MasksConservatively =>
-            mask && conservativeMask && technique == ShadowTechnique.Pcss && SamplesPenumbrae;
+        internal bool CanMaskConservatively => mask && technique == ShadowTechnique.Pcss && SamplesPenumbrae;
+
+        internal bool MasksConservatively => conservativeMask && CanMaskConservatively;
 
         internal ShadowOptions WithoutConservativeMask()
         {

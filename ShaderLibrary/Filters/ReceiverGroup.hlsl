@@ -21,7 +21,6 @@
 struct ReceiverGroup
 {
     QuadReceiver first; // the planes of the others are measured from its plane
-    float count;
     float spread;       // farthest receiver from the first
     float2 depths;      // x: nearest to the light, y: farthest
     float planeError;   // of the first plane at the other receivers
@@ -32,7 +31,6 @@ ReceiverGroup GroupOf(QuadReceiver receiver)
 {
     ReceiverGroup group;
     group.first = receiver;
-    group.count = 1.0;
     group.spread = 0.0;
     group.depths = float2(receiver.depth, receiver.depth);
     group.planeError = 0.0;
@@ -52,7 +50,6 @@ ReceiverGroup JoinGroup(ReceiverGroup group, QuadReceiver receiver)
     const float2 tilt = abs(receiver.gradient - group.first.gradient);
     const float plane = group.first.depth + dot(group.first.gradient, away);
     ReceiverGroup joined = group;
-    joined.count = group.count + 1.0;
     joined.spread = max(group.spread, length(away));
     joined.depths = JoinRanges(group.depths, float2(receiver.depth, receiver.depth));
     const float rounding = kPlanesRounding * (abs(receiver.depth) + PlaneTerms(group.first, away));

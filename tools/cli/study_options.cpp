@@ -284,13 +284,6 @@ std::vector<scene::CascadeBlend> chosen_cascade_blends(const StudyOptions& optio
   return blends;
 }
 
-std::vector<double> chosen_map_ages(const StudyOptions& options) {
-  std::vector<double> ages;
-  for (const double age : options.map_ages)
-    if (std::find(ages.begin(), ages.end(), age) == ages.end()) ages.push_back(age);
-  return ages;
-}
-
 parameters::CasterBias chosen_bias(const StudyOptions& options, parameters::CasterBias own) {
   own.depth = options.depth_bias.value_or(own.depth);
   own.normal = options.normal_bias.value_or(own.normal);

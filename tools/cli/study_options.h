@@ -74,7 +74,6 @@ std::vector<resolve::Adapter> chosen_adapters(const StudyOptions& options);
 // Without repetitions.
 std::vector<parameters::LightFit> chosen_light_fits(const StudyOptions& options);
 std::vector<scene::CascadeBlend> chosen_cascade_blends(const StudyOptions& options);
-std::vector<double> chosen_map_ages(const StudyOptions& options);
 // The requested bias, or else the subject's own.
 parameters::CasterBias chosen_bias(const StudyOptions& options, parameters::CasterBias own);
 

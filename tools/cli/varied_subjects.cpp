@@ -255,7 +255,8 @@ std::vector<study::Subject> varied_subjects(const StudyOptions& options, const V
     }
   }
   const std::vector<parameters::LightFit> fits = chosen_light_fits(options);
-  const std::vector<double> ages = chosen_map_ages(options);
+  std::vector<double> ages = options.map_ages;
+  drop_repetitions(ages);
   if (light == techniques::LightKind::spot) require_no_cascades(options);
   subjects = with_cascades(subjects, cascade_choices(fits, chosen_cascade_blends(options), ages));
   std::vector<study::Subject> of_adapters;
