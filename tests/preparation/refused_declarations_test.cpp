@@ -163,6 +163,10 @@ TEST(Arrays, HaveASize) {
   EXPECT_THAT(refused_in("float a[-2], b[0];"),
               ElementsAre("3: the array 'a' has a negative size",
                           "3: the array 'b' has 0 elements: it needs at least one"));
+  EXPECT_THAT(
+      refused_in("int v[2], i; for (i = 0; i < 2 && (bool)(i > v[0]); ++i) {} while (i < 2 > v[0]) {}"),
+      IsEmpty())
+      << "two comparisons, no declaration of an array of no elements";
   for (const char* large : {"65537", "0x10001", "70000u", "99999999999999999999"})
     EXPECT_THAT(
         refused("static float a[2][" + std::string(large) + "];"),

@@ -35,6 +35,15 @@ TEST(ValueTypes, InnerNamesHideOuterOnesUntilTheirBlockEnds) {
             (Types{"float", "half", "bool", "half", "float", "?"}));
 }
 
+TEST(ValueTypes, TwoComparisonsDeclareNothing) {
+  EXPECT_EQ(types_before_marks("float v[2]; void f(int a) { for (; a < 2 && (bool)(a > v[0]);) {} v@;"
+                               "while (a < 2 > v[0]) {} v@; if (n < 2 || n > v[0]) {} v@; }"),
+            (Types{"float[]", "float[]", "float[]"}));
+  EXPECT_EQ(
+      types_before_marks("void f() { vector<float, 3> v[2]; v@; Texture2DMS<vector<float, 4>, 8> t; t@; }"),
+      (Types{"vector[]", "Texture2DMS"}));
+}
+
 TEST(ValueTypes, ChainsAreFollowed) {
   EXPECT_EQ(
       types_before_marks(

@@ -57,6 +57,9 @@ std::size_t after_template(const TokenText& text, std::size_t at, std::size_t en
   if (!text.is(at, "<")) return at;
   int depth = 0;
   for (std::size_t i = at; i < std::min(end, at + longest_template); ++i) {
+    const bool argument =
+        text.is_identifier(i) || text.is(i, ",") || text[i].kind == hlsl::Token::Kind::number;
+    if (!argument && !text.is(i, "<") && !text.is(i, ">")) return at;  // a comparison
     depth += text.is(i, "<") ? 1 : text.is(i, ">") ? -1 : 0;
     if (depth == 0) return i + 1;
   }

@@ -232,7 +232,9 @@ class ValueTypesReader {
     if (is_modifier(word(at)) || is_statement_word(word(at))) return;
     const std::size_t name = after_template(text_, at + 1, text_.size());
     if (!text_.is_identifier(name) || is_statement_word(word(name))) return;
-    if (text_.is(name + 1, "(") && name > at + 1) return;  // a < b > c(
+    const bool is_template = name > at + 1;
+    if (is_template && text_.is(name + 1, "(")) return;                        // a < b > c(
+    if (is_template && visible_[text_.identifier_number(at)] != npos) return;  // two comparisons
     std::size_t first = at;
     while (first > 0 && text_.is_identifier(first - 1) && is_modifier(word(first - 1))) --first;
     std::size_t end = name;
