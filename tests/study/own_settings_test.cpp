@@ -17,15 +17,13 @@ Subject subject(const std::string& technique, const std::string& name) {
   return made;
 }
 
-StudyOutcome outcome(const std::vector<Subject>& subjects, double degrees, scene::RasterBias raster = {},
-                     bool split = false) {
+StudyOutcome outcome(const std::vector<Subject>& subjects, double degrees, bool split = false) {
   const reference::ScratchFolder cache;
   StudySettings settings;
   settings.scenes = {scene::built_in("contact-boxes")};
   settings.light_degrees = {degrees};
   settings.frame.width = 96;
   settings.frame.height = 54;
-  settings.frame.raster_bias = raster;
   settings.frame.shadows.cascades = 4;
   settings.frame.shadows.resolution = 1024;
   settings.reference_samples = 64;
@@ -40,6 +38,10 @@ TEST(OwnSettings, TheListSaysTheBiasOfEachTechnique) {
   EXPECT_EQ(subject("tent-7", "a").bias, (parameters::CasterBias{1.0, 1.0, parameters::SoftQuality::high}));
   EXPECT_EQ(subject("preset-high", "a").bias,
             (parameters::CasterBias{1.0, 0.0, parameters::SoftQuality::medium}));
+  EXPECT_EQ(subject("preset-high", "a").raster_bias, scene::kUnityRasterBias);
+  techniques::Technique own = library_techniques().find("tent-7");
+  own.bias.slope = 0.5;
+  EXPECT_EQ(technique_subject(library_techniques(), own, true).raster_bias, (scene::RasterBias{1.0, 0.5}));
 }
 
 TEST(OwnSettings, ALightOfTheOtherKindIsRefusedBeforeAnyWork) {
@@ -139,7 +141,7 @@ TEST(OwnSettings, SubjectsOfOneRunHaveTheirOwnCasters) {
 TEST(OwnSettings, ASubjectThatIsToldHalfTheDiameterMakesHalfThePenumbra) {
   Subject half = subject("pcss-angular-24-16", "half");
   half.light_scale = 0.5;
-  const StudyOutcome of = outcome({half, subject("pcss-angular-24-16", "whole")}, 5.0, {}, true);
+  const StudyOutcome of = outcome({half, subject("pcss-angular-24-16", "whole")}, 5.0, true);
   EXPECT_EQ(of.records[0].settings.light_scale, 0.5);
   EXPECT_EQ(of.records[0].light_degrees, 5.0) << "the light stays what it is";
   EXPECT_EQ(of.pictures[0].reference, of.pictures[1].reference);
@@ -152,8 +154,12 @@ TEST(OwnSettings, ASubjectThatIsToldHalfTheDiameterMakesHalfThePenumbra) {
 TEST(OwnSettings, TheRasterisersBiasLiftsTheGroundsShadowOffItself) {
   Subject bare = subject("hard", "bare");
   bare.bias = {0.0, 0.0, parameters::SoftQuality::off};
-  const Record without = outcome({bare}, 2.0).records[0];
-  const Record with = outcome({bare}, 2.0, scene::kUnityRasterBias).records[0];
+  Subject biased = bare;
+  biased.name = "biased";
+  bare.raster_bias = {};
+  const StudyOutcome both = outcome({bare, biased}, 2.0);
+  const Record& without = both.records[0];
+  const Record& with = both.records[1];
   EXPECT_EQ(without.settings.slope_bias, 0.0);
   EXPECT_EQ(with.settings.slope_bias, 2.5);
   EXPECT_GT(*without.metrics.false_shadow_rate, 0.1);

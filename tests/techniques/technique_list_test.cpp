@@ -75,6 +75,12 @@ TEST_F(TechniqueListTest, ATechniqueSaysTheBiasItShouldHave) {
   const std::string text =
       with(R"("values")", R"("bias": {"depth": 1, "normal": 0.5, "soft_quality": "high"}, "values")");
   EXPECT_EQ(read(text).techniques[0].bias, (TechniqueBias{1.0, 0.5, "high"}));
+  EXPECT_EQ(read(with(R"("values")", R"("bias": {"depth": 0, "normal": 0, "slope": 0.5}, "values")"))
+                .techniques[0]
+                .bias,
+            (TechniqueBias{0.0, 0.0, "medium", 0.5}));
+  EXPECT_THAT(problem(R"("values")", R"("bias": {"depth": 1, "normal": 0, "slope": -1}, "values")"),
+              HasSubstr("'slope' must be a number from 0 to 10"));
   EXPECT_THAT(problem(R"("values")", R"("bias": {"depth": 1}, "values")"),
               HasSubstr("'normal' must be a number"));
   EXPECT_THAT(problem(R"("values")", R"("bias": {"depth": 11, "normal": 0}, "values")"),
@@ -84,6 +90,17 @@ TEST_F(TechniqueListTest, ATechniqueSaysTheBiasItShouldHave) {
   EXPECT_THAT(
       problem(R"("values")", R"("bias": {"depth": 1, "normal": 0, "soft_quality": "hihg"}, "values")"),
       HasSubstr("did you mean 'high'?"));
+}
+
+TEST_F(TechniqueListTest, ATechniqueSaysWhomItIsFor) {
+  EXPECT_EQ(read(good).techniques[0].use_when, "");
+  const Technique technique =
+      read(with(R"("values")", R"("use_when": "few fetches", "not_when": "wide discs", "values")"))
+          .techniques[0];
+  EXPECT_EQ(technique.use_when, "few fetches");
+  EXPECT_EQ(technique.not_when, "wide discs");
+  EXPECT_THAT(problem(R"("values")", R"("use_when": "two\u000alines", "values")"), HasSubstr("use_when"));
+  EXPECT_THAT(problem(R"("values")", R"("not_when": "", "values")"), HasSubstr("not_when"));
 }
 
 TEST_F(TechniqueListTest, ATechniqueSaysWhichLightsItIsFor) {

@@ -142,8 +142,9 @@ void add_light_and_map_options(CLI::App& command, StudyOptions& options) {
       ->check(one_of({"off", "low", "medium", "high"}))
       ->default_str(kOwn);
   add("--slope-bias", options.slope_bias, "BIAS",
-      "Slope-scaled depth bias of the rasteriser when it draws the casters")
-      ->check(within(0.0, 100.0));
+      "Slope-scaled depth bias of the rasteriser when it draws the casters, for all techniques")
+      ->check(within(0.0, 100.0))
+      ->default_str(kOwn);
   add("--reversed-z", options.reversed_z, "BOOL", "Whether depth is reversed: 1 near the light")
       ->check(one_of({"true", "false"}))
       ->default_str("true");
@@ -261,7 +262,6 @@ scene::FrameSettings frame_settings(const StudyOptions& options) {
   settings.format = depth_format(options.map_format);
   settings.shadows.resolution = options.map_size;
   settings.shadows.cascades = options.cascades;
-  settings.raster_bias = {scene::kUnityRasterBias.constant, options.slope_bias};
   settings.shadows.reversed_z = options.reversed_z;
   return settings;
 }
@@ -284,11 +284,11 @@ std::vector<scene::CascadeBlend> chosen_cascade_blends(const StudyOptions& optio
   return blends;
 }
 
-parameters::CasterBias chosen_bias(const StudyOptions& options, parameters::CasterBias own) {
-  own.depth = options.depth_bias.value_or(own.depth);
-  own.normal = options.normal_bias.value_or(own.normal);
-  if (options.soft_quality) own.soft_quality = parameters::soft_quality_named(*options.soft_quality);
-  return own;
+void choose_bias(const StudyOptions& options, study::Subject& subject) {
+  subject.bias.depth = options.depth_bias.value_or(subject.bias.depth);
+  subject.bias.normal = options.normal_bias.value_or(subject.bias.normal);
+  if (options.soft_quality) subject.bias.soft_quality = parameters::soft_quality_named(*options.soft_quality);
+  subject.raster_bias.slope = options.slope_bias.value_or(subject.raster_bias.slope);
 }
 
 // Those given by hand, then those of the project that are not.

@@ -33,10 +33,10 @@ struct StudyOptions {
   int map_size = 2048;
   int cascades = 4;
   std::string map_format = "d32";
-  std::optional<double> depth_bias;  // these three: absent, each subject's own
+  std::optional<double> depth_bias;  // these four: absent, each subject's own
   std::optional<double> normal_bias;
   std::optional<std::string> soft_quality;
-  double slope_bias = scene::kUnityRasterBias.slope;
+  std::optional<double> slope_bias;
   bool reversed_z = true;
   std::vector<std::string> light_fits{"sphere"};    // parameters::name_of; several are tried one by one
   std::vector<std::string> cascade_blends{"none"};  // or dither, mix; several are tried one by one
@@ -74,8 +74,8 @@ std::vector<resolve::Adapter> chosen_adapters(const StudyOptions& options);
 // Without repetitions.
 std::vector<parameters::LightFit> chosen_light_fits(const StudyOptions& options);
 std::vector<scene::CascadeBlend> chosen_cascade_blends(const StudyOptions& options);
-// The requested bias, or else the subject's own.
-parameters::CasterBias chosen_bias(const StudyOptions& options, parameters::CasterBias own);
+// The requested biases instead of the subject's own.
+void choose_bias(const StudyOptions& options, study::Subject& subject);
 
 gpu::Device open_device(const StudyOptions& options);
 

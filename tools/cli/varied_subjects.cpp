@@ -244,7 +244,7 @@ std::vector<study::Subject> varied_subjects(const StudyOptions& options, const V
         technique = techniques::with_value(list, std::move(technique), setting.parameter, setting.value);
       }
       study::Subject subject = study::technique_subject(list, technique, reversed_z, light);
-      subject.bias = chosen_bias(options, subject.bias);
+      choose_bias(options, subject);
       subject.name = joined(name, text_of(combination));
       const std::string title = study::short_title(name, subject.title);
       if (!combination.empty()) subject.title = joined(title, text_of(combination));
@@ -262,7 +262,7 @@ std::vector<study::Subject> varied_subjects(const StudyOptions& options, const V
   std::vector<study::Subject> of_adapters;
   for (const resolve::Adapter& adapter : adapters) {
     study::Subject subject = study::adapter_subject(adapter, reversed_z);
-    subject.bias = chosen_bias(options, subject.bias);
+    choose_bias(options, subject);
     if (varied.captions)
       add_captioned(of_adapters, subject, frames, alone, study::short_title(adapter.name, subject.title), "");
     else

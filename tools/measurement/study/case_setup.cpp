@@ -111,6 +111,7 @@ scene::FrameSettings CaseBuilder::frame_settings(const CaseSetup& setup, const F
   frame.shadows.depth_bias = request.bias.depth;
   frame.shadows.normal_bias = request.bias.normal;
   frame.shadows.soft_quality = request.bias.soft_quality;
+  frame.raster_bias = request.raster_bias;
   frame.cascade_choices = request.cascade_choices;
   return frame;
 }
@@ -133,8 +134,11 @@ reference::VisibilityImage CaseBuilder::same_map_estimate(const CaseSetup& setup
                                                           scene::Rasteriser& rasteriser,
                                                           const View& view) const {
   std::optional<scene::Frame> own;
-  if (view.request.light_scale != 1.0)
-    own = rasteriser.frame(frame_settings(setup, {view.request.bias, 1.0, view.request.cascade_choices}));
+  if (view.request.light_scale != 1.0) {
+    FrameRequest actual = view.request;
+    actual.light_scale = 1.0;
+    own = rasteriser.frame(frame_settings(setup, actual));
+  }
   const scene::Frame& frame = own ? *own : view.frame;
   return reference::same_map_estimate({frame.atlas, frame.cascades, frame.receivers, setup.scene.origin},
                                       run_options("same-map estimate, " + setup.label(), " points"), &cache_);

@@ -25,14 +25,15 @@ struct FrameOfCase {
   std::optional<resolve::CameraImage> camera;
 };
 
-// What a subject runs with: the casters' bias, the light and the cascades.
+// What a subject runs with: the casters' biases, the light and the cascades.
 struct FrameRequest {
   parameters::CasterBias bias;
+  scene::RasterBias raster_bias = scene::kUnityRasterBias;
   double light_scale = 1.0;
   scene::CascadeChoices cascade_choices{};
 
   static FrameRequest of(const Subject& subject) {
-    return {subject.bias, subject.light_scale, subject.cascade_choices};
+    return {subject.bias, subject.raster_bias, subject.light_scale, subject.cascade_choices};
   }
   bool operator==(const FrameRequest&) const = default;
 };

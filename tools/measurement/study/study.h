@@ -36,7 +36,8 @@ struct Subject {
   std::vector<techniques::CascadeRule> cascades{};  // of the technique
   resolve::ShadowGraph graph;
   parameters::CasterBias bias{};  // with which its casters are drawn
-  double light_scale = 1.0;       // the diameter that it is given, divided by the light's
+  scene::RasterBias raster_bias = scene::kUnityRasterBias;
+  double light_scale = 1.0;  // the diameter that it is given, divided by the light's
   scene::CascadeChoices cascade_choices{};
   std::optional<resolve::ShadowGraph> unlimited{};  // absent: the subject takes no samples and is its own T3
   // The number of frames with different noise whose mean is the subject's result: what temporal antialiasing
@@ -64,7 +65,7 @@ struct StudySettings {
   std::vector<scene::Scene> scenes;
   // Angular diameters; of a spot light its source's, seen from one metre: the radius is tan(a / 2) metres.
   std::vector<double> light_degrees;
-  // The light, the shadow distance and the casters' bias are set per scene, light and subject.
+  // The light, the shadow distance and both biases of the casters are set per scene, light and subject.
   scene::FrameSettings frame;
   // The minimum number of penumbra pixels in T1 of each scene and light; the picture grows from frame.width x
   // frame.height, by steps that about double its area up to sixteen times each way and 3840 x 2160, until it

@@ -20,6 +20,7 @@ Subject technique_subject(const techniques::TechniqueList& list, const technique
   subject.cascades = technique.cascades;
   subject.bias = {technique.bias.depth, technique.bias.normal,
                   parameters::soft_quality_named(technique.bias.soft_quality)};
+  subject.raster_bias.slope = technique.bias.slope;
   subject.graph = resolve::technique_graph(list, technique, resolve::Taps::as_listed, reversed_z, light);
   if (technique.is_sampled()) {
     subject.unlimited =

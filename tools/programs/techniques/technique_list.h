@@ -21,6 +21,7 @@ struct TechniqueBias {
   double depth = 1.0;  // URP's settings of the casters
   double normal = 0.0;
   std::string soft_quality = "medium";  // off, low, medium or high: what scales both
+  double slope = 2.5;                   // the rasteriser's slope-scaled depth bias; URP's by default
 
   bool operator==(const TechniqueBias&) const = default;
 };
@@ -43,11 +44,13 @@ enum class LightKind { directional, spot };
 const char* name_of(LightKind kind);  // as manifests write it
 
 struct Technique {
-  std::string name;    // for example pcss-angular-24-16
-  std::string title;   // for tables
-  std::string family;  // techniques of one family differ in parameters alone
-  std::string source;  // paper, year
-  TechniqueBias bias;  // the casters' that it should have, and is measured at
+  std::string name;      // for example pcss-angular-24-16
+  std::string title;     // for tables
+  std::string family;    // techniques of one family differ in parameters alone
+  std::string source;    // paper, year
+  std::string use_when;  // one line each, may be empty: whom its figures recommend it to
+  std::string not_when;  // and whom not
+  TechniqueBias bias;    // the casters' that it should have, and is measured at
   std::vector<LightKind> lights{LightKind::directional};  // that it is for
   PassGraph graph;
   std::map<std::string, std::vector<double>> values;   // parameter values by field

@@ -15,10 +15,14 @@ namespace {
 const std::vector<std::string> soft_qualities = {"off", "low", "medium", "high"};
 const std::vector<std::string> target_names = {"spirv", "essl310", "glsl450", "msl23", "hlsl50"};
 
-double read_bias_setting(JsonObject& bias, const std::string& key) {
-  const double value = bias.number(key, -1.0);
+double read_bias_setting(JsonObject& bias, const std::string& key, double otherwise = -1.0) {
+  const double value = bias.number(key, otherwise);
   if (value < 0.0 || value > 10.0) bias.fail(key, "'" + key + "' must be a number from 0 to 10");
   return value;
+}
+
+std::string optional_line(JsonObject& object, const std::string& key) {
+  return object.has(key) ? required_line(object, key) : "";
 }
 
 TechniqueBias read_bias(JsonObject object) {
@@ -27,6 +31,7 @@ TechniqueBias read_bias(JsonObject object) {
   bias.normal = read_bias_setting(object, "normal");
   bias.soft_quality = object.text("soft_quality", bias.soft_quality);
   require_known(object, "soft_quality", "soft quality", bias.soft_quality, soft_qualities);
+  bias.slope = read_bias_setting(object, "slope", bias.slope);
   object.finish();
   return bias;
 }
@@ -52,8 +57,8 @@ class TechniqueReader {
         graphs_(std::move(graphs)),
         defaults_(JsonObject(document_).object("defaults")),
         shared_values_(defaults_.object("values")) {
-    for (const char* key : {"family", "source", "bias", "lights", "graph", "filter", "keywords", "unlimited",
-                            "keyword_sets", "targets_absent"})
+    for (const char* key : {"family", "source", "use_when", "not_when", "bias", "lights", "graph", "filter",
+                            "keywords", "unlimited", "keyword_sets", "targets_absent"})
       defaults_.has(key);
     defaults_.finish();
   }
@@ -71,6 +76,8 @@ class TechniqueReader {
     technique.title = required_line(object, "title");
     technique.family = required_line(of("family"), "family");
     technique.source = required_line(of("source"), "source");
+    technique.use_when = optional_line(of("use_when"), "use_when");
+    technique.not_when = optional_line(of("not_when"), "not_when");
     if (of("bias").has("bias")) technique.bias = read_bias(of("bias").object("bias"));
     if (object.has("graph") && object.has("filter"))
       object.fail("graph", "'" + technique.name + "' has both a graph and a filter", "give one of the two");
