@@ -1,6 +1,7 @@
 #include "platform/atomic_file.h"
 
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -52,6 +53,20 @@ TEST_F(AtomicFile, RefusesAFolderAndAMissingParentByName) {
   expect_input_error([&] { write_file_atomically(folder_ / "no" / "f", std::string_view("x")); },
                      HasSubstr("No such file or directory"));
   EXPECT_EQ(entries(), 1u);
+}
+
+// Whoever can write into the folder could know a name made of the process's number beforehand.
+TEST_F(AtomicFile, WhatLiesUnderTheNameOfATemporaryFileIsNotTouched) {
+  std::ofstream(folder_ / "victim") << "precious";
+  const std::string process = std::to_string(::getpid());
+  std::filesystem::create_symlink("victim", folder_ / (".f." + process + ".part"));
+  ASSERT_EQ(::mkfifo((folder_ / (".g." + process + ".part")).c_str(), 0600), 0);
+  check_file_can_be_written(folder_ / "f");
+  for (const char* name : {"f", "g"}) write_file_atomically(folder_ / name, std::string_view("new"));
+  EXPECT_EQ(read(folder_ / "victim"), "precious");
+  EXPECT_EQ(read(folder_ / "f"), "new");
+  EXPECT_TRUE(std::filesystem::is_regular_file(folder_ / "g"));
+  EXPECT_EQ(entries(), 5u) << "victim, f, g, the link and the pipe";
 }
 
 // A rename would put a file in its place: -o /dev/null must leave the device there.

@@ -75,6 +75,16 @@ TEST(CacheStore, ATruncatedEntryIsFoundAndWrittenAgain) {
   EXPECT_EQ(cache.find("compile", key), "the answer");
 }
 
+TEST(CacheStore, AnEntryThatIsTooLargeIsNotRead) {
+  const ScratchFolder files;
+  CacheStore cache(files.path() / "cache");
+  cache.store("compile", key, "the answer");
+  fs::resize_file(cache.file("compile", key), std::uintmax_t{100} << 30U);  // takes no space
+  EXPECT_EQ(cache.find("compile", key), std::nullopt);
+  cache.store("compile", key, "the answer");
+  EXPECT_EQ(cache.find("compile", key), "the answer");
+}
+
 TEST(CacheStore, OneWrongBitIsFound) {
   const ScratchFolder files;
   CacheStore cache(files.path() / "cache");

@@ -1,16 +1,19 @@
 #include "platform/atomic_file.h"
 
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <random>
 #include <string>
+#include <system_error>
+#include <utility>
 
 #include "input/input_error.h"
 #include "platform/interrupt.h"
 
 #ifdef _WIN32
 #include <io.h>
-#include <process.h>
 #else
 #include <fcntl.h>
 #include <unistd.h>
@@ -20,25 +23,16 @@ namespace penumbra::platform {
 namespace {
 
 #ifdef _WIN32
-int process_id() {
-  return _getpid();
-}
 bool flush_to_disk(std::FILE* stream) {
   return std::fflush(stream) == 0 && _commit(_fileno(stream)) == 0;
 }
 #else
-int process_id() {
-  return static_cast<int>(::getpid());
-}
 bool flush_to_disk(std::FILE* stream) {
   return std::fflush(stream) == 0 && ::fsync(fileno(stream)) == 0;
 }
 #endif
 
-[[noreturn]] void fail(const std::filesystem::path& file, const std::filesystem::path& temporary,
-                       int reason) {
-  std::error_code ignored;
-  std::filesystem::remove(temporary, ignored);
+[[noreturn]] void fail(const std::filesystem::path& file, int reason) {
   const bool full = reason == ENOSPC;
   throw InputError(file.string(), std::string("cannot be written: ") + std::strerror(reason),
                    full ? "free some space or choose another folder; nothing was changed"
@@ -48,59 +42,91 @@ bool flush_to_disk(std::FILE* stream) {
 // A device or a pipe stores no content that could be lost; a rename would replace it by a file.
 void write_straight(const std::filesystem::path& file, std::string_view content) {
   std::FILE* stream = std::fopen(file.string().c_str(), "wb");
-  if (stream == nullptr) fail(file, {}, errno);
+  if (stream == nullptr) fail(file, errno);
   errno = 0;
   const bool written = std::fwrite(content.data(), 1, content.size(), stream) == content.size();
   const int reason = errno;
   const bool closed = std::fclose(stream) == 0;
-  if (!written || !closed) fail(file, {}, reason != 0 ? reason : errno);
+  if (!written || !closed) fail(file, reason != 0 ? reason : errno);
 }
 
-std::filesystem::path temporary_beside(const std::filesystem::path& file) {
-  return file.parent_path() / ("." + file.filename().string() + "." + std::to_string(process_id()) + ".part");
-}
+// Nobody can put a link or a pipe in its place beforehand: its name is random, and it must not exist.
+class Temporary {
+ public:
+  // Throws InputError, naming `named`.
+  Temporary(const std::filesystem::path& file, const std::filesystem::path& named) {
+    for (int attempt = 0; attempt < kMostAttempts && stream_ == nullptr; ++attempt) {
+      path_ = file.parent_path() / ("." + file.filename().string() + "." + random_word() + ".part");
+      stream_ = std::fopen(path_.string().c_str(), "wbx");
+      if (stream_ == nullptr && errno != EEXIST) break;
+    }
+    if (stream_ == nullptr) fail(named, errno);
+  }
+  ~Temporary() {
+    close();
+    std::error_code ignored;
+    if (!renamed_) std::filesystem::remove(path_, ignored);
+  }
+  Temporary(const Temporary&) = delete;
+  Temporary& operator=(const Temporary&) = delete;
 
-void try_to_write(const std::filesystem::path& temporary, const std::filesystem::path& named) {
+  std::FILE* stream() { return stream_; }
+  bool close() {
+    std::FILE* stream = std::exchange(stream_, nullptr);
+    return stream == nullptr || std::fclose(stream) == 0;
+  }
+  std::error_code rename(const std::filesystem::path& file) {
+    std::error_code error;
+    std::filesystem::rename(path_, file, error);
+    renamed_ = !error;
+    return error;
+  }
+
+ private:
+  static constexpr int kMostAttempts = 16;
+
+  static std::string random_word() {
+    std::random_device random;
+    return std::to_string((static_cast<std::uint64_t>(random()) << 32U) | random());
+  }
+
+  std::filesystem::path path_;
+  std::FILE* stream_ = nullptr;
+  bool renamed_ = false;
+};
+
+void try_to_write(const std::filesystem::path& file, const std::filesystem::path& named) {
   const FileWrite writing;
-  std::FILE* stream = std::fopen(temporary.string().c_str(), "wb");
-  if (stream == nullptr) fail(named, temporary, errno);
-  std::fclose(stream);
-  std::error_code ignored;
-  std::filesystem::remove(temporary, ignored);
+  const Temporary temporary(file, named);
 }
 
 }  // namespace
 
 void check_file_can_be_written(const std::filesystem::path& file) {
-  const std::filesystem::path temporary = temporary_beside(file);
   std::error_code status;
-  if (std::filesystem::is_directory(file, status)) fail(file, temporary, EISDIR);
+  if (std::filesystem::is_directory(file, status)) fail(file, EISDIR);
   if (std::filesystem::exists(file, status) && !std::filesystem::is_regular_file(file, status)) return;
-  try_to_write(temporary, file);
+  try_to_write(file, file);
 }
 
 void check_folder_can_be_written(const std::filesystem::path& folder, const std::filesystem::path& named) {
-  try_to_write(temporary_beside(folder / "penumbra-output"), named);
+  try_to_write(folder / "penumbra-output", named);
 }
 
 void write_file_atomically(const std::filesystem::path& file, std::string_view content) {
-  const std::filesystem::path temporary = temporary_beside(file);
   std::error_code status;
-  if (std::filesystem::is_directory(file, status)) fail(file, temporary, EISDIR);
+  if (std::filesystem::is_directory(file, status)) fail(file, EISDIR);
   if (std::filesystem::exists(file, status) && !std::filesystem::is_regular_file(file, status))
     return write_straight(file, content);
   const FileWrite writing;
-  std::FILE* stream = std::fopen(temporary.string().c_str(), "wb");
-  if (stream == nullptr) fail(file, temporary, errno);
+  Temporary temporary(file, file);
   errno = 0;
-  const bool written =
-      std::fwrite(content.data(), 1, content.size(), stream) == content.size() && flush_to_disk(stream);
+  const bool written = std::fwrite(content.data(), 1, content.size(), temporary.stream()) == content.size() &&
+                       flush_to_disk(temporary.stream());
   const int reason = errno;
-  const bool closed = std::fclose(stream) == 0;
-  if (!written || !closed) fail(file, temporary, reason != 0 ? reason : errno);
-  std::error_code error;
-  std::filesystem::rename(temporary, file, error);
-  if (error) fail(file, temporary, error.value());
+  const bool closed = temporary.close();
+  if (!written || !closed) fail(file, reason != 0 ? reason : errno);
+  if (const std::error_code error = temporary.rename(file)) fail(file, error.value());
 }
 
 void write_file_atomically(const std::filesystem::path& file, std::span<const std::byte> content) {

@@ -31,10 +31,15 @@ std::string hash_of(std::string_view content) {
   return ContentHash().update(content).hex();
 }
 
-// A folder or a pipe in an entry's place counts as absent.
+// No entry is larger: a module, sources or a picture of a reference.
+constexpr std::uintmax_t largest_entry = std::uintmax_t{1} << 28U;
+
+// A folder or a pipe in an entry's place, and a file that is too large for one, count as absent.
 std::optional<std::string> read_file(const fs::path& file) {
   std::error_code ignored;
   if (!fs::is_regular_file(file, ignored)) return std::nullopt;
+  const std::uintmax_t size = fs::file_size(file, ignored);
+  if (ignored || size > largest_entry) return std::nullopt;
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return std::nullopt;
   stream.seekg(0, std::ios::end);

@@ -11,7 +11,7 @@ class Interrupted : public std::exception {
 };
 
 inline constexpr const char* interrupted_message =
-    "interrupted; finished work is kept, and the same command continues from there";
+    "interrupted; the same command continues with what is in the cache";
 
 // SIGINT and SIGTERM set the flag. Code that does not poll it, such as a long dispatch on the CPU, is ended
 // after two seconds; another signal, a second or more after the first, ends the program immediately. The exit
