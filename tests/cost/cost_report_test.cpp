@@ -56,6 +56,27 @@ TEST(CostReport, ABadFileIsNamedWithItsPlace) {
                      HasSubstr("instructoins"));
 }
 
+// A file of figures may come from anywhere.
+TEST(CostReport, NothingOfAReportReachesTheTerminalAsItIs) {
+  const std::string hostile = "\x1b[31m\n::error ::a";
+  CostReport report = made_up::report();
+  report.driver = hostile;
+  for (RadvFamily& family : report.families) family.device = family.driver = hostile;
+  report.families[0].name = hostile;
+  for (CostRow& row : report.rows) {
+    if (row.family == "old") row.family = hostile;
+    row.file = row.entry = hostile;
+    row.variants = {{"", {hostile}}};
+  }
+  report.rows[3].variants = {{hostile, {}}, {hostile + "b", {}}};
+  report.rows[1].measured.failure = hostile;
+  for (const std::string& text : {cost_table(report), cost_csv(report)}) {
+    EXPECT_THAT(text, Not(HasSubstr("\x1b")));
+    EXPECT_THAT(text, Not(HasSubstr("\n::error")));
+    EXPECT_THAT(text, HasSubstr("\\x1B[31m\\n::error ::a"));
+  }
+}
+
 TEST(CostReport, NamesSayWhatSharesAModule) {
   const CostReport report = made_up::report();
   EXPECT_EQ(row_name(report.rows[0]), "hard");

@@ -11,8 +11,24 @@ TEST(VisibleText, PlainTextStays) {
   EXPECT_EQ(visible("Wood \xC3\xA9t\xC3\xA9 \xE2\x80\xA6 \\ ~ \xF0\x9F\x8C\xB3"),
             "Wood \xC3\xA9t\xC3\xA9 \xE2\x80\xA6 \\ ~ \xF0\x9F\x8C\xB3");
   EXPECT_EQ(visible(""), "");
-  EXPECT_EQ(visible("\xC2\xA0\xFF\xE2\x80"), "\xC2\xA0\xFF\xE2\x80")
-      << "no-break space; bytes that are no UTF-8";
+  EXPECT_EQ(visible("\xC2\xA0"), "\xC2\xA0") << "no-break space";
+  EXPECT_EQ(visible("a::b #[c] # #[d"), "a::b #[c] # #[d");
+}
+
+TEST(VisibleText, BytesThatAreNoUtf8AreEscapes) {
+  EXPECT_EQ(visible("\xFFx\x9B"
+                    "31m\xE2\x80"),
+            "\\xFFx\\x9B31m\\xE2\\x80");
+  EXPECT_EQ(visible("\xC0\x80\xE0\x9F\xBF\xED\xA0\x80\xF4\x90\x80\x80"),
+            "\\xC0\\x80\\xE0\\x9F\\xBF\\xED\\xA0\\x80\\xF4\\x90\\x80\\x80")
+      << "overlong, surrogate, beyond the last character";
+}
+
+TEST(VisibleText, CommandsToGithubAreEscapes) {
+  EXPECT_EQ(visible("::error ::x"), "\\x3A:error ::x");
+  EXPECT_EQ(visible_line("  \t::error ::x"), "  \t\\x3A:error ::x") << "it trims lines";
+  EXPECT_EQ(visible_lines("a\n ::b"), "a\n \\x3A:b");
+  EXPECT_EQ(visible("x ##[error]y"), "x ##\\x5Berror]y");
 }
 
 TEST(VisibleText, ControlCharactersAreEscapes) {
@@ -30,8 +46,10 @@ TEST(VisibleText, TheDirectionOfReadingDoesNotTurn) {
   EXPECT_EQ(visible("a\xE2\x80\xAE"
                     "b\xE2\x80\xAA\xE2\x81\xA6\xE2\x81\xA9"),
             "a\\u202Eb\\u202A\\u2066\\u2069");
-  EXPECT_EQ(visible("\xE2\x80\xA9\xE2\x80\xAF\xE2\x81\xA5\xE2\x81\xAA"),
-            "\xE2\x80\xA9\xE2\x80\xAF\xE2\x81\xA5\xE2\x81\xAA");
+  EXPECT_EQ(visible("\xD8\x9C\xE2\x80\x8E\xE2\x80\x8F\xE2\x80\xA8\xE2\x80\xA9"),
+            "\\u061C\\u200E\\u200F\\u2028\\u2029");
+  EXPECT_EQ(visible("\xE2\x80\x8D\xE2\x80\xAF\xE2\x81\xA5\xE2\x81\xAA"),
+            "\xE2\x80\x8D\xE2\x80\xAF\xE2\x81\xA5\xE2\x81\xAA");
 }
 
 TEST(VisibleText, LongTextsLoseTheirMiddle) {

@@ -77,8 +77,25 @@ TEST(GithubAnnotations, NoTextBreaksOutOfItsPlace) {
   const std::vector<Annotation> all = annotations(text);
   ASSERT_EQ(all.size(), 1u) << text;
   EXPECT_EQ(all[0].properties.at("line"), "1");
-  EXPECT_EQ(all[0].properties.at("file"), hostile);
+  EXPECT_EQ(all[0].properties.at("file"), "a,line=9::b\\r\\n::error::c %0A");
   EXPECT_THAT(all[0].message, StartsWith("a,line=9::b\\r\\n::error::c %0A"));
+}
+
+TEST(GithubAnnotations, NoFileOrRuleTurnsTheDirectionOfText) {
+  const std::string turned =
+      "a\xE2\x80\xAE\xC2\x85"
+      "b";
+  hlsl::Diagnostic error = error_at(turned, 1, 1, "no");
+  error.rule = turned;
+  ValidationReport report;
+  report.records.push_back(failed(water({}), error));
+  const Annotation annotation = annotations(report_github(report)).at(0);
+  EXPECT_EQ(annotation.properties.at("file"),
+            "a\\u202E\\x85"
+            "b");
+  EXPECT_EQ(annotation.properties.at("title"),
+            "penumbra: a\\u202E\\x85"
+            "b");
 }
 
 TEST(GithubAnnotations, ErrorsComeFirstAndNotesAboutLinesNotAtAll) {

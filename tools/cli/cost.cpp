@@ -21,6 +21,7 @@
 #include "cost/radv_worker.h"
 #include "input/input_error.h"
 #include "input/text_file.h"
+#include "input/visible_text.h"
 #include "platform/atomic_file.h"
 #include "platform/data_directory.h"
 #include "platform/terminal.h"
@@ -167,8 +168,9 @@ void compare(const CostOptions& options, const cost::CostReport& report, const c
       report, baseline, {families, options.techniques, options.files}, options.tolerance);
   if (report.driver != baseline.driver || report.compiler != baseline.compiler)
     std::fprintf(stderr, "note: %s was measured with %s and %s, this run with %s and %s\n",
-                 options.baseline.c_str(), baseline.driver.c_str(), baseline.compiler.c_str(),
-                 report.driver.c_str(), report.compiler.c_str());
+                 visible(options.baseline).c_str(), visible(baseline.driver).c_str(),
+                 visible(baseline.compiler).c_str(), visible(report.driver).c_str(),
+                 visible(report.compiler).c_str());
   if (!context.quiet || !comparison.passed())
     std::fprintf(stderr, "%s", cost::comparison_text(comparison).c_str());
   if (!comparison.passed()) context.exit_code = findings;

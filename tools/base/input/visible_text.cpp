@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
 namespace penumbra {
 namespace {
@@ -18,33 +19,66 @@ std::string hex_escape(unsigned char byte) {
   return {'\\', 'x', kDigits[byte >> 4U], kDigits[byte & 15U]};
 }
 
-// Of U+202A to U+202E and U+2066 to U+2069 the last byte; 0 for all others.
-unsigned char turns_direction(std::string_view text, std::size_t at) {
-  if (byte_at(text, at) != 0xE2) return 0;
+// Of the character that begins here: its bytes; 1 for a byte that begins none.
+std::size_t character_bytes(std::string_view text, std::size_t at) {
+  const unsigned char first = byte_at(text, at);
+  const std::size_t count = first < 0xC2 ? 1 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : first < 0xF5 ? 4 : 1;
+  if (at + count > text.size()) return 1;
+  for (std::size_t i = 1; i < count; ++i)
+    if ((byte_at(text, at + i) & 0xC0U) != 0x80) return 1;
   const unsigned char second = byte_at(text, at + 1);
-  const unsigned char third = byte_at(text, at + 2);
-  const bool embeds = second == 0x80 && third >= 0xAA && third <= 0xAE;
-  const bool isolates = second == 0x81 && third >= 0xA6 && third <= 0xA9;
-  return embeds || isolates ? third : 0;
+  const bool overlong = (first == 0xE0 && second < 0xA0) || (first == 0xF0 && second < 0x90);
+  const bool beyond = (first == 0xED && second >= 0xA0) || (first == 0xF4 && second >= 0x90);
+  return overlong || beyond ? 1 : count;
+}
+
+std::uint32_t character_at(std::string_view text, std::size_t at, std::size_t bytes) {
+  std::uint32_t character = byte_at(text, at) & (bytes == 2 ? 0x1FU : bytes == 3 ? 0x0FU : 0x07U);
+  for (std::size_t i = 1; i < bytes; ++i) character = character << 6U | (byte_at(text, at + i) & 0x3FU);
+  return character;
+}
+
+// Ends a line, or has to do with the direction in which text is read.
+bool moves_text(std::uint32_t character) {
+  return (character >= 0x202A && character <= 0x202E) || (character >= 0x2066 && character <= 0x2069) ||
+         character == 0x200E || character == 0x200F || character == 0x061C || character == 0x2028 ||
+         character == 0x2029;
+}
+
+std::string unicode_escape(std::uint32_t character) {
+  std::string text = "\\u";
+  for (int shift = 12; shift >= 0; shift -= 4)
+    text += kDigits[character >> static_cast<unsigned>(shift) & 15U];
+  return text;
+}
+
+// "::" at the begin of a line and "##[" anywhere are commands to GitHub Actions.
+bool begins_command(std::string_view text, std::size_t at) {
+  if (text[at] == '[') return at >= 2 && text[at - 1] == '#' && text[at - 2] == '#';
+  return text[at] == ':' && byte_at(text, at + 1) == ':' &&
+         text.substr(0, at).find_first_not_of(" \t") == std::string_view::npos;
 }
 
 std::string escaped(std::string_view text, bool keep_tabs) {
   std::string out;
   out.reserve(text.size());
-  for (std::size_t i = 0; i < text.size(); ++i) {
+  for (std::size_t i = 0; i < text.size();) {
     const unsigned char byte = byte_at(text, i);
+    const std::size_t bytes = character_bytes(text, i);
     if (byte == '\n' || byte == '\r' || (byte == '\t' && !keep_tabs)) {
       out += byte == '\n' ? "\\n" : byte == '\r' ? "\\r" : "\\t";
-    } else if ((byte < 0x20 && byte != '\t') || byte == 0x7F) {
+    } else if ((byte < 0x20 && byte != '\t') || byte == 0x7F || (byte >= 0x80 && bytes == 1) ||
+               begins_command(text, i)) {
       out += hex_escape(byte);
-    } else if (byte == 0xC2 && byte_at(text, i + 1) >= 0x80 && byte_at(text, i + 1) < 0xA0) {
-      out += hex_escape(byte_at(text, ++i));
-    } else if (const unsigned char last = turns_direction(text, i); last != 0) {
-      out += std::string(last >= 0xAA ? "\\u202" : "\\u206") + kDigits[last & 15U];
-      i += 2;
+    } else if (const std::uint32_t character = character_at(text, i, bytes);
+               bytes > 1 && moves_text(character)) {
+      out += unicode_escape(character);
+    } else if (bytes == 2 && character < 0xA0) {
+      out += hex_escape(static_cast<unsigned char>(character));
     } else {
-      out += static_cast<char>(byte);
+      out += text.substr(i, bytes);
     }
+    i += bytes;
   }
   return out;
 }

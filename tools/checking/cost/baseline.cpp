@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "input/input_error.h"
+#include "input/visible_text.h"
 
 namespace penumbra::cost {
 namespace {
@@ -79,8 +80,8 @@ void compare_rows(const CostRow& now, const CostRow& before, const std::string& 
 }
 
 std::string change_text(const char* kind, const BaselineChange& change) {
-  return std::string(kind) + ": " + change.row + ": " + change.figure + " " + std::to_string(change.before) +
-         " -> " + std::to_string(change.after) + "\n";
+  return std::string(kind) + ": " + visible(change.row) + ": " + change.figure + " " +
+         std::to_string(change.before) + " -> " + std::to_string(change.after) + "\n";
 }
 
 }  // namespace
@@ -122,8 +123,8 @@ std::string comparison_text(const BaselineComparison& comparison) {
   std::string text;
   for (const BaselineChange& change : comparison.worse) text += change_text("worse", change);
   for (const BaselineChange& change : comparison.better) text += change_text("better", change);
-  for (const std::string& row : comparison.unknown) text += "not in the baseline: " + row + "\n";
-  for (const std::string& row : comparison.gone) text += "only in the baseline: " + row + "\n";
+  for (const std::string& row : comparison.unknown) text += "not in the baseline: " + visible(row) + "\n";
+  for (const std::string& row : comparison.gone) text += "only in the baseline: " + visible(row) + "\n";
   return text + std::to_string(comparison.compared) + " rows compared, " +
          std::to_string(comparison.worse.size()) + " figures worse, " +
          std::to_string(comparison.better.size()) + " better, " + std::to_string(comparison.unknown.size()) +

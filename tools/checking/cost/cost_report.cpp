@@ -6,11 +6,13 @@
 #include <set>
 
 #include "cost/row_text.h"
+#include "input/visible_text.h"
 
 namespace penumbra::cost {
 namespace {
 
-std::string csv_cell(const std::string& text) {
+std::string csv_cell(const std::string& any_text) {
+  const std::string text = visible(any_text);
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
@@ -41,9 +43,9 @@ std::string shared_modules(const CostReport& report) {
   for (const CostRow& row : report.rows) {
     const std::vector<std::string> names = technique_names(row);
     if (names.size() < 2 || !said.insert(names.front()).second) continue;
-    text += names.front() + " is the same shader as";
-    for (std::size_t i = 1; i < names.size(); ++i) text += (i == 1 ? " " : ", ") + names[i];
-    text += ": they differ in uniforms\n";
+    std::string others;
+    for (std::size_t i = 1; i < names.size(); ++i) others += (i == 1 ? " " : ", ") + names[i];
+    text += visible(names.front() + " is the same shader as" + others) + ": they differ in uniforms\n";
   }
   return text;
 }
@@ -88,11 +90,13 @@ std::string cost_table(const CostReport& report) {
       if (row.measured.failure.empty()) {
         lines.push_back(column_cells(report, row));
       } else {
-        failures += "failed: " + row_name(row) + ", " + family.name + ": " + row.measured.failure + "\n";
+        failures +=
+            "failed: " + row_name(row) + ", " + visible(family.name + ": " + row.measured.failure) + "\n";
       }
     }
     if (lines.size() > 1)
-      text += family.name + ": " + family.device + ", " + family.driver + "\n" + aligned(lines) + "\n";
+      text +=
+          visible(family.name + ": " + family.device + ", " + family.driver) + "\n" + aligned(lines) + "\n";
   }
   return text + absent_figures(report) + shared_modules(report) + failures;
 }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "input/visible_text.h"
+
 namespace penumbra::cost {
 namespace {
 
@@ -50,7 +52,7 @@ std::string row_name(const CostRow& row) {
   if (names.size() > 1) name += fmt::format(" (and {} more)", names.size() - 1);
   // A technique has a row for each of its programs.
   if (!names.empty() && !row.file.ends_with(".hlsl")) name += ": " + row.entry;
-  return name + keywords_text(row);
+  return visible(name + keywords_text(row));
 }
 
 std::vector<std::string> column_heads(const CostReport& report) {

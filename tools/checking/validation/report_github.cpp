@@ -46,11 +46,11 @@ std::string annotation(const Finding& finding, const ValidationReport& report, c
                        const ReportStyle& style) {
   const hlsl::Diagnostic& diagnostic = finding.diagnostic;
   std::string text = command(diagnostic.severity);
-  text += "file=" + property(relative_file(diagnostic.file, style));
+  text += "file=" + property(visible(relative_file(diagnostic.file, style)));
   if (diagnostic.line > 0) text += ",line=" + std::to_string(diagnostic.line);
   if (diagnostic.line > 0 && diagnostic.column > 0)
     text += ",col=" + std::to_string(column_in_characters(diagnostic.source_line, diagnostic.column));
-  text += ",title=" + property("penumbra: " + finding.rule) + "::";
+  text += ",title=" + property(visible("penumbra: " + finding.rule)) + "::";
   std::string message = visible(diagnostic.message) + "\n" + program_titles(finding, report, variants);
   if (const std::string sentence = fold_sentence(fold_keywords(finding, variants)); !sentence.empty())
     message += ", " + visible(sentence);

@@ -56,7 +56,8 @@ Excerpt excerpt_of(std::string_view line, int column) {
     end = std::min(end, line.size());
   }
   std::string before = (begin > 0 ? "..." : "") + visible_line(line.substr(begin, at - begin));
-  std::string shown = before + visible_line(line.substr(at, end - at)) + (end < line.size() ? "..." : "");
+  std::string shown = (begin > 0 ? "..." : "") + visible_line(line.substr(begin, end - begin)) +
+                      (end < line.size() ? "..." : "");
   // A missing token may be after the line's end; a report from elsewhere may contain any column.
   before.append(std::min(asked - at, kLongestShown), ' ');
   return {std::move(shown), std::move(before)};
