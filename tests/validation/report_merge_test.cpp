@@ -83,7 +83,8 @@ TEST(ReportJson, OtherFilesAreRefusedAtTheirPlace) {
   EXPECT_THAT(with("\"fragment\"", "\"fragmint\""), AllOf(HasSubstr("report.json:"), HasSubstr("fragmint")));
   EXPECT_THAT(with("\"status\": \"failed\"", "\"status\": \"broken\""), HasSubstr("unknown status 'broken'"));
   EXPECT_THAT(with("\"failed\": 1", "\"failed\": 0"), HasSubstr("is not what the records count: 1"));
-  EXPECT_THAT(with("\"index\": 2", "\"index\": 4"), HasSubstr("from 1 to their count"));
+  for (const char* index : {"\"index\": 4", "\"index\": 0", "\"index\": -5"})
+    EXPECT_THAT(with("\"index\": 2", index), HasSubstr("from 1 to their count")) << index;
   EXPECT_THAT(with("\"line\": 2", "\"line\": -2"), HasSubstr("must not be negative"));
   EXPECT_THAT(with("\"module\"", "\"modul\""), HasSubstr("unknown key 'modul'"));
 }

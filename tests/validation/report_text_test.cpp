@@ -192,6 +192,20 @@ TEST(ReportText, NoTextOfAMergedReportReachesTheTerminalAsItIs) {
   }
 }
 
+// As many findings as variants and keywords: the time of each must not grow with all others' pairs.
+TEST(ReportText, ThousandsOfKeywordsWithAFindingEachAreWritten) {
+  constexpr int count = 3000;
+  ValidationReport report;
+  for (int i = 0; i < count; ++i) {
+    const std::string keyword = "K" + std::to_string(i);
+    report.records.push_back(failed(water({keyword}), error_at("a.hlsl", i + 1, 1, "no")));
+    report.minimal.push_back({report.records.back().diagnostics[0], {keyword}});
+  }
+  const std::string text = report_text(report);
+  EXPECT_THAT(text, HasSubstr("in 1 of 3000 variants: with K2999\n  enough for it: K2999\n"));
+  EXPECT_THAT(report_sarif(report), HasSubstr("in 1 of 3000 variants: with K2999"));
+}
+
 TEST(ReportText, AKeywordOfMegabytesIsCut) {
   const std::string keyword(10'000'000, 'K');
   const ValidationReport report = report_of({keyword}, [](const auto& set) { return !set.empty(); });

@@ -1,6 +1,7 @@
 #include "validation/report_findings.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <map>
 #include <set>
@@ -51,64 +52,87 @@ class Folder {
   std::vector<Finding> findings_;
 };
 
-bool has(const std::vector<std::string>& sorted, const std::string& keyword) {
-  return std::binary_search(sorted.begin(), sorted.end(), keyword);
-}
-
 // A variant of the finding's programs, and whether it has the finding.
 struct Candidate {
-  const std::vector<std::string>* keywords = nullptr;  // sorted
+  const std::vector<std::uint32_t>* keywords = nullptr;  // numbers, rising
+  const Variant* variant = nullptr;
   bool has_it = false;
 
-  bool fits(const std::vector<std::string>& with, const std::vector<std::string>& without) const {
-    const auto is_there = [this](const std::string& keyword) { return has(*keywords, keyword); };
-    return std::all_of(with.begin(), with.end(), is_there) &&
-           std::none_of(without.begin(), without.end(), is_there);
+  bool has(std::uint32_t keyword) const {
+    return std::binary_search(keywords->begin(), keywords->end(), keyword);
   }
 };
 
 std::vector<Candidate> candidates(const Finding& finding, const Variants& variants) {
   std::set<std::size_t> programs;
-  std::set<std::size_t> having;
+  std::vector<bool> having(variants.size());
   for (const std::size_t record : finding.records) {
-    having.insert(variants.of_record(record));
+    having[variants.of_record(record)] = true;
     programs.insert(variants[variants.of_record(record)].program);
   }
   std::vector<Candidate> all;
   for (const std::size_t program : programs)
     for (const std::size_t variant : variants.of_program(program))
-      all.push_back({&variants[variant].keywords, having.count(variant) != 0});
+      all.push_back({&variants.keyword_numbers(variant), &variants[variant], having[variant]});
   return all;
 }
 
 // How many candidates have each keyword, among those that have the finding and among the others.
-using Counts = std::map<std::string, std::pair<std::size_t, std::size_t>>;
+using Counts = std::map<std::uint32_t, std::pair<std::size_t, std::size_t>>;
 
 Counts count_keywords(const std::vector<Candidate>& all) {
   Counts counts;
   for (const Candidate& candidate : all)
-    for (const std::string& keyword : *candidate.keywords)
-      ++(candidate.has_it ? counts[keyword].first : counts[keyword].second);
+    for (const std::uint32_t keyword : *candidate.keywords) {
+      auto& [having, others] = counts[keyword];
+      ++(candidate.has_it ? having : others);
+    }
   return counts;
 }
 
-bool says_it(const std::vector<Candidate>& all, const std::vector<std::string>& with,
-             const std::vector<std::string>& without) {
-  return std::all_of(all.begin(), all.end(), [&](const Candidate& candidate) {
-    return candidate.fits(with, without) == candidate.has_it;
-  });
-}
-
-// Removes every keyword that is redundant given the rest.
-void drop_needless(const std::vector<Candidate>& all, KeywordFold& fold) {
-  for (std::vector<std::string>* list : {&fold.without, &fold.with}) {
-    for (std::size_t i = list->size(); i-- > 0;) {
-      const std::string keyword = (*list)[i];
-      list->erase(list->begin() + static_cast<std::ptrdiff_t>(i));
-      if (!says_it(all, fold.with, fold.without))
-        list->insert(list->begin() + static_cast<std::ptrdiff_t>(i), keyword);
+// Which of the others each keyword tells apart from those that have the finding: those without it, of a
+// keyword that all of these have; those with it, of one that none has.
+class Distinction {
+ public:
+  Distinction(const std::vector<Candidate>& all, const std::vector<std::uint32_t>& with,
+              const std::vector<std::uint32_t>& without)
+      : reasons_(all.size()) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (all[i].has_it) continue;
+      for (const std::uint32_t keyword : with)
+        if (!all[i].has(keyword)) add(keyword, i);
+      for (const std::uint32_t keyword : *all[i].keywords)
+        if (std::binary_search(without.begin(), without.end(), keyword)) add(keyword, i);
+      complete_ = complete_ && reasons_[i] > 0;
     }
   }
+
+  // Whether all keywords together tell all others apart.
+  bool complete() const { return complete_; }
+
+  // Whether they do so without this one, which then no longer counts.
+  bool drop(std::uint32_t keyword) {
+    const std::vector<std::size_t>& apart = apart_[keyword];
+    if (std::any_of(apart.begin(), apart.end(), [this](std::size_t i) { return reasons_[i] == 1; }))
+      return false;
+    for (const std::size_t i : apart) --reasons_[i];
+    return true;
+  }
+
+ private:
+  void add(std::uint32_t keyword, std::size_t candidate) {
+    apart_[keyword].push_back(candidate);
+    ++reasons_[candidate];
+  }
+
+  std::vector<std::size_t> reasons_;  // by candidate
+  std::map<std::uint32_t, std::vector<std::size_t>> apart_;
+  bool complete_ = true;
+};
+
+void drop_needless(Distinction& distinction, std::vector<std::uint32_t>& keywords) {
+  for (std::size_t i = keywords.size(); i-- > 0;)
+    if (distinction.drop(keywords[i])) keywords.erase(keywords.begin() + static_cast<std::ptrdiff_t>(i));
 }
 
 std::string keyword_list(const std::vector<std::string>& keywords) {
@@ -165,6 +189,16 @@ Variants::Variants(const ValidationReport& report) {
     }
     of_record_.push_back(at->second);
   }
+  for (const Variant& variant : variants_)
+    keywords_.insert(keywords_.end(), variant.keywords.begin(), variant.keywords.end());
+  std::sort(keywords_.begin(), keywords_.end());
+  keywords_.erase(std::unique(keywords_.begin(), keywords_.end()), keywords_.end());
+  for (const Variant& variant : variants_) {
+    std::vector<std::uint32_t>& numbers = numbers_.emplace_back();
+    for (const std::string& keyword : variant.keywords)
+      numbers.push_back(static_cast<std::uint32_t>(
+          std::lower_bound(keywords_.begin(), keywords_.end(), keyword) - keywords_.begin()));
+  }
 }
 
 KeywordFold fold_keywords(const Finding& finding, const Variants& variants) {
@@ -177,17 +211,22 @@ KeywordFold fold_keywords(const Finding& finding, const Variants& variants) {
     ++fold.in;
     if (smallest == nullptr || candidate.keywords->size() < smallest->keywords->size()) smallest = &candidate;
   }
-  if (smallest != nullptr) fold.example = *smallest->keywords;
+  if (smallest != nullptr) fold.example = smallest->variant->keywords;
   if (fold.in == fold.of) return fold;
-  std::vector<std::string> never;
+  std::vector<std::uint32_t> with;
+  std::vector<std::uint32_t> without;
   for (const auto& [keyword, count] : count_keywords(all)) {
-    if (count.first == fold.in && count.second < fold.of - fold.in) fold.with.push_back(keyword);
-    if (count.first == 0) never.push_back(keyword);
+    if (count.first == fold.in && count.second < fold.of - fold.in) with.push_back(keyword);
+    if (count.first == 0) without.push_back(keyword);
   }
-  fold.exact = says_it(all, fold.with, never);
-  if (!fold.exact) return fold;
-  fold.without = std::move(never);
-  drop_needless(all, fold);
+  Distinction distinction(all, with, without);
+  fold.exact = distinction.complete();
+  if (fold.exact) {
+    drop_needless(distinction, without);
+    drop_needless(distinction, with);
+    for (const std::uint32_t keyword : without) fold.without.push_back(variants.keyword(keyword));
+  }
+  for (const std::uint32_t keyword : with) fold.with.push_back(variants.keyword(keyword));
   return fold;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -37,9 +38,14 @@ class Variants {
   std::size_t of_record(std::size_t record) const { return of_record_[record]; }
   const Variant& operator[](std::size_t index) const { return variants_[index]; }
   const std::vector<std::size_t>& of_program(std::size_t program) const { return of_program_[program]; }
+  // Of a variant's keywords, rising: their places among all keywords by name.
+  const std::vector<std::uint32_t>& keyword_numbers(std::size_t variant) const { return numbers_[variant]; }
+  const std::string& keyword(std::uint32_t number) const { return keywords_[number]; }
 
  private:
   std::vector<Variant> variants_;
+  std::vector<std::vector<std::uint32_t>> numbers_;  // by variant
+  std::vector<std::string> keywords_;                // all, by name
   std::vector<std::size_t> of_record_;
   std::vector<std::vector<std::size_t>> of_program_;
 };

@@ -103,10 +103,11 @@ void read_summary(JsonObject summary, ValidationReport& report) {
 }
 
 void read_shard(JsonObject shard, ValidationReport& report) {
-  report.shard = static_cast<unsigned>(shard.integer("index", 1));
-  report.shards = static_cast<unsigned>(shard.integer("count", 1));
-  if (report.shard < 1 || report.shard > report.shards)
-    shard.fail("index", "the shard must be from 1 to their count");
+  const int index = shard.integer("index", 1);
+  const int count = shard.integer("count", 1);
+  if (index < 1 || index > count) shard.fail("index", "the shard must be from 1 to their count");
+  report.shard = static_cast<unsigned>(index);
+  report.shards = static_cast<unsigned>(count);
   shard.finish();
 }
 

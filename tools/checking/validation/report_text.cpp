@@ -47,7 +47,9 @@ std::string headline(const hlsl::Diagnostic& diagnostic, const ReportStyle& styl
 class TextReport {
  public:
   TextReport(const ValidationReport& report, const ReportStyle& style)
-      : report_(report), style_(style), variants_(report), findings_(findings(report)) {}
+      : report_(report), style_(style), variants_(report), findings_(findings(report)) {
+    for (const MinimalKeywords& one : report.minimal) minimal_.try_emplace(format(one.error), &one.keywords);
+  }
 
   std::string write() {
     std::string text = absences() + unchecked();
@@ -86,11 +88,11 @@ class TextReport {
   }
 
   std::string minimal(const Finding& finding) const {
-    for (const MinimalKeywords& one : report_.minimal)
-      if (format(one.error) == format(finding.diagnostic))
-        return one.keywords.empty() ? "  without any keyword as well\n"
-                                    : "  enough for it: " + visible(joined(one.keywords, " ")) + "\n";
-    return {};
+    if (minimal_.empty()) return {};
+    const auto found = minimal_.find(format(finding.diagnostic));
+    if (found == minimal_.end()) return {};
+    return found->second->empty() ? "  without any keyword as well\n"
+                                  : "  enough for it: " + visible(joined(*found->second, " ")) + "\n";
   }
 
   std::string reproduction(const Finding& finding) const {
@@ -157,6 +159,7 @@ class TextReport {
   const ReportStyle& style_;
   Variants variants_;
   std::vector<Finding> findings_;
+  std::map<std::string, const std::vector<std::string>*> minimal_;  // keywords by the error as printed
 };
 
 }  // namespace
