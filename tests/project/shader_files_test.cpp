@@ -77,8 +77,11 @@ TEST(ShaderFiles, LinksAreFollowedAndCyclesEnd) {
   fs::create_directory_symlink(files.path("Assets/A"), files.path("Assets/0"));
   fs::create_directory_symlink(files.path("Outside"), files.path("Assets/linked"));
   fs::create_symlink(files.path("nowhere"), files.path("Assets/dangling.shader"));
-  EXPECT_THAT(shown(find_shader_files(files.path(), {})),
-              ElementsAre("Assets/A/a.shader", "Assets/linked/b.shader"));
+  const ShaderFiles found = find_shader_files(files.path(), {});
+  EXPECT_THAT(shown(found), ElementsAre("Assets/A/a.shader", "Assets/linked/b.shader"));
+  EXPECT_THAT(formatted(found.problems),
+              ElementsAre(HasSubstr(
+                  "Assets/dangling.shader: warning: is a symbolic link to a file that does not exist")));
 }
 
 TEST(ShaderFiles, LinksOutOfTheProjectAreLeftOutAndNamed) {
@@ -117,6 +120,22 @@ TEST(ShaderFiles, PatternsChooseAndDrop) {
               ElementsAre("warning: --only 'Assets/Wtaer/**' matches no shader file"));
   EXPECT_THAT(formatted(find_shader_files(files.path(), {{}, {}, {"**/Old/**", "Odl/**"}}).problems),
               ElementsAre("warning: --skip 'Odl/**' matches no shader file"));
+}
+
+TEST(ShaderFiles, PatternsLeaveOutNamedFilesToo) {
+  const ProjectFolder files;
+  files.write("Assets/Theirs/a.shader", "");
+  files.write("Assets/b.shader", "");
+  ShaderSelection selection;
+  selection.places = {files.path("Assets/Theirs/a.shader"), files.path("Assets/b.shader")};
+  selection.exclude = {"Assets/Theirs/**"};
+  const ShaderFiles found = find_shader_files(files.path(), selection);
+  EXPECT_THAT(shown(found), ElementsAre("Assets/b.shader"));
+  EXPECT_THAT(formatted(found.problems),
+              ElementsAre(HasSubstr("Assets/Theirs/a.shader: note: is left out by --only or --skip")));
+  selection.places.pop_back();
+  EXPECT_THAT(shown(find_shader_files(files.path(), selection)), testing::IsEmpty())
+      << "nothing to do, no error";
 }
 
 TEST(ShaderFiles, PatternsThatMatchNothingAreRefusedWithTheNearestName) {

@@ -45,6 +45,25 @@ TEST(UnityProject, CachedPackagesAreFoundByManifest) {
   EXPECT_THAT(project.problems, IsEmpty());
 }
 
+// Messages quote them, and a checkout may hold links to anywhere.
+TEST(UnityProject, FilesOfTheProjectAreNoLinksToOutside) {
+  for (const char* name :
+       {"ProjectSettings/ProjectVersion.txt", "Packages/manifest.json", "Packages/packages-lock.json"}) {
+    const ProjectFolder files;
+    const ProjectFolder elsewhere;
+    elsewhere.write("secret", "m_EditorVersion: \"s3cr3t\"");
+    files.manifest({});
+    files.write("Assets/a.shader", "");
+    files.write("ProjectSettings/ProjectVersion.txt", "m_EditorVersion: 2022.3.20f1\n");
+    std::filesystem::remove(files.path(name));
+    std::filesystem::create_symlink(elsewhere.path("secret"), files.path(name));
+    expect_input_error(
+        [&] { read_project(files.path()); },
+        testing::AllOf(HasSubstr(std::string(name) + ": is a symbolic link to outside of the project"),
+                       testing::Not(HasSubstr("s3cr3t"))));
+  }
+}
+
 TEST(UnityProject, AGivenFolderOfAnotherVersionIsAWarningAtTheManifest) {
   const ProjectFolder files;
   files.manifest({R"("com.x.core": "14.0.9")", R"("com.x.other": "1.0.0")"});

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sys/stat.h>
+
 #include "scene/import_fixture.h"
 
 namespace penumbra::scene {
@@ -106,6 +108,15 @@ TEST_F(ImportTest, ReadsNoFileOutsideOfTheModelsFolder) {
   write("colours.mtl", "newmtl red\nKd 1 0 0\n");
   EXPECT_THAT(refusal(write("model/model.obj", "mtllib ../colours.mtl\nusemtl red\n" + kTetrahedron)),
               HasSubstr("names the file '"));
+}
+
+// It would be read until somebody writes into it.
+TEST_F(ImportTest, RefusesABufferThatIsAPipe) {
+  ASSERT_EQ(::mkfifo((folder_ / "pipe.bin").c_str(), 0600), 0);
+  std::string text = gltf(kTriangle);
+  const std::size_t begin = text.find("data:"), end = text.find('"', begin);
+  text.replace(begin, end - begin, "pipe.bin");
+  EXPECT_THAT(refusal(write("pipe.gltf", text)), HasSubstr("pipe.bin"));
 }
 
 TEST_F(ImportTest, RefusesMoreTrianglesThanTheLimit) {

@@ -113,6 +113,17 @@ TEST(PragmaMessages, FilesThatIncludeThemselvesEnd) {
   EXPECT_THAT(pragmas.entry_points, SizeIs(1));
 }
 
+// Each message holds the line.
+TEST(PragmaMessages, OfOneLineAreAFew) {
+  std::string text = "#pragma multi_compile";
+  for (int i = 0; i < 5000; ++i) text += " A";
+  const std::vector<std::string> messages = messages_of(pragmas_of(text + " 3D\n"));
+  EXPECT_THAT(messages, SizeIs(9)) << "eight warnings, and the error all the same";
+  EXPECT_THAT(messages,
+              Contains(testing::EndsWith("counts once (further ones of this line are not listed)")));
+  EXPECT_THAT(messages, Contains(testing::HasSubstr("error: '3D' is not a keyword")));
+}
+
 TEST(PragmaMessages, AreNotRepeatedWithoutEnd) {
   std::string text;
   for (int i = 0; i < 5000; ++i) text += "#pragma target x\n";

@@ -22,7 +22,10 @@ bool ModelFolder::allows(const std::string& file) const {
   std::error_code error;
   if (fs::path(file) == model_) return true;
   const fs::path absolute = fs::absolute(file, error);
-  if (!error && in_model_folder(absolute, model_)) return true;
+  // A pipe has no end.
+  if (const auto inside = in_model_folder(absolute, model_);
+      !error && inside && fs::is_regular_file(*inside, error))
+    return true;
   if (refused_.empty()) refused_ = file;
   return false;
 }

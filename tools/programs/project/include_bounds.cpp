@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <system_error>
 
+#include "input/input_error.h"
 #include "project/folder_entries.h"
 #include "project/package_manifest.h"
 
@@ -66,6 +67,13 @@ bool IncludeBounds::contain(const fs::path& file) const {
   if (std::find(real.begin(), real.end(), git_folder) != real.end()) return false;
   return std::any_of(roots_.begin(), roots_.end(),
                      [&](const fs::path& root) { return is_below(real, root); });
+}
+
+void IncludeBounds::require(const fs::path& file) const {
+  if (is_there(file) && !contain(file))
+    throw InputError(file.string(),
+                     "is a symbolic link to outside of the project and its repository, and is not read",
+                     "put the file itself there");
 }
 
 }  // namespace penumbra::project

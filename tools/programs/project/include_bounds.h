@@ -22,6 +22,9 @@ class IncludeBounds {
   // For the folder of a package that the project's own files name: these must not extend what is read.
   bool contain_package(const std::filesystem::path& folder) const { return contain(folder / "package.json"); }
 
+  // Throws InputError where a file that a project always has is a link to outside: its text would be quoted.
+  void require(const std::filesystem::path& file) const;
+
  private:
   std::vector<std::filesystem::path> roots_;  // without links
 };

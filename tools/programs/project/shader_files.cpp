@@ -93,6 +93,10 @@ class ShaderWalk {
       if (!entry->is_directory(ignored)) {
         if (is_imported_shader(entry->path()) && entry->is_regular_file(ignored))
           files_.push_back(entry->path());
+        else if (is_imported_shader(entry->path()) && !entry->exists(ignored))
+          problems_.push_back(
+              diagnostic_of(entry->path(), hlsl::Severity::warning,
+                            "is a symbolic link to a file that does not exist, and is skipped"));
         if (is_graph(entry->path())) graphs_.push_back(entry->path());
       } else if (!packages || has_package_manifest(entry->path())) {
         (entry->is_symlink(ignored) ? links_ : folders_).push_back(entry->path());
@@ -227,7 +231,13 @@ ShaderFiles find_shader_files(const fs::path& project, const ShaderSelection& se
     }
   }
   Filter filter(selection);
-  for (const fs::path& file : named) result.files.push_back({file, shown_name(file, project), true});
+  for (const fs::path& file : named) {
+    std::string shown = shown_name(file, project);
+    if (filter.lets_pass(shown))
+      result.files.push_back({file, std::move(shown), true});
+    else
+      result.problems.push_back(diagnostic_of(file, hlsl::Severity::note, "is left out by --only or --skip"));
+  }
   for (const fs::path& file : walk.run()) {
     std::string shown = shown_name(file, project);
     if (filter.lets_pass(shown)) result.files.push_back({file, std::move(shown), false});
@@ -237,7 +247,7 @@ ShaderFiles find_shader_files(const fs::path& project, const ShaderSelection& se
     if (filter.lets_pass(shown_name(graph, project))) graphs.push_back(graph);
   if (named.empty()) filter.require_a_match();
   filter.report_unused(result.problems);
-  if (result.files.empty())
+  if (result.files.empty() && named.empty())
     throw InputError((selection.places.empty() ? project : selection.places.front()).string(),
                      "has no shader file to validate",
                      !graphs.empty() ? std::string("there are Shader Graphs: ") + kGraphWayOut

@@ -18,8 +18,8 @@ struct ShaderSelection {
   // Folders and files to look at; empty: Assets/ and Packages/ of the project. An .hlsl file is found only
   // when it is named here itself.
   std::vector<std::filesystem::path> places;
-  // Patterns (path_pattern.h) on ShaderFile::shown; without `include` every file counts. They do not apply to
-  // files named in `places`.
+  // Patterns (path_pattern.h) on ShaderFile::shown; without `include` every file counts. They apply to files
+  // named in `places`, too: hooks name the files of a commit, and their settings leave folders out.
   std::vector<std::string> include;
   std::vector<std::string> exclude;
 };
@@ -33,7 +33,8 @@ struct ShaderFile {
 struct ShaderFiles {
   std::vector<ShaderFile> files;  // by `shown`
   std::vector<hlsl::Diagnostic>
-      problems;  // warnings: a folder that cannot be listed, a pattern without a match, Shader Graphs
+      problems;  // warnings: a folder that cannot be listed, a link to nothing, a pattern without a match,
+                 // Shader Graphs; notes: named files that a pattern leaves out
 };
 
 // Throws InputError unless find_shader_files() accepts the file; for a Shader Graph, the message says what to
@@ -41,8 +42,8 @@ struct ShaderFiles {
 void require_shader_file(const std::filesystem::path& file);
 
 // `project` may be empty when `places` are given. Throws InputError for a place that is missing or is a file
-// of another kind, and, with the nearest name, where no pattern of `include` matches any file and no place is
-// one.
+// of another kind, for folders without any shader, and, with the nearest name, where no pattern of `include`
+// matches any file and no place is one.
 ShaderFiles find_shader_files(const std::filesystem::path& project, const ShaderSelection& selection);
 
 }  // namespace penumbra::project

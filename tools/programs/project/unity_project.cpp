@@ -102,12 +102,14 @@ UnityProject read_project(const fs::path& directory, const std::vector<PackageRo
   UnityProject project;
   project.directory = directory;
   const fs::path packages = directory / "Packages";
-  project.editor =
-      read_editor_version(directory / "ProjectSettings" / "ProjectVersion.txt", project.problems);
+  const fs::path version = directory / "ProjectSettings" / "ProjectVersion.txt";
   PackageSources sources;
-  for (const PackageRoot& root : given) sources.by_hand.emplace(root.name, root);
   sources.bounds.add(directory);
   sources.bounds.add(own_tree(directory / "Assets"));
+  for (const fs::path& file : {version, packages / "manifest.json", packages / "packages-lock.json"})
+    sources.bounds.require(file);
+  project.editor = read_editor_version(version, project.problems);
+  for (const PackageRoot& root : given) sources.by_hand.emplace(root.name, root);
   sources.embedded = embedded_packages(packages, sources.bounds, project.problems);
   sources.manifest = read_project_manifest(packages);
   sources.cache =

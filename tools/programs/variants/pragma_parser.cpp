@@ -113,6 +113,16 @@ bool PragmaParser::read_keywords(const Line& line) {
   return true;
 }
 
+void PragmaParser::say(hlsl::Severity severity, const Place& place, const std::string& message) {
+  constexpr std::size_t kMostOfALine = 8;
+  if (place.file != said_at_.file || place.line != said_at_.line) said_errors_ = said_warnings_ = 0;
+  said_at_ = place;
+  std::size_t& said = severity == hlsl::Severity::error ? said_errors_ : said_warnings_;
+  if (said++ < kMostOfALine)
+    say_(severity, place,
+         message + (said == kMostOfALine ? " (further ones of this line are not listed)" : ""));
+}
+
 // Unity Manual, "Shader keyword limits".
 constexpr std::size_t kMostKeywords = 65534;
 

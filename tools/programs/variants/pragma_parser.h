@@ -49,11 +49,17 @@ class PragmaParser {
   // "; did you mean 'NAME'?" for the first messages; empty for later ones and where no name is near.
   std::string hint(const std::string& given, const std::vector<std::string>& known);
   Place place_of(const Line& line, const Word& word) const;
-  void error(const Place& place, const std::string& message) { say_(hlsl::Severity::error, place, message); }
-  void warn(const Place& place, const std::string& message) { say_(hlsl::Severity::warning, place, message); }
+  // Not more than a few of a severity for one line: each message holds the line, which may have a million
+  // words.
+  void say(hlsl::Severity severity, const Place& place, const std::string& message);
+  void error(const Place& place, const std::string& message) { say(hlsl::Severity::error, place, message); }
+  void warn(const Place& place, const std::string& message) { say(hlsl::Severity::warning, place, message); }
 
   Pragmas& pragmas_;
   Say say_;
+  Place said_at_;                  // the last place of a message
+  std::size_t said_errors_ = 0;    // of its line
+  std::size_t said_warnings_ = 0;  // likewise
   std::set<std::string> keywords_;
   bool said_too_many_ = false;
   int hints_ = 0;
