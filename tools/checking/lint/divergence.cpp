@@ -19,9 +19,10 @@ bool is_atomic(spv::Op op) {
 
 }  // namespace
 
-Divergence::Divergence(const spirv::Code& code, const spirv::Function& function)
+Divergence::Divergence(const spirv::Code& code, const spirv::Function& function, Together together)
     : code_(code),
       function_(function),
+      together_(together),
       flow_(control_flow(code, function)),
       depends_(control_dependence(code, function, flow_)),
       node_of_(code.id_bound(), no_node),
@@ -80,16 +81,39 @@ bool Divergence::varies_at(const spirv::Instruction& instruction, std::size_t no
 
 bool Divergence::source_varies(const spirv::Instruction& instruction) const {
   if (is_atomic(instruction.op) || instruction.op == spv::OpFunctionCall) return true;
+  if (instruction.op == spv::OpImageRead) return together_ == Together::group;
   if (instruction.op != spv::OpLoad) return false;
   const spirv::Id variable = root(instruction.operands[0]);
   const spirv::Instruction* definition = code_.definition(variable);
-  if (definition == nullptr || code_.storage_class(definition->type) != spv::StorageClassInput) return false;
+  if (definition == nullptr) return false;
+  if (code_.storage_class(definition->type) == spv::StorageClassInput) return input_varies(variable);
+  return together_ == Together::group && may_be_written(variable);
+}
+
+bool Divergence::input_varies(spirv::Id variable) const {
   const std::optional<std::uint32_t> built_in = code_.decoration(variable, spv::DecorationBuiltIn);
+  if (together_ == Together::group)
+    return !built_in || (*built_in != spv::BuiltInWorkgroupId && *built_in != spv::BuiltInNumWorkgroups &&
+                         *built_in != spv::BuiltInWorkgroupSize);
   const bool of_primitive =
       built_in && (*built_in == spv::BuiltInFrontFacing || *built_in == spv::BuiltInPrimitiveId ||
                    *built_in == spv::BuiltInViewIndex || *built_in == spv::BuiltInLayer ||
                    *built_in == spv::BuiltInViewportIndex);
   return !of_primitive && !code_.decoration(variable, spv::DecorationFlat);
+}
+
+// By another thread of the group.
+bool Divergence::may_be_written(spirv::Id variable) const {
+  const spirv::Id pointer = code_.definition(variable)->type;
+  const std::optional<spv::StorageClass> storage = code_.storage_class(pointer);
+  if (storage == spv::StorageClassWorkgroup) return true;
+  spirv::Id type = code_.pointee(pointer);
+  while (code_.op(type) == spv::OpTypeArray || code_.op(type) == spv::OpTypeRuntimeArray)
+    type = code_.definition(type)->operands[0];
+  const bool buffer = storage == spv::StorageClassStorageBuffer ||
+                      code_.decoration(type, spv::DecorationBufferBlock).has_value();
+  return buffer && !code_.decoration(variable, spv::DecorationNonWritable) &&
+         !code_.member_decoration(type, 0, spv::DecorationNonWritable);
 }
 
 // Paths that join here carry different values, and a divergent condition decides which path a pixel took.
@@ -200,6 +224,18 @@ std::size_t Divergence::loop_left_by(std::size_t branch, std::size_t node) const
     if (std::find(decides.begin(), decides.end(), branch) != decides.end()) return loop.header;
   }
   return no_node;
+}
+
+std::string place_of_condition(const LintedCode& linted, const spirv::Function& function, std::size_t branch,
+                               spirv::Place from) {
+  const spirv::Instruction& end = terminator(linted.code, function.blocks[branch]);
+  spirv::Place place = end.place;
+  const spirv::Instruction* condition = linted.code.definition(end.operands[0]);
+  if (place.line == 0 && condition != nullptr) place = condition->place;
+  if (place.line == 0) return "";
+  const std::string line = std::to_string(place.line);
+  return place.file == from.file ? " at line " + line
+                                 : " at " + linted.code.file_name(place.file) + ":" + line;
 }
 
 }  // namespace penumbra::lint

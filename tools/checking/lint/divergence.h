@@ -1,25 +1,30 @@
-// Divergence analysis: which values of a fragment shader differ between the pixels of a quad, and which
-// blocks are in divergent control flow. Internal to this room.
+// Divergence analysis: which values of a shader differ between the pixels of a quad, or the threads of a
+// group, and which blocks are in divergent control flow. Internal to this room.
 //
 // After Coutinho, Sampaio, Pereira and Meira, "Divergence Analysis and Optimizations" (2011): values are
 // divergent at their sources (interpolated inputs, atomics, calls that could not be inlined), if they depend
 // on divergent values (data dependence), if a divergent branch controls them (sync dependence), and after a
 // loop with a divergent number of iterations (temporal divergence). Flat inputs are uniform within a quad,
-// which lies in one primitive (SPIR-V specification, "derivative group").
+// which lies in one primitive (SPIR-V specification, "derivative group"). In a group of threads what another
+// thread may write is divergent: groupshared variables, RW buffers and textures.
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "lint/control_flow.h"
+#include "lint/source_place.h"
 #include "spirv/code.h"
 
 namespace penumbra::lint {
 
+enum class Together { quad, group };  // what runs together: of a fragment or of a compute shader
+
 class Divergence {
  public:
   // For a function of a legalised module. `function` must have at most most_blocks blocks.
-  Divergence(const spirv::Code& code, const spirv::Function& function);
+  Divergence(const spirv::Code& code, const spirv::Function& function, Together together);
 
   bool varies(spirv::Id value) const { return value < varies_.size() && varies_[value]; }
 
@@ -42,6 +47,8 @@ class Divergence {
   void propagate();
   bool varies_at(const spirv::Instruction& instruction, std::size_t node) const;
   bool source_varies(const spirv::Instruction& instruction) const;
+  bool input_varies(spirv::Id variable) const;
+  bool may_be_written(spirv::Id variable) const;
   bool phi_varies(const spirv::Instruction& phi, std::size_t node) const;
   bool used_behind_loop(const spirv::Instruction& instruction, std::size_t node) const;
   void mark_control();
@@ -51,6 +58,7 @@ class Divergence {
 
   const spirv::Code& code_;
   const spirv::Function& function_;
+  Together together_;
   ControlFlow flow_;
   Graph depends_;  // control dependence, direct
   std::vector<Loop> loops_;
@@ -59,5 +67,10 @@ class Divergence {
   std::vector<bool> branch_varies_;   // by node: ends in a branch on a varying value
   std::vector<bool> runs_apart_;      // by node: some varying branch decides whether it runs
 };
+
+// Of the condition on which the block branches, for messages: " at line 12", " at Other.hlsl:12", seen from
+// that place; empty if it is not known.
+std::string place_of_condition(const LintedCode& linted, const spirv::Function& function, std::size_t branch,
+                               spirv::Place from);
 
 }  // namespace penumbra::lint

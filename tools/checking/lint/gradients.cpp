@@ -29,19 +29,6 @@ bool samples_implicitly(spv::Op op) {
   }
 }
 
-// "at line 12", "at Other.hlsl:12", or nothing if the condition has no location.
-std::string where(const LintedCode& linted, const spirv::Function& function, std::size_t branch,
-                  spirv::Place from) {
-  const spirv::Instruction& end = terminator(linted.code, function.blocks[branch]);
-  spirv::Place place = end.place;
-  const spirv::Instruction* condition = linted.code.definition(end.operands[0]);
-  if (place.line == 0 && condition != nullptr) place = condition->place;
-  if (place.line == 0) return "";
-  const std::string line = std::to_string(place.line);
-  return place.file == from.file ? " at line " + line
-                                 : " at " + linted.code.file_name(place.file) + ":" + line;
-}
-
 struct Gradient {
   const spirv::Instruction& instruction;
   std::size_t node = 0;
@@ -57,7 +44,7 @@ Finding in_loop(const LintedCode& linted, const spirv::Function& function, const
       finding_at(linted, "gradient-in-varying-loop", place, {"Sample", "ddx", "ddy", "fwidth"},
                  "derivatives are taken in divergent control flow: the loop's number of iterations "
                  "differs between pixels, by the condition" +
-                     where(linted, function, branch, place) +
+                     place_of_condition(linted, function, branch, place) +
                      (bounded ? "; Direct3D unrolls it, elsewhere they are undefined"
                               : "; Direct3D must unroll it and finds no bound") +
                      ": use SampleLevel or SampleGrad");
@@ -73,7 +60,7 @@ Finding under_condition(const LintedCode& linted, const spirv::Function& functio
       linted, "divergent-derivative", place, {"Sample", "ddx", "ddy", "fwidth"},
       std::string(derivative ? "a derivative is taken" : "a texture is sampled with implicit derivatives") +
           " where only some pixels of a quad may be active, by the condition" +
-          where(linted, function, branch, place) +
+          place_of_condition(linted, function, branch, place) +
           (derivative ? ": take it before the condition"
                       : ": sample before the condition, or use SampleLevel or SampleGrad"));
 }
@@ -102,7 +89,7 @@ std::vector<Finding> gradient_findings(const LintedCode& linted) {
     const auto begin = all.begin() + static_cast<std::ptrdiff_t>(function.blocks.front().begin);
     const auto end = all.begin() + static_cast<std::ptrdiff_t>(function.blocks.back().end);
     if (std::none_of(begin, end, is_gradient)) continue;
-    const Divergence divergence(linted.code, function);
+    const Divergence divergence(linted.code, function, Together::quad);
     for (const std::size_t node : divergence.flow().order)
       for (std::size_t i = function.blocks[node].begin; i < function.blocks[node].end; ++i)
         if (is_gradient(all[i])) check(linted, function, divergence, {all[i], node}, findings);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "lint/arithmetic.h"
+#include "lint/barriers.h"
 #include "lint/control_flow.h"
 #include "lint/gradients.h"
 #include "lint/legalised.h"
@@ -46,6 +47,7 @@ std::vector<Finding> legalised_findings(const ModuleToLint& module, const spirv:
   const spirv::Code code(std::move(*words));
   const LintedCode linted{code, module.sources, module.file};
   if (module.stage == hlsl::Stage::fragment) append(findings, gradient_findings(linted));
+  if (module.stage == hlsl::Stage::compute) append(findings, barrier_findings(linted));
   append(findings, unroll_findings(linted));
   append(findings, arithmetic_findings(linted));
   append(findings, resource_findings(linted, module.stage, module.shader_target));

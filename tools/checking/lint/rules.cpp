@@ -32,6 +32,9 @@ const std::vector<RuleInfo>& rules() {
        "A derivative is taken in a loop with divergent control flow: its number of iterations differs "
        "between pixels.",
        std::string("Direct3D X3570, X3511, X4014; ") + spirv_derivatives},
+      {"divergent-barrier", Severity::error,
+       "A barrier with group sync is in divergent control flow: not all threads of a group reach it.",
+       std::string("Direct3D X3663: ") + d3d_messages},
       {"unroll-without-bound", Severity::error,
        "[unroll] is used on a loop without a constant bound on its iterations.",
        std::string("Direct3D X3511: ") + d3d_messages},

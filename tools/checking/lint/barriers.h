@@ -1,0 +1,15 @@
+// Rule divergent-barrier: a barrier that waits for the threads of a group must be reached by all of them
+// (Direct3D X3663). Internal to this room.
+#pragma once
+
+#include <vector>
+
+#include "lint/rule.h"
+#include "lint/source_place.h"
+
+namespace penumbra::lint {
+
+// Of a legalised compute shader.
+std::vector<Finding> barrier_findings(const LintedCode& linted);
+
+}  // namespace penumbra::lint
