@@ -159,6 +159,21 @@ TEST(ExecutedIntrinsicCalls, MadAndLdexpOfEveryType) {
   EXPECT_THAT(run_prepared(execution), ElementsAre(13.0F, 17.0F, 8.0F, 20.5F, 12.0F, 2.5F));
 }
 
+TEST(ExecutedIntrinsicCalls, CompareStoreChangesWhatIsEqual) {
+  const Execution execution{R"(groupshared int S[2]; groupshared uint U;
+[numthreads(1, 1, 1)] void Main() {
+    S[0] = 5; S[1] = -6; U = 7;
+    InterlockedCompareStore(S[0], 5, 8);
+    if (In[0] > 0) InterlockedCompareStore(S[1], -7, 9);
+    else InterlockedCompareStore(S[1], 1, 2);
+    InterlockedCompareStore(U, 7, uint(In[0]));
+    Out[0] = S[0]; Out[1] = S[1]; Out[2] = U; })",
+                            {3.0F},
+                            {},
+                            3};
+  EXPECT_THAT(run_prepared(execution), ElementsAre(8.0F, -6.0F, 3.0F));
+}
+
 TEST(ExecutedPartialTexelWrites, OtherComponentsStay) {
   const Execution execution{R"(RWTexture2D<float4> Image; RWTexture2D<float> Single;
 [numthreads(1, 1, 1)] void Main() {

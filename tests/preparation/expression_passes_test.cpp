@@ -99,6 +99,10 @@ TEST(IntrinsicCalls, FunctionsOfTheTextAndOtherNamesStay) {
           "void f() { b.InterlockedAdd(4, 1, o); b.InterlockedCompareExchange(0, 1, v, o); }"),
       spaced(
           "void f() { b.InterlockedAdd(4, uint(1), o); b.InterlockedCompareExchange(0, uint(1), v, o); }"));
+  EXPECT_EQ(spaced_after<write_out_intrinsic_calls>(
+                "RWByteAddressBuffer b; void f() { if (c) b.InterlockedCompareStore(0, 1, v); }"),
+            spaced("RWByteAddressBuffer b; void f() { if (c) { uint penumbra_old_value; "
+                   "b.InterlockedCompareExchange(0, uint(1), v, penumbra_old_value); } }"));
 }
 
 TEST(FlatInitialisers, OnlyListsThatFitAreGrouped) {

@@ -154,6 +154,152 @@ TEST(PackOffsets, AreInACbufferAndInOneRegister) {
   EXPECT_THAT(refused("float4 k : packoffset(c0);"), ElementsAre(HasSubstr("1: packoffset is for members")));
 }
 
+TEST(ResourceMethods, OfBuffersThatGrowOrShrinkAreTheirOwn) {
+  const auto of = [](const std::string& body) {
+    return refused(
+        "AppendStructuredBuffer<float> a; ConsumeStructuredBuffer<float> c; RWStructuredBuffer<float> w;\n"
+        "float4 Frag() : SV_Target { " +
+        body + " return 1; }");
+  };
+  EXPECT_THAT(of("a[0] = 1;"),
+              ElementsAre("2: 'a' is an AppendStructuredBuffer, which has Append() and no []: for "
+                          "elements by number declare a StructuredBuffer or RWStructuredBuffer"));
+  EXPECT_THAT(of("float f = c[1];"),
+              ElementsAre(HasSubstr("'c' is a ConsumeStructuredBuffer, which has Consume()")));
+  EXPECT_THAT(
+      of("float f = a.Consume();"),
+      ElementsAre(
+          "2: AppendStructuredBuffer has no method 'Consume': it belongs to ConsumeStructuredBuffer"));
+  EXPECT_THAT(of("w.Append(1);"), ElementsAre(HasSubstr("RWStructuredBuffer has no method 'Append'")));
+  EXPECT_THAT(of("a.Append(c.Consume()); w[0] = w[1];"), IsEmpty());
+}
+
+TEST(ResourceArguments, AreNoNumbers) {
+  const auto of = [](const std::string& value) {
+    return refused(
+        "Texture2D T; SamplerState P; float4 C; Texture2D A[2];\nfloat4 Frag(float2 uv : TEXCOORD0) : "
+        "SV_Target "
+        "{ return " +
+        value + "; }");
+  };
+  const std::string texture = " is a Texture2D, and max() takes numbers: read it with Sample or Load";
+  EXPECT_THAT(of("max(T, C)"), ElementsAre("2: 'T'" + texture));
+  EXPECT_THAT(of("max(C, A[1])"), ElementsAre("2: 'A[1]'" + texture));
+  EXPECT_THAT(of("lerp(C, T, .5)"), ElementsAre(HasSubstr("lerp() takes numbers")));
+  EXPECT_THAT(of("dot(P, C)"), ElementsAre("2: 'P' is a SamplerState, and dot() takes numbers"));
+  EXPECT_THAT(of("max(T.Sample(P, uv), A[1].Load(int3(0, 0, 0)))"), IsEmpty());
+  EXPECT_THAT(refused("Texture2D T; float4 max(Texture2D a, int b) { return a.Load(int3(b, 0, 0)); }\n"
+                      "float4 Frag() : SV_Target { return max(T, 1); }"),
+              IsEmpty());
+}
+
+TEST(Returns, HaveTheValueOfTheirFunction) {
+  EXPECT_THAT(refused("float4 Frag(float2 uv : TEXCOORD0) : SV_Target {\nif (uv.x > 0) return;\nreturn 1; }"),
+              ElementsAre("2: 'Frag' returns a float4: this return needs a value (X3080)"));
+  EXPECT_THAT(refused("void F(float a) { if (a > 0) return; } float4 Frag() : SV_Target { F(1); return 1; }"),
+              IsEmpty());
+}
+
+TEST(Structs, HaveNoConstructors) {
+  const std::string type = "struct S { float a, b; }; ";
+  EXPECT_THAT(
+      refused(type + "float4 Frag() : SV_Target {\nS s = S(1, 2); return s.a; }"),
+      ElementsAre("2: HLSL has no constructors of structs: write S value = {...}; or assign the members of a "
+                  "'S' one by one"));
+  EXPECT_THAT(
+      refused(type + "S Make(S s) { return s; } float4 Frag() : SV_Target { S s = (S)0; S t = Make((S)(0)); "
+                     "return s.a + t.b; }"),
+      IsEmpty());
+}
+
+TEST(Casts, DoNotMakeVectorsAndMatricesLarger) {
+  const auto cast = [](const std::string& value) {
+    return refused("float3x3 m; float2 v; float s;\nfloat4 Frag() : SV_Target { return " + value + "; }");
+  };
+  EXPECT_THAT(cast("((float4x4)m)[3]"),
+              ElementsAre("2: cannot convert from 'float3x3' to 'float4x4', which is larger (X3017): write a "
+                          "constructor with all numbers"));
+  EXPECT_THAT(cast("(float4)v"), ElementsAre(HasSubstr("from 'float2' to 'float4'")));
+  EXPECT_THAT(cast("(float4)s + ((float2x2)m)[0].xyxy + (float4)v.x + (float4)((float2)v).x"), IsEmpty());
+}
+
+TEST(Structs, EndWithASemicolon) {
+  EXPECT_THAT(refused("struct S { float a;\n}\nfloat4 Frag() : SV_Target { return 1; }"),
+              testing::Contains("2: expected ';' behind this '}' of a struct"));
+  EXPECT_THAT(refused("struct S { float a; struct { int b; } c; } s; float4 Frag() : SV_Target { return s.a; }"), IsEmpty());
+}
+
+TEST(GroupsharedVariables, AreDeclaredOutsideOfFunctions) {
+  EXPECT_THAT(
+      refused("float4 Frag() : SV_Target {\ngroupshared float s[8]; return 1; }"),
+      ElementsAre("2: 's' is groupshared, and such variables belong outside of functions and structs"));
+  EXPECT_THAT(refused("groupshared float s[8]; float4 Frag() : SV_Target { return 1; }"), IsEmpty());
+}
+
+TEST(CaseLabels, BelongInASwitch) {
+  EXPECT_THAT(refused_in("case 1: v.x = 1;"),
+              ElementsAre("3: 'case' is in no switch: a label belongs in a switch's braces"));
+  EXPECT_THAT(refused_in("if (c.x > 0) { default: v.x = 1; }"),
+              ElementsAre(HasSubstr("3: 'default' is in no switch")));
+  EXPECT_THAT(refused_in("switch ((int)c.x) { case 1: { v.x = 1; break; } default: break; }"), IsEmpty());
+}
+
+TEST(Intrinsics, ThatTheCompilerLacksAreNamed) {
+  EXPECT_THAT(
+      refused_in("uint4 q = msad4(1, uint2(2, 3), uint4(1, 2, 3, 4));"),
+      ElementsAre("3: 'msad4' is HLSL, but is not supported: write out the sums of absolute differences"));
+  EXPECT_THAT(refused_in("v.x = GetRenderTargetSampleCount();"),
+              ElementsAre(HasSubstr("pass the number in a constant")));
+  EXPECT_THAT(refused("uint msad4(uint a) { return a; } float4 Frag() : SV_Target { return msad4(1); }"),
+              IsEmpty());
+}
+
+TEST(StageAttributes, AreThoseThatTheStageNeeds) {
+  const std::string types = "struct V { float4 p : SV_Position; float2 uv : TEXCOORD0; };\n";
+  const auto geometry = [&](const std::string& attribute, const std::string& stream) {
+    return refused(types + attribute + " void Geom(triangle V i[3], " + stream + " s) { s.Append(i[0]); }",
+                   {"Geom", hlsl::Stage::geometry});
+  };
+  EXPECT_THAT(geometry("[maxvertexcount(3)]", "inout TriangleStream<V>"), IsEmpty());
+  EXPECT_THAT(geometry("", "inout TriangleStream<V>"),
+              ElementsAre("2: 'Geom' has no [maxvertexcount(n)], which a geometry program needs"));
+  EXPECT_THAT(
+      geometry("[maxvertexcount(3)]", "TriangleStream<V>"),
+      ElementsAre("2: a TriangleStream is changed by what is appended to it: write inout TriangleStream"));
+  EXPECT_THAT(geometry("[maxvertexcount(170)]", "inout TriangleStream<V>"), IsEmpty());
+  EXPECT_THAT(
+      geometry("[maxvertexcount(171)]", "inout TriangleStream<V>"),
+      ElementsAre(
+          "2: 171 vertices of 6 numbers are 1026, and a geometry program emits at most 1024 (X4552): at "
+          "most 170 vertices"));
+  const auto hull = [&](const std::string& attributes) {
+    return refused(types +
+                       "struct F { float e[3] : SV_TessFactor; float i : SV_InsideTessFactor; };\n"
+                       "F Patch(InputPatch<V, 3> p) { return (F)0; }\n" +
+                       attributes +
+                       "V Hull(InputPatch<V, 3> p, uint i : SV_OutputControlPointID) { return p[i]; }",
+                   {"Hull", hlsl::Stage::hull});
+  };
+  const std::string rest =
+      "[domain(\"tri\")] [partitioning(\"integer\")] [outputtopology(\"triangle_cw\")] "
+      "[outputcontrolpoints(3)] ";
+  EXPECT_THAT(hull(rest + "[patchconstantfunc(\"Patch\")] "), IsEmpty());
+  EXPECT_THAT(hull(rest), ElementsAre(HasSubstr("4: 'Hull' has no [patchconstantfunc(\"Name\")]")));
+  EXPECT_THAT(hull(rest + "[patchconstantfunc(\"Pach\")] "),
+              ElementsAre("4: [patchconstantfunc] names 'Pach', and there is no such function"));
+}
+
+TEST(ThreadGroups, HaveThreeSizes) {
+  const auto kernel = [](const std::string& attribute) {
+    return refused("RWBuffer<float> r;\n" + attribute + " void K() { r[0] = 1; }",
+                   {"K", hlsl::Stage::compute});
+  };
+  EXPECT_THAT(kernel("[numthreads(8, 8)]"),
+              ElementsAre("2: [numthreads(x, y, z)] has three sizes, and 2 are given: write "
+                          "1 for those that are not used"));
+  EXPECT_THAT(kernel("[numthreads(8, 8, 1)]"), IsEmpty());
+}
+
 TEST(Arrays, HaveASize) {
   EXPECT_THAT(refused("float a[];"),
               ElementsAre("1: the array 'a' has no size: write how many elements it has"));

@@ -268,10 +268,13 @@ TEST(EntrySemantics, MayComeFromAroundAndInOldWords) {
   EXPECT_THAT(said("struct V { precise nointerpolation min16float3 n : NORMAL; real_t r; };\nvoid Frag(const "
                    "V v) { }"),
               IsEmpty());
-  EXPECT_THAT(said("struct C { float3 p : INTERNALTESSPOS; };\nC Frag(InputPatch<C, 3> patch, uint id : "
-                   "SV_OutputControlPointID) { return patch[id]; }",
-                   {"Frag", hlsl::Stage::hull}),
-              IsEmpty());
+  EXPECT_THAT(
+      said("struct C { float3 p : INTERNALTESSPOS; }; float3 Patch() { return 1; }\n[domain(\"tri\")] "
+           "[partitioning(\"integer\")] [outputtopology(\"triangle_cw\")] [outputcontrolpoints(3)] "
+           "[patchconstantfunc(\"Patch\")] C Frag(InputPatch<C, 3> patch, uint id : "
+           "SV_OutputControlPointID) { return patch[id]; }",
+           {"Frag", hlsl::Stage::hull}),
+      IsEmpty());
   EXPECT_THAT(said("float4 Vert() { return 1; }"), IsEmpty()) << "no entry point";
 }
 

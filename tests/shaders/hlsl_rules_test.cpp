@@ -285,6 +285,36 @@ TEST(GroupsharedVariables, AreOfComputeProgramsAlone) {
               IsEmpty());
 }
 
+TEST(Stages, HaveTheInstructionsOfTheirStage) {
+  const std::string vertex = "float4 Main(float4 p : POSITION) : SV_Position {\n";
+  EXPECT_THAT(errors(vertex + "clip(p.x); return p; }\n", hlsl::Stage::vertex),
+              ElementsAre("3: clip() and discard end a pixel, and a vertex program has none: only fragment "
+                          "programs have them"));
+  EXPECT_THAT(errors("float4 Main(float4 p : SV_Position) : SV_Target {\nGroupMemoryBarrierWithGroupSync(); "
+                     "return p; }\n",
+                     hlsl::Stage::fragment),
+              ElementsAre("3: a barrier waits for the threads of a group, and a fragment program has none: "
+                          "only compute programs have barriers with sync"));
+  EXPECT_THAT(errors("void Cut(float a) { clip(a); } " + vertex + "return p; }\n", hlsl::Stage::vertex),
+              IsEmpty())
+      << "not reached";
+}
+
+TEST(ReadOnlyBuffers, AreNotChanged) {
+  const auto compute = [](const std::string& body) {
+    return errors(
+        "StructuredBuffer<uint> B; ByteAddressBuffer Y; RWStructuredBuffer<uint> W; RWByteAddressBuffer Z;\n"
+        "[numthreads(1, 1, 1)] void Main() {\n" +
+            body + "\n}\n",
+        hlsl::Stage::compute);
+  };
+  const auto told = ElementsAre(
+      "4: an Interlocked function changes a buffer that can only be read: declare it as an RW buffer");
+  EXPECT_THAT(compute("InterlockedAdd(B[1], 1u); W[0] = B[1];"), told);
+  EXPECT_THAT(compute("uint was; Y.InterlockedAdd(4, 1u, was); W[0] = was;"), told);
+  EXPECT_THAT(compute("uint was; Z.InterlockedAdd(4, B[0], was); InterlockedMax(W[B[1]], was);"), IsEmpty());
+}
+
 TEST(InterlockedFunctions, ChangeMemoryThatIsShared) {
   const auto compute = [](const std::string& body) {
     return errors("RWBuffer<uint> _Out; groupshared uint Shared;\n[numthreads(1, 1, 1)] void Main() {\n" +

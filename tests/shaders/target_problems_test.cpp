@@ -51,6 +51,13 @@ TEST(TargetProblems, OfInterpolationAreThoseOfOpenGlEs) {
   EXPECT_THAT(gl_check({{hlsl::Stage::fragment, emitted.text}}, Target::glsl450), IsEmpty()) << emitted.text;
 }
 
+TEST(TargetProblems, OfFineDerivativesAreThoseOfOpenGlEs) {
+  EXPECT_THAT(of_targets(compiled_for_targets("float4 Main(float2 uv : TEXCOORD0) : SV_Target {\n"
+                                              "return ddx_fine(uv.x) + ddx(uv.y); }")),
+              ElementsAre(StartsWith("essl300: 2: OpenGL ES has no fine and coarse derivatives"),
+                          StartsWith("essl310: 2: ")));
+}
+
 TEST(TargetProblems, OfArraysOfConstantBuffersAreThoseOfShaderModel5) {
   EXPECT_THAT(of_targets(compiled_for_targets(
                   "struct L { float4 a; };\nConstantBuffer<L> one;\nConstantBuffer<L> c[2];\n"

@@ -51,6 +51,7 @@ class CaseLabels {
       while (!open_.empty() && at >= open_.back().close) open_.pop_back();
       if (text_.is(at, "switch")) enter(at);
       if (text_.is(at, "case") && !open_.empty()) check(at);
+      if (open_.empty()) refuse_outside(at);
     }
     text_.apply();
   }
@@ -63,10 +64,22 @@ class CaseLabels {
     if (close != npos) open_.push_back({close, {}});
   }
 
+  // glslang crashes on a label that is in no switch: it is removed.
+  void refuse_outside(std::size_t at) {
+    const bool other = text_.is(at, "default") && text_.is(at + 1, ":");
+    if (!other && !text_.is(at, "case")) return;
+    const std::size_t end = label_end(at + 1, text_.size());
+    if (end == npos) return;
+    text_.note(
+        at, hlsl::Severity::error,
+        "'" + std::string(text_[at].spelling) + "' is in no switch: a label belongs in a switch's braces");
+    text_.erase(at, end + 1 - at);
+  }
+
   // The ':' of the label, not one of `a ? b : c` or `A::b`.
-  std::size_t label_end(std::size_t at) const {
+  std::size_t label_end(std::size_t at, std::size_t close) const {
     std::size_t choices = 0;
-    for (; at < open_.back().close && !text_.is(at, ";") && !text_.is(at, "{"); ++at) {
+    for (; at < close && !text_.is(at, ";") && !text_.is(at, "{"); ++at) {
       if (text_.is(at, "?")) ++choices;
       if (text_.is(at, "(") && text_.matching_bracket(at) != npos) at = text_.matching_bracket(at);
       if (!text_.is(at, ":")) continue;
@@ -81,7 +94,7 @@ class CaseLabels {
 
   void check(std::size_t label) {
     const std::size_t first = label + 1;
-    const std::size_t end = label_end(first);
+    const std::size_t end = label_end(first, open_.back().close);
     if (end == npos || end == first) return;
     for (std::size_t at = first; at < end; ++at) {
       if (varies(at)) return refuse(label, first, end, "a case label must be a constant, and '", at);
@@ -167,8 +180,9 @@ class CaseLabels {
 
 void check_case_labels(TokenText& text) {
   const auto& tokens = text.tokens();
-  if (std::none_of(tokens.begin(), tokens.end(),
-                   [](const hlsl::Token& token) { return token.spelling == "switch"; }))
+  if (std::none_of(tokens.begin(), tokens.end(), [](const hlsl::Token& token) {
+        return token.spelling == "switch" || token.spelling == "case" || token.spelling == "default";
+      }))
     return;
   CaseLabels(text).run();
 }

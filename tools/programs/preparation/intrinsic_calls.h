@@ -6,6 +6,9 @@
 //   HLSL's own definition.
 // - The values of a byte address buffer's Interlocked methods are uint: int literals become uint.
 //
+// - InterlockedCompareStore, which glslang does not have, becomes InterlockedCompareExchange with a variable
+//   for the old value, where the call is a statement of its own.
+//
 // A function of the text with the name of the intrinsic is not changed.
 #pragma once
 

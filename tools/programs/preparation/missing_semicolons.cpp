@@ -3,6 +3,7 @@
 #include "hlsl/name_set.h"
 #include "preparation/declarators.h"
 #include "preparation/declared_values.h"
+#include "preparation/number_shape.h"
 #include "preparation/source_checks.h"
 
 namespace penumbra::preparation {
@@ -21,6 +22,7 @@ class MissingSemicolons {
 
   void run() {
     for (std::size_t at = 1; at + 1 < text_.size(); ++at) {
+      if (text_.is(at, "{") && is_struct(at)) check_behind_struct(text_.matching_bracket(at));
       const bool number = text_[at].kind == hlsl::Token::Kind::number;
       if (!number && !text_.is_identifier(at)) continue;
       if (is_scalar_type(text_[at].spelling) && text_.is_identifier(at + 1)) {
@@ -36,6 +38,21 @@ class MissingSemicolons {
   }
 
  private:
+  // struct Name {, struct Name : Base {
+  bool is_struct(std::size_t open) const {
+    for (std::size_t at = open; at > 0 && open - at < 4; --at)
+      if (text_.is(at - 1, "struct")) return text_.matching_bracket(open) != npos;
+    return false;
+  }
+
+  // A type behind the struct's '}' would be the name of a variable.
+  void check_behind_struct(std::size_t close) {
+    if (close + 1 >= text_.size() || !text_.is_identifier(close + 1)) return;
+    const std::string_view word = text_[close + 1].spelling;
+    if (word == "void" || word == "struct" || word == "cbuffer" || shape_of_type(word).known())
+      text_.note(close, hlsl::Severity::error, "expected ';' behind this '}' of a struct");
+  }
+
   // The front end reports the missing ';' before it.
   bool begins_a_statement(std::size_t at) const {
     static constexpr hlsl::NameSet words("return", "if", "else", "for", "while", "do", "switch", "case",

@@ -27,6 +27,18 @@ bool lacks_return(const TokenText& text, const hlsl::Declaration& function) {
   return !text.is(type, "void") && !is_resource(text[type].spelling) && !has_return(text, function);
 }
 
+// `return;` in a function with a value: glslang returns nothing in particular.
+void refuse_bare_returns(TokenText& text, const hlsl::Declaration& function) {
+  std::size_t type = function.type;
+  while (type < function.name && is_modifier(text[type].spelling)) ++type;
+  if (text.is(type, "void")) return;
+  for (std::size_t at = function.open; at < function.close; ++at)
+    if (text.is(at, "return") && text.is(at + 1, ";"))
+      text.note(at, hlsl::Severity::error,
+                "'" + std::string(text[function.name].spelling) + "' returns a " +
+                    std::string(text[type].spelling) + ": this return needs a value (X3080)");
+}
+
 // The names that the entry point calls, and those that these call.
 std::set<std::string_view> called_names(const TokenText& text, const Functions& functions,
                                         std::string_view entry) {
@@ -53,6 +65,7 @@ void check_missing_values(TokenText& text, const EntryPoint& entry) {
   for (const hlsl::Declaration& declaration : text.declarations()) {
     if (declaration.kind != hlsl::Declaration::Kind::function) continue;
     functions[text[declaration.name].spelling].push_back(&declaration);
+    refuse_bare_returns(text, declaration);
     if (lacks_return(text, declaration)) suspects.push_back(&declaration);
   }
   if (suspects.empty()) return;

@@ -121,11 +121,15 @@ PreparedShader prepare(std::string preprocessed, const std::string& main_file,
     check_static_members(text);
     check_resource_calls(text);
     check_thread_group(text, *entry);
+    check_stage_attributes(text, *entry);
     semantics = check_entry_semantics(text, *entry);
     if (!entry->dxc) check_switch_cases(text);
     check_constant_divisions(text);
     check_initialiser_counts(text);
     check_constructor_counts(text);
+    check_struct_constructors(text);
+    check_larger_casts(text);
+    check_groupshared_values(text);
     check_letter_swizzles(text);
     check_string_values(text, *entry);
     check_packed_members(text);
@@ -138,6 +142,7 @@ PreparedShader prepare(std::string preprocessed, const std::string& main_file,
     check_repeated_globals(text);
   }
   for (const Pass& pass : passes()) pass.run(text);
+  if (entry) refuse_absent_intrinsics(text);
   return {text.print(), text.notes(), std::move(semantics)};
 }
 

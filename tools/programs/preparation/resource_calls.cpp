@@ -3,7 +3,9 @@
 #include <string_view>
 #include <unordered_set>
 
+#include "hlsl/name_set.h"
 #include "preparation/dx9_functions.h"
+#include "preparation/list_elements.h"
 #include "preparation/resource_types.h"
 #include "preparation/source_checks.h"
 #include "preparation/value_types.h"
@@ -17,6 +19,18 @@ bool is_byte_address_buffer(std::string_view type) {
          type == "RasterizerOrderedByteAddressBuffer";
 }
 
+bool takes_numbers(std::string_view intrinsic) {
+  static constexpr hlsl::NameSet names(
+      "abs", "acos", "all", "any", "asfloat", "asin", "asint", "asuint", "atan", "atan2", "ceil", "clamp",
+      "clip", "cos", "cosh", "countbits", "cross", "ddx", "ddy", "degrees", "determinant", "distance", "dot",
+      "exp", "exp2", "f16tof32", "f32tof16", "faceforward", "firstbithigh", "firstbitlow", "floor", "fma",
+      "fmod", "frac", "fwidth", "isinf", "isnan", "ldexp", "length", "lerp", "lit", "log", "log10", "log2",
+      "mad", "max", "min", "mul", "normalize", "pow", "radians", "rcp", "reflect", "refract", "reversebits",
+      "round", "rsqrt", "saturate", "sign", "sin", "sinh", "smoothstep", "sqrt", "step", "tan", "tanh",
+      "transpose", "trunc");
+  return names.contains(intrinsic);
+}
+
 class ResourceCalls {
  public:
   explicit ResourceCalls(TokenText& text) : text_(text), types_(text.types()) {
@@ -26,6 +40,7 @@ class ResourceCalls {
   void run() {
     for (std::size_t at = 1; at + 1 < text_.size(); ++at) {
       if (!text_.is_identifier(at)) continue;
+      if (text_.is(at + 1, "[")) check_element(at);
       if (text_.is(at - 1, ".")) {
         check_method(at);
       } else if (text_.is(at + 1, "(")) {
@@ -41,9 +56,25 @@ class ResourceCalls {
     text_.note(at, hlsl::Severity::error, std::move(message));
   }
 
+  // glslang makes a constant of max(texture, number) and the like.
+  void check_numbers(std::size_t name) {
+    if (text_.matching_bracket(name + 1) == npos) return;
+    for (const ListElement& argument : list_elements(text_, name + 1)) {
+      const std::size_t last = argument.end - 1;
+      const std::string_view type = types_.at(last).name;
+      if (types_.begin(last) != argument.first || types_.at(last).dimensions > 0 || !is_resource(type))
+        continue;
+      refuse(argument.first, "'" + text_.spelled(argument.first, argument.end - argument.first) + "' is a " +
+                                 std::string(type) + ", and " + std::string(word(name)) + "() takes numbers" +
+                                 (is_texture(type) ? ": read it with Sample or Load" : ""));
+    }
+  }
+
   void check_function(std::size_t name) {
+    if (own_functions_.contains(word(name))) return;
+    if (takes_numbers(word(name))) return check_numbers(name);
     const std::optional<Dx9Function> function = dx9_function(word(name));
-    if (!function || own_functions_.contains(word(name))) return;
+    if (!function) return;
     std::size_t last = name + 2;
     while (last + 1 < text_.size() && !text_.is(last + 1, ",") && !text_.is(last + 1, ")")) {
       ++last;
@@ -57,11 +88,35 @@ class ResourceCalls {
                      texture + ".Sample() with a SamplerState");
   }
 
+  // Elements of buffers that are appended to or consumed have no numbers.
+  void check_element(std::size_t name) {
+    const std::size_t declared = types_.named(name);
+    if (declared == npos || types_.declared()[declared].name == name) return;
+    const ValueType& type = types_.at(name);
+    if (type.dimensions > 0 || (!type.is("AppendStructuredBuffer") && !type.is("ConsumeStructuredBuffer")))
+      return;
+    refuse(name, "'" + std::string(word(name)) + "' is " +
+                     (type.is("AppendStructuredBuffer") ? "an AppendStructuredBuffer, which has Append()"
+                                                        : "a ConsumeStructuredBuffer, which has Consume()") +
+                     " and no []: for elements by number declare a StructuredBuffer or RWStructuredBuffer");
+  }
+
+  // Empty: the method exists, or is not one of those that move the buffer's end.
+  static std::string_view type_with(std::string_view method, std::string_view type) {
+    if (!is_buffer(type)) return {};
+    const std::string_view wanted = method == "Append"    ? "AppendStructuredBuffer"
+                                    : method == "Consume" ? "ConsumeStructuredBuffer"
+                                                          : std::string_view();
+    return type == wanted ? std::string_view() : wanted;
+  }
+
   void check_method(std::size_t name) {
     const std::size_t first = types_.begin(name - 2);
     if (first == npos) return;
     const std::string_view type = types_.at(name - 2).name;
     const std::string method = "'" + std::string(word(name)) + "'";
+    if (const std::string_view other = type_with(word(name), type); !other.empty())
+      refuse(name, std::string(type) + " has no method " + method + ": it belongs to " + std::string(other));
     if (is_sampler(type) && text_.is(name + 1, "(")) {
       const std::string_view dimension = dx9_dimension(type);
       refuse(name, "a " + std::string(type) + " has no method " + method + ": " +

@@ -30,8 +30,13 @@ void check_switch_cases(TokenText& text);
 // i = 3 j = 4;`, `float a b;`: a name or number where only an operator, ',' or ';' may follow.
 void check_semicolons(TokenText& text);
 
-// A kernel without [numthreads(x, y, z)].
+// A kernel without [numthreads(x, y, z)], or with another number of sizes.
 void check_thread_group(TokenText& text, const EntryPoint& entry);
+
+// Attributes that a geometry, hull or domain program needs and lacks, a patch constant function that does not
+// exist, streams without `inout`, and more numbers than a geometry program may emit (FXC X4552). Reports
+// nothing if there is no entry point of that name, or several.
+void check_stage_attributes(TokenText& text, const EntryPoint& entry);
 
 // Inputs and outputs of the entry point without a semantic, or with one that its stage does not have: FXC
 // X3502, X4502. Reports nothing if there is no entry point of that name, or several. Returns where those with
@@ -51,14 +56,29 @@ void check_initialiser_counts(TokenText& text);
 // of an argument is unknown.
 void check_constructor_counts(TokenText& text);
 
+// `S(1, 2)` for a struct S: FXC X3037.
+void check_struct_constructors(TokenText& text);
+
+// Casts of a vector or matrix to one with more rows or columns: FXC X3017. glslang fills the rest with zeros,
+// and ones on the diagonal.
+void check_larger_casts(TokenText& text);
+
+// groupshared variables in functions and structs.
+void check_groupshared_values(TokenText& text);
+
 // `.stpq` swizzles, which HLSL does not have.
 void check_letter_swizzles(TokenText& text);
 
 // Variables of type string, which FXC ignores: warnings. DXC accepts them only at file scope.
 void check_string_values(TokenText& text, const EntryPoint& entry);
 
+// Functions of HLSL that glslang does not have, on some of which it crashes; they are renamed. A check that
+// reports columns must not run after this one.
+void refuse_absent_intrinsics(TokenText& text);
+
 // Methods that the resource's type does not have, or that glslang does not have for it (`.sample[][]`, the
-// Load<T> of DXC), and Direct3D 9's texture functions with a texture in place of a sampler.
+// Load<T> of DXC), elements of buffers that have none, Direct3D 9's texture functions with a texture in place
+// of a sampler, and textures and samplers as arguments of functions of numbers.
 void check_resource_calls(TokenText& text);
 
 // Static variables in structs, which glslang takes for members of each value.
@@ -72,7 +92,8 @@ void check_interfaces(TokenText& text);
 // `true`. A check that reports columns must not run after this one.
 void check_operand_kinds(TokenText& text);
 
-// Case labels that are not constant integers, or duplicates; they are replaced by another number. A check
+// Case labels that are not constant integers, or duplicates, which are replaced by another number, and those
+// outside of a switch, which are removed. A check
 // that reports columns must not run after this one.
 void check_case_labels(TokenText& text);
 
@@ -99,9 +120,9 @@ bool check_struct_sizes(TokenText& text);
 // aligned to one although they must be; packoffset() outside of cbuffers.
 void check_packed_members(TokenText& text);
 
-// A function that the entry point calls, or the entry point itself, with a return type and without any return
-// statement: FXC X3507. Reports nothing for overloads, because the call's arguments decide which one is
-// called.
+// `return;` in a function with a return type: FXC X3080. A function that the entry point calls, or the entry
+// point itself, with a return type and without any return statement: FXC X3507; reports nothing for
+// overloads, because the call's arguments decide which one is called.
 void check_missing_values(TokenText& text, const EntryPoint& entry);
 
 // Variables at file scope, members of cbuffers and members of structs that are declared twice (FXC X3003),

@@ -7,6 +7,7 @@
 #include "shaders/generated_words.h"
 #include "shaders/lost_resources.h"
 #include "shaders/misread_textures.h"
+#include "shaders/refused_instructions.h"
 #include "shaders/refused_memory.h"
 #include "shaders/texel_offsets.h"
 #include "shaders/zero_divisions.h"
@@ -24,6 +25,7 @@ std::vector<ModuleProblem> shown_by(const SpirvModule& module, hlsl::Stage stage
   append(problems, misread_textures(module));
   append(problems, refused_offsets(module));
   append(problems, refused_memory(module, stage));
+  append(problems, refused_instructions(module, stage));
   return problems;
 }
 

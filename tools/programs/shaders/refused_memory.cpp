@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 
 #include "shaders/module_search.h"
@@ -32,12 +33,29 @@ class MemorySearch final : public ModuleSearch {
  private:
   void visit(spirv::Words instruction) override {
     const spv::Op op = spirv::opcode(instruction);
+    note_read_only(op, instruction);
     if (op == spv::OpTypePointer && instruction.size() > 2) classes_[instruction[1]] = instruction[2];
     if (const std::size_t at = pointer_word(op); at != 0 && instruction.size() > at)
       use(op, class_of(instruction[at]));
     const bool makes_pointer = op == spv::OpVariable || op == spv::OpAccessChain ||
                                op == spv::OpInBoundsAccessChain || op == spv::OpCopyObject;
     if (makes_pointer && instruction.size() > 2) classes_[instruction[2]] = class_of(instruction[1]);
+  }
+
+  // Buffers whose struct has members that may not be written, and the variables behind pointers into them.
+  void note_read_only(spv::Op op, spirv::Words instruction) {
+    if (op == spv::OpMemberDecorate && instruction.size() > 3 && instruction[3] == spv::DecorationNonWritable)
+      read_only_.insert(instruction[1]);
+    if (op == spv::OpTypePointer && instruction.size() > 3 && read_only_.contains(instruction[3]))
+      read_only_.insert(instruction[1]);
+    if (op == spv::OpVariable && instruction.size() > 2 && read_only_.contains(instruction[1]))
+      read_only_.insert(instruction[2]);
+    const bool part = op == spv::OpAccessChain || op == spv::OpInBoundsAccessChain || op == spv::OpCopyObject;
+    if (part && instruction.size() > 3 && read_only_.contains(instruction[3]))
+      read_only_.insert(instruction[2]);
+    if (is_atomic(op) && op != spv::OpAtomicLoad && pointer_word(op) < instruction.size() &&
+        read_only_.contains(instruction[pointer_word(op)]))
+      report("an Interlocked function changes a buffer that can only be read: declare it as an RW buffer");
   }
 
   // Of a pointer's type, and of a pointer.
@@ -57,6 +75,7 @@ class MemorySearch final : public ModuleSearch {
   }
 
   hlsl::Stage stage_;
+  std::set<std::uint32_t> read_only_;               // structs, pointer types, variables and pointers
   std::map<std::uint32_t, std::uint32_t> classes_;  // of storage, by pointer and type of pointers
 };
 

@@ -1,6 +1,6 @@
-// Invalid uses of memory: groupshared variables outside of compute programs, and local variables that an
-// Interlocked function changes. SPIRV-Tools rejects both, with messages in SPIR-V's terms. Internal to this
-// room.
+// Invalid uses of memory: groupshared variables outside of compute programs, and local variables or read-only
+// buffers that an Interlocked function changes. SPIRV-Tools accepts the last, and rejects the others with
+// messages in SPIR-V's terms. Internal to this room.
 #pragma once
 
 #include <vector>

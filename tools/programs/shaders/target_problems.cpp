@@ -62,6 +62,20 @@ class Interpolations final : public ModuleSearch {
   }
 };
 
+class DerivativeKinds final : public ModuleSearch {
+ public:
+  using ModuleSearch::ModuleSearch;
+
+ private:
+  void visit(spirv::Words instruction) override {
+    const spv::Op op = spirv::opcode(instruction);
+    if (op >= spv::OpDPdxFine && op <= spv::OpFwidthCoarse)
+      report(
+          "OpenGL ES has no fine and coarse derivatives: write ddx and ddy, or leave gles3 out with "
+          "#pragma exclude_renderers");
+  }
+};
+
 // The names of the uniform buffers that are arrays.
 class BufferArrays {
  public:
@@ -119,6 +133,8 @@ std::vector<TargetProblem> target_problems(const SpirvModule& module, const std:
   for (ModuleProblem& problem : WaveOperations(module).run())
     problems.push_back({all_but_metal(), std::move(problem)});
   for (ModuleProblem& problem : Interpolations(module).run())
+    problems.push_back({of_language(TargetLanguage::essl), std::move(problem)});
+  for (ModuleProblem& problem : DerivativeKinds(module).run())
     problems.push_back({of_language(TargetLanguage::essl), std::move(problem)});
   for (const std::string& name : BufferArrays().run(module))
     problems.push_back(
