@@ -20,9 +20,9 @@
 //   half the depth range (discShare 0.5): of 0.12 to 1 the share with the smallest error in the scene `trees` at 2
 //   degrees. Receivers and blockers nearer to the near plane get wider penumbrae than the disc's, others narrower ones.
 // - Bias: the receiver moves along its normal, half a texel times the sine of the angle to the light (normalBias 1).
-//   Casters are drawn with a slope-scaled offset of two texels (polygonOffsetSlope 2), which a receiver on the same
-//   surface sees as its own offset by its own slope. A manifest's bias has no slope, so here the receiver moves. The
-//   constant offset of half a step of stored depth is omitted. Taps are tested against the receiver's plane.
+//   Casters are drawn with a slope-scaled offset of two (polygonOffsetSlope 2), in place of Unity's 2.5; where a pipeline
+//   cannot, slopeBias moves the receiver by as much of its own slope. The constant offset of half a step of stored depth
+//   is omitted. Taps are tested against the receiver's plane.
 //
 // What is different here: the plane is from the normal, where Filament has it from screen derivatives, which are not
 // finite where the surface is seen edge-on. The blocker's distance is at least 2^-24, where Filament divides by 0. Taps

@@ -23,8 +23,9 @@
 // - Blockers are searched in depths that are interpolated between texels: at an edge of a caster they lie between caster
 //   and ground, where nothing is.
 // - Bias: the receiver moves 0.001 of the depth range toward the light (shadow_bias 0.1), and across the light by its
-//   normal's part there times two texels (shadow_normal_bias 2). Casters are drawn without one. The receiver's plane is
-//   not used, so wide disks shadow the slope that they lie on.
+//   normal's part there times two texels (shadow_normal_bias 2). The receiver's plane is not used, so wide disks shadow the
+//   slope that they lie on. Casters are drawn without Godot's biases, but with Unity's slope-scaled one, without which more
+//   lit surfaces shadow themselves.
 //
 // With an angular diameter of 0 this is one bilinear comparison per tap; Godot then has another filter.
 //

@@ -34,8 +34,9 @@
 // - The light's angular diameter a is Unreal's source angle. The disc's radius at a distance of 1 is tan(a/2), as
 //   everywhere here; in Unreal it is sin(a/2).
 // - A sample's time and that before it differ, so the slope is finite for any number of samples.
-// - Bias: casters are drawn without one. The tolerance takes its place, with the normal bias and, for the dither, twice
-//   the rise of the receiver's plane.
+// - Bias: Unreal draws casters without one. The tolerance takes its place, with the normal bias and, for the dither, twice
+//   the rise of the receiver's plane. They are meant for maps with a texel per pixel. Here casters are drawn with Unity's
+//   slope-scaled bias all the same: a cascade's texels are larger, and without it more lit surfaces shadow themselves.
 #ifndef PENUMBRA_UNREAL_SMRT_HLSL
 #define PENUMBRA_UNREAL_SMRT_HLSL
 

@@ -142,11 +142,11 @@ TEST_F(GithubRun, BadInputKeepsItsCodeAndLeavesNoReport) {
 
 // It would check the tool's own library, and be green whatever the project holds.
 TEST_F(GithubRun, WithoutAnythingToValidateItFails) {
-  for (const char* arguments : {"", "  "}) {
-    const auto result = run_step({{"program", stub_program(0).string()}, {"arguments", arguments}});
+  for (const char* arguments : {"", "  ", "--target spirv", "--unity-version 6000.0 --jobs 2"}) {
+    const auto result = run_step({{"program", PENUMBRA_PROGRAM}, {"arguments", arguments}});
     EXPECT_EQ(result.exit_code, 2);
-    EXPECT_THAT(result.errors, AllOf(HasSubstr("ARGUMENTS"), HasSubstr("--project FOLDER")));
-    EXPECT_FALSE(std::filesystem::exists(path("called")));
+    EXPECT_THAT(result.errors, AllOf(HasSubstr("there is nothing to validate"), HasSubstr("--project")));
+    EXPECT_FALSE(std::filesystem::exists(path("penumbra-reports/penumbra.json")));
   }
 }
 

@@ -41,7 +41,7 @@ TEST_F(Gitlab, EveryShardIsAskedFor) {
     EXPECT_EQ(result.exit_code, 0) << result.errors;
     const std::string number = std::to_string(index);
     EXPECT_THAT(read("called"),
-                HasSubstr("validate\n--jobs\n2\n--shard\n" + number +
+                HasSubstr("validate\n--jobs\n2\n--require-sources\n--shard\n" + number +
                           "/4\n--format\njson\n-o\npenumbra-shards/" + number + "/penumbra.json\n"));
   }
 }

@@ -40,7 +40,10 @@ std::vector<PictureRow> lit_rows(const std::vector<std::string>& techniques, int
   settings.answered = [&](const SubjectAnswer& answer) { view.add(answer); };
   std::vector<Subject> subjects;
   for (const std::string& technique : techniques) {
-    subjects.push_back(technique_subject(library_techniques(), library_techniques().find(technique), true));
+    {
+      subjects.push_back(technique_subject(library_techniques(), library_techniques().find(technique), true));
+      subjects.back().raster_bias = {};  // as in the picture
+    }
   }
   StudyOutcome outcome = run_study(test_device(), subjects, settings, [](auto&&...) {});
   view.replace_pictures(outcome.pictures);

@@ -34,6 +34,8 @@ TEST(ResultBlock, ATablePerLightThenChartScenesAndOrigin) {
       "2° light, 2 scenes",
       "](Documentation~/results/pareto-fetches.svg)",
       "<summary>Penumbra RMSE of every scene</summary>",
+      "<summary>Light leaks of every scene, %</summary>",
+      "<summary>False shadow of every scene, %</summary>",
       "penumbra measure --seed 1",
       "com.example.shadows 17.0.3, com.example.core,",
       "made-up driver 1.2",
@@ -202,24 +204,25 @@ std::vector<std::string> once() {
 }
 
 std::vector<PublishedPage> published_pages() {
-  return {{"Readme",
-           "README.md",
-           "presets",
-           {"urp-low", "urp-medium", "urp-high", "urp-high-normal-bias-0", "hdrp-pcss", "preset-low",
-            "preset-medium", "preset-high", "preset-ultra"},
-           BlockForm::brief},
-          {"ReadmeLine",
-           "README.md",
-           "presets",
-           {"urp-high", "urp-high-normal-bias-0", "hdrp-pcss", "preset-high"},
-           BlockForm::line,
-           "line"},
-          {"Presets", "Documentation~/presets.md", "presets"},
-          {"Techniques", "Documentation~/techniques.md", "techniques"},
-          {"EqualBias", "Documentation~/bias.md", "equal-bias", once()},
-          {"EqualBiasOfUrp", "Documentation~/bias.md", "equal-bias-urp", once(), BlockForm::full,
-           "results-urp-bias"},
-          {"FarOrigin", "Documentation~/far-origin.md", "far-origin"}};
+  return {
+      {"Readme",
+       "README.md",
+       "presets",
+       {"urp-low", "urp-medium", "urp-high", "urp-low-normal-bias-0", "urp-medium-normal-bias-0",
+        "urp-high-normal-bias-0", "hdrp-pcss", "preset-low", "preset-medium", "preset-high", "preset-ultra"},
+       BlockForm::brief},
+      {"ReadmeLine",
+       "README.md",
+       "presets",
+       {"urp-high", "urp-high-normal-bias-0", "hdrp-pcss", "preset-high"},
+       BlockForm::line,
+       "line"},
+      {"Presets", "Documentation~/presets.md", "presets"},
+      {"Techniques", "Documentation~/techniques.md", "techniques"},
+      {"EqualBias", "Documentation~/bias.md", "equal-bias", once()},
+      {"EqualBiasOfUrp", "Documentation~/bias.md", "equal-bias-urp", once(), BlockForm::full,
+       "results-urp-bias"},
+      {"FarOrigin", "Documentation~/far-origin.md", "far-origin"}};
 }
 
 class Published : public testing::TestWithParam<PublishedPage> {};

@@ -18,6 +18,7 @@
 #include "cli/varied_subjects.h"
 #include "input/input_error.h"
 #include "input/text_file.h"
+#include "input/visible_text.h"
 #include "platform/atomic_file.h"
 #include "platform/data_directory.h"
 #include "platform/processor.h"
@@ -151,7 +152,7 @@ void write_report(const std::filesystem::path& folder, const study::Results& res
 void print_headlines(const std::filesystem::path& folder, const study::Results& results) {
   std::string text;
   for (const study::Headline& headline : study::headlines(results)) {
-    text += fmt::format("{:>8}  {} ({})\n", headline.value, headline.name, headline.detail);
+    text += fmt::format("{:>8}  {} ({})\n", headline.value, headline.name, visible(headline.detail));
   }
   text += fmt::format("report: {}\n",
                       std::filesystem::absolute(folder / "report.html").lexically_normal().string());

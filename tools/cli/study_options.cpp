@@ -169,7 +169,7 @@ void add_study_options(CLI::App& command, StudyOptions& options, const std::stri
   add("--cache", options.cache, "FOLDER", "Folder in which references are cached between runs")
       ->default_str("the user's cache");
   add("--device", options.device, "DEVICE", "Vulkan device: part of its name, or its number")
-      ->default_str("the first");
+      ->default_str("the software device");
   command.add_flag("--validation", options.validation, "Run with Vulkan's validation layers")->group("Study");
   add_package_roots(command, options.package_roots)->group("Study");
   add_project(command, options.project)->group("Study");

@@ -231,7 +231,11 @@ void add_sources(const CLI::App& command, const ValidateOptions& options,
   validation::ShaderSources sources(std::move(source));
   for (const project::ShaderFile& file : files.files) sources.add(file);
 
-  for (const hlsl::Diagnostic& problem : found.said) say(context, hlsl::format(problem));
+  for (const hlsl::Diagnostic& problem : found.said)
+    if (problem.severity != hlsl::Severity::note)
+      std::fprintf(stderr, "%s\n", hlsl::format(problem).c_str());  // what is skipped, --quiet or not
+    else
+      say(context, hlsl::format(problem));
   refuse_unknown_keywords(options, sources, context);
   if (options.explain) return explain(options, sources, request.engine, context);
   const variants::Plan plan = sources.plan();
@@ -273,6 +277,9 @@ void check_outputs(const ValidateOptions& options, const Context& context) {
 
 void run_validate(const CLI::App& command, const ValidateOptions& options, Context& context) {
   const bool sources_given = !options.places.empty() || !options.project.empty();
+  if (options.require_sources && !sources_given)
+    throw InputError("--require-sources", "there is nothing to validate",
+                     "name files, or a project with --project");
   check_outputs(options, context);
   refuse_idle_options(command, options);
   validation::ValidationRequest request;

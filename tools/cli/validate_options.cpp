@@ -24,6 +24,8 @@ void add_what(CLI::App& command, ValidateOptions& options) {
   as_list(command.add_option("--skip", options.skip, "Pattern of files to exclude"))
       ->type_name("PATTERN")
       ->default_str("none");
+  command.add_flag("--require-sources", options.require_sources,
+                   "Fail where neither files nor --project are given, instead of validating the library");
   add_technique_list_option(command, options.techniques);
   command.add_option("--entry", options.entry, "Entry point of .hlsl files")->type_name("NAME");
   command.add_option("--stage", options.stage, "Stage of .hlsl files")

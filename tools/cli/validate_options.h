@@ -52,6 +52,7 @@ struct ValidateOptions {
   std::string shard;
   std::string cache;
   bool no_cache = false;
+  bool require_sources = false;
   std::string keep;
   WorkerOptions worker;
   ReportOptions report;

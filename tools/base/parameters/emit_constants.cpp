@@ -128,7 +128,8 @@ const std::vector<TableRow>& table_rows() {
          return c.radial_to_depth ? six_digits(*c.radial_to_depth) : std::string("none");
        }},
       {"depth to radial, HDRP", [](const Cascade& c) { return six_digits(c.depth_to_radial_hdrp); }},
-      {"largest penumbra (texels)", [](const Cascade& c) { return six_digits(c.max_penumbra_texels); }},
+      {"largest penumbra radius (texels)",
+       [](const Cascade& c) { return six_digits(c.max_penumbra_texels); }},
       {"depth bias (m)", [](const Cascade& c) { return six_digits(c.depth_bias_metres); }},
       {"normal bias (m)", [](const Cascade& c) { return six_digits(c.normal_bias_metres); }},
   };

@@ -49,7 +49,9 @@ hlsl::Diagnostic no_entry_point(const SourceProgram& program) {
           program.line,
           program.column,
           hlsl::Severity::error,
-          "this program names no entry point: add #pragma vertex, #pragma fragment or similar",
+          fs::path(program.file).extension() == ".compute"
+              ? "this file names no kernel: add #pragma kernel NAME"
+              : "this program names no entry point: add #pragma vertex, #pragma fragment or similar",
           {}};
 }
 

@@ -76,7 +76,9 @@ std::string mean_table(const Results& results, double light, BlockForm form) {
   return table.text();
 }
 
-std::string scene_table(const Results& results, double light) {
+// A row for each choice, a column for each scene: what `figure` says of a record.
+template <typename Figure>
+std::string scene_table(const Results& results, double light, Figure figure) {
   std::vector<std::string> heads{"Technique"};
   for (const std::string& scene : scene_names(results)) heads.push_back(markdown_cell(scene));
   MarkdownTable table(heads);
@@ -84,7 +86,7 @@ std::string scene_table(const Results& results, double light) {
     std::vector<std::string> cells{title_of(choice)};
     for (const std::string& scene : scene_names(results)) {
       const Record* record = find_record(results, choice.label, scene, light);
-      cells.push_back(figure_text(record != nullptr ? rmse_penumbra_of(*record) : std::nullopt));
+      cells.push_back(record != nullptr ? figure(*record) : figure_text(std::nullopt));
     }
     table.add(cells);
   }
@@ -178,13 +180,22 @@ std::string brief_block(const Results& results) {
 
 std::string full_block(const Results& results, const std::string& chart_path) {
   std::string block = how_to_read();
-  std::string scenes;
+  std::string errors, leaks, false_shadow;
+  const auto add = [&results](std::string& tables, double light, const auto& figure) {
+    tables +=
+        (tables.empty() ? "" : "\n") + light_name(light) + " light\n\n" + scene_table(results, light, figure);
+  };
   for (const double light : light_sizes(results)) {
     block += light_table(results, light, BlockForm::full) + "\n";
-    scenes += (scenes.empty() ? "" : "\n") + light_name(light) + " light\n\n" + scene_table(results, light);
+    add(errors, light, [](const Record& record) { return figure_text(rmse_penumbra_of(record)); });
+    add(leaks, light, [](const Record& record) { return figure_text(leak_rate_of(record), 100.0); });
+    add(false_shadow, light,
+        [](const Record& record) { return figure_text(false_shadow_rate_of(record), 100.0); });
   }
   block += fmt::format("![Penumbra error against fetches per pixel]({})\n\n", chart_path);
-  return block + folded("Penumbra RMSE of every scene", scenes) + "\n" + command(results);
+  return block + folded("Penumbra RMSE of every scene", errors) + "\n" +
+         folded("Light leaks of every scene, %", leaks) + "\n" +
+         folded("False shadow of every scene, %", false_shadow) + "\n" + command(results);
 }
 
 }  // namespace
