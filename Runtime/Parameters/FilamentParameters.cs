@@ -37,8 +37,8 @@ namespace Penumbra
         [Range(0.0f, 64.0f)]
         public float normalBias;
 
-        /// <summary>By whose change of depth on its plane the receiver moves toward the light. Unit: texels.</summary>
-        [Tooltip("By whose change of depth on its plane the receiver moves toward the light. Unit: texels.")]
+        /// <summary>By whose change of depth on its plane the receiver moves toward the light; 0 where casters are drawn with a slope-scaled bias. Unit: texels.</summary>
+        [Tooltip("By whose change of depth on its plane the receiver moves toward the light; 0 where casters are drawn with a slope-scaled bias. Unit: texels.")]
         [Range(0.0f, 64.0f)]
         public float slopeBias;
 
@@ -50,7 +50,7 @@ namespace Penumbra
             bulbRadiusMetres = 0.0f,
             discShare = 0.5f,
             normalBias = 1.0f,
-            slopeBias = 2.0f,
+            slopeBias = 0.0f,
         };
 
         /// <summary>The value of _PenumbraFilamentParameters0. Components are clamped to their ranges; NaN gives the low end.</summary>

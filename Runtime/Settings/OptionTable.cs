@@ -8,8 +8,8 @@ namespace Penumbra
         {
             internal const string Label = "Quality";
             internal const string Tooltip =
-                "The cost per pixel: sets all options except those of the look. With Custom, every option is set " +
-                "by hand.";
+                "The cost per pixel: sets the technique and how it filters. With Custom, every option is set by " +
+                "hand.";
         }
 
         internal static class Look

@@ -12,7 +12,7 @@ struct FilamentParameters
     float bulbRadiusMetres; // m: radius of the bulb at the near plane, to which discShare adds
     float discShare; // 1: radius of the bulb, as a share of that of the light's disc at the distance of the whole depth range
     float normalBias; // half texels: by which the receiver moves along its normal, times the sine of its angle to the light
-    float slopeBias; // texels: by whose change of depth on its plane the receiver moves toward the light
+    float slopeBias; // texels: by whose change of depth on its plane the receiver moves toward the light; 0 where casters are drawn with a slope-scaled bias
 };
 
 // Unpacks the uniforms _PenumbraFilamentParameters0, _PenumbraFilamentParameters1, which the package's C# struct of the same name sets.

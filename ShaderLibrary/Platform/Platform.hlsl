@@ -41,6 +41,7 @@
 #define TEXTURE2D_SHADOW_PARAM(textureName, samplerName) TEXTURE2D(textureName), SAMPLER_CMP(samplerName)
 #define TEXTURE2D_SHADOW_ARGS(textureName, samplerName) textureName, samplerName
 
+#define SAMPLE_TEXTURE2D(textureName, samplerName, uv) textureName.Sample(samplerName, uv)
 #define SAMPLE_TEXTURE2D_LOD(textureName, samplerName, uv, lod) textureName.SampleLevel(samplerName, uv, lod)
 #define SAMPLE_TEXTURE2D_SHADOW(textureName, samplerName, uvAndDepth) \
     textureName.SampleCmpLevelZero(samplerName, (uvAndDepth).xy, (uvAndDepth).z)
@@ -53,6 +54,8 @@
 #define TEXTURE2D_X(textureName) TEXTURE2D(textureName)
 #define TEXTURE2D_X_FLOAT(textureName) TEXTURE2D(textureName)
 #define LOAD_TEXTURE2D_X(textureName, texel) LOAD_TEXTURE2D(textureName, texel)
+#define TEXTURE2D_X_MSAA(type, textureName) Texture2DMS<type> textureName
+#define LOAD_TEXTURE2D_X_MSAA(textureName, texel, sampleIndex) textureName.Load(texel, sampleIndex)
 
 #endif
 #endif

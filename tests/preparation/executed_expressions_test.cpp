@@ -159,6 +159,15 @@ TEST(ExecutedIntrinsicCalls, MadAndLdexpOfEveryType) {
   EXPECT_THAT(run_prepared(execution), ElementsAre(13.0F, 17.0F, 8.0F, 20.5F, 12.0F, 2.5F));
 }
 
+TEST(ExecutedUniformParameters, ArgumentsAreConverted) {
+  const Execution execution{R"(float F(float a, uniform float b, uniform in int c) { return a * b + c; }
+[numthreads(1, 1, 1)] void Main() { Out[0] = F(In[0], 2, 1.5); Out[1] = F(1, In[0], 2u); })",
+                            {3.0F},
+                            {},
+                            2};
+  EXPECT_THAT(run_prepared(execution), ElementsAre(7.0F, 5.0F));
+}
+
 TEST(ExecutedIntrinsicCalls, CompareStoreChangesWhatIsEqual) {
   const Execution execution{R"(groupshared int S[2]; groupshared uint U;
 [numthreads(1, 1, 1)] void Main() {

@@ -47,6 +47,10 @@ TEST_F(IncludeSearchTest, EverySpellingThatUnityAccepts) {
     EXPECT_EQ(found(asked), "Assets/Shaders/Noise.hlsl") << asked;
 }
 
+TEST_F(IncludeSearchTest, ANameThatIsEmptyNamesNoFile) {
+  EXPECT_EQ(found(""), "the #include names no file");
+}
+
 TEST_F(IncludeSearchTest, OtherCaseIsFoundWithAWarningThatNamesTheFile) {
   const auto warning = [this](const std::string& asked, const std::string& file) {
     return "'" + asked + "' names " + files.text(file) +

@@ -364,7 +364,7 @@ TEST(HlslRules, SaysWhatACallOrAnAssignmentTakes) {
   EXPECT_THAT(message("float a = mod(uv.x, 2);"), ElementsAre("2: unknown function 'mod'; HLSL has 'fmod'"));
   EXPECT_THAT(message("float4 a = mul(uv, uv, 2);"), ElementsAre("2: mul takes two arguments"));
   EXPECT_THAT(message("string s = \"abc;"), ElementsAre(HasSubstr("2: this text has no closing '\"'")));
-  EXPECT_THAT(message("bool b = uv.x > 0; b += 1;"), ElementsAre(HasSubstr("a bool takes only '='")));
+  EXPECT_THAT(message("bool b = uv.x > 0; b += 1;"), ElementsAre(HasSubstr("or the variable is a bool")));
 }
 
 }  // namespace

@@ -43,6 +43,7 @@ struct MeasureOptions : StudyOptions {
   bool no_split = false;
   int pan_frames = 0;
   int penumbra_pixels = 0;
+  int edge_samples = 0;
   std::string from;                        // earlier results.json: nothing is measured
   std::string readme;                      // file whose result block is replaced
   std::string block{study::kResultBlock};  // that block's name
@@ -121,6 +122,10 @@ study::StudySettings study_settings(const MeasureOptions& options) {
   settings.timing_repeats = options.timing_repeats;
   settings.split_error = !options.no_split;
   settings.pan_frames = options.pan_frames;
+  settings.edge_samples = options.edge_samples;
+  if (options.edge_samples > 0 && settings.split_error)
+    throw InputError("--edge-samples", "the error is split for one surface in each pixel",
+                     "leave out the split: --no-split");
   settings.jobs = options.jobs;
   settings.cache = options.cache;
   return settings;
@@ -290,6 +295,14 @@ void add_measure(CLI::App& app, Context& context) {
                    "3840x2160; 0: keep --size")
       ->type_name("N")
       ->check(within(0, 1'000'000))
+      ->group("Study");
+  command
+      ->add_option(
+          "--edge-samples", options->edge_samples,
+          "Measure only pixels whose 2, 4 or 8 samples see several surfaces, against the mean of the "
+          "samples; 0: every pixel at its centre")
+      ->type_name("N")
+      ->check(one_of({"0", "2", "4", "8"}))
       ->group("Study");
   const auto file = [&](const char* name, std::string& value, const char* description) {
     return command->add_option(name, value, description)->type_name("FILE")->default_str("none");

@@ -7,6 +7,7 @@
 #include "reference/same_map_estimate.h"
 #include "reference/trace_visibility.h"
 #include "scene/content_hash.h"
+#include "study/edge_reference.h"
 #include "study/metrics.h"
 
 namespace penumbra::study {
@@ -57,14 +58,16 @@ CaseBuilder::CaseBuilder(const gpu::Device& device, const std::vector<Subject>& 
     : device_(device), subjects_(subjects), settings_(settings), progress_(progress), cache_(cache) {}
 
 CaseSetup CaseBuilder::build(const scene::Scene& scene, scene::Rasteriser& rasteriser, double degrees) const {
-  CaseSetup setup{scene, nullptr, degrees, {}, {}, settings_.frame.width, settings_.frame.height};
+  CaseSetup setup{
+      scene, nullptr, degrees, {}, {}, settings_.frame.width, settings_.frame.height, settings_.edge_samples};
   if (std::any_of(subjects_.begin(), subjects_.end(),
                   [](const Subject& subject) { return subject.graph.graph.draws_casters(); }))
     setup.casters = std::make_unique<const resolve::CastersOnDevice>(device_, scene);
   if (settings_.penumbra_pixels > 0) enlarge(setup, rasteriser);
   for (const Subject& subject : subjects_) add_view(setup, rasteriser, FrameRequest::of(subject));
-  setup.t1 = traced(setup, setup.views.front().frame.receivers, settings_.reference_samples,
-                    "ray tracing " + setup.label());
+  setup.t1 = settings_.edge_samples > 0 ? traced_edges(setup, rasteriser)
+                                        : traced(setup, setup.views.front().frame.receivers,
+                                                 settings_.reference_samples, "ray tracing " + setup.label());
   if (settings_.split_error) {
     for (View& view : setup.views) view.t2 = same_map_estimate(setup, rasteriser, view);
   }
@@ -79,6 +82,23 @@ reference::VisibilityImage CaseBuilder::traced(const CaseSetup& setup, const sce
     return reference::trace_visibility(setup.scene, receivers, *setup.scene.spot_light, trace, run, &cache_);
   const parameters::Light light{setup.scene.light_direction, setup.light_degrees};
   return reference::trace_visibility(setup.scene, receivers, light, trace, run, &cache_);
+}
+
+// A picture for each sample of a pixel, taken where it lies.
+reference::VisibilityImage CaseBuilder::traced_edges(const CaseSetup& setup,
+                                                     scene::Rasteriser& rasteriser) const {
+  std::vector<SampleView> samples;
+  for (const glm::dvec2& offset : sample_offsets(settings_.edge_samples)) {
+    scene::FrameSettings moved = setup.views.front().frame.settings;
+    moved.lens_shift += glm::dvec2(2.0 * offset.x / moved.width, -2.0 * offset.y / moved.height);
+    scene::Receivers receivers = rasteriser.frame(moved).receivers;
+    const std::string work = "ray tracing " + setup.label() + ", sample " +
+                             std::to_string(samples.size() + 1) + " of " +
+                             std::to_string(settings_.edge_samples);
+    reference::VisibilityImage image = traced(setup, receivers, settings_.reference_samples, work);
+    samples.push_back({std::move(receivers), std::move(image)});
+  }
+  return edge_reference(samples, setup.views.front().frame.camera);
 }
 
 // A few rays per pixel of the smallest picture estimate the number of penumbra pixels, which grows with the

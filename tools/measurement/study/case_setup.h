@@ -58,6 +58,7 @@ struct CaseSetup {
   std::vector<View> views;  // one for each request of the subjects
   int width = 0;            // of the picture
   int height = 0;
+  int edge_samples = 0;  // as in StudySettings
 
   std::string label() const;  // "trees at 0.53 degrees"
   const View& view(const FrameRequest& request) const {
@@ -79,6 +80,7 @@ class CaseBuilder {
   void enlarge(CaseSetup& setup, scene::Rasteriser& rasteriser) const;
   reference::VisibilityImage traced(const CaseSetup& setup, const scene::Receivers& receivers, int samples,
                                     const std::string& work) const;
+  reference::VisibilityImage traced_edges(const CaseSetup& setup, scene::Rasteriser& rasteriser) const;
   scene::FrameSettings frame_settings(const CaseSetup& setup, const FrameRequest& request) const;
   void add_view(CaseSetup& setup, scene::Rasteriser& rasteriser, const FrameRequest& request) const;
   FrameOfCase on_device_frame(const scene::Frame& frame, const resolve::CastersOnDevice* casters) const;

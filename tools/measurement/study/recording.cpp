@@ -163,8 +163,11 @@ PassRecord pass_record(const resolve::PassCounts& counts) {
 }
 
 // Also what says of a record that its light is a spot light.
-std::string reference_kind(const scene::Frame& frame) {
-  if (!frame.spot_shadow) return "ray-traced disc light";
+std::string reference_kind(const scene::Frame& frame, int edge_samples) {
+  if (!frame.spot_shadow)
+    return edge_samples == 0
+               ? "ray-traced disc light"
+               : fmt::format("ray-traced disc light, mean of {} samples at edges", edge_samples);
   return fmt::format("ray-traced spot light, source radius {:.4g} m",
                      frame.spot_shadow->light.source_radius_metres);
 }
@@ -213,7 +216,7 @@ Record record_of(const CaseSetup& setup, const View& view, const Subject& subjec
   std::vector<double> milliseconds = answer.time_ns;
   for (double& time : milliseconds) time *= 1e-6;
   record.time = summarise(std::move(milliseconds));
-  record.reference = {reference_kind(view.frame), setup.t1.samples, setup.t1.noise_floor};
+  record.reference = {reference_kind(view.frame, setup.edge_samples), setup.t1.samples, setup.t1.noise_floor};
   return record;
 }
 

@@ -34,6 +34,8 @@ void check_lights(const std::vector<scene::Scene>& scenes, const std::vector<Sub
                            (scene.spot_light ? "the sun" : "a spot light"),
                        "choose techniques for that kind of light, or other scenes");
     }
+    if (scene.spot_light && settings.edge_samples > 0)
+      throw InputError("", light_of(scene) + ", and edges are measured under the sun alone");
     if (!scene.spot_light || !settings.split_error) continue;
     throw InputError("", light_of(scene) + ", for whose maps there is no same-map estimate",
                      "leave out the split of the error: --no-split");

@@ -77,6 +77,9 @@ struct StudySettings {
   int timing_repeats = 5;
   bool split_error = true;  // T2 and T3
   int pan_frames = 0;       // of a slow pan, for shimmer; below 2: none
+  // 2, 4 or 8: only pixels whose so many samples see several surfaces count, against the mean of the samples
+  // (edge_reference.h); without split_error. 0: every pixel, at its centre.
+  int edge_samples = 0;
   // The part of the picture that is measured; shimmer, and the pictures, cover all of it. Absent: all.
   std::optional<PictureWindow> window;
   // Passes of PenumbraDebugViews.shader to draw of every subject that runs over the screen.

@@ -48,6 +48,7 @@
 #include "preparation/texture_precision.h"
 #include "preparation/texture_reads.h"
 #include "preparation/type_semantics.h"
+#include "preparation/uniform_parameters.h"
 #include "preparation/uniform_structs.h"
 #include "preparation/uniform_writes.h"
 #include "preparation/unsigned_types.h"
@@ -56,10 +57,11 @@
 namespace penumbra::preparation {
 
 std::span<const Pass> passes() {
-  static constexpr std::array<Pass, 50> all{{{"matrix-packing", pack_matrices},
+  static constexpr std::array<Pass, 51> all{{{"matrix-packing", pack_matrices},
                                              {"constant-uniforms", make_constants_uniforms},
                                              {"unsigned-types", name_unsigned_types},
                                              {"const-casts", drop_const_of_casts},
+                                             {"uniform-parameters", drop_uniform_of_parameters},
                                              {"texture-precision", drop_texture_precision},
                                              {"precision-matrices", name_precision_matrices},
                                              {"method-bodies", put_bodies_into_structs},

@@ -178,6 +178,11 @@ std::string missing_editor_message(std::string_view name, const fs::path& cginc)
 
 IncludeSearch find_include(const IncludeRoots& roots, std::string_view asked, const fs::path& includer) {
   const std::string header = normalised(asked);
+  if (header.empty()) {
+    IncludeSearch nothing;
+    nothing.problem = "the #include names no file";
+    return nothing;
+  }
   Places places = places_of(roots, header, includer);
   const std::string_view editor_name = editor_include(header);
   if (!roots.cginc.empty()) places.tried.push_back({roots.cginc, header});

@@ -19,10 +19,15 @@
 #undef TEXTURE2D_X
 #undef TEXTURE2D_X_FLOAT
 #undef LOAD_TEXTURE2D_X
+#undef TEXTURE2D_X_MSAA
+#undef LOAD_TEXTURE2D_X_MSAA
 #define SLICE_ARRAY_INDEX unity_StereoEyeIndex
 #define TEXTURE2D_X(textureName) Texture2DArray textureName
 #define TEXTURE2D_X_FLOAT(textureName) Texture2DArray textureName
 #define LOAD_TEXTURE2D_X(textureName, texel) LoadOfThisEye(textureName, texel)
+#define TEXTURE2D_X_MSAA(type, textureName) Texture2DMSArray<type> textureName
+#define LOAD_TEXTURE2D_X_MSAA(textureName, texel, sampleIndex) \
+    textureName.Load(int3(texel, unity_StereoEyeIndex), sampleIndex)
 
 float4 LoadOfThisEye(Texture2DArray image, int2 texel)
 {

@@ -1,0 +1,25 @@
+// Which samples of a pixel count as different surfaces.
+// Written by `penumbra validate --emit-parameters` from ShaderLibrary/Screen/SampleEdges.technique.json; do not edit.
+//
+// Each comment gives the field's unit, then its meaning. Cost: no fetch.
+#ifndef PENUMBRA_EDGE_PARAMETERS_HLSL
+#define PENUMBRA_EDGE_PARAMETERS_HLSL
+
+struct EdgeParameters
+{
+    int edgeSamples; // 1: samples of a pixel: 2, 4 or 8
+    float depthTolerance; // pixels: plane distance threshold, in pixel footprints: a sample farther from another's plane is on another surface
+    float normalCosine; // 1: cosine of the largest angle between the normals of samples on one surface
+};
+
+// Unpacks the uniforms _PenumbraEdgeParameters0, which the package's C# struct of the same name sets.
+EdgeParameters UnpackEdgeParameters(float4 packed0)
+{
+    EdgeParameters parameters;
+    parameters.edgeSamples = int(packed0.x);
+    parameters.depthTolerance = packed0.y;
+    parameters.normalCosine = packed0.z;
+    return parameters;
+}
+
+#endif

@@ -1,0 +1,97 @@
+// Shadows per sample at the edges of a multisampled picture, for pipelines that light it so. Not of the renderer feature:
+// when URP's screen-space shadows are drawn, its picture has no samples yet.
+Shader "Hidden/Penumbra/Edges"
+{
+    SubShader
+    {
+        Tags { "RenderPipeline" = "UniversalPipeline" "IgnoreProjector" = "True" }
+        Cull Off
+
+        Pass
+        {
+            Name "SampleSurface"
+            ZTest LEqual
+            ZWrite On
+
+            HLSLPROGRAM
+            #pragma target 4.5
+            #pragma vertex SurfaceVertex
+            #pragma fragment SampleSurface
+            #pragma shader_feature_local _ALPHATEST_ON
+            #include "SampleSurfacePass.hlsl"
+            ENDHLSL
+        }
+
+        Pass
+        {
+            Name "MarkSamples"
+            ZTest Always
+            ZWrite Off
+
+            HLSLPROGRAM
+            #pragma target 4.5
+            #pragma vertex ScreenTriangle
+            #pragma fragment MarkSamples
+            #include "EdgePasses.hlsl"
+            ENDHLSL
+        }
+
+        Pass
+        {
+            Name "MarkSurfaces"
+            ZTest Always
+            ZWrite Off
+
+            HLSLPROGRAM
+            #pragma target 4.5
+            #pragma vertex ScreenTriangle
+            #pragma fragment MarkSurfaces
+            #include "EdgePasses.hlsl"
+            ENDHLSL
+        }
+
+        Pass
+        {
+            Name "ShadePixels"
+            ZTest Always
+            ZWrite Off
+
+            HLSLPROGRAM
+            #pragma target 4.5
+            #pragma vertex ScreenTriangle
+            #pragma fragment ShadePixels
+            #pragma multi_compile_local_fragment _ _PENUMBRA_PCSS
+            #include "EdgePasses.hlsl"
+            ENDHLSL
+        }
+
+        Pass
+        {
+            Name "ShadeSamples"
+            ZTest Always
+            ZWrite Off
+
+            HLSLPROGRAM
+            #pragma target 4.5
+            #pragma vertex ScreenTriangle
+            #pragma fragment ShadeSamples
+            #pragma multi_compile_local_fragment _ _PENUMBRA_PCSS
+            #include "EdgePasses.hlsl"
+            ENDHLSL
+        }
+
+        Pass
+        {
+            Name "MeanOfSamples"
+            ZTest Always
+            ZWrite Off
+
+            HLSLPROGRAM
+            #pragma target 4.5
+            #pragma vertex ScreenTriangle
+            #pragma fragment MeanOfSamples
+            #include "EdgePasses.hlsl"
+            ENDHLSL
+        }
+    }
+}
