@@ -45,15 +45,18 @@ TEST(DivergentBarrier, InALoopOfThreads) {
               ElementsAre(HasSubstr("may leave its loop at different times")));
 }
 
-TEST(DivergentBarrier, ByWhatOtherThreadsWrite) {
-  for (const char* condition : {"N > 3", "W[0] > 3", "T[uint2(0, 0)] > 3"})
+TEST(DivergentBarrier, ByWhatEachThreadReadsForItself) {
+  for (const char* condition : {"S[at] > 3", "W[id.x] > 3", "T[id.xy] > 3", "B[group.x + at] > 3"})
     EXPECT_THAT(with("    if (" + std::string(condition) + ")\n    " + barrier),
                 ElementsAre(HasSubstr("8:9 error")))
         << condition;
+  EXPECT_THAT(with("    uint was; InterlockedAdd(N, 1, was); if (was > 3)\n    " + std::string(barrier)),
+              ElementsAre(HasSubstr("8:9 error")));
 }
 
 TEST(DivergentBarrier, NotWhereTheWholeGroupDecidesAlike) {
-  for (const char* condition : {"_Count > 3", "group.x > 3", "B[group.x] > 3"})
+  for (const char* condition :
+       {"_Count > 3", "group.x > 3", "B[group.x] > 3", "N > 3", "W[group.x] > 3", "T[group.xy] > 3"})
     EXPECT_THAT(with("    if (" + std::string(condition) + ")\n    " + barrier), IsEmpty()) << condition;
   EXPECT_THAT(
       with(std::string("    for (uint i = 0; i < 3; ++i) {\n    if (at > i) S[at] += 1;\n") + barrier + " }"),

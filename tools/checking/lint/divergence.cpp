@@ -81,13 +81,11 @@ bool Divergence::varies_at(const spirv::Instruction& instruction, std::size_t no
 
 bool Divergence::source_varies(const spirv::Instruction& instruction) const {
   if (is_atomic(instruction.op) || instruction.op == spv::OpFunctionCall) return true;
-  if (instruction.op == spv::OpImageRead) return together_ == Together::group;
   if (instruction.op != spv::OpLoad) return false;
   const spirv::Id variable = root(instruction.operands[0]);
   const spirv::Instruction* definition = code_.definition(variable);
-  if (definition == nullptr) return false;
-  if (code_.storage_class(definition->type) == spv::StorageClassInput) return input_varies(variable);
-  return together_ == Together::group && may_be_written(variable);
+  return definition != nullptr && code_.storage_class(definition->type) == spv::StorageClassInput &&
+         input_varies(variable);
 }
 
 bool Divergence::input_varies(spirv::Id variable) const {
@@ -102,18 +100,10 @@ bool Divergence::input_varies(spirv::Id variable) const {
   return !of_primitive && !code_.decoration(variable, spv::DecorationFlat);
 }
 
-// By another thread of the group.
-bool Divergence::may_be_written(spirv::Id variable) const {
-  const spirv::Id pointer = code_.definition(variable)->type;
-  const std::optional<spv::StorageClass> storage = code_.storage_class(pointer);
-  if (storage == spv::StorageClassWorkgroup) return true;
-  spirv::Id type = code_.pointee(pointer);
-  while (code_.op(type) == spv::OpTypeArray || code_.op(type) == spv::OpTypeRuntimeArray)
-    type = code_.definition(type)->operands[0];
-  const bool buffer = storage == spv::StorageClassStorageBuffer ||
-                      code_.decoration(type, spv::DecorationBufferBlock).has_value();
-  return buffer && !code_.decoration(variable, spv::DecorationNonWritable) &&
-         !code_.member_decoration(type, 0, spv::DecorationNonWritable);
+// As opposed to memory that all threads see.
+bool Divergence::is_own_memory(spirv::Id variable) const {
+  const std::optional<spv::StorageClass> storage = code_.storage_class(code_.definition(variable)->type);
+  return storage == spv::StorageClassFunction || storage == spv::StorageClassPrivate;
 }
 
 // Paths that join here carry different values, and a divergent condition decides which path a pixel took.
@@ -168,6 +158,7 @@ bool Divergence::mark_stores() {
       if (instruction.op != spv::OpStore) continue;
       const spirv::Id variable = root(instruction.operands[0]);
       if (varies(variable) || code_.op(variable) != spv::OpVariable) continue;
+      if (together_ == Together::group && !is_own_memory(variable)) continue;
       if (!varies(instruction.operands[1]) && !varies(instruction.operands[0]) && !runs_apart_[node])
         continue;
       varies_[variable] = true;

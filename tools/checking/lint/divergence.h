@@ -5,8 +5,9 @@
 // divergent at their sources (interpolated inputs, atomics, calls that could not be inlined), if they depend
 // on divergent values (data dependence), if a divergent branch controls them (sync dependence), and after a
 // loop with a divergent number of iterations (temporal divergence). Flat inputs are uniform within a quad,
-// which lies in one primitive (SPIR-V specification, "derivative group"). In a group of threads what another
-// thread may write is divergent: groupshared variables, RW buffers and textures.
+// which lies in one primitive (SPIR-V specification, "derivative group"). In a group of threads what all of
+// them read at one place of shared memory, a buffer or texture is uniform, as for Direct3D's compiler:
+// published shaders leave loops by such values.
 #pragma once
 
 #include <cstddef>
@@ -48,7 +49,7 @@ class Divergence {
   bool varies_at(const spirv::Instruction& instruction, std::size_t node) const;
   bool source_varies(const spirv::Instruction& instruction) const;
   bool input_varies(spirv::Id variable) const;
-  bool may_be_written(spirv::Id variable) const;
+  bool is_own_memory(spirv::Id variable) const;
   bool phi_varies(const spirv::Instruction& phi, std::size_t node) const;
   bool used_behind_loop(const spirv::Instruction& instruction, std::size_t node) const;
   void mark_control();
