@@ -1,5 +1,6 @@
 // Shadows per sample at the edges of a multisampled picture, for pipelines that light it so. Not of the renderer feature:
-// when URP's screen-space shadows are drawn, its picture has no samples yet.
+// when URP's screen-space shadows are drawn, its picture has no samples yet. OpenGL ES 3.1 has no multisampled textures for
+// two eyes at once.
 Shader "Hidden/Penumbra/Edges"
 {
     SubShader
@@ -30,6 +31,7 @@ Shader "Hidden/Penumbra/Edges"
 
             HLSLPROGRAM
             #pragma target 4.5
+            #pragma exclude_renderers gles3
             #pragma vertex ScreenTriangle
             #pragma fragment MarkSamples
             #include "EdgePasses.hlsl"
@@ -44,6 +46,7 @@ Shader "Hidden/Penumbra/Edges"
 
             HLSLPROGRAM
             #pragma target 4.5
+            #pragma exclude_renderers gles3
             #pragma vertex ScreenTriangle
             #pragma fragment MarkSurfaces
             #include "EdgePasses.hlsl"
@@ -58,6 +61,7 @@ Shader "Hidden/Penumbra/Edges"
 
             HLSLPROGRAM
             #pragma target 4.5
+            #pragma exclude_renderers gles3
             #pragma vertex ScreenTriangle
             #pragma fragment ShadePixels
             #pragma multi_compile_local_fragment _ _PENUMBRA_PCSS
@@ -73,6 +77,7 @@ Shader "Hidden/Penumbra/Edges"
 
             HLSLPROGRAM
             #pragma target 4.5
+            #pragma exclude_renderers gles3
             #pragma vertex ScreenTriangle
             #pragma fragment ShadeSamples
             #pragma multi_compile_local_fragment _ _PENUMBRA_PCSS
@@ -88,6 +93,7 @@ Shader "Hidden/Penumbra/Edges"
 
             HLSLPROGRAM
             #pragma target 4.5
+            #pragma exclude_renderers gles3
             #pragma vertex ScreenTriangle
             #pragma fragment MeanOfSamples
             #include "EdgePasses.hlsl"

@@ -111,7 +111,7 @@ TEST_F(Cost, WhatHasNoEffectOrIsNoShaderIsRefused) {
 // What compiles beside it has its row.
 TEST_F(Cost, AShaderThatEndsTheCompilerIsNamedAndTheOthersAreMeasured) {
   const std::string main = "float4 Main() : SV_Target";
-  const std::string crashes = write("crashes.hlsl", case_outside_switch(main)).string();
+  const std::string crashes = write("crashes.hlsl", comma_chain(main)).string();
   const std::string nests = write("nests.hlsl", deep_parentheses(main)).string();
   const auto result = run({"cost", crashes, shader(), nests, "--family", "navi21", "--format", "csv"});
   EXPECT_EQ(result.exit_code, 1);

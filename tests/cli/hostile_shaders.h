@@ -5,10 +5,11 @@
 
 namespace penumbra {
 
-// `function`: its head; the body ends in what is returned. glslang takes a `case` outside of a switch for one
-// inside of it.
-inline std::string case_outside_switch(const std::string& function) {
-  return function + "\n{\n    case 1:\n    return 0;\n}\n";
+// `function`: its head; the body ends in what is returned. glslang calls itself for each comma.
+inline std::string comma_chain(const std::string& function) {
+  std::string text = function + "\n{\n    float a = 0;\n    a += 1";
+  for (int i = 0; i < 60'000; ++i) text += ", a += 1";
+  return text + ";\n    return 0;\n}\n";
 }
 
 // 2^39 expansions.

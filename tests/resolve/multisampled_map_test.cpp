@@ -72,28 +72,33 @@ class MultisampledMap : public testing::TestWithParam<bool> {
         .visibility[0];
   }
 
-  // From the light, centred, at a place of the map in texels; 1/2 beside the sheet. `margin`: how far inside
-  // of the sheet's edges it lies, in texels, negative outside.
-  double depth_at(double x, double y, double& margin) const {
-    std::array<glm::dvec3, 4> corners;
-    for (std::size_t i = 0; i < 4; ++i)
-      corners[i] = glm::dvec3(to_shadow() * glm::dvec4(glm::dvec3(scene_.mesh.positions[i]), 1.0)) *
-                   glm::dvec3(kMapSize, kMapSize, 1.0);
-    double inside = HUGE_VAL;
-    const glm::dvec2 across(corners[1] - corners[0]), along(corners[2] - corners[0]);
+  // A corner of the sheet: place in the map in texels, and stored depth.
+  glm::dvec3 corner(std::size_t i) const {
+    return glm::dvec3(to_shadow() * glm::dvec4(glm::dvec3(scene_.mesh.positions[i % 4]), 1.0)) *
+           glm::dvec3(kMapSize, kMapSize, 1.0);
+  }
+
+  // Of the sheet's plane, from the light, centred, at a place in texels.
+  double plane_at(double x, double y) const {
+    const glm::dvec3 first = corner(0);
+    const glm::dvec2 across(corner(1) - first), along(corner(2) - first),
+        p = glm::dvec2(x, y) - glm::dvec2(first);
+    const double area = across.x * along.y - across.y * along.x;
+    const double v = (p.x * along.y - p.y * along.x) / area, w = (across.x * p.y - across.y * p.x) / area;
+    const double stored = first.z + v * (corner(1).z - first.z) + w * (corner(2).z - first.z);
+    return (GetParam() ? 1.0 - stored : stored) - 0.5;
+  }
+
+  // How far inside of the sheet's edges a place lies, in texels; negative outside.
+  double margin_at(double x, double y) const {
+    const glm::dvec2 across(corner(1) - corner(0)), along(corner(2) - corner(0));
     const double turn = across.x * along.y - across.y * along.x > 0.0 ? 1.0 : -1.0;
+    double inside = HUGE_VAL;
     for (std::size_t i = 0; i < 4; ++i) {
-      const glm::dvec2 from(corners[i]), to(corners[(i + 1) % 4]), edge = to - from;
+      const glm::dvec2 from(corner(i)), edge = glm::dvec2(corner(i + 1)) - from;
       inside = std::min(inside, turn * (edge.x * (y - from.y) - edge.y * (x - from.x)) / glm::length(edge));
     }
-    margin = inside;
-    const double area = across.x * along.y - across.y * along.x;
-    const glm::dvec2 p = glm::dvec2(x, y) - glm::dvec2(corners[0]);
-    const double v = (p.x * along.y - p.y * along.x) / area, w = (across.x * p.y - across.y * p.x) / area;
-    const double stored =
-        corners[0].z + v * (corners[1].z - corners[0].z) + w * (corners[2].z - corners[0].z);
-    if (inside < 0.0) return 0.5;
-    return (GetParam() ? 1.0 - stored : stored) - 0.5;
+    return inside;
   }
 
   const scene::Scene scene_ = sheet();
@@ -103,20 +108,16 @@ class MultisampledMap : public testing::TestWithParam<bool> {
 // The rasteriser's bias moves each sample by as much: by 2.5 times the larger slope, and one step.
 TEST_P(MultisampledMap, ATexelHoldsTheMeansOfItsSamples) {
   const std::vector<float> means = read("mean"), squares = read("square");
-  double ignored = 0.0;
-  const double middle = depth_at(kMapSize / 2.0, kMapSize / 2.0, ignored);
-  const double slope_x = depth_at(kMapSize / 2.0 + 1.0, kMapSize / 2.0, ignored) - middle;
-  const double slope_y = depth_at(kMapSize / 2.0, kMapSize / 2.0 + 1.0, ignored) - middle;
-  const double bias = 2.5 * std::max(std::abs(slope_x), std::abs(slope_y));
+  const double bias = 2.5 * std::max(std::abs(plane_at(1.0, 0.0) - plane_at(0.0, 0.0)),
+                                     std::abs(plane_at(0.0, 1.0) - plane_at(0.0, 0.0)));
   int whole = 0, parted = 0;
   for (int y = 0; y < kMapSize; ++y)
     for (int x = 0; x < kMapSize; ++x) {
       double mean = 0.0, square = 0.0, nearest = HUGE_VAL;
       int covered = 0;
       for (const auto& sample : kSamples) {
-        double margin = 0.0;
-        double depth = depth_at(x + 0.5 + sample[0], y + 0.5 + sample[1], margin);
-        if (margin >= 0.0) depth += bias;
+        const double margin = margin_at(x + 0.5 + sample[0], y + 0.5 + sample[1]);
+        const double depth = margin < 0.0 ? 0.5 : plane_at(x + 0.5 + sample[0], y + 0.5 + sample[1]) + bias;
         nearest = std::min(nearest, std::abs(margin));
         covered += margin >= 0.0 ? 1 : 0;
         mean += depth / 4.0;

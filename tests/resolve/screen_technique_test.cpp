@@ -66,13 +66,14 @@ class EveryScreenTechnique : public testing::TestWithParam<std::string> {};
 TEST_P(EveryScreenTechnique, StaysInRangeOverCamerasThatSeeRubbish) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float infinity = std::numeric_limits<float>::infinity();
+  const CastersOnDevice casters(test_device(), scene::built_in("colonnade"));
   for (const bool reversed_z : {true, false}) {
     GraphRunner runner(test_device(),
                        compile(technique_graph(library_techniques(), library_techniques().find(GetParam()),
                                                Taps::as_listed, reversed_z)));
     for (const RowOrder rows : {RowOrder::top_first, RowOrder::bottom_first}) {
       const scene::Frame& frame = drawn("colonnade", 3, reversed_z);
-      const FrameOnDevice on_device(test_device(), frame);
+      const FrameOnDevice on_device(test_device(), frame, &casters);
       CameraImage camera = camera_image(frame, rows);
       const GraphResult right = runner.run(on_device, &camera, kOnce);
       EXPECT_THAT(right.unset_uniforms, testing::IsEmpty());

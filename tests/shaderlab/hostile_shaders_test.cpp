@@ -23,6 +23,11 @@ double seconds_of(const std::string& text) {
   return seconds;
 }
 
+// Of three runs: what else the machine does takes caches away from one of them.
+double least_seconds_of(const std::string& text) {
+  return std::min({seconds_of(text), seconds_of(text), seconds_of(text)});
+}
+
 constexpr std::size_t small_size = 250'000 / sanitizer_reduction;  // bytes
 constexpr std::size_t large_size = 4 * small_size;
 
@@ -157,8 +162,8 @@ TEST(HostileShaders, TimeGrowsWithTheLengthOnly) {
                                        "Tags{\"a\"=\"b\"} ",
                                        "SetTexture [a] { combine "};
   for (const std::string& part : parts) {
-    const double small = seconds_of(pass + repeated(part, small_size));
-    const double large = seconds_of(pass + repeated(part, large_size));
+    const double small = least_seconds_of(pass + repeated(part, small_size));
+    const double large = least_seconds_of(pass + repeated(part, large_size));
     EXPECT_LT(large, 0.1 + 10 * small) << part;
     EXPECT_LT(large, 5) << part;
   }

@@ -77,7 +77,9 @@ constexpr std::array<Phrase, 45> phrases{{
      "a method that compares takes a SamplerComparisonState: declare its sampler so, or read with Sample"},
     {"", "expected: mul arguments", "mul takes two arguments"},
     {"", "End of line in string", "this text has no closing '\"' on its line"},
-    {"", "could not create assignment", "'@' cannot assign this value: its type cannot be converted to the variable's, or the variable is a bool"},
+    {"", "could not create assignment",
+     "'@' cannot assign this value: its type cannot be converted to the variable's, or the variable is a "
+     "bool"},
     {"#", "invalid directive:", "unknown directive '#$'"},
 }};
 
