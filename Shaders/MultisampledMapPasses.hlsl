@@ -42,7 +42,9 @@ struct CasterAttributes
 struct CasterVaryings
 {
     float4 positionCS : SV_POSITION;
+#if defined(_ALPHATEST_ON)
     float2 uv : TEXCOORD0;
+#endif
 };
 
 CasterVaryings CasterVertex(CasterAttributes input)
@@ -51,7 +53,9 @@ CasterVaryings CasterVertex(CasterAttributes input)
     const float3 positionWS = TransformObjectToWorld(input.positionOS.xyz);
     const float3 normalWS = TransformObjectToWorldNormal(input.normalOS);
     output.positionCS = TransformWorldToHClip(BiasCaster(positionWS, normalWS, _LightDirection, _ShadowBias.xy));
+#if defined(_ALPHATEST_ON)
     output.uv = input.uv * _BaseMap_ST.xy + _BaseMap_ST.zw;
+#endif
     return output;
 }
 

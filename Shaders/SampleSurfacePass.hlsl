@@ -29,7 +29,9 @@ struct SurfaceVaryings
 {
     float4 positionCS : SV_POSITION;
     float3 positionWS : TEXCOORD0;
+#if defined(_ALPHATEST_ON)
     float2 uv : TEXCOORD1;
+#endif
 };
 
 SurfaceVaryings SurfaceVertex(SurfaceAttributes input)
@@ -37,7 +39,9 @@ SurfaceVaryings SurfaceVertex(SurfaceAttributes input)
     SurfaceVaryings output;
     output.positionWS = TransformObjectToWorld(input.positionOS.xyz);
     output.positionCS = TransformWorldToHClip(output.positionWS);
+#if defined(_ALPHATEST_ON)
     output.uv = input.uv * _BaseMap_ST.xy + _BaseMap_ST.zw;
+#endif
     return output;
 }
 
