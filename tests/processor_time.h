@@ -1,15 +1,23 @@
-// Processor time of this process, for tests of how work grows: other programs' load is not in it.
+// Processor time of this process, for tests of how work grows: other programs' load is not in it, nor is the
+// system's time, which is for new pages of memory and depends on the machine's state.
 #pragma once
 
-#include <ctime>
+#include <sys/resource.h>
+
 #include <functional>
 
 namespace penumbra {
 
+inline double user_seconds() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_utime.tv_sec) + 1e-6 * static_cast<double>(usage.ru_utime.tv_usec);
+}
+
 inline double processor_seconds(const std::function<void()>& work) {
-  const std::clock_t begin = std::clock();
+  const double begin = user_seconds();
   work();
-  return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  return user_seconds() - begin;
 }
 
 }  // namespace penumbra

@@ -166,7 +166,8 @@ TEST_F(GithubRun, AShardIsHandedOnAndItsReportIsLeftForTheMerge) {
       run_step({{"program", stub_program(0).string()}, {"arguments", "--project ."}, {"shard", "2/4"}});
   EXPECT_EQ(result.exit_code, 0) << result.errors;
   EXPECT_EQ(read("called"),
-            "validate\n--project\n.\n--shard\n2/4\n--format\njson\n-o\npenumbra-reports/penumbra.json\n");
+            "validate\n--project\n.\n--require-sources\n--shard\n2/4\n--format\njson\n-o\npenumbra-reports/"
+            "penumbra.json\n");
 }
 
 TEST_F(GithubRun, ReportsOfAllShardsAreJoined) {

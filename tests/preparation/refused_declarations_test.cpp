@@ -224,8 +224,9 @@ TEST(Casts, DoNotMakeVectorsAndMatricesLarger) {
 }
 
 TEST(Structs, EndWithASemicolon) {
-  EXPECT_THAT(refused("struct S { float a;\n}\nfloat4 Frag() : SV_Target { return 1; }"),
-              testing::Contains("2: expected ';' behind this '}' of a struct"));
+  EXPECT_THAT(
+      refused("struct S { float a;\n}\nfloat F() { return 1; } float4 Frag() : SV_Target { return F(); }"),
+      testing::Contains("2: expected ';' behind this '}' of a struct"));
   EXPECT_THAT(
       refused("struct S { float a; struct { int b; } c; } s; float4 Frag() : SV_Target { return s.a; }"),
       IsEmpty());

@@ -3,7 +3,6 @@
 #include "hlsl/name_set.h"
 #include "preparation/declarators.h"
 #include "preparation/declared_values.h"
-#include "preparation/number_shape.h"
 #include "preparation/source_checks.h"
 
 namespace penumbra::preparation {
@@ -45,11 +44,10 @@ class MissingSemicolons {
     return false;
   }
 
-  // A type behind the struct's '}' would be the name of a variable.
+  // A scalar type behind the struct's '}' would be the name of a variable; others the front end reports.
   void check_behind_struct(std::size_t close) {
     if (close + 1 >= text_.size() || !text_.is_identifier(close + 1)) return;
-    const std::string_view word = text_[close + 1].spelling;
-    if (word == "void" || word == "struct" || word == "cbuffer" || shape_of_type(word).known())
+    if (is_scalar_type(text_[close + 1].spelling))
       text_.note(close, hlsl::Severity::error, "expected ';' behind this '}' of a struct");
   }
 

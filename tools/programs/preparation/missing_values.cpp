@@ -27,13 +27,22 @@ bool lacks_return(const TokenText& text, const hlsl::Declaration& function) {
   return !text.is(type, "void") && !is_resource(text[type].spelling) && !has_return(text, function);
 }
 
-// `return;` in a function with a value: glslang returns nothing in particular.
+// `return;` in a function that returns values elsewhere: the front end reports one without any value.
 void refuse_bare_returns(TokenText& text, const hlsl::Declaration& function) {
   std::size_t type = function.type;
   while (type < function.name && is_modifier(text[type].spelling)) ++type;
   if (text.is(type, "void")) return;
-  for (std::size_t at = function.open; at < function.close; ++at)
-    if (text.is(at, "return") && text.is(at + 1, ";"))
+  std::vector<std::size_t> bare;
+  bool has_value = false;
+  for (std::size_t at = function.open; at < function.close; ++at) {
+    if (!text.is(at, "return")) continue;
+    if (!text.is(at + 1, ";"))
+      has_value = true;
+    else if (!text.is(at - 1, "return"))
+      bare.push_back(at);
+  }
+  for (const std::size_t at : bare)
+    if (has_value)
       text.note(at, hlsl::Severity::error,
                 "'" + std::string(text[function.name].spelling) + "' returns a " +
                     std::string(text[type].spelling) + ": this return needs a value (X3080)");
