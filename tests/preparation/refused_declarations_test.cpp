@@ -154,6 +154,10 @@ TEST(PackOffsets, AreInACbufferAndInOneRegister) {
   EXPECT_THAT(refused("float4 k : packoffset(c0);"), ElementsAre(HasSubstr("1: packoffset is for members")));
 }
 
+TEST(ResourceMethods, MayHaveNothingBeforeTheirDot) {
+  EXPECT_THAT(refused(".a"), IsEmpty()) << "the front end reports it";
+}
+
 TEST(ResourceMethods, OfBuffersThatGrowOrShrinkAreTheirOwn) {
   const auto of = [](const std::string& body) {
     return refused(

@@ -30,7 +30,7 @@ void give_uint_values(TokenText& text, std::string_view name, const std::vector<
 std::size_t statement_of(const TokenText& text, std::size_t name, std::size_t close) {
   if (!text.is(close + 1, ";")) return npos;
   std::size_t first = name;
-  if (text.is(name - 1, ".")) first = text.types().begin(name - 2);
+  if (text.is(name - 1, ".")) first = name < 2 ? npos : text.types().begin(name - 2);
   if (first == npos || first == 0) return npos;
   for (const char* before : {";", "{", "}", ")", "else", ":"})
     if (text.is(first - 1, before)) return first;

@@ -111,6 +111,7 @@ class ResourceCalls {
   }
 
   void check_method(std::size_t name) {
+    if (name < 2) return;  // nothing stands before the '.'
     const std::size_t first = types_.begin(name - 2);
     if (first == npos) return;
     const std::string_view type = types_.at(name - 2).name;
