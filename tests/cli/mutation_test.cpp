@@ -123,9 +123,7 @@ class Mutator {
 std::vector<std::pair<std::string, std::string>> seeds() {
   std::vector<std::pair<std::string, std::string>> list;  // extension, text
   const std::filesystem::path tests = std::filesystem::path(PENUMBRA_SOURCE_DIR) / "tests";
-  for (const std::filesystem::path& folder :
-       {tests / "validation" / "broken", tests / "validation" / "broken" / "crashing",
-        tests / "cli" / "seeds"})
+  for (const std::filesystem::path& folder : {tests / "validation" / "broken", tests / "cli" / "seeds"})
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
       if (!entry.is_regular_file()) continue;
       std::ostringstream text;
