@@ -1,6 +1,7 @@
 #include "ShaderLibrary/core_function.h"
 
 #include <bit>
+#include <spirv-tools/optimizer.hpp>
 #include <stdexcept>
 
 #include "gpu/compute_pass.h"
@@ -41,6 +42,20 @@ std::string source(const CoreFunction& function) {
          function.statement + "\n}\n";
 }
 
+// Every operation of floats becomes one of 16 bits, its operands rounded, as drivers do with `mediump`.
+std::vector<std::uint32_t> in_half(const std::vector<std::uint32_t>& spirv) {
+  spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_1);
+  std::string messages;
+  optimizer.SetMessageConsumer([&](spv_message_level_t, const char*, const spv_position_t&,
+                                   const char* message) { messages += message; });
+  optimizer.RegisterPass(spvtools::CreateRelaxFloatOpsPass());
+  optimizer.RegisterPass(spvtools::CreateConvertRelaxedToHalfPass());
+  std::vector<std::uint32_t> result;
+  if (!optimizer.Run(spirv.data(), spirv.size(), &result)) throw std::runtime_error(messages);
+  if (result == spirv) throw std::runtime_error("nothing was converted to half");
+  return result;
+}
+
 std::vector<std::uint32_t> compile(const CoreFunction& function, DepthDirection direction) {
   shaders::CompileRequest request;
   request.file = function.file + " test.hlsl";
@@ -49,13 +64,22 @@ std::vector<std::uint32_t> compile(const CoreFunction& function, DepthDirection 
   if (direction == DepthDirection::reversed) request.defines.emplace_back("UNITY_REVERSED_Z", "1");
   request.include_directories = {std::string(PENUMBRA_SOURCE_DIR) + "/ShaderLibrary"};
   shaders::CompileResult result = shaders::compile(request);
-  if (!hlsl::has_errors(result.diagnostics)) return std::move(result.spirv);
+  if (!hlsl::has_errors(result.diagnostics))
+    return function.half ? in_half(result.spirv) : std::move(result.spirv);
   std::string messages;
   for (const hlsl::Diagnostic& diagnostic : result.diagnostics) messages += format(diagnostic) + "\n";
   throw std::runtime_error(messages);
 }
 
 }  // namespace
+
+bool has_half_arithmetic() {
+  return device().info().half_arithmetic;
+}
+
+std::string device_name() {
+  return device().info().name + ", " + device().info().driver;
+}
 
 std::vector<float> run(const CoreFunction& function, DepthDirection direction,
                        const std::vector<float>& inputs) {

@@ -23,7 +23,13 @@ struct CoreFunction {
   int outputs = 1;
   std::vector<std::pair<std::string, std::string>> defines = {};
   std::string folder = "Core";  // of ShaderLibrary/
+  // Every operation of floats has 16 bits instead of 32; arguments are rounded to them.
+  bool half = false;
 };
+
+// Whether the device has 16-bit arithmetic; `run` throws for `half` without it.
+bool has_half_arithmetic();
+std::string device_name();
 
 // One case after the other in `inputs`; results in the same order, on the software device when there is one.
 std::vector<float> run(const CoreFunction& function, DepthDirection direction,
