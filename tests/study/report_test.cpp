@@ -58,6 +58,20 @@ TEST_F(Report, ShowsTheHeadlinesChartsAndEveryRecord) {
   EXPECT_THAT(html, HasSubstr("<td>1024</td><td>0.0040</td>")) << "the noise floor of each reference";
 }
 
+TEST_F(Report, RecommendationsOfWhatWasMeasured) {
+  EXPECT_THAT(render_report(*content_), Not(HasSubstr("When to use each")));
+  ReportContent content = *content_;
+  content.recommendations = {{"tent-5x5", {"few <fetches>", "wide discs"}},
+                             {"unmeasured", {"of nothing measured", ""}}};
+  const std::string html = render_report(content);
+  EXPECT_EQ(count(html,
+                  "Title of tent-5x5</th><td class=\"name\">few &lt;fetches&gt;</td><td "
+                  "class=\"name\">wide discs</td>"),
+            1);
+  EXPECT_THAT(html, HasSubstr("<a href=\"#recommendations\">When to use each</a>"));
+  EXPECT_THAT(html, Not(HasSubstr("of nothing measured")));
+}
+
 TEST_F(Report, EachReferenceStandsOnce) {
   // Two scenes at one light, two techniques each: one reference and its receivers a scene, result and fetches
   // of each.

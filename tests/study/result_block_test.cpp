@@ -49,6 +49,22 @@ TEST(ResultBlock, ATablePerLightThenChartScenesAndOrigin) {
   }
 }
 
+TEST(ResultBlock, RecommendationsOfItsRowsInTheFullForm) {
+  const Recommendations lines{{"bilinear", {"one fetch | is all", ""}},
+                              {"pcss-64-64", {"reference", "on phones"}},
+                              {"unmeasured", {"never", "shown"}}};
+  const std::string block =
+      result_block(synthetic::results(), {kChart, {"pcss-64-64", "tent-5x5"}, BlockForm::full, lines});
+  EXPECT_THAT(block, HasSubstr("| Technique | Use it when | Not when |\n|:--|:--|:--|\n"
+                               "| `pcss-64-64` | reference | on phones |\n\n"));
+  EXPECT_THAT(block, Not(HasSubstr("one fetch")));
+  EXPECT_THAT(result_block(synthetic::results(), {kChart, {"bilinear"}, BlockForm::full, lines}),
+              HasSubstr("| `bilinear` | one fetch \\| is all |  |\n"));
+  for (const BlockForm form : {BlockForm::brief, BlockForm::line})
+    EXPECT_THAT(result_block(synthetic::results(), {kChart, {}, form, lines}), Not(HasSubstr("on phones")));
+  EXPECT_THAT(result_block(synthetic::results(), {kChart, {}}), Not(HasSubstr("Use it when")));
+}
+
 // From a file that anybody may have written.
 TEST(ResultBlock, WhatResultsHoldCannotEndTheBlock) {
   const std::string hostile = "--> <!-- results:end -->\n```\n| a | \x1B[2J";
@@ -225,6 +241,12 @@ std::vector<PublishedPage> published_pages() {
       {"FarOrigin", "Documentation~/far-origin.md", "far-origin"}};
 }
 
+// Read once: every manifest of the library.
+const Recommendations& committed_recommendations() {
+  static const Recommendations all = recommendations(techniques::read_technique_list(PENUMBRA_SOURCE_DIR));
+  return all;
+}
+
 class Published : public testing::TestWithParam<PublishedPage> {};
 
 std::string relative_chart(const PublishedPage& page) {
@@ -240,7 +262,8 @@ TEST_P(Published, ShowsTheCommittedResults) {
   const std::filesystem::path folder = root / "Documentation~/results" / page.folder;
   const Results results = read_results(folder / "results.json");
   const std::string text = file_text(root / page.file);
-  const std::string block = result_block(results, {relative_chart(page), page.rows, page.form});
+  const std::string block =
+      result_block(results, {relative_chart(page), page.rows, page.form, committed_recommendations()});
   EXPECT_EQ(text, replace_result_block(text, block, page.file, page.block));
   const std::string chart = file_text(folder / "pareto-fetches.svg");
   for (const Choice& choice : choices(results)) {

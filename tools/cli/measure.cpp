@@ -132,12 +132,13 @@ study::StudySettings study_settings(const MeasureOptions& options) {
 }
 
 void write_report(const std::filesystem::path& folder, const study::Results& results,
-                  std::vector<study::PictureRow> pictures) {
+                  std::vector<study::PictureRow> pictures, study::Recommendations recommendations) {
   make_folder(folder);
   study::ReportContent content;
   content.results = results;
   content.charts = study::report_charts(results);
   content.pictures = std::move(pictures);
+  content.recommendations = std::move(recommendations);
   for (const study::ReportChart& chart : content.charts) {
     platform::write_file_atomically(folder / (chart.chart.name + ".svg"), chart.svg);
   }
@@ -210,6 +211,10 @@ Measured measure(const MeasureOptions& options, Context& context) {
   return measured;
 }
 
+study::Recommendations recommendations(const MeasureOptions& options) {
+  return study::recommendations(chosen_technique_list(options.technique_list));
+}
+
 // The block's chart is the one beside the results, by its path from the README's folder.
 void rewrite_readme(const MeasureOptions& options, const study::Results& results) {
   const std::filesystem::path readme = options.readme;
@@ -223,7 +228,8 @@ void rewrite_readme(const MeasureOptions& options, const study::Results& results
   const study::BlockForm form = options.line    ? study::BlockForm::line
                                 : options.brief ? study::BlockForm::brief
                                                 : study::BlockForm::full;
-  const std::string block = study::result_block(results, {chart, options.rows, form});
+  const std::string block =
+      study::result_block(results, {chart, options.rows, form, recommendations(options)});
   platform::write_file_atomically(readme,
                                   study::replace_result_block(text, block, options.readme, options.block));
 }
@@ -247,7 +253,7 @@ void run(const MeasureOptions& options, Context& context) {
   }
   if (study::has_invalid_values(measured.results)) tell_invalid_results(measured.results.records, context);
   if (!options.output.empty() && options.output != "-") {
-    write_report(options.output, measured.results, std::move(measured.pictures));
+    write_report(options.output, measured.results, std::move(measured.pictures), recommendations(options));
     print_headlines(options.output, measured.results);
   } else if (options.readme.empty() && options.presets.empty()) {
     write_output("", study::to_json(measured.results));

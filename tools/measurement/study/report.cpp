@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <tuple>
 
 #include "study/html_text.h"
@@ -125,11 +126,33 @@ std::string references(const Results& results) {
          rows + "</tbody></table></div>\n";
 }
 
+// A row for each technique that was measured and whose manifest has a line.
+std::string recommendation_table(const ReportContent& content) {
+  std::string rows;
+  std::set<std::string> seen;
+  for (const Choice& choice : choices(content.results)) {
+    const auto found = content.recommendations.find(choice.technique);
+    if (found == content.recommendations.end() || !seen.insert(choice.technique).second) continue;
+    const std::string title = choice.title.empty() ? choice.technique : choice.title;
+    rows += fmt::format(
+        "<tr><th scope=\"row\" class=\"name\">{}</th><td class=\"name\">{}</td><td "
+        "class=\"name\">{}</td></tr>\n",
+        escape_html(title), escape_html(found->second.use_when), escape_html(found->second.not_when));
+  }
+  if (rows.empty()) return {};
+  return "<div class=\"scroll\" role=\"region\" aria-label=\"Recommendations\" tabindex=\"0\"><table "
+         "class=\"plain\">\n<thead><tr><th scope=\"col\" class=\"name\">Technique</th>"
+         "<th scope=\"col\" class=\"name\">Use it when</th><th scope=\"col\" class=\"name\">Not when</th>"
+         "</tr></thead>\n<tbody>\n" +
+         rows + "</tbody></table></div>\n";
+}
+
 std::vector<Section> sections(const ReportContent& content) {
   const Results& results = content.results;
   std::vector<Section> all = {
       {"cost", "Cost against error", charts_html(content.charts)},
       {"figures", "All figures", record_table(results, content.pictures)},
+      {"recommendations", "When to use each", recommendation_table(content)},
       {"pictures", "Pictures", pictures_html(results, content.pictures)},
       {"words", "What each figure means", metric_definitions_html()},
       {"references", "What the errors are measured against",

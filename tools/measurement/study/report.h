@@ -13,6 +13,7 @@
 
 #include "study/chart.h"
 #include "study/picture.h"
+#include "study/recommendation.h"
 #include "study/results.h"
 
 namespace penumbra::study {
@@ -45,6 +46,7 @@ struct ReportContent {
   Results results;
   std::vector<ReportChart> charts;
   std::vector<PictureRow> pictures;
+  Recommendations recommendations{};
 };
 
 // The same content gives the same bytes.

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
 #include "input/input_error.h"
 #include "input/markdown.h"
 #include "input/nearest_name.h"
@@ -178,7 +180,21 @@ std::string brief_block(const Results& results) {
   return block + command(results);
 }
 
-std::string full_block(const Results& results, const std::string& chart_path) {
+// Empty without a line.
+std::string recommendation_table(const Results& results, const Recommendations& recommendations) {
+  std::string rows;
+  std::set<std::string> seen;
+  for (const Choice& choice : choices(results)) {
+    const auto found = recommendations.find(choice.technique);
+    if (found == recommendations.end() || !seen.insert(choice.technique).second) continue;
+    rows += fmt::format("| {} | {} | {} |\n", markdown_code(choice.technique),
+                        markdown_cell(found->second.use_when), markdown_cell(found->second.not_when));
+  }
+  if (rows.empty()) return {};
+  return "| Technique | Use it when | Not when |\n|:--|:--|:--|\n" + rows + "\n";
+}
+
+std::string full_block(const Results& results, const BlockStyle& style) {
   std::string block = how_to_read();
   std::string errors, leaks, false_shadow;
   const auto add = [&results](std::string& tables, double light, const auto& figure) {
@@ -192,7 +208,8 @@ std::string full_block(const Results& results, const std::string& chart_path) {
     add(false_shadow, light,
         [](const Record& record) { return figure_text(false_shadow_rate_of(record), 100.0); });
   }
-  block += fmt::format("![Penumbra error against fetches per pixel]({})\n\n", chart_path);
+  block += fmt::format("![Penumbra error against fetches per pixel]({})\n\n", style.chart_path);
+  block += recommendation_table(results, style.recommendations);
   return block + folded("Penumbra RMSE of every scene", errors) + "\n" +
          folded("Light leaks of every scene, %", leaks) + "\n" +
          folded("False shadow of every scene, %", false_shadow) + "\n" + command(results);
@@ -211,7 +228,7 @@ std::string result_block(const Results& results, const BlockStyle& style) {
     case BlockForm::full:
       break;
   }
-  return full_block(shown, style.chart_path);
+  return full_block(shown, style);
 }
 
 std::string replace_result_block(const std::string& text, const std::string& block, const std::string& name,
