@@ -240,6 +240,15 @@ TEST(ExecutedMethodBodies, MayStandBehindTheStruct) {
       {21, 0});
 }
 
+TEST(ExecutedOwnMethods, OfAUniformBehindTheStructsBody) {
+  expect_only_prepared({"struct S { float a; float Twice() { return 2 * a; } } s, t;\n" + kMain +
+                            "{ Out[0] = s.Twice() + In[0]; Out[1] = t.Twice(); }",
+                        {3},
+                        {{"_Global", {4, 0, 0, 0, 5}}, {"$Global", {4, 0, 0, 0, 5}}},
+                        2},
+                       {11, 10});
+}
+
 TEST(ExecutedOwnMethods, ConvertTheirArguments) {
   expect_only_prepared(
       {"struct S { float a; float F(float x) { a += x; return a; } float G() { return F(1) + F(true); } "

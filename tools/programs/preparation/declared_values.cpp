@@ -53,6 +53,13 @@ bool is_modifier(std::string_view word) {
   return modifiers.contains(word);
 }
 
+bool has_modifier(const TokenText& text, const DeclaredValue& value, std::string_view modifier) {
+  if (value.first == npos || value.type_at == npos) return false;
+  for (std::size_t at = value.first; at < value.type_at; ++at)
+    if (text.is(at, modifier)) return true;
+  return false;
+}
+
 std::size_t after_template(const TokenText& text, std::size_t at, std::size_t end) {
   if (!text.is(at, "<")) return at;
   int depth = 0;

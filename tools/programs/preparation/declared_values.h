@@ -46,6 +46,10 @@ std::size_t read_declaration(const TokenText& text, const DeclarationRange& rang
 
 bool is_modifier(std::string_view word);  // const, static, in, row_major, ...
 
+// Whether the modifier stands before the value's type. Declarators after a statement's first, and those
+// behind the body of a struct, have none of their own.
+bool has_modifier(const TokenText& text, const DeclaredValue& value, std::string_view modifier);
+
 // One past the template arguments that open here, if a type can have them; else `at`.
 std::size_t after_template(const TokenText& text, std::size_t at, std::size_t end);
 

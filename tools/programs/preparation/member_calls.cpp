@@ -62,14 +62,9 @@ class MemberCalls {
     const DeclaredValue& value = types_.declared()[index];
     if (value.type.constant) return Receiver::value;
     if (value.place != Place::global && !value.is_static) return Receiver::variable;
-    const bool writable = value.is_static || value.type.name == "RWStructuredBuffer" || is_shared(value);
+    const bool writable = value.is_static || value.type.name == "RWStructuredBuffer" ||
+                          has_modifier(text_, value, "groupshared");
     return writable ? Receiver::writable : Receiver::value;
-  }
-
-  bool is_shared(const DeclaredValue& value) const {
-    for (std::size_t at = value.first; value.first != npos && at < value.type_at; ++at)
-      if (text_.is(at, "groupshared")) return true;
-    return false;
   }
 
   std::string function_name(std::string_view type, std::string_view member, Receiver receiver) const {

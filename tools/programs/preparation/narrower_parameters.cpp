@@ -58,9 +58,7 @@ class NarrowArguments {
   }
 
   bool is_written(const DeclaredValue& parameter) const {
-    for (std::size_t at = parameter.first; at < parameter.type_at; ++at)
-      if (text_.is(at, "out") || text_.is(at, "inout")) return true;
-    return false;
+    return has_modifier(text_, parameter, "out") || has_modifier(text_, parameter, "inout");
   }
 
   bool is_wider(const ListElement& argument, std::size_t wanted) const {

@@ -97,9 +97,7 @@ class StageAttributes {
 
   void check_stream(const DeclaredValue& stream) {
     const std::string type(stream.type.name);
-    bool written = false;
-    for (std::size_t at = stream.first; at < stream.type_at; ++at) written = written || text_.is(at, "inout");
-    if (!written)
+    if (!has_modifier(text_, stream, "inout"))
       text_.note(stream.type_at, hlsl::Severity::error,
                  "a " + type + " is changed by what is appended to it: write inout " + type);
     const std::optional<unsigned> count = vertex_count();

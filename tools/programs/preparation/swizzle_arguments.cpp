@@ -65,7 +65,7 @@ class SwizzleArguments {
       const std::string name = "penumbra_argument" + std::to_string(argument.first - call);
       const std::string given = text_.spelled(argument.first, argument.end - argument.first);
       before.append(text_.spelled(parameter.type_at, parameter.type_end - parameter.type_at)).append(" ");
-      before.append(name).append(is(parameter, "inout") ? " = " + given + "; " : "; ");
+      before.append(name).append(has_modifier(text_, parameter, "inout") ? " = " + given + "; " : "; ");
       after.append(" ").append(given).append(" = ").append(name).append(";");
       text_.replace(argument.first, argument.end - argument.first, name);
     }
@@ -94,15 +94,9 @@ class SwizzleArguments {
     const std::string_view type = argument.parameter->type.name;
     const bool fits = elements > 1 && !type.empty() && type.back() == static_cast<char>('0' + elements);
     return fits && text_.is(word - 1, ".") && postfix_begin(text_, word) == argument.first &&
-           (is(*argument.parameter, "out") || is(*argument.parameter, "inout")) &&
+           (has_modifier(text_, *argument.parameter, "out") ||
+            has_modifier(text_, *argument.parameter, "inout")) &&
            may_be_repeated(text_, argument.first, argument.end);
-  }
-
-  bool is(const DeclaredValue& parameter, std::string_view direction) const {
-    if (parameter.first == npos) return false;
-    for (std::size_t at = parameter.first; at < parameter.type_at; ++at)
-      if (text_.is(at, direction)) return true;
-    return false;
   }
 
   TokenText& text_;
