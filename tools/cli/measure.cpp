@@ -211,12 +211,19 @@ Measured measure(const MeasureOptions& options, Context& context) {
   return measured;
 }
 
-study::Recommendations recommendations(const MeasureOptions& options) {
+bool writes_report(const MeasureOptions& options) {
+  return !options.output.empty() && options.output != "-";
+}
+
+// The manifests' lines, where something shows them.
+study::Recommendations shown_recommendations(const MeasureOptions& options) {
+  if (!writes_report(options) && options.readme.empty()) return {};
   return study::recommendations(chosen_technique_list(options.technique_list));
 }
 
 // The block's chart is the one beside the results, by its path from the README's folder.
-void rewrite_readme(const MeasureOptions& options, const study::Results& results) {
+void rewrite_readme(const MeasureOptions& options, const study::Results& results,
+                    const study::Recommendations& recommendations) {
   const std::filesystem::path readme = options.readme;
   const std::filesystem::path beside = options.from.empty()
                                            ? std::filesystem::path(options.output)
@@ -228,8 +235,7 @@ void rewrite_readme(const MeasureOptions& options, const study::Results& results
   const study::BlockForm form = options.line    ? study::BlockForm::line
                                 : options.brief ? study::BlockForm::brief
                                                 : study::BlockForm::full;
-  const std::string block =
-      study::result_block(results, {chart, options.rows, form, recommendations(options)});
+  const std::string block = study::result_block(results, {chart, options.rows, form, recommendations});
   platform::write_file_atomically(readme,
                                   study::replace_result_block(text, block, options.readme, options.block));
 }
@@ -245,6 +251,8 @@ void check_outputs(const MeasureOptions& options, const Context& context) {
 
 void run(const MeasureOptions& options, Context& context) {
   check_outputs(options, context);
+  // Before the measuring: a mistake in a manifest loses no results.
+  const study::Recommendations recommendations = shown_recommendations(options);
   Measured measured;
   if (options.from.empty()) {
     measured = measure(options, context);
@@ -252,13 +260,13 @@ void run(const MeasureOptions& options, Context& context) {
     measured.results = study::read_results(options.from);
   }
   if (study::has_invalid_values(measured.results)) tell_invalid_results(measured.results.records, context);
-  if (!options.output.empty() && options.output != "-") {
-    write_report(options.output, measured.results, std::move(measured.pictures), recommendations(options));
+  if (writes_report(options)) {
+    write_report(options.output, measured.results, std::move(measured.pictures), recommendations);
     print_headlines(options.output, measured.results);
   } else if (options.readme.empty() && options.presets.empty()) {
     write_output("", study::to_json(measured.results));
   }
-  if (!options.readme.empty()) rewrite_readme(options, measured.results);
+  if (!options.readme.empty()) rewrite_readme(options, measured.results, recommendations);
   if (!options.presets.empty())
     write_output(options.presets, study::preset_figures_csharp(measured.results, techniques::preset_prefix));
 }

@@ -3,7 +3,10 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
+#include "study/results.h"
+#include "study/summary.h"
 #include "techniques/technique_list.h"
 
 namespace penumbra::study {
@@ -18,5 +21,13 @@ using Recommendations = std::map<std::string, Recommendation>;  // by technique;
 // The lines are the manifests' as they are now, not as they were when the figures were measured: they are
 // written after the figures.
 Recommendations recommendations(const techniques::TechniqueList& list);
+
+struct RecommendedChoice {
+  Choice choice;
+  Recommendation lines;
+};
+
+// Those of the techniques that were measured, each once, in record order.
+std::vector<RecommendedChoice> recommended(const Results& results, const Recommendations& recommendations);
 
 }  // namespace penumbra::study

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 #include <tuple>
 
 #include "study/html_text.h"
@@ -126,19 +125,14 @@ std::string references(const Results& results) {
          rows + "</tbody></table></div>\n";
 }
 
-// A row for each technique that was measured and whose manifest has a line.
 std::string recommendation_table(const ReportContent& content) {
   std::string rows;
-  std::set<std::string> seen;
-  for (const Choice& choice : choices(content.results)) {
-    const auto found = content.recommendations.find(choice.technique);
-    if (found == content.recommendations.end() || !seen.insert(choice.technique).second) continue;
-    const std::string title = choice.title.empty() ? choice.technique : choice.title;
+  for (const auto& [choice, lines] : recommended(content.results, content.recommendations))
     rows += fmt::format(
         "<tr><th scope=\"row\" class=\"name\">{}</th><td class=\"name\">{}</td><td "
         "class=\"name\">{}</td></tr>\n",
-        escape_html(title), escape_html(found->second.use_when), escape_html(found->second.not_when));
-  }
+        escape_html(choice.title.empty() ? choice.technique : choice.title), escape_html(lines.use_when),
+        escape_html(lines.not_when));
   if (rows.empty()) return {};
   return "<div class=\"scroll\" role=\"region\" aria-label=\"Recommendations\" tabindex=\"0\"><table "
          "class=\"plain\">\n<thead><tr><th scope=\"col\" class=\"name\">Technique</th>"

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <set>
-
 #include "input/input_error.h"
 #include "input/markdown.h"
 #include "input/nearest_name.h"
@@ -183,13 +181,9 @@ std::string brief_block(const Results& results) {
 // Empty without a line.
 std::string recommendation_table(const Results& results, const Recommendations& recommendations) {
   std::string rows;
-  std::set<std::string> seen;
-  for (const Choice& choice : choices(results)) {
-    const auto found = recommendations.find(choice.technique);
-    if (found == recommendations.end() || !seen.insert(choice.technique).second) continue;
-    rows += fmt::format("| {} | {} | {} |\n", markdown_code(choice.technique),
-                        markdown_cell(found->second.use_when), markdown_cell(found->second.not_when));
-  }
+  for (const auto& [choice, lines] : recommended(results, recommendations))
+    rows += fmt::format("| {} | {} | {} |\n", markdown_code(choice.technique), markdown_cell(lines.use_when),
+                        markdown_cell(lines.not_when));
   if (rows.empty()) return {};
   return "| Technique | Use it when | Not when |\n|:--|:--|:--|\n" + rows + "\n";
 }
