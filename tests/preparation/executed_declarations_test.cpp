@@ -249,6 +249,17 @@ TEST(ExecutedOwnMethods, OfAUniformBehindTheStructsBody) {
                        {11, 10});
 }
 
+TEST(ExecutedOwnMethods, OfEveryDeclaratorOfSharedVariables) {
+  expect_only_prepared(
+      {"struct S { float a; void Set(float x) { a = x; } float Twice() { return 2 * a; } };\n"
+       "groupshared S g, h;\n" +
+           kMain + "{ g.Set(In[0]); h.Set(5); Out[0] = g.Twice(); Out[1] = h.Twice(); }",
+       {3},
+       {},
+       2},
+      {6, 10});
+}
+
 TEST(ExecutedOwnMethods, ConvertTheirArguments) {
   expect_only_prepared(
       {"struct S { float a; float F(float x) { a += x; return a; } float G() { return F(1) + F(true); } "

@@ -31,6 +31,7 @@ std::size_t read_type(const TokenText& text, const DeclarationRange& range, Decl
   for (; at < range.end && is_modifier(text[at].spelling); ++at) {
     value.type.constant = value.type.constant || text.is(at, "const");
     value.is_static = value.is_static || text.is(at, "static");
+    value.is_groupshared = value.is_groupshared || text.is(at, "groupshared");
   }
   value.type.name = range.type;
   if (!range.type.empty()) return at;

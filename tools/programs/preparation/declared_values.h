@@ -22,7 +22,8 @@ struct DeclaredValue {
   enum class Place { global, member, parameter, local };
   Place place = Place::global;
   ValueType type;
-  bool is_static = false;
+  bool is_static = false;  // of every declarator of the statement, as is_groupshared
+  bool is_groupshared = false;
   std::size_t first = npos;     // including modifiers; npos for all but the first declarator of a statement
   std::size_t type_at = npos;   // the token of the type's name
   std::size_t type_end = npos;  // one past the type and its template arguments

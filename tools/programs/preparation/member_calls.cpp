@@ -62,8 +62,7 @@ class MemberCalls {
     const DeclaredValue& value = types_.declared()[index];
     if (value.type.constant) return Receiver::value;
     if (value.place != Place::global && !value.is_static) return Receiver::variable;
-    const bool writable = value.is_static || value.type.name == "RWStructuredBuffer" ||
-                          has_modifier(text_, value, "groupshared");
+    const bool writable = value.is_static || value.type.name == "RWStructuredBuffer" || value.is_groupshared;
     return writable ? Receiver::writable : Receiver::value;
   }
 
