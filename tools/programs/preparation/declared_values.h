@@ -51,6 +51,8 @@ bool is_modifier(std::string_view word);  // const, static, in, row_major, ...
 // behind the body of a struct, have none of their own.
 bool has_modifier(const TokenText& text, const DeclaredValue& value, std::string_view modifier);
 
+bool is_written_parameter(const TokenText& text, const DeclaredValue& parameter);  // out or inout
+
 // One past the template arguments that open here, if a type can have them; else `at`.
 std::size_t after_template(const TokenText& text, std::size_t at, std::size_t end);
 

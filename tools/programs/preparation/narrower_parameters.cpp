@@ -48,17 +48,14 @@ class NarrowArguments {
   }
 
   void narrow(const DeclaredValue& parameter, const ListElement& argument) {
-    if (!is_number_type(parameter.type.name) || parameter.type.dimensions > 0 || is_written(parameter))
+    if (!is_number_type(parameter.type.name) || parameter.type.dimensions > 0 ||
+        is_written_parameter(text_, parameter))
       return;
     if (shape_of_type(parameter.type.name).is_matrix() ||
         !is_wider(argument, components(parameter.type.name)))
       return;
     text_.insert(argument.first, "(" + std::string(parameter.type.name) + ")(");
     text_.insert(argument.end, ")");
-  }
-
-  bool is_written(const DeclaredValue& parameter) const {
-    return has_modifier(text_, parameter, "out") || has_modifier(text_, parameter, "inout");
   }
 
   bool is_wider(const ListElement& argument, std::size_t wanted) const {

@@ -94,8 +94,7 @@ class SwizzleArguments {
     const std::string_view type = argument.parameter->type.name;
     const bool fits = elements > 1 && !type.empty() && type.back() == static_cast<char>('0' + elements);
     return fits && text_.is(word - 1, ".") && postfix_begin(text_, word) == argument.first &&
-           (has_modifier(text_, *argument.parameter, "out") ||
-            has_modifier(text_, *argument.parameter, "inout")) &&
+           is_written_parameter(text_, *argument.parameter) &&
            may_be_repeated(text_, argument.first, argument.end);
   }
 
