@@ -19,7 +19,7 @@ class HalfPage(unittest.TestCase):
 
     def test_lines_are_read(self):
         results = page.take("[ RUN ]\n" + LINE.format("Near", 0.01, "a") + LINE.format("Far, place", "inf", "a"))
-        self.assertEqual([(one["fit"], one["largest"]) for one in results["functions"]], [(True, 0.01), (False, None)])
+        self.assertEqual([(page.is_fit(one), one["largest"]) for one in results["functions"]], [(True, 0.01), (False, None)])
         self.assertIn("| `Far`, place | **unfit** | texels | not finite | 0.062 |", page.figures(results))
 
     def test_lines_of_two_devices_are_refused(self):

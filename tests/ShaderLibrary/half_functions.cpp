@@ -1,0 +1,335 @@
+#include "ShaderLibrary/half_functions.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace penumbra::shader_library_tests {
+namespace {
+
+constexpr Quantity kVisibility{"of visibility", 1.0 / 255.0};    // a step of an 8-bit target
+constexpr Quantity kDisc{"of the disc's radius", 1.0 / 64.0};    // less than a texel of a kernel 64 wide
+constexpr Quantity kTurn{"of a turn", 1.0 / 64.0, true};         // a rotation by so much is not seen
+constexpr Quantity kTexels{"texels", 1.0 / 16.0};                // of the shadow map
+constexpr Quantity kDepth{"of the depth range", 1.0 / 65535.0};  // a step of a 16-bit map
+constexpr Quantity kMetres{"metres", 0.01};                      // about a texel of the nearest cascade
+constexpr Quantity kRings{"rings", 1.0 / 4.0};                   // of 32
+
+// A tile of 2048 texels in an atlas of 4096, of a cascade 5 to 200 m wide and 50 to 500 m deep, under a light
+// of 0.53 to 5 degrees: uvPerMetre, depthPerMetre, depthToRadial, radialToDepth.
+Case tile(Random& random) {
+  const float uv_per_metre = 1.0F / random.between(5.0F, 200.0F);
+  const float depth_per_metre = 1.0F / random.between(50.0F, 500.0F);
+  const float to_radial =
+      std::tan(0.00872665F * random.between(0.53F, 5.0F)) * uv_per_metre / depth_per_metre;
+  return {uv_per_metre, depth_per_metre, to_radial, 1.0F / to_radial};
+}
+
+constexpr const char* kTile =
+    "ShadowTile tile; tile.offsetScale = float4(0.5, 0, 0.5, 0.5); tile.atlasTexelSize = float4("
+    "1.0 / 4096.0, 1.0 / 4096.0, 4096, 4096); tile.uvPerMetre = In(0); tile.depthPerMetre = In(1); "
+    "tile.depthToRadial = In(2); "
+    "tile.radialToDepth = In(3);";
+
+std::string on_tile(const std::string& statement) {
+  return kTile + statement;
+}
+
+std::string with_scales(const std::string& statement) {
+  return on_tile("const ConeScales scales = ConeScalesOf(tile);" + statement);
+}
+
+Case joined(Case first, const Case& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
+// Moments of two depths in [-1, 1], then a depth near the farther one or behind it.
+Case two_depths(Random& random, int moments) {
+  const float a = random.between(-1.0F, 1.0F), b = random.between(-1.0F, 1.0F),
+              share = random.between(0.0F, 1.0F);
+  Case values;
+  for (int power = 1; power <= moments; ++power)
+    values.push_back(share * std::pow(a, float(power)) + (1.0F - share) * std::pow(b, float(power)));
+  values.push_back(std::min(1.0F, std::max(a, b) + random.between(-0.05F, 0.2F)));
+  return values;
+}
+
+Case two_moments(Random& random) {
+  return two_depths(random, 2);
+}
+
+Case four_moments(Random& random) {
+  return two_depths(random, 4);
+}
+
+Case unit(Random& random) {
+  return {random.between(0.0F, 1.0F)};
+}
+
+// The centre within its texel, as half has it, and the number of fetches.
+Case tent(Random& random) {
+  return {float(random.integer(0, 1023)) / 1024.0F, float(random.integer(2, 4))};
+}
+
+// A unit vector.
+Case direction(Random& random) {
+  const float z = random.between(-1.0F, 1.0F), angle = random.between(0.0F, 6.2831853F);
+  const float across = std::sqrt(1.0F - z * z);
+  return {across * std::cos(angle), across * std::sin(angle), z};
+}
+
+}  // namespace
+
+std::vector<HalfFunction> half_functions() {
+  return {
+      {"FibonacciDisk",
+       kDisc,
+       {"Disk", "const float2 p = FibonacciDisk(InInt(0), InInt(1), In(2)); Out(0, p.x); Out(1, p.y);", 3, 2},
+       [](Random& random) {
+         const int count = random.integer(1, 64);
+         return Case{float(random.integer(0, count - 1)), float(count), random.between(0.0F, 2.0F)};
+       }},
+      {"VogelDisk",
+       kDisc,
+       {"Disk", "const float2 p = VogelDisk(InInt(0), InInt(1)); Out(0, p.x); Out(1, p.y);", 2, 2},
+       [](Random& random) {
+         const int count = random.integer(1, 64);
+         return Case{float(random.integer(0, count - 1)), float(count)};
+       }},
+      {"RotateDisk",
+       kDisc,
+       {"Disk",
+        "const float2 p = RotateDisk(float2(In(0), In(1)), float2(In(2), In(3))); Out(0, p.x); Out(1, p.y);",
+        4, 2},
+       [](Random& random) {
+         const float angle = random.between(0.0F, 6.2831853F);
+         return Case{random.between(-0.7F, 0.7F), random.between(-0.7F, 0.7F), std::cos(angle),
+                     std::sin(angle)};
+       }},
+      {"GradientNoise",
+       kTurn,
+       {"Noise", "Out(0, GradientNoise(float2(In(0), In(1)), uint(InInt(2))));", 3, 1},
+       [](Random& random) {
+         return Case{float(random.integer(0, 1919)), float(random.integer(0, 1079)),
+                     float(random.integer(0, 63))};
+       }},
+      {"RotationFromNoise",
+       kDisc,
+       {"Noise", "const float2 p = RotationFromNoise(In(0)); Out(0, p.x); Out(1, p.y);", 1, 2},
+       unit},
+      {"TentFetches, weights",
+       kVisibility,
+       {"TentWeights",
+        "const TentAxis axis = TentFetches(In(0), InInt(1)); for (int i = 0; i < 4; ++i) Out(uint(i), "
+        "axis.weight[i]);",
+        2, 4},
+       tent},
+      {"TentFetches, positions",
+       kTexels,
+       {"TentWeights",
+        "const TentAxis axis = TentFetches(In(0), InInt(1)); for (int i = 0; i < 4; ++i) Out(uint(i), "
+        "axis.position[i]);",
+        2, 4},
+       tent},
+      {"DepthGap",
+       kDepth,
+       {"DepthConvention", "Out(0, DepthGap(In(0), In(1)));", 2, 1},
+       [](Random& random) {
+         return Case{random.between(0.0F, 1.0F), random.between(0.0F, 1.0F)};
+       }},
+      {"TexelCoordinates",
+       kTexels,
+       {"TileBounds",
+        on_tile("const float2 p = TexelCoordinates(float2(In(4), In(5)), tile); Out(0, p.x); Out(1, p.y);"),
+        6, 2},
+       [](Random& random) {
+         return joined(tile(random), {random.between(0.5F, 1.0F), random.between(0.0F, 0.5F)});
+       }},
+      {"PenumbraRadius",
+       kTexels,
+       {"Penumbra", with_scales("Out(0, PenumbraRadius(In(4), scales));"), 5, 1},
+       [](Random& random) { return joined(tile(random), {random.between(0.0F, 0.1F)}); }},
+      {"SearchRadius",
+       kTexels,
+       {"Penumbra", with_scales("Out(0, SearchRadius(In(4), In(5), In(6), scales));"), 7, 1},
+       [](Random& random) {
+         return joined(tile(random),
+                       {random.between(0.0F, 1.0F), random.between(0.1F, 5.0F), random.between(0.0F, 2.0F)});
+       }},
+      {"ConeOffset",
+       kDepth,
+       {"Penumbra", with_scales("Out(0, ConeOffset(In(4), In(5), 1.0, scales));"), 6, 1},
+       [](Random& random) {
+         return joined(tile(random), {random.between(0.0F, 32.0F), random.between(0.0F, 2.0F)});
+       }},
+      {"AverageGap",
+       kDepth,
+       {"Penumbra", "Out(0, AverageGap(In(0), In(1)));", 2, 1},
+       [](Random& random) {
+         const float weights = random.between(0.25F, 64.0F);
+         return Case{weights * random.between(0.0F, 1.0F), weights};
+       }},
+      {"LitShare",
+       kVisibility,
+       {"Penumbra", "Out(0, LitShare(In(0), In(1)));", 2, 1},
+       [](Random& random) {
+         return Case{random.between(0.0F, 64.0F), random.between(0.0F, 64.0F)};
+       }},
+      {"MeanVisibility",
+       kVisibility,
+       {"Penumbra", "Out(0, MeanVisibility(In(0), In(1)));", 2, 1},
+       [](Random& random) {
+         const int count = random.integer(1, 64);
+         return Case{random.between(0.0F, float(count)), float(count)};
+       }},
+      {"SanitizeVisibility",
+       kVisibility,
+       {"FloatBits", "Out(0, SanitizeVisibility(In(0)));", 1, 1},
+       [](Random& random) { return Case{random.between(-0.5F, 1.5F)}; }},
+      {"ChebyshevBound",
+       kVisibility,
+       {"MomentBounds", "Out(0, ChebyshevBound(float2(In(0), In(1)), In(2), 1e-5));", 3, 1},
+       two_moments},
+      {"ReduceBleeding",
+       kVisibility,
+       {"MomentBounds", "Out(0, ReduceBleeding(In(0), In(1)));", 2, 1},
+       [](Random& random) {
+         return Case{random.between(0.0F, 1.0F), random.between(0.0F, 0.6F)};
+       }},
+      {"HamburgerBound",
+       kVisibility,
+       {"HamburgerBound", "Out(0, HamburgerBound(float4(In(0), In(1), In(2), In(3)), In(4), 3e-5));", 5, 1},
+       four_moments},
+      {"BlockersOfVariance, share",
+       kVisibility,
+       {"BlockerMean", "Out(0, BlockersOfVariance(float2(In(0), In(1)), In(2), 1e-5).share);", 3, 1},
+       two_moments},
+      {"BlockersOfMoments, share",
+       kVisibility,
+       {"BlockerMean", "Out(0, BlockersOfMoments(float4(In(0), In(1), In(2), In(3)), In(4), 3e-5).share);", 5,
+        1},
+       four_moments},
+      {"RingTapRadius",
+       kDisc,
+       {"RingMask", "Out(0, RingTapRadius(InInt(0), 32, InInt(1)));", 2, 1},
+       [](Random& random) {
+         return Case{float(random.integer(0, 31)), float(random.integer(1, 2))};
+       }},
+      {"RingsInside",
+       kRings,
+       {"RingMask", "Out(0, RingsInside(In(0), 32, InInt(1)));", 2, 1},
+       [](Random& random) {
+         return Case{random.between(0.0F, 1.0F), float(random.integer(1, 2))};
+       }},
+      {"RingVisibility",
+       kVisibility,
+       {"RingMask",
+        "RingMask mask = EmptyRingMask(); mask.words[0] = uint(InInt(0)) | uint(InInt(1)) << 8 | "
+        "uint(InInt(2)) << 16 | uint(InInt(3)) << 24; Out(0, RingVisibility(mask, In(4), InInt(5)));",
+        6, 1},
+       [](Random& random) {
+         return Case{float(random.integer(0, 255)), float(random.integer(0, 255)),
+                     float(random.integer(0, 255)), float(random.integer(0, 255)),
+                     random.between(1.0F, 32.0F),   float(random.integer(1, 2))};
+       }},
+      {"NextCascadeWeight",
+       kVisibility,
+       {"CascadeSelection",
+        "CascadeSpheres spheres; spheres.centre0 = float3(0, 0, 0.6 * In(3)); spheres.centre1 = float3(0, 0, "
+        "1.2 * In(3)); spheres.centre2 = spheres.centre1; spheres.centre3 = spheres.centre1; "
+        "spheres.squaredRadii = float4(1, 4, 4, 4) * In(3) * In(3); Out(0, NextCascadeWeight(float3(In(0), "
+        "In(1), In(2)) * In(3), spheres, 0, 4, 0.2));",
+        4, 1},
+       [](Random& random) {  // in the first sphere and the second, whose border is a step of the weight
+         Case position = direction(random);
+         const float radius = random.between(0.0F, 1.0F);
+         for (float& coordinate : position) coordinate *= radius;
+         position[2] += 0.6F;
+         return joined(position, {random.between(3.0F, 50.0F)});
+       }},
+      {"ReceiverPlaneDepth",
+       kDepth,
+       {"ReceiverPlane", "Out(0, ReceiverPlaneDepth(In(0), float2(In(1), In(2)), float2(In(3), In(4))));", 5,
+        1},
+       [](Random& random) {
+         return Case{random.between(0.1F, 0.9F), random.between(-4.0F, 4.0F), random.between(-4.0F, 4.0F),
+                     random.between(-0.004F, 0.004F), random.between(-0.004F, 0.004F)};
+       }},
+      {"AdaptiveBias",
+       kDepth,
+       {"ShadowBias", "Out(0, AdaptiveBias(float2(In(0), In(1)), float2(In(2), In(2)), 0.1));", 3, 1},
+       [](Random& random) {
+         return Case{random.between(-4.0F, 4.0F), random.between(-4.0F, 4.0F), random.between(0.0F, 0.004F)};
+       }},
+      {"CasterBiasMetres",
+       kMetres,
+       {"ShadowBias",
+        "const float2 b = CasterBiasMetres(float2(In(0), In(1)), In(2), In(3)); Out(0, b.x); Out(1, b.y);", 4,
+        2},
+       [](Random& random) {
+         return Case{random.between(0.0F, 3.0F), random.between(0.0F, 3.0F), random.between(0.002F, 0.1F),
+                     random.between(1.0F, 3.5F)};
+       }},
+      {"BiasCaster",
+       kMetres,
+       {"ShadowBias",
+        "const float3 p = BiasCaster(float3(In(0), In(1), In(2)), float3(In(3), In(4), In(5)), float3("
+        "0, 1, 0), float2(-0.05, -0.05)); Out(0, p.x); Out(1, p.y); Out(2, p.z);",
+        6, 3},
+       [](Random& random) {
+         return joined(
+             {random.between(-100.0F, 100.0F), random.between(0.0F, 20.0F), random.between(-100.0F, 100.0F)},
+             direction(random));
+       }},
+      {"PlaneWeight",
+       kVisibility,
+       {"ScreenPosition",
+        "Out(0, PlaneWeight(float3(In(0), In(1), In(2)), float3(In(3), In(4), In(5)), 0.05));", 6, 1},
+       [](Random& random) {
+         return joined(
+             {random.between(-0.1F, 0.1F), random.between(-0.1F, 0.1F), random.between(-0.1F, 0.1F)},
+             direction(random));
+       }},
+      {"AxialDepth",
+       kMetres,
+       {"SpotLight", "Out(0, AxialDepth(In(0), BoundedSpotMap(float4(0.1, 20, 0.6, 0.1))));", 1, 1},
+       unit},
+      {"PenumbraRadiusMetres",
+       kMetres,
+       {"SpotLight",
+        "const SpotMap map = BoundedSpotMap(float4(0.1, 20, 0.6, 0.1)); Out(0, PenumbraRadiusMetres("
+        "In(0), In(1), map));",
+        2, 1},
+       [](Random& random) {
+         return Case{random.between(0.0F, 0.1F), random.between(1.0F, 20.0F)};
+       }},
+      {"WarpedMoments, first",
+       kVisibility,
+       {"DepthWarp",
+        "const float4 m = WarpedMoments(In(0), float2(5.0, 5.0)); Out(0, m.x * exp(-2.5)); Out(1, m.y * "
+        "exp(-2.5));",
+        1,
+        2,
+        {},
+        "Map"},
+       unit},
+      {"WarpedMoments, second",
+       kVisibility,
+       {"DepthWarp",
+        "const float4 m = WarpedMoments(In(0), float2(5.0, 5.0)); Out(0, m.z * exp(-5.0)); Out(1, m.w * "
+        "exp(-5.0));",
+        1,
+        2,
+        {},
+        "Map"},
+       unit},
+      {"MapBlurWeight",
+       kVisibility,
+       {"MapBlur", "Out(0, MapBlurWeight(InInt(0), In(1)));", 2, 1, {}, "Map"},
+       [](Random& random) {
+         return Case{float(random.integer(-8, 8)), random.between(0.5F, 4.0F)};
+       }},
+  };
+}
+
+}  // namespace penumbra::shader_library_tests

@@ -1,0 +1,33 @@
+// The library's functions that are computed in 16-bit half, and the values that scenes give them.
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "ShaderLibrary/core_function.h"
+#include "ShaderLibrary/inputs.h"
+
+namespace penumbra::shader_library_tests {
+
+// What a result is, and the largest difference that is accepted of it.
+struct Quantity {
+  const char* unit;
+  double accepted;
+  bool turns = false;  // 0 and 1 are the same
+};
+
+using Case = std::vector<float>;
+
+struct HalfFunction {
+  std::string function;  // as the page names it
+  Quantity quantity;
+  CoreFunction called;
+  Case (*inputs)(Random&);  // of one case
+
+  friend void PrintTo(const HalfFunction& tested, std::ostream* out) { *out << tested.function; }
+};
+
+std::vector<HalfFunction> half_functions();
+
+}  // namespace penumbra::shader_library_tests
