@@ -148,10 +148,14 @@ const reference::VisibilityImage& traced(const std::string& scene) {
   return image->second;
 }
 
-// A technique in both depth directions meets every scene, count of cascades and row order together; in one
-// direction, every two of the three.
-RowOrder row_order(std::size_t scene, int cascades, bool reversed_z) {
-  const bool top = (scene + static_cast<std::size_t>(cascades) + (reversed_z ? 1U : 0U)) % 2 == 0;
+// A technique in both depth directions meets every scene with every count of cascades; in one direction,
+// every scene and every count, each with both row orders.
+bool meets(std::size_t scene, int cascades, bool reversed_z) {
+  return (scene + static_cast<std::size_t>(cascades)) % 2 == (reversed_z ? 1U : 0U);
+}
+
+RowOrder row_order(std::size_t scene, int cascades) {
+  const bool top = (scene / 2 + static_cast<std::size_t>((cascades - 1) / 2)) % 2 == 0;
   return top ? RowOrder::top_first : RowOrder::bottom_first;
 }
 
@@ -160,8 +164,9 @@ TEST_P(ScreenResolve, DrawsWhatTheFilterAloneSaysAndIsAsFarFromRayTracing) {
   const std::vector<std::string> scenes = scenes_for_small_pictures();
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     for (int cascades = 1; cascades <= 4; ++cascades) {
+      if (!meets(i, cascades, GetParam().reversed_z)) continue;
       const scene::Frame& frame = drawn(scenes[i], cascades, GetParam().reversed_z);
-      const RowOrder rows = row_order(i, cascades, GetParam().reversed_z);
+      const RowOrder rows = row_order(i, cascades);
       const std::string what = scenes[i] + ", " + std::to_string(cascades) + " cascades, " +
                                (rows == RowOrder::top_first ? "top row first" : "bottom row first");
       const std::vector<float> by_pass = by_shader(frame, rows);
