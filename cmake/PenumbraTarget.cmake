@@ -118,11 +118,7 @@ function(penumbra_test name)
   target_link_libraries(${name} PRIVATE ${TEST_LIBRARIES} GTest::gtest GTest::gmock GTest::gtest_main)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(${name} PRIVATE PENUMBRA_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  # The software device allocates and frees images of megabytes in each run: by its own rule glibc gives them back to
-  # the system, which has to clear their pages again.
-  set(allocator glibc.malloc.mmap_threshold=33554432:glibc.malloc.trim_threshold=4294967296)
-  set(properties COST ${TEST_COST} ENVIRONMENT MESA_SHADER_CACHE_DIR=${PROJECT_BINARY_DIR}/mesa-shader-cache
-                 ENVIRONMENT_MODIFICATION GLIBC_TUNABLES=set:${allocator})
+  set(properties COST ${TEST_COST} ENVIRONMENT MESA_SHADER_CACHE_DIR=${PROJECT_BINARY_DIR}/mesa-shader-cache)
   if(TEST_LABELS)
     list(APPEND properties LABELS "${TEST_LABELS}")
   endif()
@@ -130,6 +126,10 @@ function(penumbra_test name)
     gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 600 PROPERTIES ${properties})
     return()
   endif()
+  # The software device allocates and frees images of megabytes in each run: by its own rule glibc gives them back to
+  # the system, which has to clear their pages again. The program runs on mimalloc instead.
+  list(APPEND properties ENVIRONMENT_MODIFICATION
+       GLIBC_TUNABLES=set:glibc.malloc.mmap_threshold=33554432:glibc.malloc.trim_threshold=4294967296)
   set(script ${CMAKE_CURRENT_BINARY_DIR}/${name}_groups.cmake)
   file(GENERATE OUTPUT ${script} CONTENT
     "include([[${PROJECT_SOURCE_DIR}/cmake/PenumbraCaseGroups.cmake]])

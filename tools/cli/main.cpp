@@ -8,7 +8,6 @@
 #include "cli/command_line.h"
 #include "cli/failure.h"
 #include "cost/compiler_worker.h"
-#include "platform/freed_memory.h"
 #include "platform/interrupt.h"
 #include "resolve/module_order.h"
 #include "scene/reading_process.h"
@@ -31,7 +30,6 @@ std::optional<int> serve_as_worker(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  penumbra::platform::keep_freed_memory();
   try {
     if (const std::optional<int> code = serve_as_worker(argc, argv)) return *code;
     penumbra::cli::answer_uncaught_exceptions();
