@@ -14,6 +14,7 @@
 namespace penumbra::reference {
 namespace {
 
+using hand_built::mean;
 using hand_built::Setting;
 
 constexpr double card_gap = 2.0;
@@ -43,12 +44,6 @@ scene::Receivers under(const Setting& setting, int side, double extent) {
   return hand_built::receivers(setting, {side, side}, [=](int x, int y) {
     return glm::dvec2(extent * ((x + 0.5) / side - 0.5), extent * ((y + 0.5) / side - 0.5));
   });
-}
-
-double mean(const VisibilityImage& image) {
-  double sum = 0.0;
-  for (const float visibility : image.visibility) sum += visibility;
-  return sum / static_cast<double>(image.visibility.size());
 }
 
 // 32 receivers a square, so that the wires' edges at 1/16 and 15/16 lie between them.

@@ -69,6 +69,12 @@ scene::Receivers receivers(const Setting& setting, ImageSize size,
   return result;
 }
 
+double mean(const VisibilityImage& image) {
+  double sum = 0.0;
+  for (const float visibility : image.visibility) sum += visibility;
+  return sum / static_cast<double>(image.visibility.size());
+}
+
 double visible_past_edge(double distance, double gap, double tan_half) {
   const double chord = std::clamp(distance / (gap * tan_half), -1.0, 1.0);
   return 0.5 + (chord * std::sqrt(1.0 - chord * chord) + std::asin(chord)) / std::numbers::pi;

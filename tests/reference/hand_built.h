@@ -38,6 +38,8 @@ void add_circle(scene::Mesh& mesh, const Setting& setting, double radius, double
 scene::Receivers receivers(const Setting& setting, ImageSize size,
                            const std::function<glm::dvec2(int x, int y)>& place);
 
+double mean(const VisibilityImage& image);  // over all pixels
+
 // Visibility at this distance (metres, positive: in the open) from the shadow of a straight edge at this gap:
 // the share of a disc beyond a chord.
 double visible_past_edge(double distance, double gap, double tan_half);

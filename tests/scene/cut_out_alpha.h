@@ -25,6 +25,11 @@ inline long double exact_pattern(AlphaPattern pattern, const LongVec2& uv) {
     alpha = 0.5L + 4.0L * (0.25L - centred.x * centred.x - std::abs(centred.y));
   } else if (pattern == AlphaPattern::holes) {
     alpha = 0.5L + 4.0L * (std::hypot(centred.x, centred.y) - 0.375L);
+  } else if (pattern == AlphaPattern::wire) {
+    alpha = 4.5L - 24.0L * std::abs(centred.y);
+  } else if (pattern == AlphaPattern::smoke) {
+    const long double edge = std::max(0.25L - centred.x * centred.x - centred.y * centred.y, 0.0L);
+    alpha = 9.6L * edge * edge;
   }
   return std::clamp(alpha, 0.0L, 1.0L);
 }
@@ -85,6 +90,8 @@ inline std::vector<NamedCutOut> cut_outs_of_all_kinds() {
           {"leaf", {.pattern = AlphaPattern::leaf}},
           {"holes", {.pattern = AlphaPattern::holes}},
           {"holes of half alpha", {.pattern = AlphaPattern::holes, .factor = 0.5F, .cutoff = 0.3F}},
+          {"wire", {.pattern = AlphaPattern::wire}},
+          {"smoke", {.pattern = AlphaPattern::smoke, .cutoff = 0.3F}},
           {"repeat", texture(TextureWrap::repeat, TextureWrap::repeat, TextureChannel::alpha, 1.0F)},
           {"mirror and clamp", texture(TextureWrap::mirror, TextureWrap::clamp, TextureChannel::alpha, 1.0F)},
           {"clamp and mirror", texture(TextureWrap::clamp, TextureWrap::mirror, TextureChannel::red, 0.9F)},

@@ -92,6 +92,42 @@ TEST(CutOuts, AreOpenWhereAlphaInLongDoubleIsBelowTheCutoff) {
   }
 }
 
+TEST(CutOuts, BlendedSurfacesStopTheirAlphaAndAreDrawnNowhere) {
+  for (const NamedCutOut& one : cut_outs_of_all_kinds()) {
+    CutOut blended = one.cut_out;
+    blended.mode = AlphaMode::blended;
+    const Scene scene = one_triangle(blended), cut = one_triangle(one.cut_out);
+    const CutOuts of_blended(scene), of_cut(cut);
+    EXPECT_TRUE(of_blended.any_blended() && of_blended.blends(0)) << one.name;
+    EXPECT_FALSE(of_cut.any_blended() || of_cut.blends(0)) << one.name;
+    for (int i = 0; i < 5000; ++i) {
+      const LongVec2 uv(-2.9 + 3.7 * std::fmod(i * 0.754877666, 1.0),
+                        -2.9 + 3.7 * std::fmod(i * 0.569840291, 1.0));
+      const auto u = static_cast<float>((uv.x + 3) / 8), v = static_cast<float>((uv.y + 3) / 8);
+      ASSERT_TRUE(of_blended.open(0, u, v)) << one.name;
+      ASSERT_NEAR(of_blended.opacity(0, u, v), double(exact_alpha(scene, blended, uv)), 1e-4) << one.name;
+      ASSERT_EQ(of_cut.opacity(0, u, v), of_cut.open(0, u, v) ? 0.0F : 1.0F) << one.name;
+    }
+  }
+  Scene bright = one_triangle({.factor = 1.5F, .mode = AlphaMode::blended});
+  EXPECT_EQ(CutOuts(bright).opacity(0, 0.25F, 0.25F), 1.0F);
+  bright.materials.back().cut_out->factor = -1.0F;
+  EXPECT_EQ(CutOuts(bright).opacity(0, 0.25F, 0.25F), 0.0F);
+}
+
+// The integral over a square, by points.
+TEST(CutOuts, WiresAndSmokeStopAThirdAndATwentiethOfPi) {
+  for (const auto& [pattern, mean] :
+       {std::pair{AlphaPattern::wire, 1.0 / 3.0}, {AlphaPattern::smoke, std::numbers::pi / 20.0}}) {
+    double sum = 0.0;
+    constexpr int side = 500;
+    for (int i = 0; i < side * side; ++i)
+      sum += pattern_alpha(pattern, {(static_cast<float>(i % side) + 0.5F) / side,
+                                     (static_cast<float>(i / side) + 0.5F) / side});
+    EXPECT_NEAR(sum / (side * side), mean, 1e-4);
+  }
+}
+
 TEST(CutOuts, AlphaAtTheCutoffIsSolidAndAFactorAloneDecidesAll) {
   Scene scene = one_triangle({.factor = 0.5F, .cutoff = 0.5F});
   EXPECT_FALSE(CutOuts(scene).open(0, 0.25F, 0.25F));
@@ -172,6 +208,7 @@ TEST(CutOuts, EveryPartOfThemNamesTheContent) {
       [](Scene& s) { s.materials[1].cut_out->wrap_v = TextureWrap::clamp; },
       [](Scene& s) { s.materials[1].cut_out->factor = 0.9F; },
       [](Scene& s) { s.materials[1].cut_out->cutoff = 0.4F; },
+      [](Scene& s) { s.materials[1].cut_out->mode = AlphaMode::blended; },
       [](Scene& s) { s.textures[0].rgba[7] ^= 1; },
       [](Scene& s) { s.mesh.uvs[2].x += 0.5F; },
   };

@@ -117,11 +117,20 @@ TEST_F(ImportCutOuts, WithoutItsTextureASurfaceIsSolidAndSaysSo) {
   expect_solid("cannot be read as a picture");
 }
 
-TEST_F(ImportCutOuts, TransparencyIsNotedOnceAndLeftOut) {
+TEST_F(ImportCutOuts, BlendOfGltfIsBlendedAndNotedOnce) {
   write("leaf.tga", kLeaf);
   const Scene scene = imported(square(R"(,"alphaMode":"BLEND")"));
+  const CutOut expected{.texture = 0, .mode = AlphaMode::blended};
+  EXPECT_EQ(cut_out_of(scene), expected);
+  EXPECT_TRUE(CutOuts(scene).blends(0));
+  EXPECT_THAT(scene.notes, ElementsAre(HasSubstr("1 of its materials, 'painted' for one, are blended")));
+}
+
+TEST_F(ImportCutOuts, BlendWithoutAlphaIsSolid) {
+  write("leaf.tga", tga_with_alpha(1, {{0, 255, 0, 255}}));
+  const Scene scene = imported(square(R"(,"alphaMode":"BLEND")"));
   EXPECT_EQ(cut_out_of(scene), std::nullopt);
-  EXPECT_THAT(scene.notes, ElementsAre(HasSubstr("1 of its materials, 'painted' for one, are transparent")));
+  EXPECT_THAT(scene.notes, IsEmpty());
 }
 
 TEST_F(ImportCutOuts, AMeshWithoutCoordinatesIsSolid) {

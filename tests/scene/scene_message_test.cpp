@@ -29,7 +29,8 @@ TEST_F(SceneMessage, GivesBackAllOfAScene) {
   Scene scene = textured();
   scene.notes = {"one", "two"};
   scene.materials[0].cut_out = CutOut{
-      AlphaPattern::leaf, 0, TextureChannel::red, TextureWrap::mirror, TextureWrap::clamp, 0.75F, 0.25F};
+      AlphaPattern::leaf, 0, TextureChannel::red, TextureWrap::mirror, TextureWrap::clamp, 0.75F, 0.25F,
+      AlphaMode::blended};
   scene.spot_light = parameters::SpotLight{.position = {1.0, 2.0, 3.0}, .source_radius_metres = 0.2};
   const Scene back = decode_scene(encode(scene));
   EXPECT_EQ(content_hash(back), content_hash(scene));
@@ -106,9 +107,11 @@ TEST_F(SceneMessage, WhatNoImportSaysIsRefused) {
       {"a cut-out with a number that is not finite",
        [nan](Scene& scene) { scene.materials[0].cut_out = CutOut{.cutoff = nan}; }},
       {"damaged",
-       [](Scene& scene) { scene.materials[0].cut_out = CutOut{.pattern = static_cast<AlphaPattern>(4)}; }},
+       [](Scene& scene) { scene.materials[0].cut_out = CutOut{.pattern = static_cast<AlphaPattern>(6)}; }},
       {"damaged",
        [](Scene& scene) { scene.materials[0].cut_out = CutOut{.wrap_v = static_cast<TextureWrap>(3)}; }},
+      {"damaged",
+       [](Scene& scene) { scene.materials[0].cut_out = CutOut{.mode = static_cast<AlphaMode>(2)}; }},
       {"without all of its pixels", [](Scene& scene) { scene.textures[0].rgba.pop_back(); }},
       {"a texture whose size is out of range", [](Scene& scene) { scene.textures[0].height = 8193; }},
       {"a texture whose size is out of range", [](Scene& scene) { scene.textures[0].width = -2; }},

@@ -107,11 +107,17 @@ HalfCounts DiscTracer::lit_by_point_light(const LitReceiver& receiver, const Dis
   ray.dir_x = direction.x;
   ray.dir_y = direction.y;
   ray.dir_z = direction.z;
-  ray.tfar = static_cast<float>(light.distance);
   ray.mask = ~0U;
-  rtcOccluded1(scene_.handle(), &context, &ray);
-  const auto half = static_cast<std::uint16_t>(ray.tfar >= 0.0F ? samples_ / 2 : 0);
-  return {half, half};
+  const int rays = rays_per_pixel();
+  int lit[2] = {};  // of each half
+  for (int i = 0; i < rays; ++i) {
+    ray.tfar = static_cast<float>(light.distance);
+    ray.id = static_cast<unsigned>(i);
+    rtcOccluded1(scene_.handle(), &context, &ray);
+    lit[2 * i / rays] += ray.tfar >= 0.0F ? 1 : 0;
+  }
+  if (rays == 1) lit[0] = lit[1] = lit[0] * (samples_ / 2);
+  return {static_cast<std::uint16_t>(lit[0]), static_cast<std::uint16_t>(lit[1])};
 }
 
 }  // namespace penumbra::reference

@@ -21,11 +21,11 @@ class DiscTracer {
   // samples: as TraceOptions. The scene must outlive the tracer.
   DiscTracer(const EmbreeScene& scene, const LightSource& light, int samples, std::uint64_t seed);
 
-  // The halves are the two sets of the pair that pixel draws. One ray to a point light decides both. A
-  // receiver without light sees none of it.
+  // The halves are the two sets of the pair that pixel draws. One ray to a point light decides both,
+  // unless blended triangles let some of its rays pass. A receiver without light sees none of it.
   HalfCounts lit_points(const LitReceiver& receiver, std::size_t pixel) const;
 
-  int rays_per_pixel() const { return light_.is_point() ? 1 : samples_; }
+  int rays_per_pixel() const { return light_.is_point() && !scene_.any_blended() ? 1 : samples_; }
 
  private:
   HalfCounts lit_by_point_light(const LitReceiver& receiver, const DiscLight& light) const;

@@ -3,9 +3,12 @@
 #include <embree3/rtcore.h>
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <string>
 
 #include "input/input_error.h"
+#include "reference/disc_samples.h"
 
 namespace penumbra::reference {
 namespace {
@@ -30,14 +33,26 @@ void check_indices(const scene::Mesh& mesh) {
   }
 }
 
-// Rejects hits where the surface is open.
+// In [0, 1), uniform, of the ray and the triangle.
+float chance(const RTCFilterFunctionNArguments& asked, unsigned lane, std::size_t triangle) {
+  const unsigned n = asked.N;
+  std::uint64_t bits = mixed_bits(triangle) ^ RTCRayN_id(asked.ray, n, lane);
+  for (const float number : {RTCRayN_org_x(asked.ray, n, lane), RTCRayN_org_y(asked.ray, n, lane),
+                             RTCRayN_org_z(asked.ray, n, lane), RTCRayN_dir_x(asked.ray, n, lane),
+                             RTCRayN_dir_y(asked.ray, n, lane), RTCRayN_dir_z(asked.ray, n, lane)})
+    bits = mixed_bits(bits ^ std::bit_cast<std::uint32_t>(number));
+  return std::ldexp(static_cast<float>(bits >> 40), -24);
+}
+
+// Rejects hits where the surface is open, and those of blended ones by chance.
 void pass_openings(const RTCFilterFunctionNArguments* asked) {
   const auto& scene = *static_cast<const EmbreeScene*>(asked->geometryUserPtr);
   for (unsigned lane = 0; lane < asked->N; ++lane) {
     if (asked->valid[lane] == 0) continue;
     const std::size_t triangle = scene.triangle(kCutOut, RTCHitN_primID(asked->hit, asked->N, lane));
     const float u = RTCHitN_u(asked->hit, asked->N, lane), v = RTCHitN_v(asked->hit, asked->N, lane);
-    if (scene.cut_outs().open(triangle, u, v)) asked->valid[lane] = 0;
+    const float opacity = scene.cut_outs().opacity(triangle, u, v);
+    if (opacity < 1.0F && chance(*asked, lane, triangle) >= opacity) asked->valid[lane] = 0;
   }
 }
 

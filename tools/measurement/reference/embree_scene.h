@@ -3,7 +3,11 @@
 // Built with RTC_SCENE_FLAG_ROBUST, so that rays do not slip between triangles that share an edge. Space:
 // relative to the scene's origin, metres. Both faces of a triangle block. Where a material is cut out rays
 // pass, by a filter that Embree asks about each hit; cut-out triangles are a geometry of their own, so that
-// no other hit is asked about.
+// no other hit is asked about. A blended triangle stops a ray with the probability of its opacity, so that
+// the mean over rays is the transmittance, also of several triangles: Enderton et al., "Stochastic
+// Transparency", I3D 2010. What is drawn for a ray and a triangle follows from both: the ray's origin,
+// direction and id, and the triangle's number. So it is the same on any thread and in any packet, and where
+// Embree asks twice.
 #pragma once
 
 #include <cstddef>
@@ -30,6 +34,9 @@ class EmbreeScene {
 
   RTCSceneTy* handle() const { return scene_.get(); }
   const scene::CutOuts& cut_outs() const { return cut_outs_; }
+
+  // Then rays of one origin and direction differ by their ids.
+  bool any_blended() const { return cut_outs_.any_blended(); }
 
   // The mesh's triangle of a hit's geomID and primID.
   std::size_t triangle(unsigned geometry, unsigned primitive) const {

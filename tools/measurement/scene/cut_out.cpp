@@ -61,6 +61,13 @@ void check(const Scene& scene, const Material& material) {
   if (!whole) refuse(scene, name + "whose texture lacks texels");
 }
 
+// No alpha is as large: the surface is blended, and open for the rasterisers.
+constexpr float kBlendedCutoff = std::numeric_limits<float>::infinity();
+
+bool is_blended(const CutOuts::Entry& entry) {
+  return entry.cutoff == kBlendedCutoff;
+}
+
 float wrapped(float coordinate, TextureWrap wrap) {
   if (wrap == TextureWrap::clamp) return std::clamp(coordinate, 0.0F, 1.0F);
   if (wrap == TextureWrap::repeat) return coordinate - std::floor(coordinate);
@@ -82,6 +89,12 @@ float unclamped_alpha(AlphaPattern pattern, const glm::vec2& in_square) {
       return 0.5F + 4.0F * (in_square.x * (1.0F - in_square.x) - from_centre.y);
     case AlphaPattern::holes:
       return 0.5F + 4.0F * (glm::length(from_centre) - 0.375F);
+    case AlphaPattern::wire:
+      return 0.5F + 24.0F * (1.0F / 6.0F - from_centre.y);
+    case AlphaPattern::smoke: {
+      const float inside = std::max(1.0F - 4.0F * glm::dot(from_centre, from_centre), 0.0F);
+      return 0.6F * inside * inside;
+    }
     case AlphaPattern::none:
       break;
   }
@@ -117,7 +130,7 @@ std::uint32_t CutOuts::add_entry(const Scene& scene, const Material& material) {
   entry.wrap_u = cut_out.wrap_u;
   entry.wrap_v = cut_out.wrap_v;
   entry.factor = cut_out.factor;
-  entry.cutoff = cut_out.cutoff;
+  entry.cutoff = cut_out.mode == AlphaMode::blended ? kBlendedCutoff : cut_out.cutoff;
   if (cut_out.texture >= 0) {
     const Texture& texture = scene.textures[static_cast<std::size_t>(cut_out.texture)];
     if (texture.rgba.size() / 4 > std::numeric_limits<std::uint32_t>::max() - texel_count_) {
@@ -160,9 +173,15 @@ float CutOuts::texture_alpha(const Entry& entry, const glm::vec2& uv) const {
   return above * (1.0F - down) + below * down;
 }
 
-bool CutOuts::open(std::size_t triangle, float u, float v) const {
-  if (!cuts(triangle)) return false;
-  const Entry& entry = entries_[of_triangle_[triangle] - 1];
+bool CutOuts::any_blended() const {
+  return std::any_of(entries_.begin(), entries_.end(), is_blended);
+}
+
+bool CutOuts::blends(std::size_t triangle) const {
+  return cuts(triangle) && is_blended(entry_of(triangle));
+}
+
+float CutOuts::alpha(const Entry& entry, std::size_t triangle, float u, float v) const {
   float alpha = entry.factor;
   if (!mesh_.uvs.empty()) {
     const std::uint32_t* corner = &mesh_.indices[3 * triangle];
@@ -171,7 +190,16 @@ bool CutOuts::open(std::size_t triangle, float u, float v) const {
     alpha *= pattern_alpha(entry.pattern, uv);
     if (entry.width > 0) alpha *= texture_alpha(entry, uv);
   }
-  return alpha < entry.cutoff;
+  return alpha;
+}
+
+bool CutOuts::open(std::size_t triangle, float u, float v) const {
+  return cuts(triangle) && alpha(entry_of(triangle), triangle, u, v) < entry_of(triangle).cutoff;
+}
+
+float CutOuts::opacity(std::size_t triangle, float u, float v) const {
+  if (!blends(triangle)) return open(triangle, u, v) ? 0.0F : 1.0F;
+  return std::clamp(alpha(entry_of(triangle), triangle, u, v), 0.0F, 1.0F);
 }
 
 void CutOuts::add_to(platform::ContentHash& hash) const {

@@ -1,5 +1,7 @@
-// Where a scene's cut-out surfaces are open: one evaluation for rays (Embree's filter), and the tables with
-// which the rasteriser's shaders (shaders/CutOut.hlsl) compute the same.
+// Where a scene's cut-out surfaces are open and how much light blended ones stop: one evaluation for rays
+// (Embree's filter), and the tables with which the rasteriser's shaders (shaders/CutOut.hlsl) compute the
+// same. The rasterisers draw nothing of blended surfaces: their cutoff in the tables is one that no alpha
+// reaches.
 //
 // The formulas are those of AlphaPattern and CutOut (material.h), in single precision, operation by operation
 // the same here and in HLSL: both see the same silhouette, up to the rounding of interpolated texture
@@ -45,7 +47,13 @@ class CutOuts {
   bool any() const { return !of_triangle_.empty(); }
   bool cuts(std::size_t triangle) const { return any() && of_triangle_[triangle] != 0; }
 
-  // Whether light passes a triangle of the mesh at weights 1 - u - v, u and v of its corners.
+  bool any_blended() const;
+  bool blends(std::size_t triangle) const;
+
+  // Share of the light that a triangle of the mesh stops at weights 1 - u - v, u and v of its corners: 0 or 1
+  // of a cut-out.
+  float opacity(std::size_t triangle, float u, float v) const;
+  // Whether the rasterisers draw nothing there: where a cut-out is open, and all of a blended triangle.
   bool open(std::size_t triangle, float u, float v) const;
 
   static constexpr std::uint32_t texels_per_word = 4;  // the first in the lowest bits
@@ -59,6 +67,8 @@ class CutOuts {
  private:
   std::uint32_t add_entry(const Scene& scene, const Material& material);
   void add_texels(const Texture& texture, TextureChannel channel);
+  const Entry& entry_of(std::size_t triangle) const { return entries_[of_triangle_[triangle] - 1]; }
+  float alpha(const Entry& entry, std::size_t triangle, float u, float v) const;
   float texel(const Entry& entry, int x, int y) const;
   float texture_alpha(const Entry& entry, const glm::vec2& uv) const;
 

@@ -1,5 +1,5 @@
 // The appearance of a surface: colour, roughness and their textures, which only lit pictures use; and its
-// cut-outs, which affect shadows.
+// alpha, which affects shadows.
 #pragma once
 
 #include <cstdint>
@@ -26,13 +26,23 @@ enum class AlphaPattern : std::uint32_t {
   wire_grid,  // 1 - 8 d, d to the nearest edge of the square: at a cutoff of 1/2 wires 1/8 wide, 49/64 open
   leaf,       // 1/2 + 4 (u (1 - u) - |v - 1/2|): pointed at u = 0 and 1; at a cutoff of 1/2, 2/3 open
   holes,      // 1/2 + 4 (d - 3/8), d to the square's centre: at a cutoff of 1/2 round holes, 9 pi / 64 open
+  wire,       // 1/2 + 24 (1/6 - |v - 1/2|): a wire along u, of the middle third of v; its mean is 1/3
+  smoke,      // 0.6 (1 - 4 d^2)^2, d to the square's centre, 0 from d = 1/2: a puff; its mean is pi / 20
 };
 
 enum class TextureWrap : std::uint32_t { repeat, mirror, clamp };  // of coordinates outside 0..1
 enum class TextureChannel : std::uint32_t { red, alpha };
 
-// Holes in a surface: it is open, for light and for the camera, where
-//   factor * alpha of the pattern * alpha of the texture < cutoff.
+// What a surface's alpha means.
+enum class AlphaMode : std::uint32_t {
+  cut,      // open below the cutoff, else solid
+  blended,  // transmits 1 - alpha of the light
+};
+
+// Alpha of a surface: factor * alpha of the pattern * alpha of the texture.
+// Cut out, it is open, for light and for the camera, where its alpha is below the cutoff. Blended, it stops
+// that share of each ray's light, and neither the shadow map nor the camera's depth has it: as in Unity,
+// where transparent objects write neither.
 // The texture is read bilinearly and without smaller versions, whatever the distance: one silhouette for the
 // shadow map, the camera and the rays.
 struct CutOut {
@@ -42,7 +52,8 @@ struct CutOut {
   TextureWrap wrap_u = TextureWrap::repeat;
   TextureWrap wrap_v = TextureWrap::repeat;
   float factor = 1.0F;
-  float cutoff = 0.5F;
+  float cutoff = 0.5F;  // of AlphaMode::cut
+  AlphaMode mode = AlphaMode::cut;
 
   bool reads_coordinates() const { return pattern != AlphaPattern::none || texture >= 0; }
   bool operator==(const CutOut&) const = default;

@@ -94,7 +94,9 @@ class Reader {
     if (result_.materials.empty()) add(aiMaterial{});
     if (blended_ > 0) {
       note(std::to_string(blended_) + " of its materials, '" + first_blended_ +
-           "' for one, are transparent (alphaMode BLEND) and cast the shadows of solid ones");
+           "' for one, are blended (alphaMode BLEND): they dim the light, and the camera and the shadow map "
+           "do "
+           "not see them");
     }
     return std::move(result_);
   }
@@ -153,8 +155,10 @@ class Reader {
                                 Slot& slot) {
     CutOut made;
     if (aiString mode; material.Get(AI_MATKEY_GLTF_ALPHAMODE, mode) == aiReturn_SUCCESS) {
-      if (std::string_view(mode.C_Str()) == "BLEND" && blended_++ == 0) first_blended_ = name;
-      if (std::string_view(mode.C_Str()) != "MASK") return std::nullopt;
+      if (std::string_view(mode.C_Str()) == "BLEND")
+        made.mode = AlphaMode::blended;
+      else if (std::string_view(mode.C_Str()) != "MASK")
+        return std::nullopt;
       material.Get(AI_MATKEY_GLTF_ALPHACUTOFF, made.cutoff);
       if (!std::isfinite(made.cutoff)) made.cutoff = 0.5F;
       made.factor = std::isfinite(colour_alpha) ? std::clamp(colour_alpha, 0.0F, 1.0F) : 1.0F;
@@ -174,9 +178,19 @@ class Reader {
            "': the transform of its coordinates is not read, its holes may be elsewhere");
     }
     made.texture = slot.texture;
+    if (made.mode == AlphaMode::blended) {
+      if (is_opaque(made)) return std::nullopt;
+      if (blended_++ == 0) first_blended_ = name;
+    }
     made.wrap_u = slot.wrap_u;
     made.wrap_v = slot.wrap_v;
     return made;
+  }
+
+  // Exporters declare as blended what nothing shines through.
+  bool is_opaque(const CutOut& blended) const {
+    return blended.factor == 1.0F &&
+           (blended.texture < 0 || !has_alpha(result_.textures[static_cast<std::size_t>(blended.texture)]));
   }
 
   Slot slot(const aiMaterial& material, aiTextureType type) {

@@ -26,10 +26,10 @@ struct ModelMaterials {
 // folder only, links followed. A texture that is missing, broken, too large or elsewhere is left out with a
 // note.
 // Cut-outs: alphaMode MASK of glTF, with its cutoff, the alpha of factor and texture, and the sampler's
-// repeat modes; of other formats the opacity map, at a cutoff of 1/2, its alpha channel where it has one and
-// else its red one, white being solid. A cut-out whose texture is left out is solid, with a note. Not read:
-// metals, alphaMode BLEND and opacity factors, heights, transforms of coordinates (with a note where they
-// move a cut-out), repeat modes of colours and normals.
+// repeat modes; BLEND likewise, blended, where any of that alpha is below 1; of other formats the opacity
+// map, at a cutoff of 1/2, its alpha channel where it has one and else its red one, white being solid. A
+// cut-out whose texture is left out is solid, with a note. Not read: metals, opacity factors, heights,
+// transforms of coordinates (with a note where they move a cut-out), repeat modes of colours and normals.
 ModelMaterials read_model_materials(const aiScene& scene, const std::filesystem::path& file);
 
 }  // namespace penumbra::scene

@@ -54,7 +54,7 @@ Texture read_texture(ByteReader& in) {
 }
 
 void write(ByteWriter& out, const CutOut& cut_out) {
-  const auto& [pattern, texture, channel, wrap_u, wrap_v, factor, cutoff] = cut_out;
+  const auto& [pattern, texture, channel, wrap_u, wrap_v, factor, cutoff, mode] = cut_out;
   out.number(static_cast<std::uint64_t>(pattern));
   out.value(texture);
   out.number(static_cast<std::uint64_t>(channel));
@@ -62,17 +62,19 @@ void write(ByteWriter& out, const CutOut& cut_out) {
   out.number(static_cast<std::uint64_t>(wrap_v));
   out.value(factor);
   out.value(cutoff);
+  out.number(static_cast<std::uint64_t>(mode));
 }
 
 CutOut read_cut_out(ByteReader& in) {
   CutOut cut_out;
-  cut_out.pattern = in.enumerator(AlphaPattern::holes);
+  cut_out.pattern = in.enumerator(AlphaPattern::smoke);
   cut_out.texture = in.value<int>();
   cut_out.channel = in.enumerator(TextureChannel::alpha);
   cut_out.wrap_u = in.enumerator(TextureWrap::clamp);
   cut_out.wrap_v = in.enumerator(TextureWrap::clamp);
   cut_out.factor = in.value<float>();
   cut_out.cutoff = in.value<float>();
+  cut_out.mode = in.enumerator(AlphaMode::blended);
   require(std::isfinite(cut_out.factor) && std::isfinite(cut_out.cutoff),
           "a cut-out with a number that is not finite");
   return cut_out;

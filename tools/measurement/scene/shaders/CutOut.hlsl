@@ -4,6 +4,7 @@
 //             (tools/measurement/scene/material.h), step by step as tools/measurement/scene/cut_out.cpp computes them for rays.
 // Inputs:     _TexCoords: two floats per vertex; _CutOutOfTriangle: 1 + the number of its cut-out, 0 for none; _CutOuts:
 //             eight words each (CutOuts::Entry); _CutOutTexels: four texels of 8 bits a word, the first in the lowest.
+//             The cutoff of blended surfaces is infinite: nothing of them is drawn.
 // Cost:       two buffer loads for a triangle without cut-out, up to eight and four texels with one.
 // Guarantees: no texel outside of the cut-out's own texture is read.
 // Use it:     from the fragment shaders of this folder, where the scene has cut-outs.
@@ -20,6 +21,8 @@ StructuredBuffer<uint> _CutOutTexels;
 static const uint kWireGrid = 1;
 static const uint kLeaf = 2;
 static const uint kHoles = 3;
+static const uint kWire = 4;
+static const uint kSmoke = 5;
 static const uint kRepeat = 0;
 static const uint kClamp = 2;
 
@@ -63,6 +66,13 @@ float PatternAlpha(uint pattern, float2 uv)
         alpha = 0.5 + 4.0 * (inSquare.x * (1.0 - inSquare.x) - fromCentre.y);
     else if (pattern == kHoles)
         alpha = 0.5 + 4.0 * (length(fromCentre) - 0.375);
+    else if (pattern == kWire)
+        alpha = 0.5 + 24.0 * (1.0 / 6.0 - fromCentre.y);
+    else if (pattern == kSmoke)
+    {
+        const float inside = max(1.0 - 4.0 * dot(fromCentre, fromCentre), 0.0);
+        alpha = 0.6 * inside * inside;
+    }
     return clamp(alpha, 0.0, 1.0);
 }
 
