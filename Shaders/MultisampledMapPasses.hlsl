@@ -14,6 +14,7 @@
 #ifndef PENUMBRA_MULTISAMPLED_MAP_PASSES_HLSL
 #define PENUMBRA_MULTISAMPLED_MAP_PASSES_HLSL
 
+#include "CasterMaterial.hlsl"
 #include "VarianceMap.hlsl"
 #include "../ShaderLibrary/Core/ShadowBias.hlsl"
 #include "../ShaderLibrary/Filters/MapSampleParameters.hlsl"
@@ -22,11 +23,6 @@
 Texture2DMS<float> _PenumbraSampleDepths;
 float4 _PenumbraMapSampleParameters0;
 
-TEXTURE2D(_BaseMap);
-SAMPLER(sampler_BaseMap);
-float4 _BaseMap_ST;
-float4 _BaseColor;
-float _Cutoff;
 float4 _ShadowBias;
 float3 _LightDirection;
 
@@ -54,7 +50,7 @@ CasterVaryings CasterVertex(CasterAttributes input)
     const float3 normalWS = TransformObjectToWorldNormal(input.normalOS);
     output.positionCS = TransformWorldToHClip(BiasCaster(positionWS, normalWS, _LightDirection, _ShadowBias.xy));
 #if defined(_ALPHATEST_ON)
-    output.uv = input.uv * _BaseMap_ST.xy + _BaseMap_ST.zw;
+    output.uv = MaterialCoordinates(input.uv);
 #endif
     return output;
 }
@@ -62,7 +58,7 @@ CasterVaryings CasterVertex(CasterAttributes input)
 void CasterDepth(CasterVaryings input)
 {
 #if defined(_ALPHATEST_ON)
-    clip(_BaseColor.a * SAMPLE_TEXTURE2D(_BaseMap, sampler_BaseMap, input.uv).a - _Cutoff);
+    clip(MaterialAlpha(input.uv) - _Cutoff);
 #endif
 }
 

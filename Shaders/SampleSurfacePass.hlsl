@@ -12,12 +12,7 @@
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/SpaceTransforms.hlsl"
-
-TEXTURE2D(_BaseMap);
-SAMPLER(sampler_BaseMap);
-float4 _BaseMap_ST;
-float4 _BaseColor;
-float _Cutoff;
+#include "CasterMaterial.hlsl"
 
 struct SurfaceAttributes
 {
@@ -40,7 +35,7 @@ SurfaceVaryings SurfaceVertex(SurfaceAttributes input)
     output.positionWS = TransformObjectToWorld(input.positionOS.xyz);
     output.positionCS = TransformWorldToHClip(output.positionWS);
 #if defined(_ALPHATEST_ON)
-    output.uv = input.uv * _BaseMap_ST.xy + _BaseMap_ST.zw;
+    output.uv = MaterialCoordinates(input.uv);
 #endif
     return output;
 }
@@ -49,7 +44,7 @@ float4 SampleSurface(SurfaceVaryings input) : SV_Target
 {
     const float3 normal = cross(ddx(input.positionWS), ddy(input.positionWS));
 #if defined(_ALPHATEST_ON)
-    clip(_BaseColor.a * SAMPLE_TEXTURE2D(_BaseMap, sampler_BaseMap, input.uv).a - _Cutoff);
+    clip(MaterialAlpha(input.uv) - _Cutoff);
 #endif
     return float4(normalize(normal), 0.0);
 }

@@ -20,6 +20,13 @@ namespace Penumbra
         private static readonly ShaderTagId casters = new ShaderTagId("ShadowCaster");
         private static readonly ShaderTagId opaques = new ShaderTagId("DepthOnly");
 
+        // Transparent materials have neither; these are the passes that URP draws them with.
+        private static readonly ShaderTagId[] blended =
+        {
+            new ShaderTagId("UniversalForward"), new ShaderTagId("UniversalForwardOnly"),
+            new ShaderTagId("SRPDefaultUnlit"),
+        };
+
         /// <summary>`frame.camera`, `seen` and `light` must be set.</summary>
         internal static void Cull(ScriptableRenderContext context, CasterFrame frame, int lightIndex,
                                   FrameShadows shadows, in ShadowFrame shadow)
@@ -60,23 +67,35 @@ namespace Penumbra
             return true;
         }
 
-        internal static RendererListParams OfCascade(CasterFrame frame, int cascade, in PassProgram program) =>
-            List(frame.cascades[cascade].casters, frame.camera, casters, RenderQueueRange.all, program);
+        internal static RendererListParams OfCascade(CasterFrame frame, int cascade, GraphPass pass,
+                                                     in PassProgram program) =>
+            pass.blended ? Blended(frame.cascades[cascade].casters, frame.camera, program)
+                         : List(frame.cascades[cascade].casters, frame.camera, casters, RenderQueueRange.all, program);
 
-        internal static RendererListParams OfCamera(CasterFrame frame, in PassProgram program) =>
-            List(frame.seen, frame.camera, opaques, RenderQueueRange.opaque, program);
+        internal static RendererListParams OfCamera(CasterFrame frame, GraphPass pass, in PassProgram program) =>
+            pass.blended ? Blended(frame.seen, frame.camera, program)
+                         : List(frame.seen, frame.camera, opaques, RenderQueueRange.opaque, program);
+
+        private static RendererListParams Blended(in CullingResults results, Camera camera, in PassProgram program)
+        {
+            DrawingSettings drawing =
+                Drawing(camera, blended[0], SortingCriteria.CommonTransparent, program);
+            for (int tag = 1; tag < blended.Length; ++tag) drawing.SetShaderPassName(tag, blended[tag]);
+            return new RendererListParams(results, drawing, new FilteringSettings(RenderQueueRange.transparent));
+        }
+
+        private static RendererListParams List(in CullingResults results, Camera camera, ShaderTagId tag,
+                                               RenderQueueRange queues, in PassProgram program) =>
+            new RendererListParams(results, Drawing(camera, tag, SortingCriteria.CommonOpaque, program),
+                                   new FilteringSettings(queues));
 
         // Overrides the shader and not the material, to keep each object's properties for alpha clipping and
         // displacement.
-        private static RendererListParams List(in CullingResults results, Camera camera, ShaderTagId tag,
-                                               RenderQueueRange queues, in PassProgram program)
-        {
-            var sorting = new SortingSettings(camera) { criteria = SortingCriteria.CommonOpaque };
-            var drawing = new DrawingSettings(tag, sorting)
+        private static DrawingSettings Drawing(Camera camera, ShaderTagId tag, SortingCriteria sorting,
+                                               in PassProgram program) =>
+            new DrawingSettings(tag, new SortingSettings(camera) { criteria = sorting })
             {
                 overrideShader = program.asset.material.shader, overrideShaderPassIndex = program.index,
             };
-            return new RendererListParams(results, drawing, new FilteringSettings(queues));
-        }
     }
 }

@@ -100,14 +100,15 @@ namespace Penumbra
                 CasterCulling.Cull(context, casters, data.lightData.mainLightIndex, data.shadowData, frame);
             for (int step = 0; step < draw.Chain.Steps.Count; ++step)
             {
-                if (draw.Chain.Steps[step].pass.kind != PassKind.Casters) continue;
+                GraphPass pass = draw.Chain.Steps[step].pass;
+                if (pass.kind != PassKind.Casters) continue;
                 bool byCascade = draw.Chain.Steps[step].ByCascade;
                 for (int cascade = 0; cascade < (byCascade ? frame.layout.Cascades : 1); ++cascade)
                 {
                     if (byCascade && !casters.cascades[cascade].isCulled) continue;
                     RendererListParams list = byCascade
-                                                  ? CasterCulling.OfCascade(casters, cascade, draw.Program(step))
-                                                  : CasterCulling.OfCamera(casters, draw.Program(step));
+                                                  ? CasterCulling.OfCascade(casters, cascade, pass, draw.Program(step))
+                                                  : CasterCulling.OfCamera(casters, pass, draw.Program(step));
                     casters.Set(CasterFrame.IndexOf(step, cascade), context.CreateRendererList(ref list));
                 }
             }

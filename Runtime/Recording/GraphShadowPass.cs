@@ -143,8 +143,8 @@ namespace Penumbra
                     if (drawn.ByCascade ? cascade >= frame.layout.Cascades || !casters.cascades[cascade].isCulled
                                         : cascade > 0) continue;
                     list = renderGraph.CreateRendererList(
-                        drawn.ByCascade ? CasterCulling.OfCascade(casters, cascade, draw.Program(step))
-                                        : CasterCulling.OfCamera(casters, draw.Program(step)));
+                        drawn.ByCascade ? CasterCulling.OfCascade(casters, cascade, drawn.pass, draw.Program(step))
+                                        : CasterCulling.OfCamera(casters, drawn.pass, draw.Program(step)));
                     builder.UseRendererList(list);
                 }
         }

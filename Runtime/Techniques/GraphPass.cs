@@ -49,6 +49,9 @@ namespace Penumbra
         /// <summary>Casters: they are tested against the shadow map.</summary>
         internal bool testsShadowMap;
 
+        /// <summary>Casters: those that blend, in place of those that the shadow map holds.</summary>
+        internal bool blended;
+
         /// <summary>Runs once per mip level except the first, reading the previous level.</summary>
         internal bool eachMip;
 

@@ -12,7 +12,7 @@
 
 #include "input/input_error.h"
 #include "resolve/graph_runner.h"
-#include "resolve/synthetic_frame.h"
+#include "resolve/map_receivers.h"
 #include "resolve/test_device.h"
 #include "scene/cut_out.h"
 #include "shaders/shader_files.h"
@@ -24,6 +24,7 @@ namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing_frames::place_receivers;
 
 constexpr RunOptions kOnce{.noise_seeds = 1, .timing_repeats = 0};
 constexpr int kMapSize = 96;
@@ -71,32 +72,8 @@ scene::Scene sheets() {
   return scene;
 }
 
-// Its map, and a receiver at each texel's centre.
 scene::Frame frame_of(const scene::Scene& scene, bool reversed_z) {
-  scene::FrameSettings settings;
-  settings.shadows.cascades = 1;
-  settings.shadows.resolution = kMapSize;
-  settings.shadows.distance_metres = scene.shadow_distance_metres;
-  settings.shadows.depth_bias = settings.shadows.normal_bias = 0.0;
-  settings.shadows.reversed_z = reversed_z;
-  settings.width = settings.height = kMapSize;
-  return scene::rasterise(test_device(), scene, settings);
-}
-
-glm::dvec3 position_at(const scene::Frame& frame, int x, int y, double depth) {
-  const glm::dvec4 shadow((x + 0.5) / frame.atlas.width, (y + 0.5) / frame.atlas.height, depth, 1.0);
-  return glm::dvec3(glm::inverse(frame.cascades.cascades[0].world_to_shadow) * shadow);
-}
-
-// `depth`: of a texel's receiver.
-void place_receivers(scene::Frame& frame, const std::function<double(int x, int y)>& depth) {
-  testing_frames::choose_cascade(frame.cascades, 0);
-  for (int y = 0; y < kMapSize; ++y)
-    for (int x = 0; x < kMapSize; ++x) {
-      const auto at = static_cast<std::size_t>(y * kMapSize + x);
-      frame.receivers.position_ws[at] = glm::vec4(glm::vec3(position_at(frame, x, y, depth(x, y))), 1.0F);
-      frame.receivers.normal_ws[at] = {0.0F, 1.0F, 0.0F, 0.0F};
-    }
+  return testing_frames::map_of(scene, kMapSize, reversed_z);
 }
 
 struct Surfaces {
@@ -283,8 +260,9 @@ TEST_F(CasterPassProblem, StatesThatAreNotDrawnHereAreRefusedAtTheirLine) {
 
 TEST_F(CasterPassProblem, VertexInputsThatNoSceneHasAreRefused) {
   EXPECT_THAT(problem("LayersPasses.hlsl", "float2 uv : TEXCOORD0;\n};\nstruct Varyings",
-                      "float2 uv : COLOR;\n};\nstruct Varyings"),
-              AllOf(HasSubstr("reads the vertex input COLOR0"), HasSubstr("POSITION0, NORMAL0, TEXCOORD0")));
+                      "float2 uv : TANGENT;\n};\nstruct Varyings"),
+              AllOf(HasSubstr("reads the vertex input TANGENT0"),
+                    HasSubstr("POSITION0, NORMAL0, TEXCOORD0, COLOR0")));
 }
 
 TEST_F(CasterPassProblem, TheShadowMapIsTestedAgainstAndNotWritten) {

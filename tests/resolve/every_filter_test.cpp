@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "resolve/graph_runner.h"
 #include "resolve/reference_bounds.h"
@@ -34,7 +35,7 @@ void PrintTo(const Case& value, std::ostream* stream) {
 std::vector<Case> all_cases() {
   std::vector<Case> cases;
   for (const techniques::Technique& technique : library_techniques().techniques) {
-    if (technique.graph.draws_casters()) continue;  // the frames here are of no scene
+    if (technique.graph.draws(techniques::DrawnCasters::opaque)) continue;  // the frames here are of no scene
     cases.push_back({technique.name, true});
     cases.push_back({technique.name, false});
   }
@@ -92,6 +93,19 @@ double exponential_levels_gap(const techniques::Technique& technique, double) {
   const double variance = 16.0 * value(technique, "precision");
   const double deviations = std::sqrt(variance * (1.0 / value(technique, "bleeding") - 1.0));
   return -1.5 * std::log1p(-deviations) / value(technique, "positiveExponent");
+}
+
+// None that blend: whatever filters do with them, without them they are filters of the map.
+const CastersOnDevice& opaque_casters() {
+  static KeptOnDevice<std::optional<CastersOnDevice>> casters;
+  if (!*casters) {
+    scene::Scene scene;
+    scene.mesh.positions = {{0.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 1.0F}, {1.0F, 0.0F, 0.0F}};
+    scene.mesh.normals.assign(3, {0.0F, 1.0F, 0.0F});
+    scene.mesh.indices = {0, 1, 2};
+    casters->emplace(test_device(), scene);
+  }
+  return **casters;
 }
 
 class EveryFilter : public testing::TestWithParam<Case> {
@@ -163,7 +177,7 @@ class EveryFilter : public testing::TestWithParam<Case> {
     if (pass == nullptr) {
       pass = std::make_unique<GraphRunner>(test_device(), compile(filter_over_map()));
     }
-    const FrameOnDevice on_device(test_device(), frame);
+    const FrameOnDevice on_device(test_device(), frame, &opaque_casters());
     UniformValues all = filter_over_map().parameters;
     // Of those for spot lights: every_spot_filter_test.cpp has maps in perspective.
     all.set("_PenumbraSpotLight", glm::vec4(0.3F, 9.0F, 1.0F, 0.1F));

@@ -145,6 +145,27 @@ TEST_F(CasterGraph, TheLightSeesThemOfEachCascadeAndTheCameraEveryFrame) {
               HasSubstr("'Seen' draws what the camera sees, which changes every frame"));
 }
 
+TEST_F(CasterGraph, DrawsOpaqueCastersOrBlendedOnes) {
+  EXPECT_TRUE(list(kLayers).techniques.at(0).graph.draws(DrawnCasters::opaque));
+  EXPECT_FALSE(list(kLayers).techniques.at(0).graph.draws(DrawnCasters::blended));
+  std::string text = kLayers;
+  const std::string colour = R"("depth": "shadowMap"})";
+  text.replace(text.find(colour), colour.size(), R"("depth": "shadowMap", "casters": "blended"})");
+  const TechniqueList layers = list(text);
+  const PassGraph& graph = layers.techniques.at(0).graph;
+  EXPECT_EQ(graph.passes[0].casters, DrawnCasters::blended);
+  EXPECT_EQ(graph.passes[1].casters, DrawnCasters::opaque);
+  EXPECT_TRUE(graph.draws(DrawnCasters::blended) && graph.draws(DrawnCasters::opaque));
+  const std::string csharp = emit_graphs_csharp(layers).at(0).text;
+  EXPECT_THAT(csharp, HasSubstr("testsShadowMap = true,\n                    blended = true,\n"));
+  EXPECT_EQ(csharp.find("blended"), csharp.rfind("blended"));
+  EXPECT_THAT(techniques_json(layers), HasSubstr("\"casters\": \"blended\""));
+  EXPECT_THAT(problem(kSeen, R"("kind": "casters")", R"("kind": "casters", "casters": "blend")"),
+              AllOf(HasSubstr("unknown kind of casters 'blend'"), HasSubstr("did you mean 'blended'?")));
+  EXPECT_THAT(problem(kSeen, R"("kind": "casters")", R"("kind": "raster", "casters": "blended")"),
+              HasSubstr("unknown key"));
+}
+
 TEST_F(CasterGraph, HasNoKeysOfOtherPasses) {
   EXPECT_THAT(problem(kSeen, R"("kind": "casters")", R"("kind": "casters", "each_mip": true)"),
               HasSubstr("unknown key 'each_mip'"));

@@ -201,8 +201,7 @@ namespace {
 // Not silently: a scene that is built in has its size.
 void refuse_import_options_without_a_model(const scene::ImportOptions& import,
                                            const std::vector<std::string>& names) {
-  std::vector<std::string> built_in = scene::built_in_names();
-  for (const std::string& spot : scene::spot_scene_names()) built_in.push_back(spot);
+  const std::vector<std::string> built_in = scene::all_built_in_names();
   const auto is_model = [&](const std::string& name) {
     return std::find(built_in.begin(), built_in.end(), name) == built_in.end();
   };

@@ -117,6 +117,21 @@ namespace Penumbra.Tests
             Assert.That(layers.Target, Is.Not.EqualTo(nearest.Target));
         }
 
+        /// <summary>Transparent materials have no ShadowCaster pass.</summary>
+        [Test]
+        public void BlendedCastersAreDrawnByThePassesThatTheyHave()
+        {
+            TechniqueGraph map = OfMap;
+            map.passes[0].blended = true;
+            Assert.That(Draws(map).Where(draw => draw.Pass != "Resolve").Select(draw => draw.Pass),
+                        Is.EqualTo(new[] { 1, 2, 3, 4 }.Select(
+                            radius => "UniversalForward, UniversalForwardOnly, SRPDefaultUnlit by Depths of " + radius)));
+            TechniqueGraph seen = Graph(GraphExtent.Screen, Casters(PassFrequency.Frame, 0, depth: 1));
+            seen.passes[0].blended = true;
+            Assert.That(Draws(seen)[0].Pass,
+                        Is.EqualTo("UniversalForward, UniversalForwardOnly, SRPDefaultUnlit by Depths"));
+        }
+
         [Test]
         public void TheCamerasMatricesAreThereAgain()
         {

@@ -13,8 +13,8 @@ namespace {
 
 using scene::CutOut;
 
-constexpr std::array<std::pair<const char*, int>, 3> kSemantics{
-    {{"POSITION0", 3}, {"NORMAL0", 3}, {"TEXCOORD0", 2}}};
+constexpr std::array<std::pair<const char*, int>, 4> kSemantics{
+    {{"POSITION0", 3}, {"NORMAL0", 3}, {"TEXCOORD0", 2}, {"COLOR0", 4}}};
 
 // A pattern as a texture: bilinear reads of so many texels are off by at most 1e-4 in alpha.
 constexpr int kPatternTexels = 512;
@@ -54,9 +54,33 @@ Picture texture_picture(const scene::Texture& texture, const CutOut& cut_out, bo
   return picture;
 }
 
-gpu::Image image_of(const gpu::Device& device, const Picture& picture) {
-  gpu::Image image(device, gpu::Format::rgba32f, picture.width, picture.height);
+// The next mip level: each texel is the mean of those that it covers.
+Picture halved(const Picture& picture) {
+  Picture half{gpu::mip_size(picture.width, 1), gpu::mip_size(picture.height, 1), {}};
+  for (int y = 0; y < half.height; ++y)
+    for (int x = 0; x < half.width; ++x) {
+      const int left = x * picture.width / half.width, right = (x + 1) * picture.width / half.width;
+      const int top = y * picture.height / half.height, bottom = (y + 1) * picture.height / half.height;
+      for (int channel = 0; channel < 4; ++channel) {
+        float sum = 0.0F;
+        for (int row = top; row < bottom; ++row)
+          for (int column = left; column < right; ++column)
+            sum += picture.rgba[static_cast<std::size_t>(4 * (row * picture.width + column) + channel)];
+        half.rgba.push_back(sum / static_cast<float>((right - left) * (bottom - top)));
+      }
+    }
+  return half;
+}
+
+gpu::Image image_of(const gpu::Device& device, Picture picture, bool with_mips) {
+  gpu::ImageShape shape{.format = gpu::Format::rgba32f, .width = picture.width, .height = picture.height};
+  if (with_mips) shape.mips = gpu::mip_count(picture.width, picture.height);
+  gpu::Image image(device, shape);
   image.upload(picture.rgba);
+  for (int mip = 1; mip < shape.mips; ++mip) {
+    picture = halved(picture);
+    image.upload(picture.rgba, {.mip = mip});
+  }
   return image;
 }
 
@@ -82,13 +106,16 @@ UniformValues object_uniforms(const glm::dvec3& origin) {
 }  // namespace
 
 CastersOnDevice::CastersOnDevice(const gpu::Device& device, const scene::Scene& scene)
-    : white_(image_of(device, {1, 1, {1.0F, 1.0F, 1.0F, 1.0F}})), uniforms_(object_uniforms(scene.origin)) {
+    : white_(image_of(device, {1, 1, {1.0F, 1.0F, 1.0F, 1.0F}}, false)),
+      uniforms_(object_uniforms(scene.origin)) {
   const scene::Mesh& mesh = scene.mesh;
   vertices_.emplace("POSITION0", buffer_of(device, mesh.positions));
   vertices_.emplace("NORMAL0", buffer_of(device, mesh.normals));
   vertices_.emplace(
       "TEXCOORD0",
       buffer_of(device, mesh.uvs.empty() ? std::vector<glm::vec2>(mesh.positions.size()) : mesh.uvs));
+  vertices_.emplace("COLOR0",
+                    buffer_of(device, std::vector<glm::vec4>(mesh.positions.size(), glm::vec4(1.0F))));
   std::vector<std::vector<std::uint32_t>> indices(scene.materials.size());
   for (std::size_t triangle = 0; triangle < mesh.triangle_count(); ++triangle) {
     std::vector<std::uint32_t>& of_material = indices.at(mesh.material_of(triangle));
@@ -107,18 +134,21 @@ void CastersOnDevice::add_part(const gpu::Device& device, const scene::Scene& sc
   if (has_pattern && cut_out.texture >= 0)
     throw InputError("", "scene '" + scene.name + "': material '" + material.name +
                              "' is cut out by a pattern and a texture, and shaders have one _BaseMap");
+  const bool blended = material.cut_out && cut_out.mode == scene::AlphaMode::blended;
   Part part{buffer_of(device, indices),
             static_cast<std::uint32_t>(indices.size()),
-            material.cut_out.has_value(),
+            material.cut_out && !blended,
+            blended,
             {},
             std::nullopt,
             gpu::Sampler(device, wrap_of(cut_out.wrap_u), wrap_of(cut_out.wrap_v))};
   if (has_pattern)
-    part.base_map = image_of(device, pattern_picture(cut_out.pattern));
+    part.base_map = image_of(device, pattern_picture(cut_out.pattern), blended);
   else if (cut_out.texture >= 0)
-    part.base_map =
-        image_of(device, texture_picture(scene.textures.at(static_cast<std::size_t>(cut_out.texture)),
-                                         cut_out, cut_out.texture == material.base_colour_texture));
+    part.base_map = image_of(device,
+                             texture_picture(scene.textures.at(static_cast<std::size_t>(cut_out.texture)),
+                                             cut_out, cut_out.texture == material.base_colour_texture),
+                             blended);
   const auto width = static_cast<float>(base_map(part).width());
   const auto height = static_cast<float>(base_map(part).height());
   part.uniforms.set("_BaseColor", glm::vec4(material.base_colour, cut_out.factor));

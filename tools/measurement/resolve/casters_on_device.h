@@ -21,9 +21,12 @@ class CastersOnDevice {
     gpu::Buffer indices;
     std::uint32_t index_count = 0;
     bool alpha_test = false;
+    bool blended = false;  // drawn by passes of blended casters, by those alone
     // _BaseColor (linear, alpha is the cut-out's factor), _Cutoff, _BaseMap_ST, _BaseMap_TexelSize.
     UniformValues uniforms;
-    std::optional<gpu::Image> base_map;  // of a cut-out, RGB linear; else white
+    // Of a cut-out, RGB linear; else white. Of blended casters with mip levels, as textures in Unity have
+    // them: a texel of the map gets the mean alpha over what it covers. Cut-outs are read as rays read them.
+    std::optional<gpu::Image> base_map;
     gpu::Sampler sampler;
   };
 
@@ -34,7 +37,8 @@ class CastersOnDevice {
   const std::vector<Part>& parts() const { return parts_; }
   const gpu::Image& base_map(const Part& part) const { return part.base_map ? *part.base_map : white_; }
 
-  // Of that semantic, three or two floats for each vertex; null: scenes have none of it.
+  // Of that semantic, so many floats for each vertex; null: scenes have none of it. Colours are white, as
+  // Unity gives them for meshes without.
   const gpu::Buffer* vertices(const std::string& semantic) const;
   static int components(const std::string& semantic);  // 0: none
   static std::string semantics();                      // all, for messages

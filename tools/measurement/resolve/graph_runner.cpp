@@ -329,7 +329,7 @@ class GraphRunner::Run {
     }
   }
 
-  // A draw for each cascade and material, into targets that are empty before the first.
+  // A draw for each cascade and material of the pass's casters, into targets that are empty before the first.
   void add_casters(std::size_t index, int cascades) {
     const GraphPass& pass = runner_.graph().passes[index];
     if (frame_.casters() == nullptr)
@@ -341,7 +341,8 @@ class GraphRunner::Run {
     const gpu::Buffer* counts = counter.buffer ? &counter.buffer->buffer() : nullptr;
     for (int cascade = 0; cascade < cascades; ++cascade)
       for (const CastersOnDevice::Part& part : frame_.casters()->parts())
-        add_part(index, cascade, part, counts, std::exchange(counter, {}));
+        if (part.blended == (pass.casters == techniques::DrawnCasters::blended))
+          add_part(index, cascade, part, counts, std::exchange(counter, {}));
   }
 
   void require_other_textures(const GraphPass& pass, const ProgramOnDevice& used) const {

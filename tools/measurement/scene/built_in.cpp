@@ -34,6 +34,13 @@ constexpr std::array spot_entries{
           spot_table},
 };
 
+// With casters that blend.
+constexpr std::array blended_entries{
+    Entry{"wires-and-smoke",
+          "a line of thin wires and puffs of smoke, which blend, over a yard with opaque things",
+          wires_and_smoke},
+};
+
 template <typename Entries>
 std::vector<std::string> names_of(const Entries& all) {
   std::vector<std::string> names;
@@ -47,9 +54,10 @@ const Entry& entry_of(std::string_view name) {
     if (name == entry.name) return entry;
   for (const Entry& entry : spot_entries)
     if (name == entry.name) return entry;
-  std::vector<std::string> known = built_in_names();
-  for (const std::string& spot : spot_scene_names()) known.push_back(spot);
-  throw InputError("", "unknown scene '" + std::string(name) + "'", unknown_name_way_out(name, known));
+  for (const Entry& entry : blended_entries)
+    if (name == entry.name) return entry;
+  throw InputError("", "unknown scene '" + std::string(name) + "'",
+                   unknown_name_way_out(name, all_built_in_names()));
 }
 
 }  // namespace
@@ -60,6 +68,17 @@ std::vector<std::string> built_in_names() {
 
 std::vector<std::string> spot_scene_names() {
   return names_of(spot_entries);
+}
+
+std::vector<std::string> blended_scene_names() {
+  return names_of(blended_entries);
+}
+
+std::vector<std::string> all_built_in_names() {
+  std::vector<std::string> names = built_in_names();
+  for (const std::string& name : spot_scene_names()) names.push_back(name);
+  for (const std::string& name : blended_scene_names()) names.push_back(name);
+  return names;
 }
 
 std::string built_in_description(std::string_view name) {

@@ -17,6 +17,7 @@ Scene colonnade();
 Scene street();
 Scene garden_scene();
 Scene spot_table();
+Scene wires_and_smoke();
 
 // A deciduous tree: a trunk, three orders of branches, and leaves of 5 to 11 cm about the twigs' ends.
 struct Tree {

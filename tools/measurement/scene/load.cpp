@@ -68,14 +68,14 @@ std::vector<std::string> scene_names() {
 }
 
 Scene load(std::string_view name_or_file, const ImportOptions& options) {
-  std::vector<std::string> names = built_in_names();
-  for (const std::string& spot : spot_scene_names()) names.push_back(spot);
+  const std::vector<std::string> names = all_built_in_names();
   if (std::find(names.begin(), names.end(), name_or_file) != names.end()) return built_in(name_or_file);
   if (name_or_file.starts_with(kPackagePrefix)) {
     return package_model(name_or_file.substr(kPackagePrefix.size()), options);
   }
   std::vector<std::string> known = scene_names();
-  for (const std::string& spot : spot_scene_names()) known.push_back(spot);
+  for (const std::string& name : spot_scene_names()) known.push_back(name);
+  for (const std::string& name : blended_scene_names()) known.push_back(name);
   if (looks_like_a_file(name_or_file)) return import_apart(std::filesystem::path(name_or_file), options);
   throw InputError("", "'" + std::string(name_or_file) + "' is neither a known scene nor a file",
                    unknown_name_way_out(name_or_file, known));

@@ -114,6 +114,17 @@ void MeshBuilder::quad(const std::array<glm::dvec3, 4>& corners) {
   add_triangle(first, first + 2, first + 3);
 }
 
+void MeshBuilder::card(const std::array<glm::dvec3, 4>& corners, const glm::dvec2& repeats) {
+  const glm::dvec3 normal = glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+  const glm::dvec2 size = metres_per_texture_ * repeats;
+  const std::uint32_t first = vertex(corners[0], normal, {0.0, 0.0});
+  vertex(corners[1], normal, {size.x, 0.0});
+  vertex(corners[2], normal, size);
+  vertex(corners[3], normal, {0.0, size.y});
+  add_triangle(first, first + 1, first + 2);
+  add_triangle(first, first + 2, first + 3);
+}
+
 void MeshBuilder::box(const Pose& pose, const glm::dvec3& size) {
   // Each of the six faces is spanned by the two axes that follow its normal cyclically: n = u x v.
   for (int axis = 0; axis < 3; ++axis) {

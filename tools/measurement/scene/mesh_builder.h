@@ -93,6 +93,8 @@ class MeshBuilder {
 
   // A flat quadrilateral, two triangles; corners in winding order. Not closed.
   void quad(const std::array<glm::dvec3, 4>& corners);
+  // The same as a parallelogram with so many repeats of its texture along the first edge and the second.
+  void card(const std::array<glm::dvec3, 4>& corners, const glm::dvec2& repeats = {1.0, 1.0});
   void box(const Pose& pose, const glm::dvec3& size);
   void standing_box(const glm::dvec3& base_centre, const glm::dvec3& size, double yaw_degrees = 0.0);
   void tube(const Tube& tube);

@@ -68,7 +68,14 @@ std::vector<std::string> built_in_names();
 // Of those with a spot light. They are measured when they are named: most techniques are not for them.
 std::vector<std::string> spot_scene_names();
 
-// A built-in scene, of either kind; throws InputError naming the nearest known name otherwise. The same name
+// Of those under the sun with casters that blend. They are measured when they are named: most techniques do
+// not draw such casters.
+std::vector<std::string> blended_scene_names();
+
+// Of all three kinds.
+std::vector<std::string> all_built_in_names();
+
+// A built-in scene, of any kind; throws InputError naming the nearest known name otherwise. The same name
 // gives the same bytes on every machine.
 Scene built_in(std::string_view name);
 

@@ -143,6 +143,7 @@ std::string pass(const PassGraph& graph, const GraphPass& pass) {
     text += member("testsShadowMap", "true");
   else if (!pass.depth.empty())
     text += member("depth", std::to_string(index_of(graph.textures, pass.depth)));
+  if (pass.casters == DrawnCasters::blended) text += member("blended", "true");
   if (pass.each_mip) text += member("eachMip", "true");
   if (kernel) text += member("groups", groups(graph, pass.groups));
   return text + item_indent + "},\n";

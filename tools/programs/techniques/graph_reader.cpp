@@ -134,10 +134,14 @@ GraphPass read_pass(JsonObject object, const TechniqueList& list, const Manifest
       for (const std::string& target : object.texts("writes")) pass.writes.emplace_back("", target);
     pass.parameters = object.texts("parameters");
     require_structs(object, list, pass.parameters);
-    if (pass.kind == PassKind::casters)
+    if (pass.kind == PassKind::casters) {
       pass.depth = object.text("depth", "");
-    else
+      pass.casters = chosen<DrawnCasters>(object, "casters", "opaque", "kind of casters",
+                                          {{name_of(DrawnCasters::opaque), DrawnCasters::opaque},
+                                           {name_of(DrawnCasters::blended), DrawnCasters::blended}});
+    } else {
       pass.each_mip = object.boolean("each_mip", false);
+    }
     if (kernel) pass.groups = read_groups(object.object("groups"));
   }
   object.finish();

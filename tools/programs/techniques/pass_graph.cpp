@@ -75,6 +75,10 @@ const char* name_of(PassKind kind) {
   return "compute";
 }
 
+const char* name_of(DrawnCasters casters) {
+  return casters == DrawnCasters::blended ? "blended" : "opaque";
+}
+
 bool FilterCall::takes(const std::string& argument) const {
   return std::find(arguments.begin(), arguments.end(), argument) != arguments.end();
 }
@@ -100,8 +104,13 @@ const FilterCall* PassGraph::filter() const {
 }
 
 bool PassGraph::draws_casters() const {
-  return std::any_of(passes.begin(), passes.end(),
-                     [](const GraphPass& pass) { return pass.kind == PassKind::casters; });
+  return draws(DrawnCasters::opaque) || draws(DrawnCasters::blended);
+}
+
+bool PassGraph::draws(DrawnCasters casters) const {
+  return std::any_of(passes.begin(), passes.end(), [casters](const GraphPass& pass) {
+    return pass.kind == PassKind::casters && pass.casters == casters;
+  });
 }
 
 bool PassGraph::needs_camera() const {

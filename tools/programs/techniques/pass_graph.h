@@ -71,10 +71,15 @@ inline bool is_drawn(PassKind kind) {
   return kind == PassKind::raster || kind == PassKind::casters;
 }
 
+// Which casters a pass draws: those that the shadow map holds, with alpha test where they have holes, or
+// those that blend, which it does not hold.
+enum class DrawnCasters { opaque, blended };
+
 enum class Frequency { bake, cascade, frame };  // once; for each cascade that was drawn anew; every frame
 
 const char* name_of(Frequency frequency);  // as manifests have it
 const char* name_of(PassKind kind);
+const char* name_of(DrawnCasters casters);
 
 // How many groups of threads a kernel is started with.
 struct GroupCount {
@@ -93,6 +98,7 @@ struct GraphPass {
   // What the program calls a texture or buffer, and which one of the graph it is.
   std::vector<std::pair<std::string, std::string>> reads;
   std::vector<std::pair<std::string, std::string>> writes;  // of drawn passes the targets in order, unnamed
+  DrawnCasters casters = DrawnCasters::opaque;              // of kind casters
   // Of casters: the texture that they are tested against and whose depth they write, shadow_map_name, or
   // empty: no depth test.
   std::string depth;
@@ -120,6 +126,7 @@ struct PassGraph {
   const FilterCall* filter() const;      // of the last pass that has one
   bool over_screen() const { return !visibility.empty(); }
   bool draws_casters() const;
+  bool draws(DrawnCasters casters) const;
   bool needs_camera() const;  // over the screen, or draws what the camera sees of the casters
 };
 

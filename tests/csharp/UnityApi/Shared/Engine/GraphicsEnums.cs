@@ -84,6 +84,7 @@ namespace UnityEngine.Experimental.Rendering
         R32G32_SFloat = 50,
         R32G32B32A32_SFloat = 52,
         B8G8R8A8_UNorm = 59,
+        D16_UNorm = 90,
         D32_SFloat = 93,
     }
 }

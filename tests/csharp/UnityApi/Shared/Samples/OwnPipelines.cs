@@ -125,6 +125,8 @@ namespace UnityEngine.Rendering
         QuantizedFrontToBack = 1 << 3,
         OptimizeStateChanges = 1 << 4,
         CanvasOrder = 1 << 5,
+        BackToFront = 1 << 2,
+        CommonTransparent = SortingLayer | RenderQueue | BackToFront | OptimizeStateChanges,
         CommonOpaque = SortingLayer | RenderQueue | QuantizedFrontToBack | OptimizeStateChanges | CanvasOrder,
     }
 
@@ -143,7 +145,7 @@ namespace UnityEngine.Rendering
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/RenderPipeline/DrawingSettings.cs")]
     public struct DrawingSettings : IEquatable<DrawingSettings>
     {
-        [OwnBehaviour] public string Pass { get; }
+        [OwnBehaviour] public string Pass { get; private set; }
 
         public Shader overrideShader { get; set; }
         public int overrideShaderPassIndex { get; set; }
@@ -154,6 +156,8 @@ namespace UnityEngine.Rendering
             overrideShader = null;
             overrideShaderPassIndex = 0;
         }
+
+        public void SetShaderPassName(int index, ShaderTagId shaderPassName) => Pass += ", " + shaderPassName.name;
 
         /// <summary>Tags are the objects' own, the program may be another.</summary>
         [OwnBehaviour]
@@ -168,6 +172,7 @@ namespace UnityEngine.Rendering
     {
         public static RenderQueueRange all => default;
         public static RenderQueueRange opaque => default;
+        public static RenderQueueRange transparent => default;
 
         public bool Equals(RenderQueueRange other) => true;
     }
