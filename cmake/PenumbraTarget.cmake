@@ -88,15 +88,15 @@ function(penumbra_sanitized_test)
   target_link_libraries(${name} PRIVATE ${TEST_LIBRARIES})
 endfunction()
 
-# penumbra_test(NAME SOURCES ... LIBRARIES ... [LABELS ...] [COST n] [GROUPED] [OPTIMISED] [SEPARATE])
+# penumbra_test(NAME SOURCES ... LIBRARIES ... [LABELS ...] [COST n] [DEVICE] [OPTIMISED] [SEPARATE])
 #
-# One GoogleTest program whose cases CTest lists one by one; with GROUPED in groups, for suites whose cases share a
-# device and pipelines that take longer to make than to use (PenumbraCaseGroups.cmake). OPTIMISED where the tests' own
-# loops would take longer without, SEPARATE where sources have names in common (PenumbraUnity.cmake). Tests of a higher
-# COST start first. There is no time limit but CTest's own of 25 minutes, which only a hang reaches: the duration of a
-# test is not tested. Drivers cache compiled shaders in the build tree, so that tests share them.
+# One GoogleTest program, whose suites are CTest's tests (PenumbraSuites.cmake). DEVICE where cases run on the software
+# device, OPTIMISED where the tests' own loops would take longer without, SEPARATE where sources have names in common
+# (PenumbraUnity.cmake). Tests of a higher COST start first. There is no time limit but CTest's own of 25 minutes, which
+# only a hang reaches: the duration of a test is not tested. Drivers cache compiled shaders in the build tree, so that
+# tests share them.
 function(penumbra_test name)
-  cmake_parse_arguments(TEST "GROUPED;OPTIMISED;SEPARATE" "COST" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+  cmake_parse_arguments(TEST "DEVICE;OPTIMISED;SEPARATE" "COST" "SOURCES;LIBRARIES;LABELS" ${ARGN})
   if(PENUMBRA_FUZZ)
     penumbra_sanitized_test(SOURCES ${TEST_SOURCES} LIBRARIES ${TEST_LIBRARIES})
     return()
@@ -122,18 +122,16 @@ function(penumbra_test name)
   if(TEST_LABELS)
     list(APPEND properties LABELS "${TEST_LABELS}")
   endif()
-  if(NOT TEST_GROUPED)
-    gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 600 PROPERTIES ${properties})
-    return()
-  endif()
   # The software device allocates and frees images of megabytes in each run: by its own rule glibc gives them back to
   # the system, which has to clear their pages again. The program runs on mimalloc instead.
-  list(APPEND properties ENVIRONMENT_MODIFICATION
-       GLIBC_TUNABLES=set:glibc.malloc.mmap_threshold=33554432:glibc.malloc.trim_threshold=4294967296)
-  set(script ${CMAKE_CURRENT_BINARY_DIR}/${name}_groups.cmake)
+  if(TEST_DEVICE)
+    list(APPEND properties ENVIRONMENT_MODIFICATION
+         GLIBC_TUNABLES=set:glibc.malloc.mmap_threshold=33554432:glibc.malloc.trim_threshold=4294967296)
+  endif()
+  set(script ${CMAKE_CURRENT_BINARY_DIR}/${name}_suites.cmake)
   file(GENERATE OUTPUT ${script} CONTENT
-    "include([[${PROJECT_SOURCE_DIR}/cmake/PenumbraCaseGroups.cmake]])
-penumbra_add_case_groups(${name} [[$<TARGET_FILE:${name}>]] ${properties})
+    "include([[${PROJECT_SOURCE_DIR}/cmake/PenumbraSuites.cmake]])
+penumbra_add_suites(${name} [[$<TARGET_FILE:${name}>]] ${properties})
 ")
   set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${script})
 endfunction()

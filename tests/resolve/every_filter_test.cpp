@@ -32,12 +32,44 @@ void PrintTo(const Case& value, std::ostream* stream) {
   *stream << value.technique << (value.reversed_z ? ", reversed Z" : ", conventional Z");
 }
 
+// What a case runs: the filter with its parameters, and the maps that it reads. Passes over the screen are
+// not in it (filter_over_map).
+struct FilterAndMaps {
+  explicit FilterAndMaps(const techniques::Technique& technique) {
+    const techniques::FilterCall& filter = *technique.graph.filter();
+    function = filter.file + " " + filter.function;
+    if (technique.graph.filter_pass() != nullptr)
+      for (const techniques::GraphTexture& texture : technique.graph.textures)
+        function += " " + texture.name + " " + texture.format;
+    for (const std::string& keyword : technique.keywords) function += " " + keyword;
+    values = technique.values;
+    if (technique.graph.filter_pass() != nullptr || filter.parameters.empty()) return;
+    const std::vector<techniques::ParameterStruct>& structs = library_techniques().structs;
+    const auto fields = std::find_if(structs.begin(), structs.end(),
+                                     [&](const auto& known) { return known.name == filter.parameters; });
+    std::erase_if(values, [&](const auto& value) {
+      return std::none_of(fields->fields.begin(), fields->fields.end(),
+                          [&](const techniques::ParameterField& field) { return field.name == value.first; });
+    });
+  }
+
+  std::string function;
+  std::map<std::string, std::vector<double>> values;
+};
+
+// Every filter with every set of values, once, however many techniques have it. The first set of a filter is
+// a case in both directions of depth, the others by turns in one.
 std::vector<Case> all_cases() {
   std::vector<Case> cases;
+  std::map<std::string, std::vector<std::map<std::string, std::vector<double>>>> seen;
   for (const techniques::Technique& technique : library_techniques().techniques) {
     if (technique.graph.draws(techniques::DrawnCasters::opaque)) continue;  // the frames here are of no scene
-    cases.push_back({technique.name, true});
-    cases.push_back({technique.name, false});
+    const FilterAndMaps filter(technique);
+    auto& sets = seen[filter.function];
+    if (std::find(sets.begin(), sets.end(), filter.values) != sets.end()) continue;
+    sets.push_back(filter.values);
+    if (sets.size() % 2 == 1) cases.push_back({technique.name, true});
+    if (sets.size() == 1 || sets.size() % 2 == 0) cases.push_back({technique.name, false});
   }
   return cases;
 }

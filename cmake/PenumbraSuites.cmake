@@ -1,0 +1,35 @@
+# penumbra_add_suites(NAME PROGRAM PROPERTIES...), called by ctest itself before the tests
+#
+# Creates a test for each suite of a GoogleTest program, NAME.SUITE: a process takes longer to start than most cases to
+# run, and the cases of a suite share what they are about, such as drawn scenes and compiled pipelines.
+function(penumbra_add_suites name program)
+  if(NOT EXISTS "${program}")
+    add_test(${name}_NOT_BUILT ${name}_NOT_BUILT)
+    return()
+  endif()
+  execute_process(COMMAND "${program}" --gtest_list_tests OUTPUT_VARIABLE listing RESULT_VARIABLE result)
+  if(NOT result EQUAL 0)
+    add_test("${name}.cannot_list_its_cases" "${program}" --gtest_list_tests)
+    return()
+  endif()
+
+  string(REPLACE ";" "," listing "${listing}")
+  string(REGEX REPLACE "\r?\n" ";" lines "${listing}")
+  set(suites)
+  foreach(line IN LISTS lines)
+    string(REGEX REPLACE " *#.*" "" line "${line}")
+    if(line MATCHES "^([^ ].*)\\.$")
+      set(suite ${CMAKE_MATCH_1})
+    elseif(line MATCHES "^  (DISABLED_|.*/DISABLED_)" OR suite MATCHES "DISABLED_")
+      continue()
+    elseif(line MATCHES "^  ")
+      list(APPEND suites "${suite}")
+    endif()
+  endforeach()
+  list(REMOVE_DUPLICATES suites)
+
+  foreach(suite IN LISTS suites)
+    add_test("${name}.${suite}" "${program}" --gtest_brief=1 "--gtest_filter=${suite}.*")
+    set_tests_properties("${name}.${suite}" PROPERTIES ${ARGN})
+  endforeach()
+endfunction()
