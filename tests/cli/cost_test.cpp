@@ -138,10 +138,11 @@ TEST_F(Cost, AShaderThatNeverEndsOrFillsTheMemoryEndsAtTheLimit) {
 TEST_F(Cost, TheDriversProcessIsConfinedBeforeItReadsAModule) {
   ASSERT_EQ(shell("mkfifo '" + path("module").string() + "'").exit_code, 0);
   const auto result = shell(
-      "export RADV_FORCE_FAMILY=navi21; '" PENUMBRA_PROGRAM "' cost-worker 60 fragment Main <'" +
-      path("module").string() + "' & worker=$!; exec 9>'" + path("module").string() +
+      "export RADV_FORCE_FAMILY=navi21; '" PENUMBRA_PROGRAM "' cost-worker 60 <'" + path("module").string() +
+      "' & worker=$!; exec 9>'" + path("module").string() +
       "'; for i in $(seq 600); do grep -q 'Seccomp:.2' /proc/$worker/status && break; sleep 0.05; done; "
-      "grep -E 'Seccomp:|NoNewPrivs' /proc/$worker/status; exec 9>&-; wait $worker");
+      "grep -E 'Seccomp:|NoNewPrivs' /proc/$worker/status; "
+      "echo '{\"stage\": \"fragment\", \"entry\": \"Main\", \"words\": 0}' >&9; exec 9>&-; wait $worker");
   EXPECT_THAT(result.output, AllOf(HasSubstr("NoNewPrivs:\t1"), HasSubstr("Seccomp:\t2"),
                                    HasSubstr("not valid SPIR-V for Vulkan 1.1")));
 }

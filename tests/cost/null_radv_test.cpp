@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <span>
+#include <vector>
 
 #include "cost/cost_report.h"
 #include "cost/families.h"
@@ -36,8 +38,12 @@ ModuleToMeasure module_of(const std::string& text, hlsl::Stage stage = hlsl::Sta
   return {compiled.spirv, stage, "Main"};
 }
 
+Measurement measure_one(const NullRadv& radv, const ModuleToMeasure& module) {
+  return measure(radv, std::span(&module, 1)).at(0);
+}
+
 Figures figures(const std::string& text, hlsl::Stage stage = hlsl::Stage::fragment) {
-  const Measurement measured = measure(radv(), module_of(text, stage));
+  const Measurement measured = measure_one(radv(), module_of(text, stage));
   EXPECT_THAT(measured.failure, IsEmpty());
   return measured.figures;
 }
@@ -75,7 +81,7 @@ TEST(NullRadv, KnownFamiliesOpen) {
 }
 
 TEST(NullRadv, EveryFigureIsThere) {
-  const Measurement measured = measure(radv(), module_of(taps_shader(4)));
+  const Measurement measured = measure_one(radv(), module_of(taps_shader(4)));
   ASSERT_THAT(measured.failure, IsEmpty());
   for (const FigureName& name : figure_names())
     EXPECT_TRUE((measured.figures.*name.value).has_value()) << name.key << " of " << name.driver_name;
@@ -93,20 +99,21 @@ TEST(NullRadv, MoreTapsCostMore) {
 
 TEST(NullRadv, TheSameShaderCostsTheSameTwice) {
   const ModuleToMeasure module = module_of(taps_shader(9));
-  EXPECT_EQ(measure(radv(), module).statistics, measure(radv(), module).statistics);
+  EXPECT_EQ(measure_one(radv(), module).statistics, measure_one(radv(), module).statistics);
 }
 
 TEST(NullRadv, FamiliesDiffer) {
   const ModuleToMeasure module = module_of(taps_shader(9));
-  EXPECT_NE(measure(radv("polaris10"), module).statistics, measure(radv("gfx1100"), module).statistics);
+  EXPECT_NE(measure_one(radv("polaris10"), module).statistics,
+            measure_one(radv("gfx1100"), module).statistics);
 }
 
 TEST(NullRadv, WhatTheUserSetsForOtherProgramsChangesNothing) {
   const ModuleToMeasure module = module_of(taps_shader(9));
-  const Figures before = measure(radv(), module).figures;
+  const Figures before = measure_one(radv(), module).figures;
   ::setenv("ACO_DEBUG", "noopt,nosched", 1);
   ::setenv("RADV_PERFTEST", "pswave32", 1);
-  const Figures after = measure(radv(), module).figures;
+  const Figures after = measure_one(radv(), module).figures;
   ::unsetenv("ACO_DEBUG");
   ::unsetenv("RADV_PERFTEST");
   EXPECT_EQ(before, after);
@@ -167,20 +174,20 @@ TEST(NullRadv, ABrokenModuleIsSaidAndNeverReachesTheDriver) {
   ModuleToMeasure poisoned = good;
   poisoned.spirv.back() = 0xFFFFFFFF;
   for (const ModuleToMeasure& broken : {truncated, poisoned, ModuleToMeasure{}})
-    EXPECT_THAT(measure(radv(), broken).failure, StartsWith("not valid SPIR-V for Vulkan 1.1: "));
+    EXPECT_THAT(measure_one(radv(), broken).failure, StartsWith("not valid SPIR-V for Vulkan 1.1: "));
 }
 
 TEST(NullRadv, AnEntryPointThatIsNotThereIsAFailure) {
   ModuleToMeasure module = module_of(taps_shader(1));
   module.entry = "NoSuchEntry";
-  const Measurement measured = measure(radv(), module);
+  const Measurement measured = measure_one(radv(), module);
   EXPECT_THAT(measured.failure, HasSubstr("NoSuchEntry"));
 }
 
 TEST(NullRadv, AStageWithoutAMeasureIsAFailure) {
   ModuleToMeasure module = module_of(taps_shader(1));
   module.stage = hlsl::Stage::geometry;
-  EXPECT_THAT(measure(radv(), module).failure, HasSubstr("geometry shaders are not measured"));
+  EXPECT_THAT(measure_one(radv(), module).failure, HasSubstr("geometry shaders are not measured"));
 }
 
 // Programs that end as a driver's compiler might, in the worker's place.
@@ -198,7 +205,7 @@ class Ending : public testing::Test {
 };
 
 TEST_F(Ending, AKilledChildIsAFailureWithSignalAndLastWords) {
-  const Measurement measured = measure(worker("echo 'last words' >&2; kill -SEGV $$"), module_);
+  const Measurement measured = measure_one(worker("echo 'last words' >&2; kill -SEGV $$"), module_);
   EXPECT_EQ(measured.failure, "the driver's compiler was terminated by signal 11: last words");
   EXPECT_EQ(measured.figures, Figures());
 }
@@ -206,20 +213,43 @@ TEST_F(Ending, AKilledChildIsAFailureWithSignalAndLastWords) {
 TEST_F(Ending, AHangingChildIsAFailureAfterTheTimeLimit) {
   NullRadv hanging = worker("sleep 3000");
   hanging.time_limit = std::chrono::milliseconds(200);
-  EXPECT_EQ(measure(hanging, module_).failure, "the driver's compiler did not finish within 0.2 s");
+  EXPECT_EQ(measure_one(hanging, module_).failure, "the driver's compiler did not finish within 0.2 s");
 }
 
 TEST_F(Ending, AnAnswerThatIsNoneIsAFailure) {
-  EXPECT_EQ(measure(worker("echo nonsense"), module_).failure,
+  EXPECT_EQ(measure_one(worker("echo nonsense"), module_).failure,
             "the worker ended with exit code 0 without a response");
-  EXPECT_THAT(measure(worker("echo '{\"measured\": 3}'"), module_).failure, Not(IsEmpty()));
-  EXPECT_THAT(measure(worker("echo '{\"measured\": {\"subgroup_size\": 64, \"statistics\": [{}]}}'"), module_)
-                  .failure,
-              StartsWith("the worker's response cannot be parsed"));
+  EXPECT_THAT(measure_one(worker("echo '{}'; echo '{\"subgroup_size\": 3}'"), module_).failure,
+              Not(IsEmpty()));
+  EXPECT_THAT(
+      measure_one(worker("echo '{}'; echo '{\"subgroup_size\": 64, \"statistics\": [{}]}'"), module_).failure,
+      StartsWith("the worker's response cannot be parsed"));
+}
+
+// The first of a worker's modules has its figures, the second ends it, the third has a worker of its own.
+TEST_F(Ending, OneOfSeveralCostsItsOwnResultAlone) {
+  const NullRadv ends = worker(
+      "echo '{}'; echo '{\"subgroup_size\": 64, \"statistics\": [{\"name\": \"Instructions\", \"value\": "
+      "7}]}'; "
+      "kill -SEGV $$");
+  const std::vector<Measurement> measured = measure(ends, std::vector(3, module_));
+  ASSERT_EQ(measured.size(), 3U);
+  EXPECT_EQ(measured[0].figures.instructions, 7U);
+  EXPECT_EQ(measured[1].failure, "the driver's compiler was terminated by signal 11");
+  EXPECT_EQ(measured[2].figures.instructions, 7U);
+}
+
+TEST(NullRadv, ABrokenModuleAmongOthersLeavesThemTheirFigures) {
+  const ModuleToMeasure good = module_of(taps_shader(4));
+  const std::vector<Measurement> measured = measure(radv(), std::vector{good, ModuleToMeasure{}, good});
+  ASSERT_EQ(measured.size(), 3U);
+  EXPECT_THAT(measured[1].failure, StartsWith("not valid SPIR-V for Vulkan 1.1: "));
+  EXPECT_EQ(measured[0].statistics, measured[2].statistics);
+  EXPECT_EQ(measured[0].statistics, measure_one(radv(), good).statistics);
 }
 
 TEST_F(Ending, AMissingWorkerIsTheEnvironments) {
-  EXPECT_THROW(measure({"navi21", "/no/such/program"}, module_), EnvironmentError);
+  EXPECT_THROW(measure_one({"navi21", "/no/such/program"}, module_), EnvironmentError);
 }
 
 }  // namespace

@@ -231,17 +231,12 @@ void add_comparison(CLI::App& command, CostOptions& options) {
                    "Compare even if the baseline was measured with other versions of driver or compiler");
 }
 
-// The process of one shader, which `cost` starts: not for people, and not in --help.
+// The process that compiles shaders for a family, which `cost` starts: not for people, and not in --help.
 void add_worker(CLI::App& app) {
   CLI::App* worker = app.add_subcommand("cost-worker", "")->group("");
   auto seconds = std::make_shared<unsigned>(60);
-  auto stage = std::make_shared<std::string>();
-  auto entry = std::make_shared<std::string>();
   worker->add_option("seconds", *seconds);
-  worker->add_option("stage", *stage);
-  worker->add_option("entry", *entry);
-  worker->callback(
-      [seconds, stage, entry] { cost::run_radv_worker(*seconds, *stage, *entry, std::cin, std::cout); });
+  worker->callback([seconds] { cost::run_radv_worker(*seconds, std::cin, std::cout); });
 }
 
 }  // namespace

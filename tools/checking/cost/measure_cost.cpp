@@ -1,5 +1,6 @@
 #include "cost/measure_cost.h"
 
+#include <algorithm>
 #include <mutex>
 
 #include "cost/cost_modules.h"
@@ -8,6 +9,8 @@
 
 namespace penumbra::cost {
 namespace {
+
+constexpr std::size_t kLargestBatch = 12;
 
 std::vector<CostRow> empty_rows(const CostRequest& request, const std::vector<CostModule>& modules) {
   std::vector<CostRow> rows;
@@ -38,14 +41,27 @@ CostOutcome measure_cost(const CostRequest& request) {
   std::vector<CostRow>& rows = outcome.report.rows;
   rows = empty_rows(request, modules);
 
+  // Modules of one family by the batch: the driver takes longer to start than most of them to compile.
+  const std::size_t share = (rows.size() + request.jobs - 1) / std::max(1U, request.jobs);
+  const std::size_t largest = std::clamp<std::size_t>(share, 1, kLargestBatch);
+  std::vector<std::vector<std::size_t>> batches;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (i % modules.size() == 0 || batches.back().size() == largest) batches.emplace_back();
+    batches.back().push_back(i);
+  }
   std::mutex mutex;
   std::size_t done = 0;
-  run_all(rows.size(), request.jobs, [&](std::size_t i) {
-    const CostModule& module = modules[i % modules.size()];
-    rows[i].measured = measure({rows[i].family, request.worker, request.time_limit},
-                               {module.spirv, module.stage, module.entry});
+  run_all(batches.size(), request.jobs, [&](std::size_t batch) {
+    std::vector<ModuleToMeasure> measured;
+    for (const std::size_t i : batches[batch]) {
+      const CostModule& module = modules[i % modules.size()];
+      measured.push_back({module.spirv, module.stage, module.entry});
+    }
+    const std::string& family = rows[batches[batch].front()].family;
+    std::vector<Measurement> results = measure({family, request.worker, request.time_limit}, measured);
     const std::lock_guard<std::mutex> lock(mutex);
-    ++done;
+    for (std::size_t k = 0; k < results.size(); ++k) rows[batches[batch][k]].measured = std::move(results[k]);
+    done += results.size();
     if (request.progress) request.progress(done, rows.size());
   });
   return outcome;

@@ -61,30 +61,79 @@ std::string sudden_end(const platform::ChildResult& result, const NullRadv& radv
   return reason;
 }
 
-// Empty if the output is not a response.
-nlohmann::json answer_in(const platform::ChildResult& result) {
-  if (!result.succeeded()) return {};
-  nlohmann::json answer = nlohmann::json::parse(result.output, nullptr, false);
-  return answer.is_object() ? answer : nlohmann::json();
+// As read_request() of radv_worker.cpp reads it: a line of JSON, then the module's words.
+void append_request(std::string& input, const ModuleToMeasure& module) {
+  const nlohmann::json head{
+      {"stage", hlsl::stage_name(module.stage)}, {"entry", module.entry}, {"words", module.spirv.size()}};
+  input += head.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  input.append(reinterpret_cast<const char*>(module.spirv.data()),
+               module.spirv.size() * sizeof(std::uint32_t));
 }
 
-void read_answer(const nlohmann::json& answer, Measurement& measurement) {
-  for (const char* reason : {"no_device", "failure"})
-    if (answer.contains(reason)) measurement.failure = answer.at(reason).get<std::string>();
-  if (!answer.contains("measured")) return;
-  const nlohmann::json& measured = answer.at("measured");
-  measurement.subgroup_size = measured.at("subgroup_size").get<std::uint32_t>();
-  for (const nlohmann::json& statistic : measured.at("statistics"))
+// The lines of its output that are responses, up to the first that is none.
+std::vector<nlohmann::json> answers_in(const std::string& output) {
+  std::vector<nlohmann::json> answers;
+  for (std::size_t at = 0, end = 0; (end = output.find('\n', at)) != std::string::npos; at = end + 1) {
+    nlohmann::json answer = nlohmann::json::parse(output.substr(at, end - at), nullptr, false);
+    if (!answer.is_object()) break;
+    answers.push_back(std::move(answer));
+  }
+  return answers;
+}
+
+Measurement measurement_in(const nlohmann::json& answer) {
+  Measurement measurement;
+  if (answer.contains("failure")) {
+    measurement.failure = answer.at("failure").get<std::string>();
+    return measurement;
+  }
+  measurement.subgroup_size = answer.at("subgroup_size").get<std::uint32_t>();
+  for (const nlohmann::json& statistic : answer.at("statistics"))
     measurement.statistics.push_back(
         {statistic.at("name").get<std::string>(), statistic.at("value").get<std::uint64_t>()});
   measurement.figures = figures_of(measurement.statistics);
+  return measurement;
+}
+
+Measurement failed(std::string reason) {
+  Measurement measurement;
+  measurement.failure = std::move(reason);
+  return measurement;
+}
+
+Measurement read_measurement(const nlohmann::json& answer) {
+  try {
+    return measurement_in(answer);
+  } catch (const nlohmann::json::exception& error) {
+    return failed(std::string("the worker's response cannot be parsed: ") + error.what());
+  }
+}
+
+// Those of the first modules, at least of one: of the last one of them the worker may have failed.
+std::vector<Measurement> measured_by_one_worker(const NullRadv& radv,
+                                                std::span<const ModuleToMeasure> modules) {
+  platform::ChildCommand command = worker_command(radv);
+  command.timeout = radv.time_limit * modules.size();
+  for (const ModuleToMeasure& module : modules) append_request(command.input, module);
+  const platform::ChildResult result = platform::run_child(command);
+  const std::vector<nlohmann::json> answers = answers_in(result.output);
+  if (!answers.empty())
+    for (const char* reason : {"no_device", "failure"})
+      if (answers[0].contains(reason))
+        return std::vector(modules.size(), failed(answers[0].at(reason).get<std::string>()));
+  std::vector<Measurement> measurements;
+  for (std::size_t i = 0; i < modules.size() && i + 1 < answers.size(); ++i)
+    measurements.push_back(read_measurement(answers[i + 1]));
+  if (measurements.size() < modules.size()) measurements.push_back(failed(sudden_end(result, radv)));
+  return measurements;
 }
 
 }  // namespace
 
 RadvFamily open_family(const NullRadv& radv) {
   const platform::ChildResult result = platform::run_child(worker_command(radv));
-  const nlohmann::json answer = answer_in(result);
+  const std::vector<nlohmann::json> answers = answers_in(result.output);
+  const nlohmann::json answer = answers.empty() ? nlohmann::json::object() : answers[0];
   if (answer.contains("no_device"))
     throw EnvironmentError("RADV, Mesa's Vulkan driver for AMD, cannot be used: " +
                            first_line(answer["no_device"].get<std::string>()) + install_it);
@@ -98,21 +147,12 @@ RadvFamily open_family(const NullRadv& radv) {
   throw EnvironmentError("RADV does not start for family '" + radv.family + "': " + sudden_end(result, radv));
 }
 
-Measurement measure(const NullRadv& radv, const ModuleToMeasure& module) {
-  Measurement measurement;
-  platform::ChildCommand command = worker_command(radv);
-  command.arguments.insert(command.arguments.end(), {hlsl::stage_name(module.stage), module.entry});
-  command.input.assign(reinterpret_cast<const char*>(module.spirv.data()),
-                       module.spirv.size() * sizeof(std::uint32_t));
-  const platform::ChildResult result = platform::run_child(command);
-  try {
-    read_answer(answer_in(result), measurement);
-  } catch (const nlohmann::json::exception& error) {
-    measurement.failure = std::string("the worker's response cannot be parsed: ") + error.what();
-  }
-  if (measurement.failure.empty() && measurement.statistics.empty())
-    measurement.failure = sudden_end(result, radv);
-  return measurement;
+std::vector<Measurement> measure(const NullRadv& radv, std::span<const ModuleToMeasure> modules) {
+  std::vector<Measurement> measurements;
+  while (measurements.size() < modules.size())
+    for (Measurement& measurement : measured_by_one_worker(radv, modules.subspan(measurements.size())))
+      measurements.push_back(std::move(measurement));
+  return measurements;
 }
 
 }  // namespace penumbra::cost

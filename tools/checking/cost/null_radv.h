@@ -2,8 +2,9 @@
 //
 // With RADV_FORCE_FAMILY set, RADV offers a device without hardware, whose pipelines are compiled by its real
 // compiler (ACO). Each call runs a separate process: the variable applies to a whole process, and a driver
-// that crashes, hangs or is killed costs one result. Variables that change RADV's code generation are cleared
-// there, so the figures depend only on shader, family and Mesa version.
+// that crashes, hangs or is killed costs one result; what comes after it is measured in a new process.
+// Variables that change RADV's code generation are cleared there, so the figures depend only on shader,
+// family and Mesa version.
 //
 // Based on Mesa's documentation, "Environment Variables", RADV_FORCE_FAMILY;
 // VK_KHR_pipeline_executable_properties.
@@ -12,6 +13,7 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -49,8 +51,8 @@ struct Measurement {
   Figures figures;
 };
 
-// Does not throw for an invalid shader or a driver's crash: that is a failure with its reason. Throws
-// EnvironmentError if the worker cannot be started, platform::Interrupted.
-Measurement measure(const NullRadv& radv, const ModuleToMeasure& module);
+// One for each module, in order. Does not throw for an invalid shader or a driver's crash: that is a failure
+// with its reason. Throws EnvironmentError if the worker cannot be started, platform::Interrupted.
+std::vector<Measurement> measure(const NullRadv& radv, std::span<const ModuleToMeasure> modules);
 
 }  // namespace penumbra::cost

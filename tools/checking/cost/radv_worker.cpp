@@ -1,10 +1,9 @@
 #include "cost/radv_worker.h"
 
 #include <algorithm>
-#include <cstring>
 #include <istream>
-#include <iterator>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <ostream>
 #include <stdexcept>
 
@@ -22,11 +21,22 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::vector<std::uint32_t> read_words(std::istream& input) {
-  const std::string bytes{std::istreambuf_iterator<char>(input), std::istreambuf_iterator<char>()};
-  std::vector<std::uint32_t> words(bytes.size() / sizeof(std::uint32_t));
-  std::memcpy(words.data(), bytes.data(), words.size() * sizeof(std::uint32_t));
-  return words;
+struct Request {
+  std::string stage, entry;
+  std::vector<std::uint32_t> words;
+};
+
+// Nothing at the end of the input.
+std::optional<Request> read_request(std::istream& input) {
+  std::string line;
+  if (!std::getline(input, line)) return std::nullopt;
+  const Json head = Json::parse(line);
+  Request request{head.at("stage").get<std::string>(), head.at("entry").get<std::string>(),
+                  std::vector<std::uint32_t>(head.at("words").get<std::size_t>())};
+  const std::size_t bytes = request.words.size() * sizeof(std::uint32_t);
+  if (!input.read(reinterpret_cast<char*>(request.words.data()), static_cast<std::streamsize>(bytes)))
+    throw std::invalid_argument("the module ends early");
+  return request;
 }
 
 gpu::ShaderEntry compile_counterpart(const std::string& text, hlsl::Stage stage) {
@@ -74,44 +84,44 @@ Json answer_of(const gpu::PipelineExecutable& executable) {
 
 constexpr std::size_t kMemory = std::size_t{2} << 30;  // bytes
 
-Json measure_here(const std::string& stage, const std::string& entry, std::istream& input) {
-  // The only device of this driver under RADV_FORCE_FAMILY; all its devices have RADV in their names.
-  const gpu::StatisticsDevice device("RADV");
-  Json answer{{"device", device.info().name}, {"driver", device.info().driver}};
-  if (stage.empty()) return answer;
-  const std::optional<hlsl::Stage> known = hlsl::find_stage(stage);
-  if (!known) throw std::invalid_argument("there is no stage '" + stage + "'");
-  platform::confine_process(kMemory);
+Json measure_here(const gpu::StatisticsDevice& device, Request request) {
   try {
-    const std::vector<std::uint32_t> words = read_words(input);
+    const std::optional<hlsl::Stage> stage = hlsl::find_stage(request.stage);
+    if (!stage) throw std::invalid_argument("there is no stage '" + request.stage + "'");
     // The behaviour of drivers is undefined for an invalid module.
     const std::vector<std::string> problems =
-        shaders::validation_problems(words, shaders::VulkanVersion::v1_1, false);
+        shaders::validation_problems(request.words, shaders::VulkanVersion::v1_1, false);
     if (!problems.empty())
       throw std::invalid_argument("not valid SPIR-V for Vulkan 1.1: " + problems.front());
-    answer["measured"] = answer_of(measured_executable(device, *known, {words, entry}));
+    return answer_of(measured_executable(device, *stage, {std::move(request.words), request.entry}));
   } catch (const std::exception& error) {
-    answer["failure"] = error.what();
+    return {{"failure", error.what()}};
   }
-  return answer;
+}
+
+void write_line(std::ostream& output, const Json& answer) {
+  output << answer.dump(-1, ' ', false, Json::error_handler_t::replace) << std::endl;
 }
 
 }  // namespace
 
-void run_radv_worker(unsigned seconds, const std::string& stage, const std::string& entry,
-                     std::istream& input, std::ostream& output) {
+void run_radv_worker(unsigned seconds, std::istream& input, std::ostream& output) {
   platform::close_descriptors_from(3);
   platform::limit_processor_time(seconds);
-  Json answer;
   try {
-    answer = measure_here(stage, entry, input);
+    // The only device of this driver under RADV_FORCE_FAMILY; all its devices have RADV in their names.
+    const gpu::StatisticsDevice device("RADV");
+    write_line(output, {{"device", device.info().name}, {"driver", device.info().driver}});
+    platform::confine_process(kMemory);
+    while (std::optional<Request> request = read_request(input)) {
+      platform::limit_processor_time(seconds);
+      write_line(output, measure_here(device, *std::move(request)));
+    }
   } catch (const EnvironmentError& error) {
-    answer["no_device"] = error.what();
+    write_line(output, {{"no_device", error.what()}});
   } catch (const std::exception& error) {
-    answer["failure"] = error.what();
+    write_line(output, {{"failure", error.what()}});
   }
-  output << answer.dump(-1, ' ', false, Json::error_handler_t::replace) << "\n";
-  output.flush();
 }
 
 }  // namespace penumbra::cost

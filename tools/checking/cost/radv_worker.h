@@ -1,15 +1,13 @@
-// The worker's side of null_radv.h, which processes one shader.
+// The worker's side of null_radv.h, which processes shaders one after the other.
 #pragma once
 
 #include <iosfwd>
-#include <string>
 
 namespace penumbra::cost {
 
-// Reads a SPIR-V module from `input`, has this process's RADV compile it and writes the figures as JSON to
-// `output`; with an empty stage it only identifies the device. Does not throw for errors of shader or driver:
-// the response contains them. SIGXCPU ends the process after `seconds` of CPU time.
-void run_radv_worker(unsigned seconds, const std::string& stage, const std::string& entry,
-                     std::istream& input, std::ostream& output);
+// Identifies this process's RADV device, has it compile each SPIR-V module of `input` and writes what it
+// finds to `output`, a line of JSON for each as soon as it is known. Does not throw for errors of shader or
+// driver: the responses contain them. SIGXCPU ends the process after `seconds` of CPU time for one module.
+void run_radv_worker(unsigned seconds, std::istream& input, std::ostream& output);
 
 }  // namespace penumbra::cost
