@@ -8,6 +8,7 @@ namespace penumbra {
 namespace {
 
 using testing::AllOf;
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
@@ -41,6 +42,33 @@ TEST_F(MeasureSweep, EveryValueIsARecordWithItsOwnNameAndParameters) {
   }
   EXPECT_EQ(records.size(), 4);
   EXPECT_EQ(names.size(), 4);
+}
+
+// Of one technique only; what is set for it takes the place of what is set for all.
+TEST_F(MeasureSweep, AParameterOfOneTechniqueLeavesTheOthersAsTheyAre) {
+  const auto result = run(small({"--technique", "pcss-angular-24-16,godot-pcss-8,pcss-angular-64-64", "--set",
+                                 "godot-pcss-8:samples=3", "--set", "pcss-angular-24-16:blockerSamples=5",
+                                 "--set", "pcss-angular-64-64:blockerSamples=6,7"}));
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const nlohmann::json results = nlohmann::json::parse(result.output);
+  std::vector<std::string> names;
+  for (const nlohmann::json& record : results.at("records")) names.push_back(record.at("technique"));
+  EXPECT_THAT(names,
+              ElementsAre("pcss-angular-24-16 blockerSamples=5", "godot-pcss-8 samples=3",
+                          "pcss-angular-64-64 blockerSamples=6", "pcss-angular-64-64 blockerSamples=7"));
+  EXPECT_EQ(results.at("records")[0].at("parameters").at("filterSamples").at(0), 16);
+
+  const auto own = run(small({"--technique", "pcss-angular-24-16,pcss-angular-64-64", "--set",
+                              "blockerSamples=4", "--set", "pcss-angular-24-16:blockerSamples=5"}));
+  ASSERT_EQ(own.exit_code, 0) << own.errors;
+  const nlohmann::json records = nlohmann::json::parse(own.output).at("records");
+  EXPECT_EQ(records[0].at("parameters").at("blockerSamples").at(0), 5);
+  EXPECT_EQ(records[1].at("parameters").at("blockerSamples").at(0), 4);
+
+  const auto absent = run(small({"--technique", "hard", "--set", "godot-pcss-8:samples=3"}));
+  EXPECT_EQ(absent.exit_code, 2);
+  EXPECT_THAT(absent.errors, AllOf(HasSubstr("--set godot-pcss-8:samples: 'godot-pcss-8' is not among the"),
+                                   HasSubstr("add --technique godot-pcss-8")));
 }
 
 TEST_F(MeasureSweep, AgesOfTheMapAreMeasuredSideBySide) {

@@ -26,6 +26,7 @@ struct Setting {
 };
 
 struct Parameter {
+  std::string technique;  // that alone is varied; empty: each
   std::string name;
   std::vector<double> values;
 };
@@ -41,7 +42,10 @@ std::vector<Parameter> parameters(const std::vector<std::string>& set) {
   for (const std::string& text : set) {
     const auto [name, values] = name_and_value("--set", text);
     if (!names.insert(name).second) refuse_twice("--set " + name);
-    Parameter parameter{name, {}};
+    const std::size_t colon = name.find(':');
+    Parameter parameter{colon == std::string::npos ? "" : name.substr(0, colon),
+                        colon == std::string::npos ? name : name.substr(colon + 1),
+                        {}};
     if (values.back() == ',') throw InputError("", "--set " + text + ": no value after the last comma");
     for (const std::string& value : split(values, ',')) {
       parameter.values.push_back(number("--set " + name, value));
@@ -50,6 +54,30 @@ std::vector<Parameter> parameters(const std::vector<std::string>& set) {
     parameters.push_back(std::move(parameter));
   }
   return parameters;
+}
+
+// Those of one technique: its own, and of those of all techniques what it does not have itself.
+std::vector<Parameter> parameters_of(const std::string& technique, const std::vector<Parameter>& all) {
+  std::vector<Parameter> chosen;
+  for (const Parameter& parameter : all) {
+    const bool has_its_own = std::any_of(all.begin(), all.end(), [&](const Parameter& other) {
+      return other.technique == technique && other.name == parameter.name;
+    });
+    if (parameter.technique == technique || (parameter.technique.empty() && !has_its_own))
+      chosen.push_back(parameter);
+  }
+  return chosen;
+}
+
+void refuse_parameters_of_others(const std::vector<Parameter>& parameters,
+                                 const std::vector<std::string>& techniques) {
+  for (const Parameter& parameter : parameters)
+    if (!parameter.technique.empty() &&
+        std::find(techniques.begin(), techniques.end(), parameter.technique) == techniques.end())
+      throw InputError("",
+                       "--set " + parameter.technique + ":" + parameter.name + ": '" + parameter.technique +
+                           "' is not among the techniques",
+                       "add --technique " + parameter.technique);
 }
 
 // Every value of each with every value of the others; the last varies fastest.
@@ -201,9 +229,11 @@ void give_titles(std::vector<study::Subject>& subjects, const std::vector<std::s
 }  // namespace
 
 void add_set_option(CLI::App& command, const std::string& group, VariedSubjects& varied) {
-  one_each(command.add_option("--set", varied.set,
-                              "A parameter of the techniques; several values are tried one by one"))
-      ->type_name("NAME=VALUE[,...]")
+  one_each(
+      command.add_option("--set", varied.set,
+                         "A parameter of the techniques, or of one of them; several values are tried one "
+                         "by one"))
+      ->type_name("[TECHNIQUE:]NAME=VALUE[,...]")
       ->default_str("each technique's own values")
       ->group(group);
 }
@@ -232,13 +262,16 @@ std::vector<study::Subject> varied_subjects(const StudyOptions& options, const V
     throw InputError("", "--set applies to techniques, and only adapters are given",
                      "set an adapter's uniforms with --adapter 'NAME=FILE;UNIFORM=a,b,c,d'");
   }
-  const std::vector<std::vector<Setting>> settings = combinations(parameters(varied.set));
+  const std::vector<Parameter> set = parameters(varied.set);
+  refuse_parameters_of_others(set, names);
   const std::vector<resolve::Adapter> adapters = chosen_adapters(options);
-  const bool alone = names.size() + adapters.size() == 1 && (settings.size() > 1 || varied.frames.size() > 1);
+  const bool varies = std::any_of(set.begin(), set.end(),
+                                  [](const Parameter& parameter) { return parameter.values.size() > 1; });
+  const bool alone = names.size() + adapters.size() == 1 && (varies || varied.frames.size() > 1);
 
   std::vector<study::Subject> subjects;
   for (const std::string& name : names) {
-    for (const std::vector<Setting>& combination : settings) {
+    for (const std::vector<Setting>& combination : combinations(parameters_of(name, set))) {
       techniques::Technique technique = list.find(name);
       for (const Setting& setting : combination) {
         technique = techniques::with_value(list, std::move(technique), setting.parameter, setting.value);
