@@ -225,7 +225,13 @@ std::vector<PublishedPage> published_pages() {
        .folder = "equal-bias-urp",
        .block = "results-urp-bias",
        .with_urp = false},
-      {"FarOrigin", "Documentation~/far-origin.md", "far-origin"}};
+      {"FarOrigin", "Documentation~/far-origin.md", "far-origin"},
+      {"Wires", "Documentation~/wires-and-particles.md", "wires"},
+      {"EqualFetches", "Documentation~/equal-fetches.md", "equal-fetches"},
+      {.name = "EqualFetchesOfASmallMap",
+       .file = "Documentation~/equal-fetches.md",
+       .folder = "equal-fetches-small-map",
+       .block = "small-map"}};
 }
 
 // Read once: every manifest of the library.
