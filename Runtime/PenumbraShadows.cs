@@ -60,6 +60,16 @@ namespace Penumbra
         /// <summary>With SkipReason.MissingPass: what is missing, as a message.</summary>
         internal string MissingPass { get; private set; }
 
+        /// <summary>
+        /// Why the last camera's options were replaced by others that this device can draw, as a message; null if they
+        /// were not.
+        /// </summary>
+        internal string Replaced { get; private set; }
+
+        /// <summary>The last camera's options, and those that were drawn.</summary>
+        internal ShadowOptions Asked { get; private set; }
+        internal ShadowOptions Drawn { get; private set; }
+
         /// <inheritdoc/>
         public override void Create()
         {
@@ -90,7 +100,10 @@ namespace Penumbra
                 LastSkip = SkipReason.UnsupportedDevice;
                 return;
             }
-            MissingPass = draw.Prepare(options, source.views);
+            Asked = options;
+            MissingPass = draw.Prepare(ref options, source.views);
+            Drawn = options;
+            Replaced = draw.Replaces;
             if (MissingPass != null)
             {
                 LastSkip = SkipReason.MissingPass;

@@ -12,6 +12,7 @@ Shader "Hidden/Penumbra/Maps"
         {
             Name "VarianceRows"
             HLSLPROGRAM
+            #pragma target 3.5
             #pragma vertex ScreenTriangle
             #pragma fragment MapRows
             #include "VarianceMap.hlsl"
@@ -22,6 +23,7 @@ Shader "Hidden/Penumbra/Maps"
         {
             Name "MomentRows"
             HLSLPROGRAM
+            #pragma target 3.5
             #pragma vertex ScreenTriangle
             #pragma fragment MapRows
             #include "MomentMap.hlsl"
@@ -32,6 +34,7 @@ Shader "Hidden/Penumbra/Maps"
         {
             Name "ExponentialRows"
             HLSLPROGRAM
+            #pragma target 3.5
             #pragma vertex ScreenTriangle
             #pragma fragment MapRows
             #include "ExponentialMap.hlsl"
@@ -42,6 +45,7 @@ Shader "Hidden/Penumbra/Maps"
         {
             Name "ExponentialVarianceRows"
             HLSLPROGRAM
+            #pragma target 3.5
             #pragma vertex ScreenTriangle
             #pragma fragment MapRows
             #include "ExponentialVarianceMap.hlsl"
@@ -52,6 +56,7 @@ Shader "Hidden/Penumbra/Maps"
         {
             Name "MapColumns"
             HLSLPROGRAM
+            #pragma target 3.5
             #pragma vertex ScreenTriangle
             #pragma fragment MapColumns
             #include "VarianceMap.hlsl"
@@ -62,6 +67,7 @@ Shader "Hidden/Penumbra/Maps"
         {
             Name "LogExponentialRows"
             HLSLPROGRAM
+            #pragma target 3.5
             #pragma vertex ScreenTriangle
             #pragma fragment LogRows
             #include "LogExponentialMap.hlsl"
@@ -72,6 +78,7 @@ Shader "Hidden/Penumbra/Maps"
         {
             Name "LogExponentialColumns"
             HLSLPROGRAM
+            #pragma target 3.5
             #pragma vertex ScreenTriangle
             #pragma fragment LogColumns
             #include "LogExponentialMap.hlsl"
@@ -148,6 +155,7 @@ Shader "Hidden/Penumbra/Maps"
         {
             Name "DepthDigits"
             HLSLPROGRAM
+            #pragma target 3.5
             #pragma vertex ScreenTriangle
             #pragma fragment DepthDigitTexel
             #include "DigitMap.hlsl"
@@ -158,6 +166,7 @@ Shader "Hidden/Penumbra/Maps"
         {
             Name "MomentDigits"
             HLSLPROGRAM
+            #pragma target 3.5
             #pragma vertex ScreenTriangle
             #pragma fragment MomentDigitTexel
             #include "DigitMap.hlsl"
@@ -168,6 +177,7 @@ Shader "Hidden/Penumbra/Maps"
         {
             Name "VarianceLevel"
             HLSLPROGRAM
+            #pragma target 3.5
             #pragma vertex ScreenTriangle
             #pragma fragment FirstLevel
             #include "StoredVarianceMap.hlsl"
@@ -178,6 +188,7 @@ Shader "Hidden/Penumbra/Maps"
         {
             Name "MomentLevel"
             HLSLPROGRAM
+            #pragma target 3.5
             #pragma vertex ScreenTriangle
             #pragma fragment FirstLevel
             #include "MomentMap.hlsl"
@@ -188,6 +199,7 @@ Shader "Hidden/Penumbra/Maps"
         {
             Name "ExponentialVarianceLevel"
             HLSLPROGRAM
+            #pragma target 3.5
             #pragma vertex ScreenTriangle
             #pragma fragment FirstLevel
             #include "ExponentialVarianceMap.hlsl"
@@ -198,6 +210,7 @@ Shader "Hidden/Penumbra/Maps"
         {
             Name "NextLevel"
             HLSLPROGRAM
+            #pragma target 3.5
             #pragma vertex ScreenTriangle
             #pragma fragment NextLevel
             #include "MomentMap.hlsl"

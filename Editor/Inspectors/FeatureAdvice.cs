@@ -35,6 +35,13 @@ namespace Penumbra.Editor
         /// <summary>With SkipReason.MissingPass: what is missing, as a message.</summary>
         internal string missingPass;
 
+        /// <summary>
+        /// Why the last camera's options were replaced, as a message, or null; and the options before and after.
+        /// </summary>
+        internal string replaced;
+        internal ShadowOptions asked;
+        internal ShadowOptions drawn;
+
         /// <summary>The technique has passes that draw the casters per cascade.</summary>
         internal bool drawsCascades;
     }
@@ -83,6 +90,9 @@ namespace Penumbra.Editor
             if (state.layersWithoutDepth != 0)
                 Say(MessageType.Warning, PrepassLayers.Explanation(state.layersWithoutDepth) + " Add these layers to it " +
                                          "(Renderer > Filtering), or let Window > Rendering > Penumbra Receivers do it.");
+            if (state.replaced != null)
+                Say(MessageType.Warning, TechniqueName.Of(state.asked.technique) + " cannot run here as it is set: " +
+                                         state.replaced + ". Drawn instead: " + Substitute(state) + ".");
             bool showsView = state.settings.debugView != DebugView.None;
             if (showsView && !state.debugShaderFound)
                 Say(MessageType.Warning, "The shader " + DebugViewDraw.ShaderName + " is missing or does not compile for " +
@@ -92,9 +102,16 @@ namespace Penumbra.Editor
             if (state.settings.noise == NoiseMode.PerFrame)
                 Say(MessageType.Info, "The noise changes every frame. Use that only where temporal antialiasing or an " +
                                       "upscaler averages frames; elsewhere penumbrae flicker.");
-            if (state.openGl && state.settings.Options().technique.TakesSamples())
-                Say(MessageType.Info, "This editor draws with OpenGL, which does not define how PCSS reads the shadow map: " +
-                                      "here PCSS is replaced by Tent 7x7. Vulkan, Direct3D and Metal support it.");
+            ShadowOptions options = state.settings.Options();
+            string technique = TechniqueName.Of(options.technique);
+            if (state.openGl && !options.HasMaps && ChainSubstitute.Has(options.technique))
+                Say(MessageType.Info, "This editor draws with OpenGL, which does not define how " + technique + " reads the " +
+                                      "shadow map: here it is replaced by " +
+                                      TechniqueName.Of(TechniqueTable.Fallbacks[(int)options.technique]) +
+                                      ". Vulkan, Direct3D and Metal support it.");
+            if (options.technique.HasOwnBias())
+                Say(MessageType.Info, technique + " biases receivers itself, as its engine does. Set Bias of the light to " +
+                                      "Custom, with Depth and Normal 0.");
             if (state.drawsCascades)
                 Say(MessageType.Info, "This technique draws the casters once more, from Unity's lists of visible objects. " +
                                       "Objects whose Cast Shadows is Shadows Only are missing there, and those with " +
@@ -105,6 +122,13 @@ namespace Penumbra.Editor
                 Say(MessageType.Info, "Forward rendering draws a depth prepass for this feature. Depth Priming (Renderer " +
                                       "> Rendering) lets the opaque pass use it too.");
             return found;
+        }
+
+        private static string Substitute(in FeatureState state)
+        {
+            if (state.drawn.technique != state.asked.technique) return TechniqueName.Of(state.drawn.technique);
+            return state.drawn.mapFormat != state.asked.mapFormat ? "the same with maps of 16 bits"
+                                                                  : "the same with the mask of four comparisons";
         }
 
         // Null if nothing was skipped, if skipping is intended, or if another message already explains it.
@@ -146,7 +170,7 @@ namespace Penumbra.Editor
                            "do not read this feature's shadow. In your own shaders, PenumbraMainLightVisibility " +
                            "of Shadows.hlsl works.";
                 case SkipReason.UnsupportedDevice:
-                    return "this device does not support PCSS, which needs shader model 4.5. Choose Custom with a tent " +
+                    return "this device does not support the technique, which needs shader model 4.5. Choose Custom with a tent " +
                            "as its technique.";
                 default:
                     return state.lastSkip + ".";

@@ -20,11 +20,14 @@ namespace Penumbra.Editor
             state.debugShaderFound = IsFound(DebugViewDraw.ShaderName);
             state.lastSkip = feature.LastSkip;
             state.missingPass = feature.MissingPass;
+            state.replaced = feature.Replaced;
+            state.asked = feature.Asked;
+            state.drawn = feature.Drawn;
             state.drawsCascades = ChainGraphs.Of(feature.Settings.Options())
                 .Any(graph => graph.passes.Any(pass => pass.kind == PassKind.Casters && pass.runs == PassFrequency.Cascade));
             state.compatibilityMode = UrpFrame.InCompatibilityMode();
             state.settings = feature.Settings;
-            state.openGl = DeviceLimits.ReplacesPcss;
+            state.openGl = DeviceLimits.IsOpenGl;
             var asset = GraphicsSettings.currentRenderPipeline as UniversalRenderPipelineAsset;
             state.mainLightShadows = asset == null || asset.supportsMainLightShadows;
             ReadRenderer(RendererOf(feature), ref state);

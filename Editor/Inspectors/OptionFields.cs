@@ -15,7 +15,7 @@ namespace Penumbra.Editor
         internal static readonly OptionField AngularDiameter = new OptionField(
             nameof(ShadowOptions.angularDiameterDegrees), OptionTable.AngularDiameterDegrees.Label,
             OptionTable.AngularDiameterDegrees.Tooltip,
-            options => options.technique.TakesSamples(), volume => volume.angularDiameterDegrees);
+            options => options.technique.WidensWithDisc(), volume => volume.angularDiameterDegrees);
 
         internal static readonly OptionField BlockerSamples = new OptionField(
             nameof(ShadowOptions.blockerSamples), OptionTable.BlockerSamples.Label, OptionTable.BlockerSamples.Tooltip,
@@ -25,13 +25,13 @@ namespace Penumbra.Editor
             nameof(ShadowOptions.filterSamples), OptionTable.FilterSamples.Label, OptionTable.FilterSamples.Tooltip,
             options => options.technique.Takes(nameof(ShadowOptions.filterSamples)), volume => volume.filterSamples);
 
-        // PCSS (Poisson) has no softness cap, but its mask is limited by it; PCSS (HDRP) has a cap of its own.
+        // A filter without a limit has a mask that is limited by the softness cap; PCSS (HDRP) has a cap of its own.
         internal static readonly OptionField SoftnessCap = new OptionField(
             nameof(ShadowOptions.softnessCapMetres), OptionTable.SoftnessCapMetres.Label,
             OptionTable.SoftnessCapMetres.Tooltip,
-            options => options.SamplesPenumbrae &&
+            options => options.technique.WidensWithDisc() && options.angularDiameterDegrees > 0.0f &&
                        (options.technique.Takes(nameof(ShadowOptions.softnessCapMetres)) ||
-                        (options.technique == ShadowTechnique.PcssPoisson && options.mask)),
+                        (options.SamplesPenumbrae && options.mask && !options.technique.LimitsWidth())),
             volume => volume.softnessCapMetres);
 
         internal static readonly OptionField MinFilter = new OptionField(
@@ -39,6 +39,30 @@ namespace Penumbra.Editor
             OptionTable.MinFilterTexels.Tooltip,
             options => options.technique.Takes(nameof(ShadowOptions.minFilterTexels)),
             null);
+
+        internal static readonly OptionField LightBleeding = new OptionField(
+            nameof(ShadowOptions.lightBleeding), OptionTable.LightBleeding.Label, OptionTable.LightBleeding.Tooltip,
+            options => options.technique.Takes(nameof(ShadowOptions.lightBleeding)), volume => volume.lightBleeding);
+
+        internal static readonly OptionField MapBlur = new OptionField(
+            nameof(ShadowOptions.mapBlurTexels), OptionTable.MapBlurTexels.Label, OptionTable.MapBlurTexels.Tooltip,
+            options => options.technique.Takes(nameof(ShadowOptions.mapBlurTexels)), volume => volume.mapBlurTexels);
+
+        internal static readonly OptionField MapFormat = new OptionField(
+            nameof(ShadowOptions.mapFormat), OptionTable.MapFormat.Label, OptionTable.MapFormat.Tooltip,
+            options => options.HasMapFormats, volume => volume.mapFormat);
+
+        internal static readonly OptionField Rays = new OptionField(
+            nameof(ShadowOptions.rays), OptionTable.Rays.Label, OptionTable.Rays.Tooltip,
+            options => options.technique.Takes(nameof(ShadowOptions.rays)), volume => volume.rays);
+
+        internal static readonly OptionField SamplesPerRay = new OptionField(
+            nameof(ShadowOptions.samplesPerRay), OptionTable.SamplesPerRay.Label, OptionTable.SamplesPerRay.Tooltip,
+            options => options.technique.Takes(nameof(ShadowOptions.samplesPerRay)), volume => volume.samplesPerRay);
+
+        internal static readonly OptionField DiscRadius = new OptionField(
+            nameof(ShadowOptions.discRadiusMetres), OptionTable.DiscRadiusMetres.Label, OptionTable.DiscRadiusMetres.Tooltip,
+            options => options.technique.Takes(nameof(ShadowOptions.discRadiusMetres)), volume => volume.discRadiusMetres);
 
         internal static readonly OptionField Mask = new OptionField(
             nameof(ShadowOptions.mask), OptionTable.Mask.Label, OptionTable.Mask.Tooltip,
@@ -69,8 +93,8 @@ namespace Penumbra.Editor
 
         internal static readonly OptionField[] All =
         {
-            Technique, AngularDiameter, BlockerSamples, FilterSamples, SoftnessCap, MinFilter, Mask, ConservativeMask,
-            HalfResolution, Denoise,
+            Technique, AngularDiameter, BlockerSamples, FilterSamples, Rays, SamplesPerRay, DiscRadius, SoftnessCap,
+            MinFilter, LightBleeding, MapBlur, MapFormat, Mask, ConservativeMask, HalfResolution, Denoise,
         };
     }
 }

@@ -27,6 +27,7 @@ namespace Penumbra.Editor
                                           OptionFields.CascadeBlend.label);
             EditorGUILayout.PropertyField(settings.FindPropertyRelative(nameof(PenumbraShadowsSettings.debugView)),
                                           OptionFields.DebugView.label);
+            CustomFields.BeginAsMeasured(settings, ((PenumbraShadows)target).Settings);
             serializedObject.ApplyModifiedProperties();
 
             foreach (Advice advice in FeatureAdvice.For(FeatureSurroundings.Of((PenumbraShadows)target)))

@@ -28,7 +28,8 @@ namespace Penumbra.Editor
         /// An overridden option without effect is still shown, so that its override can be cleared.
         /// </summary>
         internal static bool Shows(OptionField option, PenumbraShadowsVolume volume) =>
-            option.IsInVolume && (option.IsOverridden(volume) || option.Counts(Decided(volume)));
+            option.IsInVolume &&
+            (option.IsOverridden(volume) || Possible(volume).Any(options => option.Counts(options)));
 
         /// <summary>
         /// The overridden preset's options and its figures under the current light; null without such a preset.
@@ -74,10 +75,9 @@ namespace Penumbra.Editor
         private static void SayWhatIsIdle(in VolumeState state, System.Action<MessageType, string> say)
         {
             PenumbraShadowsVolume volume = state.volume;
-            ShadowOptions[] here = { Decided(volume) };
-            List<string> idle = Idle(volume, here);
+            List<string> idle = Idle(volume, Possible(volume).ToArray());
             if (idle.Count > 0)
-                say(MessageType.Info, Join(idle, "has", "have") + " no effect with " + Techniques(here) +
+                say(MessageType.Info, Join(idle, "has", "have") + " no effect with " + Techniques(new[] { Decided(volume) }) +
                                       ". Clear the checkbox, or change the technique or preset.");
 
             ShadowOptions[] features = state.features.Select(feature => volume.Over(feature.Options())).ToArray();
@@ -88,10 +88,23 @@ namespace Penumbra.Editor
                                       "the feature selects. Override the technique or preset too.");
         }
 
-        // Everything that a Volume does not override can have any value; with these options all fields have an
-        // effect.
+        // Everything but the technique that a Volume does not override can have any value; with these options all fields
+        // of the technique have an effect.
         private static ShadowOptions Decided(PenumbraShadowsVolume volume) =>
             volume.Over(ShadowPresets.Options(QualityPreset.High));
+
+        // The same for every technique that the Volume leaves to the feature.
+        private static IEnumerable<ShadowOptions> Possible(PenumbraShadowsVolume volume)
+        {
+            ShadowOptions options = Decided(volume);
+            if (volume.technique.overrideState || HasPreset(volume)) return new[] { options };
+            return ((ShadowTechnique[])System.Enum.GetValues(typeof(ShadowTechnique))).Select(technique =>
+            {
+                ShadowOptions possible = options;
+                possible.technique = technique;
+                return possible;
+            });
+        }
 
         private static bool HasPreset(PenumbraShadowsVolume volume) =>
             volume.preset.overrideState && volume.preset.value != QualityPreset.Custom;

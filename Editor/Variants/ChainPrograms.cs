@@ -24,7 +24,8 @@ namespace Penumbra.Editor
                 {
                     programs.Add(ShadowChain.Of(options));
                     // What ChainDraw falls back to on some devices.
-                    if (options.MasksConservatively) programs.Add(ShadowChain.Of(options.WithoutConservativeMask()));
+                    ShadowOptions instead = options;
+                    while (ChainSubstitute.TryGet(instead, out instead)) programs.Add(ShadowChain.Of(instead));
                 }
             return programs;
         }
@@ -39,6 +40,9 @@ namespace Penumbra.Editor
                 if (!sets.Any(set => set.SequenceEqual(chain.Keywords))) sets.Add(chain.Keywords);
             }
         }
+
+        /// <summary>Whether a frame uses the kernel of the compute shader file `asset`.</summary>
+        internal bool HasKernel(string asset, string kernel) => keywordsOf.ContainsKey((asset, kernel));
 
         /// <summary>
         /// Whether a frame uses the variant of `pass` of the shader file `asset` whose enabled keywords among `declared` are

@@ -24,12 +24,15 @@ namespace Penumbra.Editor
         }
 
         /// <summary>Its path in the package, of a shader of which some graph has a pass; else null.</summary>
-        internal static string AssetOf(Shader shader)
+        internal static string AssetOf(Shader shader) =>
+            shader.name == PenumbraShadows.ShaderName ? PenumbraShadows.ShaderFile : AssetOf((UnityEngine.Object)shader);
+
+        /// <summary>The same for any shader or compute shader but the feature's own.</summary>
+        internal static string AssetOf(UnityEngine.Object asset)
         {
-            if (shader.name == PenumbraShadows.ShaderName) return PenumbraShadows.ShaderFile;
-            string path = AssetDatabase.GetAssetPath(shader);
+            string path = AssetDatabase.GetAssetPath(asset);
             return ChainGraphs.All.SelectMany(graph => graph.passes).Select(pass => pass.asset)
-                .FirstOrDefault(asset => path == PassAssets.Package + asset);
+                .FirstOrDefault(file => path == PassAssets.Package + file);
         }
 
         /// <summary>`data` contains the variants of one stage of the pass.</summary>

@@ -36,7 +36,7 @@ namespace Penumbra
                 int previousOf = graph.textures[i].previousOf;
                 int written = previousOf == TechniqueGraph.None ? i : previousOf;
                 textures.Add(new ChainTexture(graph.textures[i], IsWrittenByKernels(graph, written), IsKept(graph, i),
-                                              graph.passes.Any(pass => pass.depth == i)));
+                                              graph.passes.Any(pass => pass.depth == i), IsFiltered(graph, i)));
                 if (written != i)
                     histories.Add(new ChainHistory { now = firstTexture + written, before = firstTexture + i });
             }
@@ -57,6 +57,9 @@ namespace Penumbra
 
         private static bool IsWrittenByKernels(TechniqueGraph graph, int texture) =>
             graph.passes.Any(pass => pass.kind == PassKind.Compute && pass.Writes(false, texture));
+
+        private static bool IsFiltered(TechniqueGraph graph, int texture) =>
+            graph.filtersLinearly && graph.filterTextures.Any(binding => binding.index == texture);
 
         // The texture is read in frames in which no pass writes it.
         private static bool IsKept(TechniqueGraph graph, int texture)

@@ -24,22 +24,29 @@ namespace Penumbra
             materials = new PassMaterials(material, assets);
         }
 
-        /// <summary>Selects the chain for these options. Returns what prevents it from running, or null.</summary>
+        /// <summary>Why the current chain stands in for the one that was asked for; null if it does not.</summary>
+        internal string Replaces => current?.replaces;
+
+        /// <summary>
+        /// Selects the chain for these options, and changes them to those that this device can draw. Returns what
+        /// prevents it from running, or null.
+        /// </summary>
         /// <param name="views">Number of views drawn at once.</param>
-        internal string Prepare(in ShadowOptions options, int views)
+        internal string Prepare(ref ShadowOptions options, int views)
         {
             int key = ChainGraphs.Key(options);
             if (!chains.TryGetValue(key, out current)) chains[key] = current = Prepared(options);
+            if (current.replaces != null) options = current.Of(options);
             return current.problem ?? (views > 1 ? current.stereoProblem : null);
         }
 
-        // Where the device cannot make the conservative mask, or the filter is replaced by one that it is not for, the mask
-        // is that of four taps.
-        private PreparedChain Prepared(in ShadowOptions options)
+        private PreparedChain Prepared(in ShadowOptions asked)
         {
-            var prepared = new PreparedChain(ShadowChain.Of(options), materials);
-            bool replace = options.MasksConservatively && (DeviceLimits.ReplacesPcss || prepared.problem != null);
-            return replace ? new PreparedChain(ShadowChain.Of(options.WithoutConservativeMask()), materials) : prepared;
+            var prepared = new PreparedChain(asked, materials);
+            ShadowOptions options = asked;
+            while (prepared.problem != null && ChainSubstitute.TryGet(options, out options))
+                prepared = new PreparedChain(options, materials, prepared.replaces ?? prepared.problem);
+            return prepared;
         }
 
         /// <summary>The program of a step of the chain.</summary>

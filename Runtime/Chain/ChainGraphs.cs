@@ -10,7 +10,8 @@ namespace Penumbra
         private const int Half = 2;
         private const int Denoise = 4;
         private const int Conservative = 8; // with Mask
-        private const int Bits = 4;
+        private const int SecondFormat = 16;
+        private const int Bits = 5;
 
         // The screen-space passes, indexed by these bits. The filter is selected by the technique's keyword, so
         // graphs of the study that differ only in the filter are the same graph here.
@@ -31,7 +32,7 @@ namespace Penumbra
 
         /// <summary>All graphs that any options need.</summary>
         internal static IEnumerable<TechniqueGraph> All => ofScreen.Concat(ofScreenConservative)
-            .Concat(TechniquePasses.Graphs.Values);
+            .Concat(TechniqueTable.Graphs.SelectMany(graphs => graphs));
 
         /// <summary>In the order in which they run.</summary>
         internal static IReadOnlyList<TechniqueGraph> Of(in ShadowOptions options)
@@ -39,12 +40,14 @@ namespace Penumbra
             int bits = ScreenBits(options);
             TechniqueGraph screen = (bits & Conservative) == 0
                                         ? ofScreen[bits] : ofScreenConservative[(bits & (Half | Denoise)) / Half];
-            if (!TechniquePasses.Graphs.TryGetValue(options.technique, out TechniqueGraph own)) return new[] { screen };
+            if (!options.HasMaps) return new[] { screen };
+            TechniqueGraph own = TechniqueTable.Graphs[(int)options.technique][options.GraphIndex];
             return own.visibility == TechniqueGraph.None ? new[] { own, screen } : new[] { own };
         }
 
         /// <summary>Equal for options that need the same graphs and keywords.</summary>
-        internal static int Key(in ShadowOptions options) => (int)options.technique << Bits | ScreenBits(options);
+        internal static int Key(in ShadowOptions options) =>
+            (int)options.technique << Bits | (options.GraphIndex > 0 ? SecondFormat : 0) | ScreenBits(options);
 
         // A mask costs as much as a filter without samples, and such a filter has no noise to remove.
         private static int ScreenBits(in ShadowOptions options) =>

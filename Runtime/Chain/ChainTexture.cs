@@ -25,13 +25,17 @@ namespace Penumbra
         /// <summary>A depth format, which casters are tested against.</summary>
         internal readonly bool isDepth;
 
+        /// <summary>Read with interpolation between texels.</summary>
+        internal readonly bool filtered;
+
         /// <summary>Keeps its content between frames.</summary>
         internal readonly bool kept;
 
         /// <summary>A copy of this mip level alone; 0: the whole texture.</summary>
         internal readonly int level;
 
-        internal ChainTexture(in GraphTexture texture, bool randomWrite, bool kept, bool isDepth = false)
+        internal ChainTexture(in GraphTexture texture, bool randomWrite, bool kept, bool isDepth = false,
+                              bool filtered = false)
         {
             extent = texture.extent;
             format = texture.format;
@@ -45,6 +49,7 @@ namespace Penumbra
             this.randomWrite = randomWrite;
             this.kept = kept;
             this.isDepth = isDepth;
+            this.filtered = filtered;
             level = 0;
         }
 
@@ -74,7 +79,7 @@ namespace Penumbra
             !kept && !other.kept && extent == other.extent && format == other.format && divisor == other.divisor &&
             width == other.width && height == other.height && depth == other.depth && mips == other.mips &&
             layers == other.layers && samples == other.samples && randomWrite == other.randomWrite &&
-            level == other.level;
+            filtered == other.filtered && level == other.level;
 
         public override bool Equals(object other) => other is ChainTexture texture && Equals(texture);
         public override int GetHashCode() => ((int)format * 397) ^ (divisor << 2) ^ (level << 8) ^ ((int)extent << 1);

@@ -20,6 +20,9 @@ namespace Penumbra
         /// <summary>Whether the device supports what the chain does with such a texture.</summary>
         internal static bool IsSupported(in ChainTexture texture) => Can(Of(texture), texture.randomWrite);
 
+        /// <summary>Whether the device interpolates between texels of the texture, where a filter needs that.</summary>
+        internal static bool IsFilteredAsNeeded(in ChainTexture texture) => !texture.filtered || CanFilter(Of(texture));
+
         // A texture that kernels write is also cleared as a render target.
         private static bool Can(GraphicsFormat format, bool randomWrite) =>
             CanDrawTo(format) && (!randomWrite || CanWrite(format));
@@ -30,11 +33,16 @@ namespace Penumbra
 
         private static bool CanWrite(GraphicsFormat format) =>
             SystemInfo.IsFormatSupported(format, GraphicsFormatUsage.LoadStore);
+
+        private static bool CanFilter(GraphicsFormat format) =>
+            SystemInfo.IsFormatSupported(format, GraphicsFormatUsage.Linear);
 #else
         private static bool CanDrawTo(GraphicsFormat format) => SystemInfo.IsFormatSupported(format, FormatUsage.Render);
 
         private static bool CanWrite(GraphicsFormat format) =>
             SystemInfo.IsFormatSupported(format, FormatUsage.LoadStore);
+
+        private static bool CanFilter(GraphicsFormat format) => SystemInfo.IsFormatSupported(format, FormatUsage.Linear);
 #endif
     }
 }

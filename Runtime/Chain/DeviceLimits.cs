@@ -11,10 +11,22 @@ namespace Penumbra
     internal static class DeviceLimits
     {
         /// <summary>
-        /// OpenGL does not define raw reads of the shadow map: shaders compute another filter there (TechniqueByKeyword.hlsl).
+        /// OpenGL does not define raw reads of the shadow map. Shaders compute another filter there in the place of one
+        /// that reads it (TechniqueByKeyword.hlsl).
         /// </summary>
-        internal static bool ReplacesPcss => SystemInfo.graphicsDeviceType == GraphicsDeviceType.OpenGLCore ||
+        internal static bool IsOpenGl => SystemInfo.graphicsDeviceType == GraphicsDeviceType.OpenGLCore ||
                                              SystemInfo.graphicsDeviceType == GraphicsDeviceType.OpenGLES3;
+
+        /// <summary>
+        /// Why the options' passes before the filter cannot run on this device, whatever they are; null if they can.
+        /// </summary>
+        internal static string Problem(in ShadowOptions options)
+        {
+            if (!options.MasksConservatively && !(options.HasMaps && ChainSubstitute.Has(options.technique))) return null;
+            if (IsOpenGl) return "OpenGL does not define how its passes read the shadow map";
+            return options.technique.Gathers() && SystemInfo.graphicsShaderLevel < FrameGate.GatherLevel
+                       ? "it needs shader model 4.5" : null;
+        }
 
         /// <summary>Null if there is no problem.</summary>
         internal static string Problem(ShadowChain chain)
@@ -37,6 +49,7 @@ namespace Penumbra
             if (!DeviceFormats.IsSupported(texture))
                 return "this device cannot " + (texture.randomWrite ? "write" : "draw to") + " textures of " +
                        texture.format;
+            if (!DeviceFormats.IsFilteredAsNeeded(texture)) return "this device cannot filter textures of " + texture.format;
             if (texture.depth > 1 && !SystemInfo.supports3DRenderTextures)
                 return "this device cannot draw to 3D textures";
             if ((texture.layers > 1 || texture.extent == GraphExtent.Tile) && !SystemInfo.supports2DArrayTextures)

@@ -7,6 +7,11 @@ namespace Penumbra
     /// <summary>A chain with its programs, or with the reason why it cannot run.</summary>
     internal sealed class PreparedChain
     {
+        private readonly ShadowOptions options;
+
+        /// <summary>Why this chain stands in for the one that was asked for, as a message; null if it does not.</summary>
+        internal readonly string replaces;
+
         internal readonly ShadowChain chain;
         internal readonly ProgramAsset[] assets;
 
@@ -22,12 +27,15 @@ namespace Penumbra
         /// <summary>The same for drawing both eyes at once.</summary>
         internal readonly string stereoProblem;
 
-        internal PreparedChain(ShadowChain chain, PassMaterials materials)
+        /// <param name="options">Of which those that choose a chain count.</param>
+        internal PreparedChain(in ShadowOptions options, PassMaterials materials, string replaces = null)
         {
-            this.chain = chain;
+            this.options = options;
+            this.replaces = replaces;
+            chain = ShadowChain.Of(options);
             programs = new PassProgram[chain.Steps.Count];
             targets = new RenderTargetIdentifier[chain.Steps.Count][];
-            problem = DeviceLimits.Problem(chain);
+            problem = DeviceLimits.Problem(options) ?? DeviceLimits.Problem(chain);
             stereoProblem = DeviceLimits.StereoProblem(chain);
             IReadOnlyList<string> known = ChainKeywords.All;
             var used = new Dictionary<string, ProgramAsset>();
@@ -48,6 +56,16 @@ namespace Penumbra
             }
             assets = new ProgramAsset[used.Count];
             used.Values.CopyTo(assets, 0);
+        }
+
+        /// <summary>`asked` with the choices of this chain.</summary>
+        internal ShadowOptions Of(in ShadowOptions asked)
+        {
+            ShadowOptions drawn = asked;
+            drawn.technique = options.technique;
+            drawn.mapFormat = options.mapFormat;
+            drawn.conservativeMask = options.conservativeMask;
+            return drawn;
         }
 
         private static string Find(GraphPass pass, ProgramAsset asset, out PassProgram program)

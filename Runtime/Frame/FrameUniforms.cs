@@ -28,6 +28,7 @@ namespace Penumbra
             frame.uniforms.PcssAngular.SetGlobal(commands);
             frame.uniforms.PcssClassic.SetGlobal(commands);
             frame.uniforms.PcssHdrp.SetGlobal(commands);
+            SetParameters(commands, frame.options);
             SetCascades(commands, TechniqueTable.Cascades[(int)frame.options.technique], frame.uniforms);
             SetMask(commands, frame);
             DenoiseParameters.Default.SetGlobal(commands);
@@ -35,6 +36,16 @@ namespace Penumbra
             screenToWorld[0] = frame.screenToWorld0;
             screenToWorld[1] = frame.screenToWorld1;
             commands.SetGlobalMatrixArray(ScreenToWorldMatrices, screenToWorld);
+        }
+
+        // Forward shaders may use any filter that needs no passes; where two share a struct, the technique's is last.
+        private static void SetParameters(CommandBuffer commands, in ShadowOptions options)
+        {
+            for (int i = 0; i < TechniqueTable.Parameters.Length; ++i)
+                if (TechniqueTable.Graphs[i].Length == 0 && TechniqueTable.Parameters[i].Length > 0)
+                    TechniqueTable.Parameters[i][0](commands, options);
+            SetParameters[] own = TechniqueTable.Parameters[(int)options.technique];
+            if (own.Length > 0) own[options.GraphIndex](commands, options);
         }
 
         private static void SetCascades(CommandBuffer commands, CascadeVector[] vectors, in ShadowUniforms uniforms)

@@ -91,10 +91,14 @@ namespace Penumbra
             return source.hasCascades ? SkipReason.None : SkipReason.InvalidCascade;
         }
 
+        /// <summary>Of SystemInfo.graphicsShaderLevel: shader target 4.5, which gathers need.</summary>
+        internal const int GatherLevel = 45;
+
         /// <summary>
-        /// PCSS needs shader target 4.5 (`SystemInfo.graphicsShaderLevel`); a device below it has no program for it.
+        /// A device below that level has no program for a filter that gathers. Techniques with maps have a substitute
+        /// (ChainSubstitute).
         /// </summary>
         internal static bool Runs(in ShadowOptions options, int shaderLevel) =>
-            !options.technique.TakesSamples() || shaderLevel >= 45;
+            !options.technique.Gathers() || options.HasMaps || shaderLevel >= GatherLevel;
     }
 }

@@ -24,8 +24,9 @@ namespace Penumbra
         {
             internal const string Label = "Technique";
             internal const string Tooltip =
-                "The filter. Tent filters blur by a fixed number of shadow map texels. PCSS is sharp at contacts " +
-                "and widens with distance. PCSS (HDRP) follows the rules and limits of Unity's HDRP.";
+                "The filter. Tents and filtered maps (ESM, VSM, EVSM, MSM) blur by a fixed number of shadow map " +
+                "texels. PCSS and the others are sharp at contacts and widen with distance. Names in brackets are " +
+                "engines whose rules and limits the filter follows.";
         }
 
         internal static class AngularDiameterDegrees
@@ -43,7 +44,7 @@ namespace Penumbra
             internal const string Label = "Blocker Samples";
             internal const string Tooltip =
                 "Texture fetches per pixel that search for shadow casters, 1 to 64. Too few miss thin casters. " +
-                "PCSS (Poisson) uses the same number for its filter.";
+                "PCSS (Poisson), PCSS (Godot) and Single loop use the same number for their filter.";
             internal const int Min = 1;
             internal const int Max = 64;
         }
@@ -75,6 +76,63 @@ namespace Penumbra
                 "large values leak light there.";
             internal const float Min = 0.0f;
             internal const float Max = 8.0f;
+        }
+
+        internal static class LightBleeding
+        {
+            internal const string Label = "Light Bleeding Reduction";
+            internal const string Tooltip =
+                "Visibility up to which all is dark, 0 to 0.95. Filtered maps let light through where casters " +
+                "overlap; larger values hide it, and make penumbrae narrower and darker.";
+            internal const float Min = 0.0f;
+            internal const float Max = 0.95f;
+        }
+
+        internal static class MapBlurTexels
+        {
+            internal const string Label = "Map Blur";
+            internal const string Tooltip =
+                "Standard deviation of the blur of the filtered map in texels of the shadow map, 0 to 4. " +
+                "Penumbrae are about four times as wide.";
+            internal const float Min = 0.0f;
+            internal const float Max = 4.0f;
+        }
+
+        internal static class MapFormat
+        {
+            internal const string Label = "Map Format";
+            internal const string Tooltip =
+                "Bits of each channel of the filtered map. 16 bits take half of the memory and bandwidth, and let " +
+                "more light through or fade shadows at contacts. Where a device cannot draw 32 bits or filter " +
+                "them, 16 are used.";
+        }
+
+        internal static class Rays
+        {
+            internal const string Label = "Rays";
+            internal const string Tooltip =
+                "Rays per pixel from the receiver to the light's disc, 1 to 64. Too few make penumbrae grainy.";
+            internal const int Min = 1;
+            internal const int Max = 64;
+        }
+
+        internal static class SamplesPerRay
+        {
+            internal const string Label = "Samples Per Ray";
+            internal const string Tooltip =
+                "Texture fetches along each ray, 1 to 64. Too few miss casters that are thin.";
+            internal const int Min = 1;
+            internal const int Max = 64;
+        }
+
+        internal static class DiscRadiusMetres
+        {
+            internal const string Label = "Disc Radius";
+            internal const string Tooltip =
+                "Largest radius of the disc of samples in metres, 0 to 1, and with it of a penumbra. A wider disc " +
+                "blurs narrow penumbrae, a narrower one cuts wide ones off.";
+            internal const float Min = 0.0f;
+            internal const float Max = 1.0f;
         }
 
         internal static class Mask

@@ -43,6 +43,28 @@ namespace Penumbra
                                                                                    OptionTable.SoftnessCapMetres.Min,
                                                                                    OptionTable.SoftnessCapMetres.Max);
 
+        [Tooltip(OptionTable.LightBleeding.Tooltip)]
+        public ClampedFloatParameter lightBleeding = new ClampedFloatParameter(0.2f, OptionTable.LightBleeding.Min,
+                                                                               OptionTable.LightBleeding.Max);
+
+        [Tooltip(OptionTable.MapBlurTexels.Tooltip)]
+        public ClampedFloatParameter mapBlurTexels = new ClampedFloatParameter(1.5f, OptionTable.MapBlurTexels.Min,
+                                                                               OptionTable.MapBlurTexels.Max);
+
+        [Tooltip(OptionTable.MapFormat.Tooltip)]
+        public MapFormatParameter mapFormat = new MapFormatParameter(MapFormat.Bits32);
+
+        [Tooltip(OptionTable.Rays.Tooltip)]
+        public ClampedIntParameter rays = new ClampedIntParameter(7, OptionTable.Rays.Min, OptionTable.Rays.Max);
+
+        [Tooltip(OptionTable.SamplesPerRay.Tooltip)]
+        public ClampedIntParameter samplesPerRay = new ClampedIntParameter(8, OptionTable.SamplesPerRay.Min,
+                                                                           OptionTable.SamplesPerRay.Max);
+
+        [Tooltip(OptionTable.DiscRadiusMetres.Tooltip)]
+        public ClampedFloatParameter discRadiusMetres = new ClampedFloatParameter(0.05f, OptionTable.DiscRadiusMetres.Min,
+                                                                                  OptionTable.DiscRadiusMetres.Max);
+
         [Tooltip(OptionTable.Mask.Tooltip)]
         public BoolParameter mask = new BoolParameter(true);
 
@@ -90,6 +112,12 @@ namespace Penumbra
             if (blockerSamples.overrideState) options.blockerSamples = blockerSamples.value;
             if (filterSamples.overrideState) options.filterSamples = filterSamples.value;
             if (softnessCapMetres.overrideState) options.softnessCapMetres = softnessCapMetres.value;
+            if (lightBleeding.overrideState) options.lightBleeding = lightBleeding.value;
+            if (mapBlurTexels.overrideState) options.mapBlurTexels = mapBlurTexels.value;
+            if (mapFormat.overrideState) options.mapFormat = mapFormat.value;
+            if (rays.overrideState) options.rays = rays.value;
+            if (samplesPerRay.overrideState) options.samplesPerRay = samplesPerRay.value;
+            if (discRadiusMetres.overrideState) options.discRadiusMetres = discRadiusMetres.value;
             if (mask.overrideState) options.mask = mask.value;
             if (conservativeMask.overrideState) options.conservativeMask = conservativeMask.value;
             if (halfResolution.overrideState) options.halfResolution = halfResolution.value;
@@ -111,6 +139,12 @@ namespace Penumbra
     {
         public ShadowTechniqueParameter(ShadowTechnique value, bool overrideState = false)
             : base(value, overrideState) { }
+    }
+
+    [Serializable]
+    public sealed class MapFormatParameter : VolumeParameter<MapFormat>
+    {
+        public MapFormatParameter(MapFormat value, bool overrideState = false) : base(value, overrideState) { }
     }
 
     [Serializable]

@@ -18,7 +18,9 @@ namespace Penumbra
         [Range(OptionTable.AngularDiameterDegrees.Min, OptionTable.AngularDiameterDegrees.Max)]
         public float angularDiameterDegrees;
 
-        /// <summary>Samples of the blocker search, 1 to 64. PCSS (Poisson) uses this many in both loops.</summary>
+        /// <summary>
+        /// Samples of the blocker search, 1 to 64. PCSS (Poisson) and PCSS (Godot) use this many in both loops.
+        /// </summary>
         [Tooltip(OptionTable.BlockerSamples.Tooltip)]
         [Range(OptionTable.BlockerSamples.Min, OptionTable.BlockerSamples.Max)]
         public int blockerSamples;
@@ -41,6 +43,37 @@ namespace Penumbra
         [Tooltip(OptionTable.MinFilterTexels.Tooltip)]
         [Range(OptionTable.MinFilterTexels.Min, OptionTable.MinFilterTexels.Max)]
         public float minFilterTexels;
+
+        /// <summary>
+        /// Visibility up to which all is dark, 0 to 0.95: hides light that filtered maps let through.
+        /// </summary>
+        [Tooltip(OptionTable.LightBleeding.Tooltip)]
+        [Range(OptionTable.LightBleeding.Min, OptionTable.LightBleeding.Max)]
+        public float lightBleeding;
+
+        /// <summary>Standard deviation of the blur of filtered maps, in shadow-map texels, 0 to 4.</summary>
+        [Tooltip(OptionTable.MapBlurTexels.Tooltip)]
+        [Range(OptionTable.MapBlurTexels.Min, OptionTable.MapBlurTexels.Max)]
+        public float mapBlurTexels;
+
+        /// <summary>Of filtered maps, where the technique has both.</summary>
+        [Tooltip(OptionTable.MapFormat.Tooltip)]
+        public MapFormat mapFormat;
+
+        /// <summary>Rays of SMRT to the light's disc, 1 to 64.</summary>
+        [Tooltip(OptionTable.Rays.Tooltip)]
+        [Range(OptionTable.Rays.Min, OptionTable.Rays.Max)]
+        public int rays;
+
+        /// <summary>Samples along each of them, 1 to 64.</summary>
+        [Tooltip(OptionTable.SamplesPerRay.Tooltip)]
+        [Range(OptionTable.SamplesPerRay.Min, OptionTable.SamplesPerRay.Max)]
+        public int samplesPerRay;
+
+        /// <summary>Largest radius of the disc of the single loop, 0 to 1.</summary>
+        [Tooltip(OptionTable.DiscRadiusMetres.Tooltip)]
+        [Range(OptionTable.DiscRadiusMetres.Min, OptionTable.DiscRadiusMetres.Max)]
+        public float discRadiusMetres;
 
         /// <summary>Full filter only where the mask finds a penumbra; a single shadow map test elsewhere.</summary>
         [Tooltip(OptionTable.Mask.Tooltip)]
@@ -87,6 +120,9 @@ namespace Penumbra
             technique == other.technique && angularDiameterDegrees.Equals(other.angularDiameterDegrees) &&
             blockerSamples == other.blockerSamples && filterSamples == other.filterSamples &&
             softnessCapMetres.Equals(other.softnessCapMetres) && minFilterTexels.Equals(other.minFilterTexels) &&
+            lightBleeding.Equals(other.lightBleeding) && mapBlurTexels.Equals(other.mapBlurTexels) &&
+            mapFormat == other.mapFormat && rays == other.rays && samplesPerRay == other.samplesPerRay &&
+            discRadiusMetres.Equals(other.discRadiusMetres) &&
             mask == other.mask && conservativeMask == other.conservativeMask &&
             halfResolution == other.halfResolution && denoise == other.denoise &&
             cascadeBlend.Equals(other.cascadeBlend) && debugView == other.debugView;
@@ -113,6 +149,15 @@ namespace Penumbra
                                                     OptionTable.SoftnessCapMetres.Max);
             options.minFilterTexels = Mathf.Clamp(FiniteOr(minFilterTexels, 1.0f), OptionTable.MinFilterTexels.Min,
                                                   OptionTable.MinFilterTexels.Max);
+            options.lightBleeding = Mathf.Clamp(FiniteOr(lightBleeding, 0.0f), OptionTable.LightBleeding.Min,
+                                                OptionTable.LightBleeding.Max);
+            options.mapBlurTexels = Mathf.Clamp(FiniteOr(mapBlurTexels, 0.0f), OptionTable.MapBlurTexels.Min,
+                                                OptionTable.MapBlurTexels.Max);
+            options.rays = Mathf.Clamp(rays, OptionTable.Rays.Min, OptionTable.Rays.Max);
+            options.samplesPerRay = Mathf.Clamp(samplesPerRay, OptionTable.SamplesPerRay.Min,
+                                                OptionTable.SamplesPerRay.Max);
+            options.discRadiusMetres = Mathf.Clamp(FiniteOr(discRadiusMetres, 0.0f), OptionTable.DiscRadiusMetres.Min,
+                                                   OptionTable.DiscRadiusMetres.Max);
             options.cascadeBlend = Mathf.Clamp(FiniteOr(cascadeBlend, 0.0f), OptionTable.CascadeBlend.Min,
                                                OptionTable.CascadeBlend.Max);
             return options;
@@ -128,12 +173,14 @@ namespace Penumbra
 
         internal bool MasksConservatively => conservativeMask && CanMaskConservatively;
 
-        internal ShadowOptions WithoutConservativeMask()
-        {
-            ShadowOptions options = this;
-            options.conservativeMask = false;
-            return options;
-        }
+        /// <summary>The technique makes maps from the shadow map before its filter.</summary>
+        internal bool HasMaps => TechniqueTable.Graphs[(int)technique].Length > 0;
+
+        /// <summary>The technique has maps of either format.</summary>
+        internal bool HasMapFormats => TechniqueTable.Graphs[(int)technique].Length > 1;
+
+        /// <summary>Of the technique's graphs and parameters, by the format of its maps.</summary>
+        internal int GraphIndex => HasMapFormats && mapFormat == MapFormat.Bits16 ? 1 : 0;
 
         /// <summary>
         /// The filters' parameters. Those that no option sets have the values that the study measures

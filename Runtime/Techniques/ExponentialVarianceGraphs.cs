@@ -35,6 +35,7 @@ namespace Penumbra
                 },
             },
             filterTextures = new[] { GraphBinding.Texture("_PenumbraMomentsTexture", 1) },
+            filtersLinearly = true,
         };
 
         internal static readonly TechniqueGraph ExponentialVariance16 = new TechniqueGraph
@@ -66,6 +67,7 @@ namespace Penumbra
                 },
             },
             filterTextures = new[] { GraphBinding.Texture("_PenumbraMomentsTexture", 1) },
+            filtersLinearly = true,
         };
     }
 }

@@ -78,6 +78,7 @@ namespace Penumbra
                 },
             },
             filterTextures = new[] { GraphBinding.Texture("_PenumbraMomentsTexture", 0) },
+            filtersLinearly = true,
         };
     }
 }

@@ -26,6 +26,7 @@ namespace Penumbra
                 },
             },
             filterTextures = new[] { GraphBinding.Texture("_PenumbraOpacityMaskTexture", 0) },
+            filtersLinearly = true,
         };
 
         internal static readonly TechniqueGraph PcssAngularOpacity = new TechniqueGraph

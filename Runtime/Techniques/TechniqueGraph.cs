@@ -26,6 +26,9 @@ namespace Penumbra
         /// </summary>
         internal GraphBinding[] filterTextures = Array.Empty<GraphBinding>();
 
+        /// <summary>The filter interpolates between their texels.</summary>
+        internal bool filtersLinearly;
+
         /// <summary>The texture that contains the result; None if a filter computes it.</summary>
         internal int visibility = None;
 

@@ -55,6 +55,7 @@ namespace Penumbra
                 },
             },
             filterTextures = new[] { GraphBinding.Texture("_PenumbraMomentsTexture", 3) },
+            filtersLinearly = true,
         };
     }
 }

@@ -25,6 +25,7 @@ namespace Penumbra
                 },
             },
             filterTextures = new[] { GraphBinding.Texture("_PenumbraQuarterMomentsTexture", 0) },
+            filtersLinearly = true,
         };
     }
 }

@@ -78,6 +78,7 @@ namespace Penumbra
                 },
             },
             filterTextures = new[] { GraphBinding.Texture("_PenumbraMomentsTexture", 0) },
+            filtersLinearly = true,
         };
 
         internal static readonly TechniqueGraph VssmMip32 = new TechniqueGraph
@@ -109,6 +110,7 @@ namespace Penumbra
                 },
             },
             filterTextures = new[] { GraphBinding.Texture("_PenumbraMomentsTexture", 0) },
+            filtersLinearly = true,
         };
     }
 }

@@ -2,19 +2,40 @@
 // Written by `penumbra validate --emit-keywords` from the manifests, *.technique.json; do not edit.
 //
 // Computes:   visibility with the filter of the enabled keyword:
-//               _PENUMBRA_HARD          FilterHard          Filters/HardTest.hlsl
-//               _PENUMBRA_BILINEAR      FilterBilinear      Filters/FixedPcf.hlsl
-//               _PENUMBRA_FOUR_TAP      FilterFourTapPlane  Filters/FixedPcf.hlsl
-//               _PENUMBRA_TENT_3X3      FilterTent3x3Plane  Filters/TentPcf.hlsl
-//               _PENUMBRA_TENT_7X7      FilterTent7x7Plane  Filters/TentPcf.hlsl
-//               _PENUMBRA_PCSS_POISSON  FilterPcssClassic   Filters/PcssClassic.hlsl
-//               _PENUMBRA_PCSS          FilterPcssAngular   Filters/PcssAngular.hlsl
-//               _PENUMBRA_PCSS_HDRP     FilterPcssHdrp      Filters/PcssHdrp.hlsl
-//               none of them            FilterTent5x5Plane  Filters/TentPcf.hlsl
+//               _PENUMBRA_HARD                 FilterHard                 Filters/HardTest.hlsl
+//               _PENUMBRA_BILINEAR             FilterBilinear             Filters/FixedPcf.hlsl
+//               _PENUMBRA_FOUR_TAP             FilterFourTapPlane         Filters/FixedPcf.hlsl
+//               _PENUMBRA_TENT_3X3             FilterTent3x3Plane         Filters/TentPcf.hlsl
+//               _PENUMBRA_TENT_7X7             FilterTent7x7Plane         Filters/TentPcf.hlsl
+//               _PENUMBRA_PCSS_POISSON         FilterPcssClassic          Filters/PcssClassic.hlsl
+//               _PENUMBRA_PCSS                 FilterPcssAngular          Filters/PcssAngular.hlsl
+//               _PENUMBRA_PCSS_HDRP            FilterPcssHdrp             Filters/PcssHdrp.hlsl
+//               _PENUMBRA_VSM                  FilterVariance             Filters/Variance.hlsl
+//               _PENUMBRA_ESM                  FilterExponential          Filters/Exponential.hlsl
+//               _PENUMBRA_ESM_LOG              FilterLogExponential       Filters/LogExponential.hlsl
+//               _PENUMBRA_EVSM                 FilterExponentialVariance  Filters/ExponentialVariance.hlsl
+//               _PENUMBRA_MSM                  FilterMoments              Filters/MomentShadows.hlsl
+//               _PENUMBRA_SMRT                 FilterUnrealSmrt           Filters/UnrealSmrt.hlsl
+//               _PENUMBRA_PCSS_GODOT           FilterGodotPcss            Filters/GodotPcss.hlsl
+//               _PENUMBRA_DPCF_FILAMENT        FilterFilamentDpcf         Filters/FilamentDpcf.hlsl
+//               _PENUMBRA_PCSS_FILAMENT        FilterFilamentPcss         Filters/FilamentPcss.hlsl
+//               _PENUMBRA_SINGLE_LOOP          FilterSingleLoop           Filters/SingleLoop.hlsl
+//               _PENUMBRA_SINGLE_LOOP_MIN_MAX  FilterSingleLoopMinMax     Filters/SingleLoopExits.hlsl
+//               _PENUMBRA_SINGLE_LOOP_MIPS     FilterSingleLoopMips       Filters/SingleLoopExits.hlsl
+//               _PENUMBRA_SINGLE_LOOP_PLANES   FilterSingleLoopPlanes     Filters/SingleLoopPlanes.hlsl
+//               _PENUMBRA_VSSM                 FilterVssmSums             Filters/VssmSums.hlsl
+//               _PENUMBRA_VSSM_MIPS            FilterVssmLevels           Filters/VssmLevels.hlsl
+//               _PENUMBRA_MSSM                 FilterMssmSums             Filters/MssmSums.hlsl
+//               _PENUMBRA_MSSM_MIPS            FilterMssmLevels           Filters/MssmLevels.hlsl
+//               _PENUMBRA_EVSM_MIPS            FilterExponentialLevels    Filters/ExponentialLevels.hlsl
+//               none of them                   FilterTent5x5Plane         Filters/TentPcf.hlsl
 // Source:     see each filter's file.
 // Inputs:     shadow map, its comparison and point samplers, ShadowReceiver, ShadowTile; the uniforms below, which the C#
 //             structs of these names in Runtime/Parameters set; cascade: the receiver's cascade, for techniques with
-//             rules for far cascades. The uniforms of a rule have its first cascade in their names.
+//             rules for far cascades. The uniforms of a rule have its first cascade in their names. Some filters read
+//             maps that passes make from the shadow map, the textures below: those are for the renderer feature's own
+//             screen pass. Other shaders get an error, unless they define PENUMBRA_MAPS_BOUND and are drawn after
+//             these passes, while the feature's technique is the keyword's.
 // Cost:       the technique's fetches.
 // Guarantees: [0, 1]. Only the file of the selected filter is included.
 // Use it:     after a pipeline's bindings, as Shadows.hlsl and Hdrp.hlsl do. Not: directly from a shader.
@@ -23,16 +44,23 @@
 
 #include "../Core/ShadowStructs.hlsl"
 
-// These filters gather raw depths from a texture that has a comparison sampler. That is undefined in OpenGL, OpenGL ES
-// and WebGL, and before ES 3.1 there is no gather: a filter that only compares is used instead. Define
-// PENUMBRA_RAW_DEPTH_READS where the map is bound without comparison there.
+// These filters, or the passes before them, read raw depths from a texture that has a comparison sampler. That is
+// undefined in OpenGL, OpenGL ES and WebGL, and before ES 3.1 there is no gather: a filter that only compares is used
+// instead. Define PENUMBRA_RAW_DEPTH_READS where the map is bound without comparison there.
 #if !defined(PENUMBRA_RAW_DEPTH_READS) && \
     (defined(SHADER_API_GLCORE) || defined(SHADER_API_GLES) || defined(SHADER_API_GLES3) || defined(SHADER_API_WEBGL))
 #define PENUMBRA_WITHOUT_GATHER
 #endif
 
 #if defined(PENUMBRA_WITHOUT_GATHER) && \
-    (defined(_PENUMBRA_PCSS_POISSON) || defined(_PENUMBRA_PCSS) || defined(_PENUMBRA_PCSS_HDRP))
+    (defined(_PENUMBRA_PCSS_POISSON) || defined(_PENUMBRA_PCSS) || defined(_PENUMBRA_PCSS_HDRP) || \
+     defined(_PENUMBRA_VSM) || defined(_PENUMBRA_ESM) || defined(_PENUMBRA_ESM_LOG) || \
+     defined(_PENUMBRA_EVSM) || defined(_PENUMBRA_MSM) || defined(_PENUMBRA_SMRT) || \
+     defined(_PENUMBRA_PCSS_GODOT) || defined(_PENUMBRA_DPCF_FILAMENT) || defined(_PENUMBRA_PCSS_FILAMENT) || \
+     defined(_PENUMBRA_SINGLE_LOOP) || defined(_PENUMBRA_SINGLE_LOOP_MIN_MAX) || \
+     defined(_PENUMBRA_SINGLE_LOOP_MIPS) || defined(_PENUMBRA_SINGLE_LOOP_PLANES) || defined(_PENUMBRA_VSSM) || \
+     defined(_PENUMBRA_VSSM_MIPS) || defined(_PENUMBRA_MSSM) || defined(_PENUMBRA_MSSM_MIPS) || \
+     defined(_PENUMBRA_EVSM_MIPS))
 #define PENUMBRA_USES_TENT_7X7
 #elif defined(_PENUMBRA_HARD)
 #define PENUMBRA_USES_HARD
@@ -53,6 +81,68 @@
 #elif defined(_PENUMBRA_PCSS_HDRP)
 #define PENUMBRA_USES_PCSS_HDRP
 #define PENUMBRA_READS_RAW_DEPTH
+#elif defined(_PENUMBRA_VSM)
+#define PENUMBRA_USES_VSM
+#define PENUMBRA_READS_MAPS
+#elif defined(_PENUMBRA_ESM)
+#define PENUMBRA_USES_ESM
+#define PENUMBRA_READS_MAPS
+#elif defined(_PENUMBRA_ESM_LOG)
+#define PENUMBRA_USES_ESM_LOG
+#define PENUMBRA_READS_MAPS
+#elif defined(_PENUMBRA_EVSM)
+#define PENUMBRA_USES_EVSM
+#define PENUMBRA_READS_MAPS
+#elif defined(_PENUMBRA_MSM)
+#define PENUMBRA_USES_MSM
+#define PENUMBRA_READS_MAPS
+#elif defined(_PENUMBRA_SMRT)
+#define PENUMBRA_USES_SMRT
+#define PENUMBRA_READS_RAW_DEPTH
+#elif defined(_PENUMBRA_PCSS_GODOT)
+#define PENUMBRA_USES_PCSS_GODOT
+#define PENUMBRA_READS_RAW_DEPTH
+#elif defined(_PENUMBRA_DPCF_FILAMENT)
+#define PENUMBRA_USES_DPCF_FILAMENT
+#define PENUMBRA_READS_RAW_DEPTH
+#elif defined(_PENUMBRA_PCSS_FILAMENT)
+#define PENUMBRA_USES_PCSS_FILAMENT
+#define PENUMBRA_READS_RAW_DEPTH
+#elif defined(_PENUMBRA_SINGLE_LOOP)
+#define PENUMBRA_USES_SINGLE_LOOP
+#define PENUMBRA_READS_RAW_DEPTH
+#elif defined(_PENUMBRA_SINGLE_LOOP_MIN_MAX)
+#define PENUMBRA_USES_SINGLE_LOOP_MIN_MAX
+#define PENUMBRA_READS_RAW_DEPTH
+#define PENUMBRA_READS_MAPS
+#elif defined(_PENUMBRA_SINGLE_LOOP_MIPS)
+#define PENUMBRA_USES_SINGLE_LOOP_MIPS
+#define PENUMBRA_READS_RAW_DEPTH
+#define PENUMBRA_READS_MAPS
+#elif defined(_PENUMBRA_SINGLE_LOOP_PLANES)
+#define PENUMBRA_USES_SINGLE_LOOP_PLANES
+#define PENUMBRA_READS_RAW_DEPTH
+#define PENUMBRA_READS_MAPS
+#elif defined(_PENUMBRA_VSSM)
+#define PENUMBRA_USES_VSSM
+#define PENUMBRA_READS_MAPS
+#elif defined(_PENUMBRA_VSSM_MIPS)
+#define PENUMBRA_USES_VSSM_MIPS
+#define PENUMBRA_READS_MAPS
+#elif defined(_PENUMBRA_MSSM)
+#define PENUMBRA_USES_MSSM
+#define PENUMBRA_READS_MAPS
+#elif defined(_PENUMBRA_MSSM_MIPS)
+#define PENUMBRA_USES_MSSM_MIPS
+#define PENUMBRA_READS_MAPS
+#elif defined(_PENUMBRA_EVSM_MIPS)
+#define PENUMBRA_USES_EVSM_MIPS
+#define PENUMBRA_READS_MAPS
+#endif
+
+// The renderer feature's passes bind these maps while its technique is this keyword's.
+#if defined(PENUMBRA_READS_MAPS) && !defined(PENUMBRA_MAPS_BOUND)
+#error "this keyword's filter reads maps that only the renderer feature's passes make: choose another, or define PENUMBRA_MAPS_BOUND where they are bound"
 #endif
 
 #if defined(PENUMBRA_USES_HARD)
@@ -71,8 +161,79 @@
 #include "../Filters/PcssAngular.hlsl"
 #elif defined(PENUMBRA_USES_PCSS_HDRP)
 #include "../Filters/PcssHdrp.hlsl"
+#elif defined(PENUMBRA_USES_VSM)
+#include "../Filters/Variance.hlsl"
+#elif defined(PENUMBRA_USES_ESM)
+#include "../Filters/Exponential.hlsl"
+#elif defined(PENUMBRA_USES_ESM_LOG)
+#include "../Filters/LogExponential.hlsl"
+#elif defined(PENUMBRA_USES_EVSM)
+#include "../Filters/ExponentialVariance.hlsl"
+#elif defined(PENUMBRA_USES_MSM)
+#include "../Filters/MomentShadows.hlsl"
+#elif defined(PENUMBRA_USES_SMRT)
+#include "../Filters/UnrealSmrt.hlsl"
+#elif defined(PENUMBRA_USES_PCSS_GODOT)
+#include "../Filters/GodotPcss.hlsl"
+#elif defined(PENUMBRA_USES_DPCF_FILAMENT)
+#include "../Filters/FilamentDpcf.hlsl"
+#elif defined(PENUMBRA_USES_PCSS_FILAMENT)
+#include "../Filters/FilamentPcss.hlsl"
+#elif defined(PENUMBRA_USES_SINGLE_LOOP)
+#include "../Filters/SingleLoop.hlsl"
+#elif defined(PENUMBRA_USES_SINGLE_LOOP_MIN_MAX)
+#include "../Filters/SingleLoopExits.hlsl"
+#elif defined(PENUMBRA_USES_SINGLE_LOOP_MIPS)
+#include "../Filters/SingleLoopExits.hlsl"
+#elif defined(PENUMBRA_USES_SINGLE_LOOP_PLANES)
+#include "../Filters/SingleLoopPlanes.hlsl"
+#elif defined(PENUMBRA_USES_VSSM)
+#include "../Filters/VssmSums.hlsl"
+#elif defined(PENUMBRA_USES_VSSM_MIPS)
+#include "../Filters/VssmLevels.hlsl"
+#elif defined(PENUMBRA_USES_MSSM)
+#include "../Filters/MssmSums.hlsl"
+#elif defined(PENUMBRA_USES_MSSM_MIPS)
+#include "../Filters/MssmLevels.hlsl"
+#elif defined(PENUMBRA_USES_EVSM_MIPS)
+#include "../Filters/ExponentialLevels.hlsl"
 #else
 #include "../Filters/TentPcf.hlsl"
+#endif
+
+#if defined(PENUMBRA_USES_VSM)
+SAMPLER(sampler_PenumbraLinearClamp);
+TEXTURE2D(_PenumbraMomentsTexture);
+#elif defined(PENUMBRA_USES_ESM)
+SAMPLER(sampler_PenumbraLinearClamp);
+TEXTURE2D(_PenumbraExponentialsTexture);
+#elif defined(PENUMBRA_USES_ESM_LOG)
+TEXTURE2D(_PenumbraSoftDepthsTexture);
+#elif defined(PENUMBRA_USES_EVSM)
+SAMPLER(sampler_PenumbraLinearClamp);
+TEXTURE2D(_PenumbraMomentsTexture);
+#elif defined(PENUMBRA_USES_MSM)
+SAMPLER(sampler_PenumbraLinearClamp);
+TEXTURE2D(_PenumbraMomentsTexture);
+#elif defined(PENUMBRA_USES_SINGLE_LOOP_MIN_MAX)
+TEXTURE2D(_PenumbraDepthRangesTexture);
+#elif defined(PENUMBRA_USES_SINGLE_LOOP_MIPS)
+TEXTURE2D(_PenumbraDepthRangesTexture);
+#elif defined(PENUMBRA_USES_SINGLE_LOOP_PLANES)
+TEXTURE2D(_PenumbraDepthPlanesTexture);
+#elif defined(PENUMBRA_USES_VSSM)
+TYPED_TEXTURE2D(uint4, _PenumbraSumsTexture);
+#elif defined(PENUMBRA_USES_VSSM_MIPS)
+SAMPLER(sampler_PenumbraLinearClamp);
+TEXTURE2D(_PenumbraMomentsTexture);
+#elif defined(PENUMBRA_USES_MSSM)
+TYPED_TEXTURE2D(uint4, _PenumbraSumsTexture);
+#elif defined(PENUMBRA_USES_MSSM_MIPS)
+SAMPLER(sampler_PenumbraLinearClamp);
+TEXTURE2D(_PenumbraMomentsTexture);
+#elif defined(PENUMBRA_USES_EVSM_MIPS)
+SAMPLER(sampler_PenumbraLinearClamp);
+TEXTURE2D(_PenumbraMomentsTexture);
 #endif
 
 #include "../Filters/PcssClassicParameters.hlsl"
@@ -101,6 +262,99 @@ PcssHdrpParameters PenumbraPcssHdrp()
     return UnpackPcssHdrpParameters(_PenumbraPcssHdrpParameters0, _PenumbraPcssHdrpParameters1);
 }
 
+#include "../Filters/VarianceParameters.hlsl"
+float4 _PenumbraVarianceParameters0;
+
+VarianceParameters PenumbraVariance()
+{
+    return UnpackVarianceParameters(_PenumbraVarianceParameters0);
+}
+
+#include "../Filters/ExponentialParameters.hlsl"
+float4 _PenumbraExponentialParameters0;
+
+ExponentialParameters PenumbraExponential()
+{
+    return UnpackExponentialParameters(_PenumbraExponentialParameters0);
+}
+
+#include "../Filters/LogExponentialParameters.hlsl"
+float4 _PenumbraLogExponentialParameters0;
+
+LogExponentialParameters PenumbraLogExponential()
+{
+    return UnpackLogExponentialParameters(_PenumbraLogExponentialParameters0);
+}
+
+#include "../Filters/ExponentialVarianceParameters.hlsl"
+float4 _PenumbraExponentialVarianceParameters0;
+
+ExponentialVarianceParameters PenumbraExponentialVariance()
+{
+    return UnpackExponentialVarianceParameters(_PenumbraExponentialVarianceParameters0);
+}
+
+#include "../Filters/MomentShadowsParameters.hlsl"
+float4 _PenumbraMomentShadowsParameters0;
+
+MomentShadowsParameters PenumbraMomentShadows()
+{
+    return UnpackMomentShadowsParameters(_PenumbraMomentShadowsParameters0);
+}
+
+#include "../Filters/UnrealSmrtParameters.hlsl"
+float4 _PenumbraUnrealSmrtParameters0;
+float4 _PenumbraUnrealSmrtParameters1;
+
+UnrealSmrtParameters PenumbraUnrealSmrt()
+{
+    return UnpackUnrealSmrtParameters(_PenumbraUnrealSmrtParameters0, _PenumbraUnrealSmrtParameters1);
+}
+
+#include "../Filters/GodotPcssParameters.hlsl"
+float4 _PenumbraGodotPcssParameters0;
+
+GodotPcssParameters PenumbraGodotPcss()
+{
+    return UnpackGodotPcssParameters(_PenumbraGodotPcssParameters0);
+}
+
+#include "../Filters/FilamentParameters.hlsl"
+float4 _PenumbraFilamentParameters0;
+float4 _PenumbraFilamentParameters1;
+
+FilamentParameters PenumbraFilament()
+{
+    return UnpackFilamentParameters(_PenumbraFilamentParameters0, _PenumbraFilamentParameters1);
+}
+
+#include "../Filters/SingleLoopParameters.hlsl"
+float4 _PenumbraSingleLoopParameters0;
+float4 _PenumbraSingleLoopParameters1;
+
+SingleLoopParameters PenumbraSingleLoop()
+{
+    return UnpackSingleLoopParameters(_PenumbraSingleLoopParameters0, _PenumbraSingleLoopParameters1);
+}
+
+#include "../Filters/VssmParameters.hlsl"
+float4 _PenumbraVssmParameters0;
+float4 _PenumbraVssmParameters1;
+
+VssmParameters PenumbraVssm()
+{
+    return UnpackVssmParameters(_PenumbraVssmParameters0, _PenumbraVssmParameters1);
+}
+
+#include "../Filters/MssmParameters.hlsl"
+float4 _PenumbraMssmParameters0;
+float4 _PenumbraMssmParameters1;
+
+MssmParameters PenumbraMssm()
+{
+    return UnpackMssmParameters(_PenumbraMssmParameters0, _PenumbraMssmParameters1);
+}
+
 float FilterByKeyword(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SAMPLER(sampler_point),
                       ShadowReceiver receiver, ShadowTile tile, int cascade)
 {
@@ -123,6 +377,63 @@ float FilterByKeyword(TEXTURE2D_SHADOW_PARAM(shadowMap, sampler_shadowMap), SAMP
 #elif defined(PENUMBRA_USES_PCSS_HDRP)
     return FilterPcssHdrp(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), sampler_point, receiver, tile,
                           PenumbraPcssHdrp());
+#elif defined(PENUMBRA_USES_VSM)
+    return FilterVariance(_PenumbraMomentsTexture, sampler_PenumbraLinearClamp, receiver, tile,
+                          PenumbraVariance());
+#elif defined(PENUMBRA_USES_ESM)
+    return FilterExponential(_PenumbraExponentialsTexture, sampler_PenumbraLinearClamp, receiver, tile,
+                             PenumbraExponential());
+#elif defined(PENUMBRA_USES_ESM_LOG)
+    return FilterLogExponential(_PenumbraSoftDepthsTexture, sampler_point, receiver, tile,
+                                PenumbraLogExponential());
+#elif defined(PENUMBRA_USES_EVSM)
+    return FilterExponentialVariance(_PenumbraMomentsTexture, sampler_PenumbraLinearClamp, receiver, tile,
+                                     PenumbraExponentialVariance());
+#elif defined(PENUMBRA_USES_MSM)
+    return FilterMoments(_PenumbraMomentsTexture, sampler_PenumbraLinearClamp, receiver, tile,
+                         PenumbraMomentShadows());
+#elif defined(PENUMBRA_USES_SMRT)
+    return FilterUnrealSmrt(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), sampler_point, receiver, tile,
+                            PenumbraUnrealSmrt());
+#elif defined(PENUMBRA_USES_PCSS_GODOT)
+    return FilterGodotPcss(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), sampler_point, receiver, tile,
+                           PenumbraGodotPcss());
+#elif defined(PENUMBRA_USES_DPCF_FILAMENT)
+    return FilterFilamentDpcf(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), sampler_point, receiver, tile,
+                              PenumbraFilament());
+#elif defined(PENUMBRA_USES_PCSS_FILAMENT)
+    return FilterFilamentPcss(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), sampler_point, receiver, tile,
+                              PenumbraFilament());
+#elif defined(PENUMBRA_USES_SINGLE_LOOP)
+    return FilterSingleLoop(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), sampler_point, receiver, tile,
+                            PenumbraSingleLoop());
+#elif defined(PENUMBRA_USES_SINGLE_LOOP_MIN_MAX)
+    return FilterSingleLoopMinMax(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), sampler_point, _PenumbraDepthRangesTexture,
+                                  receiver, tile,
+                                  PenumbraSingleLoop());
+#elif defined(PENUMBRA_USES_SINGLE_LOOP_MIPS)
+    return FilterSingleLoopMips(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), sampler_point, _PenumbraDepthRangesTexture,
+                                receiver, tile,
+                                PenumbraSingleLoop());
+#elif defined(PENUMBRA_USES_SINGLE_LOOP_PLANES)
+    return FilterSingleLoopPlanes(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), sampler_point, _PenumbraDepthPlanesTexture,
+                                  receiver, tile,
+                                  PenumbraSingleLoop());
+#elif defined(PENUMBRA_USES_VSSM)
+    return FilterVssmSums(_PenumbraSumsTexture, receiver, tile,
+                          PenumbraVssm());
+#elif defined(PENUMBRA_USES_VSSM_MIPS)
+    return FilterVssmLevels(_PenumbraMomentsTexture, sampler_PenumbraLinearClamp, receiver, tile,
+                            PenumbraVssm());
+#elif defined(PENUMBRA_USES_MSSM)
+    return FilterMssmSums(_PenumbraSumsTexture, receiver, tile,
+                          PenumbraMssm());
+#elif defined(PENUMBRA_USES_MSSM_MIPS)
+    return FilterMssmLevels(_PenumbraMomentsTexture, sampler_PenumbraLinearClamp, receiver, tile,
+                            PenumbraMssm());
+#elif defined(PENUMBRA_USES_EVSM_MIPS)
+    return FilterExponentialLevels(_PenumbraMomentsTexture, sampler_PenumbraLinearClamp, receiver, tile,
+                                   PenumbraExponentialVariance());
 #else
     return FilterTent5x5Plane(TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), receiver, tile);
 #endif

@@ -95,14 +95,44 @@ TEST_F(SelectionTest, IsEmittedAsTheLadderOfKeywords) {
 }
 
 TEST_F(SelectionTest, IsEmittedForTheFeatureByItsValue) {
-  const std::string text = emit_selections_csharp(read(ring_manifest));
+  const std::string text =
+      emit_selections_csharp(read(with(R"("fallback": "Wide")", R"("fallback": "Plain")")));
   EXPECT_THAT(text, HasSubstr("[InspectorName(\"Ring\")]\n        Ring = 0,\n"));
   EXPECT_THAT(text, HasSubstr("Plain = 1,\n    }\n"));
   EXPECT_THAT(text, HasSubstr("            \"_PENUMBRA_RING\",\n            null,\n        };\n"));
-  EXPECT_THAT(text, HasSubstr("Sampled = { true, false };"));
+  EXPECT_THAT(text, HasSubstr("Sampled =\n        {\n            true, false,\n        };\n"));
+  EXPECT_THAT(text, HasSubstr("Widens =\n        {\n            true, false,\n        };\n"));
+  EXPECT_THAT(text, HasSubstr("Gathering =\n        {\n            true, false,\n        };\n"));
+  EXPECT_THAT(text, HasSubstr("Fallbacks =\n        {\n            ShadowTechnique.Plain,\n"
+                              "            ShadowTechnique.Plain,\n        };\n"));
   EXPECT_THAT(text,
               HasSubstr("nameof(ShadowOptions.ringTaps),\n            },\n            new string[0],\n"));
-  EXPECT_THAT(text, Not(HasSubstr("Wide")));
+  EXPECT_THAT(text, Not(testing::ContainsRegex("Wide[^n]")));  // but Widens, a table
+  EXPECT_THAT(text, Not(HasSubstr("WIDE")));
+}
+
+TEST_F(SelectionTest, OptionsSetParametersAndBeginAsTheyAreMeasured) {
+  const std::string text =
+      emit_selections_csharp(read(with(R"("fallback": "Wide")", R"("fallback": "Plain")")));
+  EXPECT_THAT(text, HasSubstr("                    new RingParameters\n                    {\n"
+                              "                        taps = options.ringTaps,\n"
+                              "                    }.SetGlobal(commands);\n"));
+  EXPECT_THAT(text, HasSubstr("            (ref ShadowOptions options) =>\n            {\n"
+                              "                options.ringTaps = 8;\n            },\n"
+                              "            (ref ShadowOptions options) => { },\n"));
+}
+
+TEST_F(SelectionTest, ParametersThatTheFeatureComputesAreNotSetBesides) {
+  std::string text = with(R"("fallback": "Wide")", R"("fallback": "Plain", "computed_parameters": true)");
+  text = emit_selections_csharp(read(text));
+  EXPECT_THAT(text, Not(HasSubstr("new RingParameters")));
+  EXPECT_THAT(text, HasSubstr("options.ringTaps = 8;")) << "but they begin as they are measured";
+}
+
+TEST_F(SelectionTest, AFallbackMayBeTheFilterWithoutAKeyword) {
+  const std::string text = emit_keywords_hlsl(read(with(R"("fallback": "Wide")", R"("fallback": "Plain")")));
+  EXPECT_THAT(text, HasSubstr("#if defined(PENUMBRA_WITHOUT_GATHER) && \\\n    (defined(_PENUMBRA_RING))\n"
+                              "#elif defined(_PENUMBRA_WIDE)\n"));
 }
 
 TEST_F(SelectionTest, OptionsAreEmittedWithTheirRanges) {
@@ -141,6 +171,12 @@ TEST_F(SelectionTest, MistakesAreNamedAtTheirLine) {
               AllOf(at("19"), HasSubstr("unknown option 'ringTapes'")));
   EXPECT_THAT(problem(R"("ringTaps": "taps")", R"("ringTaps": "tapes")"),
               AllOf(at("19"), HasSubstr("unknown field 'tapes'")));
+  EXPECT_THAT(problem(R"("ringTaps": "taps")", R"("ringWidth": "taps")"),
+              AllOf(at("19"), HasSubstr("'ringWidth' is of type float, the field 'taps' of type int")));
+  EXPECT_THAT(problem(R"("fallback": "Wide")", R"("fallback": "Wide", "technique_16_bits": "wide")"),
+              AllOf(at("18"), HasSubstr("'wide' is not the filter 'FilterRing' over maps, as 'ring' is")));
+  EXPECT_THAT(problem(R"("fallback": "Wide")", R"("fallback": "Wide" )"),
+              AllOf(at("18"), HasSubstr("the renderer feature does not offer 'Wide', which is drawn where")));
   EXPECT_THAT(
       problem(R"(, "technique": "plain"})", R"(, "keyword": "_PENUMBRA_PLAIN", "technique": "plain"})"),
       HasSubstr("no selection is without a keyword"));

@@ -36,10 +36,15 @@ namespace Penumbra.Tests
             parameter.value = value;
         }
 
+        // The frame's own, and those that make the maps of techniques.
+        private static readonly string[] AllPasses =
+            Passes.Union(TechniqueTable.Graphs.SelectMany(graphs => graphs).SelectMany(graph => graph.passes)
+                             .Select(pass => pass.program)).ToArray();
+
         // "Resolve _PENUMBRA_PCSS": only Resolve declares keywords.
         private static IEnumerable<(string pass, string[] keywords)> EveryProgram()
         {
-            foreach (string pass in Passes)
+            foreach (string pass in AllPasses)
             {
                 if (pass != "Resolve")
                 {
@@ -52,8 +57,8 @@ namespace Penumbra.Tests
             }
         }
 
-        private static string Asset(string pass) =>
-            pass.Contains("DepthPlanes") ? "Shaders/PenumbraMaps.shader" : PenumbraShadows.ShaderFile;
+        private static string Asset(string program) =>
+            ChainGraphs.All.SelectMany(graph => graph.passes).First(pass => pass.program == program).asset;
 
         private static string Text(string pass, IEnumerable<string> keywords) =>
             string.Join(" ", keywords.Prepend(pass));
@@ -72,7 +77,7 @@ namespace Penumbra.Tests
             IEnumerable<string> asked = chain.Steps.Select(step => step.pass.program)
                 .Select(pass => Text(pass, chain.Keywords.Where(Declared(pass).Contains)));
             // What some devices draw instead.
-            return options.MasksConservatively ? asked.Union(Asked(options.WithoutConservativeMask())) : asked;
+            return ChainSubstitute.TryGet(options, out ShadowOptions instead) ? asked.Union(Asked(instead)) : asked;
         }
 
         [Test]

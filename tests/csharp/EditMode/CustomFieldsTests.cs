@@ -25,7 +25,9 @@ namespace Penumbra.Tests
             Settings.custom = new ShadowOptions
             {
                 technique = ShadowTechnique.Tent3x3, angularDiameterDegrees = 7.0f, blockerSamples = 3, filterSamples = 5,
-                softnessCapMetres = 9.0f, minFilterTexels = 4.0f, mask = true, halfResolution = true, denoise = true,
+                softnessCapMetres = 9.0f, minFilterTexels = 4.0f, lightBleeding = 0.5f, mapBlurTexels = 2.0f,
+                mapFormat = MapFormat.Bits16, rays = 2, samplesPerRay = 3, discRadiusMetres = 0.5f, mask = true,
+                halfResolution = true, denoise = true,
             };
         }
 
@@ -36,6 +38,16 @@ namespace Penumbra.Tests
             SerializedProperty settings = serialized.FindProperty("settings");
             settings.FindPropertyRelative(nameof(PenumbraShadowsSettings.preset)).intValue = (int)preset;
             CustomFields.KeepPreset(settings, Settings);
+            serialized.ApplyModifiedProperties();
+        }
+
+        private void Choose(ShadowTechnique technique)
+        {
+            serialized.Update();
+            SerializedProperty settings = serialized.FindProperty("settings");
+            settings.FindPropertyRelative(nameof(PenumbraShadowsSettings.custom))
+                .FindPropertyRelative(nameof(ShadowOptions.technique)).intValue = (int)technique;
+            CustomFields.BeginAsMeasured(settings, Settings);
             serialized.ApplyModifiedProperties();
         }
 
@@ -80,6 +92,41 @@ namespace Penumbra.Tests
             Choose(QualityPreset.High);
             Assert.That(Settings.custom, Is.EqualTo(custom));
             Assert.That(Settings.Options(), Is.EqualTo(ShadowPresets.Options(QualityPreset.High)));
+        }
+
+        [Test]
+        public void AnotherTechniqueBeginsAsItIsMeasured()
+        {
+            Settings.preset = QualityPreset.Custom;
+            ShadowOptions expected = Settings.custom;
+            Choose(ShadowTechnique.SingleLoop);
+            expected.technique = ShadowTechnique.SingleLoop;
+            expected.blockerSamples = 32;
+            expected.discRadiusMetres = 0.05f;
+            expected.minFilterTexels = 1.25f;
+            Assert.That(Settings.custom, Is.EqualTo(expected), "the others stay");
+            Undo.PerformUndo();
+            Assert.That(Settings.custom.blockerSamples, Is.EqualTo(3));
+        }
+
+        [Test]
+        public void AnotherTechniqueKeepsTheLook()
+        {
+            Settings.preset = QualityPreset.Custom;
+            Choose(ShadowTechnique.Vssm);
+            Assert.That(Settings.custom.angularDiameterDegrees, Is.EqualTo(7.0f));
+            Assert.That(Settings.custom.softnessCapMetres, Is.EqualTo(9.0f));
+            Assert.That(Settings.custom.minFilterTexels, Is.EqualTo(1.0f));
+        }
+
+        [Test]
+        public void WhatIsSetAfterTheTechniqueStays()
+        {
+            Settings.preset = QualityPreset.Custom;
+            Choose(ShadowTechnique.SingleLoop);
+            Settings.custom.blockerSamples = 20;
+            Choose(ShadowTechnique.SingleLoop);
+            Assert.That(Settings.custom.blockerSamples, Is.EqualTo(20));
         }
     }
 }

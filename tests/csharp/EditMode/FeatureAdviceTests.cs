@@ -117,6 +117,36 @@ namespace Penumbra.Tests
         }
 
         [Test]
+        public void WhatIsDrawnInsteadIsSaidWithTheReason()
+        {
+            FeatureState state = Sound();
+            state.settings.preset = QualityPreset.Custom;
+            state.settings.custom.technique = ShadowTechnique.Vsm;
+            state.asked = state.drawn = state.settings.Options();
+            state.replaced = "this device cannot filter textures of R32G32_SFloat";
+            state.drawn.mapFormat = MapFormat.Bits16;
+            Assert.That(Texts(state, MessageType.Warning).Single(),
+                        Does.StartWith("VSM ").And.Contain("R32G32_SFloat").And.Contain("16 bits"));
+            state.drawn.technique = ShadowTechnique.Tent7x7;
+            Assert.That(Texts(state, MessageType.Warning).Single(), Does.EndWith("Drawn instead: Tent 7x7."));
+            state.drawn = state.asked;
+            state.drawn.conservativeMask = !state.asked.conservativeMask;
+            Assert.That(Texts(state, MessageType.Warning).Single(), Does.Contain("mask of four"));
+        }
+
+        [TestCase(ShadowTechnique.Smrt, true)]
+        [TestCase(ShadowTechnique.PcssGodot, true)]
+        [TestCase(ShadowTechnique.PcssFilament, true)]
+        [TestCase(ShadowTechnique.Pcss, false)]
+        public void WhoBiasesReceiversItselfSaysSo(ShadowTechnique technique, bool biases)
+        {
+            FeatureState state = Sound();
+            state.settings.preset = QualityPreset.Custom;
+            state.settings.custom.technique = technique;
+            Assert.That(Texts(state, MessageType.Info).Any(text => text.Contains("Depth and Normal 0")), Is.EqualTo(biases));
+        }
+
+        [Test]
         public void LayersWithoutDepthAreNamed()
         {
             FeatureState state = Sound();

@@ -103,7 +103,7 @@ namespace Penumbra.Tests
             {
                 foreach (ChainBinding read in step.reads)
                 {
-                    if (step.pass.program != "DepthPlanesMip") Assert.That(read.index, Is.Not.EqualTo(step.Target));
+                    if (!step.pass.eachMip) Assert.That(read.index, Is.Not.EqualTo(step.Target));
                     Assert.That(holds.Keys, Has.Member(read.index));
                     if (read.property == Shader.PropertyToID("_PenumbraMaskTexture"))
                         Assert.That(holds[read.index], Is.EqualTo(MaskOf(options)), "the mask was overwritten");

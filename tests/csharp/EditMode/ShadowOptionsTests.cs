@@ -1,6 +1,7 @@
 using System;
 using NUnit.Framework;
 using UnityEngine;
+using UnityEngine.Rendering;
 
 namespace Penumbra.Tests
 {
@@ -9,7 +10,8 @@ namespace Penumbra.Tests
         private static ShadowOptions Odd(float number, int count) => new ShadowOptions
         {
             technique = ShadowTechnique.Pcss, angularDiameterDegrees = number, softnessCapMetres = number,
-            minFilterTexels = number, blockerSamples = count, filterSamples = count,
+            minFilterTexels = number, blockerSamples = count, filterSamples = count, lightBleeding = number,
+            mapBlurTexels = number, discRadiusMetres = number, rays = count, samplesPerRay = count,
         };
 
         [TestCase(float.NaN, int.MinValue)]
@@ -25,6 +27,11 @@ namespace Penumbra.Tests
             Assert.That(options.minFilterTexels, Is.InRange(0.0f, 8.0f));
             Assert.That(options.blockerSamples, Is.InRange(1, 64));
             Assert.That(options.filterSamples, Is.InRange(1, 64));
+            Assert.That(options.rays, Is.InRange(1, 64));
+            Assert.That(options.samplesPerRay, Is.InRange(1, 64));
+            Assert.That(options.lightBleeding, Is.InRange(0.0f, 0.95f));
+            Assert.That(options.mapBlurTexels, Is.InRange(0.0f, 4.0f));
+            Assert.That(options.discRadiusMetres, Is.InRange(0.0f, 1.0f));
             Assert.That(options.Clamped(), Is.EqualTo(options));
         }
 
@@ -52,6 +59,7 @@ namespace Penumbra.Tests
                 field.SetValue(changed, value is bool on ? !on
                                         : value is float number ? number + 1.0f
                                         : value is int count ? count + 1
+                                        : value is MapFormat ? MapFormat.Bits16
                                         : value is DebugView ? DebugView.Cascades
                                         : (object)ShadowTechnique.Tent3x3);
                 Assert.That(changed, Is.Not.EqualTo(original), field.Name);
@@ -124,6 +132,18 @@ namespace Penumbra.Tests
             volume.blockerSamples.value = 33;
             volume.softnessCapMetres.overrideState = true;
             volume.softnessCapMetres.value = 0.5f;
+            volume.lightBleeding.overrideState = true;
+            volume.lightBleeding.value = 0.4f;
+            volume.mapBlurTexels.overrideState = true;
+            volume.mapBlurTexels.value = 3.0f;
+            volume.mapFormat.overrideState = true;
+            volume.mapFormat.value = MapFormat.Bits16;
+            volume.rays.overrideState = true;
+            volume.rays.value = 5;
+            volume.samplesPerRay.overrideState = true;
+            volume.samplesPerRay.value = 6;
+            volume.discRadiusMetres.overrideState = true;
+            volume.discRadiusMetres.value = 0.25f;
             volume.mask.overrideState = true;
             volume.mask.value = false;
             volume.conservativeMask.overrideState = true;
@@ -137,9 +157,36 @@ namespace Penumbra.Tests
             {
                 technique = ShadowTechnique.PcssPoisson, angularDiameterDegrees = 4.0f, blockerSamples = 33,
                 filterSamples = Feature.filterSamples, softnessCapMetres = 0.5f,
-                minFilterTexels = Feature.minFilterTexels, mask = false, conservativeMask = true,
+                minFilterTexels = Feature.minFilterTexels, lightBleeding = 0.4f, mapBlurTexels = 3.0f,
+                mapFormat = MapFormat.Bits16, rays = 5, samplesPerRay = 6, discRadiusMetres = 0.25f, mask = false, conservativeMask = true,
                 halfResolution = true, denoise = false,
             }));
+        }
+
+        // What only other techniques than the presets' have.
+        private static float[] NumbersOfOthers(in ShadowOptions options) => new[]
+        {
+            options.lightBleeding, options.mapBlurTexels, options.rays, options.samplesPerRay, options.discRadiusMetres,
+        };
+
+        [Test]
+        public void NumbersOfOtherTechniquesBeginAsTheseAreMeasured()
+        {
+            ShadowOptions measured = default;
+            ShadowTechnique.Vsm.SetMeasured(ref measured);
+            ShadowTechnique.Smrt.SetMeasured(ref measured);
+            ShadowTechnique.SingleLoop.SetMeasured(ref measured);
+            Assert.That(NumbersOfOthers(measured), Has.None.Zero);
+            var volume = ScriptableObject.CreateInstance<PenumbraShadowsVolume>();
+            foreach (VolumeParameter parameter in new VolumeParameter[]
+                     {
+                         volume.lightBleeding, volume.mapBlurTexels, volume.rays, volume.samplesPerRay,
+                         volume.discRadiusMetres,
+                     })
+                parameter.overrideState = true;
+            Assert.That(NumbersOfOthers(volume.Over(default)), Is.EqualTo(NumbersOfOthers(measured)));
+            foreach (QualityPreset preset in new[] { QualityPreset.Low, QualityPreset.High, QualityPreset.Reference })
+                Assert.That(NumbersOfOthers(ShadowPresets.Options(preset)), Is.EqualTo(NumbersOfOthers(measured)));
         }
     }
 }

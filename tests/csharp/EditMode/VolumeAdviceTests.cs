@@ -78,6 +78,27 @@ namespace Penumbra.Tests
         }
 
         [Test]
+        public void OfFilteredMapsTheirOwnOptionsAreShown()
+        {
+            Assert.That(Shown(State(Technique(ShadowTechnique.Vsm))),
+                        Is.EqualTo(new[]
+                        {
+                            "Technique", "Light Bleeding Reduction", "Map Blur", "Map Format", "Half Resolution",
+                        }));
+            Assert.That(Shown(State(Technique(ShadowTechnique.Vssm))),
+                        Is.EqualTo(new[]
+                        {
+                            "Technique", "Angular Diameter", "Softness Cap", "Light Bleeding Reduction", "Half Resolution",
+                        }));
+            Assert.That(Shown(State(Technique(ShadowTechnique.Smrt))),
+                        Is.EqualTo(new[]
+                        {
+                            "Technique", "Angular Diameter", "Rays", "Samples Per Ray", "Softness Cap", "Mask",
+                            "Half Resolution", "Denoise",
+                        }));
+        }
+
+        [Test]
         public void TheTechniqueComesAfterThePreset() =>
             Assert.That(Shown(State(Preset(QualityPreset.Low) + Technique(ShadowTechnique.Tent7x7))),
                         Does.Not.Contain("Filter Samples"));

@@ -27,7 +27,7 @@ namespace Penumbra.Tests
 
         private static Shader Add(TechniqueGraph graph, string name)
         {
-            TechniquePasses.Graphs[Place] = graph;
+            Use(graph);
             var shader = new Shader { name = "Hidden/" + name, KeywordNames = new List<string>() };
             foreach (Match pass in Regex.Matches(Text(name + ".shader"), "Name \"(\\w+)\""))
                 shader.PassNames.Add(pass.Groups[1].Value);
@@ -38,7 +38,7 @@ namespace Penumbra.Tests
         /// <summary>Its kernels; the same.</summary>
         internal static ComputeShader AddBlocks()
         {
-            TechniquePasses.Graphs[Place] = BlocksGraphs.Blocks;
+            Use(BlocksGraphs.Blocks);
             var kernels = new ComputeShader { name = "Blocks" };
             foreach (Match kernel in Regex.Matches(Text("Blocks.compute"),
                                                    "\\[numthreads\\((\\d+), (\\d+), (\\d+)\\)\\]\\s+void (\\w+)"))
@@ -51,9 +51,12 @@ namespace Penumbra.Tests
             return kernels;
         }
 
+        /// <summary>The place's technique has this graph.</summary>
+        internal static void Use(TechniqueGraph graph) => TechniqueTable.Graphs[(int)Place] = new[] { graph };
+
         internal static void Remove()
         {
-            TechniquePasses.Graphs.Clear();
+            TechniqueTable.Graphs[(int)Place] = new TechniqueGraph[0];
             AssetDatabase.Assets.Clear();
         }
 

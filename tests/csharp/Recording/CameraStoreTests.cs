@@ -45,7 +45,7 @@ namespace Penumbra.Tests
             var assets = new PassAssets();
             assets.Find(ChainGraphs.All);
             draw = new ChainDraw(new Material(FakeShader.Install()), assets);
-            Assert.That(draw.Prepare(frame.options, 1), Is.Null);
+            Assert.That(draw.Prepare(ref frame.options, 1), Is.Null);
             lent = draw.Chain.Slots.Select((slot, i) => new RTHandle { What = draw.Chain.SlotNames[i] }).ToArray();
         }
 
@@ -56,7 +56,7 @@ namespace Penumbra.Tests
         private void Record(in RenderTextureDescriptor target)
         {
             UrpFrame.SetSize(ref frame, target);
-            draw.Prepare(frame.options, 1);
+            draw.Prepare(ref frame.options, 1);
             CameraStore store = stores.Of(camera, 0);
             store.Prepare(draw.Chain, target, ref frame);
             for (int i = 0; i < lent.Length; ++i)
@@ -99,6 +99,40 @@ namespace Penumbra.Tests
             Assert.That(device.Draws.Where(call => call.Pass != "Resolve").Select(call => call.Load),
                         Is.All.EqualTo(RenderBufferLoadAction.Load));
             Assert.That(device.Draws.Last().Load, Is.EqualTo(RenderBufferLoadAction.DontCare));
+        }
+
+        private static IEnumerable<ShadowTechnique> WithMaps() =>
+            Enum.GetValues(typeof(ShadowTechnique)).Cast<ShadowTechnique>()
+                .Where(technique => TechniqueTable.Graphs[(int)technique].Length > 0);
+
+        [TestCaseSource(nameof(WithMaps))]
+        public void MapsOfATechniqueAreMadeForCascadesThatWereDrawnAnew(ShadowTechnique technique)
+        {
+            frame.options.technique = technique;
+            Prepare();
+            int all = Draws(0).Length;
+            Assert.That(Draws(0), Is.EqualTo(new[] { "Resolve" }));
+            string[] one = Draws(0b0100);
+            Assert.That(one.Distinct(), Is.EqualTo(TechniqueTable.Graphs[(int)technique][0].passes
+                                                       .Select(pass => pass.program).Append("Resolve")));
+            Assert.That(4 * (one.Length - 1), Is.EqualTo(all - 1));
+            Assert.That(device.Draws.SkipLast(1).Select(call => call.Uniforms["_PenumbraCascade"]), Is.All.EqualTo(2));
+        }
+
+        [TestCaseSource(nameof(WithMaps))]
+        public void MapsOfATechniqueAreGivenBackWithIt(ShadowTechnique technique)
+        {
+            frame.options.technique = technique;
+            Prepare();
+            Draws(0);
+            RTHandle[] maps = stores.Of(camera, 0).Textures.Where(texture => texture != null).ToArray();
+            Assert.That(maps, Is.Not.Empty);
+            frame.options.technique = ShadowTechnique.Pcss;
+            Prepare();
+            Draws(0);
+            Assert.That(maps.All(map => map.Released));
+            Assert.That(stores.Of(camera, 0).Textures, Is.All.Null);
+            Assert.That(GraphicsBuffer.Living, Is.Empty);
         }
 
         [Test]
@@ -162,7 +196,7 @@ namespace Penumbra.Tests
         [TestCase(GraphExtent.Fixed, false)]
         public void WhatIsBakedIsBakedOnceForASize(object extent, bool again)
         {
-            TechniquePasses.Graphs[AddedTechniques.Place] = Baked((GraphExtent)extent);
+            AddedTechniques.Use(Baked((GraphExtent)extent));
             Prepare();
             string[] both = { "PenumbraMask", "Resolve" }, one = { "Resolve" };
             Assert.That(Draws(0), Is.EqualTo(both));
@@ -175,7 +209,7 @@ namespace Penumbra.Tests
         [Test]
         public void WhatWasNotRecordedIsRecordedTheNextTime()
         {
-            TechniquePasses.Graphs[AddedTechniques.Place] = Baked(GraphExtent.Fixed);
+            AddedTechniques.Use(Baked(GraphExtent.Fixed));
             Prepare();
             CommandBuffer.FailAt = commands.Commands.Count;
             Assert.That(() => Draws(0), Throws.InvalidOperationException);
@@ -204,7 +238,7 @@ namespace Penumbra.Tests
         [Test]
         public void AHistoryIsWhatWasWrittenAFrameAgo()
         {
-            TechniquePasses.Graphs[AddedTechniques.Place] = Mean();
+            AddedTechniques.Use(Mean());
             Prepare();
             Assert.That(Draws(0), Is.EqualTo(new[] { "clear", "Upsample", "Resolve" }));
             Assert.That(device.Draws[0].Target, Is.EqualTo(device.Draws[1].Textures["_Before"]), "nothing was before");
@@ -226,7 +260,7 @@ namespace Penumbra.Tests
             for (int i = 0; i < 2; ++i)
                 mean.textures[i] = new GraphTexture("t", GraphExtent.Screen, GraphicsFormat.R32_SFloat, mips: 2,
                                                     previousOf: i == 0 ? 1 : TechniqueGraph.None);
-            TechniquePasses.Graphs[AddedTechniques.Place] = mean;
+            AddedTechniques.Use(mean);
             Prepare();
             Draws(0);
             string before = device.Draws.First(call => call.Pass == "Upsample").Textures["_Before"];
@@ -238,7 +272,7 @@ namespace Penumbra.Tests
         [Test]
         public void TheFaceOfAProbeHasNoHistory()
         {
-            TechniquePasses.Graphs[AddedTechniques.Place] = Mean();
+            AddedTechniques.Use(Mean());
             Prepare();
             frame.isProbe = true;
             for (int face = 0; face < 6; ++face)
@@ -250,7 +284,7 @@ namespace Penumbra.Tests
         [TestCase(false)]
         public void AnotherScaleOfDynamicResolutionBeginsAnew(bool keepsScreen)
         {
-            TechniquePasses.Graphs[AddedTechniques.Place] = Baked(keepsScreen ? GraphExtent.Screen : GraphExtent.Fixed);
+            AddedTechniques.Use(Baked(keepsScreen ? GraphExtent.Screen : GraphExtent.Fixed));
             Prepare();
             RenderTextureDescriptor target = new FakeScene { DynamicResolution = true }.Target();
             void ExpectEmpty(float scale, bool empty)
@@ -275,7 +309,7 @@ namespace Penumbra.Tests
         [Test]
         public void WhatTheDeviceHasLostIsMadeAgain()
         {
-            TechniquePasses.Graphs[AddedTechniques.Place] = Baked(GraphExtent.Fixed);
+            AddedTechniques.Use(Baked(GraphExtent.Fixed));
             Prepare();
             Draws(0);
             RenderTexture baked = stores.Of(camera, 0).Textures.First(texture => texture != null).rt;
@@ -289,7 +323,7 @@ namespace Penumbra.Tests
         [Test]
         public void TilesOfMoreCascadesAreOthers()
         {
-            TechniquePasses.Graphs[AddedTechniques.Place] = Baked(GraphExtent.Tile);
+            AddedTechniques.Use(Baked(GraphExtent.Tile));
             Prepare();
             frame.layout = new AtlasLayout(2048, 3);
             Draws(0);
@@ -307,8 +341,8 @@ namespace Penumbra.Tests
         private static readonly Action[] Techniques =
         {
             () => AddedTechniques.AddMeans(), () => AddedTechniques.AddBlocks(),
-            () => TechniquePasses.Graphs[AddedTechniques.Place] = Baked(GraphExtent.Tile),
-            () => TechniquePasses.Graphs[AddedTechniques.Place] = Mean(),
+            () => AddedTechniques.Use(Baked(GraphExtent.Tile)),
+            () => AddedTechniques.Use(Mean()),
         };
 
         [TestCaseSource(nameof(Techniques))]
@@ -332,12 +366,12 @@ namespace Penumbra.Tests
             AddedTechniques.AddMeans();
             Prepare();
             ShadowOptions[] turns = { frame.options, ShadowPresets.Options(QualityPreset.Ultra) };
-            foreach (ShadowOptions options in turns) draw.Prepare(options, 1);
+            for (int i = 0; i < turns.Length; ++i) draw.Prepare(ref turns[i], 1);
             long before = GC.GetAllocatedBytesForCurrentThread();
             for (int i = 0; i < 1000; ++i)
             {
                 turns[1].angularDiameterDegrees += 1e-3f;
-                draw.Prepare(turns[i % 2], 1);
+                draw.Prepare(ref turns[i % 2], 1);
             }
             Assert.That(GC.GetAllocatedBytesForCurrentThread() - before, Is.Zero);
         }

@@ -73,7 +73,7 @@ namespace Penumbra.Tests
 
         private List<FakeDevice.DrawCall> Draws(TechniqueGraph graph, FakeScene scene = null)
         {
-            TechniquePasses.Graphs[AddedTechniques.Place] = graph;
+            AddedTechniques.Use(graph);
             feature.Create();
             urp.Device.Draws.Clear();
             urp.Render(scene ?? new FakeScene(), feature);
@@ -190,7 +190,7 @@ namespace Penumbra.Tests
         [Test]
         public void WithoutTheCamerasBeginNothingIsCulled()
         {
-            TechniquePasses.Graphs[AddedTechniques.Place] = OfMap;
+            AddedTechniques.Use(OfMap);
             feature.Create();
             var scene = new FakeScene();
             urp.Render(scene, feature);
@@ -256,7 +256,7 @@ namespace Penumbra.Tests
             Draws(OfMap);
             Assert.That(FeatureAdvice.For(FeatureSurroundings.Of(feature)).Select(advice => advice.text),
                         Has.Some.Contains("Shadows Only"));
-            TechniquePasses.Graphs.Clear();
+            AddedTechniques.Remove();
             Assert.That(FeatureAdvice.For(FeatureSurroundings.Of(feature)).Select(advice => advice.text),
                         Has.None.Contains("Shadows Only"));
         }

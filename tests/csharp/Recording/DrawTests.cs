@@ -343,7 +343,8 @@ namespace Penumbra.Tests
             ShadowFrame frame = UrpFrame.Frame(source, feature.Settings.Options(), NoiseMode.PerFrame);
             UrpFrame.SetSize(ref frame, new FakeScene().Target());
             var draw = new ChainDraw(new Material(FakeShader.Install()), new PassAssets());
-            draw.Prepare(feature.Settings.Options(), 1);
+            ShadowOptions options = feature.Settings.Options();
+            draw.Prepare(ref options, 1);
             RTHandle[] slots = draw.Chain.Slots.Select(slot => new RTHandle()).ToArray();
             var buffers = new GraphicsBuffer[0];
             var commands = new CommandBuffer();
@@ -357,7 +358,7 @@ namespace Penumbra.Tests
             {
                 renderer.Queue.Clear();
                 feature.AddRenderPasses(renderer, ref data);
-                draw.Prepare(feature.Settings.Options(), 1);
+                draw.Prepare(ref options, 1);
                 draw.Draw(commands, frame, slots, buffers);
                 ShadowKeywords.Global.Open(commands);
                 ShadowKeywords.Global.Restore(restoring, 4);

@@ -13,9 +13,13 @@ namespace Penumbra.Tests
     {
         private const string FrameFile = "PenumbraShadows.shader";
         private const string MapFile = "PenumbraMaps.shader";
+        private const string SumsFile = "SummedAreas.compute";
 
         /// <summary>Of passes over the shadow map; imported, as far as the editor goes.</summary>
         internal static Shader Maps { get; private set; }
+
+        /// <summary>The kernels of summed-area tables; imported, too.</summary>
+        internal static ComputeShader Sums { get; private set; }
 
         /// <summary>All shaders of passes; the frame's own comes back.</summary>
         internal static Shader Install()
@@ -23,7 +27,16 @@ namespace Penumbra.Tests
             Install(DebugViewDraw.ShaderName, "PenumbraDebugViews.shader");
             Maps = Install("Hidden/Penumbra/Maps", MapFile);
             AssetDatabase.Assets["Packages/com.penumbra.shadows/Shaders/" + MapFile] = Maps;
+            AssetDatabase.Assets["Packages/com.penumbra.shadows/Shaders/" + SumsFile] = Sums = Kernels(SumsFile);
             return Install(PenumbraShadows.ShaderName, FrameFile);
+        }
+
+        private static ComputeShader Kernels(string file)
+        {
+            var shader = new ComputeShader { name = Path.GetFileNameWithoutExtension(file) };
+            foreach (Match kernel in Regex.Matches(Text(file), "#pragma kernel (\\w+)"))
+                shader.Kernels.Add(new ComputeShader.Kernel { Name = kernel.Groups[1].Value, X = 64, Y = 1, Z = 1 });
+            return shader;
         }
 
         private static Shader Install(string name, string file)

@@ -46,7 +46,7 @@ namespace Penumbra.Tests
                 (Action)(() =>
                 {
                     AddedTechniques.AddMeans();
-                    TechniquePasses.Graphs[AddedTechniques.Place] = CasterTests.OfMap;
+                    AddedTechniques.Use(CasterTests.OfMap);
                 }),
                 new[] { AddedTechniques.Options(), Screen(QualityPreset.High) },
             },

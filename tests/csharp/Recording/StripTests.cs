@@ -57,12 +57,23 @@ namespace Penumbra.Tests
                     Strip(programs, one, pass.Key, data);
                     kept.AddRange(data.Select(variant => Text(pass.Key, variant.shaderKeywordSet.Enabled)));
                 }
+            kept.AddRange(FakeShader.Sums.Kernels.Select(kernel => kernel.Name)
+                              .Where(kernel => KeepsKernel(programs, FakeShader.Sums, kernel)));
             return kept.ToArray();
+        }
+
+        private static bool KeepsKernel(ChainPrograms programs, ComputeShader shader, string kernel)
+        {
+            List<ShaderCompilerData> data = Data(new[] { new HashSet<string>() });
+            ChainKernelStripper.Strip(programs, ChainShaderStripper.AssetOf((UnityEngine.Object)shader), kernel, data);
+            return data.Count > 0;
         }
 
         // Of a draw's keywords its pass minds those that it declares.
         private static string Program(FakeDevice.DrawCall draw, Dictionary<string, List<HashSet<string>>> variants)
         {
+            // Kernels have no variants.
+            if (!variants.ContainsKey(draw.Pass)) return draw.Pass;
             IEnumerable<string> declared = variants[draw.Pass].SelectMany(set => set);
             return Text(draw.Pass, draw.Keywords.Intersect(declared));
         }
@@ -162,8 +173,20 @@ namespace Penumbra.Tests
                         Strip(programs, one, pass, data);
                         if (data.Count > 0) kept.Add(pass);
                     }
-                Assert.That(kept, Is.EquivalentTo(Drawn(settings).Select(program => program.Split(' ')[0])));
+                IEnumerable<string> drawn = Drawn(settings).Select(program => program.Split(' ')[0]).Distinct();
+                Assert.That(kept, Is.EquivalentTo(drawn.Except(FakeShader.Sums.Kernels.Select(kernel => kernel.Name))));
             }
+        }
+
+        /// <summary>The feature's asset refers to the compute shaders of all techniques.</summary>
+        [Test]
+        public void KernelsOfOthersAreLeftAloneAndThoseOfNoTechniqueGo()
+        {
+            List<ShaderCompilerData> data = Data(new[] { new HashSet<string>() });
+            new ChainKernelStripper().OnProcessComputeShader(new ComputeShader { name = "Other" }, "Main", data);
+            Assert.That(data, Has.Count.EqualTo(1));
+            new ChainKernelStripper().OnProcessComputeShader(FakeShader.Sums, "SumRows", data);
+            Assert.That(data, Is.Empty, "a project without the feature");
         }
 
         // Stereo and the like multiply programs too, and are not ours to strip.

@@ -112,11 +112,17 @@ namespace Penumbra.Samples
             Assert.That(SetByCSharp("CustomPipeline"), Is.EqualTo(declared));
         }
 
+        // The techniques that the sample's material does not offer: an enum of materials has nine entries at most.
+        private static IEnumerable<string> UniformsOfOtherTechniques() =>
+            Names(new[] { Path.Combine(package, "Runtime", "Settings", "ShadowTechnique.cs") }, @"new (\w+Parameters)\n")
+                .SelectMany(UniformsOf);
+
         [Test]
-        public void TheForwardShaderSetsEveryUniformOfTheLibrarys()
+        public void TheForwardShaderSetsEveryUniformOfTheLibrarysThatItsTechniquesHave()
         {
             SortedSet<string> declared =
                 Names(Files(Path.Combine(package, "ShaderLibrary"), "*.hlsl"), @"\nfloat4 (_Penumbra\w+);");
+            declared.ExceptWith(UniformsOfOtherTechniques());
             Assert.That(declared.Count, Is.EqualTo(8));
             Assert.That(SetByCSharp("ForwardShader"), Is.EqualTo(declared));
         }

@@ -21,6 +21,7 @@ const std::map<std::string, ProvidedSampler> kSamplers{
     {"sampler_LinearClampCompare", ProvidedSampler::compare},
     {"sampler_PenumbraLinearClampCompare", ProvidedSampler::compare},
     {"sampler_PenumbraPointClamp", ProvidedSampler::point},
+    {"sampler_PenumbraLinearClamp", ProvidedSampler::linear},
     {"sampler_PointClamp", ProvidedSampler::point},
     {"sampler_LinearClamp", ProvidedSampler::linear}};
 

@@ -179,6 +179,8 @@ std::string csharp_graph(const NamedGraph& named) {
   text.append(graph_indent).append("},\n");
   text += array(graph_indent, "keywords", keywords, false);
   text += array(graph_indent, "filterTextures", filter_textures(graph), false);
+  if (const GraphPass* last = graph.filter_pass(); last != nullptr && last->filter->takes("linearSampler"))
+    text.append(graph_indent).append("filtersLinearly = true,\n");
   const auto output = [&](const char* member, const std::string& name) {
     if (!name.empty())
       text.append(graph_indent)
@@ -225,6 +227,10 @@ void require_own_name(const std::vector<const NamedGraph*>& others, const NamedG
 }
 
 }  // namespace
+
+std::string csharp_graph_of(const Technique& technique) {
+  return csharp_class(technique.manifest) + "." + csharp_name(technique.graph_name);
+}
 
 std::vector<EmittedFile> emit_graphs_csharp(const TechniqueList& list) {
   std::vector<std::string> manifests;

@@ -12,4 +12,7 @@ namespace penumbra::techniques {
 // Throws InputError where C# has one name for two graphs of a manifest.
 std::vector<EmittedFile> emit_graphs_csharp(const TechniqueList& list);
 
+// What C# calls the technique's graph: VarianceGraphs.Variance32.
+std::string csharp_graph_of(const Technique& technique);
+
 }  // namespace penumbra::techniques

@@ -101,13 +101,8 @@ std::string csharp_number(const ParameterField& field, double value) {
 
 std::string csharp_default(const ParameterField& field) {
   const double low = field.range ? field.range->smallest : 0.0;
-  const auto component = [&](std::size_t i) {
-    return csharp_number(field, field.otherwise.empty() ? low : field.otherwise[i]);
-  };
-  if (component_count(field) == 1) return component(0);
-  std::string text = "new " + csharp_type(field) + "(";
-  for (std::size_t i = 0; i < component_count(field); ++i) text += (i == 0 ? "" : ", ") + component(i);
-  return text + ")";
+  return csharp_value(
+      field, field.otherwise.empty() ? std::vector<double>(component_count(field), low) : field.otherwise);
 }
 
 // One component as the vector holds it.
@@ -194,6 +189,14 @@ std::string csharp_ids(const ParameterStruct& parameters) {
 }
 
 }  // namespace
+
+std::string csharp_value(const ParameterField& field, const std::vector<double>& value) {
+  if (component_count(field) == 1) return csharp_number(field, value.front());
+  std::string text = "new " + csharp_type(field) + "(";
+  for (std::size_t i = 0; i < component_count(field); ++i)
+    text += (i == 0 ? "" : ", ") + csharp_number(field, value[i]);
+  return text + ")";
+}
 
 EmittedFile emit_hlsl(const ParameterStruct& parameters) {
   const std::filesystem::path folder = std::filesystem::path(parameters.manifest).parent_path();

@@ -1,6 +1,8 @@
 #include "techniques/preset_emit.h"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "input/input_error.h"
 #include "techniques/csharp_literal.h"
@@ -43,6 +45,24 @@ std::string value_or(const Technique& preset, const char* field, const std::stri
   return otherwise.ends_with("f") ? csharp_float(value) : std::to_string(static_cast<int>(value));
 }
 
+// Numbers that no preset chooses are those that the first technique with the option is measured with.
+std::vector<std::pair<std::string, std::string>> of_other_techniques(const TechniqueList& list) {
+  const std::vector<std::string> chosen = {"blockerSamples", "filterSamples", "softnessCapMetres",
+                                           "minFilterTexels"};
+  std::vector<std::pair<std::string, std::string>> values;
+  for (const FeatureOption& option : list.options) {
+    if (!option.range || std::find(chosen.begin(), chosen.end(), option.name) != chosen.end()) continue;
+    const auto found =
+        std::find_if(list.selections.begin(), list.selections.end(),
+                     [&](const Selection& selection) { return selection.options.contains(option.name); });
+    if (found == list.selections.end()) continue;
+    const double value = list.find(found->technique).values.at(found->options.at(option.name)).front();
+    values.emplace_back(option.name,
+                        option.type == "int" ? std::to_string(static_cast<int>(value)) : csharp_float(value));
+  }
+  return values;
+}
+
 std::string row(const TechniqueList& list, const Technique& preset) {
   const auto flag = [](bool on) { return std::string(on ? "true" : "false"); };
   std::string text = "            new ShadowOptions  // " + preset.title + "\n            {\n";
@@ -55,6 +75,8 @@ std::string row(const TechniqueList& list, const Technique& preset) {
   set("filterSamples", value_or(preset, "filterSamples", "1"));
   set("softnessCapMetres", value_or(preset, "maxPenumbraMetres", "100.0f"));
   set("minFilterTexels", value_or(preset, "minFilterTexels", "1.25f"));
+  for (const auto& [option, value] : of_other_techniques(list)) set(option, value);
+  set("mapFormat", "MapFormat.Bits32");
   const auto has_pass = [&](const std::string& program) {
     const std::vector<GraphPass>& passes = preset.graph.passes;
     return std::any_of(passes.begin(), passes.end(),

@@ -23,19 +23,24 @@ struct FeatureOption {
 
 // A filter that a keyword selects in shaders, and, with a value, the renderer feature offers.
 struct Selection {
-  std::string name;          // in C#
-  std::string keyword;       // empty: what is selected without any
-  std::string technique;     // whose filter it is; a filter alone
-  FilterCall filter;         // of that technique
-  bool is_sampled = false;   // as Technique
-  std::string fallback;      // selection in its place where raw depths cannot be read; empty: it reads none
+  std::string name;                      // in C#
+  std::string keyword;                   // empty: what is selected without any
+  std::string technique;                 // whose filter it is: a filter alone, or the end of a graph
+  std::string technique_16_bits;         // the same filter over maps of 16 bits a channel; may be empty
+  FilterCall filter;                     // of that technique
+  std::vector<GraphTexture> textures;    // of its graph, that the filter reads
+  bool is_sampled = false;               // as Technique
+  bool widens_with_disc = false;         // penumbrae are as wide as the light's disc makes them
+  bool has_computed_parameters = false;  // the feature's C# sets them; else its values and options do
+  std::string fallback;      // selection in its place where its passes and filter cannot run; may be empty
   std::optional<int> value;  // serialised by assets: never changed; absent: shaders alone select it
   std::string title;         // in inspectors; this and the next of selections with a value
   std::string doc;
-  std::map<std::string, std::string> options;  // option -> field of the filter's parameters that it sets
+  std::map<std::string, std::string> options;  // option -> field of the parameters that it sets
   std::string where;                           // file:line:column
 
-  bool reads_raw_depth() const;  // takes the point sampler
+  bool reads_raw_depth() const;  // the filter reads the shadow map through the point sampler
+  bool gathers() const;          // the filter takes the point sampler
 };
 
 }  // namespace penumbra::techniques

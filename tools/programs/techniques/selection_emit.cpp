@@ -6,12 +6,15 @@
 #include "input/input_error.h"
 #include "techniques/cascade_rules.h"
 #include "techniques/csharp_literal.h"
+#include "techniques/graph_emit.h"
+#include "techniques/parameter_emit.h"
 
 namespace penumbra::techniques {
 namespace {
 
 constexpr const char* enum_begin = R"(using System;
 using UnityEngine;
+using UnityEngine.Rendering;
 
 namespace Penumbra
 {
@@ -25,6 +28,12 @@ namespace Penumbra
 )";
 
 constexpr const char* table_begin = R"(    }
+
+    /// <summary>Sets the parameters of a technique's passes and filter. Does not allocate.</summary>
+    internal delegate void SetParameters(CommandBuffer commands, in ShadowOptions options);
+
+    /// <summary>Sets some of the options.</summary>
+    internal delegate void SetOptions(ref ShadowOptions options);
 
     /// <summary>Properties of each technique, indexed by ShadowTechnique.</summary>
     internal static class TechniqueTable
@@ -41,12 +50,61 @@ constexpr const char* cascades_begin = R"(        };
         {
 )";
 
+constexpr const char* graphs_begin = R"(        };
+
+        /// <summary>
+        /// The passes before the filter, which make the maps that it reads; empty for a filter of the shadow map alone.
+        /// Of two the second makes maps of 16 bits: index with ShadowOptions.GraphIndex.
+        /// </summary>
+        internal static readonly TechniqueGraph[][] Graphs =
+        {
+)";
+
+constexpr const char* parameters_begin = R"(        };
+
+        /// <summary>
+        /// As Graphs, but one for a filter of the shadow map alone; empty where there are no parameters, or
+        /// ShadowUniforms computes them.
+        /// </summary>
+        internal static readonly SetParameters[][] Parameters =
+        {
+)";
+
+constexpr const char* measured_begin = R"(        };
+
+        private static readonly SetOptions[] Measured =
+        {
+)";
+
+constexpr const char* fallbacks_begin = R"(        };
+
+        /// <summary>What is drawn where the technique cannot run; itself if it runs everywhere.</summary>
+        internal static readonly ShadowTechnique[] Fallbacks =
+        {
+)";
+
 constexpr const char* table_end = R"(        };
 
-        /// <summary>The technique samples the light's disc: penumbrae widen with the disc, and are noisy.</summary>
+        /// <summary>The technique samples the light's disc, so that its penumbrae are noisy.</summary>
         internal static bool TakesSamples(this ShadowTechnique technique) => Sampled[(int)technique];
 
-        /// <summary>Whether this field of ShadowOptions sets a parameter of the technique's filter.</summary>
+        /// <summary>Penumbrae are as wide as the light's disc makes them.</summary>
+        internal static bool WidensWithDisc(this ShadowTechnique technique) => Widens[(int)technique];
+
+        /// <summary>The filter gathers texels, which needs shader target 4.5.</summary>
+        internal static bool Gathers(this ShadowTechnique technique) => Gathering[(int)technique];
+
+        /// <summary>The filter itself limits how wide penumbrae are, in metres.</summary>
+        internal static bool LimitsWidth(this ShadowTechnique technique) => Limiting[(int)technique];
+
+        /// <summary>The filter biases receivers itself: the light's own biases should be 0.</summary>
+        internal static bool HasOwnBias(this ShadowTechnique technique) => Biased[(int)technique];
+
+        /// <summary>Gives the technique's own options the values that it is measured with.</summary>
+        internal static void SetMeasured(this ShadowTechnique technique, ref ShadowOptions options) =>
+            Measured[(int)technique](ref options);
+
+        /// <summary>Whether this field of ShadowOptions sets a parameter of the technique's passes or filter.</summary>
         internal static bool Takes(this ShadowTechnique technique, string option) =>
             Array.IndexOf(Options[(int)technique], option) >= 0;
     }
@@ -75,24 +133,146 @@ std::string options_of(const Selection& selection) {
   return text + indent + "}";
 }
 
+// The techniques of a selection, by the formats of their maps.
+std::vector<const Technique*> techniques_of(const TechniqueList& list, const Selection& selection) {
+  std::vector<const Technique*> techniques{&list.find(selection.technique)};
+  if (!selection.technique_16_bits.empty()) techniques.push_back(&list.find(selection.technique_16_bits));
+  return techniques;
+}
+
+std::string graphs_of(const TechniqueList& list, const Selection& selection) {
+  std::string names;
+  for (const Technique* technique : techniques_of(list, selection))
+    if (!technique->graph_name.empty()) names += (names.empty() ? "" : ", ") + csharp_graph_of(*technique);
+  return names.empty() ? "new TechniqueGraph[0]" : "new[] { " + names + " }";
+}
+
+std::string option_that_sets(const Selection& selection, const std::string& field) {
+  for (const auto& [option, set] : selection.options)
+    if (set == field) return option;
+  return {};
+}
+
+// A struct of the technique's with the values that it is measured with, and the options in the place of some.
+std::string set_struct(const ParameterStruct& parameters, const Technique& technique,
+                       const Selection& selection) {
+  const std::string indent(20, ' ');
+  std::string text = indent + "new " + parameters.name + "\n" + indent + "{\n";
+  for (const ParameterField& field : parameters.fields) {
+    const std::string option = option_that_sets(selection, field.name);
+    text += indent + "    " + field.name + " = " +
+            (option.empty() ? csharp_value(field, technique.values.at(field.name)) : "options." + option) +
+            ",\n";
+  }
+  return text + indent + "}.SetGlobal(commands);\n";
+}
+
+std::string parameters_of(const TechniqueList& list, const Selection& selection) {
+  std::string setters;
+  const std::string indent(16, ' ');
+  for (const Technique* technique : techniques_of(list, selection)) {
+    std::string structs;
+    for (const ParameterStruct* parameters : list.structs_of(*technique))
+      structs += set_struct(*parameters, *technique, selection);
+    if (!structs.empty())
+      setters += indent + "(CommandBuffer commands, in ShadowOptions options) =>\n" + indent + "{\n" +
+                 structs + indent + "},\n";
+  }
+  if (setters.empty() || selection.has_computed_parameters) return "new SetParameters[0]";
+  return "new SetParameters[]\n            {\n" + setters + "            }";
+}
+
+std::string measured_of(const TechniqueList& list, const Selection& selection) {
+  const Technique& technique = list.find(selection.technique);
+  const std::vector<ParameterField> fields = list.fields_of(technique);
+  const std::string indent(12, ' ');
+  std::string settings;
+  for (const auto& [option, set] : selection.options)
+    for (const ParameterField& field : fields)
+      if (field.name == set)
+        settings +=
+            indent + "    options." + option + " = " + csharp_value(field, technique.values.at(set)) + ";\n";
+  if (settings.empty()) return "(ref ShadowOptions options) => { }";
+  return "(ref ShadowOptions options) =>\n" + indent + "{\n" + settings + indent + "}";
+}
+
+bool limits_width(const TechniqueList& list, const Selection& selection) {
+  const ParameterStruct* parameters = list.find_struct(selection.filter.parameters);
+  return parameters != nullptr &&
+         std::any_of(parameters->fields.begin(), parameters->fields.end(),
+                     [](const ParameterField& field) { return field.name == "maxPenumbraMetres"; });
+}
+
+bool has_own_bias(const TechniqueList& list, const Selection& selection) {
+  const TechniqueBias& bias = list.find(selection.technique).bias;
+  return bias.depth == 0.0 && bias.normal == 0.0;
+}
+
+// A rule's vectors are copies of those that ShadowUniforms computes.
+void require_fitting_rules(const TechniqueList& list, const Selection& selection) {
+  for (const CascadeRule& rule : list.find(selection.technique).cascades)
+    if (rule.technique.empty() && !selection.has_computed_parameters && !selection.options.empty())
+      throw InputError(
+          selection.where,
+          "'" + selection.name + "' has options, and rules for cascades that change its own parameters",
+          "sliders would not reach far cascades: let ShadowUniforms compute the parameters, and say "
+          "\"computed_parameters\": true");
+}
+
+std::string fallback_of(const std::vector<const Selection*>& selections, const Selection& selection) {
+  const std::string& name = !selection.fallback.empty() ? selection.fallback : selection.name;
+  for (const Selection* other : selections)
+    if (other->name == name) return "ShadowTechnique." + name;
+  throw InputError(selection.where, "the renderer feature does not offer '" + name +
+                                        "', which is drawn where '" + selection.name + "' cannot run");
+}
+
+std::string table(const std::string& values) {
+  return "        };\n\n" + values;
+}
+
+// Ten in a line.
+std::string flags(const char* name, const std::vector<bool>& values) {
+  std::string text;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const bool ends = i % 10 == 9 || i + 1 == values.size();
+    text +=
+        (i % 10 == 0 ? std::string(12, ' ') : " ") + (values[i] ? "true," : "false,") + (ends ? "\n" : "");
+  }
+  return "        private static readonly bool[] " + std::string(name) + " =\n        {\n" + text;
+}
+
 }  // namespace
 
 std::string emit_selections_csharp(const TechniqueList& list) {
   const std::string indent(12, ' ');
-  std::string entries, keywords, sampled, options, cascades;
-  for (const Selection* selection : offered(list)) {
+  std::string entries, keywords, options, cascades, graphs, parameters, measured, fallbacks;
+  std::vector<bool> sampled, widens, gathering, limiting, biased;
+  const std::vector<const Selection*> selections = offered(list);
+  for (const Selection* selection : selections) {
+    require_fitting_rules(list, *selection);
     entries += (entries.empty() ? "" : "\n") + ("        /// <summary>" + selection->doc) +
                "</summary>\n        [InspectorName(" + csharp_text(selection->title) + ")]\n        " +
                selection->name + " = " + std::to_string(*selection->value) + ",\n";
     keywords += indent + (selection->keyword.empty() ? "null" : csharp_text(selection->keyword)) + ",\n";
-    sampled += (sampled.empty() ? "" : ", ") + std::string(selection->is_sampled ? "true" : "false");
     options += indent + options_of(*selection) + ",\n";
     cascades += emit_cascade_row(list, list.find(selection->technique));
+    graphs += indent + graphs_of(list, *selection) + ",\n";
+    parameters += indent + parameters_of(list, *selection) + ",\n";
+    measured += indent + measured_of(list, *selection) + ",\n";
+    fallbacks += indent + fallback_of(selections, *selection) + ",\n";
+    sampled.push_back(selection->is_sampled);
+    widens.push_back(selection->widens_with_disc);
+    gathering.push_back(selection->gathers());
+    limiting.push_back(limits_width(list, *selection));
+    biased.push_back(has_own_bias(list, *selection));
   }
-  return enum_begin + entries + table_begin + keywords +
-         "        };\n\n        private static readonly bool[] Sampled = { " + sampled +
-         " };\n\n        private static readonly string[][] Options =\n        {\n" + options +
-         cascades_begin + cascades + table_end;
+  return enum_begin + entries + table_begin + keywords + table(flags("Sampled", sampled)) +
+         table(flags("Widens", widens)) + table(flags("Gathering", gathering)) +
+         table(flags("Limiting", limiting)) + table(flags("Biased", biased)) +
+         table("        private static readonly string[][] Options =\n        {\n" + options) +
+         cascades_begin + cascades + graphs_begin + graphs + parameters_begin + parameters + measured_begin +
+         measured + fallbacks_begin + fallbacks + table_end;
 }
 
 }  // namespace penumbra::techniques

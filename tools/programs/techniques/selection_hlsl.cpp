@@ -21,7 +21,10 @@ constexpr const char* header = R"(// Penumbra: the technique that a shader keywo
 constexpr const char* rest_of_header = R"(// Source:     see each filter's file.
 // Inputs:     shadow map, its comparison and point samplers, ShadowReceiver, ShadowTile; the uniforms below, which the C#
 //             structs of these names in Runtime/Parameters set; cascade: the receiver's cascade, for techniques with
-//             rules for far cascades. The uniforms of a rule have its first cascade in their names.
+//             rules for far cascades. The uniforms of a rule have its first cascade in their names. Some filters read
+//             maps that passes make from the shadow map, the textures below: those are for the renderer feature's own
+//             screen pass. Other shaders get an error, unless they define PENUMBRA_MAPS_BOUND and are drawn after
+//             these passes, while the feature's technique is the keyword's.
 // Cost:       the technique's fetches.
 // Guarantees: [0, 1]. Only the file of the selected filter is included.
 // Use it:     after a pipeline's bindings, as Shadows.hlsl and Hdrp.hlsl do. Not: directly from a shader.
@@ -31,15 +34,28 @@ constexpr const char* rest_of_header = R"(// Source:     see each filter's file.
 )";
 
 constexpr const char* raw_depth_rule = R"(
-// These filters gather raw depths from a texture that has a comparison sampler. That is undefined in OpenGL, OpenGL ES
-// and WebGL, and before ES 3.1 there is no gather: a filter that only compares is used instead. Define
-// PENUMBRA_RAW_DEPTH_READS where the map is bound without comparison there.
+// These filters, or the passes before them, read raw depths from a texture that has a comparison sampler. That is
+// undefined in OpenGL, OpenGL ES and WebGL, and before ES 3.1 there is no gather: a filter that only compares is used
+// instead. Define PENUMBRA_RAW_DEPTH_READS where the map is bound without comparison there.
 #if !defined(PENUMBRA_RAW_DEPTH_READS) && \
     (defined(SHADER_API_GLCORE) || defined(SHADER_API_GLES) || defined(SHADER_API_GLES3) || defined(SHADER_API_WEBGL))
 #define PENUMBRA_WITHOUT_GATHER
 #endif
 
 )";
+
+constexpr const char* maps_rule =
+    R"(// The renderer feature's passes bind these maps while its technique is this keyword's.
+#if defined(PENUMBRA_READS_MAPS) && !defined(PENUMBRA_MAPS_BOUND)
+#error "this keyword's filter reads maps that only the renderer feature's passes make: choose another, or define PENUMBRA_MAPS_BOUND where they are bound"
+#endif
+
+)";
+
+constexpr const char* linear_sampler = "linearSampler";
+constexpr const char* linear_sampler_name = "sampler_PenumbraLinearClamp";  // Unity makes it from the words
+constexpr std::size_t kWidest = 100;  // characters of a condition in a line
+constexpr std::size_t kWidestCall = 130;
 
 // "PENUMBRA_USES_PCSS" of "_PENUMBRA_PCSS".
 std::string macro_of(const Selection& selection) {
@@ -65,7 +81,9 @@ class KeywordWriter {
     text_ += "#include \"../Core/ShadowStructs.hlsl\"\n";
     text_ += raw_depth_rule;
     choose();
+    require_maps();
     include();
+    declare_maps();
     declare();
     declare_rules();
     call();
@@ -83,33 +101,72 @@ class KeywordWriter {
   }
 
   void describe() {
-    for (const Selection* selection : by_keyword_)
-      text_ += fmt::format("//               {:<24}{:<20}{}\n", selection->keyword,
-                           selection->filter.function, file_of(selection->filter));
-    text_ += fmt::format("//               {:<24}{:<20}{}\n", "none of them", otherwise_->filter.function,
-                         file_of(otherwise_->filter));
+    std::size_t keyword = 0;
+    std::size_t function = 0;
+    for (const Selection& selection : list_.selections) {
+      keyword = std::max(keyword, selection.keyword.size());
+      function = std::max(function, selection.filter.function.size());
+    }
+    const auto line = [&](const std::string& name, const Selection& selection) {
+      text_ += fmt::format("//               {:<{}}  {:<{}}  {}\n", name, keyword, selection.filter.function,
+                           function, file_of(selection.filter));
+    };
+    for (const Selection* selection : by_keyword_) line(selection->keyword, *selection);
+    line("none of them", *otherwise_);
   }
 
   // One macro for the filter that is used, none for that without a keyword.
   void choose() {
     const char* directive = "#if";
-    for (const Selection* fallback : by_keyword_) {
+    for (const Selection& fallback : list_.selections) {
       std::string keywords;
-      for (const Selection* selection : by_keyword_)
-        if (selection->fallback == fallback->name)
-          keywords += (keywords.empty() ? "" : " || ") + ("defined(" + selection->keyword + ")");
+      std::size_t width = 0;
+      for (const Selection* selection : by_keyword_) {
+        if (selection->fallback != fallback.name) continue;
+        const std::string one = "defined(" + selection->keyword + ")";
+        const bool fits = keywords.empty() || width + one.size() < kWidest;
+        keywords += keywords.empty() ? "" : fits ? " || " : " || \\\n     ";
+        width = (fits ? width + 4 : 0) + one.size();
+        keywords += one;
+      }
       if (keywords.empty()) continue;
-      text_ += fmt::format("{} defined(PENUMBRA_WITHOUT_GATHER) && \\\n    ({})\n#define {}\n", directive,
-                           keywords, macro_of(*fallback));
+      text_ += fmt::format("{} defined(PENUMBRA_WITHOUT_GATHER) && \\\n    ({})\n", directive, keywords);
+      if (!fallback.keyword.empty()) text_ += "#define " + macro_of(fallback) + "\n";
       directive = "#elif";
     }
     for (const Selection* selection : by_keyword_) {
       text_ +=
           fmt::format("{} defined({})\n#define {}\n", directive, selection->keyword, macro_of(*selection));
       if (selection->reads_raw_depth()) text_ += "#define PENUMBRA_READS_RAW_DEPTH\n";
+      if (!selection->textures.empty()) text_ += "#define PENUMBRA_READS_MAPS\n";
       directive = "#elif";
     }
     text_ += "#endif\n\n";
+  }
+
+  bool any_maps() const {
+    return std::any_of(by_keyword_.begin(), by_keyword_.end(),
+                       [](const Selection* selection) { return !selection->textures.empty(); });
+  }
+
+  // Where nobody binds them, a filter would read any other texture.
+  void require_maps() {
+    if (any_maps()) text_ += maps_rule;
+  }
+
+  // What the filters take besides the shadow map, each for those that take it.
+  void declare_maps() {
+    const char* directive = "\n#if";
+    for (const Selection* selection : by_keyword_) {
+      std::string lines;
+      for (const std::string& argument : selection->filter.arguments)
+        if (argument == linear_sampler) lines += "SAMPLER(" + std::string(linear_sampler_name) + ");\n";
+      for (const GraphTexture& texture : selection->textures) lines += declaration_of(texture);
+      if (lines.empty()) continue;
+      text_ += fmt::format("{} defined({})\n{}", directive, macro_of(*selection), lines);
+      directive = "#elif";
+    }
+    if (std::string_view(directive) == "#elif") text_ += "#endif\n";
   }
 
   // A line for the filter that is used.
@@ -211,23 +268,30 @@ class KeywordWriter {
                            parameters == nullptr ? "" : unpacker_of(*parameters) + "()");
   }
 
+  static std::string expression_of(const std::string& argument) {
+    if (argument == shadow_map_name) return "TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap)";
+    if (argument == "pointSampler") return "sampler_point";
+    return argument == linear_sampler ? linear_sampler_name : argument_name(argument);
+  }
+
   std::string call_of(const Selection& selection, const FilterCall& filter, const std::string& begin,
                       const std::string& parameters) const {
     std::string call = begin + filter.function + "(";
     const std::string indent(call.size(), ' ');
     std::string arguments;
     for (const std::string& argument : filter.arguments) {
-      if (argument == "pointSampler" && !selection.reads_raw_depth())
+      if (filter.takes(shadow_map_name) && argument == "pointSampler" && !selection.reads_raw_depth())
         throw InputError(
             selection.where,
             "'" + selection.name + "' reads raw depths in far cascades alone: '" + filter.function +
                 "' takes the point sampler",
             "shaders must know from the first cascade on that they do: give it a filter that does");
-      arguments += argument == "shadowMap" ? "TEXTURE2D_SHADOW_ARGS(shadowMap, sampler_shadowMap), "
-                                           : "sampler_point, ";
+      arguments += expression_of(argument) + ", ";
     }
-    arguments += "receiver, tile";
-    call += arguments;
+    call += arguments.substr(0, arguments.size() - 1);
+    const std::string receiver = "receiver, tile";
+    const bool fits = call.size() + receiver.size() < kWidestCall;
+    call += (fits ? " " : "\n" + indent) + receiver;
     if (!parameters.empty()) call += ",\n" + indent + parameters;
     return call + ");";
   }

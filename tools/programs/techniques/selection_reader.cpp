@@ -27,17 +27,25 @@ FeatureOption read_option(JsonObject object) {
   return option;
 }
 
+// Of the filter's parameters and those of the passes before it.
 void read_options_of(JsonObject object, const TechniqueList& list, Selection& selection) {
   std::vector<std::string> options;
   for (const FeatureOption& option : list.options) options.push_back(option.name);
-  std::vector<std::string> fields;
-  if (const ParameterStruct* parameters = list.find_struct(selection.filter.parameters))
-    for (const ParameterField& field : parameters->fields) fields.push_back(field.name);
-  for (const std::string& option : object.keys()) {
-    require_known(object, option, "option", option, options);
-    const std::string field = required_text(object, option);
-    require_known(object, option, "field", field, fields);
-    selection.options[option] = field;
+  const std::vector<ParameterField> fields = list.fields_of(list.find(selection.technique));
+  std::vector<std::string> names;
+  for (const ParameterField& field : fields) names.push_back(field.name);
+  for (const std::string& name : object.keys()) {
+    require_known(object, name, "option", name, options);
+    const std::string field = required_text(object, name);
+    require_known(object, name, "field", field, names);
+    const auto option = std::find_if(list.options.begin(), list.options.end(),
+                                     [&](const FeatureOption& one) { return one.name == name; });
+    const auto set = std::find_if(fields.begin(), fields.end(),
+                                  [&](const ParameterField& one) { return one.name == field; });
+    if (option->type != set->type)
+      object.fail(name, "'" + name + "' is of type " + option->type + ", the field '" + field + "' of type " +
+                            set->type);
+    selection.options[name] = field;
   }
 }
 
@@ -53,18 +61,44 @@ void read_entry(JsonObject& object, const TechniqueList& list, Selection& select
   read_options_of(object.object("options"), list, selection);
 }
 
+// Needed where the filter or the passes before it read the shadow map without comparing.
 void read_fallback(JsonObject& object, const TechniqueList& list, Selection& selection) {
-  if (!selection.reads_raw_depth()) {
+  const bool has_passes = !list.find(selection.technique).graph_name.empty();
+  if (!selection.reads_raw_depth() && !has_passes) {
     if (object.has("fallback"))
-      object.fail("fallback",
-                  "'" + selection.name + "' reads no raw depths: its filter takes no point sampler");
+      object.fail(
+          "fallback",
+          "'" + selection.name +
+              "' reads no raw depths: its filter takes no point sampler, and no passes run before it");
     return;
   }
   selection.fallback = required_text(object, "fallback");
   std::vector<std::string> known;
   for (const Selection& other : list.selections)
-    if (!other.reads_raw_depth()) known.push_back(other.name);
+    if (other.fallback.empty()) known.push_back(other.name);
   require_known(object, "fallback", "selection", selection.fallback, known);
+}
+
+// Whose filter a keyword can select: under the sun, after passes or without any.
+const Technique& read_technique(JsonObject& object, const std::string& key, const TechniqueList& list) {
+  const std::string name = required_text(object, key);
+  std::vector<std::string> known;
+  for (const Technique& technique : list.techniques) known.push_back(technique.name);
+  require_known(object, key, "technique", name, known);
+  const Technique& technique = list.find(name);
+  if (technique.graph.filter_pass() == nullptr || !technique.is_for(LightKind::directional))
+    object.fail(key, "'" + name + "' does not end in a filter for directional lights");
+  return technique;
+}
+
+void read_16_bits(JsonObject& object, const TechniqueList& list, Selection& selection) {
+  if (!object.has("technique_16_bits")) return;
+  const Technique& technique = read_technique(object, "technique_16_bits", list);
+  if (technique.graph.filter()->function != selection.filter.function || technique.graph_name.empty())
+    object.fail("technique_16_bits", "'" + technique.name + "' is not the filter '" +
+                                         selection.filter.function + "' over maps, as '" +
+                                         selection.technique + "' is");
+  selection.technique_16_bits = technique.name;
 }
 
 Selection read_selection(JsonObject& object, const TechniqueList& list) {
@@ -80,15 +114,15 @@ Selection read_selection(JsonObject& object, const TechniqueList& list) {
   if (!selection.keyword.empty() && !selection.keyword.starts_with("_PENUMBRA_"))
     object.fail("keyword", "a keyword of the library begins with '_PENUMBRA_'");
   if (!selection.keyword.empty()) required_identifier(object, "keyword");
-  selection.technique = required_text(object, "technique");
-  std::vector<std::string> known;
-  for (const Technique& technique : list.techniques) known.push_back(technique.name);
-  require_known(object, "technique", "technique", selection.technique, known);
-  const Technique& technique = list.find(selection.technique);
-  if (technique.graph.passes.size() != 1 || technique.graph.filter_pass() == nullptr)
-    object.fail("technique", "'" + technique.name + "' is not a filter alone: it has passes of its own");
+  const Technique& technique = read_technique(object, "technique", list);
+  selection.technique = technique.name;
   selection.filter = *technique.graph.filter();
+  for (const GraphTexture& texture : technique.graph.textures)
+    if (selection.filter.takes(texture.name)) selection.textures.push_back(texture);
   selection.is_sampled = technique.is_sampled();
+  selection.widens_with_disc = object.boolean("widens_with_disc", selection.is_sampled);
+  selection.has_computed_parameters = object.boolean("computed_parameters", false);
+  read_16_bits(object, list, selection);
   read_fallback(object, list, selection);
   if (object.has("value")) read_entry(object, list, selection);
   object.finish();
@@ -98,8 +132,11 @@ Selection read_selection(JsonObject& object, const TechniqueList& list) {
 }  // namespace
 
 bool Selection::reads_raw_depth() const {
-  return std::find(filter.arguments.begin(), filter.arguments.end(), "pointSampler") !=
-         filter.arguments.end();
+  return filter.takes(shadow_map_name) && gathers();
+}
+
+bool Selection::gathers() const {
+  return filter.takes("pointSampler");
 }
 
 void add_options(const Manifest& manifest, TechniqueList& list) {

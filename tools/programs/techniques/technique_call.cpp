@@ -23,9 +23,7 @@ std::string argument_declaration(const std::string& argument, const PassGraph& g
   if (argument == "linearSampler") return "SAMPLER(sampler_LinearClamp);\n";
   if (argument == spot_light_name) return "float4 _PenumbraSpotLight;\n";
   const GraphTexture* texture = graph.texture(argument);
-  const std::string texel = texture == nullptr ? std::string() : integer_texel(*texture);
-  if (!texel.empty()) return "TYPED_TEXTURE2D(" + texel + ", " + argument_name(argument) + ");\n";
-  return "TEXTURE2D(" + argument_name(argument) + ");\n";
+  return texture == nullptr ? "TEXTURE2D(" + argument_name(argument) + ");\n" : declaration_of(*texture);
 }
 
 std::string argument_expression(const std::string& argument) {
@@ -81,6 +79,12 @@ std::string argument_name(const std::string& texture) {
   std::string name = texture;
   name.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
   return "_Penumbra" + name + "Texture";
+}
+
+std::string declaration_of(const GraphTexture& texture) {
+  const std::string texel = integer_texel(texture);
+  const std::string name = argument_name(texture.name);
+  return texel.empty() ? "TEXTURE2D(" + name + ");\n" : "TYPED_TEXTURE2D(" + texel + ", " + name + ");\n";
 }
 
 TechniqueCall emit_technique_call(const TechniqueList& list, const Technique& technique) {

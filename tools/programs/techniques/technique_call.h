@@ -23,4 +23,7 @@ std::string uniform_name(const ParameterStruct& parameters, std::size_t vector, 
 // What the call names a texture of the graph: _PenumbraMomentsTexture of "moments".
 std::string argument_name(const std::string& texture);
 
+// The line that declares it under this name, by what its texels hold.
+std::string declaration_of(const GraphTexture& texture);
+
 }  // namespace penumbra::techniques

@@ -60,6 +60,8 @@ struct Technique {
   std::vector<CascadeRule> cascades;                   // by rising index; empty: all cascades are alike
   std::map<std::string, std::string> targets_absent;   // target -> reason
   std::string where;                                   // file:line:column of its name
+  std::string manifest{};                              // that declares it, as NamedGraph has it
+  std::string graph_name{};                            // of that manifest's graphs; empty: a filter alone
 
   // The file that reports name: of its filter, or where it runs over the screen of its last pass.
   const std::string& file() const;

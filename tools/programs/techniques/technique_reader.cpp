@@ -54,6 +54,7 @@ class TechniqueReader {
       : document_(manifest.document),
         list_(list),
         files_(manifest.file, list.package),
+        manifest_(files_.named(manifest.file)),
         graphs_(std::move(graphs)),
         defaults_(JsonObject(document_).object("defaults")),
         shared_values_(defaults_.object("values")) {
@@ -81,7 +82,9 @@ class TechniqueReader {
     if (of("bias").has("bias")) technique.bias = read_bias(of("bias").object("bias"));
     if (object.has("graph") && object.has("filter"))
       object.fail("graph", "'" + technique.name + "' has both a graph and a filter", "give one of the two");
-    technique.graph = graph(object.has("graph") || object.has("filter") ? object : defaults_);
+    technique.manifest = manifest_;
+    technique.graph =
+        graph(object.has("graph") || object.has("filter") ? object : defaults_, technique.graph_name);
     technique.keywords = read_keywords(of("keywords"), "keywords");
     if (of("lights").has("lights")) technique.lights = read_lights(of("lights"));
     const std::vector<ParameterField> fields = list_.fields_of(technique);
@@ -135,14 +138,14 @@ class TechniqueReader {
                   "write \"lights\": [\"spot\"]");
   }
 
-  PassGraph graph(JsonObject& from) {
+  PassGraph graph(JsonObject& from, std::string& name) {
     const bool alone = from.has("filter");
     const char* key = alone ? "filter" : "graph";
     PassGraph graph;
     if (alone) {
       graph = graph_of(read_filter(from.object(key), list_, files_), from.where(key));
     } else {
-      const std::string name = required_text(from, key);
+      name = required_text(from, key);
       std::vector<std::string> known;
       for (const auto& [known_name, known_graph] : graphs_) known.push_back(known_name);
       require_known(from, key, "graph", name, known);
@@ -275,6 +278,7 @@ class TechniqueReader {
   const LocatedJson& document_;
   const TechniqueList& list_;
   ManifestFiles files_;
+  std::string manifest_;
   std::map<std::string, PassGraph> graphs_;
   JsonObject defaults_;
   JsonObject shared_values_;

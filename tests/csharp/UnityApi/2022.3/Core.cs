@@ -4,7 +4,7 @@ using Penumbra.UnityApi;
 namespace UnityEngine.Experimental.Rendering
 {
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
-    public enum FormatUsage { Render = 4, LoadStore = 10 }
+    public enum FormatUsage { Linear = 1, Render = 4, LoadStore = 10 }
 }
 
 namespace UnityEngine
@@ -13,7 +13,8 @@ namespace UnityEngine
     {
         public static bool IsFormatSupported(Experimental.Rendering.GraphicsFormat format,
                                              Experimental.Rendering.FormatUsage usage) =>
-            format != Unsupported;
+            format != Unsupported &&
+            !(usage == Experimental.Rendering.FormatUsage.Linear && Unfiltered.Contains(format));
     }
 }
 

@@ -7,7 +7,7 @@ namespace UnityEngine.Experimental.Rendering
 {
     [ReadFrom(At.Unity6, "engine", "Runtime/Export/Graphics/GraphicsEnums.cs")]
     [Flags]
-    public enum GraphicsFormatUsage { Render = 1 << 4, LoadStore = 1 << 10 }
+    public enum GraphicsFormatUsage { Linear = 1 << 1, Render = 1 << 4, LoadStore = 1 << 10 }
 }
 
 namespace UnityEngine
@@ -16,7 +16,8 @@ namespace UnityEngine
     {
         public static bool IsFormatSupported(Experimental.Rendering.GraphicsFormat format,
                                              Experimental.Rendering.GraphicsFormatUsage usage) =>
-            format != Unsupported;
+            format != Unsupported &&
+            !(usage == Experimental.Rendering.GraphicsFormatUsage.Linear && Unfiltered.Contains(format));
     }
 }
 

@@ -207,6 +207,14 @@ namespace UnityEditor.Build
         void OnProcessShader(Shader shader, Rendering.ShaderSnippetData snippet,
                              System.Collections.Generic.IList<Rendering.ShaderCompilerData> data);
     }
+
+    [ReadFrom(At.Unity2022, "engine", "Editor/Mono/BuildPipeline/BuildPipelineInterfaces.cs")]
+    [ReadFrom(At.Unity6, "engine", "Editor/Mono/BuildPipeline/BuildPipelineInterfaces.cs")]
+    public interface IPreprocessComputeShaders : IOrderedCallback
+    {
+        void OnProcessComputeShader(ComputeShader shader, string kernelName,
+                                    System.Collections.Generic.IList<Rendering.ShaderCompilerData> data);
+    }
 }
 
 namespace UnityEditor.Rendering

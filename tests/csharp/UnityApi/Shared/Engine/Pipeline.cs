@@ -99,6 +99,11 @@ namespace UnityEngine
 
         /// <summary>A format that this device cannot render to.</summary>
         [OwnBehaviour] public static Experimental.Rendering.GraphicsFormat? Unsupported { get; set; }
+
+        /// <summary>Formats between whose texels it does not interpolate.</summary>
+        [OwnBehaviour]
+        public static System.Collections.Generic.HashSet<Experimental.Rendering.GraphicsFormat> Unfiltered { get; } =
+            new System.Collections.Generic.HashSet<Experimental.Rendering.GraphicsFormat>();
     }
 
     [ReadFrom(At.Unity2022, "engine", "Runtime/Export/Time/Time.bindings.cs")]

@@ -1,0 +1,24 @@
+namespace Penumbra
+{
+    /// <summary>What is drawn instead where a device cannot run the passes that options need.</summary>
+    internal static class ChainSubstitute
+    {
+        /// <summary>A filter of the shadow map alone stands in for the technique's maps.</summary>
+        internal static bool Has(ShadowTechnique technique) => TechniqueTable.Fallbacks[(int)technique] != technique;
+
+        /// <summary>
+        /// The options that need less of the device: the mask of four taps, then maps of 16 bits, then the technique's
+        /// fallback. False if these options have none.
+        /// </summary>
+        internal static bool TryGet(in ShadowOptions options, out ShadowOptions instead)
+        {
+            instead = options;
+            if (options.MasksConservatively) instead.conservativeMask = false;
+            else if (options.HasMapFormats && options.mapFormat == MapFormat.Bits32) instead.mapFormat = MapFormat.Bits16;
+            else if (options.HasMaps && Has(options.technique))
+                instead.technique = TechniqueTable.Fallbacks[(int)options.technique];
+            else return false;
+            return true;
+        }
+    }
+}

@@ -1,0 +1,236 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Reflection;
+using System.Text.Json;
+using NUnit.Framework;
+using UnityEngine;
+using UnityEngine.Experimental.Rendering;
+using UnityEngine.Rendering;
+
+namespace Penumbra.Tests
+{
+    /// <summary>Techniques whose filters read maps that passes make from the shadow map, and what stands in for them.</summary>
+    public sealed class MapTechniqueTests
+    {
+        private PenumbraShadows feature;
+        private FakeUrp urp;
+
+        [SetUp]
+        public void SetUp()
+        {
+            FakeShader.Install();
+            feature = new PenumbraShadows();
+            feature.Create();
+            feature.Settings.preset = QualityPreset.Custom;
+            feature.Settings.custom.mask = false;
+            urp = new FakeUrp();
+        }
+
+        [TearDown]
+        public void TearDown()
+        {
+            SystemInfo.Unsupported = null;
+            SystemInfo.Unfiltered.Clear();
+            SystemInfo.Device = GraphicsDeviceType.Vulkan;
+            SystemInfo.graphicsShaderLevel = 50;
+            feature.Dispose();
+        }
+
+        private static IEnumerable<ShadowTechnique> Every() =>
+            Enum.GetValues(typeof(ShadowTechnique)).Cast<ShadowTechnique>();
+
+        private static IEnumerable<ShadowTechnique> WithMaps() =>
+            Every().Where(technique => TechniqueTable.Graphs[(int)technique].Length > 0);
+
+        private FakeDevice.DrawCall Resolve(ShadowTechnique technique, MapFormat format = MapFormat.Bits32)
+        {
+            feature.Settings.custom.technique = technique;
+            feature.Settings.custom.mapFormat = format;
+            urp.Render(new FakeScene(), feature);
+            Assert.That(feature.LastSkip, Is.EqualTo(SkipReason.None), feature.MissingPass);
+            return urp.Device.Draws.Single(draw => draw.Pass == "Resolve");
+        }
+
+        [TestCaseSource(nameof(WithMaps))]
+        public void TheMapsOfEachCascadeComeBeforeTheFilterThatReadsThem(ShadowTechnique technique)
+        {
+            FakeDevice.DrawCall resolve = Resolve(technique);
+            TechniqueGraph graph = TechniqueTable.Graphs[(int)technique][0];
+            string[] drawn = urp.Device.Draws.Select(draw => draw.Pass).ToArray();
+            Assert.That(drawn.Distinct(), Is.EqualTo(graph.passes.Select(pass => pass.program).Append("Resolve")));
+            Assert.That(drawn.Count(pass => pass == graph.passes[0].program), Is.EqualTo(4), "cascades");
+            Assert.That(resolve.Keywords, Is.EqualTo(new[] { TechniqueTable.Keywords[(int)technique] }));
+            foreach (GraphBinding texture in graph.filterTextures)
+            {
+                Assert.That(resolve.Textures, Contains.Key(texture.property));
+                Assert.That(resolve.Textures[texture.property], Is.Not.EqualTo(resolve.Target));
+            }
+            Assert.That(feature.Replaced, Is.Null);
+        }
+
+        [TestCase(ShadowTechnique.Vsm, GraphicsFormat.R32G32_SFloat, GraphicsFormat.R16G16_SFloat)]
+        [TestCase(ShadowTechnique.Esm, GraphicsFormat.R32_SFloat, GraphicsFormat.R16_SFloat)]
+        [TestCase(ShadowTechnique.Evsm, GraphicsFormat.R32G32B32A32_SFloat, GraphicsFormat.R16G16B16A16_SFloat)]
+        [TestCase(ShadowTechnique.Msm, GraphicsFormat.R32G32B32A32_SFloat, GraphicsFormat.R16G16B16A16_UNorm)]
+        [TestCase(ShadowTechnique.VssmMips, GraphicsFormat.R32G32_SFloat, GraphicsFormat.R16G16_UNorm)]
+        public void TheFormatOfTheMapsIsChosen(ShadowTechnique technique, GraphicsFormat of32, GraphicsFormat of16)
+        {
+            ShadowOptions options = ShadowPresets.Options(QualityPreset.Low);
+            options.technique = technique;
+            foreach (MapFormat format in new[] { MapFormat.Bits32, MapFormat.Bits16 })
+            {
+                options.mapFormat = format;
+                ShadowChain chain = ShadowChain.Of(options);
+                ChainTexture map = chain.Slots[chain.Globals.Single().texture.index];
+                Assert.That(map.format, Is.EqualTo(format == MapFormat.Bits32 ? of32 : of16));
+                Assert.That(map.kept, "a cascade that is not drawn anew keeps its tile");
+                Assert.That(map.filtered);
+            }
+        }
+
+        [Test]
+        public void WithoutTheFormatOf32BitsThatOf16IsDrawnAsItIsMeasured()
+        {
+            SystemInfo.Unsupported = GraphicsFormat.R32G32_SFloat;
+            var precision = (Vector4)Resolve(ShadowTechnique.Vsm).Uniforms["_PenumbraVarianceParameters0"];
+            Assert.That(precision.y, Is.EqualTo(0.00048828125f));
+            Assert.That(feature.Replaced, Is.EqualTo("this device cannot draw to textures of R32G32_SFloat"));
+            Assert.That(feature.Drawn.mapFormat, Is.EqualTo(MapFormat.Bits16));
+        }
+
+        [Test]
+        public void AMapThatIsNotFilteredIsNotRead()
+        {
+            SystemInfo.Unfiltered.Add(GraphicsFormat.R32G32_SFloat);
+            Resolve(ShadowTechnique.Vsm);
+            Assert.That(feature.Replaced, Is.EqualTo("this device cannot filter textures of R32G32_SFloat"));
+            Assert.That(feature.Drawn.mapFormat, Is.EqualTo(MapFormat.Bits16));
+        }
+
+        private void ExpectTheFallback(ShadowTechnique technique, string reason)
+        {
+            FakeDevice.DrawCall resolve = Resolve(technique);
+            Assert.That(urp.Device.Draws.Select(draw => draw.Pass), Is.EqualTo(new[] { "Resolve" }));
+            Assert.That(resolve.Keywords, Is.EqualTo(new[] { "_PENUMBRA_TENT_7X7" }));
+            Assert.That(feature.Replaced, Does.Contain(reason));
+            Assert.That(feature.Asked.technique, Is.EqualTo(technique));
+            Assert.That(feature.Drawn.technique, Is.EqualTo(ShadowTechnique.Tent7x7));
+        }
+
+        [Test]
+        public void WithoutEitherFormatTheFallbackIsDrawn()
+        {
+            SystemInfo.Unfiltered.Add(GraphicsFormat.R32G32_SFloat);
+            SystemInfo.Unfiltered.Add(GraphicsFormat.R16G16_SFloat);
+            ExpectTheFallback(ShadowTechnique.Vsm, "cannot filter textures of R32G32_SFloat");
+        }
+
+        [TestCaseSource(nameof(WithMaps))]
+        public void OnOpenGlTheFallbackIsDrawn(ShadowTechnique technique)
+        {
+            SystemInfo.Device = GraphicsDeviceType.OpenGLES3;
+            ExpectTheFallback(technique, "OpenGL does not define");
+        }
+
+        [Test]
+        public void WithoutKernelsTheFallbackIsDrawn()
+        {
+            FakeShader.Sums.Kernels[0].IsSupported = false;
+            ExpectTheFallback(ShadowTechnique.Vssm, "cannot run kernel 'SumRows'");
+        }
+
+        [Test]
+        public void WithoutGathersTheFallbackIsDrawn()
+        {
+            SystemInfo.graphicsShaderLevel = 35;
+            ExpectTheFallback(ShadowTechnique.SingleLoopMips, "shader model 4.5");
+        }
+
+        // Of no technique's measured values.
+        private static ShadowOptions Odd() => new ShadowOptions
+        {
+            angularDiameterDegrees = 2.0f, blockerSamples = 5, filterSamples = 6, softnessCapMetres = 3.0f,
+            minFilterTexels = 3.5f, lightBleeding = 0.7f, mapBlurTexels = 3.25f, rays = 3, samplesPerRay = 4,
+            discRadiusMetres = 0.75f,
+        };
+
+        /// <summary>Of the structs of a technique, packed as its manifest has the values.</summary>
+        private static Dictionary<string, Vector4> Measured(string technique, string[] structs)
+        {
+            string file = Path.Combine(FakeShader.PackageRoot(), "tests", "golden", "techniques.json");
+            using JsonDocument list = JsonDocument.Parse(File.ReadAllText(file));
+            JsonElement values = list.RootElement.GetProperty("techniques").EnumerateArray()
+                .Single(entry => entry.GetProperty("name").GetString() == technique).GetProperty("values");
+            var vectors = new Dictionary<string, Vector4>();
+            foreach (string name in structs)
+            {
+                Type type = typeof(VarianceParameters).Assembly.GetType("Penumbra." + name);
+                object parameters = Activator.CreateInstance(type);
+                foreach (FieldInfo field in type.GetFields(BindingFlags.Instance | BindingFlags.Public))
+                    field.SetValue(parameters, field.FieldType == typeof(int) ? (int)values.GetProperty(field.Name).GetSingle()
+                                                                              : (object)values.GetProperty(field.Name).GetSingle());
+                for (int i = 0; type.GetProperty("Vector" + i) != null; ++i)
+                    vectors["_Penumbra" + name + i] = (Vector4)type.GetProperty("Vector" + i).GetValue(parameters);
+            }
+            return vectors;
+        }
+
+        [TestCase(ShadowTechnique.Vsm, MapFormat.Bits32, "variance-32", "MapBlurParameters", "VarianceParameters")]
+        [TestCase(ShadowTechnique.Vsm, MapFormat.Bits16, "variance-16", "MapBlurParameters", "VarianceParameters")]
+        [TestCase(ShadowTechnique.Esm, MapFormat.Bits32, "exponential-32", "MapBlurParameters", "ExponentialParameters")]
+        [TestCase(ShadowTechnique.Esm, MapFormat.Bits16, "exponential-16", "MapBlurParameters", "ExponentialParameters")]
+        [TestCase(ShadowTechnique.EsmLog, MapFormat.Bits32, "log-exponential-16", "MapBlurParameters", "LogExponentialParameters")]
+        [TestCase(ShadowTechnique.Evsm, MapFormat.Bits32, "exponential-variance-32", "MapBlurParameters",
+                  "ExponentialVarianceParameters")]
+        [TestCase(ShadowTechnique.Evsm, MapFormat.Bits16, "exponential-variance-16", "MapBlurParameters",
+                  "ExponentialVarianceParameters")]
+        [TestCase(ShadowTechnique.Msm, MapFormat.Bits32, "moments-32", "MapBlurParameters", "MomentShadowsParameters")]
+        [TestCase(ShadowTechnique.Msm, MapFormat.Bits16, "moments-16", "MapBlurParameters", "MomentShadowsParameters")]
+        [TestCase(ShadowTechnique.SingleLoop, MapFormat.Bits32, "single-loop-32", "SingleLoopParameters")]
+        [TestCase(ShadowTechnique.SingleLoopMinMax, MapFormat.Bits32, "single-loop-32-minmax", "DepthRangeParameters",
+                  "SingleLoopParameters")]
+        [TestCase(ShadowTechnique.SingleLoopMips, MapFormat.Bits32, "single-loop-32-mips", "SingleLoopParameters")]
+        [TestCase(ShadowTechnique.SingleLoopPlanes, MapFormat.Bits32, "single-loop-32-planes", "SingleLoopParameters")]
+        [TestCase(ShadowTechnique.Vssm, MapFormat.Bits32, "vssm-sat-32", "VssmParameters")]
+        [TestCase(ShadowTechnique.VssmMips, MapFormat.Bits32, "vssm-mip-32", "VssmParameters")]
+        [TestCase(ShadowTechnique.VssmMips, MapFormat.Bits16, "vssm-mip-16", "VssmParameters")]
+        [TestCase(ShadowTechnique.Mssm, MapFormat.Bits32, "mssm-sat-32", "MssmParameters")]
+        [TestCase(ShadowTechnique.MssmMips, MapFormat.Bits32, "mssm-mip-16", "MssmParameters")]
+        [TestCase(ShadowTechnique.EvsmMips, MapFormat.Bits32, "evsm-mip", "ExponentialVarianceParameters")]
+        [TestCase(ShadowTechnique.Smrt, MapFormat.Bits32, "unreal-smrt-7-8", "UnrealSmrtParameters")]
+        [TestCase(ShadowTechnique.PcssGodot, MapFormat.Bits32, "godot-pcss-8", "GodotPcssParameters")]
+        [TestCase(ShadowTechnique.DpcfFilament, MapFormat.Bits32, "filament-dpcf-12", "FilamentParameters")]
+        [TestCase(ShadowTechnique.PcssFilament, MapFormat.Bits32, "filament-pcss-16-16", "FilamentParameters")]
+        public void FiltersAreToldWhatIsMeasured(ShadowTechnique technique, MapFormat format, string entry,
+                                                 params string[] structs)
+        {
+            feature.Settings.custom = Odd();
+            technique.SetMeasured(ref feature.Settings.custom);
+            FakeDevice.DrawCall resolve = Resolve(technique, format);
+            foreach (KeyValuePair<string, Vector4> vector in Measured(entry, structs))
+                Assert.That(resolve.Uniforms[vector.Key], Is.EqualTo(vector.Value), vector.Key);
+        }
+
+        /// <summary>Forward shaders may use a filter without maps whatever the feature's technique is.</summary>
+        [Test]
+        public void FiltersWithoutMapsAreAlwaysTold() =>
+            Assert.That(Resolve(ShadowTechnique.Pcss).Uniforms.Keys,
+                        Is.SupersetOf(new[]
+                        {
+                            "_PenumbraUnrealSmrtParameters0", "_PenumbraGodotPcssParameters0", "_PenumbraFilamentParameters0",
+                            "_PenumbraSingleLoopParameters0",
+                        }));
+
+        [TestCaseSource(nameof(Every))]
+        public void OfTheTechniquesStructsItsOwnValuesWin(ShadowTechnique technique)
+        {
+            feature.Settings.custom.blockerSamples = 5;
+            bool dpcf = technique == ShadowTechnique.DpcfFilament;
+            var filament = (Vector4)Resolve(technique).Uniforms["_PenumbraFilamentParameters0"];
+            Assert.That(filament.x, Is.EqualTo(5.0f));
+            Assert.That(filament.y, Is.EqualTo(dpcf ? 16.0f : feature.Settings.custom.filterSamples));
+        }
+    }
+}
