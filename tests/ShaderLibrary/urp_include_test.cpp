@@ -2,6 +2,8 @@
 // conventions and without gather.
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "shaders/compile.h"
 #include "shaders/reflect.h"
 
@@ -50,7 +52,9 @@ class UrpInclude : public ::testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(EveryKeyword, UrpInclude,
                          ::testing::Values("_", "_PENUMBRA_HARD", "_PENUMBRA_BILINEAR", "_PENUMBRA_FOUR_TAP",
                                            "_PENUMBRA_TENT_3X3", "_PENUMBRA_TENT_7X7", "_PENUMBRA_PCSS",
-                                           "_PENUMBRA_PCSS_POISSON", "_PENUMBRA_PCSS_HDRP"),
+                                           "_PENUMBRA_PCSS_POISSON", "_PENUMBRA_PCSS_HDRP", "_PENUMBRA_SMRT",
+                                           "_PENUMBRA_PCSS_GODOT", "_PENUMBRA_DPCF_FILAMENT",
+                                           "_PENUMBRA_PCSS_FILAMENT", "_PENUMBRA_SINGLE_LOOP"),
                          [](const auto& test) { return "Keyword" + test.param; });
 
 TEST_P(UrpInclude, CompilesAndBindsTheMap) {
@@ -66,7 +70,15 @@ TEST_P(UrpInclude, CompilesAndBindsTheMap) {
 }
 
 TEST_P(UrpInclude, FallsBackToComparisonsWhereThereIsNoGather) {
-  const bool gathers = GetParam().starts_with("_PENUMBRA_PCSS");
+  const std::set<std::string> comparing{"_",
+                                        "_PENUMBRA_HARD",
+                                        "_PENUMBRA_BILINEAR",
+                                        "_PENUMBRA_FOUR_TAP",
+                                        "_PENUMBRA_TENT_3X3",
+                                        "_PENUMBRA_TENT_7X7"};
+  const bool compares = comparing.contains(GetParam());
+  // The single loop loads depths without any sampler.
+  const bool gathers = !compares && GetParam() != "_PENUMBRA_SINGLE_LOOP";
   EXPECT_EQ(binds(compile_umbrella({{GetParam(), "1"}}), "sampler_PenumbraPointClamp"), gathers);
   // Also where there is one, but not of a texture that compares: OpenGL ES 3.1 and later, and OpenGL.
   for (const char* api : {"SHADER_API_GLES3", "SHADER_API_GLCORE"}) {
@@ -74,12 +86,32 @@ TEST_P(UrpInclude, FallsBackToComparisonsWhereThereIsNoGather) {
       EXPECT_FALSE(binds(compile_umbrella({{GetParam(), "1"}, {api, "1"}, {"SHADER_TARGET", target}}),
                          "sampler_PenumbraPointClamp"))
           << api << " " << target;
+      if (compares) continue;
+      const auto compiled = [&](const std::string& keyword) {
+        return compile_umbrella({{keyword, "1"}, {api, "1"}, {"SHADER_TARGET", target}}).spirv;
+      };
+      EXPECT_EQ(compiled(GetParam()), compiled("_PENUMBRA_TENT_7X7")) << api << " " << target;
     }
   }
   // Where the documentation says that it is compiled as for Vulkan.
   EXPECT_EQ(
       binds(compile_umbrella({{GetParam(), "1"}, {"SHADER_API_WEBGPU", "1"}}), "sampler_PenumbraPointClamp"),
       gathers);
+}
+
+TEST(UrpIncludeOfMaps, IsAnErrorWhereNobodyBindsThem) {
+  const shaders::CompileResult alone = compile_umbrella({{"_PENUMBRA_VSM", "1"}});
+  EXPECT_TRUE(alone.spirv.empty());
+  ASSERT_FALSE(alone.diagnostics.empty());
+  EXPECT_NE(alone.diagnostics.front().message.find("reads maps that only the renderer feature's passes make"),
+            std::string::npos)
+      << alone.diagnostics.front().message;
+  const shaders::CompileResult bound =
+      compile_umbrella({{"_PENUMBRA_VSM", "1"}, {"PENUMBRA_MAPS_BOUND", "1"}});
+  ASSERT_FALSE(bound.spirv.empty());
+  EXPECT_TRUE(binds(bound, "_PenumbraMomentsTexture"));
+  // What stands in for it there reads none.
+  EXPECT_FALSE(compile_umbrella({{"_PENUMBRA_VSM", "1"}, {"SHADER_API_GLES3", "1"}}).spirv.empty());
 }
 
 // Alone, and beside the other in either order; with URP's arrays and with its structured buffers.
