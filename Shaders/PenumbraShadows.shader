@@ -1,7 +1,8 @@
 // The passes of the Penumbra renderer feature. Each binds, calls the library and returns; a preset uses a few of them.
-// Attenuation is written to the red channel, with the shadow strength and without the distance fade. PCSS and
-// other filters need a gather, hence target 4.5: below graphicsShaderLevel 45 they have no program and the feature leaves
-// the frame to URP. On OpenGL, OpenGL ES and WebGL, where that gather is undefined, their programs compute the tent of 7 x 7.
+// Attenuation is written to the red channel, with the shadow strength and without the distance fade. PCSS and other
+// filters gather or search for bits, hence target 4.5: below graphicsShaderLevel 45 they have no program, and the feature
+// leaves the frame to URP, or draws Tent 7x7 in the place of a filter with maps. On OpenGL, OpenGL ES and WebGL, where raw
+// reads of the shadow map are undefined, their programs compute that tent.
 Shader "Hidden/Penumbra/Shadows"
 {
     SubShader
@@ -53,7 +54,7 @@ Shader "Hidden/Penumbra/Shadows"
 
             HLSLPROGRAM
             #pragma target 3.5
-            #pragma target 4.5 _PENUMBRA_PCSS _PENUMBRA_PCSS_POISSON _PENUMBRA_PCSS_HDRP _PENUMBRA_ESM_LOG _PENUMBRA_SINGLE_LOOP _PENUMBRA_SINGLE_LOOP_MIN_MAX _PENUMBRA_SINGLE_LOOP_MIPS _PENUMBRA_SINGLE_LOOP_PLANES _PENUMBRA_SMRT _PENUMBRA_PCSS_GODOT _PENUMBRA_DPCF_FILAMENT _PENUMBRA_PCSS_FILAMENT
+            #pragma target 4.5 _PENUMBRA_PCSS _PENUMBRA_PCSS_POISSON _PENUMBRA_PCSS_HDRP _PENUMBRA_ESM_LOG _PENUMBRA_SINGLE_LOOP _PENUMBRA_SINGLE_LOOP_MIN_MAX _PENUMBRA_SINGLE_LOOP_MIPS _PENUMBRA_SINGLE_LOOP_PLANES _PENUMBRA_VSSM_MIPS _PENUMBRA_MSSM_MIPS _PENUMBRA_EVSM_MIPS _PENUMBRA_SMRT _PENUMBRA_PCSS_GODOT _PENUMBRA_DPCF_FILAMENT _PENUMBRA_PCSS_FILAMENT
             #pragma vertex ScreenTriangle
             #pragma fragment Resolve
             #pragma multi_compile_local_fragment _ _PENUMBRA_TENT_3X3 _PENUMBRA_TENT_7X7 _PENUMBRA_PCSS _PENUMBRA_PCSS_POISSON _PENUMBRA_PCSS_HDRP _PENUMBRA_VSM _PENUMBRA_ESM _PENUMBRA_ESM_LOG _PENUMBRA_EVSM _PENUMBRA_MSM _PENUMBRA_SINGLE_LOOP _PENUMBRA_SINGLE_LOOP_MIN_MAX _PENUMBRA_SINGLE_LOOP_MIPS _PENUMBRA_SINGLE_LOOP_PLANES _PENUMBRA_VSSM _PENUMBRA_VSSM_MIPS _PENUMBRA_MSSM _PENUMBRA_MSSM_MIPS _PENUMBRA_EVSM_MIPS _PENUMBRA_SMRT _PENUMBRA_PCSS_GODOT _PENUMBRA_DPCF_FILAMENT _PENUMBRA_PCSS_FILAMENT

@@ -24,7 +24,7 @@ namespace Penumbra
         {
             if (!options.MasksConservatively && !(options.HasMaps && ChainSubstitute.Has(options.technique))) return null;
             if (IsOpenGl) return "OpenGL does not define how its passes read the shadow map";
-            return options.technique.Gathers() && SystemInfo.graphicsShaderLevel < FrameGate.GatherLevel
+            return options.technique.NeedsTarget45() && SystemInfo.graphicsShaderLevel < FrameGate.Level45
                        ? "it needs shader model 4.5" : null;
         }
 

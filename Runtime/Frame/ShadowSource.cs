@@ -91,14 +91,14 @@ namespace Penumbra
             return source.hasCascades ? SkipReason.None : SkipReason.InvalidCascade;
         }
 
-        /// <summary>Of SystemInfo.graphicsShaderLevel: shader target 4.5, which gathers need.</summary>
-        internal const int GatherLevel = 45;
+        /// <summary>Shader target 4.5, of SystemInfo.graphicsShaderLevel.</summary>
+        internal const int Level45 = 45;
 
         /// <summary>
-        /// A device below that level has no program for a filter that gathers. Techniques with maps have a substitute
+        /// A device below that level has no program for some filters. Techniques with maps have a substitute
         /// (ChainSubstitute).
         /// </summary>
         internal static bool Runs(in ShadowOptions options, int shaderLevel) =>
-            !options.technique.Gathers() || options.HasMaps || shaderLevel >= GatherLevel;
+            !options.technique.NeedsTarget45() || options.HasMaps || shaderLevel >= Level45;
     }
 }

@@ -160,10 +160,10 @@ namespace Penumbra
             true, true, true, true,
         };
 
-        private static readonly bool[] Gathering =
+        private static readonly bool[] Target45 =
         {
             false, false, false, true, true, true, false, false, true, false,
-            false, true, true, true, true, false, false, false, false, false,
+            false, true, true, true, true, false, true, false, true, true,
             true, true, true, true,
         };
 
@@ -863,8 +863,8 @@ namespace Penumbra
         /// <summary>Penumbrae are as wide as the light's disc makes them.</summary>
         internal static bool WidensWithDisc(this ShadowTechnique technique) => Widens[(int)technique];
 
-        /// <summary>The filter gathers texels, which needs shader target 4.5.</summary>
-        internal static bool Gathers(this ShadowTechnique technique) => Gathering[(int)technique];
+        /// <summary>The filter gathers texels or searches for bits, which needs shader target 4.5.</summary>
+        internal static bool NeedsTarget45(this ShadowTechnique technique) => Target45[(int)technique];
 
         /// <summary>The filter itself limits how wide penumbrae are, in metres.</summary>
         internal static bool LimitsWidth(this ShadowTechnique technique) => Limiting[(int)technique];

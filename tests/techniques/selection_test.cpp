@@ -102,7 +102,7 @@ TEST_F(SelectionTest, IsEmittedForTheFeatureByItsValue) {
   EXPECT_THAT(text, HasSubstr("            \"_PENUMBRA_RING\",\n            null,\n        };\n"));
   EXPECT_THAT(text, HasSubstr("Sampled =\n        {\n            true, false,\n        };\n"));
   EXPECT_THAT(text, HasSubstr("Widens =\n        {\n            true, false,\n        };\n"));
-  EXPECT_THAT(text, HasSubstr("Gathering =\n        {\n            true, false,\n        };\n"));
+  EXPECT_THAT(text, HasSubstr("Target45 =\n        {\n            true, false,\n        };\n"));
   EXPECT_THAT(text, HasSubstr("Fallbacks =\n        {\n            ShadowTechnique.Plain,\n"
                               "            ShadowTechnique.Plain,\n        };\n"));
   EXPECT_THAT(text,

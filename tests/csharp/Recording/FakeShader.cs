@@ -60,6 +60,10 @@ namespace Penumbra.Tests
         /// <summary>Of the frame's shader.</summary>
         internal static Dictionary<string, List<HashSet<string>>> FragmentVariants() => VariantsOf(FrameFile);
 
+        /// <summary>The keywords of the frame's shader that ask for shader target 4.5.</summary>
+        internal static string[] KeywordsOfTarget45() =>
+            Regex.Match(Text(FrameFile), "#pragma target 4.5 (_.*)").Groups[1].Value.Split(' ');
+
         /// <summary>Of the shader of passes over the shadow map.</summary>
         internal static Dictionary<string, List<HashSet<string>>> MapVariants() => VariantsOf(MapFile);
 

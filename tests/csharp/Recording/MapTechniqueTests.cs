@@ -141,12 +141,20 @@ namespace Penumbra.Tests
             ExpectTheFallback(ShadowTechnique.Vssm, "cannot run kernel 'SumRows'");
         }
 
-        [Test]
-        public void WithoutGathersTheFallbackIsDrawn()
+        [TestCase(ShadowTechnique.SingleLoopMips)]
+        [TestCase(ShadowTechnique.VssmMips)]
+        [TestCase(ShadowTechnique.EvsmMips)]
+        public void BelowTarget45TheFallbackIsDrawn(ShadowTechnique technique)
         {
             SystemInfo.graphicsShaderLevel = 35;
-            ExpectTheFallback(ShadowTechnique.SingleLoopMips, "shader model 4.5");
+            ExpectTheFallback(technique, "shader model 4.5");
         }
+
+        [Test]
+        public void TheShaderAsksForTarget45WhereTheTechniqueDoes() =>
+            Assert.That(FakeShader.KeywordsOfTarget45(),
+                        Is.EquivalentTo(Every().Where(technique => technique.NeedsTarget45())
+                                            .Select(technique => TechniqueTable.Keywords[(int)technique])));
 
         // Of no technique's measured values.
         private static ShadowOptions Odd() => new ShadowOptions

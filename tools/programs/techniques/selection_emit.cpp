@@ -91,8 +91,8 @@ constexpr const char* table_end = R"(        };
         /// <summary>Penumbrae are as wide as the light's disc makes them.</summary>
         internal static bool WidensWithDisc(this ShadowTechnique technique) => Widens[(int)technique];
 
-        /// <summary>The filter gathers texels, which needs shader target 4.5.</summary>
-        internal static bool Gathers(this ShadowTechnique technique) => Gathering[(int)technique];
+        /// <summary>The filter gathers texels or searches for bits, which needs shader target 4.5.</summary>
+        internal static bool NeedsTarget45(this ShadowTechnique technique) => Target45[(int)technique];
 
         /// <summary>The filter itself limits how wide penumbrae are, in metres.</summary>
         internal static bool LimitsWidth(this ShadowTechnique technique) => Limiting[(int)technique];
@@ -247,7 +247,7 @@ std::string flags(const char* name, const std::vector<bool>& values) {
 std::string emit_selections_csharp(const TechniqueList& list) {
   const std::string indent(12, ' ');
   std::string entries, keywords, options, cascades, graphs, parameters, measured, fallbacks;
-  std::vector<bool> sampled, widens, gathering, limiting, biased;
+  std::vector<bool> sampled, widens, target_45, limiting, biased;
   const std::vector<const Selection*> selections = offered(list);
   for (const Selection* selection : selections) {
     require_fitting_rules(list, *selection);
@@ -263,12 +263,12 @@ std::string emit_selections_csharp(const TechniqueList& list) {
     fallbacks += indent + fallback_of(selections, *selection) + ",\n";
     sampled.push_back(selection->is_sampled);
     widens.push_back(selection->widens_with_disc);
-    gathering.push_back(selection->gathers());
+    target_45.push_back(selection->needs_target_45);
     limiting.push_back(limits_width(list, *selection));
     biased.push_back(has_own_bias(list, *selection));
   }
   return enum_begin + entries + table_begin + keywords + table(flags("Sampled", sampled)) +
-         table(flags("Widens", widens)) + table(flags("Gathering", gathering)) +
+         table(flags("Widens", widens)) + table(flags("Target45", target_45)) +
          table(flags("Limiting", limiting)) + table(flags("Biased", biased)) +
          table("        private static readonly string[][] Options =\n        {\n" + options) +
          cascades_begin + cascades + graphs_begin + graphs + parameters_begin + parameters + measured_begin +

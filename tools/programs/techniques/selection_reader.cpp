@@ -121,6 +121,7 @@ Selection read_selection(JsonObject& object, const TechniqueList& list) {
     if (selection.filter.takes(texture.name)) selection.textures.push_back(texture);
   selection.is_sampled = technique.is_sampled();
   selection.widens_with_disc = object.boolean("widens_with_disc", selection.is_sampled);
+  selection.needs_target_45 = object.boolean("target_4_5", selection.filter.takes("pointSampler"));
   selection.has_computed_parameters = object.boolean("computed_parameters", false);
   read_16_bits(object, list, selection);
   read_fallback(object, list, selection);
@@ -132,11 +133,7 @@ Selection read_selection(JsonObject& object, const TechniqueList& list) {
 }  // namespace
 
 bool Selection::reads_raw_depth() const {
-  return filter.takes(shadow_map_name) && gathers();
-}
-
-bool Selection::gathers() const {
-  return filter.takes("pointSampler");
+  return filter.takes(shadow_map_name) && filter.takes("pointSampler");
 }
 
 void add_options(const Manifest& manifest, TechniqueList& list) {
