@@ -224,6 +224,9 @@ TEST_F(Ending, AnAnswerThatIsNoneIsAFailure) {
   EXPECT_THAT(
       measure_one(worker("echo '{}'; echo '{\"subgroup_size\": 64, \"statistics\": [{}]}'"), module_).failure,
       StartsWith("the worker's response cannot be parsed"));
+  EXPECT_EQ(
+      measure_one(worker("echo '{}'; echo '{\"subgroup_size\": 64, \"statistics\": []}'"), module_).failure,
+      "the driver has no statistics of the shader");
 }
 
 // The first of a worker's modules has its figures, the second ends it, the third has a worker of its own.

@@ -44,9 +44,7 @@ struct FilterAndMaps {
     for (const std::string& keyword : technique.keywords) function += " " + keyword;
     values = technique.values;
     if (technique.graph.filter_pass() != nullptr || filter.parameters.empty()) return;
-    const std::vector<techniques::ParameterStruct>& structs = library_techniques().structs;
-    const auto fields = std::find_if(structs.begin(), structs.end(),
-                                     [&](const auto& known) { return known.name == filter.parameters; });
+    const techniques::ParameterStruct* fields = library_techniques().find_struct(filter.parameters);
     std::erase_if(values, [&](const auto& value) {
       return std::none_of(fields->fields.begin(), fields->fields.end(),
                           [&](const techniques::ParameterField& field) { return field.name == value.first; });

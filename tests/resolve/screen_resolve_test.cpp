@@ -240,6 +240,9 @@ TEST_P(ScreenResolveOfEveryChoice, DrawsWhatTheFilterAloneSays) {
   const scene::Frame& frame = drawn("trees", 4, GetParam().reversed_z);
   const std::vector<float> by_pass = by_shader(frame, RowOrder::top_first);
   const std::vector<float> by_depth = by_library_from_depth(frame, RowOrder::top_first);
+  const Difference d = difference(by_pass, by_depth, frame, 0.01);
+  ASSERT_GT(d.pixels, 3000);
+  if (d.above <= 4) return;
   // Where moments of 32 bits are solved, rounding is enlarged: as many pixels may differ as change when all
   // surfaces are moved by what both sides round.
   int enlarged = 0;
@@ -247,8 +250,6 @@ TEST_P(ScreenResolveOfEveryChoice, DrawsWhatTheFilterAloneSays) {
     enlarged = std::max(
         enlarged,
         difference(by_library_from_depth(frame, RowOrder::top_first, metres), by_depth, frame, 0.01).above);
-  const Difference d = difference(by_pass, by_depth, frame, 0.01);
-  ASSERT_GT(d.pixels, 3000);
   EXPECT_LE(d.above, 4 + enlarged);
 }
 

@@ -42,8 +42,7 @@ CostOutcome measure_cost(const CostRequest& request) {
   rows = empty_rows(request, modules);
 
   // Modules of one family by the batch: the driver takes longer to start than most of them to compile.
-  const std::size_t share = (rows.size() + request.jobs - 1) / std::max(1U, request.jobs);
-  const std::size_t largest = std::clamp<std::size_t>(share, 1, kLargestBatch);
+  const std::size_t largest = std::clamp<std::size_t>(rows.size() / request.jobs, 1, kLargestBatch);
   std::vector<std::vector<std::size_t>> batches;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (i % modules.size() == 0 || batches.back().size() == largest) batches.emplace_back();

@@ -91,6 +91,7 @@ Measurement measurement_in(const nlohmann::json& answer) {
   for (const nlohmann::json& statistic : answer.at("statistics"))
     measurement.statistics.push_back(
         {statistic.at("name").get<std::string>(), statistic.at("value").get<std::uint64_t>()});
+  if (measurement.statistics.empty()) measurement.failure = "the driver has no statistics of the shader";
   measurement.figures = figures_of(measurement.statistics);
   return measurement;
 }

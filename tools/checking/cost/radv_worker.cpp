@@ -111,8 +111,8 @@ void run_radv_worker(unsigned seconds, std::istream& input, std::ostream& output
   try {
     // The only device of this driver under RADV_FORCE_FAMILY; all its devices have RADV in their names.
     const gpu::StatisticsDevice device("RADV");
-    write_line(output, {{"device", device.info().name}, {"driver", device.info().driver}});
     platform::confine_process(kMemory);
+    write_line(output, {{"device", device.info().name}, {"driver", device.info().driver}});
     while (std::optional<Request> request = read_request(input)) {
       platform::limit_processor_time(seconds);
       write_line(output, measure_here(device, *std::move(request)));
