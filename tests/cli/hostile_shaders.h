@@ -29,7 +29,7 @@ inline std::string endless_unrolling(const std::string& function) {
 }
 
 inline std::string deep_parentheses(const std::string& function) {
-  return function + "\n{\n    return " + std::string(300'000, '(') + "1" + std::string(300'000, ')') +
+  return function + "\n{\n    return " + std::string(100'000, '(') + "1" + std::string(100'000, ')') +
          ";\n}\n";
 }
 
