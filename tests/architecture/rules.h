@@ -12,7 +12,8 @@ namespace penumbra::architecture {
 using Tree = std::map<std::string, std::string>;
 using Violations = std::vector<std::string>;
 
-// tools/: an include of another room goes down cli, measurement (study, lighting, reference, resolve, scene),
+// tools/: an include of another room goes down cli, measurement (study, lighting, bake, reference, resolve,
+// scene),
 // checking (cost, validation, lint), programs (gpu, techniques, shaders, preprocessing, preparation,
 // variants, shaderlab, project, hlsl, spirv), base (parameters, platform, input). Measurement and checking
 // know nothing of each other, and checking and programs nothing of parameters. Every room stands in its

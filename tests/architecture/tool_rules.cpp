@@ -16,9 +16,10 @@ struct Room {
 };
 
 // Each may include those behind it.
-constexpr std::array<Room, 22> kRooms{{{"cli", ""},
+constexpr std::array<Room, 23> kRooms{{{"cli", ""},
                                        {"study", "measurement"},
                                        {"lighting", "measurement"},
+                                       {"bake", "measurement"},
                                        {"reference", "measurement"},
                                        {"resolve", "measurement"},
                                        {"scene", "measurement"},

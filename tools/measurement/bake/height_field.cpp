@@ -1,0 +1,58 @@
+#include "bake/height_field.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+
+#include "input/input_error.h"
+
+namespace penumbra::bake {
+namespace {
+
+bool positive(double metres) {
+  return std::isfinite(metres) && metres > 0.0;
+}
+
+void check_side(int samples) {
+  if (samples >= 2 && samples <= most_samples_per_side) return;
+  throw InputError("", fmt::format("a height field has from 2 to {} samples per side, not {}",
+                                   most_samples_per_side, samples));
+}
+
+}  // namespace
+
+double HeightField::height(glm::dvec2 xz) const {
+  const glm::dvec2 last(width - 1, depth - 1);
+  const glm::dvec2 place = glm::clamp(in_samples(xz), glm::dvec2(0.0), last);
+  const glm::dvec2 cell = glm::min(glm::floor(place), last - 1.0);
+  const glm::dvec2 share = place - cell;
+  const int x = static_cast<int>(cell.x);
+  const int z = static_cast<int>(cell.y);
+  const double first = std::lerp(double{at(x, z)}, double{at(x + 1, z)}, share.x);
+  const double second = std::lerp(double{at(x, z + 1)}, double{at(x + 1, z + 1)}, share.x);
+  return std::lerp(first, second, share.y);
+}
+
+void check_height_field(const HeightField& field) {
+  check_side(field.width);
+  check_side(field.depth);
+  if (field.metres.size() != static_cast<std::size_t>(field.width) * static_cast<std::size_t>(field.depth)) {
+    throw InputError("", fmt::format("a height field of {} x {} samples cannot have {} heights", field.width,
+                                     field.depth, field.metres.size()));
+  }
+  if (!positive(field.area.size.x) || !positive(field.area.size.y)) {
+    throw InputError(
+        "", fmt::format("a height field cannot cover {} x {} metres", field.area.size.x, field.area.size.y));
+  }
+  const auto unusable = std::find_if_not(field.metres.begin(), field.metres.end(),
+                                         [](float metres) { return std::isfinite(metres); });
+  if (unusable != field.metres.end()) {
+    const auto index = unusable - field.metres.begin();
+    throw InputError("", fmt::format("the height at column {}, row {} is not a finite number",
+                                     index % field.width, index / field.width));
+  }
+}
+
+}  // namespace penumbra::bake

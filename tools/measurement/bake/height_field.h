@@ -1,0 +1,44 @@
+// Ground as heights on a grid, between which it is bilinear: what far shadows are baked from.
+//
+// Heights are in metres, the grid's axes those of the world, relative to the scene's origin. Unity's terrains
+// have the same layout: samples at the corners of cells, the first at the terrain's own corner, the last at
+// the opposite one, rows along +X, the first row at the smallest z.
+#pragma once
+
+#include <cstddef>
+#include <glm/vec2.hpp>
+#include <vector>
+
+namespace penumbra::bake {
+
+// At least two samples each way, and at most so many.
+inline constexpr int most_samples_per_side = 8193;  // a power of two and one, as Unity's terrains have
+
+// The rectangle that a grid covers: metres in x and z, relative to the scene's origin.
+struct Area {
+  glm::dvec2 corner{0.0};  // the smallest x and z
+  glm::dvec2 size{0.0};    // positive
+
+  bool operator==(const Area&) const = default;
+};
+
+struct HeightField {
+  int width = 0;  // samples along x
+  int depth = 0;  // samples along z
+  Area area;
+  std::vector<float> metres;  // width * depth
+
+  float at(int x, int z) const { return metres[static_cast<std::size_t>(z) * width + x]; }
+  // Metres between neighbours along x and z.
+  glm::dvec2 spacing() const { return area.size / glm::dvec2(width - 1, depth - 1); }
+  // Samples from the first one, not clamped, of a point of the world.
+  glm::dvec2 in_samples(glm::dvec2 xz) const { return (xz - area.corner) / spacing(); }
+  // Bilinear; outside of the area that of the nearest point inside.
+  double height(glm::dvec2 xz) const;
+};
+
+// Throws InputError unless the field has two samples each way or more, no more than most_samples_per_side,
+// as many heights as samples, all of them finite, and an area of a positive, finite size.
+void check_height_field(const HeightField& field);
+
+}  // namespace penumbra::bake
