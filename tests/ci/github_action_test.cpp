@@ -154,6 +154,10 @@ TEST_F(GithubRun, AMissingProgramIsTheEnvironmentsFault) {
   EXPECT_EQ(run_step({{"program", "/no/such/penumbra"}}).exit_code, 3);
 }
 
+TEST_F(GithubRun, AFolderThatCannotBeMadeIsNoFinding) {
+  EXPECT_EQ(run_step({{"program", PENUMBRA_PROGRAM}, {"reports", "/proc/reports"}}).exit_code, 2);
+}
+
 TEST_F(GithubRun, ArgumentsAreNeverRun) {
   const std::string hostile = "$(touch ran) `touch ran` ; touch ran";
   run_step({{"program", stub_program(2).string()}, {"arguments", hostile}});

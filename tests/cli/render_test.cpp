@@ -96,6 +96,20 @@ TEST_F(Render, WhatContradictsItselfIsRefused) {
   EXPECT_THAT(twice.errors, HasSubstr("'mine' is given twice"));
 }
 
+TEST_F(Render, PicturesOfTwoAdaptersAreTwoFiles) {
+  const std::string file = write("mine.hlsl", "").string();
+  const auto result = run(small({"--adapter", "a/b=" + file, "--adapter", "a-b=" + file}));
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.errors, HasSubstr("the pictures of 'a/b' and 'a-b' would share a file"));
+}
+
+TEST_F(Render, PicturesDoNotGoToStandardOutput) {
+  const auto result = run(small({"--technique", "hard", "-o", "-"}));
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.errors, HasSubstr("--output: pictures go into a folder"));
+  EXPECT_FALSE(std::filesystem::exists("-"));
+}
+
 TEST_F(Render, WhatIsAskedForTwiceIsThereOnce) {
   const auto sheet = [&](const std::vector<std::string>& options) {
     std::vector<std::string> arguments{"--sheet", path("sheet.png").string()};

@@ -43,6 +43,28 @@ TEST_F(TechniqueListCommand, PassesOverTheMapAndAFilterAreValidatedMeasuredAndCo
     EXPECT_THAT(cost.output, HasSubstr(pass));
 }
 
+TEST_F(TechniqueListCommand, TheLibrarysTechniquesAreMeasuredBesideOnesOwn) {
+  const auto measured = run({"measure", "--technique-list", added("Means"), "--technique", "means,tent-5",
+                             "--scene", "trees", "--light", "2", "--map-size", "128", "--size", "32x16",
+                             "--reference-samples", "32", "--timing-repeats", "0", "--no-split"});
+  ASSERT_EQ(measured.exit_code, 0) << measured.errors;
+  const nlohmann::json records = nlohmann::json::parse(measured.output).at("records");
+  ASSERT_EQ(records.size(), 2U);
+  EXPECT_EQ(records[0].at("technique"), "means");
+  EXPECT_EQ(records[1].at("technique"), "tent-5");
+  EXPECT_EQ(records[1].at("fetches_mean"), 9.0);
+}
+
+TEST_F(TechniqueListCommand, TitlesLeadToNames) {
+  const auto variance = run({"measure", "--technique", "vsm"});
+  EXPECT_EQ(variance.exit_code, 2);
+  EXPECT_THAT(variance.errors,
+              HasSubstr("unknown technique 'vsm'\n  did you mean 'variance-32', 'variance-16'"));
+  EXPECT_THAT(run({"measure", "--technique", "evsm"}).errors, HasSubstr("'exponential-variance-32'"));
+  EXPECT_THAT(run({"measure", "--technique", "tent"}).errors, HasSubstr("did you mean 'tent-"));
+  EXPECT_THAT(run({"measure", "--technique", "zzzzzz"}).errors, HasSubstr("--list-techniques"));
+}
+
 TEST_F(TechniqueListCommand, KernelsAreValidatedMeasuredAndCosted) {
   const auto valid = run({"validate", "--technique-list", added("Blocks"), "--no-cache"});
   EXPECT_EQ(valid.exit_code, 0) << valid.output;

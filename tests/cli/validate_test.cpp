@@ -124,7 +124,7 @@ TEST_F(Validate, AShaderIsNotReplacedByItsReport) {
   const auto shader = write("Main.hlsl", "float4 Main() : SV_Target { return 1; }\n");
   const auto result = run({"validate", shader.string(), "--format", "json", "-o", shader.string()});
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_THAT(result.errors, HasSubstr("is one of the shaders to validate"));
+  EXPECT_THAT(result.errors, HasSubstr("is a source file, which the report would replace"));
   EXPECT_THAT(read("Main.hlsl"), HasSubstr("SV_Target"));
 }
 

@@ -47,6 +47,12 @@ TEST_F(AtomicFile, ReplacesTheOldContentAndLeavesNothingElse) {
   EXPECT_EQ(entries(), 1u);
 }
 
+TEST_F(AtomicFile, DoesNotWaitForAReaderOfAPipe) {
+  ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
+  expect_input_error([&] { write_file_atomically(folder_ / "pipe", std::string_view("text")); },
+                     HasSubstr("it is a pipe that no program reads"));
+}
+
 TEST_F(AtomicFile, RefusesAFolderAndAMissingParentByName) {
   std::filesystem::create_directories(folder_ / "d");
   expect_input_error([&] { write_file_atomically(folder_ / "d", std::string_view("x")); }, HasSubstr("/d: "));

@@ -35,6 +35,19 @@ TEST(ShaderFiles, AreTheShadersOfAssetsAndPackagesInOrder) {
   EXPECT_THAT(found.problems, IsEmpty());
 }
 
+// Messages quote lines of what is validated.
+TEST(ShaderFiles, ALinkThatLeadsOutIsNotFollowedByItsNameEither) {
+  const ProjectFolder files;
+  files.write("outside/secret.txt", "secret");
+  files.write("Game/Assets/real.shader", "");
+  files.write("Game/ProjectSettings/a.asset", "");
+  fs::create_symlink(files.path("outside/secret.txt"), files.path("Game/Assets/out.shader"));
+  fs::create_symlink(files.path("Game/Assets/real.shader"), files.path("Game/Assets/in.shader"));
+  expect_input_error([&] { require_shader_file(files.path("Game/Assets/out.shader")); },
+                     HasSubstr("out.shader: is a symbolic link to outside of the folder that it belongs to"));
+  EXPECT_NO_THROW(require_shader_file(files.path("Game/Assets/in.shader")));
+}
+
 TEST(ShaderFiles, WhatUnityPassesOverIsPassedOver) {
   const ProjectFolder files;
   for (const char* name :

@@ -110,6 +110,18 @@ TEST_F(ImportTest, ReadsNoFileOutsideOfTheModelsFolder) {
               HasSubstr("names the file '"));
 }
 
+TEST_F(ImportTest, NamesFilesThatAreMissing) {
+  const std::string triangles = kTetrahedron;
+  const Scene scene = import(write("model.obj", "mtllib paint.mtl\nusemtl red\n" + triangles), {});
+  EXPECT_THAT(scene.notes, testing::Contains(HasSubstr("names the file 'paint.mtl', which is not there")));
+  std::string text = gltf(kTriangle);
+  const std::size_t begin = text.find("data:"), end = text.find('"', begin);
+  text.replace(begin, end - begin, "absent.bin");
+  EXPECT_THAT(
+      refusal(write("model.gltf", text)),
+      AllOf(HasSubstr("names the file 'absent.bin', which is not there"), HasSubstr("beside the model")));
+}
+
 // It would be read until somebody writes into it.
 TEST_F(ImportTest, RefusesABufferThatIsAPipe) {
   ASSERT_EQ(::mkfifo((folder_ / "pipe.bin").c_str(), 0600), 0);

@@ -14,6 +14,7 @@
 namespace penumbra::study {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -47,6 +48,40 @@ TEST(ResultBlock, ATablePerLightThenChartScenesAndOrigin) {
     EXPECT_GT(at, last) << part;
     last = at;
   }
+}
+
+TEST(ResultBlock, OneSceneSaysNothingOfOthers) {
+  Results results = synthetic::results();
+  const std::string scene = results.records.front().scene;
+  std::erase_if(results.records, [&](const Record& record) { return record.scene != scene; });
+  const std::string block = result_block(results, {kChart, {}});
+  EXPECT_THAT(block, AllOf(HasSubstr("says nothing of other scenes"), Not(HasSubstr("choice of scenes"))));
+  EXPECT_THAT(block, AllOf(HasSubstr("1 scene, 9000 penumbra pixels:"), Not(HasSubstr("at least"))));
+  EXPECT_THAT(result_block(synthetic::results(), {kChart, {}}),
+              HasSubstr("the choice of scenes and of pixels"));
+}
+
+// A pass of 512 x 512 texels and 2 fetches in each of two cascades, in a picture of 480 x 270.
+TEST(ResultBlock, PassesOverTheMapAreGivenForALargerPicture) {
+  Results results = synthetic::results();
+  EXPECT_THAT(result_block(results, {kChart, {}}), Not(HasSubstr("Passes over the shadow map")));
+  for (MeasuredFrame& frame : results.frames) {
+    frame.width = 480;
+    frame.height = 270;
+  }
+  const double per_cascade = 2.0 * 512 * 512;
+  for (Record& record : results.records) {
+    if (record.technique != "pcss-64-64") continue;
+    record.cascades = 2;
+    record.metrics.fetches_mean = 10.0;
+    record.metrics.preprocess_fetches_per_pixel = 2.0 * per_cascade / (480 * 270);
+    record.passes = {{"Blur", "cascade", record.metrics.preprocess_fetches_per_pixel, 0.0, per_cascade},
+                     {"filter", "frame", 10.0, 0.0, std::nullopt}};
+  }
+  const std::string block = result_block(results, {kChart, {}});
+  EXPECT_THAT(block, HasSubstr("divided by the pixels of the pictures, which are of 480 x 270 pixels."));
+  // 1,048,576 fetches are 0.51 per pixel of 1920 x 1080.
+  EXPECT_THAT(block, HasSubstr("| 1.0 | 10.0 | 10.5 |"));
 }
 
 TEST(ResultBlock, RecommendationsOfItsRowsInTheFullForm) {
@@ -299,7 +334,10 @@ TEST(PublishedPresets, AFigureThatIsMissingIsNoRow) {
                                  "Documentation~/results/presets/results.json");
   const std::string last = results.records.back().technique;
   results.records.pop_back();  // the last technique's last scene
-  EXPECT_THROW((void)preset_figures_csharp(results, last), std::invalid_argument);
+  expect_input_error([&] { (void)preset_figures_csharp(results, last); },
+                     HasSubstr("was not measured on every scene"));
+  expect_input_error([&] { (void)preset_figures_csharp(results, "nothing-"); },
+                     HasSubstr("no quality preset was measured"));
 }
 
 }  // namespace

@@ -359,14 +359,18 @@ TEST_F(Isolation, ATextThatCannotBeMadeIsTriedOnce) {
 TEST_F(Isolation, AHangEndsAtItsTime) {
   options_.limits.time = std::chrono::seconds(10);  // of which what comes before it needs a hundredth
   const UnitResult result = run_with("hang@spirv").results[1];
-  EXPECT_EQ(result.targets[0].diagnostics.at(0).message, "the compiler took longer than 10 s");
+  EXPECT_EQ(
+      result.targets[0].diagnostics.at(0).message,
+      "the compiler took longer than 10 s; simplify the shader, or raise --time-limit and --memory-limit");
 }
 
 TEST_F(Isolation, AnEaterOfMemoryEndsAtItsLimit) {
   options_.limits.memory = std::size_t{768} << 20U;
   const UnitResult result = run_with("eat@hlsl50").results[1];
   EXPECT_THAT(statuses(result), ElementsAre(passed, passed, failed));
-  EXPECT_EQ(result.targets[2].diagnostics.at(0).message, "the compiler took more than 768 MiB of memory");
+  EXPECT_EQ(result.targets[2].diagnostics.at(0).message,
+            "the compiler took more than 768 MiB of memory; simplify the shader, or raise --time-limit and "
+            "--memory-limit");
 }
 
 TEST_F(Isolation, AWorkerThatIsKilledEveryTimeFailsItsUnit) {

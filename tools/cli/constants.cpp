@@ -225,6 +225,7 @@ void add_constants(CLI::App& app, Context& /*context*/) {
         "from matrices of a frame that Unity has drawn"}});
   command->callback([options, matrices] {
     check_output_file(options->output);
+    refuse_input_as_output("--output", options->output, {options->config, options->matrices});
     const auto text = [&] {
       if (options->golden > 0) return parameters::golden_vectors_json(options->golden, options->seed);
       return matrices->count() > 0 ? constants_from_matrices(*options) : constants_from_settings(*options);

@@ -129,7 +129,8 @@ std::string in_form(const cost::CostReport& report, const std::string& format) {
   return format == "csv" ? cost::cost_csv(report) : cost::cost_table(report);
 }
 
-cost::CostReport measure(const CostOptions& options, Context& context) {
+// Nothing, if no report is to be written.
+std::optional<cost::CostReport> measure(const CostOptions& options, Context& context) {
   cost::CostRequest request = make_request(options);
   cost::CostOutcome outcome;
   {
@@ -142,6 +143,12 @@ cost::CostReport measure(const CostOptions& options, Context& context) {
   for (const hlsl::Diagnostic& diagnostic : outcome.diagnostics)
     std::fprintf(stderr, "%s\n", hlsl::format(diagnostic).c_str());
   if (hlsl::has_errors(outcome.diagnostics)) context.exit_code = findings;
+  // A report without the shaders that do not compile would pass for a whole one.
+  if (hlsl::has_errors(outcome.diagnostics) && !options.output.empty() && options.output != "-") {
+    std::fprintf(stderr, "note: %s was not written, because of these errors\n",
+                 visible(options.output).c_str());
+    return std::nullopt;
+  }
   outcome.report.command = reproducing_command(options);
   return std::move(outcome.report);
 }
@@ -178,20 +185,25 @@ void compare(const CostOptions& options, const cost::CostReport& report, const c
 
 void run_cost(const CostOptions& options, Context& context) {
   check_output_file(options.output);
+  refuse_report_over_source("--output", options.output);
+  std::vector<std::string> inputs = options.files;
+  inputs.insert(inputs.end(), {options.technique_list, options.baseline, options.from});
+  refuse_input_as_output("--output", options.output, inputs);
   if (!options.readme.empty()) check_output_file(options.readme);
   std::optional<cost::CostReport> baseline;
   if (!options.baseline.empty()) baseline = checked_baseline(options);
-  const cost::CostReport report =
+  const std::optional<cost::CostReport> report =
       options.from.empty() ? measure(options, context) : cost::read_cost_report(options.from);
-  if (report.failures() != 0) context.exit_code = findings;
+  if (!report) return;
+  if (report->failures() != 0) context.exit_code = findings;
   if (options.readme.empty()) {
-    write_output(options.output, in_form(report, options.format));
+    write_output(options.output, in_form(*report, options.format));
   } else {
-    if (!options.output.empty()) write_output(options.output, in_form(report, options.format));
+    if (!options.output.empty()) write_output(options.output, in_form(*report, options.format));
     platform::write_file_atomically(
-        options.readme, cost::replace_cost_blocks(read_text_file(options.readme), report, options.readme));
+        options.readme, cost::replace_cost_blocks(read_text_file(options.readme), *report, options.readme));
   }
-  if (baseline) compare(options, report, *baseline, context);
+  if (baseline) compare(options, *report, *baseline, context);
 }
 
 void add_what(CLI::App& command, CostOptions& options) {

@@ -8,6 +8,7 @@
 
 #include "cli/subcommand.h"
 #include "input/input_error.h"
+#include "input/text_file.h"
 #include "shaders/package_shader.h"
 #include "techniques/graph_emit.h"
 #include "techniques/look_emit.h"
@@ -91,13 +92,27 @@ const std::array<EmittedFolder, 2>& emitted_folders() {
   return folders;
 }
 
-// All folders are created before the first file is written.
+// A source file of somebody's own is not replaced; one that this program wrote says so.
+void refuse_foreign_source(const std::string& file, std::string_view emitted) {
+  constexpr std::string_view kMark = "Written by `penumbra";
+  std::error_code ignored;
+  if (file.empty() || file == "-" || !fs::is_regular_file(file, ignored)) return;
+  if (emitted.find(kMark) == std::string_view::npos) {
+    refuse_report_over_source("--emit-...", file);
+  } else if (fs::file_size(file, ignored) > 0 && read_text_file(file).find(kMark) == std::string::npos) {
+    throw InputError(file, "exists and was not written by penumbra",
+                     "move it, or delete it if what is written now is meant to replace it");
+  }
+}
+
+// All folders are created, and all files looked at, before the first file is written.
 void write_folder(const fs::path& package, const std::vector<techniques::EmittedFile>& files) {
   for (const techniques::EmittedFile& emitted : files) {
     const fs::path folder = (package / emitted.file).parent_path();
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) throw InputError(folder.string(), "the folder cannot be made: " + error.message());
+    refuse_foreign_source((package / emitted.file).string(), emitted.text);
   }
   for (const techniques::EmittedFile& emitted : files)
     write_output((package / emitted.file).string(), emitted.text);
@@ -125,17 +140,25 @@ void add_emitted_options(CLI::App& command, EmittedFiles& files) {
         ->group(kGroup);
 }
 
-void check_emitted(const EmittedFiles& files) {
+void check_emitted(const EmittedFiles& files, const std::string& technique_list) {
   for (const EmittedFolder& emitted : emitted_folders())
     if (!(files.*emitted.folder).empty()) check_output_folder(files.*emitted.folder);
-  for (const EmittedFile& emitted : emitted_files()) check_output_file(files.*emitted.file);
+  for (const EmittedFile& emitted : emitted_files()) {
+    check_output_file(files.*emitted.file);
+    refuse_input_as_output(emitted.option, files.*emitted.file, {technique_list});
+  }
 }
 
 void write_emitted(const EmittedFiles& files, const techniques::TechniqueList& list) {
   for (const EmittedFolder& emitted : emitted_folders())
     if (!(files.*emitted.folder).empty()) write_folder(files.*emitted.folder, emitted.files(list));
-  for (const EmittedFile& emitted : emitted_files())
-    if (!(files.*emitted.file).empty()) write_output(files.*emitted.file, emitted.text(list));
+  for (const EmittedFile& emitted : emitted_files()) {
+    const std::string& file = files.*emitted.file;
+    if (file.empty()) continue;
+    const std::string text = emitted.text(list);
+    refuse_foreign_source(file, text);
+    write_output(file, text);
+  }
 }
 
 }  // namespace penumbra::cli

@@ -25,7 +25,8 @@ struct EmittedFiles {
 };
 
 void add_emitted_options(CLI::App& command, EmittedFiles& files);
-void check_emitted(const EmittedFiles& files);  // throws InputError where one cannot be written
+// Throws InputError where one cannot be written, or is the technique list that is read.
+void check_emitted(const EmittedFiles& files, const std::string& technique_list);
 void write_emitted(const EmittedFiles& files, const techniques::TechniqueList& list);
 
 }  // namespace penumbra::cli

@@ -61,7 +61,8 @@ ValueHint value_hint(const CLI::Option& option) {
   ValueHint hint;
   if (option.get_items_expected_max() == 0) return hint;
   const std::string text = option.get_type_name();  // CLI11 sets each validator's description after a colon
-  const std::size_t colon = text.find(':');
+  // A colon in brackets belongs to the placeholder.
+  const std::size_t colon = text.find(':', text.find(']') == std::string::npos ? 0 : text.rfind(']'));
   hint.placeholder = text.substr(0, colon);
   if (colon == std::string::npos) return hint;
   hint.rule = text.substr(colon + 1);

@@ -43,6 +43,27 @@ void check_output_file(const std::string& file) {
   if (!file.empty() && file != "-") platform::check_file_can_be_written(file);
 }
 
+void refuse_input_as_output(const std::string& option, const std::string& output,
+                            const std::vector<std::string>& inputs) {
+  if (output.empty() || output == "-") return;
+  for (const std::string& input : inputs) {
+    std::error_code ignored;
+    if (!input.empty() && std::filesystem::equivalent(output, input, ignored))
+      throw InputError(option, "'" + output + "' is a file that this run reads", "name another file");
+  }
+}
+
+void refuse_report_over_source(const std::string& option, const std::string& output) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(output, ignored)) return;
+  for (const char* ending : {".hlsl", ".hlsli", ".hlslinc", ".cginc", ".glslinc", ".shader", ".compute",
+                             ".shadergraph", ".technique.json"}) {
+    if (output.ends_with(ending))
+      throw InputError(option, "'" + output + "' is a source file, which the report would replace",
+                       "name another file, or delete this one before");
+  }
+}
+
 void check_output_folder(const std::string& folder) {
   if (!folder.empty()) check_folder(folder);
 }

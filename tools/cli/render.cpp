@@ -11,6 +11,7 @@
 #include "cli/study_options.h"
 #include "cli/subcommand.h"
 #include "cli/varied_subjects.h"
+#include "input/input_error.h"
 #include "platform/terminal.h"
 #include "reference/trace_visibility.h"
 #include "study/contact_sheet.h"
@@ -62,6 +63,9 @@ void write_rows(const std::filesystem::path& folder, const study::StudyOutcome& 
 
 void render(const RenderOptions& options, Context& context) {
   check_cache_folder(options.cache, platform::cache_directory(), context);
+  if (options.output == "-")
+    throw InputError("--output", "pictures go into a folder, not to standard output",
+                     "for a folder with that name write ./-");
   if (options.sheet.file.empty()) check_output_folder(options.output);
   study::StudySettings settings = study_settings(options);
   tell_notes(settings.scenes, context);

@@ -42,6 +42,14 @@ void write_output(const std::string& file, std::string_view content);
 void check_output_file(const std::string& file);      // "" and "-", standard output, pass
 void check_output_folder(const std::string& folder);  // which need not exist yet; "" passes
 
+// Throws InputError if `output`, the value of `option`, is one of the files that the run reads, under
+// whatever name. Empty names are skipped.
+void refuse_input_as_output(const std::string& option, const std::string& output,
+                            const std::vector<std::string>& inputs);
+
+// The same for a report in the place of a shader or a manifest, whether or not the run reads it.
+void refuse_report_over_source(const std::string& option, const std::string& output);
+
 // A cache that cannot be written to causes a note only. `given` by --cache, else `standard`. Throws
 // InputError where a file is in the place of the folder that was given.
 void check_cache_folder(const std::string& given, const std::filesystem::path& standard,

@@ -195,16 +195,6 @@ void refuse_unknown_keywords(const ValidateOptions& options, const validation::S
   }
 }
 
-// The report must not overwrite a shader.
-void refuse_inputs_as_output(const std::string& output, const project::ShaderFiles& files) {
-  if (output.empty() || output == "-") return;
-  for (const project::ShaderFile& file : files.files) {
-    std::error_code ignored;
-    if (fs::equivalent(output, file.path, ignored))
-      throw InputError("--output", "'" + output + "' is one of the shaders to validate", "name another file");
-  }
-}
-
 void add_sources(const CLI::App& command, const ValidateOptions& options,
                  validation::ValidationRequest& request, Context& context) {
   Found found = look_around(options);
@@ -214,7 +204,9 @@ void add_sources(const CLI::App& command, const ValidateOptions& options,
   selection.exclude = options.skip;
   const project::ShaderFiles files = project::find_shader_files(options.project, selection);
   for (const hlsl::Diagnostic& problem : files.problems) found.said.push_back(problem);
-  refuse_inputs_as_output(options.report.output, files);
+  std::vector<std::string> shaders;
+  for (const project::ShaderFile& file : files.files) shaders.push_back(file.path.string());
+  refuse_input_as_output("--output", options.report.output, shaders);
   for (const std::string& warning : idle_option_warnings(command, files)) say(context, warning);
 
   validation::SourceOptions source;
@@ -270,7 +262,9 @@ void check_list(const ValidateOptions& options, bool sources_given) {
 
 void check_outputs(const ValidateOptions& options, const Context& context) {
   check_output_file(options.report.output);
-  check_emitted(options.emitted);
+  refuse_report_over_source("--output", options.report.output);
+  refuse_input_as_output("--output", options.report.output, {options.techniques});
+  check_emitted(options.emitted, options.techniques);
   if (!options.no_cache) check_cache_folder(options.cache, validation::default_cache(), context);
   check_output_folder(options.keep);
 }

@@ -10,6 +10,7 @@
 #include "cli/option_values.h"
 #include "input/input_error.h"
 #include "platform/data_directory.h"
+#include "study/picture_sheet.h"
 #include "study/short_title.h"
 #include "techniques/technique_values.h"
 
@@ -205,6 +206,14 @@ void refuse_repetitions(const std::vector<study::Subject>& subjects) {
   for (const study::Subject& subject : subjects) {
     if (!names.insert(subject.name).second) refuse_twice("'" + subject.name + "'");
   }
+  std::map<std::string, std::string> by_file;
+  for (const study::Subject& subject : subjects) {
+    const auto [other, is_new] = by_file.emplace(study::file_name_part(subject.name), subject.name);
+    if (!is_new)
+      throw InputError(
+          "", "the pictures of '" + other->second + "' and '" + subject.name + "' would share a file",
+          "name the adapters with letters, digits, '-', '_' and '.' alone");
+  }
 }
 
 void give_titles(std::vector<study::Subject>& subjects, const std::vector<std::string>& titles) {
@@ -225,6 +234,30 @@ void give_titles(std::vector<study::Subject>& subjects, const std::vector<std::s
     found->title = text.substr(found->name.size() + 1);
   }
 }
+
+// Those of the list that was given and, by their names, the library's own, for comparison.
+class KnownTechniques {
+ public:
+  explicit KnownTechniques(const std::string& technique_list)
+      : given_(chosen_technique_list(technique_list)) {
+    if (!technique_list.empty()) library_ = techniques::read_own_techniques();
+  }
+
+  const techniques::TechniqueList& given() const { return given_; }
+
+  // The list that has the technique; the given one, if none has.
+  const techniques::TechniqueList& list_of(const std::string& name) const {
+    const auto has = [&](const techniques::TechniqueList& list) {
+      return std::any_of(list.techniques.begin(), list.techniques.end(),
+                         [&](const techniques::Technique& technique) { return technique.name == name; });
+    };
+    return library_ && !has(given_) && has(*library_) ? *library_ : given_;
+  }
+
+ private:
+  techniques::TechniqueList given_;
+  std::optional<techniques::TechniqueList> library_;
+};
 
 }  // namespace
 
@@ -249,13 +282,13 @@ void add_title_option(CLI::App& command, const std::string& group, VariedSubject
 std::vector<study::Subject> varied_subjects(const StudyOptions& options, const VariedSubjects& varied,
                                             techniques::LightKind light) {
   const bool reversed_z = options.reversed_z;
-  const techniques::TechniqueList list = chosen_technique_list(options.technique_list);
+  const KnownTechniques known(options.technique_list);
   std::vector<std::string> names = options.techniques;
   drop_repetitions(names);
   std::vector<int> frames = varied.frames;
   drop_repetitions(frames);
   if (names.empty() && options.adapters.empty())
-    names.push_back(!options.technique_list.empty()        ? list.techniques.front().name
+    names.push_back(!options.technique_list.empty()        ? known.given().techniques.front().name
                     : light == techniques::LightKind::spot ? kDefaultSpotTechnique
                                                            : kDefaultTechnique);
   if (names.empty() && !varied.set.empty()) {
@@ -271,6 +304,7 @@ std::vector<study::Subject> varied_subjects(const StudyOptions& options, const V
 
   std::vector<study::Subject> subjects;
   for (const std::string& name : names) {
+    const techniques::TechniqueList& list = known.list_of(name);
     for (const std::vector<Setting>& combination : combinations(parameters_of(name, set))) {
       techniques::Technique technique = list.find(name);
       for (const Setting& setting : combination) {

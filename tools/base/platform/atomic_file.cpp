@@ -1,12 +1,14 @@
 #include "platform/atomic_file.h"
 
 #include <cerrno>
+#include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <random>
 #include <string>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include "input/input_error.h"
@@ -39,9 +41,33 @@ bool flush_to_disk(std::FILE* stream) {
                         : "check the folder and its permissions; nothing was changed");
 }
 
+#ifdef _WIN32
+std::FILE* open_device(const std::filesystem::path& file) {
+  return std::fopen(file.string().c_str(), "wb");
+}
+#else
+// The reader of a pipe may be starting; it may also never come, so that it is not waited for without end.
+std::FILE* open_device(const std::filesystem::path& file) {
+  constexpr int kAttempts = 250;
+  int descriptor = -1;
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    descriptor = ::open(file.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
+    if (descriptor >= 0 || errno != ENXIO) break;
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    errno = ENXIO;
+  }
+  if (descriptor < 0 && errno == ENXIO)
+    throw InputError(file.string(), "cannot be written: it is a pipe that no program reads",
+                     "start its reader first; nothing was changed");
+  if (descriptor < 0) return nullptr;
+  (void)::fcntl(descriptor, F_SETFL, ::fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
+  return ::fdopen(descriptor, "wb");
+}
+#endif
+
 // A device or a pipe stores no content that could be lost; a rename would replace it by a file.
 void write_straight(const std::filesystem::path& file, std::string_view content) {
-  std::FILE* stream = std::fopen(file.string().c_str(), "wb");
+  std::FILE* stream = open_device(file);
   if (stream == nullptr) fail(file, errno);
   errno = 0;
   const bool written = std::fwrite(content.data(), 1, content.size(), stream) == content.size();

@@ -7,6 +7,7 @@
 #include "platform/build_identity.h"
 #include "platform/interrupt.h"
 #include "platform/terminal.h"
+#include "shaders/compiler_failure.h"
 #include "validation/answer_unit.h"
 #include "validation/recall.h"
 #include "validation/spirv_target.h"
@@ -149,8 +150,9 @@ void UnitRun::say_done() {
 void UnitRun::crashed(std::size_t place, const platform::WorkerOutcome& outcome) {
   const bool has_no_text = outcome.note.empty() || outcome.note == note_text;
   const std::string target = has_no_text ? std::string(note_compile) : outcome.note;
-  std::string message = "the compiler " + outcome.failure;
-  if (!outcome.output_tail.empty()) message += "; it said: " + outcome.output_tail;
+  const shaders::CompilerFailure failure = shaders::compiler_failure(outcome);
+  std::string message = failure.problem;
+  if (failure.limited) message += "; " + failure.way_out;  // a crash keeps the text that it failed on
   if (target == note_lint) message = "lint " + outcome.failure + " and reports nothing about this variant";
   states_[place].failures[target] = {std::move(message), {}};
   if (has_no_text) {  // a second attempt would end in the same way, and take as long

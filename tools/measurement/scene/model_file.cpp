@@ -249,7 +249,10 @@ ModelFile read_model_file(const std::filesystem::path& file, std::size_t triangl
   if (!folder->refused().empty())
     refuse(file, "names the file '" + folder->refused() + "', which lies outside the model's folder",
            "copy it beside the model, and name it there");
+  const std::string missing = folder->missing().empty() ? "" : folder->missing().front();
   if (scene == nullptr || scene->mRootNode == nullptr) {
+    if (!missing.empty())
+      refuse(file, "names the file '" + missing + "', which is not there", "put it beside the model");
     refuse(file, "cannot be read: " + one_line(importer.GetErrorString()));
   }
   const std::vector<PlacedMesh> meshes = placed_meshes(*scene);
@@ -268,6 +271,9 @@ ModelFile read_model_file(const std::filesystem::path& file, std::size_t triangl
   }
   ModelFile model;
   model.surface = read_model_materials(*scene, file);
+  if (!missing.empty())
+    model.surface.notes.push_back(file.string() + ": names the file '" + missing +
+                                  "', which is not there; what it has is left out");
   check_material_count(model.surface, file);
   SolidMaterials solid(model.surface, file);
   for (const PlacedMesh& placed : meshes) {

@@ -1,5 +1,6 @@
 #include "scene/model_folder.h"
 
+#include <algorithm>
 #include <string_view>
 #include <system_error>
 
@@ -21,12 +22,14 @@ std::optional<fs::path> in_model_folder(const fs::path& path, const fs::path& mo
 bool ModelFolder::allows(const std::string& file) const {
   std::error_code error;
   if (fs::path(file) == model_) return true;
-  const fs::path absolute = fs::absolute(file, error);
-  // A pipe has no end.
-  if (const auto inside = in_model_folder(absolute, model_);
-      !error && inside && fs::is_regular_file(*inside, error))
-    return true;
-  if (refused_.empty()) refused_ = file;
+  const std::optional<fs::path> inside = in_model_folder(fs::absolute(file, error), model_);
+  if (!error && inside && fs::is_regular_file(*inside, error)) return true;  // a pipe has no end
+  if (inside && !fs::exists(*inside, error)) {
+    const std::string name = inside->filename().string();
+    if (std::find(missing_.begin(), missing_.end(), name) == missing_.end()) missing_.push_back(name);
+  } else if (refused_.empty()) {
+    refused_ = file;
+  }
   return false;
 }
 

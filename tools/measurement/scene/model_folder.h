@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace penumbra::scene {
 
@@ -24,12 +25,15 @@ class ModelFolder final : public Assimp::DefaultIOSystem {
 
   // The first file outside of the folder that the model named; empty: none.
   const std::string& refused() const { return refused_; }
+  // The files in the folder that it named and that are not there, each once.
+  const std::vector<std::string>& missing() const { return missing_; }
 
  private:
   bool allows(const std::string& file) const;
 
   std::filesystem::path model_;
   mutable std::string refused_;
+  mutable std::vector<std::string> missing_;
 };
 
 }  // namespace penumbra::scene

@@ -71,13 +71,16 @@ Picture side_by_side(const PictureRow& row, const std::string& title) {
 }
 
 std::string file_stem(const PictureRow& row) {
-  std::string stem = fmt::format("{}_{}_{}", row.scene, row.technique, row.light_degrees);
-  for (char& c : stem) {
+  return file_name_part(fmt::format("{}_{}_{}", row.scene, row.technique, row.light_degrees));
+}
+
+std::string file_name_part(std::string name) {
+  for (char& c : name) {
     const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
                        c == '-' || c == '_' || c == '.';
     if (!plain) c = '-';
   }
-  return stem;
+  return name;
 }
 
 Picture overview(const Results& results, const std::vector<PictureRow>& pictures, std::size_t most_scenes) {

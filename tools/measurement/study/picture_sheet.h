@@ -13,7 +13,10 @@ namespace penumbra::study {
 // title: what the technique is called in the captions.
 Picture side_by_side(const PictureRow& row, const std::string& title);
 
-// "<scene>_<technique>_<degrees>", with what file systems dislike replaced.
+// The name with '-' for all but letters, digits, '-', '_' and '.'.
+std::string file_name_part(std::string name);
+
+// "<scene>_<technique>_<degrees>", as file_name_part() writes it.
 std::string file_stem(const PictureRow& row);
 
 // One row per scene of the technique with the lowest mean error, at the light nearest 2 degrees: the picture

@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <stdexcept>
-
+#include "input/input_error.h"
 #include "study/summary.h"
 
 namespace penumbra::study {
@@ -29,7 +28,8 @@ constexpr const char* figures_end = R"(        };
 
 std::string figure(const SummaryLine& line) {
   if (!line.complete || !line.rmse_penumbra || !line.fetches)
-    throw std::invalid_argument(line.choice.technique + " was not measured on every scene");
+    throw InputError("", line.choice.technique + " was not measured on every scene",
+                     "measure all presets on the same scenes");
   return fmt::format("                new PresetFigure({:g}f, {:.3f}f, {:.1f}f),\n", line.light_degrees,
                      line.rmse_penumbra->value, line.fetches->value);
 }
@@ -48,8 +48,9 @@ std::string preset_figures_csharp(const Results& results, const std::string& pre
     }
     text += figure(line);
   }
-  if (!open.empty()) text += "            },\n";
-  return text + figures_end;
+  if (open.empty())
+    throw InputError("", "no quality preset was measured", "measure those whose names begin with " + prefix);
+  return text + "            },\n" + figures_end;
 }
 
 }  // namespace penumbra::study

@@ -134,7 +134,8 @@ std::string recommendation_table(const ReportContent& content) {
         escape_html(choice.title.empty() ? choice.technique : choice.title), escape_html(lines.use_when),
         escape_html(lines.not_when));
   if (rows.empty()) return {};
-  return "<div class=\"scroll\" role=\"region\" aria-label=\"Recommendations\" tabindex=\"0\"><table "
+  return "<p>The library's advice, from its own measurements and not from the figures above.</p>\n"
+         "<div class=\"scroll\" role=\"region\" aria-label=\"Recommendations\" tabindex=\"0\"><table "
          "class=\"plain\">\n<thead><tr><th scope=\"col\" class=\"name\">Technique</th>"
          "<th scope=\"col\" class=\"name\">Use it when</th><th scope=\"col\" class=\"name\">Not when</th>"
          "</tr></thead>\n<tbody>\n" +

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "input/input_error.h"
 #include "input/markdown.h"
 #include "input/nearest_name.h"
@@ -45,9 +47,12 @@ std::string provenance(const Results& results) {
 // The sample behind a light's means.
 std::string sample_text(const Results& results, double light) {
   const LightSample sample = sample_of(results, light);
-  return fmt::format("{} light, {} scene{}, {} penumbra pixels, at least {} per scene:\n\n",
-                     light_name(light), sample.scenes, sample.scenes == 1 ? "" : "s", sample.penumbra_pixels,
-                     sample.smallest_penumbra_pixels);
+  const std::string penumbra =
+      fmt::format("{} light, {} scene{}, {} penumbra pixels", light_name(light), sample.scenes,
+                  sample.scenes == 1 ? "" : "s", sample.penumbra_pixels);
+  return penumbra +
+         (sample.scenes == 1 ? "" : fmt::format(", at least {} per scene", sample.smallest_penumbra_pixels)) +
+         ":\n\n";
 }
 
 // "URP High", and the map where results hold several.
@@ -131,20 +136,83 @@ std::string command(const Results& results) {
   return folded("The command", markdown_code_block("sh", results.command) + "\n" + origin(results));
 }
 
-std::string how_to_read() {
-  return fmt::format(
-      "Errors and rates are measured against ray tracing. Each figure is a mean over the scenes ± half the "
-      "width of its 95 % confidence interval, which covers the choice of scenes and of pixels; where the "
-      "interval is cut off at 0 or 100 %, [a, b] gives its ends. Light leaks: share of the pixels in full "
-      "shadow whose visibility is above {}. False shadow: share of the fully lit pixels whose visibility is "
-      "below {}. Fetches in penumbrae: fetches per pixel over the pixels in penumbra alone, where a "
-      "technique that can stop early does all its work.\n\n",
-      kLeakAbove, kFalseShadowBelow);
-}
-
 double middle_light(const Results& results) {
   const std::vector<double> lights = light_sizes(results);
   return lights[lights.size() / 2];
+}
+
+bool has_map_passes(const Record& record) {
+  return std::any_of(record.passes.begin(), record.passes.end(),
+                     [](const PassRecord& pass) { return pass.fetches_per_cascade.has_value(); });
+}
+
+bool has_map_passes(const Results& results) {
+  return std::any_of(results.records.begin(), results.records.end(),
+                     [](const Record& record) { return has_map_passes(record); });
+}
+
+// "480 x 270 to 1440 x 810 pixels"
+std::string picture_sizes(const Results& results) {
+  const auto smaller = [](const MeasuredFrame& a, const MeasuredFrame& b) {
+    return static_cast<double>(a.width) * a.height < static_cast<double>(b.width) * b.height;
+  };
+  const auto [least, most] = std::minmax_element(results.frames.begin(), results.frames.end(), smaller);
+  if (least == results.frames.end()) return "unknown size";
+  const std::string smallest = fmt::format("{} x {}", least->width, least->height);
+  const std::string largest = fmt::format("{} x {}", most->width, most->height);
+  return (smallest == largest ? smallest : smallest + " to " + largest) + " pixels";
+}
+
+std::string how_to_read(const Results& results) {
+  const char* figure =
+      scene_names(results).size() == 1
+          ? "Each figure is of one scene ± half the width of its 95 % confidence interval, which covers the "
+            "choice of pixels and says nothing of other scenes"
+          : "Each figure is a mean over the scenes ± half the width of its 95 % confidence interval, which "
+            "covers the choice of scenes and of pixels";
+  return fmt::format(
+      "Errors and rates are measured against ray tracing. {}; where the "
+      "interval is cut off at 0 or 100 %, [a, b] gives its ends. Light leaks: share of the pixels in full "
+      "shadow whose visibility is above {}. False shadow: share of the fully lit pixels whose visibility is "
+      "below {}. Fetches in penumbrae: fetches per pixel over the pixels in penumbra alone, where a "
+      "technique that can stop early does all its work.{}\n\n",
+      figure, kLeakAbove, kFalseShadowBelow,
+      has_map_passes(results) ? " Both include the passes over the shadow map, divided by the pixels of the "
+                                "pictures, which are of " +
+                                    picture_sizes(results) + "."
+                              : "");
+}
+
+// What passes over the map cost, which does not depend on the picture's size. Means over the scenes at the
+// middle light; empty without such a pass.
+std::string map_pass_table(const Results& results) {
+  if (!has_map_passes(results)) return {};
+  constexpr double kFullHd = 1920.0 * 1080.0;
+  MarkdownTable table({"Technique", "fetches of the passes over the map, millions", "other fetches per pixel",
+                       "fetches per pixel at 1920 x 1080"});
+  for (const Choice& choice : choices(results)) {
+    double of_map = 0.0, others = 0.0;
+    int scenes = 0;
+    for (const std::string& scene : scene_names(results)) {
+      const Record* record = find_record(results, choice.label, scene, middle_light(results));
+      if (record == nullptr || !record->metrics.fetches_mean || !has_map_passes(*record)) continue;
+      ++scenes;
+      others += *record->metrics.fetches_mean + record->metrics.preprocess_fetches_per_pixel;
+      for (const PassRecord& pass : record->passes) {
+        if (!pass.fetches_per_cascade) continue;
+        of_map += *pass.fetches_per_cascade * record->cascades;
+        others -= pass.fetches_per_pixel;
+      }
+    }
+    if (scenes == 0) continue;
+    table.add({title_of(choice), fmt::format("{:.1f}", of_map / scenes / 1e6),
+               fmt::format("{:.1f}", others / scenes),
+               fmt::format("{:.1f}", (others + of_map / kFullHd) / scenes)});
+  }
+  return folded("Passes over the shadow map, " + light_name(middle_light(results)) +
+                    " light: their fetches in a frame that draws every cascade",
+                table.text()) +
+         "\n";
 }
 
 // "URP High: 0.31 ± 0.10 with 16 texture fetches per pixel (16 per pixel in penumbra)"; units are given once.
@@ -173,7 +241,7 @@ std::string brief_block(const Results& results) {
     if (light != middle)
       others += (others.empty() ? "" : "\n") + light_table(results, light, BlockForm::brief);
   }
-  std::string block = light_table(results, middle, BlockForm::brief) + "\n" + how_to_read();
+  std::string block = light_table(results, middle, BlockForm::brief) + "\n" + how_to_read(results);
   if (!others.empty()) block += folded("Smaller and larger lights", others) + "\n";
   return block + command(results);
 }
@@ -185,11 +253,13 @@ std::string recommendation_table(const Results& results, const Recommendations& 
     rows += fmt::format("| {} | {} | {} |\n", markdown_code(choice.technique), markdown_cell(lines.use_when),
                         markdown_cell(lines.not_when));
   if (rows.empty()) return {};
-  return "| Technique | Use it when | Not when |\n|:--|:--|:--|\n" + rows + "\n";
+  return "The library's advice, from its own measurements (`Documentation~/techniques.md`) and not from the "
+         "figures above:\n\n| Technique | Use it when | Not when |\n|:--|:--|:--|\n" +
+         rows + "\n";
 }
 
 std::string full_block(const Results& results, const BlockStyle& style) {
-  std::string block = how_to_read();
+  std::string block = how_to_read(results);
   std::string errors, leaks, false_shadow;
   const auto add = [&results](std::string& tables, double light, const auto& figure) {
     tables +=
@@ -204,6 +274,7 @@ std::string full_block(const Results& results, const BlockStyle& style) {
   }
   block += fmt::format("![Penumbra error against fetches per pixel]({})\n\n", style.chart_path);
   block += recommendation_table(results, style.recommendations);
+  block += map_pass_table(results);
   return block + folded("Penumbra RMSE of every scene", errors) + "\n" +
          folded("Light leaks of every scene, %", leaks) + "\n" +
          folded("False shadow of every scene, %", false_shadow) + "\n" + command(results);

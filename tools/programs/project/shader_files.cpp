@@ -211,6 +211,12 @@ class Filter {
 }  // namespace
 
 void require_shader_file(const fs::path& file) {
+  std::error_code ignored;
+  IncludeBounds own;
+  own.add(own_tree(file));
+  if (fs::is_symlink(file, ignored) && fs::exists(file, ignored) && !own.contain(file))
+    throw InputError(file.string(), "is a symbolic link to outside of the folder that it belongs to",
+                     "name its target to validate it");
   if (is_graph(file))
     throw InputError(file.string(), "is a Shader Graph, from which the Unity editor writes the shader",
                      kGraphWayOut);

@@ -25,6 +25,25 @@ std::vector<fs::path> manifests_in(const fs::path& package) {
   return files;
 }
 
+std::string lower(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+// A suggestion for what pages and the inspector call a technique, such as "VSM"; empty if none is called so.
+std::string titled(const std::string& given, const std::vector<Technique>& techniques) {
+  constexpr std::size_t kMostListed = 4;
+  std::string names;
+  std::size_t count = 0;
+  for (const Technique& technique : techniques) {
+    const std::string title = technique.title.substr(0, technique.title.find_first_of(",("));
+    if (lower(title) != lower(given) || ++count > kMostListed) continue;
+    names += (names.empty() ? "'" : ", '") + technique.name + "'";
+  }
+  if (names.empty()) return {};
+  return "did you mean " + names + (count > kMostListed ? " or others of that title?" : "?");
+}
+
 }  // namespace
 
 const std::string& Technique::file() const {
@@ -57,7 +76,9 @@ const Technique& TechniqueList::find(const std::string& name) const {
     if (technique.name == name) return technique;
     known.push_back(technique.name);
   }
-  throw InputError("", "unknown technique '" + name + "'", unknown_name_way_out(name, known));
+  std::string way_out = titled(name, techniques);
+  if (way_out.empty()) way_out = unknown_name_way_out(name, known) + "\n--list-techniques prints them all";
+  throw InputError("", "unknown technique '" + name + "'", way_out);
 }
 
 const ParameterStruct* TechniqueList::find_struct(const std::string& name) const {

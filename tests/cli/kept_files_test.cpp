@@ -1,0 +1,85 @@
+// What a run reads, and source files, are not replaced by what it writes.
+#include "cli/program.h"
+
+namespace penumbra {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+constexpr const char* kShader = "float4 Main() : SV_Target { return 1; }\n";
+constexpr const char* kManifest =
+    R"({"structs": [{"name": "RingParameters", "doc": "A ring.", "fields": [
+         {"name": "taps", "type": "int", "unit": "taps", "doc": "on it", "range": [4, 32], "default": 8}]}],
+        "techniques": [{"name": "ring", "title": "Ring", "family": "ring", "source": "a test",
+          "filter": {"file": "Ring.hlsl", "function": "FilterRing", "arguments": ["shadowMap"],
+                     "parameters": "RingParameters"}}]})";
+
+class KeptFiles : public ProgramTest {
+ protected:
+  std::string write_ring() const {
+    write("Ring.hlsl", "float FilterRing();\n");
+    return write("Ring.technique.json", kManifest).string();
+  }
+
+  // The run must end with exit code 2 and these words, and leave the file as it is.
+  void expect_kept(const std::string& name, const std::vector<std::string>& arguments,
+                   const std::string& words) const {
+    const std::string before = read(name);
+    const auto result = run(arguments);
+    EXPECT_EQ(result.exit_code, 2) << testing::PrintToString(arguments);
+    EXPECT_THAT(result.errors, HasSubstr(words)) << testing::PrintToString(arguments);
+    EXPECT_EQ(read(name), before);
+  }
+};
+
+TEST_F(KeptFiles, ReportsDoNotReplaceSources) {
+  const std::string shader = write("S.hlsl", kShader).string();
+  const std::string include = write("Shared.hlsl", "float a;\n").string();
+  const std::string manifest = write_ring();
+  for (const char* subcommand : {"validate", "cost"}) {
+    expect_kept("S.hlsl", {subcommand, shader, "-o", shader}, "--output: ");
+    expect_kept("Shared.hlsl", {subcommand, shader, "-o", include}, "is a source file");
+    expect_kept("Ring.technique.json", {subcommand, "--technique-list", manifest, "-o", manifest},
+                "--output: ");
+  }
+  expect_kept("Ring.technique.json", {"validate", "--technique-list", manifest, "--emit-packing", manifest},
+              "--emit-packing: ");
+  expect_kept("Shared.hlsl", {"validate", "--technique-list", manifest, "--emit-techniques", include},
+              "is a source file");
+}
+
+TEST_F(KeptFiles, InputsAreNotOutputs) {
+  const std::string settings = write("settings.json", "{}").string();
+  expect_kept("settings.json", {"constants", "--config", settings, "-o", path("./settings.json").string()},
+              "is a file that this run reads");
+  const std::string report = write("report.json", "{}").string();
+  std::filesystem::create_hard_link(report, path("same.json"));
+  expect_kept("report.json", {"merge", report, "-o", path("same.json").string()},
+              "is a file that this run reads");
+  expect_kept("report.json", {"cost", "--from", report, "-o", report}, "is a file that this run reads");
+}
+
+TEST_F(KeptFiles, GeneratedSourcesReplaceGeneratedOnesAlone) {
+  const std::string manifest = write_ring();
+  const std::vector<std::string> emit{"validate", "--technique-list", manifest, "--emit-parameters",
+                                      path("").string()};
+  EXPECT_EQ(run(emit).exit_code, 0);
+  EXPECT_THAT(read("RingParameters.hlsl"), HasSubstr("int taps;"));
+  EXPECT_EQ(run(emit).exit_code, 0) << "its own file is written again";
+  write("RingParameters.hlsl", "// mine\n");
+  expect_kept("RingParameters.hlsl", emit, "exists and was not written by penumbra");
+}
+
+TEST_F(KeptFiles, AReportThatWouldLackAShaderIsNotWritten) {
+  const std::string shader = write("F.hlsl", "float4 Main() : SV_Target { return nope; }\n").string();
+  write("costs.txt", "before");
+  const auto result = run({"cost", shader, "--family", "navi21", "-o", path("costs.txt").string()});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.errors, AllOf(HasSubstr("unknown variable 'nope'"),
+                                   HasSubstr("costs.txt was not written, because of these errors")));
+  EXPECT_EQ(read("costs.txt"), "before");
+}
+
+}  // namespace
+}  // namespace penumbra
