@@ -44,7 +44,8 @@ namespace Penumbra
             internal const string Label = "Blocker Samples";
             internal const string Tooltip =
                 "Texture fetches per pixel that search for shadow casters, 1 to 64. Too few miss thin casters. " +
-                "PCSS (Poisson), PCSS (Godot) and Single loop use the same number for their filter.";
+                "PCSS (Poisson), PCSS (Godot), DPCF (Filament) and Single loop use the same number for their " +
+                "filter.";
             internal const int Min = 1;
             internal const int Max = 64;
         }

@@ -19,7 +19,8 @@ namespace Penumbra
         public float angularDiameterDegrees;
 
         /// <summary>
-        /// Samples of the blocker search, 1 to 64. PCSS (Poisson) and PCSS (Godot) use this many in both loops.
+        /// Samples of the blocker search, 1 to 64. PCSS (Poisson) and PCSS (Godot) use this many in both loops, DPCF
+        /// (Filament) and Single loop the same ones for both.
         /// </summary>
         [Tooltip(OptionTable.BlockerSamples.Tooltip)]
         [Range(OptionTable.BlockerSamples.Min, OptionTable.BlockerSamples.Max)]

@@ -27,7 +27,7 @@ namespace Penumbra
         [InspectorName("PCSS")]
         Pcss = 3,
 
-        /// <summary>PCSS with Poisson disks (Fernando 2005): one sample count, 25 to 128.</summary>
+        /// <summary>PCSS with Poisson disks (Fernando 2005): one number of samples for search and filter: 25, 32 or 64.</summary>
         [InspectorName("PCSS (Poisson)")]
         PcssPoisson = 4,
 
