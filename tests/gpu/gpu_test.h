@@ -35,7 +35,7 @@ inline std::vector<std::uint32_t> compile_test_shader(const std::string& file,
 class Gpu : public testing::Test {
  protected:
   void SetUp() override {
-    device.emplace(DeviceOptions{.name = "", .validation = true, .timeout_seconds = 600.0});
+    device.emplace(DeviceOptions{.name = "", .validation = true});
     log = device->validation_log();
   }
   void TearDown() override {

@@ -320,7 +320,7 @@ std::vector<resolve::Adapter> chosen_adapters(const StudyOptions& options) {
 }
 
 gpu::Device open_device(const StudyOptions& options) {
-  return gpu::Device({.name = options.device, .validation = options.validation, .timeout_seconds = 600.0});
+  return gpu::Device({.name = options.device, .validation = options.validation});
 }
 
 study::StudyProgress study_progress(const Context& context) {

@@ -40,8 +40,8 @@ struct DeviceOptions {
   // machine, else the first device. A number: that index of list_devices(). Anything else: the first device
   // whose name contains it, upper and lower case alike.
   std::string name;
-  bool validation = false;        // load VK_LAYER_KHRONOS_validation and collect what it says
-  double timeout_seconds = 60.0;  // of one submission
+  bool validation = false;         // load VK_LAYER_KHRONOS_validation and collect what it says
+  double timeout_seconds = 600.0;  // of one submission, in which software devices compile, too
 };
 
 // All devices with Vulkan 1.1 and a queue for graphics and compute. Throws EnvironmentError when there is no
