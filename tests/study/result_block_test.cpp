@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "cli/static_cycles.h"
 #include "input/input_error_matcher.h"
 #include "study/preset_figures.h"
 #include "study/summary.h"
@@ -84,19 +85,26 @@ TEST(ResultBlock, PassesOverTheMapAreGivenForALargerPicture) {
   EXPECT_THAT(block, HasSubstr("| 1.0 | 10.0 | 10.5 |"));
 }
 
-TEST(ResultBlock, RecommendationsOfItsRowsInTheFullForm) {
-  const Recommendations lines{{"bilinear", {"one fetch | is all", ""}},
-                              {"pcss-64-64", {"reference", "on phones"}},
-                              {"unmeasured", {"never", "shown"}}};
-  const std::string block =
-      result_block(synthetic::results(), {kChart, {"pcss-64-64", "tent-5x5"}, BlockForm::full, lines});
-  EXPECT_THAT(block, HasSubstr("| Technique | Use it when | Not when |\n|:--|:--|:--|\n"
-                               "| `pcss-64-64` | reference | on phones |\n\n"));
+TEST(ResultBlock, ARowForEachTechniqueInTheFullForm) {
+  FactsOfTechniques facts;
+  facts.techniques["bilinear"].use_when = "one fetch | is all";
+  facts.techniques["pcss-64-64"] = {"reference", "on phones", {}, ProgramCycles{5299.4, 1816.0}};
+  facts.techniques["unmeasured"].use_when = "never";
+  const BlockStyle style{kChart, {"pcss-64-64", "tent-5x5"}, BlockForm::full, facts};
+  const std::string block = result_block(synthetic::results(), style);
+  EXPECT_THAT(block, HasSubstr("| Technique | RMSE in penumbra, 0.53° | RMSE in penumbra, 2° | fetches per "
+                               "pixel, 2° | maps, MiB | Use it when | Not when |\n"
+                               "|:--|--:|--:|--:|--:|:--|:--|\n| `pcss-64-64` | "));
+  EXPECT_THAT(block, HasSubstr("| reference | on phones |\n| `tent-5x5` | "));
   EXPECT_THAT(block, Not(HasSubstr("one fetch")));
-  EXPECT_THAT(result_block(synthetic::results(), {kChart, {"bilinear"}, BlockForm::full, lines}),
-              HasSubstr("| `bilinear` | one fetch \\| is all |  |\n"));
+  EXPECT_THAT(block, Not(HasSubstr("5299"))) << "whose cycles is not said";
+  facts.cycles_of = "RADV, navi21";
+  EXPECT_THAT(result_block(synthetic::results(), {kChart, {"pcss-64-64"}, BlockForm::full, facts}),
+              AllOf(HasSubstr("| cycles, RADV, navi21 |"), HasSubstr("| 5299 + 1816 | reference |")));
+  EXPECT_THAT(result_block(synthetic::results(), {kChart, {"bilinear"}, BlockForm::full, facts}),
+              HasSubstr("| – | one fetch \\| is all |  |\n"));
   for (const BlockForm form : {BlockForm::brief, BlockForm::line})
-    EXPECT_THAT(result_block(synthetic::results(), {kChart, {}, form, lines}), Not(HasSubstr("on phones")));
+    EXPECT_THAT(result_block(synthetic::results(), {kChart, {}, form, facts}), Not(HasSubstr("on phones")));
   EXPECT_THAT(result_block(synthetic::results(), {kChart, {}}), Not(HasSubstr("Use it when")));
 }
 
@@ -269,9 +277,15 @@ std::vector<PublishedPage> published_pages() {
        .block = "small-map"}};
 }
 
-// Read once: every manifest of the library.
-const Recommendations& committed_recommendations() {
-  static const Recommendations all = recommendations(techniques::read_technique_list(PENUMBRA_SOURCE_DIR));
+// Read once: every manifest of the library, and the costs of its programs.
+const FactsOfTechniques& committed_facts() {
+  static const FactsOfTechniques all = [] {
+    const std::filesystem::path root = PENUMBRA_SOURCE_DIR;
+    const techniques::TechniqueList list = techniques::read_technique_list(root);
+    FactsOfTechniques facts = facts_of(list);
+    cli::add_cycles(facts, list, cost::read_cost_report(root / "Documentation~/results/cost.json"));
+    return facts;
+  }();
   return all;
 }
 
@@ -291,8 +305,7 @@ TEST_P(Published, ShowsTheCommittedResults) {
   const Results results = read_results(folder / "results.json");
   const std::string text = file_text(root / page.file);
   const std::vector<std::string> rows = page.with_urp ? page.rows : without_urp(results);
-  const std::string block =
-      result_block(results, {relative_chart(page), rows, page.form, committed_recommendations()});
+  const std::string block = result_block(results, {relative_chart(page), rows, page.form, committed_facts()});
   EXPECT_EQ(text, replace_result_block(text, block, page.file, page.block));
   const std::string chart = file_text(folder / "pareto-fetches.svg");
   for (const Choice& choice : choices(results)) {

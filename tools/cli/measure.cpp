@@ -12,10 +12,12 @@
 #include "cli/option_text.h"
 #include "cli/option_values.h"
 #include "cli/shared_options.h"
+#include "cli/static_cycles.h"
 #include "cli/study_messages.h"
 #include "cli/study_options.h"
 #include "cli/subcommand.h"
 #include "cli/varied_subjects.h"
+#include "cost/cost_report.h"
 #include "input/input_error.h"
 #include "input/text_file.h"
 #include "input/visible_text.h"
@@ -50,6 +52,7 @@ struct MeasureOptions : StudyOptions {
   std::vector<std::string> rows;           // of its tables; empty: all
   bool brief = false;                      // one light's table in sight, no tables by scene
   bool line = false;                       // one sentence
+  std::string costs;                       // JSON of `penumbra cost`; empty: the library's own
   std::string presets;                     // C# file of the presets' figures
 };
 
@@ -67,7 +70,7 @@ std::string shown(const std::string& option, const std::string& value) {
 // The command that gives these results again: what was asked for, without this machine's folders.
 std::string reproducing_command(const std::vector<std::string>& arguments) {
   static const std::set<std::string> kPlaces{"-o",        "--output", "--cache", "--readme",
-                                             "--presets", "--block",  "--rows"};
+                                             "--presets", "--block",  "--rows",  "--cost"};
   std::string command = "penumbra";
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string& given = arguments[i];
@@ -88,11 +91,8 @@ std::string reproducing_command(const std::vector<std::string>& arguments) {
 // lack.
 std::vector<study::Subject> chosen_subjects(const MeasureOptions& options, techniques::LightKind light) {
   StudyOptions choice = options;
-  if (choice.techniques.empty() && choice.adapters.empty() && options.varied.set.empty()) {
-    const techniques::TechniqueList list = chosen_technique_list(options.technique_list);
-    for (const techniques::Technique& technique : list.techniques)
-      if (technique.is_for(light)) choice.techniques.push_back(technique.name);
-  }
+  if (choice.techniques.empty() && choice.adapters.empty() && options.varied.set.empty())
+    choice.techniques = {kAll};
   return varied_subjects(choice, options.varied, light);
 }
 
@@ -132,13 +132,13 @@ study::StudySettings study_settings(const MeasureOptions& options) {
 }
 
 void write_report(const std::filesystem::path& folder, const study::Results& results,
-                  std::vector<study::PictureRow> pictures, study::Recommendations recommendations) {
+                  std::vector<study::PictureRow> pictures, study::FactsOfTechniques facts) {
   make_folder(folder);
   study::ReportContent content;
   content.results = results;
   content.charts = study::report_charts(results);
   content.pictures = std::move(pictures);
-  content.recommendations = std::move(recommendations);
+  content.facts = std::move(facts);
   for (const study::ReportChart& chart : content.charts) {
     platform::write_file_atomically(folder / (chart.chart.name + ".svg"), chart.svg);
   }
@@ -215,15 +215,28 @@ bool writes_report(const MeasureOptions& options) {
   return !options.output.empty() && options.output != "-";
 }
 
-// The manifests' lines, where something shows them.
-study::Recommendations shown_recommendations(const MeasureOptions& options) {
+// The library's own figures, with which it ships.
+std::filesystem::path own_costs() {
+  return platform::data_directory() / "Documentation~" / "results" / "cost.json";
+}
+
+// What the manifests and a compiler say of techniques, where something shows it.
+study::FactsOfTechniques shown_facts(const MeasureOptions& options) {
   if (!writes_report(options) && options.readme.empty()) return {};
-  return study::recommendations(chosen_technique_list(options.technique_list));
+  const techniques::TechniqueList list = chosen_technique_list(options.technique_list);
+  study::FactsOfTechniques facts = study::facts_of(list);
+  std::error_code ignored;
+  if (!options.costs.empty()) {
+    add_cycles(facts, list, cost::read_cost_report(options.costs));
+  } else if (options.technique_list.empty() && std::filesystem::exists(own_costs(), ignored)) {
+    add_cycles(facts, list, cost::read_cost_report(own_costs()));
+  }
+  return facts;
 }
 
 // The block's chart is the one beside the results, by its path from the README's folder.
 void rewrite_readme(const MeasureOptions& options, const study::Results& results,
-                    const study::Recommendations& recommendations) {
+                    const study::FactsOfTechniques& facts) {
   const std::filesystem::path readme = options.readme;
   const std::filesystem::path beside = options.from.empty()
                                            ? std::filesystem::path(options.output)
@@ -235,7 +248,7 @@ void rewrite_readme(const MeasureOptions& options, const study::Results& results
   const study::BlockForm form = options.line    ? study::BlockForm::line
                                 : options.brief ? study::BlockForm::brief
                                                 : study::BlockForm::full;
-  const std::string block = study::result_block(results, {chart, options.rows, form, recommendations});
+  const std::string block = study::result_block(results, {chart, options.rows, form, facts});
   platform::write_file_atomically(readme,
                                   study::replace_result_block(text, block, options.readme, options.block));
 }
@@ -252,7 +265,7 @@ void check_outputs(const MeasureOptions& options, const Context& context) {
 void run(const MeasureOptions& options, Context& context) {
   check_outputs(options, context);
   // Before the measuring: a mistake in a manifest loses no results.
-  const study::Recommendations recommendations = shown_recommendations(options);
+  const study::FactsOfTechniques facts = shown_facts(options);
   Measured measured;
   if (options.from.empty()) {
     measured = measure(options, context);
@@ -261,12 +274,12 @@ void run(const MeasureOptions& options, Context& context) {
   }
   if (study::has_invalid_values(measured.results)) tell_invalid_results(measured.results.records, context);
   if (writes_report(options)) {
-    write_report(options.output, measured.results, std::move(measured.pictures), recommendations);
+    write_report(options.output, measured.results, std::move(measured.pictures), facts);
     print_headlines(options.output, measured.results);
   } else if (options.readme.empty() && options.presets.empty()) {
     write_output("", study::to_json(measured.results));
   }
-  if (!options.readme.empty()) rewrite_readme(options, measured.results, recommendations);
+  if (!options.readme.empty()) rewrite_readme(options, measured.results, facts);
   if (!options.presets.empty())
     write_output(options.presets, study::preset_figures_csharp(measured.results, techniques::preset_prefix));
 }
@@ -339,6 +352,11 @@ void add_measure(CLI::App& app, Context& context) {
                  "In --readme, write one sentence: penumbra RMSE and fetches under the middle light size")
       ->needs(readme)
       ->excludes(brief);
+  command
+      ->add_option("--cost", options->costs,
+                   "JSON of penumbra cost, for the cycles of each technique's programs")
+      ->type_name("FILE")
+      ->default_str("the library's own");
   file("--presets", options->presets,
        "Write the quality presets' figures as C# to this file; - is standard output");
   command
@@ -356,8 +374,8 @@ void add_measure(CLI::App& app, Context& context) {
        {"penumbra measure --scene trees --technique pcss-angular-24-16 --set blockerSamples=8,16,32", ""},
        {"penumbra measure --from report/results.json -o again", "the same report again, without measuring"}});
   command->callback([command, options, &context] {
-    refuse_beside_from(*command,
-                       {"--readme", "--block", "--rows", "--brief", "--line", "--presets", "--output"});
+    refuse_beside_from(
+        *command, {"--readme", "--block", "--rows", "--brief", "--line", "--presets", "--cost", "--output"});
     run(*options, context);
   });
 }

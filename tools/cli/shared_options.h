@@ -32,6 +32,8 @@ std::vector<std::string> worker_arguments(const std::string& mode);
 CLI::Option* add_technique_list_option(CLI::App& command, std::string& list);
 techniques::TechniqueList chosen_technique_list(const std::string& list);
 
+inline constexpr const char* kAll = "all";  // in the place of a scene's or a technique's name
+
 CLI::Option* add_technique_option(CLI::App& command, std::vector<std::string>& techniques,
                                   const std::string& without);
 CLI::Option* add_project(CLI::App& command, std::string& folder);

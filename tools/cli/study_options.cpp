@@ -75,7 +75,10 @@ void add_scene_options(CLI::App& command, StudyOptions& options, const std::stri
     return command.add_option(name, value, description)->type_name(unit)->group(group);
   };
   CLI::Option* scene =
-      command.add_option("--scene", options.scenes, "Built-in scenes, package:NAME, or model files")
+      command
+          .add_option("--scene", options.scenes,
+                      "Built-in scenes, package:NAME, or model files; all: every one under the sun that most "
+                      "techniques draw")
           ->default_str(default_scene)
           ->group(group);
   takes(command, one_each(scene), "SCENE");  // names_or_files splits them: a file name may contain a comma
@@ -223,7 +226,16 @@ std::vector<scene::Scene> chosen_scenes(const StudyOptions& options,
                                         const std::vector<std::string>& fallback) {
   std::vector<scene::Scene> scenes;
   std::set<std::string> seen;
-  const std::vector<std::string> names = options.scenes.empty() ? fallback : names_or_files(options.scenes);
+  std::vector<std::string> names;
+  const std::vector<std::string> given = options.scenes.empty() ? fallback : names_or_files(options.scenes);
+  for (const std::string& name : given) {
+    if (name != kAll) {
+      names.push_back(name);
+      continue;
+    }
+    const std::vector<std::string> all = scene::scene_names();
+    names.insert(names.end(), all.begin(), all.end());
+  }
   refuse_import_options_without_a_model(options.import, names);
   for (const std::string& name : names) {
     if (!seen.insert(name).second) continue;  // duplicates are removed

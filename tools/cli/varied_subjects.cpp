@@ -235,6 +235,19 @@ void give_titles(std::vector<study::Subject>& subjects, const std::vector<std::s
   }
 }
 
+// With the names of all techniques for the kind of light in the place of `all`.
+std::vector<std::string> without_all(const std::vector<std::string>& given,
+                                     const techniques::TechniqueList& list, techniques::LightKind light) {
+  std::vector<std::string> names;
+  for (const std::string& name : given) {
+    if (name != kAll) names.push_back(name);
+    if (name != kAll) continue;
+    for (const techniques::Technique& technique : list.techniques)
+      if (technique.is_for(light)) names.push_back(technique.name);
+  }
+  return names;
+}
+
 // Those of the list that was given and, by their names, the library's own, for comparison.
 class KnownTechniques {
  public:
@@ -283,7 +296,7 @@ std::vector<study::Subject> varied_subjects(const StudyOptions& options, const V
                                             techniques::LightKind light) {
   const bool reversed_z = options.reversed_z;
   const KnownTechniques known(options.technique_list);
-  std::vector<std::string> names = options.techniques;
+  std::vector<std::string> names = without_all(options.techniques, known.given(), light);
   drop_repetitions(names);
   std::vector<int> frames = varied.frames;
   drop_repetitions(frames);

@@ -121,6 +121,14 @@ class Temporary {
   bool renamed_ = false;
 };
 
+// Not where its kind cannot be read: then it may be a file.
+bool is_device(const std::filesystem::path& file) {
+  std::error_code unreadable;
+  const std::filesystem::file_type type = std::filesystem::status(file, unreadable).type();
+  return type == std::filesystem::file_type::character || type == std::filesystem::file_type::block ||
+         type == std::filesystem::file_type::fifo || type == std::filesystem::file_type::socket;
+}
+
 void try_to_write(const std::filesystem::path& file, const std::filesystem::path& named) {
   const FileWrite writing;
   const Temporary temporary(file, named);
@@ -131,7 +139,7 @@ void try_to_write(const std::filesystem::path& file, const std::filesystem::path
 void check_file_can_be_written(const std::filesystem::path& file) {
   std::error_code status;
   if (std::filesystem::is_directory(file, status)) fail(file, EISDIR);
-  if (std::filesystem::exists(file, status) && !std::filesystem::is_regular_file(file, status)) return;
+  if (is_device(file)) return;
   try_to_write(file, file);
 }
 
@@ -142,8 +150,7 @@ void check_folder_can_be_written(const std::filesystem::path& folder, const std:
 void write_file_atomically(const std::filesystem::path& file, std::string_view content) {
   std::error_code status;
   if (std::filesystem::is_directory(file, status)) fail(file, EISDIR);
-  if (std::filesystem::exists(file, status) && !std::filesystem::is_regular_file(file, status))
-    return write_straight(file, content);
+  if (is_device(file)) return write_straight(file, content);
   const FileWrite writing;
   Temporary temporary(file, file);
   errno = 0;

@@ -10,12 +10,36 @@ namespace {
 constexpr int kUnlimitedVersion = 1;
 constexpr int kUnlimitedSeeds = 4;  // rotations averaged: with thousands of taps they have little effect
 
-std::string unlimited_key(const View& view, const resolve::CompiledGraph& graph) {
-  platform::ContentHash hash;
-  hash.update(kUnlimitedVersion).update(view.key);
+void add_to(platform::ContentHash& hash, const resolve::CompiledGraph& graph) {
   for (const resolve::CompiledProgram& program : graph.programs)
     hash.update(std::span<const std::uint32_t>(program.plain));
   hash.update(graph.source.parameters.fingerprint());
+}
+
+std::string unlimited_key(const View& view, const resolve::CompiledGraph& graph) {
+  platform::ContentHash hash;
+  hash.update(kUnlimitedVersion).update(view.key);
+  add_to(hash, graph);
+  return hash.hex();
+}
+
+// Of all that a record says of its subject, and what its programs read besides the frame.
+std::string fingerprint_of(const Subject& subject, const resolve::CompiledGraph& graph) {
+  platform::ContentHash hash;
+  hash.update(subject.name).update(subject.title).update(subject.averaged_frames);
+  hash.update(subject.light_scale).update(subject.cascades.size());
+  for (const techniques::CascadeRule& rule : subject.cascades) {
+    hash.update(rule.from).update(rule.technique);
+    for (const auto& [name, values] : rule.values) {
+      hash.update(name);
+      for (const double value : values) hash.update(value);
+    }
+  }
+  add_to(hash, graph);
+  for (const auto& [pass, program] : graph.alpha_tested)
+    hash.update(pass).update(std::span<const std::uint32_t>(program.plain));
+  for (const techniques::GraphTexture& texture : graph.source.graph.textures)
+    hash.update(texture.name).update(texture.format).update(texture.divisor).update(texture.mips);
   return hash.hex();
 }
 
@@ -33,7 +57,11 @@ std::vector<float> mean_image(const std::vector<std::vector<float>>& images) {
 
 PreparedSubject::PreparedSubject(const gpu::Device& device, const Subject& subject,
                                  const StudySettings& settings)
-    : subject_(&subject), runner_(device, resolve::compile(subject.graph, settings.compiler)) {
+    : PreparedSubject(device, subject, settings, resolve::compile(subject.graph, settings.compiler)) {}
+
+PreparedSubject::PreparedSubject(const gpu::Device& device, const Subject& subject,
+                                 const StudySettings& settings, resolve::CompiledGraph graph)
+    : subject_(&subject), fingerprint_(fingerprint_of(subject, graph)), runner_(device, std::move(graph)) {
   if (settings.split_error && subject.unlimited) {
     unlimited_ = resolve::compile(*subject.unlimited, settings.compiler);
     unlimited_runner_.emplace(device, *unlimited_);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "reference/reference_cache.h"
@@ -24,6 +25,9 @@ class PreparedSubject {
 
   const Subject& subject() const { return *subject_; }
 
+  // A hash of the subject, its programs and its parameters.
+  const std::string& fingerprint() const { return fingerprint_; }
+
   Answer answer(const FrameOfCase& frame, const resolve::RunOptions& options);
 
   // With unlimited samples; absent where it takes none, or where the settings want no such answer.
@@ -33,7 +37,11 @@ class PreparedSubject {
   Shimmer shimmer(const CaseSetup& setup, const std::vector<FrameOfCase>& pan);
 
  private:
+  PreparedSubject(const gpu::Device& device, const Subject& subject, const StudySettings& settings,
+                  resolve::CompiledGraph graph);
+
   const Subject* subject_;
+  std::string fingerprint_;
   resolve::GraphRunner runner_;
   std::optional<resolve::CompiledGraph> unlimited_;
   std::optional<resolve::GraphRunner> unlimited_runner_;

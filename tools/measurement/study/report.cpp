@@ -125,21 +125,48 @@ std::string references(const Results& results) {
          rows + "</tbody></table></div>\n";
 }
 
-std::string recommendation_table(const ReportContent& content) {
-  std::string rows;
-  for (const auto& [choice, lines] : recommended(content.results, content.recommendations))
-    rows += fmt::format(
-        "<tr><th scope=\"row\" class=\"name\">{}</th><td class=\"name\">{}</td><td "
-        "class=\"name\">{}</td></tr>\n",
-        escape_html(choice.title.empty() ? choice.technique : choice.title), escape_html(lines.use_when),
-        escape_html(lines.not_when));
+std::string figure_cell(const std::string& text) {
+  return "<td>" + escape_html(text) + "</td>";
+}
+
+// One row for each technique; empty if nothing is known of any.
+std::string technique_table(const ReportContent& content) {
+  const std::vector<TechniqueRow> rows = technique_rows(content.results, content.facts);
   if (rows.empty()) return {};
-  return "<p>The library's advice, from its own measurements and not from the figures above.</p>\n"
-         "<div class=\"scroll\" role=\"region\" aria-label=\"Recommendations\" tabindex=\"0\"><table "
-         "class=\"plain\">\n<thead><tr><th scope=\"col\" class=\"name\">Technique</th>"
+  const auto head = [](const std::string& text, const std::string& unit) {
+    return "<th scope=\"col\">" + escape_html(text) + "<span class=\"unit\">" + escape_html(unit) +
+           "</span></th>";
+  };
+  std::string heads = "<th scope=\"col\" class=\"name\">Technique</th>";
+  for (const double light : light_sizes(content.results))
+    heads += head("Penumbra RMSE", fmt::format("{}°", light));
+  heads += head("Fetches per pixel", fmt::format("{}°", middle_light(content.results))) + head("Maps", "MiB");
+  if (!content.facts.cycles_of.empty()) heads += head("Cycles", content.facts.cycles_of);
+  std::string body;
+  for (const TechniqueRow& row : rows) {
+    body += "<tr><th scope=\"row\" class=\"name\">" +
+            escape_html(row.choice.title.empty() ? row.choice.label : row.choice.title) + "</th>";
+    for (const std::optional<Estimate>& rmse : row.rmse_penumbra) body += figure_cell(figure_text(rmse));
+    body += figure_cell(fetches_text(row.fetches)) + figure_cell(fmt::format("{:.1f}", row.map_mebibytes));
+    if (!content.facts.cycles_of.empty()) body += figure_cell(cycles_text(row.cycles));
+    body += "<td class=\"name\">" + escape_html(row.use_when) + "</td><td class=\"name\">" +
+            escape_html(row.not_when) + "</td></tr>\n";
+  }
+  return "<p>Maps: the shadow map and the textures that are made of it, without those of the picture's "
+         "size." +
+         std::string(
+             content.facts.cycles_of.empty()
+                 ? ""
+                 : " Cycles: a compiler's static estimate per 64 threads, of the program that gives the "
+                   "visibility + of its other passes.") +
+         " When to use it: the library's advice, from its own measurements and not from the figures "
+         "here.</p>\n"
+         "<div class=\"scroll\" role=\"region\" aria-label=\"One row for each technique\" tabindex=\"0\">"
+         "<table class=\"plain\">\n<thead><tr>" +
+         heads +
          "<th scope=\"col\" class=\"name\">Use it when</th><th scope=\"col\" class=\"name\">Not when</th>"
          "</tr></thead>\n<tbody>\n" +
-         rows + "</tbody></table></div>\n";
+         body + "</tbody></table></div>\n";
 }
 
 std::vector<Section> sections(const ReportContent& content) {
@@ -147,7 +174,7 @@ std::vector<Section> sections(const ReportContent& content) {
   std::vector<Section> all = {
       {"cost", "Cost against error", charts_html(content.charts)},
       {"figures", "All figures", record_table(results, content.pictures)},
-      {"recommendations", "When to use each", recommendation_table(content)},
+      {"techniques", "One row for each technique", technique_table(content)},
       {"pictures", "Pictures", pictures_html(results, content.pictures)},
       {"words", "What each figure means", metric_definitions_html()},
       {"references", "What the errors are measured against",

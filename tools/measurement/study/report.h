@@ -13,8 +13,8 @@
 
 #include "study/chart.h"
 #include "study/picture.h"
-#include "study/recommendation.h"
 #include "study/results.h"
+#include "study/technique_facts.h"
 
 namespace penumbra::study {
 
@@ -46,7 +46,7 @@ struct ReportContent {
   Results results;
   std::vector<ReportChart> charts;
   std::vector<PictureRow> pictures;
-  Recommendations recommendations{};
+  FactsOfTechniques facts{};
 };
 
 // The same content gives the same bytes.

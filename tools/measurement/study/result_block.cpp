@@ -136,11 +136,6 @@ std::string command(const Results& results) {
   return folded("The command", markdown_code_block("sh", results.command) + "\n" + origin(results));
 }
 
-double middle_light(const Results& results) {
-  const std::vector<double> lights = light_sizes(results);
-  return lights[lights.size() / 2];
-}
-
 bool has_map_passes(const Record& record) {
   return std::any_of(record.passes.begin(), record.passes.end(),
                      [](const PassRecord& pass) { return pass.fetches_per_cascade.has_value(); });
@@ -246,16 +241,39 @@ std::string brief_block(const Results& results) {
   return block + command(results);
 }
 
-// Empty without a line.
-std::string recommendation_table(const Results& results, const Recommendations& recommendations) {
-  std::string rows;
-  for (const auto& [choice, lines] : recommended(results, recommendations))
-    rows += fmt::format("| {} | {} | {} |\n", markdown_code(choice.technique), markdown_cell(lines.use_when),
-                        markdown_cell(lines.not_when));
+// One row for each technique; empty if nothing is known of any.
+std::string technique_table(const Results& results, const FactsOfTechniques& facts) {
+  const std::vector<TechniqueRow> rows = technique_rows(results, facts);
   if (rows.empty()) return {};
-  return "The library's advice, from its own measurements (`Documentation~/techniques.md`) and not from the "
-         "figures above:\n\n| Technique | Use it when | Not when |\n|:--|:--|:--|\n" +
-         rows + "\n";
+  std::vector<std::string> heads{"Technique"};
+  for (const double light : light_sizes(results)) heads.push_back("RMSE in penumbra, " + light_name(light));
+  heads.insert(heads.end(), {"fetches per pixel, " + light_name(middle_light(results)), "maps, MiB"});
+  if (!facts.cycles_of.empty()) heads.push_back("cycles, " + markdown_cell(facts.cycles_of));
+  const std::size_t figures = heads.size();
+  std::string table = fmt::format("| {} | Use it when | Not when |\n|:--", fmt::join(heads, " | "));
+  for (std::size_t i = 1; i < figures; ++i) table += "|--:";
+  table += "|:--|:--|\n";
+  for (const TechniqueRow& row : rows) {
+    std::vector<std::string> cells{markdown_code(row.choice.label)};
+    for (const std::optional<Estimate>& rmse : row.rmse_penumbra) cells.push_back(figure_text(rmse));
+    cells.push_back(fetches_text(row.fetches));
+    cells.push_back(fmt::format("{:.1f}", row.map_mebibytes));
+    if (!facts.cycles_of.empty()) cells.push_back(cycles_text(row.cycles));
+    cells.insert(cells.end(), {markdown_cell(row.use_when), markdown_cell(row.not_when)});
+    table += fmt::format("| {} |\n", fmt::join(cells, " | "));
+  }
+  return "One row for each technique. Maps: the shadow map and the textures that are made of it, without "
+         "those of "
+         "the picture's size." +
+         std::string(
+             facts.cycles_of.empty()
+                 ? ""
+                 : " Cycles: a compiler's static estimate per 64 threads, of the program that gives the "
+                   "visibility + of its other passes (`penumbra cost`).") +
+         " When to use it: the library's advice, from its own measurements (`Documentation~/techniques.md`) "
+         "and "
+         "not from the figures above.\n\n" +
+         table + "\n";
 }
 
 std::string full_block(const Results& results, const BlockStyle& style) {
@@ -273,7 +291,7 @@ std::string full_block(const Results& results, const BlockStyle& style) {
         [](const Record& record) { return figure_text(false_shadow_rate_of(record), 100.0); });
   }
   block += fmt::format("![Penumbra error against fetches per pixel]({})\n\n", style.chart_path);
-  block += recommendation_table(results, style.recommendations);
+  block += technique_table(results, style.facts);
   block += map_pass_table(results);
   return block + folded("Penumbra RMSE of every scene", errors) + "\n" +
          folded("Light leaks of every scene, %", leaks) + "\n" +

@@ -5,15 +5,15 @@
 #include <string_view>
 #include <vector>
 
-#include "study/recommendation.h"
 #include "study/results.h"
+#include "study/technique_facts.h"
 
 namespace penumbra::study {
 
 inline constexpr std::string_view kResultBlock = "results";  // as input/markdown.h names blocks
 
 enum class BlockForm {
-  full,   // a table per light, the chart, recommendations, and the penumbra RMSE of every scene
+  full,   // a table per light, the chart, a row for each technique, and the penumbra RMSE of every scene
   brief,  // the table of the middle light; those of the other lights folded
   line,   // one sentence: penumbra RMSE and fetches under the middle light
 };
@@ -23,7 +23,7 @@ struct BlockStyle {
   std::vector<std::string>
       rows{};  // techniques, in this order; those that were not measured are left out; empty: all
   BlockForm form = BlockForm::full;
-  Recommendations recommendations{};  // of which the full form shows those of the rows
+  FactsOfTechniques facts{};  // which the full form shows, one row for each technique
 };
 
 // Markdown: means over scenes of errors, rates and fetches with their intervals. Techniques go by their

@@ -5,11 +5,14 @@
 #include <optional>
 
 #include "input/input_error.h"
+#include "platform/build_identity.h"
+#include "platform/content_hash.h"
 #include "platform/interrupt.h"
 #include "reference/reference_cache.h"
 #include "resolve/debug_view.h"
 #include "study/case_setup.h"
 #include "study/colour_map.h"
+#include "study/kept_records.h"
 #include "study/prepared_subject.h"
 #include "study/recording.h"
 
@@ -50,6 +53,7 @@ class Study {
         settings_(settings),
         progress_(progress),
         cache_(settings.cache),
+        kept_(settings.cache),
         cases_(device, subjects, settings, progress, cache_) {
     check_lights(settings.scenes, subjects, settings);
     prepare(subjects);
@@ -69,12 +73,12 @@ class Study {
           progress_(setup.label() + ", " + subject.name, static_cast<double>(i),
                     static_cast<double>(subjects_.size()), " techniques");
           const View& view = setup.view(FrameRequest::of(subject));
-          measure_subject(setup, view, subjects_[i]);
-          if (!view.pan.empty()) outcome_.records.back().shimmer = subjects_[i].shimmer(setup, view.pan);
+          add(setup, view, subjects_[i]);
           platform::throw_if_interrupted();
         }
       }
     }
+    kept_.drop();
     return std::move(outcome_);
   }
 
@@ -102,7 +106,50 @@ class Study {
                              " requested");
   }
 
-  void measure_subject(const CaseSetup& setup, const View& view, PreparedSubject& prepared) {
+  // What an interrupted run has measured, else measured now.
+  void add(const CaseSetup& setup, const View& view, PreparedSubject& prepared) {
+    const bool kept = !settings_.answered;  // which needs the answer itself
+    const std::string key = kept ? record_key(setup, view, prepared) : std::string();
+    if (std::optional<KeptRecord> known = kept ? kept_.find(key) : std::nullopt) {
+      outcome_.records.push_back(std::move(known->record));
+      outcome_.pictures.push_back(std::move(known->pictures));
+      note_unset(prepared.subject(), known->unset_uniforms);
+      return;
+    }
+    const std::vector<std::string> unset = measure_subject(setup, view, prepared);
+    if (!view.pan.empty()) outcome_.records.back().shimmer = prepared.shimmer(setup, view.pan);
+    if (kept)
+      kept_.store(key, {outcome_.frames.back(), outcome_.records.back(), outcome_.pictures.back(), unset});
+  }
+
+  std::string record_key(const CaseSetup& setup, const View& view, const PreparedSubject& prepared) const {
+    platform::ContentHash hash;
+    hash.update(platform::build_identity()).update(device_.info().name).update(device_.info().driver);
+    hash.update(setup.scene.name).update(setup.light_degrees).update(view.key).update(prepared.fingerprint());
+    const FrameRequest& request = view.request;
+    hash.update(request.bias.depth)
+        .update(request.bias.normal)
+        .update(static_cast<int>(request.bias.soft_quality));
+    hash.update(request.raster_bias.constant).update(request.raster_bias.slope).update(request.light_scale);
+    const scene::CascadeChoices& choices = request.cascade_choices;
+    hash.update(static_cast<int>(choices.light_fit)).update(choices.map_age_degrees);
+    hash.update(choices.blend.border).update(choices.blend.mixed);
+    const parameters::ShadowSettings& shadows = view.frame.settings.shadows;
+    hash.update(static_cast<int>(view.frame.atlas.format)).update(shadows.cascades);
+    hash.update(shadows.distance_metres).update(shadows.reversed_z);
+    for (const double split : parameters::effective_splits(shadows)) hash.update(split);
+    hash.update(settings_.reference_samples).update(settings_.seed).update(settings_.noise_seeds);
+    hash.update(settings_.timing_repeats).update(settings_.split_error).update(settings_.pan_frames);
+    hash.update(settings_.edge_samples).update(settings_.window.has_value());
+    if (const auto& window = settings_.window)
+      hash.update(window->x).update(window->y).update(window->width).update(window->height);
+    for (const std::string& name : settings_.debug_views) hash.update(name);
+    return hash.hex();
+  }
+
+  // The uniforms that nobody provides.
+  std::vector<std::string> measure_subject(const CaseSetup& setup, const View& view,
+                                           PreparedSubject& prepared) {
     const Subject& subject = prepared.subject();
     const bool averaged = subject.averaged_frames > 1;
     resolve::RunOptions options;
@@ -121,7 +168,8 @@ class Study {
       settings_.answered(
           {setup.scene, view.frame, setup.t1, outcome_.records.back(), answer.visibility.front()});
     }
-    note_unset(subject, answer);
+    note_unset(subject, answer.unset_uniforms);
+    return answer.unset_uniforms;
   }
 
   std::map<std::string, Picture> debug_views(const FrameOfCase& frame,
@@ -135,10 +183,10 @@ class Study {
     return pictures;
   }
 
-  void note_unset(const Subject& subject, const Answer& result) {
-    if (result.unset_uniforms.empty()) return;
+  void note_unset(const Subject& subject, const std::vector<std::string>& uniforms) {
+    if (uniforms.empty()) return;
     std::string note = subject.name + " reads uniforms that are not provided and are therefore 0:";
-    for (const std::string& name : result.unset_uniforms) note += " " + name;
+    for (const std::string& name : uniforms) note += " " + name;
     if (std::find(outcome_.notes.begin(), outcome_.notes.end(), note) == outcome_.notes.end()) {
       outcome_.notes.push_back(std::move(note));
     }
@@ -148,6 +196,7 @@ class Study {
   const StudySettings& settings_;
   const StudyProgress& progress_;
   reference::ReferenceCache cache_;
+  KeptRecords kept_;
   CaseBuilder cases_;
   std::vector<PreparedSubject> subjects_;
   std::map<std::string, resolve::DebugView> debug_views_;  // by pass

@@ -1,0 +1,14 @@
+// The cycles that a compiler estimates, from a report of `penumbra cost`, for the tables of `measure`.
+#pragma once
+
+#include "cost/cost_report.h"
+#include "study/technique_facts.h"
+#include "techniques/technique_list.h"
+
+namespace penumbra::cli {
+
+// Of one GPU family of the report, navi21 if it has that. A technique without rows has none.
+void add_cycles(study::FactsOfTechniques& facts, const techniques::TechniqueList& list,
+                const cost::CostReport& report);
+
+}  // namespace penumbra::cli

@@ -1,0 +1,59 @@
+// What is known of a technique besides its measurements: whom its manifest recommends it to, the textures
+// that its passes make, and what a compiler says of its programs; and with them one row for each technique.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "study/results.h"
+#include "study/summary.h"
+#include "techniques/technique_list.h"
+
+namespace penumbra::study {
+
+// Of a GPU that is fully occupied, per 64 threads; static estimates (Documentation~/cost.md).
+struct ProgramCycles {
+  double visibility = 0.0;  // of the program that gives the visibility
+  double others = 0.0;      // the sum of those of its other passes
+};
+
+struct TechniqueFacts {
+  std::string use_when{};  // one line each, may be empty
+  std::string not_when{};
+  std::vector<techniques::GraphTexture> textures{};
+  std::optional<ProgramCycles> cycles{};
+};
+
+// The lines and textures are the manifests' as they are now, not as they were when the figures were measured:
+// lines are written after the figures.
+struct FactsOfTechniques {
+  std::map<std::string, TechniqueFacts> techniques{};
+  std::string cycles_of{};  // the compiler and the GPU, for a table's head; empty without cycles
+};
+
+FactsOfTechniques facts_of(const techniques::TechniqueList& list);
+
+// The memory of the shadow map and of the textures that are shares of it or have a fixed size, in MiB, as
+// declared; those of the picture's size are left out.
+double map_mebibytes(const Record& record, const std::vector<techniques::GraphTexture>& textures);
+
+struct TechniqueRow {
+  Choice choice;
+  std::vector<std::optional<Estimate>> rmse_penumbra{};  // by light, as light_sizes()
+  std::optional<Estimate> fetches{};                     // under the middle light
+  double map_mebibytes = 0.0;
+  std::optional<ProgramCycles> cycles{};
+  std::string use_when{};
+  std::string not_when{};
+};
+
+// Every technique that was measured, in record order; empty if nothing is known of any.
+std::vector<TechniqueRow> technique_rows(const Results& results, const FactsOfTechniques& facts);
+
+std::string cycles_text(const std::optional<ProgramCycles>& cycles);  // "420 + 992", "–"
+
+double middle_light(const Results& results);  // the one in the middle of light_sizes(), in degrees
+
+}  // namespace penumbra::study
