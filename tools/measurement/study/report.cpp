@@ -142,6 +142,7 @@ std::string technique_table(const ReportContent& content) {
     heads += head("Penumbra RMSE", fmt::format("{}°", light));
   heads += head("Fetches per pixel", fmt::format("{}°", middle_light(content.results))) + head("Maps", "MiB");
   if (!content.facts.cycles_of.empty()) heads += head("Cycles", content.facts.cycles_of);
+  const bool advice = has_advice(rows);
   std::string body;
   for (const TechniqueRow& row : rows) {
     body += "<tr><th scope=\"row\" class=\"name\">" +
@@ -149,24 +150,19 @@ std::string technique_table(const ReportContent& content) {
     for (const std::optional<Estimate>& rmse : row.rmse_penumbra) body += figure_cell(figure_text(rmse));
     body += figure_cell(fetches_text(row.fetches)) + figure_cell(fmt::format("{:.1f}", row.map_mebibytes));
     if (!content.facts.cycles_of.empty()) body += figure_cell(cycles_text(row.cycles));
-    body += "<td class=\"name\">" + escape_html(row.use_when) + "</td><td class=\"name\">" +
-            escape_html(row.not_when) + "</td></tr>\n";
+    if (advice)
+      body += "<td class=\"name\">" + escape_html(row.use_when) + "</td><td class=\"name\">" +
+              escape_html(row.not_when) + "</td>";
+    body += "</tr>\n";
   }
-  return "<p>Maps: the shadow map and the textures that are made of it, without those of the picture's "
-         "size." +
-         std::string(
-             content.facts.cycles_of.empty()
-                 ? ""
-                 : " Cycles: a compiler's static estimate per 64 threads, of the program that gives the "
-                   "visibility + of its other passes.") +
-         " When to use it: the library's advice, from its own measurements and not from the figures "
-         "here.</p>\n"
-         "<div class=\"scroll\" role=\"region\" aria-label=\"One row for each technique\" tabindex=\"0\">"
+  if (advice)
+    heads +=
+        "<th scope=\"col\" class=\"name\">Use it when</th><th scope=\"col\" class=\"name\">Not when</th>";
+  return "<p>" + escape_html(rows_explained(rows, content.facts)) +
+         "</p>\n<div class=\"scroll\" role=\"region\" aria-label=\"One row for each technique\" "
+         "tabindex=\"0\">"
          "<table class=\"plain\">\n<thead><tr>" +
-         heads +
-         "<th scope=\"col\" class=\"name\">Use it when</th><th scope=\"col\" class=\"name\">Not when</th>"
-         "</tr></thead>\n<tbody>\n" +
-         body + "</tbody></table></div>\n";
+         heads + "</tr></thead>\n<tbody>\n" + body + "</tbody></table></div>\n";
 }
 
 std::vector<Section> sections(const ReportContent& content) {

@@ -250,30 +250,21 @@ std::string technique_table(const Results& results, const FactsOfTechniques& fac
   heads.insert(heads.end(), {"fetches per pixel, " + light_name(middle_light(results)), "maps, MiB"});
   if (!facts.cycles_of.empty()) heads.push_back("cycles, " + markdown_cell(facts.cycles_of));
   const std::size_t figures = heads.size();
-  std::string table = fmt::format("| {} | Use it when | Not when |\n|:--", fmt::join(heads, " | "));
-  for (std::size_t i = 1; i < figures; ++i) table += "|--:";
-  table += "|:--|:--|\n";
+  const bool advice = has_advice(rows);
+  if (advice) heads.insert(heads.end(), {"Use it when", "Not when"});
+  std::string table = fmt::format("| {} |\n|:--", fmt::join(heads, " | "));
+  for (std::size_t i = 1; i < heads.size(); ++i) table += i < figures ? "|--:" : "|:--";
+  table += "|\n";
   for (const TechniqueRow& row : rows) {
     std::vector<std::string> cells{markdown_code(row.choice.label)};
     for (const std::optional<Estimate>& rmse : row.rmse_penumbra) cells.push_back(figure_text(rmse));
     cells.push_back(fetches_text(row.fetches));
     cells.push_back(fmt::format("{:.1f}", row.map_mebibytes));
     if (!facts.cycles_of.empty()) cells.push_back(cycles_text(row.cycles));
-    cells.insert(cells.end(), {markdown_cell(row.use_when), markdown_cell(row.not_when)});
+    if (advice) cells.insert(cells.end(), {markdown_cell(row.use_when), markdown_cell(row.not_when)});
     table += fmt::format("| {} |\n", fmt::join(cells, " | "));
   }
-  return "One row for each technique. Maps: the shadow map and the textures that are made of it, without "
-         "those of "
-         "the picture's size." +
-         std::string(
-             facts.cycles_of.empty()
-                 ? ""
-                 : " Cycles: a compiler's static estimate per 64 threads, of the program that gives the "
-                   "visibility + of its other passes (`penumbra cost`).") +
-         " When to use it: the library's advice, from its own measurements (`Documentation~/techniques.md`) "
-         "and "
-         "not from the figures above.\n\n" +
-         table + "\n";
+  return "One row for each technique. " + rows_explained(rows, facts) + "\n\n" + table + "\n";
 }
 
 std::string full_block(const Results& results, const BlockStyle& style) {

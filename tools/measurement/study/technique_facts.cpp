@@ -58,6 +58,24 @@ double map_mebibytes(const Record& record, const std::vector<techniques::GraphTe
   return bytes / kMebibyte;
 }
 
+bool has_advice(const std::vector<TechniqueRow>& rows) {
+  return std::any_of(rows.begin(), rows.end(),
+                     [](const TechniqueRow& row) { return !row.use_when.empty() || !row.not_when.empty(); });
+}
+
+std::string rows_explained(const std::vector<TechniqueRow>& rows, const FactsOfTechniques& facts) {
+  std::string text =
+      "Maps: the shadow map and the textures that are made of it, without those of the picture's size.";
+  if (!facts.cycles_of.empty())
+    text +=
+        " Cycles: a compiler's static estimate per 64 threads, of the program that gives the visibility + of "
+        "its "
+        "other passes; it assumes eight iterations of every loop, however many samples a technique takes.";
+  if (has_advice(rows))
+    text += " When to use it: the library's advice, from its own measurements and not from the figures here.";
+  return text;
+}
+
 std::string cycles_text(const std::optional<ProgramCycles>& cycles) {
   if (!cycles) return "–";
   return fmt::format("{:.0f}", cycles->visibility) +

@@ -52,6 +52,10 @@ struct TechniqueRow {
 // Every technique that was measured, in record order; empty if nothing is known of any.
 std::vector<TechniqueRow> technique_rows(const Results& results, const FactsOfTechniques& facts);
 
+// What the table of these rows shows, in sentences; its columns of lines are left out where no row has one.
+bool has_advice(const std::vector<TechniqueRow>& rows);
+std::string rows_explained(const std::vector<TechniqueRow>& rows, const FactsOfTechniques& facts);
+
 std::string cycles_text(const std::optional<ProgramCycles>& cycles);  // "420 + 992", "–"
 
 double middle_light(const Results& results);  // the one in the middle of light_sizes(), in degrees
