@@ -2,6 +2,9 @@
 #include "cli/program.h"
 
 #include <nlohmann/json.hpp>
+#include <set>
+
+#include "scene/scene.h"
 
 namespace penumbra {
 namespace {
@@ -53,6 +56,20 @@ TEST_F(TechniqueListCommand, TheLibrarysTechniquesAreMeasuredBesideOnesOwn) {
   EXPECT_EQ(records[0].at("technique"), "means");
   EXPECT_EQ(records[1].at("technique"), "tent-5");
   EXPECT_EQ(records[1].at("fetches_mean"), 9.0);
+}
+
+TEST_F(TechniqueListCommand, AllStandsForEveryTechniqueAndScene) {
+  const auto measured = run({"measure", "--technique-list", added("Means"), "--technique", "all", "--scene",
+                             "all", "--light", "2", "--map-size", "128", "--size", "16x9",
+                             "--reference-samples", "32", "--timing-repeats", "0", "--no-split"});
+  ASSERT_EQ(measured.exit_code, 0) << measured.errors;
+  std::set<std::string> scenes;
+  const nlohmann::json results = nlohmann::json::parse(measured.output);
+  for (const nlohmann::json& record : results.at("records")) {
+    EXPECT_EQ(record.at("technique"), "means");
+    scenes.insert(record.at("scene"));
+  }
+  EXPECT_EQ(scenes.size(), scene::scene_names().size());
 }
 
 TEST_F(TechniqueListCommand, TitlesLeadToNames) {
