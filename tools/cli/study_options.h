@@ -50,7 +50,7 @@ struct StudyOptions {
   std::string device;
   bool validation = false;
   int reference_samples = 1024;
-  int noise_seeds = 4;
+  int noise_seeds = 2;
   std::uint64_t seed = 0;
   int jobs = 0;  // 0: all cores
   WorkerOptions worker{.time_limit = 60};

@@ -20,7 +20,7 @@ namespace penumbra::resolve {
 struct RunOptions {
   int noise_seeds = 16;  // visibility images; graphs without noise are run once
   int first_seed = 0;
-  int timing_repeats = 5;  // further runs whose times are kept; 0: none
+  int timing_repeats = 5;  // runs whose times are kept: those of the seeds but the first, then further ones
   bool count_fetches = true;
 };
 
