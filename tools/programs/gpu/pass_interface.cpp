@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "shaders/constant_tables.h"
 #include "shaders/spirv_module.h"
 
 namespace penumbra::gpu {
@@ -52,6 +53,7 @@ std::shared_ptr<PassInterface> make_interface(const std::shared_ptr<DeviceState>
   for (StageModule& module : modules) {
     interface->stages |= module.stage;
     shaders::move_sets(module.spirv, next_set);
+    shaders::initialise_tables(module.spirv);
     std::uint32_t behind = next_set;
     for (shaders::Resource& resource : shaders::reflect(module.spirv).resources) {
       behind = std::max(behind, resource.set + 1);
