@@ -205,7 +205,8 @@ TEST(DebugViewOfTexels, AreAsLargeAsTheMapsAre) {
     const double share = std::log(pixels) / std::log(8.0);
     const glm::dvec3 hue = texel_hue(share);
     ASSERT_TRUE(near(colours[i], hue * (light ? 1.0 : 0.65) * views.shade(i), 0.02))
-        << i << ": " << colours[i].r << " " << colours[i].g << ", " << share;
+        << i << ": " << colours[i].r << " " << colours[i].g << " " << colours[i].b << ", share " << share
+        << ", texel " << x << " " << y << ", shade " << views.shade(i);
     ++compared;
     light_ones += light ? 1 : 0;
   }

@@ -199,6 +199,9 @@ class EveryFilter : public testing::TestWithParam<Case> {
     return technique().family == "unreal-smrt" || technique().family.starts_with("filament-");
   }
 
+  // Weights between two mip levels need not add up to 1 on every device. All other filters are exact.
+  float lit_error() const { return technique().family == "evsm-mip" ? 1e-6F : 0.0F; }
+
   std::vector<float> visibility(const scene::Frame& frame, const UniformValues& parameters = {}) const {
     // Pipelines are kept: building one costs more than running it.
     static KeptOnDevice<std::map<std::string, std::unique_ptr<GraphRunner>>> passes;
@@ -225,7 +228,8 @@ class EveryFilter : public testing::TestWithParam<Case> {
 
   void expect_all(const std::vector<float>& seen, float wanted, const std::string& what) const {
     for (std::size_t i = 0; i < seen.size(); ++i) {
-      ASSERT_EQ(seen[i], wanted) << what << ": receiver " << i % kColumns << ", " << i / kColumns;
+      ASSERT_NEAR(seen[i], wanted, lit_error())
+          << what << ": receiver " << i % kColumns << ", " << i / kColumns;
     }
   }
 

@@ -340,7 +340,8 @@ TEST(SoftShadows, FetchByWhatTheyFind) {
       const GraphResult result =
           runner.run(FrameOnDevice(test_device(), frame), {.noise_seeds = 1, .timing_repeats = 0});
       EXPECT_THAT(result.fetches, testing::Each(wall ? cost.dark : cost.lit)) << cost.technique;
-      EXPECT_THAT(result.visibility[0], testing::Each(wall ? 0.0f : 1.0f)) << cost.technique;
+      EXPECT_THAT(result.visibility[0], testing::Each(testing::FloatNear(wall ? 0.0f : 1.0f, 1e-6F)))
+          << cost.technique;
     }
   }
 }
