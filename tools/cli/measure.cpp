@@ -178,6 +178,10 @@ std::vector<study::PackageNote> packages_of(const std::vector<study::Subject>& s
   return packages;
 }
 
+bool writes_report(const MeasureOptions& options) {
+  return !options.output.empty() && options.output != "-";
+}
+
 struct Measured {
   study::Results results;
   std::vector<study::PictureRow> pictures;
@@ -186,6 +190,7 @@ struct Measured {
 Measured measure(const MeasureOptions& options, Context& context) {
   study::StudySettings settings = study_settings(options);
   tell_notes(settings.scenes, context);
+  settings.pictures = writes_report(options);
   const std::vector<study::Subject> subjects = chosen_subjects(options, study::light_kind(settings.scenes));
   gpu::Device device = open_device(options);
   // A software device's times rank nothing, and take as long as everything else together.
@@ -210,10 +215,6 @@ Measured measure(const MeasureOptions& options, Context& context) {
   measured.results.records = std::move(outcome.records);
   measured.pictures = std::move(outcome.pictures);
   return measured;
-}
-
-bool writes_report(const MeasureOptions& options) {
-  return !options.output.empty() && options.output != "-";
 }
 
 // The library's own figures, with which it ships.

@@ -140,7 +140,7 @@ class Study {
     for (const double split : parameters::effective_splits(shadows)) hash.update(split);
     hash.update(settings_.reference_samples).update(settings_.seed).update(settings_.noise_seeds);
     hash.update(settings_.timing_repeats).update(settings_.split_error).update(settings_.pan_frames);
-    hash.update(settings_.edge_samples).update(settings_.window.has_value());
+    hash.update(settings_.edge_samples).update(settings_.pictures).update(settings_.window.has_value());
     if (const auto& window = settings_.window)
       hash.update(window->x).update(window->y).update(window->width).update(window->height);
     for (const std::string& name : settings_.debug_views) hash.update(name);
@@ -160,7 +160,7 @@ class Study {
     outcome_.records.push_back(record_of(setup, view, subject, answer, settings_.window,
                                          prepared.unlimited_answer(setup, view, cache_),
                                          device_.info().name));
-    outcome_.pictures.push_back(pictures_of(setup, subject, answer));
+    outcome_.pictures.push_back(settings_.pictures ? pictures_of(setup, subject, answer) : PictureRow{});
     if (subject.graph.graph.over_screen())
       outcome_.pictures.back().debug_views =
           debug_views(view.on_device_frame, subject.graph.parameters, answer);

@@ -76,6 +76,7 @@ struct StudySettings {
   int noise_seeds = 16;
   int timing_repeats = 5;
   bool split_error = true;  // T2 and T3
+  bool pictures = true;     // false: the outcome's are empty
   int pan_frames = 0;       // of a slow pan, for shimmer; below 2: none
   // 2, 4 or 8: only pixels whose so many samples see several surfaces count, against the mean of the samples
   // (edge_reference.h); without split_error. 0: every pixel, at its centre.
