@@ -33,7 +33,9 @@ void make_evil(ReportContent& content) {
 
 void add_findings(ReportContent& content) {
   content.results.records[5].metrics.invalid = 3;
-  for (int x = 0; x < 3; ++x) set_pixel(content.pictures[1].result, x, 20, {255, 0, 255});
+  penumbra::study::Picture marked = content.pictures[1].result;
+  for (int x = 0; x < 3; ++x) set_pixel(marked, x, 20, {255, 0, 255});
+  content.pictures[1].result = marked;
 }
 
 }  // namespace

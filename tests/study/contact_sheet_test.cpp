@@ -117,7 +117,7 @@ TEST(ContactSheet, InsetsStandBeneathEveryPicture) {
   const PictureWindow inset{6, 5, 5, 4};
   const Picture sheet =
       contact_sheet(study.records, study.rows, {.window = window, .insets = {inset}, .zoom = 2});
-  for (const Picture& picture : {study.rows[0].reference, study.rows[0].result}) {
+  for (const PackedPicture& picture : {study.rows[0].reference, study.rows[0].result}) {
     EXPECT_EQ(occurrences(sheet, enlarged(cropped(picture, inset), (52 - 8) / 5)), 1);
   }
 }

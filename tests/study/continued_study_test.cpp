@@ -95,12 +95,11 @@ TEST(ContinuedStudy, HasPicturesOnlyWhereTheyAreWanted) {
   StudySettings figures = settings(cache.path());
   figures.pictures = false;
   const StudyOutcome without = run_study(test_device(), chosen, figures, [](auto&&...) {});
-  for (const PictureRow& row : without.pictures)
-    EXPECT_TRUE(row.result.samples.empty() && row.technique.empty());
+  for (const PictureRow& row : without.pictures) EXPECT_TRUE(row.result.empty() && row.technique.empty());
   EXPECT_THROW(run_study(test_device(), chosen, figures, until("hard")), platform::Interrupted);
   const StudyOutcome with = run_study(test_device(), chosen, settings(cache.path()), [](auto&&...) {});
   EXPECT_EQ(with.records, without.records);
-  for (const PictureRow& row : with.pictures) EXPECT_FALSE(row.result.samples.empty()) << row.technique;
+  for (const PictureRow& row : with.pictures) EXPECT_FALSE(row.result.empty()) << row.technique;
 }
 
 // A picture of a lit scene needs each technique's own answer.

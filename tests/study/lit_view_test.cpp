@@ -63,17 +63,18 @@ TEST(LitView, IsThePictureThatWasLookedAt) {
   const std::vector<PictureRow> rows = lit_rows({"pcss-angular-24-16"}, 2);
   ASSERT_EQ(rows.size(), 1U);
   if (const char* folder = std::getenv("PENUMBRA_UPDATE_GOLDEN"); folder != nullptr) {
-    const std::vector<std::byte> png = encode_png(rows[0].result);
+    const std::span<const std::byte> png = rows[0].result.png();
     std::ofstream(std::string(PENUMBRA_SOURCE_DIR) + "/tests/golden/lit-contact-boxes.png", std::ios::binary)
         .write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
   }
   const Picture expected = golden("lit-contact-boxes.png");
-  ASSERT_EQ(rows[0].result.width, expected.width);
-  ASSERT_EQ(rows[0].result.height, expected.height);
+  const Picture result = rows[0].result;
+  ASSERT_EQ(result.width, expected.width);
+  ASSERT_EQ(result.height, expected.height);
   double sum = 0.0;
   int far = 0;
   for (std::size_t i = 0; i < expected.samples.size(); ++i) {
-    const int apart = std::abs(int{rows[0].result.samples[i]} - int{expected.samples[i]});
+    const int apart = std::abs(int{result.samples[i]} - int{expected.samples[i]});
     sum += apart;
     far += apart > 24 ? 1 : 0;
   }
@@ -85,23 +86,23 @@ TEST(LitView, PicturesOfOneFrameDifferByTheirShadowsAlone) {
   const std::vector<PictureRow> rows = lit_rows({"hard", "pcss-angular-24-16"}, 1);
   ASSERT_EQ(rows.size(), 2U);
   EXPECT_EQ(rows[0].reference, rows[1].reference);
+  const Picture first = rows[0].result, second = rows[1].result;
   int same = 0;
   int other = 0;
   for (int y = 0; y < 54; ++y) {
-    for (int x = 0; x < 96; ++x)
-      (pixel(rows[0].result, x, y) == pixel(rows[1].result, x, y) ? same : other) += 1;
+    for (int x = 0; x < 96; ++x) (pixel(first, x, y) == pixel(second, x, y) ? same : other) += 1;
   }
   EXPECT_GT(same, other) << "what both see lit or shadowed";
   EXPECT_GT(other, 100) << "penumbrae";
-  for (const PictureRow& row : rows) EXPECT_EQ(row.error.width, 96);
+  for (const PictureRow& row : rows) EXPECT_EQ(row.error.unpacked().width, 96);
 }
 
 TEST(LitView, AllPicturesHaveTheSizeThatWasAskedFor) {
   const std::vector<PictureRow> rows = lit_rows({"screen-pcss-angular-24-16-masked"}, 2);
-  for (const Picture* picture :
+  for (const PackedPicture* picture :
        {&rows[0].reference, &rows[0].result, &rows[0].error, &rows[0].fetches, &rows[0].mask}) {
-    EXPECT_EQ(picture->width, 96);
-    EXPECT_EQ(picture->height, 54);
+    EXPECT_EQ(picture->unpacked().width, 96);
+    EXPECT_EQ(picture->unpacked().height, 54);
   }
 }
 

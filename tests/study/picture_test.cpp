@@ -269,7 +269,7 @@ TEST(Overview, LeavesOutScenesOfAnotherPictureSize) {
   std::vector<PictureRow> rows{synthetic::picture_row("boxes", "bilinear"),
                                synthetic::picture_row("fence", "bilinear")};
   const Picture both = overview(results, rows, 4);
-  for (Picture* picture : {&rows[1].reference, &rows[1].result, &rows[1].error, &rows[1].fetches}) {
+  for (PackedPicture* picture : {&rows[1].reference, &rows[1].result, &rows[1].error, &rows[1].fetches}) {
     *picture = enlarged(*picture, 20);
   }
   const Picture one = overview(results, rows, 4);

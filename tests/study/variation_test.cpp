@@ -96,7 +96,7 @@ TEST(Answers, AreHandedOverAsNumbersInTheRecordsOrder) {
         drawn.push_back(visibility_picture(grid, answer.visibility));
       });
   ASSERT_EQ(names, (std::vector<std::string>{"tent-5", "pcss-angular-24-16"}));
-  for (std::size_t i = 0; i < drawn.size(); ++i) EXPECT_EQ(drawn[i], of.pictures[i].result);
+  for (std::size_t i = 0; i < drawn.size(); ++i) EXPECT_EQ(drawn[i], of.pictures[i].result.unpacked());
 }
 
 // Errors and fetches of the cascades' pixels make up those of the picture.

@@ -55,7 +55,7 @@ void write_rows(const std::filesystem::path& folder, const study::StudyOutcome& 
     write_picture(folder / (name + "_result.png"), row.result);
     write_picture(folder / (name + "_error.png"), row.error);
     write_picture(folder / (name + "_fetches.png"), row.fetches);
-    if (!row.mask.samples.empty()) write_picture(folder / (name + "_mask.png"), row.mask);
+    if (!row.mask.empty()) write_picture(folder / (name + "_mask.png"), row.mask);
     write_picture(folder / (name + ".png"), study::side_by_side(row, outcome.records[i].title));
     write_output("", (folder / (name + ".png")).string() + "\n");
   }

@@ -34,7 +34,7 @@ std::string mask_figures(const Metrics& metrics) {
 }
 
 std::optional<CaptionedPicture> mask_cell(const Record& record, const PictureRow& row) {
-  if (row.mask.samples.empty()) return std::nullopt;
+  if (row.mask.empty()) return std::nullopt;
   return CaptionedPicture{record.title + "\n" + mask_figures(record.metrics), row.mask, {}};
 }
 

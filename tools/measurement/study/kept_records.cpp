@@ -13,14 +13,13 @@ namespace {
 constexpr std::array kPictures{&PictureRow::reference, &PictureRow::result,       &PictureRow::error,
                                &PictureRow::fetches,   &PictureRow::fetch_counts, &PictureRow::mask};
 
-void write_picture(platform::ByteWriter& out, const Picture& picture) {
-  const std::vector<std::byte> png = picture.samples.empty() ? std::vector<std::byte>{} : encode_png(picture);
-  out.values(png);
+void write_picture(platform::ByteWriter& out, const PackedPicture& picture) {
+  const std::span<const std::byte> png = picture.png();
+  out.values(std::vector(png.begin(), png.end()));
 }
 
-Picture read_picture(platform::ByteReader& in) {
-  const std::vector<std::byte> png = in.values<std::byte>();
-  return png.empty() ? Picture{} : decode_png(png, "a kept picture");
+PackedPicture read_picture(platform::ByteReader& in) {
+  return PackedPicture(in.values<std::byte>());
 }
 
 std::string encode(const KeptRecord& kept) {
@@ -49,7 +48,7 @@ KeptRecord decode(const std::string& bytes) {
   kept.pictures.technique = kept.record.technique;
   kept.pictures.light_degrees = kept.record.light_degrees;
   for (const auto picture : kPictures) kept.pictures.*picture = read_picture(in);
-  using View = std::pair<std::string, Picture>;
+  using View = std::pair<std::string, PackedPicture>;
   for (View& view : in.list<View>([&] {
          std::string name = in.text();
          return View{std::move(name), read_picture(in)};

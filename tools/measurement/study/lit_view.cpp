@@ -37,8 +37,8 @@ void LitView::replace_pictures(std::vector<PictureRow>& rows) const {
     PictureRow& row = rows[i];
     row.reference = references_[i];
     row.result = results_[i];
-    for (Picture* picture : {&row.error, &row.fetches, &row.mask}) {
-      if (!picture->samples.empty()) *picture = shrunk(*picture, settings_.supersampling);
+    for (PackedPicture* picture : {&row.error, &row.fetches, &row.mask}) {
+      if (!picture->empty()) *picture = shrunk(*picture, settings_.supersampling);
     }
     for (auto& [name, picture] : row.debug_views) picture = shrunk(picture, settings_.supersampling);
   }

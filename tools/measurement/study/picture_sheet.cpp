@@ -15,20 +15,18 @@ namespace {
 
 constexpr int kCaptionWidth = 440;  // pixels that a caption and its legend need
 
-std::vector<CaptionedPicture> captioned(const PictureRow& small, const std::string& title) {
-  const int factor = (kCaptionWidth + small.reference.width - 1) / small.reference.width;
-  PictureRow row = small;
-  for (Picture* picture : {&row.reference, &row.result, &row.error, &row.fetches}) {
-    *picture = enlarged(*picture, factor);
-  }
+std::vector<CaptionedPicture> captioned(const PictureRow& row, const std::string& title) {
+  const Picture reference = row.reference;
+  const int factor = (kCaptionWidth + reference.width - 1) / reference.width;
   const std::string scene = fmt::format("Ray traced\n{}, light of {}°", row.scene, row.light_degrees);
   return {
-      {scene, row.reference, Legend{ramp_strip(visibility_colour, 0.0, 1.0), "0", "1"}},
-      {title + "\nresult", row.result, Legend{ramp_strip(visibility_colour, 0.0, 1.0), "0", "1"}},
-      {title + "\nerror", row.error,
+      {scene, enlarged(reference, factor), Legend{ramp_strip(visibility_colour, 0.0, 1.0), "0", "1"}},
+      {title + "\nresult", enlarged(row.result, factor),
+       Legend{ramp_strip(visibility_colour, 0.0, 1.0), "0", "1"}},
+      {title + "\nerror", enlarged(row.error, factor),
        Legend{ramp_strip(error_colour, -1.0, 1.0), fmt::format("-{} dark", row.error_scale),
               fmt::format("+{} bright", row.error_scale)}},
-      {title + "\nfetches", row.fetches,
+      {title + "\nfetches", enlarged(row.fetches, factor),
        Legend{ramp_strip(fetch_colour, 0.0, 1.0), "0", fmt::format("{}", row.fetch_scale)}},
   };
 }

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "study/chart.h"
-#include "study/picture.h"
+#include "study/packed_picture.h"
 #include "study/results.h"
 #include "study/technique_facts.h"
 
@@ -24,13 +24,13 @@ struct PictureRow {
   std::string scene;
   std::string technique;
   double light_degrees = 0.0;
-  Picture reference;
-  Picture result;
-  Picture error;
-  Picture fetches;
-  Picture fetch_counts{};  // grey: fetches per pixel, 255 for more; empty where nobody counted
-  Picture mask{};  // white where the full filter runs, black where one fetch does; empty without a mask
-  std::map<std::string, Picture> debug_views{};  // by pass
+  PackedPicture reference;
+  PackedPicture result;
+  PackedPicture error;
+  PackedPicture fetches;
+  PackedPicture fetch_counts{};  // grey: fetches per pixel, 255 for more; empty where nobody counted
+  PackedPicture mask{};  // white where the full filter runs, black where one fetch does; empty without a mask
+  std::map<std::string, PackedPicture> debug_views{};  // by pass
   double error_scale = 0.5;
   double fetch_scale = 64.0;
 };

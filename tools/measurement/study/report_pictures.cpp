@@ -91,8 +91,8 @@ class Album {
     item["fetchScale"] = row.fetch_scale;
     item["result"] = store(result.visibility);
     if (!result.invalid.samples.empty()) item["invalid"] = store(result.invalid);
-    if (!row.fetch_counts.samples.empty()) item["fetches"] = store(row.fetch_counts);
-    if (!row.mask.samples.empty()) item["mask"] = store(planes_of(row.mask).visibility);
+    if (!row.fetch_counts.empty()) item["fetches"] = store(row.fetch_counts.png());
+    if (!row.mask.empty()) item["mask"] = store(planes_of(row.mask).visibility);
     stage["items"].push_back(std::move(item));
   }
 
@@ -101,10 +101,11 @@ class Album {
       if (stage["scene"] == row.scene && stage["light"] == row.light_degrees) return stage;
     }
     const Planes reference = planes_of(row.reference);
+    const Picture& size = reference.visibility;
     stages_.push_back({{"scene", row.scene},
                        {"light", row.light_degrees},
-                       {"width", row.reference.width},
-                       {"height", row.reference.height},
+                       {"width", size.width},
+                       {"height", size.height},
                        {"reference", store(reference.visibility)},
                        {"receivers", store(reference.receivers)},
                        {"items", Json::array()}});
@@ -120,9 +121,10 @@ class Album {
     return found == results_.records.end() ? nullptr : &*found;
   }
 
-  std::size_t store(const Picture& grey) {
-    data_ += fmt::format("<script type=\"text/plain\" id=\"png-{}\">{}</script>\n", stored_,
-                         base64(encode_png(grey)));
+  std::size_t store(const Picture& grey) { return store(encode_png(grey)); }
+
+  std::size_t store(std::span<const std::byte> png) {
+    data_ += fmt::format("<script type=\"text/plain\" id=\"png-{}\">{}</script>\n", stored_, base64(png));
     return stored_++;
   }
 

@@ -172,9 +172,10 @@ class Study {
     return answer.unset_uniforms;
   }
 
-  std::map<std::string, Picture> debug_views(const FrameOfCase& frame,
-                                             const resolve::UniformValues& parameters, const Answer& answer) {
-    std::map<std::string, Picture> pictures;
+  std::map<std::string, PackedPicture> debug_views(const FrameOfCase& frame,
+                                                   const resolve::UniformValues& parameters,
+                                                   const Answer& answer) {
+    std::map<std::string, PackedPicture> pictures;
     for (auto& [name, view] : debug_views_) {
       const std::vector<glm::vec3> colours =
           view.draw(frame.on_device, *frame.camera, answer.visibility.front(), answer.masked_out, parameters);
