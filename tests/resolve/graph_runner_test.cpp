@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 
@@ -167,6 +168,33 @@ TEST(GraphRunner, AMissingTextureIsNamedWithThePassInItsManifest) {
   EXPECT_THAT(refusal(graph),
               AllOf(HasSubstr("Blocks.compute: Sum: reads the texture '_Before'"),
                     ContainsRegex("give it to the pass at .*Blocks.technique.json:12:6 in \"reads\"")));
+}
+
+// Times are of runs after the warm-up alone; what the graph draws does not depend on it.
+TEST(GraphRunner, TimesRunsAfterTheWarmUp) {
+  const techniques::TechniqueList& list = library_techniques();
+  testing_frames::FrameSetup setup;
+  setup.shadows.resolution = 64;
+  const scene::Frame frame = testing_frames::make_frame(
+      setup, depth_of, std::vector<testing_frames::TilePoint>(64, {0.5, 0.5, 0.5}), 8);
+  const FrameOnDevice on_device(test_device(), frame);
+  GraphRunner runner(test_device(), compile(technique_graph(list, list.find("pcss-angular-24-16"))));
+  RunOptions options{.noise_seeds = 3, .timing_repeats = 2, .count_fetches = false};
+  const GraphResult plain = runner.run(on_device, options);
+  const auto seconds_of = [&](const RunOptions& chosen, GraphResult& result) {
+    const auto start = std::chrono::steady_clock::now();
+    result = runner.run(on_device, chosen);
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  GraphResult warmed;
+  options.warm_up_seconds = 0.3;
+  EXPECT_GE(seconds_of(options, warmed), 0.3);
+  EXPECT_EQ(warmed.time_ns.size(), 2U);
+  EXPECT_EQ(warmed.visibility, plain.visibility);
+  options.timing_repeats = 0;
+  options.warm_up_seconds = 600.0;
+  EXPECT_LT(seconds_of(options, warmed), 300.0) << "nothing is timed";
+  EXPECT_TRUE(warmed.time_ns.empty());
 }
 
 TEST(GraphRunner, AGraphOverTheScreenNeedsACamera) {

@@ -1,6 +1,7 @@
 #include "resolve/graph_runner.h"
 
 #include <algorithm>
+#include <chrono>
 #include <numeric>
 #include <set>
 #include <stdexcept>
@@ -452,9 +453,14 @@ GraphResult GraphRunner::run(const FrameOnDevice& frame, const CameraImage* came
   const auto timed = [&] { return static_cast<int>(result.time_ns.size()) < options.timing_repeats; };
   for (int seed = 0; seed < seeds; ++seed) {
     const double time = plain.run(options.first_seed + seed);
-    if (seed > 0 && timed()) result.time_ns.push_back(time);  // in the first run the driver may compile
+    const bool kept = seed > 0 && options.warm_up_seconds == 0.0;  // in the first run the driver may compile
+    if (kept && timed()) result.time_ns.push_back(time);
     result.visibility.push_back(plain.visibility());
   }
+  const std::chrono::duration<double> warm_up(timed() ? options.warm_up_seconds : 0.0);
+  for (const auto start = std::chrono::steady_clock::now();
+       std::chrono::steady_clock::now() - start < warm_up;)
+    plain.run(0);
   while (timed()) result.time_ns.push_back(plain.run(0));
   result.masked_out = plain.masked_out();
   result.unset_uniforms.assign(plain.unset_uniforms().begin(), plain.unset_uniforms().end());

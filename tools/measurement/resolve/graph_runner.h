@@ -21,6 +21,10 @@ struct RunOptions {
   int noise_seeds = 16;  // visibility images; graphs without noise are run once
   int first_seed = 0;
   int timing_repeats = 5;  // runs whose times are kept: those of the seeds but the first, then further ones
+  // Before those, runs whose times are not kept for so long, until a GPU that was idle runs at its full clock
+  // (those of the seeds are not kept then either: the device waits between them). Without, the first run
+  // alone is not timed.
+  double warm_up_seconds = 0.0;
   bool count_fetches = true;
 };
 
