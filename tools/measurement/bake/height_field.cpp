@@ -35,16 +35,20 @@ double HeightField::height(glm::dvec2 xz) const {
   return std::lerp(first, second, share.y);
 }
 
+void check_grid(int width, int depth, const Area& area) {
+  check_side(width);
+  check_side(depth);
+  const bool placed = std::isfinite(area.corner.x) && std::isfinite(area.corner.y);
+  if (!placed || !positive(area.size.x) || !positive(area.size.y)) {
+    throw InputError("", fmt::format("a height field cannot cover {} x {} metres", area.size.x, area.size.y));
+  }
+}
+
 void check_height_field(const HeightField& field) {
-  check_side(field.width);
-  check_side(field.depth);
+  check_grid(field.width, field.depth, field.area);
   if (field.metres.size() != static_cast<std::size_t>(field.width) * static_cast<std::size_t>(field.depth)) {
     throw InputError("", fmt::format("a height field of {} x {} samples cannot have {} heights", field.width,
                                      field.depth, field.metres.size()));
-  }
-  if (!positive(field.area.size.x) || !positive(field.area.size.y)) {
-    throw InputError(
-        "", fmt::format("a height field cannot cover {} x {} metres", field.area.size.x, field.area.size.y));
   }
   const auto unusable = std::find_if_not(field.metres.begin(), field.metres.end(),
                                          [](float metres) { return std::isfinite(metres); });

@@ -37,6 +37,10 @@ struct HeightField {
   double height(glm::dvec2 xz) const;
 };
 
+// Throws InputError unless there are two samples each way or more, no more than most_samples_per_side, and an
+// area of a positive, finite size.
+void check_grid(int width, int depth, const Area& area);
+
 // Throws InputError unless the field has two samples each way or more, no more than most_samples_per_side,
 // as many heights as samples, all of them finite, and an area of a positive, finite size.
 void check_height_field(const HeightField& field);

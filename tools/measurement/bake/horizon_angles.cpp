@@ -15,7 +15,7 @@
 namespace penumbra::bake {
 namespace {
 
-constexpr int kBakeVersion = 1;  // a change of any result takes the next number
+constexpr int kHorizonVersion = 1;  // a change of any result takes the next number
 
 void check(const HorizonOptions& options) {
   for (const int side : {options.width, options.depth}) {
@@ -30,7 +30,7 @@ void check(const HorizonOptions& options) {
 
 std::string key_of(const HeightField& field, const HorizonOptions& options) {
   platform::ContentHash hash;
-  hash.update(std::string_view("horizon")).update(kBakeVersion);
+  hash.update(std::string_view("horizon")).update(kHorizonVersion);
   hash.update(field.width).update(field.depth);
   for (const glm::dvec2& pair : {field.area.corner, field.area.size}) hash.update(pair.x).update(pair.y);
   hash.update(std::span<const float>(field.metres));

@@ -5,6 +5,7 @@
 #include "input/input_error.h"
 #include "platform/byte_stream.h"
 #include "platform/worker_answer.h"
+#include "scene/height_image.h"
 #include "scene/image_file.h"
 #include "scene/scene.h"
 #include "scene/scene_message.h"
@@ -14,6 +15,7 @@ namespace {
 
 constexpr char kModel = 'm';
 constexpr char kPicture = 'p';
+constexpr char kHeights = 'h';
 
 std::string read_as_told(const std::string& message, platform::WorkerLink&) {
   return platform::answer_or_input_error([&] {
@@ -21,6 +23,11 @@ std::string read_as_told(const std::string& message, platform::WorkerLink&) {
     const std::string what = in.text();
     const std::filesystem::path file = in.text();
     if (what == std::string(1, kPicture)) return encode(read_image(file));
+    if (what == std::string(1, kHeights)) {
+      const int width = in.value<int>(), height = in.value<int>();
+      return encode(
+          read_height_image(file, width == 0 ? std::nullopt : std::optional(ImageSize{width, height})));
+    }
     return encode(import(file, read_import_options(in)));
   });
 }
@@ -73,6 +80,16 @@ Texture read_image_apart(const std::filesystem::path& file, const ReadingProcess
   if (process.arguments.empty()) return read_image(file);
   const std::string answer = answer_of(process, file, message_about(kPicture, file).take());
   return decoded(file, [&] { return decode_texture(answer); });
+}
+
+HeightImage read_height_image_apart(const std::filesystem::path& file, std::optional<ImageSize> raw_size,
+                                    const ReadingProcess& process) {
+  if (process.arguments.empty()) return read_height_image(file, raw_size);
+  platform::ByteWriter out = message_about(kHeights, file);
+  out.value(raw_size ? raw_size->width : 0);
+  out.value(raw_size ? raw_size->height : 0);
+  const std::string answer = answer_of(process, file, out.take());
+  return decoded(file, [&] { return decode_heights(answer); });
 }
 
 int serve_readings() {

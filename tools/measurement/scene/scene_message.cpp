@@ -216,6 +216,28 @@ std::string encode(const Scene& scene) {
   return out.take();
 }
 
+std::string encode(const HeightImage& image) {
+  ByteWriter out;
+  out.value(image.width);
+  out.value(image.height);
+  out.values(image.samples);
+  return out.take();
+}
+
+HeightImage decode_heights(std::string_view bytes) {
+  ByteReader in(bytes);
+  HeightImage image;
+  image.width = in.value<int>();
+  image.height = in.value<int>();
+  image.samples = in.values<std::uint16_t>();
+  const auto fits = [](int side) { return side >= 2 && side <= kLargestHeightImageSide; };
+  require(in.exhausted() && fits(image.width) && fits(image.height) &&
+              image.samples.size() ==
+                  static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height),
+          "damaged heights");
+  return image;
+}
+
 Texture decode_texture(std::string_view bytes) {
   ByteReader in(bytes);
   Texture texture = read_texture(in);

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "platform/byte_stream.h"
+#include "scene/height_image.h"
 #include "scene/scene.h"
 
 namespace penumbra::scene {
@@ -15,10 +16,12 @@ ImportOptions read_import_options(platform::ByteReader& in);
 
 std::string encode(const Texture& texture);
 std::string encode(const Scene& scene);
+std::string encode(const HeightImage& image);
 
 // Throw std::invalid_argument for damaged data, or values that no import produces: indices, materials and
 // textures out of range, numbers that are not finite, inconsistent sizes.
 Texture decode_texture(std::string_view bytes);
 Scene decode_scene(std::string_view bytes);
+HeightImage decode_heights(std::string_view bytes);
 
 }  // namespace penumbra::scene

@@ -14,8 +14,7 @@ constexpr std::array kPictures{&PictureRow::reference, &PictureRow::result,     
                                &PictureRow::fetches,   &PictureRow::fetch_counts, &PictureRow::mask};
 
 void write_picture(platform::ByteWriter& out, const PackedPicture& picture) {
-  const std::span<const std::byte> png = picture.png();
-  out.values(std::vector(png.begin(), png.end()));
+  out.values(picture.png());
 }
 
 PackedPicture read_picture(platform::ByteReader& in) {

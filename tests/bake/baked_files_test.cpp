@@ -1,0 +1,111 @@
+// What is written is what is read again, and what the numbers of the pictures mean.
+#include "bake/baked_files.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "bake/made_fields.h"
+#include "bake/png_16.h"
+#include "input/input_error_matcher.h"
+#include "reference/scratch_folder.h"
+
+namespace penumbra::bake {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+const Area kCovered{{-30.0, 12.5}, {64.0, 48.0}};
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+TEST(BakedFiles, AHeightFieldIsReadAgainToHalfAStep) {
+  const reference::ScratchFolder folder;
+  const HeightField field = rough_field(33, 17, kCovered, 5);
+  const std::filesystem::path json = folder.path() / "hills.json";
+  write_baked_files(baked_files(field, "hills"), json);
+  const HeightField read = read_height_field(json, {});
+  EXPECT_EQ(read.width, 33);
+  EXPECT_EQ(read.depth, 17);
+  EXPECT_EQ(read.area, kCovered);
+  const auto [low, high] = std::minmax_element(field.metres.begin(), field.metres.end());
+  const double half_step = 0.5 * (*high - *low) / 65535.0;
+  for (std::size_t i = 0; i < field.metres.size(); ++i)
+    ASSERT_NEAR(read.metres[i], field.metres[i], half_step + 1e-6 * std::abs(field.metres[i])) << i;
+}
+
+TEST(BakedFiles, LevelGroundHasOneHeight) {
+  const reference::ScratchFolder folder;
+  const HeightField field = made_field(2, 3, kCovered, [](glm::dvec2) { return 7.25; });
+  const std::filesystem::path json = folder.path() / "level.json";
+  write_baked_files(baked_files(field, "level"), json);
+  EXPECT_THAT(read_height_field(json, {}).metres, testing::Each(7.25F));
+}
+
+// Channel c of picture p holds direction 4 p + c: read back through the reader of heights, which takes the
+// first.
+TEST(BakedFiles, EachDirectionIsAChannelInStepsOfAQuarterTurn) {
+  HorizonAngles angles{3, 2, kCovered, {}};
+  for (int number = 0; number < horizon_directions; ++number)
+    for (int i = 0; i < 6; ++i)
+      angles.radians[static_cast<std::size_t>(number)].push_back(0.1F * static_cast<float>(number) +
+                                                                 0.01F * static_cast<float>(i));
+  const BakedFiles files = baked_files(angles, "hz");
+  ASSERT_EQ(files.pictures.size(), 2U);
+  for (int picture = 0; picture < 2; ++picture) {
+    const scene::HeightImage first =
+        scene::decode_height_image(files.pictures.at("hz-" + std::to_string(picture) + ".png"), "hz.png", {});
+    EXPECT_EQ(first.width, 3);
+    EXPECT_EQ(first.height, 2);
+  }
+  std::vector<std::uint16_t> samples;
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t channel = 4; channel < 8; ++channel)
+      samples.push_back(
+          as_16_bits(static_cast<double>(angles.radians[channel][i]) / (std::acos(-1.0) / 2.0)));
+  EXPECT_EQ(files.pictures.at("hz-1.png"), encode_png_16(3, 2, 4, samples));
+  const nlohmann::json json = nlohmann::json::parse(files.json);
+  EXPECT_EQ(json["pictures"], (nlohmann::json{"hz-0.png", "hz-1.png"}));
+  EXPECT_EQ(json["directions_degrees"], (nlohmann::json{0, 45, 90, 135, 180, 225, 270, 315}));
+  EXPECT_EQ(json["corner_metres"], (nlohmann::json{-30.0, 12.5}));
+}
+
+TEST(BakedFiles, ABrokenFileIsNamedWithItsLine) {
+  const reference::ScratchFolder folder;
+  const std::filesystem::path json = folder.path() / "hills.json";
+  const auto refuse = [&](const std::string& from, const std::string& to, const auto& says) {
+    write_baked_files(baked_files(rough_field(4, 4, kCovered, 1), "hills"), json);
+    std::string text = text_of(json);
+    const std::size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    std::ofstream(json, std::ios::binary) << text.replace(at, from.size(), to);
+    expect_input_error([&] { read_height_field(json, {}); }, says);
+  };
+  refuse("height-field", "horizon-angles", AllOf(HasSubstr("hills.json:2"), HasSubstr("bake heightfield")));
+  refuse("\"version\": 1", "\"version\": 2", HasSubstr("hills.json:3"));
+  refuse("hills.png", "../hills.png", AllOf(HasSubstr("hills.json:4"), HasSubstr("same folder")));
+  refuse("hills.png", "absent.png", HasSubstr("absent.png"));
+  refuse("heights_metres", "heights", HasSubstr("heights_metres"));
+  refuse("64.0", "-64.0", AllOf(HasSubstr("hills.json"), HasSubstr("cannot cover")));
+  refuse("64.0", "1e999", HasSubstr("hills.json:"));
+}
+
+TEST(BakedFiles, SamplesFitTheirPicture) {
+  const std::vector<std::uint16_t> six(6);
+  EXPECT_NO_THROW(encode_png_16(2, 3, 1, six));
+  EXPECT_THROW(encode_png_16(2, 2, 1, six), std::invalid_argument);
+  EXPECT_THROW(encode_png_16(1, 2, 3, six), std::invalid_argument);
+  EXPECT_THROW(encode_png_16(0, 0, 1, {}), std::invalid_argument);
+  EXPECT_EQ(as_16_bits(-1.0), 0);
+  EXPECT_EQ(as_16_bits(0.5), 32768);
+  EXPECT_EQ(as_16_bits(2.0), 65535);
+}
+
+}  // namespace
+}  // namespace penumbra::bake

@@ -1,0 +1,109 @@
+// Heights of a scene against the triangles it is made of, and of an image against its numbers.
+#include "bake/height_source.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "input/input_error_matcher.h"
+
+namespace penumbra::bake {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+// A slope y = 1 + x / 2 over [0, 4] x [0, 2], and over a part of it a level roof at y = 5.
+scene::Scene slope_and_roof() {
+  scene::Scene scene;
+  scene.name = "slope";
+  const auto quad = [&](float x0, float x1, float z0, float z1, auto height) {
+    const auto first = static_cast<std::uint32_t>(scene.mesh.positions.size());
+    for (const auto& [x, z] : {std::pair{x0, z0}, {x1, z0}, {x1, z1}, {x0, z1}}) {
+      scene.mesh.positions.emplace_back(x, height(x), z);
+      scene.mesh.normals.emplace_back(0.0F, 1.0F, 0.0F);
+    }
+    for (const std::uint32_t corner : {0U, 1U, 2U, 0U, 2U, 3U}) scene.mesh.indices.push_back(first + corner);
+  };
+  quad(0.0F, 4.0F, 0.0F, 2.0F, [](float x) { return 1.0F + 0.5F * x; });
+  quad(1.5F, 2.5F, 0.5F, 1.5F, [](float) { return 5.0F; });
+  return scene;
+}
+
+TEST(HeightSource, OfASceneIsItsHighestSurface) {
+  const scene::Scene scene = slope_and_roof();
+  const Area area = area_of(scene);
+  EXPECT_EQ(area, (Area{{0.0, 0.0}, {4.0, 2.0}}));
+  // A little inside of the edges, on which a ray may pass.
+  const HeightField field = heights_of_scene(scene, {{0.01, 0.01}, {3.98, 1.98}}, {5, 3});
+  for (int z = 0; z < 3; ++z) {
+    for (int x = 0; x < 5; ++x) {
+      const double place = 0.01 + 0.995 * x;
+      const double wanted = x == 2 && z == 1 ? 5.0 : 1.0 + 0.5 * place;
+      EXPECT_NEAR(field.at(x, z), wanted, 1e-5) << x << " " << z;
+    }
+  }
+}
+
+TEST(HeightSource, BesideTheSceneIsItsLowestHeight) {
+  const HeightField field = heights_of_scene(slope_and_roof(), {{-2.0, 1.0}, {4.0, 8.0}}, {3, 2});
+  EXPECT_THAT(std::vector<float>(field.metres.begin() + 3, field.metres.end()), testing::Each(1.0F))
+      << "z = 9";
+  EXPECT_FLOAT_EQ(field.at(0, 0), 1.0F) << "x = -2";
+  EXPECT_NEAR(field.at(2, 0), 5.0, 1e-5) << "x = 2";
+}
+
+TEST(HeightSource, DoesNotDependOnTheNumberOfThreads) {
+  const scene::Scene scene = scene::built_in("street");
+  BakeOptions one;
+  one.jobs = 1;
+  BakeOptions four;
+  four.jobs = 4;
+  EXPECT_EQ(heights_of_scene(scene, area_of(scene), {33, 65}, one).metres,
+            heights_of_scene(scene, area_of(scene), {33, 65}, four).metres);
+}
+
+TEST(HeightSource, RefusesAnAreaWithoutGround) {
+  const scene::Scene scene = slope_and_roof();
+  expect_input_error(
+      [&] {
+        heights_of_scene(scene, {{50.0, 50.0}, {1.0, 1.0}}, {4, 4});
+      },
+      HasSubstr("no surface"));
+  expect_input_error(
+      [&] {
+        heights_of_scene(scene, {{0.0, 0.0}, {1.0, 0.0}}, {4, 4});
+      },
+      HasSubstr("cannot cover"));
+  expect_input_error(
+      [&] {
+        heights_of_scene(scene, {{0.0, 0.0}, {NAN, 1.0}}, {4, 4});
+      },
+      HasSubstr("cannot cover"));
+  expect_input_error(
+      [&] {
+        heights_of_scene(scene, {{HUGE_VAL, 0.0}, {1.0, 1.0}}, {4, 4});
+      },
+      HasSubstr("cannot cover"));
+  expect_input_error([&] { heights_of_scene(scene, area_of(scene), {0, 4}); }, HasSubstr("not 0"));
+  expect_input_error([&] { heights_of_scene(scene, area_of(scene), {4, 8194}); }, HasSubstr("not 8194"));
+}
+
+TEST(HeightSource, OfAnImageIsItsRangeInSteps) {
+  const scene::HeightImage image{3, 2, {0, 65535, 13107, 52428, 26214, 0}};
+  const Area area{{0.0, 0.0}, {2.0, 1.0}};
+  EXPECT_THAT(heights_of_image(image, area, {-10.0, 40.0}).metres,
+              ElementsAre(-10.0F, 40.0F, 0.0F, 30.0F, 10.0F, -10.0F));
+  EXPECT_THAT(heights_of_image(image, area, {-10.0, 40.0}, true).metres,
+              ElementsAre(30.0F, 10.0F, -10.0F, -10.0F, 40.0F, 0.0F));
+  expect_input_error([&] { heights_of_image(image, area, {40.0, 40.0}); }, HasSubstr("from 40 to 40"));
+  expect_input_error([&] { heights_of_image(image, area, {0.0, HUGE_VAL}); }, HasSubstr("cannot go"));
+  expect_input_error(
+      [&] {
+        heights_of_image(image, {{0.0, 0.0}, {-2.0, 1.0}}, {0.0, 1.0});
+      },
+      HasSubstr("cannot cover"));
+}
+
+}  // namespace
+}  // namespace penumbra::bake

@@ -1,0 +1,121 @@
+// The program bakes heights and horizons, goes on after an interruption, and refuses what it cannot bake.
+#include "cli/program.h"
+
+namespace penumbra {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::UnorderedElementsAre;
+
+class BakeProgram : public ProgramTest {
+ protected:
+  std::string file(const std::string& name) const { return path(name).string(); }
+
+  platform::ChildResult bake(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), "bake");
+    arguments.insert(arguments.end(), {"--cache", file("cache")});
+    return run(std::move(arguments));
+  }
+
+  void expect_refused(const std::vector<std::string>& arguments,
+                      const testing::Matcher<std::string>& says) const {
+    const auto before = listing();
+    const auto result = bake(arguments);
+    EXPECT_EQ(result.exit_code, 2) << testing::PrintToString(arguments) << result.errors;
+    EXPECT_THAT(result.errors, says) << testing::PrintToString(arguments);
+    EXPECT_EQ(listing(), before);
+  }
+
+  std::string heights_of_street() const {
+    const auto result =
+        bake({"heightfield", "--scene", "street", "--samples", "65x33", "-o", file("street.json")});
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    return file("street.json");
+  }
+};
+
+TEST_F(BakeProgram, AHorizonFromAHeightFieldIsThatFromItsScene) {
+  const std::string field = heights_of_street();
+  const auto from_field = bake({"horizon", "--field", field, "--texels", "16x8", "-o", file("a.json")});
+  EXPECT_EQ(from_field.exit_code, 0) << from_field.errors;
+  EXPECT_EQ(from_field.output, file("a.json") + "\n" + file("a-0.png") + "\n" + file("a-1.png") + "\n");
+  const auto again = bake({"horizon", "--field", field, "--texels", "16x8", "-j", "1", "-o", file("b.json")});
+  EXPECT_EQ(again.exit_code, 0) << again.errors;
+  EXPECT_EQ(read("a-0.png"), read("b-0.png"));
+  EXPECT_EQ(read("a-1.png"), read("b-1.png"));
+  const auto other = bake({"horizon", "--scene", "street", "--samples", "65x33", "--texels", "16x8",
+                           "--nearest", "20", "-o", file("c.json")});
+  EXPECT_EQ(other.exit_code, 0) << other.errors;
+  EXPECT_NE(read("a-0.png"), read("c-0.png")) << "nothing nearer than 20 m";
+}
+
+// The same bytes, from a RAW file and with its rows in the other order.
+TEST_F(BakeProgram, ARawImageNeedsItsUnits) {
+  const std::string raw = write("hill.raw", std::string("\x00\x00\xff\xff\x00\x80\x00\x40", 8)).string();
+  EXPECT_EQ(
+      bake({"heightfield", "--image", raw, "--heights", "0,100", "--area", "0,0,10,20", "-o", file("a.json")})
+          .exit_code,
+      0);
+  EXPECT_THAT(read("a.json"), AllOf(HasSubstr("100.0"), HasSubstr("20.0")));
+  EXPECT_EQ(bake({"heightfield", "--image", raw, "--heights", "0,100", "--area", "0,0,10,20", "--flip-z",
+                  "-o", file("b.json")})
+                .exit_code,
+            0);
+  EXPECT_NE(read("a.png"), read("b.png"));
+  expect_refused({"heightfield", "--image", raw, "-o", file("c.json")},
+                 AllOf(HasSubstr("hill.raw"), HasSubstr("--heights")));
+  expect_refused({"heightfield", "--image", raw, "--heights", "0,9", "-o", file("c.json")},
+                 HasSubstr("--area"));
+}
+
+TEST_F(BakeProgram, SaysWhatItCannotBake) {
+  const std::string field = heights_of_street();
+  const std::string raw = write("odd.raw", "12345").string();
+  const std::vector<std::string> of_image{"--heights", "0,9", "--area", "0,0,9,9", "-o", file("x.json")};
+  const auto with = [&](std::vector<std::string> first) {
+    first.insert(first.end(), of_image.begin(), of_image.end());
+    return first;
+  };
+  expect_refused({"horizon", "-o", file("x.json")}, HasSubstr("--field"));
+  expect_refused({"heightfield", "-o", file("x.json")},
+                 AllOf(HasSubstr("no ground to bake"), testing::Not(HasSubstr("--field"))));
+  expect_refused({"horizon", "--field", field, "--scene", "street", "-o", file("x.json")},
+                 HasSubstr("several"));
+  expect_refused({"heightfield", "--scene", "street", "--texels", "64", "-o", file("x.json")},
+                 HasSubstr("--texels has no effect"));
+  expect_refused({"horison", "--scene", "street", "-o", file("x.json")}, HasSubstr("horizon"));
+  expect_refused({"horizon", "--field", field, "--area", "0,0,1,1", "-o", file("x.json")},
+                 HasSubstr("--area has no effect"));
+  expect_refused({"horizon", "--field", field, "--texels", "0", "-o", file("x.json")}, HasSubstr("not 0"));
+  expect_refused({"horizon", "--field", field, "--texels", "16384", "-o", file("x.json")}, HasSubstr("8192"));
+  expect_refused({"horizon", "--field", field, "--texels", "4by4", "-o", file("x.json")},
+                 HasSubstr("'4by4'"));
+  expect_refused({"horizon", "--field", raw, "-o", file("x.json")}, HasSubstr("odd.raw"));
+  expect_refused({"heightfield", "--scene", "stret", "-o", file("x.json")}, HasSubstr("street"));
+  expect_refused(with({"heightfield", "--image", raw}), AllOf(HasSubstr("odd.raw"), HasSubstr("5 bytes")));
+  expect_refused(with({"heightfield", "--image", file("absent.png")}), HasSubstr("absent.png"));
+  expect_refused({"horizon", "--field", field, "-o", field}, HasSubstr("is a file that this run reads"));
+  expect_refused({"heightfield", "--scene", "street", "-o", file("no/such/x.json")}, HasSubstr("x.json"));
+  const std::string picture = file("street.png");
+  expect_refused({"heightfield", "--image", picture, "--heights", "0,9", "--area", "0,0,9,9", "-o", field},
+                 HasSubstr("is a file that this run reads"));
+}
+
+// Rows that were finished are found again: a later run of the same bake is only reading.
+TEST_F(BakeProgram, GoesOnWhereItStopped) {
+  const std::string field = heights_of_street();
+  const std::string command = std::string(PENUMBRA_PROGRAM) + " bake horizon --field " + field +
+                              " --texels 4096 -j 1 --cache " + file("cache") + " -o " + file("hz.json");
+  const auto stopped = shell("timeout -s INT 1 " + command);
+  ASSERT_EQ(stopped.exit_code, 124) << "it is longer than a second: " << stopped.errors;
+  EXPECT_THAT(listing(), UnorderedElementsAre("cache", "street.json", "street.png"));
+  std::size_t rows = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(path("cache")))
+    rows += entry.path().extension() == ".bakedblock" ? 1 : 0;
+  EXPECT_GT(rows, 33U) << "of the heights and of the horizon";
+}
+
+}  // namespace
+}  // namespace penumbra

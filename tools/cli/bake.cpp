@@ -1,0 +1,246 @@
+// penumbra bake: what far shadows read, made of geometry once.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "bake/baked_files.h"
+#include "bake/height_source.h"
+#include "bake/horizon_angles.h"
+#include "cli/help.h"
+#include "cli/idle_options.h"
+#include "cli/option_values.h"
+#include "cli/shared_options.h"
+#include "cli/study_messages.h"
+#include "cli/subcommand.h"
+#include "input/input_error.h"
+#include "platform/cache_store.h"
+#include "platform/terminal.h"
+#include "scene/height_image.h"
+#include "scene/scene.h"
+
+namespace penumbra::cli {
+
+namespace {
+
+struct BakeCommandOptions {
+  std::string product;
+  std::string scene;
+  std::string image;
+  std::string field;
+  std::vector<double> area;     // corner, size
+  std::vector<double> heights;  // of an image: lowest, highest
+  std::string samples = "513x513";
+  std::string raw_size;
+  bool flip_z = false;
+  scene::ImportOptions import;
+  std::string texels = "512x512";
+  double nearest_metres = 0.0;
+  std::string output;
+  std::string cache;
+  int jobs = 0;
+  WorkerOptions worker{.time_limit = 60, .memory_limit = 2048};
+};
+
+scene::ReadingProcess reading_process(const BakeCommandOptions& options) {
+  scene::ReadingProcess process;
+  const std::size_t answer = process.limits.answer;
+  process.arguments = worker_arguments(scene::reading_mode);
+  process.limits = worker_limits(options.worker);
+  process.limits.answer = answer;
+  return process;
+}
+
+// "513x257", or "513" for a square.
+scene::ImageSize size_of(const std::string& option, const std::string& text) {
+  int width = 0, height = 0, read = 0;
+  const auto all = static_cast<int>(text.size());
+  if (std::sscanf(text.c_str(), "%dx%d%n", &width, &height, &read) == 2 && read == all)
+    return {width, height};
+  if (std::sscanf(text.c_str(), "%d%n", &width, &read) == 1 && read == all) return {width, width};
+  throw InputError("", option + " '" + text + "' is not WIDTHxDEPTH, such as 513x513");
+}
+
+constexpr const char* kHeightField = "heightfield";
+constexpr const char* kHorizon = "horizon";
+
+void refuse_idle_options(const CLI::App& command, const BakeCommandOptions& options) {
+  const bool horizon = options.product == kHorizon;
+  refuse_idle(command, {"--field", "--texels", "--nearest"}, !horizon, "on a height field");
+  const auto sources =
+      (options.scene.empty() ? 0 : 1) + (options.image.empty() ? 0 : 1) + (options.field.empty() ? 0 : 1);
+  if (sources != 1) {
+    throw InputError(
+        "", sources == 0 ? "there is no ground to bake" : "there are several grounds to bake",
+        std::string("give one of --scene") + (horizon ? ", --image and --field" : " and --image"));
+  }
+  refuse_idle(command, {"--samples", "--metres-per-unit", "--z-up"}, options.scene.empty(),
+              "without --scene");
+  refuse_idle(command, {"--heights", "--raw-size", "--flip-z"}, options.image.empty(), "without --image");
+  refuse_idle(command, {"--area"}, !options.field.empty(), "with --field, which has an area");
+}
+
+class Bake {
+  template <typename Work>
+  auto with_progress(const std::string& label, const std::string& unit, const Work& work) {
+    Progress progress(context_.progress(), label);
+    bake::BakeOptions options;
+    options.jobs = options_.jobs;
+    options.store = &store_;
+    options.progress = [&](std::size_t done, std::size_t total) {
+      progress.update(static_cast<double>(done), static_cast<double>(total), unit);
+    };
+    return work(options);
+  }
+
+ public:
+  Bake(const CLI::App& command, const BakeCommandOptions& options, Context& context)
+      : options_(options),
+        context_(context),
+        store_(options.cache.empty() ? platform::cache_directory() : std::filesystem::path(options.cache)) {
+    refuse_idle_options(command, options);
+    check_output_file(options.output);
+    refuse_input_as_output("--output", options.output, {options.scene, options.image, options.field});
+    check_cache_folder(options.cache, platform::cache_directory(), context);
+  }
+
+  void run() {
+    if (options_.product == kHorizon) {
+      horizon_angles();
+    } else {
+      write(bake::baked_files(field(), stem()));
+    }
+  }
+
+ private:
+  void horizon_angles() {
+    const scene::ImageSize texels = size_of("--texels", options_.texels);
+    const bake::HeightField ground = field();
+    write(with_progress("horizon angles", " rows", [&](const bake::BakeOptions& run) {
+      return bake::baked_files(
+          bake::bake_horizon_angles(ground, {texels.width, texels.height, options_.nearest_metres}, run),
+          stem());
+    }));
+  }
+
+  bake::Area area(const std::function<bake::Area()>& usual) const {
+    if (options_.area.empty()) return usual();
+    return {{options_.area[0], options_.area[1]}, {options_.area[2], options_.area[3]}};
+  }
+
+  bake::HeightField field() {
+    if (!options_.field.empty()) return bake::read_height_field(options_.field, reading_process(options_));
+    return options_.image.empty() ? field_of_scene() : field_of_image();
+  }
+
+  bake::HeightField field_of_scene() {
+    scene::ImportOptions import = options_.import;
+    import.ground = false;
+    import.process = reading_process(options_);
+    const scene::Scene scene = scene::load(options_.scene, import);
+    tell_notes(scene.notes, context_);
+    const scene::ImageSize samples = size_of("--samples", options_.samples);
+    return with_progress("heights", " rows", [&](const bake::BakeOptions& run) {
+      return bake::heights_of_scene(scene, area([&] { return bake::area_of(scene); }),
+                                    {samples.width, samples.height}, run);
+    });
+  }
+
+  bake::HeightField field_of_image() const {
+    if (options_.heights.empty())
+      throw InputError(
+          options_.image, "is an image of heights without a unit",
+          "say how many metres its 0 and its 65535 are: --heights 0,600 (Unity: 0 and the terrain's height)");
+    const bake::Area covered = area([&]() -> bake::Area {
+      throw InputError(options_.image, "does not say how large the ground is",
+                       "say its corner and its size in metres: --area X,Z,WIDTH,DEPTH");
+    });
+    std::optional<scene::ImageSize> raw_size;
+    if (!options_.raw_size.empty()) raw_size = size_of("--raw-size", options_.raw_size);
+    const scene::HeightImage image =
+        scene::read_height_image_apart(options_.image, raw_size, reading_process(options_));
+    return bake::heights_of_image(image, covered, {options_.heights[0], options_.heights[1]},
+                                  options_.flip_z);
+  }
+
+  std::string stem() const { return std::filesystem::path(options_.output).stem().string(); }
+
+  void write(const bake::BakedFiles& files) {
+    for (const auto& [name, bytes] : files.pictures) {
+      const std::filesystem::path picture = std::filesystem::path(options_.output).parent_path() / name;
+      refuse_input_as_output("--output", picture.string(), {options_.scene, options_.image, options_.field});
+    }
+    bake::write_baked_files(files, options_.output);
+    std::string written = options_.output + "\n";
+    for (const auto& [name, bytes] : files.pictures)
+      written += (std::filesystem::path(options_.output).parent_path() / name).string() + "\n";
+    write_output("", written);
+  }
+
+  const BakeCommandOptions& options_;
+  Context& context_;
+  platform::CacheStore store_;
+};
+
+}  // namespace
+
+void add_bake(CLI::App& app, Context& context) {
+  CLI::App* command = app.add_subcommand(
+      "bake",
+      "Bake what far shadows read: heights of the ground, or angles of the horizon in eight directions");
+  auto options = std::make_shared<BakeCommandOptions>();
+  const auto add = [&](const char* name, auto& value, const char* placeholder, const char* description,
+                       const char* group) {
+    return command->add_option(name, value, description)->type_name(placeholder)->group(group);
+  };
+  command->add_option("bake", options->product, "What to bake")
+      ->type_name("BAKE")
+      ->check(one_of({kHeightField, kHorizon}))
+      ->required();
+  const char* const ground = "Ground";
+  add("--scene", options->scene, "SCENE", "A built-in scene, package:NAME, or a model file", ground)
+      ->default_str("none");
+  add("--image", options->image, "FILE", "Heights: PNG of 16 bits, or RAW as Unity's terrains export it",
+      ground)
+      ->default_str("none");
+  add("--field", options->field, "FILE", "A JSON file that penumbra bake heightfield wrote", ground)
+      ->default_str("none");
+  as_vector(add("--area", options->area, "METRES", "Smallest x and z, and size along x and z", ground), 4, 4)
+      ->default_str("the scene's bounds");
+  as_vector(add("--heights", options->heights, "METRES", "What an image's 0 and 65535 mean", ground), 2, 2)
+      ->default_str("none");
+  add("--samples", options->samples, "WIDTHxDEPTH", "Heights taken of a scene, 2 to 8193 per side", ground);
+  add("--raw-size", options->raw_size, "WIDTHxDEPTH", "Samples of a RAW image", ground)
+      ->default_str("a square");
+  command
+      ->add_flag("--flip-z", options->flip_z, "The image's first row is at the largest z, not the smallest")
+      ->group(ground);
+  add("--metres-per-unit", options->import.metres_per_unit, "METRES", "Scale of a model file", ground)
+      ->check(positive());
+  command->add_flag("--z-up", options->import.z_up, "The model file's +Z is up")->group(ground);
+  const char* const horizon = "Horizon";
+  add("--texels", options->texels, "WIDTHxDEPTH", "Size of the pictures, 1 to 8192 per side", horizon);
+  add("--nearest", options->nearest_metres, "METRES", "Ground nearer than this does not count", horizon)
+      ->check(within(0.0, 1e6));
+  const char* const run = "Run";
+  add_jobs(*command, options->jobs)->group(run);
+  add_worker_limits(*command, options->worker, "one model or image");
+  for (const char* limit : {"--time-limit", "--memory-limit"}) command->get_option(limit)->group(run);
+  add("--cache", options->cache, "FOLDER", "Folder in which finished rows are cached", run)
+      ->default_str("the user's cache");
+  command
+      ->add_option("-o,--output", options->output, "JSON file to write; its pictures are written beside it")
+      ->type_name("FILE")
+      ->required();
+  end_help(
+      *command, "An interrupted bake continues with the rows that it had finished.",
+      {{"penumbra bake heightfield --image terrain.raw --heights 0,600 --area 0,0,1000,1000 -o terrain.json",
+        "of Unity's terrain of 1000 x 600 x 1000 metres"},
+       {"penumbra bake horizon --field terrain.json --texels 1024 --nearest 50 -o horizon.json",
+        "for shadows beyond cascades of 50 metres"},
+       {"penumbra bake horizon --scene street --samples 257 -o horizon.json", ""}});
+  command->callback([command, options, &context] { Bake(*command, *options, context).run(); });
+}
+
+}  // namespace penumbra::cli

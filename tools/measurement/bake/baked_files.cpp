@@ -1,0 +1,112 @@
+#include "bake/baked_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "bake/png_16.h"
+#include "input/input_error.h"
+#include "input/located_json.h"
+#include "platform/atomic_file.h"
+#include "scene/height_image.h"
+
+namespace penumbra::bake {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kHeights = "height-field";
+constexpr const char* kAngles = "horizon-angles";
+constexpr int kVersion = 1;
+
+Json area_json(const Area& area) {
+  return {{"corner_metres", {area.corner.x, area.corner.y}}, {"size_metres", {area.size.x, area.size.y}}};
+}
+
+HeightRange range_of(const HeightField& field) {
+  const auto [low, high] = std::minmax_element(field.metres.begin(), field.metres.end());
+  // A level ground has a range, too.
+  return {static_cast<double>(*low), static_cast<double>(*high > *low ? *high : *low + 1.0F)};
+}
+
+}  // namespace
+
+BakedFiles baked_files(const HeightField& field, const std::string& stem) {
+  check_height_field(field);
+  const HeightRange range = range_of(field);
+  std::vector<std::uint16_t> samples;
+  samples.reserve(field.metres.size());
+  for (const float metres : field.metres)
+    samples.push_back(as_16_bits((static_cast<double>(metres) - range.low) / (range.high - range.low)));
+  BakedFiles files;
+  const std::string picture = stem + ".png";
+  files.pictures[picture] = encode_png_16(field.width, field.depth, 1, samples);
+  Json json = {{"kind", kHeights}, {"version", kVersion}, {"picture", picture}};
+  json["heights_metres"] = {range.low, range.high};
+  json.update(area_json(field.area));
+  files.json = json.dump(2) + "\n";
+  return files;
+}
+
+BakedFiles baked_files(const HorizonAngles& angles, const std::string& stem) {
+  const std::size_t texels = static_cast<std::size_t>(angles.width) * static_cast<std::size_t>(angles.depth);
+  BakedFiles files;
+  Json json = {{"kind", kAngles}, {"version", kVersion}, {"pictures", Json::array()}};
+  constexpr int kChannels = 4;
+  for (int first = 0; first < horizon_directions; first += kChannels) {
+    std::vector<std::uint16_t> samples;
+    samples.reserve(kChannels * texels);
+    for (std::size_t i = 0; i < texels; ++i) {
+      for (int channel = 0; channel < kChannels; ++channel) {
+        const float radians = angles.radians[static_cast<std::size_t>(first + channel)][i];
+        samples.push_back(as_16_bits(static_cast<double>(radians) / (std::numbers::pi / 2.0)));
+      }
+    }
+    const std::string picture = fmt::format("{}-{}.png", stem, first / kChannels);
+    files.pictures[picture] = encode_png_16(angles.width, angles.depth, kChannels, samples);
+    json["pictures"].push_back(picture);
+  }
+  json["directions_degrees"] = Json::array();
+  for (int number = 0; number < horizon_directions; ++number)
+    json["directions_degrees"].push_back(45 * number);
+  json["angles_degrees"] = {0, 90};
+  json.update(area_json(angles.area));
+  files.json = json.dump(2) + "\n";
+  return files;
+}
+
+void write_baked_files(const BakedFiles& files, const std::filesystem::path& json) {
+  for (const auto& [name, bytes] : files.pictures)
+    platform::write_file_atomically(json.parent_path() / name, std::span<const std::byte>(bytes));
+  platform::write_file_atomically(json, files.json);
+}
+
+HeightField read_height_field(const std::filesystem::path& json, const scene::ReadingProcess& process) {
+  const LocatedJson document = LocatedJson::read(json);
+  JsonObject object(document);
+  if (const std::string kind = object.text("kind", ""); kind != kHeights) {
+    object.fail("kind", fmt::format("'{}' is no {}", kind, kHeights), "penumbra bake heightfield writes one");
+  }
+  if (const int version = object.integer("version", 0); version != kVersion)
+    object.fail("version", fmt::format("version {} of the format is unknown", version), "bake it again");
+  const std::string picture = object.text("picture", "");
+  const bool plain =
+      !picture.empty() && std::filesystem::path(picture).filename() == picture && picture != "..";
+  if (!plain) object.fail("picture", "must be the name of a file in the same folder");
+  const std::vector<double> range = object.numbers("heights_metres", 2);
+  const std::vector<double> corner = object.numbers("corner_metres", 2),
+                            size = object.numbers("size_metres", 2);
+  object.finish();
+  const scene::HeightImage image =
+      scene::read_height_image_apart(json.parent_path() / picture, std::nullopt, process);
+  try {
+    return heights_of_image(image, {{corner[0], corner[1]}, {size[0], size[1]}}, {range[0], range[1]});
+  } catch (const InputError& error) {
+    throw InputError(json.string(), error.what());
+  }
+}
+
+}  // namespace penumbra::bake

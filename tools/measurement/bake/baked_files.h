@@ -1,0 +1,35 @@
+// Bakes as files: PNG with 16 bits a channel, and a JSON file beside it that says what the numbers mean.
+// Unity imports the PNG as R16 or RGBA64 textures; sRGB and compression have to be off.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "bake/height_field.h"
+#include "bake/height_source.h"
+#include "bake/horizon_angles.h"
+#include "scene/reading_process.h"
+
+namespace penumbra::bake {
+
+// A JSON file, and the pictures that it names, which lie in its folder.
+struct BakedFiles {
+  std::string json;
+  std::map<std::string, std::vector<std::byte>> pictures;  // by file name
+};
+
+// stem: of the pictures' names. Heights become steps of (high - low) / 65535 of the field's own range, rows
+// from the smallest z; angles steps of a quarter turn / 65535, four directions in each of two pictures.
+BakedFiles baked_files(const HeightField& field, const std::string& stem);
+BakedFiles baked_files(const HorizonAngles& angles, const std::string& stem);
+
+// Pictures first, so that a JSON file never names one that is not there. Throws as write_file_atomically().
+void write_baked_files(const BakedFiles& files, const std::filesystem::path& json);
+
+// A height field that baked_files() wrote. Throws InputError at the JSON's line, and naming the picture.
+HeightField read_height_field(const std::filesystem::path& json, const scene::ReadingProcess& process);
+
+}  // namespace penumbra::bake

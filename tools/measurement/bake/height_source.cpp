@@ -1,0 +1,91 @@
+#include "bake/height_source.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <span>
+#include <string_view>
+
+#include "input/input_error.h"
+#include "platform/content_hash.h"
+#include "reference/embree_scene.h"
+#include "reference/highest_surface.h"
+#include "scene/content_hash.h"
+
+namespace penumbra::bake {
+namespace {
+
+constexpr int kHeightsVersion = 1;  // a change of any result takes the next number
+constexpr float kNothing = std::numeric_limits<float>::lowest();
+
+std::string height_key(const scene::Scene& scene, const Area& area, const SampleCounts& counts) {
+  platform::ContentHash hash;
+  hash.update(std::string_view("heights")).update(kHeightsVersion);
+  hash.update(std::string_view(scene::content_hash(scene)));
+  for (const glm::dvec2& pair : {area.corner, area.size}) hash.update(pair.x).update(pair.y);
+  hash.update(counts.width).update(counts.depth);
+  return hash.hex();
+}
+
+}  // namespace
+
+Area area_of(const scene::Scene& scene) {
+  const parameters::Bounds bounds = scene.bounds();
+  return {{bounds.minimum.x, bounds.minimum.z},
+          {bounds.maximum.x - bounds.minimum.x, bounds.maximum.z - bounds.minimum.z}};
+}
+
+HeightField heights_of_scene(const scene::Scene& scene, const Area& area, const SampleCounts& counts,
+                             const BakeOptions& run) {
+  check_grid(counts.width, counts.depth, area);
+  HeightField field{counts.width, counts.depth, area, {}};
+  const reference::EmbreeScene rays(scene);
+  const reference::HighestSurface surface(rays, scene);
+  // A block is a row.
+  const BakeJob job{height_key(scene, area, counts), static_cast<std::size_t>(counts.depth),
+                    [&](std::size_t row) {
+                      std::vector<float> metres;
+                      for (int x = 0; x < field.width; ++x) {
+                        const glm::dvec2 place = area.corner + field.spacing() * glm::dvec2(x, row);
+                        const std::optional<double> height = surface.at(place);
+                        metres.push_back(height ? static_cast<float>(*height) : kNothing);
+                      }
+                      return metres;
+                    }};
+  field.metres = run_bake(job, run);
+  const auto lowest = static_cast<float>(scene.mesh.positions.empty() ? 0.0 : scene.bounds().minimum.y);
+  bool any = false;
+  for (float& metres : field.metres) {
+    any = any || metres != kNothing;
+    if (metres == kNothing) metres = lowest;
+  }
+  if (!any) {
+    throw InputError(
+        "",
+        fmt::format("the scene '{}' has no surface over the area from {}, {} to {}, {} metres", scene.name,
+                    area.corner.x, area.corner.y, area.corner.x + area.size.x, area.corner.y + area.size.y));
+  }
+  return field;
+}
+
+HeightField heights_of_image(const scene::HeightImage& image, const Area& area, const HeightRange& range,
+                             bool from_largest_z) {
+  if (!std::isfinite(range.low) || !std::isfinite(range.high) || range.low >= range.high)
+    throw InputError("", fmt::format("heights cannot go from {} to {} metres", range.low, range.high));
+  HeightField field{image.width, image.height, area, {}};
+  field.metres.reserve(image.samples.size());
+  for (int z = 0; z < image.height; ++z) {
+    const int row = from_largest_z ? image.height - 1 - z : z;
+    for (int x = 0; x < image.width; ++x) {
+      const std::size_t at =
+          static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x);
+      field.metres.push_back(
+          static_cast<float>(std::lerp(range.low, range.high, image.samples[at] / 65535.0)));
+    }
+  }
+  check_height_field(field);
+  return field;
+}
+
+}  // namespace penumbra::bake

@@ -1,0 +1,44 @@
+// Images of heights: PNG with 16 bits a channel, and the headerless RAW files that Unity's terrains export.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "scene/reading_process.h"
+
+namespace penumbra::scene {
+
+inline constexpr int kLargestHeightImageSide =
+    8193;  // samples: a power of two and one, as Unity's terrains have
+
+struct HeightImage {
+  int width = 0;  // samples
+  int height = 0;
+  std::vector<std::uint16_t> samples;  // rows as in the file
+};
+
+struct ImageSize {
+  int width = 0;
+  int height = 0;
+};
+
+// PNG: one channel of 16 bits, or several, whose first counts. RAW (.raw or .r16): 16-bit numbers, the low
+// byte first; without raw_size a square. Throws InputError naming the file if it cannot be read, has neither
+// form, has 8 bits (256 steps are no ground), is not a square where it must be, or is smaller than 2 x 2 or
+// larger than the limit.
+HeightImage read_height_image(const std::filesystem::path& file, std::optional<ImageSize> raw_size);
+
+// The same from memory; `name` is what messages call it and tells the form by its extension.
+HeightImage decode_height_image(std::span<const std::byte> bytes, const std::string& name,
+                                std::optional<ImageSize> raw_size);
+
+// Of another process, as read_image_apart().
+HeightImage read_height_image_apart(const std::filesystem::path& file, std::optional<ImageSize> raw_size,
+                                    const ReadingProcess& process);
+
+}  // namespace penumbra::scene
