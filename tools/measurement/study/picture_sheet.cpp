@@ -34,10 +34,11 @@ std::vector<CaptionedPicture> captioned(const PictureRow& row, const std::string
 Choice best_technique(const Results& results) {
   double lowest = std::numeric_limits<double>::infinity();
   Choice best;
+  const std::vector<SummaryLine> summary = summarise(results);
   for (const Choice& choice : choices(results)) {
     double sum = 0.0;
     int lines = 0;
-    for (const SummaryLine& line : summarise(results)) {
+    for (const SummaryLine& line : summary) {
       if (!(line.choice == choice) || !line.rmse_penumbra) continue;
       sum += line.rmse_penumbra->value;
       ++lines;

@@ -56,7 +56,8 @@ Row row_of(const Results& results, const Record& record) {
 
 Row row_of(const Results& results, const SummaryLine& line) {
   const auto first = std::find_if(results.records.begin(), results.records.end(), [&](const Record& record) {
-    return record.light_degrees == line.light_degrees && choice_of(results, record) == line.choice;
+    return record.light_degrees == line.light_degrees && record.technique == line.choice.technique &&
+           choice_of(results, record) == line.choice;
   });
   return {line.choice,
           "",

@@ -102,6 +102,12 @@ SummaryLine line_of(const Results& results, const Choice& choice, double light_d
   return line;
 }
 
+Choice choice_of(const Record& record, bool same_map) {
+  const std::string map = same_map ? "" : fmt::format(" ({})", map_name(record));
+  return {record.technique, record.technique + map, record.title,
+          short_title(record.technique, record.title) + map};
+}
+
 struct Overall {
   Choice choice;
   double rmse = 0.0;
@@ -144,15 +150,14 @@ std::vector<double> light_sizes(const Results& results) {
 }
 
 Choice choice_of(const Results& results, const Record& record) {
-  const std::string map = one_map(results) ? "" : fmt::format(" ({})", map_name(record));
-  return {record.technique, record.technique + map, record.title,
-          short_title(record.technique, record.title) + map};
+  return choice_of(record, one_map(results));
 }
 
 std::vector<Choice> choices(const Results& results) {
   std::vector<Choice> list;
+  const bool same_map = one_map(results);
   for (const Record& record : results.records) {
-    Choice choice = choice_of(results, record);
+    Choice choice = choice_of(record, same_map);
     if (std::find(list.begin(), list.end(), choice) == list.end()) list.push_back(std::move(choice));
   }
   return list;
@@ -160,9 +165,10 @@ std::vector<Choice> choices(const Results& results) {
 
 const Record* find_record(const Results& results, const std::string& label, const std::string& scene,
                           double light_degrees) {
+  const bool same_map = one_map(results);
   const auto found = std::find_if(results.records.begin(), results.records.end(), [&](const Record& record) {
     return record.scene == scene && record.light_degrees == light_degrees &&
-           choice_of(results, record).label == label;
+           choice_of(record, same_map).label == label;
   });
   return found == results.records.end() ? nullptr : &*found;
 }

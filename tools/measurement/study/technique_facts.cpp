@@ -104,8 +104,9 @@ std::vector<TechniqueRow> technique_rows(const Results& results, const FactsOfTe
     }
     const auto known = facts.techniques.find(choice.technique);
     const TechniqueFacts fact = known == facts.techniques.end() ? TechniqueFacts{} : known->second;
-    const auto record = std::find_if(results.records.begin(), results.records.end(),
-                                     [&](const Record& each) { return choice_of(results, each) == choice; });
+    const auto record = std::find_if(results.records.begin(), results.records.end(), [&](const Record& each) {
+      return each.technique == choice.technique && choice_of(results, each) == choice;
+    });
     row.map_mebibytes = map_mebibytes(*record, fact.textures);
     row.cycles = fact.cycles;
     row.use_when = fact.use_when;
