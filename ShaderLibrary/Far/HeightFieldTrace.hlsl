@@ -1,0 +1,60 @@
+// Penumbra: far shadows from a height field.
+//
+// Computes:   visibility of the sun: the share of its disc above the steepest of the ground's slopes that a few steps
+//             towards the sun find.
+// Source:     Candycat, "Graphics Study: RDR2, shadows" (2021): 8 steps over a height map towards the sun, blended by how far
+//             the ground reaches over the ray. Here the blend is the sun's own disc, and steps grow in proportion to the
+//             distance, as a mountain of the same angle does, from the first to where the ray is over all ground.
+// Inputs:     heights: of `penumbra bake heightfield` or a terrain, one channel; texels: how many each way; the world position
+//             of the receiver; the direction towards the sun, world space, of any positive length; half its angular diameter
+//             in radians; nearestMetres: the first step; steps; jitter: [0, 1), another for each pixel.
+// Cost:       as many filtered fetches as steps, fewer where the ray leaves the map or all ground before.
+// Guarantees: [0, 1] for any input; at most 256 steps; beside the map all is lit; a sun below the horizontal is hidden.
+// Use it:     for ground that changes, or a sun that has moved since horizons were baked. Not: for narrow ridges between two
+//             steps, which are missed.
+#ifndef PENUMBRA_HEIGHT_FIELD_TRACE_HLSL
+#define PENUMBRA_HEIGHT_FIELD_TRACE_HLSL
+
+#include "HorizonAngles.hlsl"
+
+struct HeightFieldRay
+{
+    float nearestMetres;
+    int steps;
+    float jitter;
+};
+
+float HeightFieldVisibility(TEXTURE2D(heights), SAMPLER(sampler_linear), float2 texels, float3 positionWS, float3 towardSun,
+                            float halfDiameter, HeightFieldRay ray, GroundMap ground)
+{
+    const float elevation = ElevationOf(towardSun);
+    if (!(elevation > 0.0)) return 0.0;
+    const float2 level = float2(FiniteOr(towardSun.x, 0.0), FiniteOr(towardSun.z, 0.0));
+    const float2 bounded = min(max(level, -1e15), 1e15);
+    const float2 direction = bounded * rsqrt(max(dot(bounded, bounded), 1e-30));
+    const float2 from = GroundUv(positionWS, ground);
+    if (GroundCoverage(positionWS, from) == 0.0) return 1.0;
+
+    const float halfAngle = BoundedOrLow(halfDiameter, 0.0, 1.0);
+    const float height = BoundedOrLow(positionWS.y, -1e5, 1e5);
+    // The lowest ray of the disc is over all ground from here on; at least the first step is made.
+    const float rise = max(tan(min(max(elevation - halfAngle, 1e-3), 1.5)), 1e-3);
+    const float nearest = BoundedOrLow(ray.nearestMetres, 1e-2, 1e6);
+    const float farthest = max((ground.low + ground.span - height) / rise, nearest * 1.001);
+    const int steps = min(max(ray.steps, 1), 256);
+    const float ratio = farthest / nearest;
+    const float jitter = BoundedOrLow(ray.jitter, 0.0, 1.0);
+    float steepest = 0.0;
+    UNITY_LOOP
+    for (int i = 0; i < steps; ++i)
+    {
+        const float distance = nearest * pow(ratio, (float(i) + jitter) / float(steps));
+        const float2 uv = from + direction * distance / ground.size;
+        if (any(uv < 0.0) || any(uv > 1.0)) break;
+        const float stored = SAMPLE_TEXTURE2D_LOD(heights, sampler_linear, HeightUv(uv, texels), 0.0).r;
+        steepest = max(steepest, (GroundHeight(stored, ground) - height) / distance);
+    }
+    return HorizonVisibility(atan(steepest), elevation, halfAngle);
+}
+
+#endif
