@@ -76,6 +76,40 @@ TEST(BakedFiles, EachDirectionIsAChannelInStepsOfAQuarterTurn) {
   EXPECT_EQ(json["corner_metres"], (nlohmann::json{-30.0, 12.5}));
 }
 
+// Slice by slice as Unity's importer cuts the sheet: from the top left corner, each with its smallest y at
+// the bottom.
+TEST(BakedFiles, ADistanceFieldIsASheetOfSlices) {
+  DistanceField field{{3, 2, 5}, {{-1.0, -2.0, -3.0}, {2.0, 0.0, 2.0}}, {}, 4};
+  for (int i = 0; i < 30; ++i) field.metres.push_back(0.1F * static_cast<float>(i - 10));
+  const BakedFiles files = baked_files(field, "mesh");
+  const nlohmann::json json = nlohmann::json::parse(files.json);
+  EXPECT_EQ(json["columns"], 3);
+  EXPECT_EQ(json["rows"], 2);
+  EXPECT_EQ(json["voxels"], (nlohmann::json{3, 2, 5}));
+  EXPECT_EQ(json["open_edges"], 4);
+  EXPECT_EQ(json["size_metres"], (nlohmann::json{3.0, 2.0, 5.0}));
+  const double largest = json["distances_metres"][1];
+  EXPECT_FLOAT_EQ(static_cast<float>(largest), 1.9F);
+  EXPECT_EQ(json["distances_metres"][0], -largest);
+  const scene::HeightImage sheet = scene::decode_height_image(files.pictures.at("mesh.png"), "mesh.png", {});
+  ASSERT_EQ(sheet.width, 9);
+  ASSERT_EQ(sheet.height, 4);
+  for (int z = 0; z < 5; ++z)
+    for (int y = 0; y < 2; ++y)
+      for (int x = 0; x < 3; ++x) {
+        const int column = 3 * (z % 3) + x, row = 2 * (1 - z / 3) + y;  // from the bottom
+        const double share = sheet.samples[static_cast<std::size_t>(9 * row + column)] / 65535.0;
+        EXPECT_NEAR((2.0 * share - 1.0) * largest, field.at(x, y, z), 1.01 * largest / 65535.0)
+            << x << y << z;
+      }
+  EXPECT_NO_THROW(baked_files(DistanceField{{1, 1, 1}, field.box, {0.0F}, 0}, "point"));
+  expect_input_error(
+      [&] {
+        baked_files(DistanceField{{512, 1, 1025}, field.box, {}, 0}, "wide");
+      },
+      HasSubstr("16384"));
+}
+
 TEST(BakedFiles, ABrokenFileIsNamedWithItsLine) {
   const reference::ScratchFolder folder;
   const std::filesystem::path json = folder.path() / "hills.json";

@@ -80,7 +80,7 @@ TEST_F(BakeProgram, SaysWhatItCannotBake) {
   };
   expect_refused({"horizon", "-o", file("x.json")}, HasSubstr("--field"));
   expect_refused({"heightfield", "-o", file("x.json")},
-                 AllOf(HasSubstr("no ground to bake"), testing::Not(HasSubstr("--field"))));
+                 AllOf(HasSubstr("nothing to bake from"), testing::Not(HasSubstr("--field"))));
   expect_refused({"horizon", "--field", field, "--scene", "street", "-o", file("x.json")},
                  HasSubstr("several"));
   expect_refused({"heightfield", "--scene", "street", "--texels", "64", "-o", file("x.json")},
@@ -101,6 +101,29 @@ TEST_F(BakeProgram, SaysWhatItCannotBake) {
   const std::string picture = file("street.png");
   expect_refused({"heightfield", "--image", picture, "--heights", "0,9", "--area", "0,0,9,9", "-o", field},
                  HasSubstr("is a file that this run reads"));
+}
+
+TEST_F(BakeProgram, DistancesOfAClosedModelAndOfAnOpenOne) {
+  const std::string closed =
+      write("closed.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n")
+          .string();
+  const auto solid = bake({"distance-field", "--scene", closed, "--voxels", "8", "-o", file("solid.json")});
+  EXPECT_EQ(solid.exit_code, 0) << solid.errors;
+  EXPECT_THAT(solid.errors, testing::Not(HasSubstr("not closed")));
+  EXPECT_THAT(read("solid.json"), HasSubstr("\"open_edges\": 0"));
+  const std::string open =
+      write("open.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\n").string();
+  const auto shell = bake({"distance-field", "--scene", open, "--voxels", "8", "-o", file("shell.json")});
+  EXPECT_EQ(shell.exit_code, 0) << shell.errors;
+  EXPECT_THAT(shell.errors, AllOf(HasSubstr("not closed"), HasSubstr("3 edges")));
+  EXPECT_THAT(read("shell.json"), HasSubstr("\"open_edges\": 3"));
+  expect_refused({"distance-field", "--scene", "street", "--voxels", "513", "-o", file("x.json")},
+                 HasSubstr("512"));
+  expect_refused({"distance-field", "--scene", "street", "--samples", "9", "-o", file("x.json")},
+                 HasSubstr("--samples has no effect"));
+  expect_refused({"distance-field", "-o", file("x.json")}, HasSubstr("give --scene"));
+  expect_refused({"horizon", "--scene", "street", "--voxels", "9", "-o", file("x.json")},
+                 HasSubstr("--voxels has no effect"));
 }
 
 // Rows that were finished are found again: a later run of the same bake is only reading.

@@ -44,11 +44,11 @@ std::vector<std::byte> png(int width, int height, const std::vector<std::uint16_
   return bytes;
 }
 
-TEST(HeightImage, PngGivesItsSamplesUnchanged) {
+TEST(HeightImage, PngGivesItsSamplesUnchangedFromTheBottomRow) {
   const HeightImage image = decode_height_image(png(3, 2, {0, 1, 256, 40000, 65534, 65535}), "a.png", {});
   EXPECT_EQ(image.width, 3);
   EXPECT_EQ(image.height, 2);
-  EXPECT_THAT(image.samples, ElementsAre(0, 1, 256, 40000, 65534, 65535));
+  EXPECT_THAT(image.samples, ElementsAre(40000, 65534, 65535, 0, 1, 256));
 }
 
 TEST(HeightImage, RawHasTheLowByteFirstAndIsSquareUnlessItsSizeIsSaid) {

@@ -1,4 +1,6 @@
 // penumbra bake: what far shadows read, made of geometry once.
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <functional>
@@ -6,6 +8,7 @@
 #include <optional>
 
 #include "bake/baked_files.h"
+#include "bake/distance_field.h"
 #include "bake/height_source.h"
 #include "bake/horizon_angles.h"
 #include "cli/help.h"
@@ -36,6 +39,7 @@ struct BakeCommandOptions {
   bool flip_z = false;
   scene::ImportOptions import;
   std::string texels = "512x512";
+  bake::DistanceFieldOptions distances;
   double nearest_metres = 0.0;
   std::string output;
   std::string cache;
@@ -64,16 +68,21 @@ scene::ImageSize size_of(const std::string& option, const std::string& text) {
 
 constexpr const char* kHeightField = "heightfield";
 constexpr const char* kHorizon = "horizon";
+constexpr const char* kDistanceField = "distance-field";
 
 void refuse_idle_options(const CLI::App& command, const BakeCommandOptions& options) {
-  const bool horizon = options.product == kHorizon;
-  refuse_idle(command, {"--field", "--texels", "--nearest"}, !horizon, "on a height field");
-  const auto sources =
+  const bool horizon = options.product == kHorizon, distances = options.product == kDistanceField;
+  refuse_idle(command, {"--field", "--texels", "--nearest"}, !horizon, "on " + options.product);
+  refuse_idle(command, {"--image", "--area", "--samples"}, distances, "on " + options.product);
+  refuse_idle(command, {"--voxels", "--margin"}, !distances, "on " + options.product);
+  const int sources =
       (options.scene.empty() ? 0 : 1) + (options.image.empty() ? 0 : 1) + (options.field.empty() ? 0 : 1);
   if (sources != 1) {
+    const char* all = distances ? "give --scene"
+                      : horizon ? "give one of --scene, --image and --field"
+                                : "give one of --scene and --image";
     throw InputError(
-        "", sources == 0 ? "there is no ground to bake" : "there are several grounds to bake",
-        std::string("give one of --scene") + (horizon ? ", --image and --field" : " and --image"));
+        "", sources == 0 ? "there is nothing to bake from" : "there are several things to bake from", all);
   }
   refuse_idle(command, {"--samples", "--metres-per-unit", "--z-up"}, options.scene.empty(),
               "without --scene");
@@ -108,6 +117,8 @@ class Bake {
   void run() {
     if (options_.product == kHorizon) {
       horizon_angles();
+    } else if (options_.product == kDistanceField) {
+      distance_field();
     } else {
       write(bake::baked_files(field(), stem()));
     }
@@ -124,6 +135,22 @@ class Bake {
     }));
   }
 
+  void distance_field() {
+    const scene::Scene scene = loaded_scene();
+    const bake::DistanceField field =
+        with_progress("distances", " slices", [&](const bake::BakeOptions& run) {
+          return bake::bake_distance_field(scene, options_.distances, run);
+        });
+    if (field.open_edges > 0 && !context_.quiet) {
+      fmt::print(stderr,
+                 "note: the mesh is not closed ({} edges have not two triangles that turn the same way): "
+                 "inside is the back of "
+                 "the nearest triangle\n",
+                 field.open_edges);
+    }
+    write(bake::baked_files(field, stem()));
+  }
+
   bake::Area area(const std::function<bake::Area()>& usual) const {
     if (options_.area.empty()) return usual();
     return {{options_.area[0], options_.area[1]}, {options_.area[2], options_.area[3]}};
@@ -134,12 +161,17 @@ class Bake {
     return options_.image.empty() ? field_of_scene() : field_of_image();
   }
 
-  bake::HeightField field_of_scene() {
+  scene::Scene loaded_scene() {
     scene::ImportOptions import = options_.import;
     import.ground = false;
     import.process = reading_process(options_);
-    const scene::Scene scene = scene::load(options_.scene, import);
+    scene::Scene scene = scene::load(options_.scene, import);
     tell_notes(scene.notes, context_);
+    return scene;
+  }
+
+  bake::HeightField field_of_scene() {
+    const scene::Scene scene = loaded_scene();
     const scene::ImageSize samples = size_of("--samples", options_.samples);
     return with_progress("heights", " rows", [&](const bake::BakeOptions& run) {
       return bake::heights_of_scene(scene, area([&] { return bake::area_of(scene); }),
@@ -187,8 +219,7 @@ class Bake {
 
 void add_bake(CLI::App& app, Context& context) {
   CLI::App* command = app.add_subcommand(
-      "bake",
-      "Bake what far shadows read: heights of the ground, or angles of the horizon in eight directions");
+      "bake", "Bake what shadows without a map read: heights, angles of the horizon, distances to a mesh");
   auto options = std::make_shared<BakeCommandOptions>();
   const auto add = [&](const char* name, auto& value, const char* placeholder, const char* description,
                        const char* group) {
@@ -196,7 +227,7 @@ void add_bake(CLI::App& app, Context& context) {
   };
   command->add_option("bake", options->product, "What to bake")
       ->type_name("BAKE")
-      ->check(one_of({kHeightField, kHorizon}))
+      ->check(one_of({kHeightField, kHorizon, kDistanceField}))
       ->required();
   const char* const ground = "Ground";
   add("--scene", options->scene, "SCENE", "A built-in scene, package:NAME, or a model file", ground)
@@ -214,7 +245,8 @@ void add_bake(CLI::App& app, Context& context) {
   add("--raw-size", options->raw_size, "WIDTHxDEPTH", "Samples of a RAW image", ground)
       ->default_str("a square");
   command
-      ->add_flag("--flip-z", options->flip_z, "The image's first row is at the largest z, not the smallest")
+      ->add_flag("--flip-z", options->flip_z,
+                 "A picture's top, or the last row of RAW, is at the smallest z, not the largest")
       ->group(ground);
   add("--metres-per-unit", options->import.metres_per_unit, "METRES", "Scale of a model file", ground)
       ->check(positive());
@@ -223,18 +255,24 @@ void add_bake(CLI::App& app, Context& context) {
   add("--texels", options->texels, "WIDTHxDEPTH", "Size of the pictures, 1 to 8192 per side", horizon);
   add("--nearest", options->nearest_metres, "METRES", "Ground nearer than this does not count", horizon)
       ->check(within(0.0, 1e6));
+  const char* const distances = "Distance field";
+  add("--voxels", options->distances.voxels, "N", "Voxels along the longest side, margins included",
+      distances)
+      ->check(within(1, bake::most_voxels_per_side));
+  add("--margin", options->distances.margin, "SHARE", "Room around the mesh, of its longest side", distances)
+      ->check(within(0.0, 10.0));
   const char* const run = "Run";
   add_jobs(*command, options->jobs)->group(run);
   add_worker_limits(*command, options->worker, "one model or image");
   for (const char* limit : {"--time-limit", "--memory-limit"}) command->get_option(limit)->group(run);
-  add("--cache", options->cache, "FOLDER", "Folder in which finished rows are cached", run)
+  add("--cache", options->cache, "FOLDER", "Folder in which finished rows and slices are cached", run)
       ->default_str("the user's cache");
   command
       ->add_option("-o,--output", options->output, "JSON file to write; its pictures are written beside it")
       ->type_name("FILE")
       ->required();
   end_help(
-      *command, "An interrupted bake continues with the rows that it had finished.",
+      *command, "An interrupted bake continues with the rows or slices that it had finished.",
       {{"penumbra bake heightfield --image terrain.raw --heights 0,600 --area 0,0,1000,1000 -o terrain.json",
         "of Unity's terrain of 1000 x 600 x 1000 metres"},
        {"penumbra bake horizon --field terrain.json --texels 1024 --nearest 50 -o horizon.json",

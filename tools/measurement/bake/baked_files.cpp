@@ -20,6 +20,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kHeights = "height-field";
 constexpr const char* kAngles = "horizon-angles";
+constexpr const char* kDistances = "distance-field";
+constexpr int kLargestPictureSide = 16384;
 constexpr int kVersion = 1;
 
 Json area_json(const Area& area) {
@@ -74,6 +76,48 @@ BakedFiles baked_files(const HorizonAngles& angles, const std::string& stem) {
     json["directions_degrees"].push_back(45 * number);
   json["angles_degrees"] = {0, 90};
   json.update(area_json(angles.area));
+  files.json = json.dump(2) + "\n";
+  return files;
+}
+
+BakedFiles baked_files(const DistanceField& field, const std::string& stem) {
+  const auto [width, height, slices] = field.voxels;
+  const int columns = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(slices))));
+  const int rows = (slices + columns - 1) / columns;
+  if (columns * width > kLargestPictureSide || rows * height > kLargestPictureSide) {
+    throw InputError(
+        "",
+        fmt::format("{} x {} x {} voxels are a picture of {} x {} texels, and {} per side can be read", width,
+                    height, slices, columns * width, rows * height, kLargestPictureSide),
+        "bake fewer voxels");
+  }
+  double largest = 0.0;
+  for (const float metres : field.metres) largest = std::max(largest, std::abs(static_cast<double>(metres)));
+  if (largest == 0.0) largest = 1.0;
+  const std::size_t row_length = static_cast<std::size_t>(columns) * static_cast<std::size_t>(width);
+  std::vector<std::uint16_t> samples(row_length * static_cast<std::size_t>(rows) *
+                                     static_cast<std::size_t>(height));
+  for (int z = 0; z < slices; ++z) {
+    const int left = z % columns * width, bottom = (rows - 1 - z / columns) * height;
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x)
+        samples[static_cast<std::size_t>(bottom + y) * row_length + static_cast<std::size_t>(left + x)] =
+            as_16_bits(0.5 + 0.5 * static_cast<double>(field.at(x, y, z)) / largest);
+  }
+  BakedFiles files;
+  const std::string picture = stem + ".png";
+  files.pictures[picture] = encode_png_16(columns * width, rows * height, 1, samples);
+  const glm::dvec3 size = field.box.maximum - field.box.minimum;
+  const Json json = {{"kind", kDistances},
+                     {"version", kVersion},
+                     {"picture", picture},
+                     {"voxels", {width, height, slices}},
+                     {"columns", columns},
+                     {"rows", rows},
+                     {"distances_metres", {-largest, largest}},
+                     {"corner_metres", {field.box.minimum.x, field.box.minimum.y, field.box.minimum.z}},
+                     {"size_metres", {size.x, size.y, size.z}},
+                     {"open_edges", field.open_edges}};
   files.json = json.dump(2) + "\n";
   return files;
 }

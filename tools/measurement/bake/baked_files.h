@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "bake/distance_field.h"
 #include "bake/height_field.h"
 #include "bake/height_source.h"
 #include "bake/horizon_angles.h"
@@ -21,10 +22,14 @@ struct BakedFiles {
   std::map<std::string, std::vector<std::byte>> pictures;  // by file name
 };
 
-// stem: of the pictures' names. Heights become steps of (high - low) / 65535 of the field's own range, rows
-// from the smallest z; angles steps of a quarter turn / 65535, four directions in each of two pictures.
+// stem: of the pictures' names. The smallest z is at a picture's bottom, as Unity's textures have it. Heights
+// become steps of (high - low) / 65535 of the field's own range; angles steps of a quarter turn / 65535, four
+// directions in each of two pictures; distances steps of twice the largest / 65535, the slices of one z side
+// by side in rows from the top, as Unity's importer of 3D textures takes them. Throw InputError for a picture
+// of more than 16384 texels per side.
 BakedFiles baked_files(const HeightField& field, const std::string& stem);
 BakedFiles baked_files(const HorizonAngles& angles, const std::string& stem);
+BakedFiles baked_files(const DistanceField& field, const std::string& stem);
 
 // Pictures first, so that a JSON file never names one that is not there. Throws as write_file_atomically().
 void write_baked_files(const BakedFiles& files, const std::filesystem::path& json);

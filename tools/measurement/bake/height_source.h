@@ -28,8 +28,8 @@ struct HeightRange {
   double high = 0.0;
 };
 
-// The image's first row is at the smallest z, or with from_largest_z at the largest. Throws InputError for a
-// range that is not finite or empty, and as check_height_field().
+// The image's first row, a picture's lowest, is at the smallest z, or with from_largest_z at the largest.
+// Throws InputError for a range that is not finite or empty, and as check_height_field().
 HeightField heights_of_image(const scene::HeightImage& image, const Area& area, const HeightRange& range,
                              bool from_largest_z = false);
 

@@ -19,7 +19,8 @@ inline constexpr int kLargestHeightImageSide =
 struct HeightImage {
   int width = 0;  // samples
   int height = 0;
-  std::vector<std::uint16_t> samples;  // rows as in the file
+  std::vector<std::uint16_t>
+      samples;  // rows from a picture's bottom, as in Unity's textures; of RAW as in the file
 };
 
 struct ImageSize {

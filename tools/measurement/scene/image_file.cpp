@@ -115,8 +115,9 @@ HeightImage decode_height_png(std::span<const std::byte> bytes, const std::strin
       stbi_load_16_from_memory(data, length, &image.width, &image.height, &channels, 1), stbi_image_free);
   if (!samples)
     throw InputError(name, fmt::format("cannot be read as an image of heights: {}", stbi_failure_reason()));
-  image.samples.assign(samples.get(), samples.get() + static_cast<std::size_t>(image.width) *
-                                                          static_cast<std::size_t>(image.height));
+  const auto width = static_cast<std::size_t>(image.width), height = static_cast<std::size_t>(image.height);
+  for (std::size_t row = height; row-- > 0;)
+    image.samples.insert(image.samples.end(), samples.get() + row * width, samples.get() + (row + 1) * width);
   return image;
 }
 

@@ -1,0 +1,97 @@
+#include "bake/distance_field.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <string_view>
+
+#include "input/input_error.h"
+#include "platform/content_hash.h"
+#include "reference/closest_surface.h"
+#include "reference/embree_scene.h"
+
+namespace penumbra::bake {
+namespace {
+
+constexpr int kDistancesVersion = 1;  // a change of any result takes the next number
+
+void check(const scene::Scene& scene, const DistanceFieldOptions& options) {
+  if (scene.mesh.triangle_count() == 0)
+    throw InputError("", "the scene '" + scene.name + "' has no triangles");
+  for (const glm::vec3& position : scene.mesh.positions) {
+    if (std::isfinite(position.x) && std::isfinite(position.y) && std::isfinite(position.z)) continue;
+    throw InputError("", "the scene '" + scene.name + "' has a vertex that is not a finite number");
+  }
+  if (options.voxels < 1 || options.voxels > most_voxels_per_side) {
+    throw InputError("", fmt::format("a distance field has from 1 to {} voxels per side, not {}",
+                                     most_voxels_per_side, options.voxels));
+  }
+  if (!std::isfinite(options.margin) || options.margin < 0.0 || options.margin > 10.0)
+    throw InputError("", fmt::format("a margin of {} of the mesh's longest side cannot be baked; 0 to 10 can",
+                                     options.margin));
+}
+
+// Cubes, of which the mesh's longest side with both margins has as many as asked for.
+void place_voxels(const scene::Scene& scene, const DistanceFieldOptions& options, DistanceField& field) {
+  const parameters::Bounds bounds = scene.bounds();
+  const glm::dvec3 size = bounds.maximum - bounds.minimum;
+  const double longest = std::max({size.x, size.y, size.z});
+  if (!(longest > 0.0)) throw InputError("", "the scene '" + scene.name + "' is a single point");
+  const double margin = options.margin * longest;
+  const double edge = (longest + 2.0 * margin) / options.voxels;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int count = std::max(1, static_cast<int>(std::ceil((size[axis] + 2.0 * margin) / edge - 1e-9)));
+    const double middle = 0.5 * (bounds.minimum[axis] + bounds.maximum[axis]);
+    field.voxels[static_cast<std::size_t>(axis)] = count;
+    field.box.minimum[axis] = middle - 0.5 * edge * count;
+    field.box.maximum[axis] = middle + 0.5 * edge * count;
+  }
+}
+
+std::string key_of(const scene::Scene& scene, const DistanceField& field) {
+  platform::ContentHash hash;
+  hash.update(std::string_view("distances")).update(kDistancesVersion);
+  for (const glm::vec3& position : scene.mesh.positions)
+    hash.update(position.x).update(position.y).update(position.z);
+  hash.update(std::span<const std::uint32_t>(scene.mesh.indices));
+  for (const int count : field.voxels) hash.update(count);
+  for (const glm::dvec3& corner : {field.box.minimum, field.box.maximum})
+    hash.update(corner.x).update(corner.y).update(corner.z);
+  return hash.hex();
+}
+
+}  // namespace
+
+glm::dvec3 DistanceField::centre(int x, int y, int z) const {
+  const glm::dvec3 place(x + 0.5, y + 0.5, z + 0.5);
+  return box.minimum + (box.maximum - box.minimum) * place / glm::dvec3(voxels[0], voxels[1], voxels[2]);
+}
+
+DistanceField bake_distance_field(const scene::Scene& scene, const DistanceFieldOptions& options,
+                                  const BakeOptions& run) {
+  check(scene, options);
+  DistanceField field;
+  place_voxels(scene, options, field);
+  scene::Scene solid = scene;  // holes in materials are none of the mesh
+  solid.materials = {scene::Material{}};
+  solid.textures.clear();
+  solid.mesh.triangle_materials.clear();
+  const reference::EmbreeScene rays(solid);
+  const reference::ClosestSurface surface(rays, solid);
+  field.open_edges = surface.open_edges();
+  // A block is a slice of one z.
+  const BakeJob job{
+      key_of(scene, field), static_cast<std::size_t>(field.voxels[2]), [&](std::size_t z) {
+        std::vector<float> metres;
+        for (int y = 0; y < field.voxels[1]; ++y)
+          for (int x = 0; x < field.voxels[0]; ++x)
+            metres.push_back(static_cast<float>(surface.distance(field.centre(x, y, static_cast<int>(z)))));
+        return metres;
+      }};
+  field.metres = run_bake(job, run);
+  return field;
+}
+
+}  // namespace penumbra::bake
