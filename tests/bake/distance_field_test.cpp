@@ -153,6 +153,44 @@ TEST(ClosestSurface, IsTheNearestOfAllTriangles) {
   }
 }
 
+// At edges and corners of every sharpness, where the normal of one triangle of several may point the wrong
+// way.
+TEST(ClosestSurface, KnowsTheInsideOfAnyTetrahedron) {
+  std::mt19937 bits(8);
+  const auto place = [&](double size) {
+    const auto chance = [&] { return size * (static_cast<double>(bits()) * 0x1p-32 - 0.5); };
+    return glm::dvec3(chance(), chance(), chance());
+  };
+  int inside = 0;
+  for (int round = 0; round < 300; ++round) {
+    std::vector<glm::vec3> corners;
+    for (int i = 0; i < 4; ++i) corners.emplace_back(glm::vec3(place(1.0)));
+    if (round % 3 == 0)
+      corners[3] = corners[0] + 0.02F * (corners[3] - corners[0]);  // a needle's or a blade's edges
+    const scene::Scene scene = mesh_of(corners, {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3});
+    const reference::EmbreeScene rays(scene);
+    const reference::ClosestSurface surface(rays, scene);
+    const auto side = [&](const glm::dvec3& at, int a, int b, int c) {
+      const auto corner = [&](int i) { return glm::dvec3(corners[static_cast<std::size_t>(i)]); };
+      return glm::dot(at - corner(a), glm::cross(corner(b) - corner(a), corner(c) - corner(a)));
+    };
+    for (int i = 0; i < 300; ++i) {
+      // Half of them near: inside is small.
+      const glm::dvec3 at =
+          i % 2 == 0 ? place(3.0) : glm::dvec3(corners[static_cast<std::size_t>(i / 2 % 4)]) + place(0.1);
+      const std::array sides{side(at, 0, 2, 1), side(at, 0, 1, 3), side(at, 0, 3, 2), side(at, 1, 2, 3)};
+      const auto signs = std::minmax_element(sides.begin(), sides.end());
+      const bool within = *signs.first > 0.0 || *signs.second < 0.0;
+      const double distance = surface.distance(at);
+      if (std::abs(distance) > 1e-9) {
+        ASSERT_EQ(distance < 0.0, within) << round << ": " << distance;
+      }
+      inside += within ? 1 : 0;
+    }
+  }
+  EXPECT_GT(inside, 1000);
+}
+
 // By steps of a thousandth over the triangle.
 TEST(NearestOnTriangle, IsNearerThanAnyOtherPoint) {
   std::mt19937 bits(6);
