@@ -33,16 +33,19 @@
 #define TEXTURE2D(textureName) Texture2D textureName
 #define TYPED_TEXTURE2D(type, textureName) Texture2D<type> textureName
 #define TEXTURE2D_SHADOW(textureName) TEXTURE2D(textureName)
+#define TEXTURE3D(textureName) Texture3D textureName
 #define SAMPLER(samplerName) SamplerState samplerName
 #define SAMPLER_CMP(samplerName) SamplerComparisonState samplerName
 
 #define TEXTURE2D_PARAM(textureName, samplerName) TEXTURE2D(textureName), SAMPLER(samplerName)
 #define TEXTURE2D_ARGS(textureName, samplerName) textureName, samplerName
+#define TEXTURE3D_ARGS(textureName, samplerName) textureName, samplerName
 #define TEXTURE2D_SHADOW_PARAM(textureName, samplerName) TEXTURE2D(textureName), SAMPLER_CMP(samplerName)
 #define TEXTURE2D_SHADOW_ARGS(textureName, samplerName) textureName, samplerName
 
 #define SAMPLE_TEXTURE2D(textureName, samplerName, uv) textureName.Sample(samplerName, uv)
 #define SAMPLE_TEXTURE2D_LOD(textureName, samplerName, uv, lod) textureName.SampleLevel(samplerName, uv, lod)
+#define SAMPLE_TEXTURE3D_LOD(textureName, samplerName, uvw, lod) textureName.SampleLevel(samplerName, uvw, lod)
 #define SAMPLE_TEXTURE2D_SHADOW(textureName, samplerName, uvAndDepth) \
     textureName.SampleCmpLevelZero(samplerName, (uvAndDepth).xy, (uvAndDepth).z)
 #define LOAD_TEXTURE2D(textureName, texel) textureName.Load(int3(texel, 0))

@@ -108,8 +108,9 @@ TEST(ShaderSources, KeepCorePure) {
 }
 
 TEST(ShaderSources, IncludeOnlyWhatLiesBelow) {
-  const std::map<std::string, int> level{{"Platform", 0}, {"Core", 1},   {"Map", 2},       {"Far", 2},
-                                         {"Filters", 3},  {"Screen", 3}, {"Pipelines", 4}, {"", 5}};
+  const std::map<std::string, int> level{{"Platform", 0}, {"Core", 1},      {"Map", 2},
+                                         {"Far", 2},      {"Fields", 2},    {"Filters", 3},
+                                         {"Screen", 3},   {"Pipelines", 4}, {"", 5}};
   const std::regex include(R"(#include\s+"([^"]+)\")");
   for (const ShaderFile& file : shader_files()) {
     const fs::path folder = fs::path(file.name).parent_path();

@@ -5,16 +5,12 @@
 #include <limits>
 #include <map>
 #include <random>
-#include <stdexcept>
 
 #include "bake/horizon_angles.h"
 #include "bake/horizon_search.h"
 #include "bake/made_fields.h"
 #include "bake/png_16.h"
-#include "gpu/compute_pass.h"
-#include "gpu/device.h"
-#include "gpu/resources.h"
-#include "shaders/compile.h"
+#include "bake/visibility_kernel.h"
 
 namespace penumbra::bake {
 namespace {
@@ -29,19 +25,6 @@ struct Parameters {
   float heights_and_texels[4];
   float ray[4];
 };
-
-std::vector<std::uint32_t> compiled(const std::string& entry) {
-  shaders::CompileRequest request;
-  request.file = PENUMBRA_SOURCE_DIR "/tests/bake/shaders/FarVisibility.hlsl";
-  request.entry = entry;
-  request.stage = hlsl::Stage::compute;
-  request.include_directories = {PENUMBRA_SOURCE_DIR "/ShaderLibrary"};
-  const shaders::CompileResult result = shaders::compile(request);
-  std::string messages;
-  for (const hlsl::Diagnostic& diagnostic : result.diagnostics) messages += hlsl::format(diagnostic) + "\n";
-  if (hlsl::has_errors(result.diagnostics)) throw std::runtime_error(messages);
-  return result.spirv;
-}
 
 struct Sun {
   double elevation = 0.0;  // radians
@@ -128,21 +111,7 @@ class FarVisibility : public testing::Test {
 
   std::vector<float> run(const std::string& entry, const std::map<std::string, const gpu::Image*>& images,
                          const Parameters& parameters, std::vector<glm::vec4> receivers) {
-    const std::size_t count = receivers.size();
-    receivers.resize((count + 63) / 64 * 64);
-    const gpu::Buffer places(device_, std::span<const glm::vec4>(receivers));
-    const gpu::Buffer visibility(device_, receivers.size() * sizeof(float));
-    const gpu::Sampler linear(device_, gpu::SamplerKind::linear_clamp);
-    gpu::ComputePass pass(device_, {.spirv = compiled(entry), .entry = entry});
-    pass.bindings().buffer("_Receivers", places);
-    pass.bindings().buffer("_Visibility", visibility);
-    for (const auto& [name, image] : images) pass.bindings().image(name, *image);
-    pass.bindings().sampler("sampler_Linear", linear);
-    pass.bindings().uniform("Parameters", parameters);
-    pass.dispatch({static_cast<std::uint32_t>(receivers.size() / 64), 1, 1});
-    std::vector<float> values = visibility.download<float>();
-    values.resize(count);
-    return values;
+    return run_kernel(device_, "FarVisibility.hlsl", entry, images, parameters, std::move(receivers));
   }
 
   std::vector<float> by_angles(const HorizonAngles& angles, const Sun& sun,
