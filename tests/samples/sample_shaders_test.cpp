@@ -1,4 +1,4 @@
-// The samples' shaders, and README's example of one, compile for every target and keyword, without a finding
+// The samples' shaders, and the pages' examples, compile for every target and keyword, without a finding
 // of the lint rules: the custom pipeline's as it is, which needs nothing of Unity's, those of URP with
 // stand-ins for the URP files that they include.
 #include <fstream>
@@ -78,14 +78,61 @@ TEST_F(SampleShaders, TheForwardShaderCompilesForEveryTechniqueShadowAndLight) {
   EXPECT_THAT(findings(report), IsEmpty());
 }
 
-// README's first block of HLSL, as what its reader pastes it into.
-std::string readme_shader() {
-  std::ifstream file(kSource + "/README.md", std::ios::binary);
+// A page's first block of HLSL.
+std::string first_block(const std::string& page_file) {
+  std::ifstream file(kSource + "/" + page_file, std::ios::binary);
   const std::string page((std::istreambuf_iterator<char>(file)), {});
   const std::string start = "```hlsl\n";
   const std::size_t begin = page.find(start) + start.size();
-  return "Shader \"Readme\" { SubShader { Pass {\nHLSLPROGRAM\n" +
-         page.substr(begin, page.find("```", begin) - begin) + "ENDHLSL\n} } }\n";
+  return page.substr(begin, page.find("```", begin) - begin);
+}
+
+// As what its reader pastes it into.
+std::string readme_shader() {
+  return "Shader \"Readme\" { SubShader { Pass {\nHLSLPROGRAM\n" + first_block("README.md") +
+         "ENDHLSL\n} } }\n";
+}
+
+// The function of the page on bakes, beside calls of the other functions that read them.
+std::string bakes_shader() {
+  return R"(Shader "Bakes" { SubShader { Tags { "RenderPipeline" = "UniversalPipeline" } Pass {
+HLSLPROGRAM
+#pragma vertex Vertex
+#pragma fragment Fragment
+#include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
+)" + first_block("Documentation~/bakes.md") +
+         R"(
+#include "Packages/com.penumbra.shadows/ShaderLibrary/Far/HeightFieldTrace.hlsl"
+#include "Packages/com.penumbra.shadows/ShaderLibrary/Fields/DistanceFieldMarch.hlsl"
+TEXTURE2D(_Heights);
+TEXTURE3D(_Field);
+struct Varyings { float4 position : SV_POSITION; float3 world : TEXCOORD0; };
+Varyings Vertex(float4 p : POSITION)
+{
+    Varyings v;
+    v.position = TransformObjectToHClip(p.xyz);
+    v.world = TransformObjectToWorld(p.xyz);
+    return v;
+}
+half4 Fragment(Varyings v) : SV_Target
+{
+    const float3 towardSun = float3(0.3, 0.4, 0.5);
+    HeightFieldRay ray;
+    ray.nearestMetres = 5.0;
+    ray.steps = 16;
+    ray.jitter = 0.5;
+    const GroundMap ground = BoundedGroundMap(float4(0.0, 0.0, 1000.0, 1000.0), float2(0.0, 600.0));
+    const DistanceFieldBox box = BoundedFieldBox(float4(0.0, 0.0, 0.0, 1.0), float4(1.0, 1.0, 1.0, 0.02));
+    float visibility = FarVisibility(v.world, towardSun);
+    visibility *= HeightFieldVisibility(TEXTURE2D_ARGS(_Heights, sampler_LinearClamp), float2(513.0, 513.0), v.world,
+                                        towardSun, 0.0046, ray, ground);
+    visibility *= FieldHardVisibility(TEXTURE3D_ARGS(_Field, sampler_LinearClamp), v.world, towardSun, 10.0, 32, box);
+    visibility *= FieldSoftVisibility(TEXTURE3D_ARGS(_Field, sampler_LinearClamp), v.world, towardSun, 10.0, 0.0046, 32, box);
+    return visibility;
+}
+ENDHLSL
+} } }
+)";
 }
 
 // Each keyword that it lists changes the shader: one that does not is a finding.
@@ -93,6 +140,14 @@ TEST_F(SampleShaders, ReadmesCompilesWithAndWithoutAShadowMap) {
   write("Readme.shader", readme_shader());
   const nlohmann::json report = validate(path("Readme.shader").string());
   EXPECT_EQ(report["summary"]["variants"], (1 + 4) * 5);
+  EXPECT_EQ(report["summary"]["failed"], 0);
+  EXPECT_THAT(findings(report), IsEmpty());
+}
+
+TEST_F(SampleShaders, FunctionsThatReadBakesCompileForEveryTarget) {
+  write("Bakes.shader", bakes_shader());
+  const nlohmann::json report = validate(path("Bakes.shader").string());
+  EXPECT_EQ(report["summary"]["variants"], 2 * 5);
   EXPECT_EQ(report["summary"]["failed"], 0);
   EXPECT_THAT(findings(report), IsEmpty());
 }
