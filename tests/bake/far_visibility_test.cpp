@@ -228,9 +228,48 @@ TEST_F(FarVisibility, BesideTheMapAllIsLit) {
   EXPECT_THAT(by_trace(8, 30.0, sun, beside), testing::Each(1.0F));
 }
 
+// A layer that a formula makes: on each receiver lies the shadow of the cloud between it and the sun.
+TEST_F(FarVisibility, CloudsAreThoseOnTheWayToTheSun) {
+  const auto transmittance = [](double u, double v) {
+    return 0.5 + 0.4 * std::sin(9.0 * u + 1.0) * std::cos(7.0 * v);
+  };
+  constexpr int kTexels = 256;
+  std::vector<std::uint16_t> samples;
+  for (int y = 0; y < kTexels; ++y)
+    for (int x = 0; x < kTexels; ++x)
+      samples.push_back(as_16_bits(transmittance((x + 0.5) / kTexels, (y + 0.5) / kTexels)));
+  gpu::Image map(device_, gpu::Format::r16, kTexels, kTexels);
+  map.upload(std::span<const std::uint16_t>(samples));
+  constexpr double kHeight = 1500.0, kBorder = 0.1;
+  const std::vector<glm::vec4> places = receivers(2048, 21);
+  int shadowed = 0, faded = 0, beside = 0;
+  for (const Sun& sun : {Sun{80.0 * kDegree, 0.3}, Sun{60.0 * kDegree, 4.0}, Sun{35.0 * kDegree, 2.0}}) {
+    Parameters all = parameters(sun);
+    all.heights_and_texels[0] = static_cast<float>(kHeight);
+    all.heights_and_texels[1] = static_cast<float>(kBorder);
+    const std::vector<float> seen = run("Clouds", {{"_Clouds", &map}}, all, places);
+    const glm::dvec3 towards = sun.towards();
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      const double way = (kHeight - static_cast<double>(places[i].y)) / towards.y;
+      const glm::dvec2 uv =
+          (glm::dvec2(places[i].x, places[i].z) + way * glm::dvec2(towards.x, towards.z) - kGround.corner) /
+          kGround.size;
+      const double least = std::min({uv.x, 1.0 - uv.x, uv.y, 1.0 - uv.y});
+      const double weight = least < 0.0 ? 0.0 : std::min(least / kBorder, 1.0);
+      const double wanted = 1.0 + weight * (std::pow(transmittance(uv.x, uv.y), 1.0 / towards.y) - 1.0);
+      ASSERT_NEAR(seen[i], wanted, 2e-3) << i;
+      (weight == 1.0 ? shadowed : weight > 0.0 ? faded : beside) += 1;
+    }
+  }
+  EXPECT_GT(shadowed, 300);
+  EXPECT_GT(faded, 300);
+  EXPECT_GT(beside, 300);
+}
+
 TEST_F(FarVisibility, StaysInRangeWhateverItIsGiven) {
   const HorizonAngles angles = bake_horizon_angles(field_, {16, 16, 30.0});
   const gpu::Image first = picture(angles, 0), second = picture(angles, 4), ground = heights();
+  const gpu::Image& clouds = ground;
   const float nan = std::nanf(""), infinity = std::numeric_limits<float>::infinity();
   const std::vector<float> odd{nan, infinity, -infinity, 0.0F, -0.0F, 1e30F, -1e30F, 1e-30F, 1.0F};
   std::vector<glm::vec4> places = receivers(60, 2);
@@ -247,6 +286,8 @@ TEST_F(FarVisibility, StaysInRangeWhateverItIsGiven) {
     if (round % 5 == 0)
       for (float& value : all.area) value = one();
     for (const float seen : run("Angles", {{"_First", &first}, {"_Second", &second}}, all, places))
+      ASSERT_TRUE(seen >= 0.0F && seen <= 1.0F) << round;
+    for (const float seen : run("Clouds", {{"_Clouds", &clouds}}, all, places))
       ASSERT_TRUE(seen >= 0.0F && seen <= 1.0F) << round;
     for (const float seen : run("Trace", {{"_Heights", &ground}}, all, places))
       ASSERT_TRUE(seen >= 0.0F && seen <= 1.0F) << round;

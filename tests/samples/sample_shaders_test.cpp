@@ -102,9 +102,11 @@ HLSLPROGRAM
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
 )" + first_block("Documentation~/bakes.md") +
          R"(
+#include "Packages/com.penumbra.shadows/ShaderLibrary/Far/CloudShadow.hlsl"
 #include "Packages/com.penumbra.shadows/ShaderLibrary/Far/HeightFieldTrace.hlsl"
 #include "Packages/com.penumbra.shadows/ShaderLibrary/Fields/DistanceFieldMarch.hlsl"
 TEXTURE2D(_Heights);
+TEXTURE2D(_Clouds);
 TEXTURE3D(_Field);
 struct Varyings { float4 position : SV_POSITION; float3 world : TEXCOORD0; };
 Varyings Vertex(float4 p : POSITION)
@@ -128,6 +130,8 @@ half4 Fragment(Varyings v) : SV_Target
                                         towardSun, 0.0046, ray, ground);
     visibility *= FieldHardVisibility(TEXTURE3D_ARGS(_Field, sampler_LinearClamp), v.world, towardSun, 10.0, 32, box);
     visibility *= FieldSoftVisibility(TEXTURE3D_ARGS(_Field, sampler_LinearClamp), v.world, towardSun, 10.0, 0.0046, 32, box);
+    const CloudLayer layer = BoundedCloudLayer(float4(-4000.0, -4000.0, 8000.0, 8000.0), 1500.0, 0.1);
+    visibility *= CloudVisibility(TEXTURE2D_ARGS(_Clouds, sampler_LinearClamp), v.world, towardSun, layer);
     return visibility;
 }
 ENDHLSL

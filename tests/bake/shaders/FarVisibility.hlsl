@@ -1,5 +1,6 @@
 // Test: the visibility of receivers by horizon angles and by a trace over heights.
 #include "Platform/Platform.hlsl"
+#include "Far/CloudShadow.hlsl"
 #include "Far/HeightFieldTrace.hlsl"
 
 StructuredBuffer<float4> _Receivers; // world position
@@ -7,6 +8,7 @@ RWStructuredBuffer<float> _Visibility;
 TEXTURE2D(_First);
 TEXTURE2D(_Second);
 TEXTURE2D(_Heights);
+TEXTURE2D(_Clouds);
 SAMPLER(sampler_Linear);
 
 CBUFFER_START(Parameters)
@@ -32,4 +34,12 @@ CBUFFER_END
     ray.jitter = _Ray.z;
     _Visibility[id.x] = HeightFieldVisibility(TEXTURE2D_ARGS(_Heights, sampler_Linear), _HeightsAndTexels.zw,
                                               _Receivers[id.x].xyz, _SunAndHalfDiameter.xyz, _SunAndHalfDiameter.w, ray, ground);
+}
+
+[numthreads(64, 1, 1)] void Clouds(uint3 id : SV_DispatchThreadID)
+{
+    // The layer's height and border.
+    const CloudLayer layer = BoundedCloudLayer(_Area, _HeightsAndTexels.x, _HeightsAndTexels.y);
+    _Visibility[id.x] = CloudVisibility(TEXTURE2D_ARGS(_Clouds, sampler_Linear), _Receivers[id.x].xyz,
+                                        _SunAndHalfDiameter.xyz, layer);
 }

@@ -1,0 +1,78 @@
+// Core/CloudLayer.hlsl against the ray's meeting with the plane in long double.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "ShaderLibrary/core_function.h"
+#include "ShaderLibrary/inputs.h"
+
+namespace penumbra::shader_library_tests {
+namespace {
+
+// Area, height, border; receiver; direction towards the sun.
+const CoreFunction kClouds{
+    "CloudLayer",
+    "const CloudLayer layer = BoundedCloudLayer(float4(In(0), In(1), In(2), In(3)), In(4), In(5));"
+    "const float3 at = float3(In(6), In(7), In(8)); const float3 sun = float3(In(9), In(10), In(11));"
+    "const float2 uv = CloudUv(at, sun, layer);"
+    "Out(0, uv.x); Out(1, uv.y); Out(2, CloudWeight(at, sun, layer)); Out(3, WayToLayer(at, sun, layer));",
+    12, 4};
+
+TEST(CloudUv, IsWhereTheRayToTheSunMeetsTheLayer) {
+  Random random(61);
+  std::vector<float> cases;
+  for (int i = 0; i < kRandomCases; ++i) {
+    const std::array<float, 12> one{
+        random.between(-9000.0f, 0.0f), random.between(-9000.0f, 0.0f), random.between(8e3f, 2e4f),
+        random.between(8e3f, 2e4f),     random.between(800.0f, 2e3f),   random.between(0.0f, 0.3f),
+        random.between(-5e3f, 5e3f),    random.between(0.0f, 2500.0f),  random.between(-5e3f, 5e3f),
+        random.between(-1.0f, 1.0f),    random.between(-0.2f, 1.0f),    random.between(-1.0f, 1.0f)};
+    cases.insert(cases.end(), one.begin(), one.end());
+  }
+  const std::vector<float> seen = run(kClouds, DepthDirection::conventional, cases);
+  int faded = 0, whole = 0, none = 0;
+  for (std::size_t i = 0; i < seen.size() / 4; ++i) {
+    const float* in = &cases[12 * i];
+    const float* out = &seen[4 * i];
+    if (in[10] <= 0.0f || in[7] > in[4]) {
+      ASSERT_EQ(out[2], 0.0f) << i;
+      ++none;
+      continue;
+    }
+    if (in[10] < 0.02f) continue;  // so low that digits of a float are metres
+    const long double way = (static_cast<long double>(in[4]) - in[7]) / in[10];
+    ASSERT_NEAR(out[3], static_cast<double>(way), 1e-5 * static_cast<double>(way) + 1e-3) << i;
+    const long double u = (in[6] + way * in[9] - in[0]) / in[2], v = (in[8] + way * in[11] - in[1]) / in[3];
+    ASSERT_NEAR(out[0], static_cast<double>(u), 1e-5) << i;
+    ASSERT_NEAR(out[1], static_cast<double>(v), 1e-5) << i;
+    const long double least = std::min(std::min(u, 1.0L - u), std::min(v, 1.0L - v));
+    if (std::fabs(least) < 2e-5L) continue;
+    const long double weight = least < 0.0L ? 0.0L : std::min(least / in[5], 1.0L);
+    ASSERT_NEAR(out[2], static_cast<double>(weight), 1e-5 / static_cast<double>(in[5]) + 1e-5) << i;
+    (weight == 1.0L ? whole : weight > 0.0L ? faded : none) += 1;
+  }
+  EXPECT_GT(whole, 1000);
+  EXPECT_GT(faded, 1000);
+  EXPECT_GT(none, 1000);
+}
+
+TEST(CloudWeight, IsZeroForWhatIsNoPlaceOrNoSunAndFiniteForAnyNumbers) {
+  Random random(62);
+  const std::vector<float> odd = special_floats();
+  std::vector<float> cases;
+  for (int i = 0; i < 12 * kRandomCases; ++i)
+    cases.push_back(odd[static_cast<std::size_t>(random.integer(0, static_cast<int>(odd.size()) - 1))]);
+  const std::vector<float> seen = run(kClouds, DepthDirection::conventional, cases);
+  for (std::size_t i = 0; i < seen.size() / 4; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) ASSERT_TRUE(std::isfinite(seen[4 * i + j])) << i << " " << j;
+    ASSERT_TRUE(seen[4 * i + 2] >= 0.0f && seen[4 * i + 2] <= 1.0f) << i;
+    for (std::size_t j = 6; j < 12; ++j) {
+      if (std::isfinite(cases[12 * i + j])) continue;
+      ASSERT_EQ(seen[4 * i + 2], 0.0f) << i;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace penumbra::shader_library_tests
