@@ -47,15 +47,6 @@ struct BakeCommandOptions {
   WorkerOptions worker{.time_limit = 60, .memory_limit = 2048};
 };
 
-scene::ReadingProcess reading_process(const BakeCommandOptions& options) {
-  scene::ReadingProcess process;
-  const std::size_t answer = process.limits.answer;
-  process.arguments = worker_arguments(scene::reading_mode);
-  process.limits = worker_limits(options.worker);
-  process.limits.answer = answer;
-  return process;
-}
-
 // "513x257", or "513" for a square.
 scene::ImageSize size_of(const std::string& option, const std::string& text) {
   int width = 0, height = 0, read = 0;
@@ -157,14 +148,15 @@ class Bake {
   }
 
   bake::HeightField field() {
-    if (!options_.field.empty()) return bake::read_height_field(options_.field, reading_process(options_));
+    if (!options_.field.empty())
+      return bake::read_height_field(options_.field, reading_process(options_.worker));
     return options_.image.empty() ? field_of_scene() : field_of_image();
   }
 
   scene::Scene loaded_scene() {
     scene::ImportOptions import = options_.import;
     import.ground = false;
-    import.process = reading_process(options_);
+    import.process = reading_process(options_.worker);
     scene::Scene scene = scene::load(options_.scene, import);
     tell_notes(scene.notes, context_);
     return scene;
@@ -191,7 +183,7 @@ class Bake {
     std::optional<scene::ImageSize> raw_size;
     if (!options_.raw_size.empty()) raw_size = size_of("--raw-size", options_.raw_size);
     const scene::HeightImage image =
-        scene::read_height_image_apart(options_.image, raw_size, reading_process(options_));
+        scene::read_height_image_apart(options_.image, raw_size, reading_process(options_.worker));
     return bake::heights_of_image(image, covered, {options_.heights[0], options_.heights[1]},
                                   options_.flip_z);
   }

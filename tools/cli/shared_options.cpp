@@ -55,6 +55,15 @@ std::vector<std::string> worker_arguments(const std::string& mode) {
   return {mode};
 }
 
+scene::ReadingProcess reading_process(const WorkerOptions& options) {
+  scene::ReadingProcess process;
+  const std::size_t answer = process.limits.answer;
+  process.arguments = worker_arguments(scene::reading_mode);
+  process.limits = worker_limits(options);
+  process.limits.answer = answer;
+  return process;
+}
+
 CLI::Option* add_technique_list_option(CLI::App& command, std::string& list) {
   return command
       .add_option(

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "platform/worker_pool.h"
+#include "scene/reading_process.h"
 #include "techniques/technique_list.h"
 
 namespace penumbra::cli {
@@ -27,6 +28,8 @@ void add_worker_limits(CLI::App& command, WorkerOptions& options, const std::str
 platform::WorkerLimits worker_limits(const WorkerOptions& options);
 // The arguments that start this program as a worker; none where there are no worker processes.
 std::vector<std::string> worker_arguments(const std::string& mode);
+// In which models and pictures are read.
+scene::ReadingProcess reading_process(const WorkerOptions& options);
 
 // A manifest, or the folder of a package that has some, instead of the library's own.
 CLI::Option* add_technique_list_option(CLI::App& command, std::string& list);

@@ -28,15 +28,6 @@
 namespace penumbra::cli {
 namespace {
 
-scene::ReadingProcess reading_process(const StudyOptions& options) {
-  scene::ReadingProcess process;
-  const std::size_t answer = process.limits.answer;
-  process.arguments = worker_arguments(scene::reading_mode);
-  process.limits = worker_limits(options.worker);
-  process.limits.answer = answer;
-  return process;
-}
-
 scene::DepthFormat depth_format(const std::string& text) {
   if (text == "d16") return scene::DepthFormat::d16;
   if (text == "d24") return scene::DepthFormat::d24;
@@ -241,7 +232,7 @@ std::vector<scene::Scene> chosen_scenes(const StudyOptions& options,
     if (!seen.insert(name).second) continue;  // duplicates are removed
     require_plain_name("--scene", std::filesystem::path(name).filename().string());
     scene::ImportOptions import = options.import;
-    import.process = reading_process(options);
+    import.process = reading_process(options.worker);
     scene::Scene scene = scene::load(name, import);
     if (!options.sun.empty()) scene.light_direction = scene::sunlight(options.sun[0], options.sun[1]);
     if (!options.camera.empty()) look_as_told(options.camera, scene.camera);
@@ -323,7 +314,7 @@ std::vector<resolve::Adapter> chosen_adapters(const StudyOptions& options) {
   const std::vector<shaders::PackageRoot> roots = package_roots(options);
   std::vector<resolve::Adapter> adapters;
   for (const std::string& text : options.adapters) {
-    adapters.push_back(parse_adapter(text, reading_process(options)));
+    adapters.push_back(parse_adapter(text, reading_process(options.worker)));
     adapters.back().package_roots = roots;
     adapters.back().project = options.project;
     adapters.back().cginc_root = options.cginc_root;
