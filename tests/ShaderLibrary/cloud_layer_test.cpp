@@ -59,10 +59,7 @@ TEST(CloudUv, IsWhereTheRayToTheSunMeetsTheLayer) {
 
 TEST(CloudWeight, IsZeroForWhatIsNoPlaceOrNoSunAndFiniteForAnyNumbers) {
   Random random(62);
-  const std::vector<float> odd = special_floats();
-  std::vector<float> cases;
-  for (int i = 0; i < 12 * kRandomCases; ++i)
-    cases.push_back(odd[static_cast<std::size_t>(random.integer(0, static_cast<int>(odd.size()) - 1))]);
+  const std::vector<float> cases = random_special_floats(random, 12 * kRandomCases);
   const std::vector<float> seen = run(kClouds, DepthDirection::conventional, cases);
   for (std::size_t i = 0; i < seen.size() / 4; ++i) {
     for (std::size_t j = 0; j < 3; ++j) ASSERT_TRUE(std::isfinite(seen[4 * i + j])) << i << " " << j;

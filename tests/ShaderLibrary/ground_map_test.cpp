@@ -50,11 +50,7 @@ TEST(GroundMap, PlacesAndHeightsAreThoseOfTheArea) {
 
 TEST(GroundMap, IsFiniteForAnyMapAndPlaceAndCoversNoPlaceThatIsNone) {
   Random random(18);
-  const std::vector<float> odd = special_floats();
-  std::vector<float> cases;
-  for (int i = 0; i < kRandomCases; ++i)
-    for (int j = 0; j < 10; ++j)
-      cases.push_back(odd[static_cast<std::size_t>(random.integer(0, static_cast<int>(odd.size()) - 1))]);
+  const std::vector<float> cases = random_special_floats(random, 10 * kRandomCases);
   const std::vector<float> seen = run(kGround, DepthDirection::conventional, cases);
   for (std::size_t i = 0; i < seen.size() / 4; ++i) {
     for (std::size_t j = 0; j < 4; ++j) ASSERT_TRUE(std::isfinite(seen[4 * i + j])) << i << " " << j;

@@ -45,4 +45,13 @@ class Random {
   std::mt19937 engine_;
 };
 
+// So many of special_floats(), drawn at random.
+inline std::vector<float> random_special_floats(Random& random, std::size_t count) {
+  const std::vector<float> all = special_floats();
+  std::vector<float> drawn;
+  for (std::size_t i = 0; i < count; ++i)
+    drawn.push_back(all[static_cast<std::size_t>(random.integer(0, static_cast<int>(all.size()) - 1))]);
+  return drawn;
+}
+
 }  // namespace penumbra::shader_library_tests

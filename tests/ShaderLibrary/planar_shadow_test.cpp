@@ -70,10 +70,7 @@ TEST(OntoPlane, IsOnThePlaneAndOnTheLineThroughTheLight) {
 
 TEST(OntoPlane, IsFiniteForAnyNumbers) {
   Random random(42);
-  const std::vector<float> odd = special_floats();
-  std::vector<float> cases;
-  for (int i = 0; i < 11 * kRandomCases; ++i)
-    cases.push_back(odd[static_cast<std::size_t>(random.integer(0, static_cast<int>(odd.size()) - 1))]);
+  const std::vector<float> cases = random_special_floats(random, 11 * kRandomCases);
   for (const float value : run(kOnto, DepthDirection::conventional, cases)) ASSERT_TRUE(std::isfinite(value));
 }
 

@@ -135,10 +135,7 @@ TEST(SphereVisibility, IsDarkInsideAndLitBeforeASphereBehind) {
                  0.0f, 5.0f,  0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.005f}),  // of no size
             (std::vector<float>{0.0f, 1.0f, 0.0f, 1.0f}));
   Random random(53);
-  const std::vector<float> odd = special_floats();
-  std::vector<float> cases;
-  for (int i = 0; i < 8 * kRandomCases; ++i)
-    cases.push_back(odd[static_cast<std::size_t>(random.integer(0, static_cast<int>(odd.size()) - 1))]);
+  const std::vector<float> cases = random_special_floats(random, 8 * kRandomCases);
   for (const float seen : run(kSphere, DepthDirection::conventional, cases))
     ASSERT_TRUE(seen >= 0.0f && seen <= 1.0f);
 }

@@ -4,22 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include <spirv-tools/libspirv.hpp>
+#include "shaders/assembled_module.h"
 
 namespace penumbra::shaders {
 namespace {
-
-const spvtools::SpirvTools& tools() {
-  static const spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_1);
-  return tools;
-}
-
-SpirvModule assembled(const std::string& text) {
-  SpirvModule module;
-  EXPECT_TRUE(tools().Assemble(text, &module, SPV_TEXT_TO_BINARY_OPTION_PRESERVE_NUMERIC_IDS)) << text;
-  EXPECT_TRUE(tools().Validate(module)) << text;
-  return module;
-}
 
 // %20 is a table of two floats, %21 another; %30 the local variable, %31 one more of its type.
 std::string shader(const std::string& variables, const std::string& code) {
@@ -43,7 +31,7 @@ TEST(ConstantTables, BecomeInitialisers) {
   SpirvModule module = assembled(shader(kPlain, "OpStore %30 %20\n" + kRead));
   initialise_tables(module);
   EXPECT_EQ(module, assembled(shader("%30 = OpVariable %8 Function %20\n", kRead)));
-  EXPECT_TRUE(tools().Validate(module));
+  EXPECT_TRUE(spvtools::SpirvTools(SPV_ENV_VULKAN_1_1).Validate(module));
 }
 
 TEST(ConstantTables, BecomeInitialisersWhereTheSameOneIsStoredTwiceAndReadWholeAndInPartsOfParts) {
@@ -75,8 +63,7 @@ TEST(ConstantTables, VariablesThatHoldAnythingElseStayAsTheyAre) {
 }
 
 TEST(ConstantTables, WhatIsNoModuleIsLeftAlone) {
-  for (SpirvModule words : {SpirvModule{}, SpirvModule{1, 2, 3}, SpirvModule{1, 2, 3, 4, 5, 0},
-                            SpirvModule{1, 2, 3, 4, 5, 0x00900036}}) {
+  for (SpirvModule words : malformed_modules()) {
     const SpirvModule before = words;
     initialise_tables(words);
     EXPECT_EQ(words, before);

@@ -3,18 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include <spirv-tools/libspirv.hpp>
+#include "shaders/assembled_module.h"
 
 namespace penumbra::shaders {
 namespace {
-
-SpirvModule assembled(const std::string& text) {
-  SpirvModule module;
-  const spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_1);
-  EXPECT_TRUE(tools.Assemble(text, &module, SPV_TEXT_TO_BINARY_OPTION_PRESERVE_NUMERIC_IDS)) << text;
-  EXPECT_TRUE(tools.Validate(module)) << text;
-  return module;
-}
 
 // With %30 on top so that all modules have one bound.
 const std::string kHead =
@@ -52,8 +44,7 @@ TEST(UncalledFunctions, AreNoneWhereAllAreCalled) {
 }
 
 TEST(UncalledFunctions, WhatIsNoModuleIsLeftAlone) {
-  for (SpirvModule words : {SpirvModule{}, SpirvModule{1, 2, 3}, SpirvModule{1, 2, 3, 4, 5, 0},
-                            SpirvModule{1, 2, 3, 4, 5, 0x00900036}}) {
+  for (SpirvModule words : malformed_modules()) {
     const SpirvModule before = words;
     drop_uncalled_functions(words);
     EXPECT_EQ(words, before);
