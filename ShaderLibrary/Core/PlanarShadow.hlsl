@@ -7,8 +7,8 @@
 // Cost:       no fetches; the vertices of the caster once more.
 // Guarantees: finite for any input. `valid` is false where there is no shadow: the point under the plane, or not under the light.
 //             Triangles with a corner that is not valid are to be left out, or drawn where the caster stands.
-// Use it:     for flat ground and few casters, with HeightFade.hlsl and a stencil bit so that no pixel darkens twice. Not: for ground that is not
-//             flat; nor where the plane ends, since the shadow does not.
+// Use it:     for flat ground and few casters, with HeightFade.hlsl and a stencil bit so that no pixel darkens twice. Not: for
+//             ground that is not flat; nor where the plane ends, since the shadow does not.
 #ifndef PENUMBRA_PLANAR_SHADOW_HLSL
 #define PENUMBRA_PLANAR_SHADOW_HLSL
 

@@ -134,9 +134,9 @@ class Bake {
         });
     if (field.open_edges > 0 && !context_.quiet) {
       fmt::print(stderr,
-                 "note: the mesh is not closed ({} edges have not two triangles that turn the same way): "
-                 "inside is the back of "
-                 "the nearest triangle\n",
+                 "note: the mesh is not closed ({} edges do not have two triangles that turn the same way): "
+                 "inside is "
+                 "the back of the nearest triangle\n",
                  field.open_edges);
     }
     write(bake::baked_files(field, stem()));
