@@ -57,6 +57,48 @@ TEST(CloudUv, IsWhereTheRayToTheSunMeetsTheLayer) {
   EXPECT_GT(none, 1000);
 }
 
+// Camera, sun, height, side of the map, texels.
+const CoreFunction kAround{
+    "CloudLayer",
+    "const CloudLayer layer = CloudLayerAround(float3(In(0), In(1), In(2)), float3(In(3), In(4), In(5)), "
+    "In(6), In(7), 0.1, In(8));"
+    "Out(0, layer.corner.x); Out(1, layer.corner.y); Out(2, layer.size.x); Out(3, layer.height);",
+    9, 4};
+
+TEST(CloudLayerAround, LiesOnWholeTexelsAboutThePlaceThatShadesTheCamera) {
+  Random random(63);
+  std::vector<float> cases;
+  for (int i = 0; i < kRandomCases; ++i) {
+    const std::array<float, 9> one{
+        random.between(-5e3f, 5e3f),  random.between(0.0f, 500.0f), random.between(-5e3f, 5e3f),
+        random.between(-0.7f, 0.7f),  random.between(0.1f, 1.0f),   random.between(-0.7f, 0.7f),
+        random.between(800.0f, 2e3f), random.between(4e3f, 3e4f),   512.0f};
+    cases.insert(cases.end(), one.begin(), one.end());
+  }
+  const std::vector<float> seen = run(kAround, DepthDirection::conventional, cases);
+  for (std::size_t i = 0; i < seen.size() / 4; ++i) {
+    const float* in = &cases[9 * i];
+    const float* out = &seen[4 * i];
+    const double texel = static_cast<double>(in[7]) / 512.0;
+    const double way = (static_cast<double>(in[6]) - static_cast<double>(in[1])) / static_cast<double>(in[4]);
+    for (const int axis : {0, 1}) {
+      const double centre = static_cast<double>(in[2 * axis]) + way * static_cast<double>(in[3 + 2 * axis]);
+      const double corner = static_cast<double>(out[axis]);
+      ASSERT_NEAR(corner / texel, std::round(corner / texel), 1e-3) << i;
+      ASSERT_NEAR(corner, centre - 0.5 * static_cast<double>(in[7]) - 0.5 * texel, 0.51 * texel + 0.05) << i;
+    }
+    ASSERT_EQ(out[2], in[7]) << i;
+    ASSERT_EQ(out[3], in[6]) << i;
+  }
+}
+
+TEST(CloudLayerAround, IsFiniteForAnyNumbers) {
+  Random random(64);
+  const std::vector<float> cases = random_special_floats(random, 9 * kRandomCases);
+  for (const float number : run(kAround, DepthDirection::conventional, cases))
+    ASSERT_TRUE(std::isfinite(number));
+}
+
 TEST(CloudWeight, IsZeroForWhatIsNoPlaceOrNoSunAndFiniteForAnyNumbers) {
   Random random(62);
   const std::vector<float> cases = random_special_floats(random, 12 * kRandomCases);
