@@ -182,6 +182,7 @@ void add(PassGraph& graph, const PassGraph& part) {
   append(graph.keywords, part.keywords);
   if (!part.visibility.empty()) graph.visibility = part.visibility;
   if (!part.mask.empty()) graph.mask = part.mask;
+  if (!part.source.empty()) graph.source = part.source;
 }
 
 }  // namespace
@@ -248,6 +249,7 @@ PassGraph read_graph(JsonObject& object, const TechniqueList& list, const Manife
   append(graph.keywords, read_keywords(object, "keywords"));
   graph.visibility = object.text("visibility", graph.visibility);
   graph.mask = object.text("mask", graph.mask);
+  graph.source = object.text("source", graph.source);
   object.finish();
   return graph;
 }
